@@ -1,0 +1,89 @@
+// A kernel: one thing that a scene asks for, compiled to programs and decisions, ready for any emitter.
+#pragma once
+#include "gen/dag/build.hpp"
+#include "gen/decide/expand.hpp"
+
+namespace meetc::dag {
+
+using algebra::blade;
+
+// A request with its operands named apart: 'norm2(meet(sphere, line))' on X: sphere, Y: line.
+struct request {
+  std::string text;                       // as the scene wrote it
+  std::string function;                   // "norm2_meet", or the predicate's name
+  spec::expr_ptr body;                    // kinds replaced by operand names; null for a predicate
+  const spec::predicate *asked = nullptr; // a predicate
+  std::vector<std::string> names;         // operand names
+  std::vector<const spec::kind *> kinds;  // of the operands
+  location where;
+
+  std::string name() const; // "norm2_meet_sphere_line"
+};
+
+// What a scene may ask: a predicate by name, or functions applied to kinds.
+request resolve(const decide::model &m, const spec::expr_ptr &what);
+// An expression over operands that the caller names ('S: sphere').
+request resolve(const decide::model &m, const spec::expr_ptr &what,
+                const std::vector<std::pair<std::string, std::string>> &with);
+
+// The basis blades on which a kind can be non-zero, over all its constructors, in reading order.
+std::vector<blade> support(const decide::model &m, const spec::kind &k, bool declared = false);
+
+// One way to make a blade from stored numbers; the coefficients follow support().
+struct blade_maker {
+  std::string name; // "" for the stored form
+  std::vector<spec::field> of;
+  std::vector<std::string> inputs; // "a.x", in memory order
+  program code;
+};
+
+// A value of general blades and of stored operands.
+struct formula {
+  std::vector<blade> result;                  // the blades of the results; {0} for a number
+  const spec::kind *result_kind = nullptr;    // the kind whose blade has room for them
+  program from_blades;                        // inputs: operands' support() coefficients, one operand after another
+  std::vector<std::string> blade_inputs;      // their names, "X.e1^n"
+  program from_stored;                        // numbers only; inputs: stored numbers, one operand after another
+  std::vector<std::string> stored_inputs;
+  std::vector<poly::poly> polynomials;        // of from_blades, in `numbers`
+  std::shared_ptr<poly::ring> numbers;
+};
+
+// One stage of a predicate: some of its atoms, as one program.
+struct stage {
+  std::vector<int> atoms; // ids in the decision
+  program code;           // results follow `atoms`
+  int degree = 0, growth = 0; // bounds of all values, see magnitudes()
+};
+
+struct predicate {
+  std::shared_ptr<poly::ring> numbers;
+  std::vector<std::string> stored_inputs;
+  int inputs_a = 0, inputs_b = 0;
+  std::shared_ptr<poly::frame> local;
+  decide::decision signs;
+  decide::staged truths;
+  std::vector<int> conditions; // any true: the rare stage is needed
+  int usual = 0;               // the hit when none is
+  stage reject, common, rare;  // empty atoms: the stage is not there
+};
+
+struct kernel {
+  request asked;
+  bool is_predicate = false;
+  formula value;      // when it is not
+  predicate decision; // when it is
+};
+
+kernel compile(const decide::model &m, const request &r);
+std::vector<blade_maker> makers(const decide::model &m, const spec::kind &k);
+
+// The stored numbers of operands as a ring, "X.c.x", and how a translation moves them.
+struct stored_ring {
+  std::shared_ptr<poly::ring> numbers;
+  std::vector<poly::stored_number> moves;
+};
+stored_ring stored_numbers(const decide::model &m, const std::vector<std::string> &names,
+                           const std::vector<const spec::kind *> &kinds);
+
+} // namespace meetc::dag

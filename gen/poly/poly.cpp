@@ -1,0 +1,296 @@
+#include "gen/poly/poly.hpp"
+
+#include <algorithm>
+#include <array>
+#include <flint/fmpq_mpoly.h>
+#include <flint/fmpz_mpoly_factor.h>
+#include <stdexcept>
+
+namespace meetc::poly {
+
+struct ring::context {
+  fmpq_mpoly_ctx_t value;
+};
+struct poly::storage {
+  fmpq_mpoly_t value;
+  const fmpq_mpoly_ctx_struct *context;
+  explicit storage(const ring &r) : context(r.flint()->value) { fmpq_mpoly_init(value, context); }
+  ~storage() { fmpq_mpoly_clear(value, context); }
+  storage(const storage &) = delete;
+  storage &operator=(const storage &) = delete;
+};
+
+namespace {
+class flint_rational {
+public:
+  flint_rational() { fmpq_init(value); }
+  explicit flint_rational(const rational &q) : flint_rational() { fmpq_set_mpq(value, q.get_mpq_t()); }
+  ~flint_rational() { fmpq_clear(value); }
+  flint_rational(const flint_rational &) = delete;
+  flint_rational &operator=(const flint_rational &) = delete;
+  rational get() const {
+    rational q;
+    fmpq_get_mpq(q.get_mpq_t(), value);
+    return q;
+  }
+  fmpq_t value;
+};
+} // namespace
+
+ring::ring(std::vector<std::string> names) : names_(std::move(names)), context_(std::make_unique<context>()) {
+  // FLINT wants at least one variable.
+  fmpq_mpoly_ctx_init(context_->value, std::max<slong>(1, static_cast<slong>(names_.size())), ORD_DEGLEX);
+}
+ring::~ring() { fmpq_mpoly_ctx_clear(context_->value); }
+
+int ring::find(const std::string &name) const {
+  const auto it = std::find(names_.begin(), names_.end(), name);
+  return it == names_.end() ? -1 : static_cast<int>(it - names_.begin());
+}
+
+poly::poly(const ring &r) : ring_(&r), p_(std::make_shared<storage>(r)) {}
+poly::poly(const ring &r, const rational &constant) : poly(r) {
+  fmpq_mpoly_set_fmpq(p_->value, flint_rational(constant).value, p_->context);
+}
+poly poly::variable(const ring &r, int v) {
+  poly out(r);
+  fmpq_mpoly_gen(out.p_->value, v, out.p_->context);
+  return out;
+}
+poly poly::from_terms(const ring &r, const std::vector<term> &terms) {
+  poly out(r);
+  std::vector<ulong> exponents(static_cast<std::size_t>(std::max(1, r.size())));
+  for (const term &t : terms) {
+    std::fill(exponents.begin(), exponents.end(), 0);
+    for (const power &f : t.factors)
+      exponents[static_cast<std::size_t>(f.variable)] += static_cast<ulong>(f.exponent);
+    fmpq_mpoly_push_term_fmpq_ui(out.p_->value, flint_rational(t.coefficient).value, exponents.data(),
+                                 out.p_->context);
+  }
+  fmpq_mpoly_sort_terms(out.p_->value, out.p_->context);
+  fmpq_mpoly_combine_like_terms(out.p_->value, out.p_->context);
+  return out;
+}
+bool poly::is_zero() const { return fmpq_mpoly_is_zero(p_->value, p_->context) != 0; }
+bool poly::is_constant() const { return fmpq_mpoly_is_fmpq(p_->value, p_->context) != 0; }
+rational poly::constant() const {
+  flint_rational q;
+  fmpq_mpoly_get_fmpq(q.value, p_->value, p_->context);
+  return q.get();
+}
+std::size_t poly::length() const { return static_cast<std::size_t>(fmpq_mpoly_length(p_->value, p_->context)); }
+int poly::total_degree() const {
+  return is_zero() ? 0 : static_cast<int>(fmpq_mpoly_total_degree_si(p_->value, p_->context));
+}
+int poly::degree(int v) const { return is_zero() ? 0 : static_cast<int>(fmpq_mpoly_degree_si(p_->value, v, p_->context)); }
+
+bool poly::is_homogeneous() const {
+  int degree = -1;
+  for (const term &t : terms()) {
+    int d = 0;
+    for (const power &f : t.factors)
+      d += f.exponent;
+    if (degree >= 0 && d != degree)
+      return false;
+    degree = d;
+  }
+  return true;
+}
+
+poly operator+(const poly &a, const poly &b) {
+  poly out(*a.ring_);
+  fmpq_mpoly_add(out.p_->value, a.p_->value, b.p_->value, out.p_->context);
+  return out;
+}
+poly operator-(const poly &a, const poly &b) {
+  poly out(*a.ring_);
+  fmpq_mpoly_sub(out.p_->value, a.p_->value, b.p_->value, out.p_->context);
+  return out;
+}
+poly operator*(const poly &a, const poly &b) {
+  poly out(*a.ring_);
+  fmpq_mpoly_mul(out.p_->value, a.p_->value, b.p_->value, out.p_->context);
+  return out;
+}
+bool operator==(const poly &a, const poly &b) {
+  return a.ring_ == b.ring_ && fmpq_mpoly_equal(a.p_->value, b.p_->value, a.p_->context) != 0;
+}
+poly poly::scaled(const rational &q) const {
+  poly out(*ring_);
+  fmpq_mpoly_scalar_mul_fmpq(out.p_->value, p_->value, flint_rational(q).value, p_->context);
+  return out;
+}
+poly poly::derivative(int v) const {
+  poly out(*ring_);
+  fmpq_mpoly_derivative(out.p_->value, p_->value, v, p_->context);
+  return out;
+}
+
+std::vector<term> poly::terms() const {
+  std::vector<term> out;
+  const std::size_t n = length();
+  std::vector<ulong> exponents(static_cast<std::size_t>(std::max(1, ring_->size())));
+  flint_rational q;
+  for (std::size_t i = 0; i < n; ++i) {
+    fmpq_mpoly_get_term_coeff_fmpq(q.value, p_->value, static_cast<slong>(i), p_->context);
+    fmpq_mpoly_get_term_exp_ui(exponents.data(), p_->value, static_cast<slong>(i), p_->context);
+    term t{q.get(), {}};
+    for (int v = 0; v < ring_->size(); ++v)
+      if (exponents[static_cast<std::size_t>(v)])
+        t.factors.push_back({v, static_cast<int>(exponents[static_cast<std::size_t>(v)])});
+    out.push_back(std::move(t));
+  }
+  return out;
+}
+
+std::vector<int> poly::variables() const {
+  std::vector<char> used(static_cast<std::size_t>(ring_->size()));
+  for (const term &t : terms())
+    for (const power &f : t.factors)
+      used[static_cast<std::size_t>(f.variable)] = 1;
+  std::vector<int> out;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v])
+      out.push_back(static_cast<int>(v));
+  return out;
+}
+
+std::string poly::key() const {
+  std::string out;
+  for (const term &t : terms()) {
+    out += t.coefficient.get_str();
+    for (const power &f : t.factors)
+      out += '*' + std::to_string(f.variable) + '^' + std::to_string(f.exponent);
+    out += ';';
+  }
+  return out;
+}
+
+std::string poly::text() const {
+  if (is_zero())
+    return "0";
+  std::string out;
+  for (const term &t : terms()) {
+    rational c = t.coefficient;
+    if (!out.empty())
+      out += c < 0 ? " - " : " + ";
+    else if (c < 0)
+      out += "-";
+    c = abs(c);
+    std::string factors;
+    for (const power &f : t.factors) {
+      factors += (factors.empty() ? "" : "*") + ring_->name(f.variable);
+      if (f.exponent > 1)
+        factors += '^' + std::to_string(f.exponent);
+    }
+    if (factors.empty())
+      out += c.get_str();
+    else
+      out += (c == 1 ? "" : c.get_str() + "*") + factors;
+  }
+  return out;
+}
+
+poly poly::substitute(const std::vector<poly> &images, const ring &target) const {
+  poly out(target);
+  if (is_zero())
+    return out;
+  std::vector<fmpq_mpoly_struct *> pointers;
+  for (const poly &image : images)
+    pointers.push_back(image.p_->value);
+  poly none(target);
+  if (pointers.empty())
+    pointers.push_back(none.p_->value);
+  if (!fmpq_mpoly_compose_fmpq_mpoly(out.p_->value, p_->value, pointers.data(), p_->context, out.p_->context))
+    throw std::runtime_error("a substitution is too large");
+  return out;
+}
+
+rational poly::evaluate(const std::vector<rational> &values) const {
+  rational sum = 0;
+  for (const term &t : terms()) {
+    rational product = t.coefficient;
+    for (const power &f : t.factors)
+      for (int i = 0; i < f.exponent; ++i)
+        product *= values[static_cast<std::size_t>(f.variable)];
+    sum += product;
+  }
+  return sum;
+}
+
+std::pair<rational, poly> poly::primitive() const {
+  if (is_zero())
+    return {0, *this};
+  const std::vector<term> all = terms();
+  mpz_class g = 0, l = 1;
+  for (const term &t : all) {
+    g = gcd(g, t.coefficient.get_num());
+    l = lcm(l, t.coefficient.get_den());
+  }
+  rational content(g, l);
+  content.canonicalize();
+  if (all.front().coefficient < 0)
+    content = -content;
+  return {content, scaled(1 / content)};
+}
+
+poly::factor poly::factors() const {
+  auto [content, rest] = primitive();
+  factor out{{}, content};
+  if (rest.is_constant()) {
+    out.content *= rest.is_zero() ? rational(0) : rest.constant();
+    return out;
+  }
+  auto *integers = const_cast<fmpz_mpoly_ctx_struct *>(rest.p_->context->zctx);
+  fmpz_mpoly_factor_t f;
+  fmpz_mpoly_factor_init(f, integers);
+  if (!fmpz_mpoly_factor(f, rest.p_->value->zpoly, integers)) {
+    fmpz_mpoly_factor_clear(f, integers);
+    out.parts.emplace_back(rest, 1); // FLINT gave up: one factor, still right
+    return out;
+  }
+  for (slong i = 0; i < fmpz_mpoly_factor_length(f, integers); ++i) {
+    poly part(*ring_);
+    fmpz_mpoly_factor_get_base(part.p_->value->zpoly, f, i, integers);
+    fmpq_one(part.p_->value->content);
+    const slong exponent = fmpz_mpoly_factor_get_exp_si(f, i, integers);
+    auto [unit, base] = part.primitive();
+    out.parts.emplace_back(base, static_cast<int>(exponent));
+  }
+  fmpz_mpoly_factor_clear(f, integers);
+  std::vector<std::pair<std::string, std::size_t>> order;
+  for (std::size_t i = 0; i < out.parts.size(); ++i)
+    order.emplace_back(out.parts[i].first.key(), i);
+  std::sort(order.begin(), order.end());
+  std::vector<std::pair<poly, int>> sorted;
+  poly product(*ring_, 1);
+  for (const auto &[key, i] : order) {
+    for (int k = 0; k < out.parts[i].second; ++k)
+      product = product * out.parts[i].first;
+    sorted.push_back(out.parts[i]);
+  }
+  out.parts = std::move(sorted);
+  // What is left between the primitive and the product of primitives is a sign.
+  const rational lead = terms().front().coefficient;
+  out.content = lead / product.terms().front().coefficient;
+  return out;
+}
+
+std::vector<poly> coefficients(const poly &p, int v) {
+  std::vector<std::vector<term>> parts(static_cast<std::size_t>(p.degree(v)) + 1);
+  for (term t : p.terms()) {
+    const auto it = std::find_if(t.factors.begin(), t.factors.end(), [&](const power &f) { return f.variable == v; });
+    std::size_t k = 0;
+    if (it != t.factors.end()) {
+      k = static_cast<std::size_t>(it->exponent);
+      t.factors.erase(it);
+    }
+    parts[k].push_back(std::move(t));
+  }
+  std::vector<poly> out;
+  for (const auto &part : parts)
+    out.push_back(poly::from_terms(p.in(), part));
+  return out;
+}
+
+} // namespace meetc::poly
