@@ -86,4 +86,15 @@ struct stored_ring {
 stored_ring stored_numbers(const decide::model &m, const std::vector<std::string> &names,
                            const std::vector<const spec::kind *> &kinds);
 
+// What a runtime must know of a bounded kind: the hull's points as inputs by axis, the pad's input (-1: none), and
+// the rule that a valid element obeys as (input, "comparison with 0").
+struct enclosure {
+  std::vector<std::vector<int>> hull;
+  int pad = -1;
+  int rule_input = -1;
+  std::string rule, rule_text; // ">= 0", "r >= 0"
+};
+// Empty hull: the kind is not bounded, and no set of it can be searched.
+enclosure enclosing(const decide::model &m, const spec::kind &k);
+
 } // namespace meetc::dag

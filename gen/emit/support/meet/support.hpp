@@ -38,6 +38,7 @@ MEET_HD constexpr sign operator-(sign s) { return static_cast<sign>(-static_cast
 MEET_HD constexpr sign operator*(sign a, sign b) {
   return static_cast<sign>(static_cast<int>(a) * static_cast<int>(b));
 }
+MEET_HD constexpr sign square(sign s) { return s * s; }
 
 // A set of possible signs, as a rung with an error bound knows it: bit 0 negative, bit 1 zero, bit 2 positive.
 struct sign_set {
@@ -55,6 +56,10 @@ MEET_HD constexpr sign_set operator*(sign_set a, sign_set b) {
   const int z = (a.bits & 2) || (b.bits & 2);
   const int p = (a.bits & 1 && b.bits & 1) || (a.bits & 4 && b.bits & 4);
   return {static_cast<std::uint8_t>(n | z << 1 | p << 2)};
+}
+
+MEET_HD constexpr sign_set square(sign_set s) {
+  return {static_cast<std::uint8_t>((s.bits & 2) | ((s.bits & 5) != 0) << 2)};
 }
 
 // A three-valued truth: bit 0 can be false, bit 1 can be true.
@@ -109,7 +114,7 @@ template <int W> struct wide {
   std::uint64_t limb[W];
 
   wide() = default;
-  MEET_HD constexpr explicit wide(std::int64_t v) : limb{} {
+  MEET_HD constexpr explicit wide(std::int64_t v) : limb() {
     limb[0] = static_cast<std::uint64_t>(v);
     for (int i = 1; i < W; ++i)
       limb[i] = v < 0 ? ~std::uint64_t{0} : 0;
@@ -240,6 +245,89 @@ MEET_HD inline float step_up(float v) {
 }
 MEET_HD inline float step_down(float v) { return -step_up(-v); }
 
+// ---- rungs of a predicate ------------------------------------------------------------------------------------
+//
+// A predicate P has stages (reject, common, rare; absent ones are no_stage), each a program from stored numbers to
+// signs: object_a and object_b compute what one object alone decides, pair the rest. P::rejected, P::usual,
+// P::needs_rare and P::whole are its decision, for sign and for sign_set alike.
+
+struct no_stage {
+  static constexpr int atoms = 0;
+};
+
+template <class Stage, class T> MEET_HD inline void stage_signs(const T *a, const T *b, sign *s) {
+  T fields_a[Stage::fields_a + 1], fields_b[Stage::fields_b + 1];
+  Stage::object_a(a, fields_a);
+  Stage::object_b(b, fields_b);
+  Stage::pair(a, fields_a, b, fields_b, s);
+}
+
+// A plain rung takes the sign of the computed value.
+template <class P, class T> struct plain_signs {
+  T a[P::inputs_a], b[P::inputs_b];
+  MEET_HD plain_signs(const float *row_a, const float *row_b) {
+    for (int i = 0; i < P::inputs_a; ++i)
+      a[i] = static_cast<T>(row_a[i]);
+    for (int i = 0; i < P::inputs_b; ++i)
+      b[i] = static_cast<T>(row_b[i]);
+  }
+  template <class Stage> MEET_HD void get(sign *s) const { stage_signs<Stage>(a, b, s); }
+};
+
+// The exact rung: integers on the grid of the pair's own numbers, as wide as the stage's bound asks for.
+template <class P> struct exact_signs {
+  const float *a, *b;
+  grid common;
+  MEET_HD exact_signs(const float *row_a, const float *row_b)
+      : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))) {}
+
+  template <class Stage> MEET_HD void get(sign *s) const {
+    constexpr int most = Stage::degree * 277 + Stage::growth; // float32 spans 277 bits: 2^-149 to 2^128
+    const int need = Stage::degree * common.bits() + Stage::growth;
+    if (need <= 62)
+      run<Stage, std::int64_t>(s);
+    else if (need <= 126)
+      run<Stage, int128>(s);
+    else if (need <= 254)
+      run<Stage, wide<4>>(s);
+    else if (need <= 510)
+      run<Stage, wide<8>>(s);
+    else
+      run<Stage, wide<most / 64 + 1>>(s);
+  }
+
+private:
+  MEET_HD static grid join(grid x, grid y) {
+    return {x.low < y.low ? x.low : y.low, x.high > y.high ? x.high : y.high};
+  }
+  template <class Stage, class I> MEET_HD void run(sign *s) const {
+    I ia[P::inputs_a], ib[P::inputs_b];
+    for (int i = 0; i < P::inputs_a; ++i)
+      to_integer(a[i], common.low, ia[i]);
+    for (int i = 0; i < P::inputs_b; ++i)
+      to_integer(b[i], common.low, ib[i]);
+    stage_signs<Stage>(ia, ib, s);
+  }
+};
+
+// Runs the stages in order and stops at the first that decides.
+template <class P, class Signs> MEET_HD inline bool decide(const Signs &signs) {
+  sign s[P::atoms + 1];
+  if constexpr (P::reject_stage::atoms > 0) {
+    signs.template get<typename P::reject_stage>(s);
+    if (P::rejected(s))
+      return false;
+  }
+  if constexpr (P::common_stage::atoms > 0)
+    signs.template get<typename P::common_stage>(s);
+  if constexpr (P::rare_stage::atoms > 0)
+    if (P::needs_rare(s)) {
+      signs.template get<typename P::rare_stage>(s);
+      return P::whole(s);
+    }
+  return P::usual(s);
+}
+
 // ---- what a runtime and generated code tell each other --------------------------------------------------------
 
 // What a stored number is, so that a runtime can move an element and check it without knowing its shape.
@@ -272,6 +360,29 @@ struct predicate_info {
   // scene does not ask for the rung. Plain rungs and `exact` never answer unsure.
   void (*decide[rung_count])(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out);
 };
+
+// All that a namespace offers to a runtime.
+struct catalogue {
+  const char *space;
+  const kind_info *kinds;
+  int kind_count;
+  const predicate_info *predicates;
+  int predicate_count;
+};
+
+// The table's functions, for any predicate.
+template <class P, class T>
+void decide_plain(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+  for (std::size_t i = 0; i < n; ++i)
+    out[i] = to_answer(decide<P>(plain_signs<P, T>(a + std::size_t{pairs[i].a} * P::inputs_a,
+                                                   b + std::size_t{pairs[i].b} * P::inputs_b)));
+}
+template <class P>
+void decide_exact(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+  for (std::size_t i = 0; i < n; ++i)
+    out[i] = to_answer(decide<P>(exact_signs<P>(a + std::size_t{pairs[i].a} * P::inputs_a,
+                                                b + std::size_t{pairs[i].b} * P::inputs_b)));
+}
 
 } // namespace meet
 

@@ -1,0 +1,288 @@
+// C++ headers: kinds, one header a kernel, and one for the namespace.
+#include "gen/emit/body.hpp"
+#include "gen/emit/cpp.hpp"
+#include "gen/emit/names.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace meetc::emit {
+namespace {
+
+using algebra::blade;
+
+std::uint64_t content_hash(const spec::scene &s) {
+  std::uint64_t h = 14695981039346656037u; // FNV-1a
+  for (const auto &file : s.files)
+    for (const char c : file->text + '\0')
+      h = (h ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  return h;
+}
+
+std::string lower_include(const std::string &kernel) { return kernel + ".hpp"; }
+
+std::string field_list(const std::vector<std::string> &names) { return join(names, ", "); }
+
+// All kinds that stored operands, results and constructors of the kernels need, in the spec's order.
+std::vector<const spec::kind *> kinds_of(const unit &u) {
+  std::set<const spec::kind *> wanted;
+  const std::function<void(const spec::kind *)> want = [&](const spec::kind *k) {
+    if (!k || !wanted.insert(k).second)
+      return;
+    for (const spec::field &f : k->store)
+      want(u.model.spec().find_kind(f.type));
+    for (const spec::constructor &c : k->from)
+      for (const spec::field &f : c.of)
+        want(u.model.spec().find_kind(f.type));
+  };
+  for (const dag::kernel &k : u.kernels) {
+    for (const spec::kind *operand : k.asked.kinds)
+      want(operand);
+    if (!k.is_predicate)
+      want(k.value.result_kind);
+  }
+  std::vector<const spec::kind *> out;
+  for (const spec::kind &k : u.model.spec().kinds)
+    if (wanted.count(&k))
+      out.push_back(&k);
+  // A struct comes after the structs that it holds.
+  std::vector<const spec::kind *> ordered;
+  std::set<const spec::kind *> done;
+  const std::function<void(const spec::kind *)> place = [&](const spec::kind *k) {
+    if (!done.insert(k).second)
+      return;
+    for (const spec::field &f : k->store)
+      if (const spec::kind *part = u.model.spec().find_kind(f.type))
+        place(part);
+    ordered.push_back(k);
+  };
+  for (const spec::kind *k : out)
+    place(k);
+  return ordered;
+}
+
+// Which kinds' blades formulas read or give.
+std::set<const spec::kind *> blades_of(const unit &u) {
+  std::set<const spec::kind *> out;
+  for (const dag::kernel &k : u.kernels)
+    if (!k.is_predicate) {
+      out.insert(k.asked.kinds.begin(), k.asked.kinds.end());
+      if (k.value.result_kind)
+        out.insert(k.value.result_kind);
+    }
+  return out;
+}
+
+std::string struct_text(const unit &u, const spec::kind &k) {
+  const std::string name = identifier(k.name);
+  std::string out = fmt::format("// {}: as it is stored, {} numbers.\ntemplate <class T = float> struct {} {{\n", k.name,
+                                u.model.layout(k).reals.size(), name);
+  for (std::size_t i = 0; i < k.store.size();) {
+    // Neighbours of one type share a line.
+    std::vector<std::string> names;
+    const std::string &type = k.store[i].type;
+    for (; i < k.store.size() && k.store[i].type == type; ++i)
+      names.push_back(identifier(k.store[i].name));
+    out += fmt::format("  {} {};\n", type == "real" ? "T" : identifier(type) + "<T>", field_list(names));
+  }
+  out += "};\n";
+  out += fmt::format("template <class T> MEET_HD inline void to_row(const {}<T> &k, T *out) {{\n", name);
+  int i = 0;
+  for (const decide::stored_real &r : u.model.layout(k).reals)
+    out += fmt::format("  out[{}] = k.{};\n", i++, path_identifier(r.path));
+  return out + "}\n\n";
+}
+
+std::string blade_struct(const unit &u, const spec::kind &k) {
+  const std::vector<blade> blades = dag::support(u.model, k);
+  std::vector<std::string> fields;
+  for (const blade b : blades)
+    fields.push_back(blade_field(u.model.working(), b));
+  return fmt::format("// The blade of a {}: coefficients on {}.\ntemplate <class T = float> struct {}_blade {{\n"
+                     "  T {};\n}};\n",
+                     k.name,
+                     [&] {
+                       std::vector<std::string> names;
+                       for (const blade b : blades)
+                         names.push_back(u.model.working().name(b));
+                       return join(names, ", ");
+                     }(),
+                     identifier(k.name), field_list(fields));
+}
+
+std::string maker_text(const unit &u, const spec::kind &k) {
+  std::string out;
+  const std::vector<blade> blades = dag::support(u.model, k);
+  for (const dag::blade_maker &maker : dag::makers(u.model, k)) {
+    const spec::expr *written = k.blade.get();
+    for (const spec::constructor &c : k.from)
+      if (c.name == maker.name)
+        written = c.blade.get();
+    out += fmt::format("// {}\n// {}.\n", spec::print(*written),
+                       count_text(dag::count(maker.code.nodes, maker.code.results)));
+    std::string parameters;
+    if (maker.name.empty()) {
+      parameters = fmt::format("const {}<T> &k", identifier(k.name));
+      out += fmt::format("template <class T> MEET_HD inline {}_blade<T> blade({}) {{\n", identifier(k.name), parameters);
+    } else {
+      for (const spec::field &f : maker.of)
+        parameters += fmt::format("{}const {} &{}", parameters.empty() ? "" : ", ",
+                                  f.type == "real" ? "T" : identifier(f.type) + "<T>", identifier(f.name));
+      out += fmt::format("template <class T> MEET_HD inline {0}_blade<T> {1}({2}) {{\n", identifier(k.name),
+                         identifier(k.name + "_from_" + maker.name), parameters);
+    }
+    body_names names;
+    names.input = [&](int i) {
+      return (maker.name.empty() ? "k." : "") + path_identifier(maker.inputs[static_cast<std::size_t>(i)]);
+    };
+    names.result = [&](std::size_t i, const std::string &value) {
+      return fmt::format("B.{} = {};", blade_field(u.model.working(), blades[i]), value);
+    };
+    out += fmt::format("  {}_blade<T> B;\n", identifier(k.name)) + body(maker.code, names, "  ") + "  return B;\n}\n";
+  }
+  return out + "\n";
+}
+
+std::string kinds_header(const unit &u) {
+  std::string out = banner(u.scene, "Kinds: what is stored, and the blades that it stands for.");
+  out += open_header(u.scene, "kinds");
+  const auto blades = blades_of(u);
+  for (const spec::kind *k : kinds_of(u))
+    out += struct_text(u, *k);
+  for (const spec::kind *k : kinds_of(u))
+    if (blades.count(k))
+      out += blade_struct(u, *k) + maker_text(u, *k);
+  return out + close_header(u.scene);
+}
+
+std::string formula_header(const unit &u, const dag::kernel &k) {
+  const dag::formula &f = k.value;
+  const bool number = f.result.size() == 1 && f.result[0] == 0;
+  std::string out;
+  if (!number && !f.result_kind) {
+    std::vector<std::string> fields;
+    for (const blade b : f.result)
+      fields.push_back(blade_field(u.model.working(), b));
+    out += fmt::format("template <class T = float> struct {}_result {{\n  T {};\n}};\n\n", identifier(k.asked.name()),
+                       field_list(fields));
+  }
+  const std::string type = number          ? "T"
+                           : f.result_kind ? identifier(f.result_kind->name) + "_blade<T>"
+                                           : identifier(k.asked.name()) + "_result<T>";
+  std::vector<std::string> blade_names;
+  for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
+    for (const blade b : dag::support(u.model, *k.asked.kinds[i]))
+      blade_names.push_back(k.asked.names[i] + '.' + blade_field(u.model.working(), b));
+  // On blades.
+  out += fmt::format("// {} on blades\n", k.asked.text);
+  for (std::size_t i = 0; i < f.result.size(); ++i) {
+    const std::string left = number ? "" : "B." + blade_field(u.model.working(), f.result[i]) + " = ";
+    if (f.polynomials[i].length() <= 60)
+      out += wrapped(left + poly_with_names(f.polynomials[i], blade_names), "//   ");
+    else
+      out += fmt::format("//   {}{} terms when expanded\n", left, f.polynomials[i].length());
+  }
+  out += fmt::format("// {}.\n", count_text(dag::count(f.from_blades.nodes, f.from_blades.results)));
+  std::string parameters, call, stored_parameters;
+  for (std::size_t i = 0; i < k.asked.kinds.size(); ++i) {
+    // An operand that no result reads still stands in the signature.
+    const std::string kind = identifier(k.asked.kinds[i]->name), name = identifier(k.asked.names[i]);
+    parameters += fmt::format("{}[[maybe_unused]] const {}_blade<T> &{}", i ? ", " : "", kind, name);
+    stored_parameters += fmt::format("{}[[maybe_unused]] const {}<T> &{}", i ? ", " : "", kind, name);
+    call += fmt::format("{}blade({})", i ? ", " : "", name);
+  }
+  body_names names;
+  names.input = [&](int i) { return blade_names[static_cast<std::size_t>(i)]; };
+  if (number) {
+    names.result = [](std::size_t, const std::string &value) { return fmt::format("return {};", value); };
+    out += fmt::format("template <class T> MEET_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked), parameters,
+                       body(f.from_blades, names, "  "));
+  } else {
+    names.result = [&](std::size_t i, const std::string &value) {
+      return fmt::format("B.{} = {};", blade_field(u.model.working(), f.result[i]), value);
+    };
+    std::string rest;
+    if (f.result_kind)
+      for (const blade b : dag::support(u.model, *f.result_kind))
+        if (std::find(f.result.begin(), f.result.end(), b) == f.result.end())
+          rest += fmt::format("  B.{} = T(0);\n", blade_field(u.model.working(), b));
+    out += fmt::format("template <class T> MEET_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
+                       kernel_function(k.asked), parameters, type, body(f.from_blades, names, "  "), rest);
+  }
+  // On what is stored.
+  if (number) {
+    std::vector<std::string> inputs;
+    for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
+      for (const decide::stored_real &r : u.model.layout(*k.asked.kinds[i]).reals)
+        inputs.push_back(identifier(k.asked.names[i]) + '.' + path_identifier(r.path));
+    names.input = [&](int i) { return inputs[static_cast<std::size_t>(i)]; };
+    out += fmt::format("\n// {} from what is stored, in differences where a translation changes nothing; B is never "
+                       "formed.\n// {}.\n",
+                       k.asked.text, count_text(dag::count(f.from_stored.nodes, f.from_stored.results)));
+    out += fmt::format("template <class T> MEET_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
+                       stored_parameters, body(f.from_stored, names, "  "));
+  } else {
+    out += fmt::format("template <class T> MEET_HD inline {} {}({}) {{ return {}({}); }}\n", type,
+                       kernel_function(k.asked), stored_parameters, kernel_function(k.asked), call);
+  }
+  return out;
+}
+
+} // namespace
+
+std::string banner(const spec::scene &s, const std::string &what, const char *comment) {
+  std::vector<std::string> names;
+  for (const auto &file : s.files)
+    names.push_back(file->path.substr(file->path.find_last_of('/') + 1));
+  return fmt::format("{0} Generated by meetc {1} from {2} (content {3:016x}): do not edit.\n{0} {4}\n", comment,
+                     MEETC_VERSION, join(names, ", "), content_hash(s), what);
+}
+
+std::string open_header(const spec::scene &s, const std::string &name, const std::vector<std::string> &includes) {
+  const std::string space = identifier(s.space);
+  std::string out = fmt::format("#ifndef MEETC_{0}_{1}_HPP\n#define MEETC_{0}_{1}_HPP\n\n#include <meet/support.hpp>\n",
+                                space, identifier(name));
+  for (const std::string &i : includes)
+    out += fmt::format("#include <{}/{}>\n", space, i);
+  return out + fmt::format("\nstatic_assert(MEET_SUPPORT_VERSION == 1, \"meet/support.hpp is of another version; "
+                           "regenerate\");\n\nnamespace {} {{\n\n",
+                           space);
+}
+
+std::string close_header(const spec::scene &s) { return fmt::format("\n}} // namespace {}\n\n#endif\n", identifier(s.space)); }
+
+std::string cpp_text(const unit &u, const dag::kernel &k) {
+  std::string out = banner(u.scene, k.asked.text);
+  out += open_header(u.scene, k.asked.name(), {"kinds.hpp"});
+  out += k.is_predicate ? predicate_text(u, k) : formula_header(u, k);
+  return out + close_header(u.scene);
+}
+
+std::vector<file> cpp_files(const unit &u) {
+  const std::string space = identifier(u.scene.space);
+  std::vector<file> out;
+  out.push_back({"meet/support.hpp", support_header()});
+  out.push_back({space + "/kinds.hpp", kinds_header(u)});
+  std::vector<std::string> headers{"kinds.hpp"};
+  bool predicates = false;
+  for (const dag::kernel &k : u.kernels) {
+    headers.push_back(lower_include(k.asked.name()));
+    out.push_back({space + '/' + headers.back(), cpp_text(u, k)});
+    predicates = predicates || k.is_predicate;
+  }
+  std::sort(headers.begin() + 1, headers.end());
+  out.push_back({space + '/' + space + ".hpp",
+                 banner(u.scene, "Everything that the scene asks for.") + open_header(u.scene, space + "_all", headers) +
+                     close_header(u.scene)});
+  out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
+  out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
+  if (std::find(u.scene.backends.begin(), u.scene.backends.end(), "cuda") != u.scene.backends.end() && predicates) {
+    out.push_back({space + '/' + space + "_cuda.hpp", cuda_header(u)});
+    out.push_back({space + '/' + space + "_cuda.cu", cuda_source(u)});
+  }
+  std::sort(out.begin(), out.end(), [](const file &a, const file &b) { return a.path < b.path; });
+  return out;
+}
+
+} // namespace meetc::emit

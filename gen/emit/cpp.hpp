@@ -1,0 +1,24 @@
+// The parts of emitted C++, one function a file or a part of one.
+#pragma once
+#include "gen/emit/emit.hpp"
+
+namespace meetc::emit {
+
+std::string banner(const spec::scene &s, const std::string &what, const char *comment = "//");
+std::string open_header(const spec::scene &s, const std::string &name, const std::vector<std::string> &includes = {});
+std::string close_header(const spec::scene &s);
+
+std::string predicate_text(const unit &u, const dag::kernel &k);
+
+// The table of kinds and predicates through which a runtime knows this namespace.
+std::string runtime_header(const unit &u);
+std::string runtime_source(const unit &u);
+
+// Launchers of the predicates on a CUDA device.
+std::string cuda_header(const unit &u);
+std::string cuda_source(const unit &u);
+
+// meet/support.hpp, as the generator was built with it.
+std::string support_header();
+
+} // namespace meetc::emit

@@ -1,0 +1,46 @@
+#include "gen/emit/names.hpp"
+
+#include <set>
+
+namespace meetc::emit {
+
+std::string identifier(const std::string &name) {
+  // C++20 keywords and alternative tokens, CUDA's qualifiers, and the names that emitted code uses itself.
+  static const std::set<std::string> taken{
+      "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "case", "catch",
+      "char", "char8_t", "char16_t", "char32_t", "class", "compl", "concept", "const", "consteval", "constexpr",
+      "constinit", "const_cast", "continue", "co_await", "co_return", "co_yield", "decltype", "default", "delete",
+      "do", "double", "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for",
+      "friend", "goto", "if", "inline", "int", "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq",
+      "nullptr", "operator", "or", "or_eq", "private", "protected", "public", "register", "reinterpret_cast",
+      "requires", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct",
+      "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union",
+      "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "T", "S", "blade",
+      "to_row", "main", "std", "cuda", "predicates", "kinds", "linux", "unix"};
+  // Leading underscores, double underscores and a trailing one are reserved or ours.
+  std::string out;
+  for (const char c : name)
+    if (c != '_' || (!out.empty() && out.back() != '_'))
+      out += c;
+  if (out.empty() || out.back() == '_' || out != name || taken.count(out))
+    out += out.empty() || out.back() != '_' ? "_" : "0_";
+  return out;
+}
+
+std::string path_identifier(const std::string &path) {
+  std::string out;
+  for (std::size_t from = 0; from <= path.size();) {
+    const std::size_t dot = std::min(path.find('.', from), path.size());
+    out += (from ? "." : "") + identifier(path.substr(from, dot - from));
+    from = dot + 1;
+  }
+  return out;
+}
+
+std::string blade_field(const algebra::metric &m, algebra::blade b) {
+  return b == 0 ? "scalar" : identifier(m.name(b, "_"));
+}
+
+std::string kernel_function(const dag::request &r) { return identifier(r.function); }
+
+} // namespace meetc::emit

@@ -1,0 +1,174 @@
+// A predicate as a struct: its stages and its decision.
+#include "gen/emit/body.hpp"
+#include "gen/emit/cpp.hpp"
+#include "gen/emit/names.hpp"
+
+#include <fmt/format.h>
+#include <functional>
+#include <map>
+
+namespace meetc::emit {
+namespace {
+using decide::truth_node;
+
+std::string stage_text(const dag::predicate &p, const dag::stage &st, const char *name, const char *what,
+                       std::map<int, int> &slot) {
+  if (st.atoms.empty())
+    return fmt::format("  using {} = ::meet::no_stage;\n", name);
+  const int first = static_cast<int>(slot.size());
+  std::vector<int> slots;
+  for (const int a : st.atoms) {
+    const int next = static_cast<int>(slot.size());
+    slots.push_back(slot.try_emplace(a, next).first->second);
+  }
+  const parts text = split_body(st.code, p.inputs_a, slots, "      ");
+  std::string out = fmt::format("  // {}: signs {} to {}, degree {}.\n", what, first, slot.size() - 1, st.degree);
+  const auto counted = [&](poly::residency r) { return count_text(dag::count(st.code, r)); };
+  out += fmt::format("  // Once an object A: {}; B: {}; a pair: {}.\n", counted(poly::residency::a),
+                     counted(poly::residency::b), counted(poly::residency::pair));
+  out += fmt::format("  struct {} {{\n    static constexpr int atoms = {}, fields_a = {}, fields_b = {};\n"
+                     "    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
+                     "    static constexpr int degree = {}, growth = {};\n",
+                     name, st.atoms.size(), text.fields_a, text.fields_b, st.degree, st.growth);
+  out += fmt::format("    template <class T>\n    MEET_HD static void object_a([[maybe_unused]] const T *a, "
+                     "[[maybe_unused]] T *f) {{\n{}    }}\n",
+                     text.object_a);
+  out += fmt::format("    template <class T>\n    MEET_HD static void object_b([[maybe_unused]] const T *b, "
+                     "[[maybe_unused]] T *f) {{\n{}    }}\n",
+                     text.object_b);
+  out += fmt::format("    template <class T>\n    MEET_HD static void pair([[maybe_unused]] const T *a, "
+                     "[[maybe_unused]] const T *fa,\n                             [[maybe_unused]] const T *b, "
+                     "[[maybe_unused]] const T *fb, ::meet::sign *s) {{\n{}    }}\n  }};\n",
+                     text.pair);
+  return out;
+}
+
+// The truths that `roots` need, as statements b0, b1, ...; gives the names of the roots.
+class truth_writer {
+public:
+  truth_writer(const decide::decision &d, const std::map<int, int> &slot) : d_(d), slot_(slot) {}
+
+  std::string name(int id) {
+    if (const auto it = names_.find(id); it != names_.end())
+      return it->second;
+    const truth_node &n = d_.at(id);
+    std::string text;
+    switch (n.kind) {
+    case truth_node::type::constant:
+      return names_[id] = n.flag ? "true" : "false";
+    case truth_node::type::test: {
+      std::string product;
+      for (const auto &[atom, e] : n.sign.atoms)
+        product += fmt::format(fmt::runtime(e == 2 ? "{}::meet::square(s[{}])" : "{}s[{}]"),
+                               product.empty() ? "" : " * ", slot_.at(atom));
+      text = fmt::format("::meet::in<{}>({})", n.flag, product);
+      break;
+    }
+    case truth_node::type::both:
+    case truth_node::type::either: {
+      const char *f = n.kind == truth_node::type::both ? "both" : "either";
+      text = name(n.args[0]);
+      for (std::size_t i = 1; i < n.args.size(); ++i) {
+        if (text.size() > 90)
+          text = keep(text);
+        const std::string next = name(n.args[i]);
+        text = fmt::format("::meet::{}({}, {})", f, text, next);
+      }
+      break;
+    }
+    case truth_node::type::negate:
+      text = fmt::format("::meet::negate({})", name(n.args[0]));
+      break;
+    case truth_node::type::choose: {
+      const std::string c = name(n.args[0]), t = name(n.args[1]), e = name(n.args[2]);
+      text = fmt::format("::meet::either(::meet::both({0}, {1}), ::meet::both(::meet::negate({0}), {2}))", c, t, e);
+      break;
+    }
+    }
+    return names_[id] = keep(text);
+  }
+  std::string take() { return std::move(out_); }
+
+private:
+  const decide::decision &d_;
+  const std::map<int, int> &slot_;
+  std::map<int, std::string> names_;
+  std::string out_;
+  int next_ = 0;
+
+  std::string keep(const std::string &text) {
+    const std::string b = fmt::format("b{}", next_++);
+    out_ += fmt::format("    const auto {} = {};\n", b, text);
+    return b;
+  }
+};
+
+std::string truth_function(const dag::predicate &p, const std::map<int, int> &slot, const char *name,
+                           const std::vector<int> &any_of, bool as_bool) {
+  truth_writer w(p.signs, slot);
+  std::string value;
+  for (const int id : any_of) {
+    const std::string next = w.name(id);
+    value = value.empty() ? next : fmt::format("::meet::either({}, {})", value, next);
+  }
+  if (value.empty())
+    value = "false";
+  if (as_bool)
+    value = fmt::format("::meet::can_be_true({})", value);
+  return fmt::format("  template <class S> MEET_HD static constexpr auto {}([[maybe_unused]] const S *s) {{\n{}    return {};\n"
+                     "  }}\n",
+                     name, w.take(), value);
+}
+
+std::string commented(const std::string &label, const std::string &text) {
+  std::string out = "//   " + label;
+  for (const char c : text) {
+    out += c;
+    if (c == '\n')
+      out += "//   ";
+  }
+  return out + '\n';
+}
+} // namespace
+
+std::string predicate_text(const unit &u, const dag::kernel &k) {
+  (void)u;
+  const dag::predicate &p = k.decision;
+  const spec::predicate &asked = *k.asked.asked;
+  const std::string name = identifier(asked.name), a = identifier(asked.of[0].type), b = identifier(asked.of[1].type);
+  std::string out = fmt::format("// {}({}: {}, {}: {}), closed sets.\n", asked.name, asked.of[0].name, asked.of[0].type,
+                                asked.of[1].name, asked.of[1].type);
+  for (const spec::named_expr &l : asked.lets)
+    out += commented(l.name + " = ", spec::print(*l.body));
+  for (const spec::expr_ptr &r : asked.reject)
+    out += commented("miss if ", spec::print(*r));
+  out += commented("hit if ", spec::print(*asked.hit));
+  out += fmt::format("struct {} {{\n  static constexpr int inputs_a = {}, inputs_b = {}, atoms = {};\n\n", name,
+                     p.inputs_a, p.inputs_b, p.signs.atoms().size());
+  std::map<int, int> slot;
+  out += stage_text(p, p.reject, "reject_stage", "Decides most misses", slot);
+  out += stage_text(p, p.common, "common_stage", "The usual case", slot);
+  out += stage_text(p, p.rare, "rare_stage", "The rare case", slot);
+  out += "\n  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).\n";
+  out += truth_function(p, slot, "rejected", p.truths.reject, false);
+  out += truth_function(p, slot, "needs_rare", p.conditions, true);
+  out += truth_function(p, slot, "usual", {p.usual}, false);
+  out += truth_function(p, slot, "whole", {p.truths.hit}, false);
+  const auto method = [&](const char *comment, const char *head, const char *function, const char *signs) {
+    return fmt::format("\n  // {}\n  {}MEET_HD static bool {}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
+                       "    float row_a[inputs_a], row_b[inputs_b];\n    to_row(operand_a, row_a);\n"
+                       "    to_row(operand_b, row_b);\n    return ::meet::decide<{}>({}(row_a, row_b));\n  }}\n",
+                       comment, head, function, a, b, name, signs);
+  };
+  const auto rung = [&](const char *r) {
+    return std::find(u.scene.rungs.begin(), u.scene.rungs.end(), r) != u.scene.rungs.end();
+  };
+  if (rung("exact"))
+    out += method("Right for any finite operands.", "", "hit", fmt::format("::meet::exact_signs<{}>", name).c_str());
+  if (rung("fp32") || rung("fp64"))
+    out += method("By the signs of values computed in T (float, double); says nothing about how wrong it can be.",
+                  "template <class T> ", "plain", fmt::format("::meet::plain_signs<{}, T>", name).c_str());
+  return out + "};\n";
+}
+
+} // namespace meetc::emit

@@ -1,0 +1,75 @@
+// core/box.hpp: closed boxes, and one against sixteen.
+//
+// Two boxes are apart only where a comparison says so: NaN on either side means candidate. Boxes are stored
+// in blocks of sixteen, coordinate by coordinate, and the test is a plain loop over the lanes that every
+// compiler in use turns into vector code. Sanitised boxes are finite, which loses no candidate (clamping is
+// monotone), so a lane that holds nothing, from +inf to -inf, touches none of them.
+#ifndef MEET_CORE_BOX_HPP
+#define MEET_CORE_BOX_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace meet {
+
+struct box {
+  float lo[3], hi[3];
+};
+
+inline constexpr int lanes = 16;
+
+struct alignas(64) box_block {
+  float lo[3][lanes], hi[3][lanes];
+
+  void clear() {
+    std::fill_n(&lo[0][0], 3 * lanes, std::numeric_limits<float>::infinity());
+    std::fill_n(&hi[0][0], 3 * lanes, -std::numeric_limits<float>::infinity());
+  }
+  void set(int lane, const box &b) {
+    for (int k = 0; k < 3; ++k) {
+      lo[k][lane] = b.lo[k];
+      hi[k][lane] = b.hi[k];
+    }
+  }
+  box get(int lane) const {
+    return {{lo[0][lane], lo[1][lane], lo[2][lane]}, {hi[0][lane], hi[1][lane], hi[2][lane]}};
+  }
+  // The box around all lanes.
+  box around() const {
+    box b;
+    for (int k = 0; k < 3; ++k) {
+      b.lo[k] = *std::min_element(lo[k], lo[k] + lanes);
+      b.hi[k] = *std::max_element(hi[k], hi[k] + lanes);
+    }
+    return b;
+  }
+};
+
+// Finite, never smaller; NaN becomes the widest.
+inline box sanitised(box b) {
+  constexpr float most = std::numeric_limits<float>::max();
+  for (int k = 0; k < 3; ++k) {
+    b.lo[k] = b.lo[k] >= -most ? std::min(b.lo[k], most) : -most;
+    b.hi[k] = b.hi[k] <= most ? std::max(b.hi[k], -most) : most;
+  }
+  return b;
+}
+
+// Bit i: lane i of the block may touch q.
+inline std::uint32_t touching(const box_block &block, const box &q) {
+  static constexpr std::uint32_t bit[lanes] = {1,       2,       4,       8,      1 << 4,  1 << 5,
+                                               1 << 6,  1 << 7,  1 << 8,  1 << 9, 1 << 10, 1 << 11,
+                                               1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  std::uint32_t mask = 0;
+  for (int i = 0; i < lanes; ++i) {
+    const bool apart = (q.hi[0] < block.lo[0][i]) | (block.hi[0][i] < q.lo[0]) | (q.hi[1] < block.lo[1][i]) |
+                       (block.hi[1][i] < q.lo[1]) | (q.hi[2] < block.lo[2][i]) | (block.hi[2][i] < q.lo[2]);
+    mask |= apart ? 0 : bit[i];
+  }
+  return mask;
+}
+
+} // namespace meet
+
+#endif

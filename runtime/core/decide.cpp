@@ -1,0 +1,128 @@
+#include "core/decide.hpp"
+
+#include "core/threads.hpp"
+
+#include <atomic>
+#include <chrono>
+
+namespace meet {
+namespace {
+
+// A flush is due at some thousand pairs; a run that began just before may add its whole length.
+constexpr std::size_t flush_at = 4096, early_flush_at = 128;
+constexpr std::size_t batch_capacity = flush_at + pair_sink::longest_run;
+
+struct shared_state {
+  const decision_job &job;
+  std::atomic<bool> found{false};
+  std::atomic<std::uint64_t> candidates{0}, hits{0};
+};
+
+class batch final : public pair_sink {
+public:
+  batch(shared_state &shared, int worker, index_pair *pairs, answer *answers)
+      : shared_(shared), worker_(worker), answers_(answers) {
+    pairs_ = pairs;
+    full_ = shared.job.stop_at_first ? early_flush_at : flush_at;
+  }
+  batch(const batch &) = delete;
+  batch &operator=(const batch &) = delete;
+
+  bool flush() override {
+    const decision_job &job = shared_.job;
+    if (size_ > 0)
+      job.decide(job.a.rows, job.b.rows, pairs_, size_, answers_);
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      pairs_[n] = pairs_[i];
+      n += answers_[i] == answer::yes;
+    }
+    candidates_ += size_;
+    hits_ += n;
+    size_ = 0;
+    if (job.stop_at_first) {
+      if (n > 0)
+        shared_.found.store(true, std::memory_order_relaxed);
+      return !shared_.found.load(std::memory_order_relaxed);
+    }
+    if (job.taker && n > 0) {
+      for (std::size_t i = 0; i < n; ++i)
+        pairs_[i] = {job.a.order[pairs_[i].a], job.b.order[pairs_[i].b]};
+      job.taker->take(worker_, pairs_, n);
+    }
+    return true;
+  }
+
+  void finish() {
+    flush();
+    shared_.candidates.fetch_add(candidates_, std::memory_order_relaxed);
+    shared_.hits.fetch_add(hits_, std::memory_order_relaxed);
+  }
+
+private:
+  shared_state &shared_;
+  int worker_;
+  answer *answers_;
+  std::uint64_t candidates_ = 0, hits_ = 0;
+};
+
+class progress_report {
+public:
+  explicit progress_report(const decision_job &job) : job_(job) {}
+  void at(double fraction) {
+    using namespace std::chrono_literals;
+    if (!job_.progress || clock::now() < next_)
+      return;
+    job_.progress(job_.progress_context, fraction);
+    next_ = clock::now() + 100ms;
+  }
+
+private:
+  using clock = std::chrono::steady_clock;
+  const decision_job &job_;
+  clock::time_point next_ = clock::now() + std::chrono::milliseconds(100);
+};
+
+} // namespace
+
+std::size_t batch_bytes(int threads) {
+  arena need;
+  need.take<index_pair>(static_cast<std::size_t>(threads) * batch_capacity);
+  need.take<answer>(static_cast<std::size_t>(threads) * batch_capacity);
+  return need.bytes();
+}
+
+tally decide_all(const decision_job &job, memory batches) {
+  arena from(batches);
+  auto *pairs = from.take<index_pair>(static_cast<std::size_t>(job.threads) * batch_capacity);
+  auto *answers = from.take<answer>(static_cast<std::size_t>(job.threads) * batch_capacity);
+
+  // Chunks small enough to share out, large enough that the counter is not what binds.
+  const std::size_t units = job.source.units();
+  const std::size_t chunk =
+      std::clamp<std::size_t>(units / (static_cast<std::size_t>(job.threads) * 64), 1, 64);
+  chunk_counter counter(units, chunk);
+  shared_state shared{job};
+  auto body = [&](int worker) {
+    const std::size_t at = static_cast<std::size_t>(worker) * batch_capacity;
+    batch mine(shared, worker, pairs + at, answers + at);
+    progress_report progress(job);
+    for (std::size_t unit, end; counter.take(unit, end);) {
+      for (; unit < end; ++unit)
+        if (shared.found.load(std::memory_order_relaxed) || !job.source.yield(unit, mine)) {
+          counter.close();
+          break;
+        }
+      if (worker == 0)
+        progress.at(counter.fraction());
+    }
+    mine.finish();
+  };
+  run_workers(counter.workers(job.threads), counter, body);
+  tally total{shared.candidates, shared.hits};
+  if (job.stop_at_first)
+    total.hits = shared.found || total.hits > 0;
+  return total;
+}
+
+} // namespace meet

@@ -1,0 +1,42 @@
+// core/decide.hpp: candidates into decisions, on all threads.
+//
+// Each thread collects candidates in a batch and hands it to the predicate; what is a hit goes to the taker
+// under the caller's element indices. Memory is one batch a thread, however many candidates or hits there
+// are.
+#ifndef MEET_CORE_DECIDE_HPP
+#define MEET_CORE_DECIDE_HPP
+
+#include "core/candidates.hpp"
+
+namespace meet {
+
+// Takes hits, in no order. A worker calls for itself alone; different workers call at the same time.
+class hit_taker {
+public:
+  virtual ~hit_taker() = default;
+  virtual void take(int worker, const index_pair *hits, std::size_t n) = 0;
+};
+
+struct decision_job {
+  const element_set &a, &b;
+  void (*decide)(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out);
+  const candidate_source &source;
+  int threads;
+  bool stop_at_first;
+  void (*progress)(void *context, double fraction); // or null; from the calling thread, some times a second
+  void *progress_context;
+  hit_taker *taker; // null: only count
+};
+
+struct tally {
+  std::uint64_t candidates = 0, hits = 0;
+};
+
+std::size_t batch_bytes(int threads);
+
+// `batches` holds batch_bytes(threads). With stop_at_first, hits is 0 or 1 and the taker is not called.
+tally decide_all(const decision_job &job, memory batches);
+
+} // namespace meet
+
+#endif

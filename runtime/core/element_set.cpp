@@ -1,0 +1,71 @@
+#include "core/element_set.hpp"
+
+#include "core/morton.hpp"
+#include "core/rows.hpp"
+#include "core/threads.hpp"
+
+#include <atomic>
+#include <cstring>
+
+namespace meet {
+
+element_set take_set(arena &from, const kind_info &kind, std::size_t elements) {
+  element_set s;
+  s.kind = &kind;
+  s.elements = elements;
+  s.rows = from.take<float>(elements * static_cast<std::size_t>(kind.fields));
+  s.order = from.take<std::uint32_t>(elements);
+  s.boxes = take_hierarchy(from, elements);
+  return s;
+}
+
+set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t elements) {
+  set_scratch s;
+  s.rows = from.take<float>(elements * static_cast<std::size_t>(kind.fields));
+  s.boxes = from.take<box>(elements);
+  s.keys = from.take<std::uint64_t>(elements);
+  s.more_keys = from.take<std::uint64_t>(elements);
+  return s;
+}
+
+status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads) {
+  const kind_info &kind = *set.kind;
+  const auto fields = static_cast<std::size_t>(kind.fields);
+  if (!at.identity() && !can_move(kind))
+    return status::cannot_move;
+
+  constexpr std::size_t chunk = 2048;
+  std::atomic<status> outcome{status::ok};
+  for_chunks(threads, set.elements, chunk, [&](int, std::size_t begin, std::size_t end) {
+    float *rows = scratch.rows + begin * fields;
+    const status s = gather(elements, kind, at, begin, end, rows);
+    if (s != status::ok) {
+      outcome.store(s, std::memory_order_relaxed);
+      return;
+    }
+    for (std::size_t e = begin; e < end; ++e, rows += fields) {
+      kind.box(rows, scratch.boxes[e].lo, scratch.boxes[e].hi);
+      scratch.boxes[e] = sanitised(scratch.boxes[e]);
+    }
+  });
+  if (outcome != status::ok)
+    return outcome;
+
+  spatial_order(scratch.boxes, set.elements, scratch.keys, scratch.more_keys, threads);
+  const level &leaves = set.boxes.levels[0];
+  for_chunks(threads, leaves.count(), chunk / lanes, [&](int, std::size_t begin, std::size_t end) {
+    for (std::size_t block = begin; block < end; ++block) {
+      leaves.blocks[block].clear();
+      for (std::size_t slot = block * lanes; slot < std::min(set.elements, (block + 1) * lanes); ++slot) {
+        const auto element = static_cast<std::uint32_t>(scratch.keys[slot]);
+        set.order[slot] = element;
+        std::memcpy(set.rows + slot * fields, scratch.rows + element * fields, fields * sizeof(float));
+        leaves.blocks[block].set(static_cast<int>(slot % lanes), scratch.boxes[element]);
+      }
+    }
+  });
+  enclose(set.boxes, threads);
+  return status::ok;
+}
+
+} // namespace meet

@@ -1,0 +1,37 @@
+// core/element_set.hpp: one set made ready: rows in spatial order, and the hierarchy of their boxes.
+//
+// A slot is a place in that order; `order` leads back to the caller's element. Rows lie in slot order, so
+// that the rows of one block are read together.
+#ifndef MEET_CORE_ELEMENT_SET_HPP
+#define MEET_CORE_ELEMENT_SET_HPP
+
+#include "core/hierarchy.hpp"
+#include "core/status.hpp"
+#include "core/view.hpp"
+
+namespace meet {
+
+struct element_set {
+  const kind_info *kind = nullptr;
+  std::size_t elements = 0;
+  float *rows = nullptr;
+  std::uint32_t *order = nullptr;
+  hierarchy boxes;
+};
+
+// What building needs and the set does not keep.
+struct set_scratch {
+  float *rows = nullptr;
+  box *boxes = nullptr;
+  std::uint64_t *keys = nullptr, *more_keys = nullptr;
+};
+
+element_set take_set(arena &from, const kind_info &kind, std::size_t elements);
+set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t elements);
+
+// Fills a set that was taken for this kind and number of elements.
+status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads);
+
+} // namespace meet
+
+#endif

@@ -1,0 +1,37 @@
+// core/hierarchy.hpp: boxes in blocks of sixteen, and boxes around blocks, up to one block.
+//
+// Level 0 holds the element boxes in spatial order; box i of level k+1 encloses block i of level k. Nothing
+// points anywhere: the children of box i are block i below. There is always a level 1 where there is an
+// element, and the top level is one block.
+#ifndef MEET_CORE_HIERARCHY_HPP
+#define MEET_CORE_HIERARCHY_HPP
+
+#include "core/box.hpp"
+#include "core/memory.hpp"
+
+namespace meet {
+
+struct level {
+  box_block *blocks = nullptr;
+  std::size_t boxes = 0;
+
+  std::size_t count() const { return (boxes + lanes - 1) / lanes; }
+  box get(std::size_t i) const { return blocks[i / lanes].get(static_cast<int>(i % lanes)); }
+};
+
+struct hierarchy {
+  level levels[9]; // 16^8 = 2^32 elements
+  int depth = 0;   // levels in use; 0 for the empty set
+
+  const level &top() const { return levels[depth - 1]; }
+};
+
+// The levels over n elements, their blocks from the arena.
+hierarchy take_hierarchy(arena &from, std::size_t n);
+
+// Fills every level above level 0, whose blocks are full or end in empty lanes.
+void enclose(hierarchy &h, int threads);
+
+} // namespace meet
+
+#endif

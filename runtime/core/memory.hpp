@@ -1,0 +1,45 @@
+// core/memory.hpp: memory that a caller lends, and the one way in which it is cut into arrays.
+//
+// The same function cuts an arena without memory, to learn the size, and one with memory, to use it, so the
+// two cannot disagree. Every array starts on a cache line.
+#ifndef MEET_CORE_MEMORY_HPP
+#define MEET_CORE_MEMORY_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+namespace meet {
+
+struct memory {
+  void *data = nullptr;
+  std::size_t bytes = 0;
+};
+
+class arena {
+public:
+  static constexpr std::size_t line = 64;
+
+  arena() = default; // measures only
+  explicit arena(memory m) : base_(static_cast<std::byte *>(m.data)) {
+    const auto address = reinterpret_cast<std::uintptr_t>(m.data);
+    skip_ = (line - address % line) % line;
+  }
+
+  // n objects of a trivial type, uninitialised; null when only measuring.
+  template <class T> T *take(std::size_t n) {
+    const std::size_t at = used_;
+    used_ += (n * sizeof(T) + line - 1) / line * line;
+    return base_ ? reinterpret_cast<T *>(base_ + skip_ + at) : nullptr;
+  }
+
+  // Bytes that suffice wherever the memory starts.
+  std::size_t bytes() const { return used_ + line; }
+
+private:
+  std::byte *base_ = nullptr;
+  std::size_t skip_ = 0, used_ = 0;
+};
+
+} // namespace meet
+
+#endif

@@ -1,0 +1,96 @@
+// The layer that works in the caller's memory.
+#include "core/collide.hpp"
+#include "core/decide.hpp"
+#include "core/threads.hpp"
+
+#include <atomic>
+
+namespace meet {
+namespace {
+
+struct layout {
+  element_set a, b;
+  set_scratch scratch_a, scratch_b;
+  memory batches;
+};
+
+// Both sets are kept; what builds them and the batches are needed one after the other, in the same place.
+layout take_layout(arena &from, const predicate_info &p, std::size_t a, std::size_t b, int threads) {
+  layout l;
+  l.a = take_set(from, *p.a, a);
+  l.b = take_set(from, *p.b, b);
+  arena for_a, for_b;
+  take_scratch(for_a, *p.a, a);
+  take_scratch(for_b, *p.b, b);
+  l.batches.bytes = std::max({for_a.bytes(), for_b.bytes(), batch_bytes(threads)});
+  l.batches.data = from.take<std::byte>(l.batches.bytes);
+  if (l.batches.data) {
+    arena again_a(l.batches), again_b(l.batches);
+    l.scratch_a = take_scratch(again_a, *p.a, a);
+    l.scratch_b = take_scratch(again_b, *p.b, b);
+  }
+  return l;
+}
+
+class append final : public hit_taker {
+public:
+  explicit append(const pairs_out &out) : out_(out) {}
+  void take(int, const index_pair *hits, std::size_t n) override {
+    const std::uint64_t at = next_.fetch_add(n, std::memory_order_relaxed);
+    if (at < out_.capacity)
+      std::copy_n(hits, std::min<std::uint64_t>(n, out_.capacity - at), out_.data + at);
+  }
+
+private:
+  const pairs_out &out_;
+  std::atomic<std::uint64_t> next_{0};
+};
+
+} // namespace
+
+std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, std::size_t elements_b,
+                      int threads) {
+  arena need;
+  take_layout(need, predicate, elements_a, elements_b, thread_count(threads));
+  return need.bytes();
+}
+
+status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
+             const pose &at_b, pairs_out out, memory work, const pairs_options &options) noexcept {
+  if (!out.count)
+    return status::bad_argument;
+  *out.count = 0;
+  if (out.capacity > 0 && !out.data)
+    return status::bad_argument;
+  const auto decide = predicate.decide[static_cast<int>(precision)];
+  if (!decide)
+    return status::no_such_rung;
+  if (a.elements > 0xffffffff || b.elements > 0xffffffff)
+    return status::too_many_elements;
+  const int threads = thread_count(options.threads);
+  if (!work.data || work.bytes < workspace(predicate, a.elements, b.elements, threads))
+    return status::workspace_too_small;
+
+  arena from(work);
+  layout l = take_layout(from, predicate, a.elements, b.elements, threads);
+  status s = fill(l.a, a, at_a, l.scratch_a, threads);
+  if (s == status::ok)
+    s = fill(l.b, b, at_b, l.scratch_b, threads);
+  if (s != status::ok)
+    return s;
+
+  const all_pairs every(l.a, l.b);
+  const tree_pairs tree(l.a, l.b);
+  const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
+  append taker(out);
+  *out.count = decide_all({l.a, l.b, decide, source, threads, options.stop_at_first, options.progress,
+                           options.progress_context, out.capacity > 0 ? &taker : nullptr},
+                          l.batches)
+                   .hits;
+  if (!options.stop_at_first && *out.count <= out.capacity)
+    std::sort(out.data, out.data + *out.count,
+              [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  return status::ok;
+}
+
+} // namespace meet

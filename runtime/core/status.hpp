@@ -1,0 +1,44 @@
+// core/status.hpp: what a call that does not throw answers.
+#ifndef MEET_CORE_STATUS_HPP
+#define MEET_CORE_STATUS_HPP
+
+#include <cstdint>
+
+namespace meet {
+
+enum class status : std::uint8_t {
+  ok,
+  workspace_too_small, // ask workspace() with the same arguments
+  no_such_rung,        // the predicate was not generated for this rung
+  too_many_elements,   // indices are 32-bit
+  bad_index,           // check() names the element
+  bad_value,           // not finite, also after the pose, or a broken rule of the kind; check() names it
+  cannot_move,         // the kind has fields that a pose does not know how to move
+  bad_argument,        // a null count, or room for pairs without memory
+};
+
+constexpr const char *text(status s) {
+  switch (s) {
+  case status::ok:
+    return "ok";
+  case status::workspace_too_small:
+    return "the workspace is too small";
+  case status::no_such_rung:
+    return "the predicate was not generated for this rung";
+  case status::too_many_elements:
+    return "more than 2^32 - 1 elements";
+  case status::bad_index:
+    return "an index lies beyond the vertices";
+  case status::bad_value:
+    return "a value is not finite or breaks a rule of its kind";
+  case status::cannot_move:
+    return "this kind cannot be moved by a pose";
+  case status::bad_argument:
+    return "an argument is null that must not be";
+  }
+  return "unknown";
+}
+
+} // namespace meet
+
+#endif

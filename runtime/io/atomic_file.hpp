@@ -1,0 +1,38 @@
+// Writes a file so that it is there whole or not at all.
+#ifndef MEET_IO_ATOMIC_FILE_HPP
+#define MEET_IO_ATOMIC_FILE_HPP
+
+#include "io/error.hpp"
+
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+namespace meet::io {
+
+// Bytes go to a temporary file in the target's folder; commit() renames it over the target, and without
+// commit() the destructor removes it. A target that exists and is not a regular file (a terminal, a pipe) is
+// written directly. A link is followed, so that it stays a link. Throws io::error that names the target.
+class atomic_file {
+public:
+  explicit atomic_file(std::filesystem::path target);
+  ~atomic_file();
+  atomic_file(const atomic_file &) = delete;
+  atomic_file &operator=(const atomic_file &) = delete;
+
+  void write(std::string_view bytes);
+  // For a library that writes to a C stream; its errors are seen by commit(). Not to be closed by the caller.
+  std::FILE *stream() const { return stream_; }
+  void commit();
+
+private:
+  [[noreturn]] void fail(const char *what, int code) const;
+
+  std::filesystem::path target_, temporary_; // temporary_ is empty where the target is written directly
+  std::FILE *stream_ = nullptr;
+};
+
+} // namespace meet::io
+
+#endif

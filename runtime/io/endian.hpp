@@ -1,0 +1,30 @@
+// Numbers in the bytes of a file, in either byte order, at any alignment.
+#ifndef MEET_IO_ENDIAN_HPP
+#define MEET_IO_ENDIAN_HPP
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace meet::io {
+
+template <class T> T load(const char *from, std::endian order) {
+  std::array<char, sizeof(T)> bytes;
+  std::memcpy(bytes.data(), from, sizeof(T));
+  if (order != std::endian::native)
+    std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<T>(bytes);
+}
+
+// As many bytes as T has, in the order asked.
+template <class T> std::array<char, sizeof(T)> store(T value, std::endian order) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if (order != std::endian::native)
+    std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+} // namespace meet::io
+
+#endif

@@ -1,0 +1,28 @@
+// A whole file in memory.
+#ifndef MEET_IO_FILE_BYTES_HPP
+#define MEET_IO_FILE_BYTES_HPP
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace meet::io {
+
+struct file_bytes {
+  std::string name; // as messages show it
+  std::unique_ptr<char[]> bytes;
+  std::size_t size = 0;
+
+  std::string_view view() const { return {bytes.get(), size}; }
+};
+
+// Copies rather than maps: a mapped file that another program cuts short ends this one by a signal. Throws
+// io::error for a file that is missing, not a regular file, empty or unreadable; devices and pipes may never
+// end.
+file_bytes load_file(const std::filesystem::path &path);
+
+} // namespace meet::io
+
+#endif

@@ -1,0 +1,27 @@
+// Decimal text to numbers, rounded once, whatever the locale.
+#ifndef MEET_IO_NUMBER_HPP
+#define MEET_IO_NUMBER_HPP
+
+#include <cstdint>
+#include <string_view>
+
+namespace meet::io {
+
+enum class precision : std::uint8_t { float32, float64 };
+
+// Reads the whole of `text` as a decimal number and rounds it directly to the precision asked; false where it
+// is not one (empty, trailing characters, hexadecimal). One leading sign is taken. "inf" and "nan" are read
+// as such. A result below the smallest subnormal rounds to it or to zero. A number beyond float32 comes back
+// as a value that to_float32 rounds to infinity, so that a message can show it.
+bool parse_decimal(std::string_view text, precision target, double &out);
+
+// Reads the whole of `text` as a decimal integer; false where it is not one or does not fit.
+bool parse_integer(std::string_view text, std::int64_t &out);
+
+// Rounds to nearest, ties to even; beyond the largest float32 the result is an infinity, as in IEEE 754 (the
+// bare conversion leaves that case undefined).
+float to_float32(double value);
+
+} // namespace meet::io
+
+#endif

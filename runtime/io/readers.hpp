@@ -1,0 +1,20 @@
+// The readers behind read(): one a format. Each throws io::error for bad input.
+#ifndef MEET_IO_READERS_HPP
+#define MEET_IO_READERS_HPP
+
+#include "io/element_set.hpp"
+#include "io/file_bytes.hpp"
+#include "io/transform.hpp"
+
+#include <span>
+
+namespace meet::io {
+
+element_set read_ply(const file_bytes &file, const kind_info &triangle, const transform &move);
+element_set read_obj(const file_bytes &file, const kind_info &triangle, const transform &move);
+element_set read_stl(const file_bytes &file, const kind_info &triangle, const transform &move);
+element_set read_csv(const file_bytes &file, std::span<const kind_info *const> kinds, const transform &move);
+
+} // namespace meet::io
+
+#endif

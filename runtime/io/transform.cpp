@@ -1,0 +1,96 @@
+#include "io/transform.hpp"
+
+#include "io/error.hpp"
+#include "io/number.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace meet::io {
+
+void transform::check() const {
+  if (scale && !(std::isfinite(*scale) && *scale > 0))
+    throw error(fmt::format("the scale is {}; it must be finite and above 0", *scale));
+  if (matrix)
+    for (const double m : *matrix)
+      if (!std::isfinite(m))
+        throw error(fmt::format("the matrix holds {}; its 12 numbers must be finite", m));
+  if (translate)
+    for (const double t : *translate)
+      if (!std::isfinite(t))
+        throw error(fmt::format("the translation holds {}; its 3 numbers must be finite", t));
+}
+
+std::array<double, 3> transform::point(std::array<double, 3> p) const {
+  if (scale)
+    for (double &c : p)
+      c *= *scale;
+  if (matrix) {
+    const std::array<double, 3> q = p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double *const m = matrix->data() + 4 * i;
+      p[i] = ((m[0] * q[0] + m[1] * q[1]) + m[2] * q[2]) + m[3];
+    }
+  }
+  if (translate)
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] += (*translate)[i];
+  return p;
+}
+
+std::array<float, 3> round_point(const transform &move, const std::array<double, 3> &read) {
+  const std::array<double, 3> p = move.any() ? move.point(read) : read;
+  return {to_float32(p[0]), to_float32(p[1]), to_float32(p[2])};
+}
+
+row_transform::row_transform(const kind_info &kind, const transform &move, const std::string &file)
+    : move_(move) {
+  if (!move.any())
+    return;
+  roles_.assign(kind.roles, kind.roles + kind.fields);
+  for (std::size_t f = 0; f < roles_.size(); ++f) {
+    if (roles_[f] == role::x && f + 2 < roles_.size() && roles_[f + 1] == role::y &&
+        roles_[f + 2] == role::z) {
+      f += 2;
+      continue;
+    }
+    if (roles_[f] != role::length)
+      throw error(
+          fmt::format("{}: a transform cannot move {}s: number {} of a row is neither part of a point nor "
+                      "a length",
+                      file, kind.name, f + 1));
+    if (move.matrix)
+      throw error(
+          fmt::format("{}: a matrix cannot move {}s: their radius has no meaning under it; use --scale-b "
+                      "and --translate-b",
+                      file, kind.name));
+  }
+}
+
+void row_transform::apply(std::span<const double> in, std::span<float> out) const {
+  if (roles_.empty()) {
+    for (std::size_t f = 0; f < in.size(); ++f)
+      out[f] = to_float32(in[f]);
+    return;
+  }
+  for (std::size_t f = 0; f < in.size(); ++f) {
+    if (roles_[f] == role::length) {
+      out[f] = to_float32(move_.length(in[f]));
+      continue;
+    }
+    const std::array<double, 3> p = move_.point({in[f], in[f + 1], in[f + 2]});
+    for (std::size_t c = 0; c < 3; ++c)
+      out[f + c] = to_float32(p[c]);
+    f += 2;
+  }
+}
+
+std::string describe_non_finite(std::string_view field, double read, float result) {
+  if (!std::isfinite(read))
+    return fmt::format("{} is {}, not finite", field, read);
+  return fmt::format("{} is {}, not finite in float32 (read as {})", field, result, read);
+}
+
+} // namespace meet::io

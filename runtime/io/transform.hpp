@@ -1,0 +1,58 @@
+// Moves the elements of a file before they are rounded to float32.
+//
+// Every operation is done in double, in a fixed order and without fused multiply-add, then each coordinate is
+// rounded once: the float32 numbers that result are the input whose answer is exact.
+#ifndef MEET_IO_TRANSFORM_HPP
+#define MEET_IO_TRANSFORM_HPP
+
+#include "meet/support.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meet::io {
+
+// Applied in the order scale, matrix, translate. A member that is present counts as a transform even if it
+// changes nothing: decimals are then read as double, and without any they round from text straight to
+// float32.
+struct transform {
+  std::optional<double> scale;                  // finite and above 0
+  std::optional<std::array<double, 12>> matrix; // row-major 3x4: ((m00 x + m01 y) + m02 z) + m03
+  std::optional<std::array<double, 3>> translate;
+
+  bool any() const { return scale || matrix || translate; }
+  // Throws io::error where a number breaks the rules above.
+  void check() const;
+  std::array<double, 3> point(std::array<double, 3> p) const;
+  double length(double l) const { return scale ? *scale * l : l; }
+};
+
+// What moves one row of a kind, by its fields' roles: x, y, z in a row are a point, a length takes the scale
+// only.
+class row_transform {
+public:
+  // Throws io::error, beginning with `file`, where the kind cannot be moved so: a matrix with a length, any
+  // transform with a field of another role.
+  row_transform(const kind_info &kind, const transform &move, const std::string &file);
+
+  // kind.fields numbers in, as many out. The result may be infinite or NaN; the caller refuses that.
+  void apply(std::span<const double> in, std::span<float> out) const;
+
+private:
+  transform move_;
+  std::vector<role> roles_; // empty: nothing moves
+};
+
+// The point moved and rounded; may be infinite or NaN.
+std::array<float, 3> round_point(const transform &move, const std::array<double, 3> &read);
+
+// "x is inf, not finite", and more where the number as read was finite.
+std::string describe_non_finite(std::string_view field, double read, float result);
+
+} // namespace meet::io
+
+#endif

@@ -1,0 +1,140 @@
+#include "io/write.hpp"
+
+#include "io/atomic_file.hpp"
+#include "io/endian.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace meet::io {
+
+namespace {
+
+// Gathers small pieces, so that the file sees large ones.
+class buffered {
+public:
+  explicit buffered(const std::filesystem::path &path) : file_(path) { buffer_.reserve(size + 64); }
+
+  void text(std::string_view piece) {
+    buffer_.append(piece);
+    if (buffer_.size() >= size)
+      flush();
+  }
+  template <class T> void binary(T value) {
+    const auto bytes = store(value, std::endian::little);
+    text({bytes.data(), bytes.size()});
+  }
+  void decimal(std::uint32_t value) {
+    char digits[10];
+    const auto [end, code] = std::to_chars(digits, digits + sizeof digits, value);
+    text({digits, static_cast<std::size_t>(end - digits)});
+  }
+  void commit() {
+    flush();
+    file_.commit();
+  }
+
+private:
+  void flush() {
+    file_.write(buffer_);
+    buffer_.clear();
+  }
+  static constexpr std::size_t size = 1 << 16;
+  atomic_file file_;
+  std::string buffer_;
+};
+
+// Faces as polygons: face i has corners[start[i]] up to corners[start[i + 1]].
+struct polygons {
+  std::vector<std::size_t> start{0};
+  std::vector<std::uint32_t> corners;
+};
+
+// Undoes the fan: consecutive triangles of one owner share the first corner and each adds its last.
+polygons gather(std::span<const std::uint32_t> index, std::span<const std::uint32_t> owner) {
+  polygons out;
+  for (std::size_t i = 0; 3 * i < index.size(); ++i) {
+    const auto corners = index.subspan(3 * i, 3);
+    const bool same = !owner.empty() && i > 0 && owner[i] == owner[i - 1];
+    const auto added = same ? corners.last(1) : corners;
+    out.corners.insert(out.corners.end(), added.begin(), added.end());
+    if (same)
+      out.start.back() = out.corners.size();
+    else
+      out.start.push_back(out.corners.size());
+  }
+  return out;
+}
+
+void write_polygons(const std::filesystem::path &path, std::span<const float> xyz, const polygons &faces,
+                    std::span<const rgb> colours) {
+  const std::size_t count = faces.start.size() - 1, vertices = xyz.size() / 3;
+  if (!colours.empty() && colours.size() != count)
+    throw error(fmt::format("{}: {} colours for {} faces", path.string(), colours.size(), count));
+  if (vertices > 0xffffffff || count > 0xffffffff)
+    throw error(fmt::format("{}: more than {} vertices or faces", path.string(), 0xffffffff));
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    most = std::max(most, faces.start[i + 1] - faces.start[i]);
+  // The usual types, which every reader knows, unless they are too small.
+  const bool small = most <= 255;
+  buffered out(path);
+  out.text(fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n"
+                       "property float x\nproperty float y\nproperty float z\n"
+                       "element face {}\nproperty list {} {} vertex_indices\n",
+                       vertices, count, small ? "uchar" : "uint", vertices <= 0x80000000 ? "int" : "uint"));
+  if (!colours.empty())
+    out.text("property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  out.text("end_header\n");
+  for (const float c : xyz)
+    out.binary(c);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t corners = faces.start[i + 1] - faces.start[i];
+    if (small)
+      out.binary(static_cast<std::uint8_t>(corners));
+    else
+      out.binary(static_cast<std::uint32_t>(corners));
+    for (std::size_t k = faces.start[i]; k < faces.start[i + 1]; ++k)
+      out.binary(faces.corners[k]);
+    if (!colours.empty())
+      for (const std::uint8_t channel : colours[i])
+        out.binary(channel);
+  }
+  out.commit();
+}
+
+} // namespace
+
+void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pair> pairs) {
+  buffered out(path);
+  out.text("a,b\n");
+  for (const index_pair &pair : pairs) {
+    out.decimal(pair.a);
+    out.text(",");
+    out.decimal(pair.b);
+    out.text("\n");
+  }
+  out.commit();
+}
+
+void write_ply(const std::filesystem::path &path, std::span<const float> xyz,
+               std::span<const std::uint32_t> index, std::span<const rgb> colours) {
+  write_polygons(path, xyz, gather(index, {}), colours);
+}
+
+void write_ply(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours) {
+  if (mesh.kind->points != 3 || mesh.kind->fields != 9)
+    throw error(fmt::format("{}: only triangles make a PLY mesh, not {}s", path.string(), mesh.kind->name));
+  if (!mesh.index.empty() || mesh.elements == 0)
+    return write_polygons(path, mesh.data, gather(mesh.index, mesh.owner), colours);
+  std::vector<std::uint32_t> index(3 * mesh.elements);
+  std::iota(index.begin(), index.end(), 0U);
+  write_polygons(path, mesh.data, gather(index, mesh.owner), colours);
+}
+
+} // namespace meet::io

@@ -1,0 +1,96 @@
+// What the tests of meet::io share: kinds of element, a folder of their own, and checks of messages.
+#ifndef MEET_TESTS_IO_FIXTURE_HPP
+#define MEET_TESTS_IO_FIXTURE_HPP
+
+#include "catch.hpp"
+
+#include "io/endian.hpp"
+#include "io/read.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+#include <vector>
+
+namespace fixture {
+
+using meet::role;
+namespace fs = std::filesystem;
+
+inline constexpr role xyz[] = {role::x, role::y, role::z, role::x, role::y,
+                               role::z, role::x, role::y, role::z};
+inline constexpr role ball[] = {role::x, role::y, role::z, role::length};
+inline constexpr role plane[] = {role::other, role::other, role::other, role::other};
+
+inline const char *negative_radius(const float *row) {
+  return row[3] < 0 ? "r < 0" : nullptr;
+}
+
+inline constexpr meet::kind_info triangle{"triangle", "x0,y0,z0,x1,y1,z1,x2,y2,z2", 9, xyz, 3, nullptr,
+                                          nullptr};
+inline constexpr meet::kind_info segment{"segment", "x0,y0,z0,x1,y1,z1", 6, xyz, 2, nullptr, nullptr};
+inline constexpr meet::kind_info sphere{"sphere", "x,y,z,r", 4, ball, 0, nullptr, negative_radius};
+inline constexpr meet::kind_info half_space{"half_space", "nx,ny,nz,d", 4, plane, 0, nullptr, nullptr};
+inline constexpr const meet::kind_info *kinds[] = {&triangle, &segment, &sphere, &half_space};
+
+// A folder that goes with the process.
+inline const fs::path &folder() {
+  struct guard {
+    fs::path path = fs::temp_directory_path() / ("meet-test-io-" + std::to_string(::getpid()));
+    guard() { fs::create_directories(path); }
+    ~guard() {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+    }
+  };
+  static const guard g;
+  return g.path;
+}
+
+inline fs::path put(const std::string &name, std::string_view content) {
+  const fs::path path = folder() / name;
+  std::ofstream(path, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
+  return path;
+}
+
+inline std::string get(const fs::path &path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline meet::io::element_set read(const std::string &name, std::string_view content,
+                                  const meet::io::transform &move = {}) {
+  return meet::io::read(put(name, content), kinds, move);
+}
+
+// What the reader says of a bad file, less the folder; fails the test where it says nothing.
+inline std::string complaint(const std::string &name, std::string_view content,
+                             const meet::io::transform &move = {}) {
+  try {
+    read(name, content, move);
+  } catch (const meet::io::error &e) {
+    const std::string what = e.what(), prefix = folder().string() + "/";
+    CHECK(what.find('\n') == std::string::npos);
+    REQUIRE(what.rfind(prefix, 0) == 0);
+    return what.substr(prefix.size());
+  }
+  FAIL("accepted: " << name);
+  return {};
+}
+
+template <class T> void append(std::string &out, T value, std::endian order = std::endian::little) {
+  const auto bytes = meet::io::store(value, order);
+  out.append(bytes.data(), bytes.size());
+}
+
+inline int files_in(const fs::path &path) {
+  return static_cast<int>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
+}
+
+} // namespace fixture
+
+#endif
