@@ -31,4 +31,7 @@ std::string dag_text(const dag::kernel &k, bool schedule);
 // A kernel's own header.
 std::string cpp_text(const unit &u, const dag::kernel &k);
 
+// The CUDA launchers of the unit's predicates.
+std::string cuda_text(const unit &u);
+
 } // namespace meetc::emit

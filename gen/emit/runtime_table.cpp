@@ -156,6 +156,8 @@ std::string cuda_header(const unit &u) {
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
+std::string cuda_text(const unit &u) { return cuda_source(u); }
+
 std::string cuda_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "Launchers on a CUDA device.");

@@ -25,6 +25,14 @@
 #define MEET_HD
 #endif
 
+// Wide integers are the rare path: kept out of line and rolled up, they cost little time and save much code.
+#define MEET_NOINLINE __attribute__((noinline))
+#if defined(__CUDA_ARCH__)
+#define MEET_ROLLED _Pragma("unroll 1")
+#else
+#define MEET_ROLLED
+#endif
+
 namespace meet {
 
 // ---- signs and answers -------------------------------------------------------------------------------------
@@ -116,12 +124,14 @@ template <int W> struct wide {
   wide() = default;
   MEET_HD constexpr explicit wide(std::int64_t v) : limb() {
     limb[0] = static_cast<std::uint64_t>(v);
+    MEET_ROLLED
     for (int i = 1; i < W; ++i)
       limb[i] = v < 0 ? ~std::uint64_t{0} : 0;
   }
-  MEET_HD friend constexpr wide operator+(const wide &a, const wide &b) {
+  MEET_NOINLINE MEET_HD friend constexpr wide operator+(const wide &a, const wide &b) {
     wide r(0);
     uint128 carry = 0;
+    MEET_ROLLED
     for (int i = 0; i < W; ++i) {
       carry += static_cast<uint128>(a.limb[i]) + b.limb[i];
       r.limb[i] = static_cast<std::uint64_t>(carry);
@@ -130,9 +140,10 @@ template <int W> struct wide {
     return r;
   }
   MEET_HD friend constexpr wide operator-(const wide &a) { return wide(0) - a; }
-  MEET_HD friend constexpr wide operator-(const wide &a, const wide &b) {
+  MEET_NOINLINE MEET_HD friend constexpr wide operator-(const wide &a, const wide &b) {
     wide r(0);
     std::uint64_t borrow = 0;
+    MEET_ROLLED
     for (int i = 0; i < W; ++i) {
       const std::uint64_t d = a.limb[i] - b.limb[i];
       const std::uint64_t next = (a.limb[i] < b.limb[i]) | static_cast<std::uint64_t>(d < borrow);
@@ -141,10 +152,12 @@ template <int W> struct wide {
     }
     return r;
   }
-  MEET_HD friend constexpr wide operator*(const wide &a, const wide &b) {
+  MEET_NOINLINE MEET_HD friend constexpr wide operator*(const wide &a, const wide &b) {
     wide r(0);
+    MEET_ROLLED
     for (int i = 0; i < W; ++i) {
       uint128 carry = 0;
+      MEET_ROLLED
       for (int j = 0; i + j < W; ++j) {
         carry += static_cast<uint128>(a.limb[i]) * b.limb[j] + r.limb[i + j];
         r.limb[i + j] = static_cast<std::uint64_t>(carry);
@@ -213,7 +226,7 @@ MEET_HD inline void to_integer(float v, int low, int128 &out) {
   const int128 m = d.m == 0 ? 0 : s >= 0 ? static_cast<int128>(d.m) << s : static_cast<int128>(d.m >> -s);
   out = d.negative ? -m : m;
 }
-template <int W> MEET_HD inline void to_integer(float v, int low, wide<W> &out) {
+template <int W> MEET_NOINLINE MEET_HD inline void to_integer(float v, int low, wide<W> &out) {
   const decoded d = decode(v);
   out = wide<W>(0);
   if (d.m == 0)
@@ -290,8 +303,6 @@ template <class P> struct exact_signs {
       run<Stage, int128>(s);
     else if (need <= 254)
       run<Stage, wide<4>>(s);
-    else if (need <= 510)
-      run<Stage, wide<8>>(s);
     else
       run<Stage, wide<most / 64 + 1>>(s);
   }

@@ -1,0 +1,146 @@
+#include "gen/driver.hpp"
+#include "gen/verify/verify.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fmt/format.h>
+
+namespace meetc {
+
+compilation load(const std::string &scene_path) {
+  compilation c;
+  c.scene = std::make_unique<spec::scene>(spec::load_scene(scene_path));
+  c.model = std::make_unique<decide::model>(c.scene->in);
+  return c;
+}
+
+void compile_all(compilation &c) {
+  std::vector<std::string> names;
+  for (const spec::kernel_request &r : c.scene->kernels) {
+    const dag::request request = dag::resolve(*c.model, r.what);
+    if (std::find(names.begin(), names.end(), request.name()) != names.end())
+      throw spec_error(r.where, fmt::format("'{}' is asked for twice", request.text));
+    names.push_back(request.name());
+    try {
+      c.kernels.push_back(dag::compile(*c.model, request));
+    } catch (spec_error &e) {
+      throw e.add_step("kernel " + request.text, r.where);
+    }
+  }
+}
+
+std::vector<emit::file> emit_all(compilation &c) {
+  const emit::unit u{*c.scene, *c.model, std::move(c.kernels)};
+  return emit::cpp_files(u);
+}
+
+int verify_scene(const verify_options &o) {
+  compilation c = load(o.scene);
+  compile_all(c);
+  long wrong = 0, cases = 0;
+  for (const dag::kernel &k : c.kernels) {
+    const verify::report r = k.is_predicate ? verify::verify_predicate(*c.model, k, o.cases, o.seed)
+                                            : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 20), o.seed);
+    wrong += r.wrong;
+    cases += r.cases;
+    if (!r.note.empty())
+      fmt::print("{:<36} {}\n", k.asked.text, r.note);
+    else if (k.is_predicate)
+      fmt::print("{:<36} {} wrong of {} ({} hits, {} degenerate)\n", k.asked.text, r.wrong, r.cases, r.hits, r.degenerate);
+    else
+      fmt::print("{:<36} {} wrong of {}\n", k.asked.text, r.wrong, r.cases);
+    if (r.wrong)
+      fmt::print("  first: {}\n", r.first_wrong);
+  }
+  fmt::print("{}: {} wrong of {} cases in {} kernels\n", c.scene->name, wrong, cases, c.kernels.size());
+  return wrong ? 1 : 0;
+}
+
+namespace {
+
+// 'S: sphere, L: line' to pairs.
+std::vector<std::pair<std::string, std::string>> parse_operands(const std::string &text) {
+  std::vector<std::pair<std::string, std::string>> out;
+  const auto trim = [](std::string s) {
+    s.erase(0, s.find_first_not_of(" \t"));
+    s.erase(s.find_last_not_of(" \t") + 1);
+    return s;
+  };
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    const std::string item = text.substr(from, comma - from);
+    const std::size_t colon = item.find(':');
+    if (colon == std::string::npos)
+      throw spec_error({}, fmt::format("--with '{}': expected 'name: kind'", item));
+    out.emplace_back(trim(item.substr(0, colon)), trim(item.substr(colon + 1)));
+    from = comma + 1;
+  }
+  return out;
+}
+
+dag::request requested(const compilation &c, const show_options &o) {
+  if (!o.expression.empty())
+    return dag::resolve(*c.model, spec::parse_expression(o.expression, "-e"), parse_operands(o.with));
+  if (o.words.empty())
+    throw spec_error({}, "show what? A kernel of the scene, as in 'meet sphere line', or -e 'expression' --with 'X: sphere'");
+  std::string text = o.words[0];
+  if (o.words.size() > 1)
+    text += '(' + join({o.words.begin() + 1, o.words.end()}, ", ") + ')';
+  return dag::resolve(*c.model, spec::parse_expression(text, "the command line"));
+}
+
+std::string spec_text(const decide::model &m, const dag::request &r) {
+  std::string out;
+  for (std::size_t i = 0; i < r.kinds.size(); ++i) {
+    std::vector<std::string> fields;
+    for (const spec::field &f : r.kinds[i]->store)
+      fields.push_back(f.name + ": " + f.type);
+    out += fmt::format("{}: {} stores [{}], blade {}\n", r.names[i], r.kinds[i]->name, join(fields, ", "),
+                       spec::print(*r.kinds[i]->blade));
+  }
+  if (r.asked) {
+    for (const spec::named_expr &l : r.asked->lets)
+      out += fmt::format("{} = {}\n", l.name, spec::print(*l.body));
+    for (const auto &e : r.asked->reject)
+      out += fmt::format("reject {}\n", spec::print(*e));
+    return out + fmt::format("hit {}\n", spec::print(*r.asked->hit));
+  }
+  out += fmt::format("{}\n", r.text);
+  for (const spec::function &f : m.spec().functions)
+    if (r.text.find(f.name + "(") != std::string::npos)
+      out += fmt::format("{}({}) = {}\n", f.name, join(f.params, ", "), spec::print(*f.body));
+  return out;
+}
+
+} // namespace
+
+int show(const show_options &o) {
+  compilation c = load(o.scene);
+  const dag::request r = requested(c, o);
+  if (o.emit == "spec") {
+    fmt::print("{}", spec_text(*c.model, r));
+    return 0;
+  }
+  std::vector<dag::kernel> one;
+  one.push_back(dag::compile(*c.model, r));
+  const emit::unit u{*c.scene, *c.model, std::move(one)};
+  const dag::kernel &k = u.kernels.front();
+  if (o.emit == "json")
+    fmt::print("{}", emit::json(*c.model, k));
+  else if (o.emit == "latex")
+    fmt::print("{}", emit::latex(*c.model, k));
+  else if (o.emit == "poly")
+    fmt::print("{}", emit::poly_text(*c.model, k));
+  else if (o.emit == "dag" || o.emit == "schedule")
+    fmt::print("{}", emit::dag_text(k, o.emit == "schedule"));
+  else if (o.emit == "cuda" && k.is_predicate)
+    fmt::print("{}", emit::cuda_text(u));
+  else if (o.emit == "cuda")
+    throw spec_error({}, "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
+  else
+    fmt::print("{}", emit::cpp_text(u, k));
+  return 0;
+}
+
+} // namespace meetc

@@ -1,0 +1,39 @@
+// The pipeline, one function a command. Text goes to stdout, one clear line or a caret to stderr by the caller.
+#pragma once
+#include "gen/emit/emit.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace meetc {
+
+// A scene with its model and its kernels, compiled in the order in which the scene asks.
+struct compilation {
+  std::unique_ptr<spec::scene> scene;
+  std::unique_ptr<decide::model> model;
+  std::vector<dag::kernel> kernels;
+};
+
+compilation load(const std::string &scene_path);          // spec and model, nothing compiled
+void compile_all(compilation &c);                         // every kernel of the scene
+std::vector<emit::file> emit_all(compilation &c);         // moves the kernels out
+
+struct generate_options {
+  std::string scene, out, depfile, stamp, space;
+  bool check = false, quiet = false;
+};
+struct verify_options {
+  std::string scene;
+  long cases = 2000;
+  unsigned seed = 1;
+};
+struct show_options {
+  std::string scene, emit = "cpp", expression, with;
+  std::vector<std::string> words;
+};
+
+int generate(const generate_options &o);
+int verify_scene(const verify_options &o);
+int show(const show_options &o);
+
+} // namespace meetc

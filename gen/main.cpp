@@ -1,0 +1,63 @@
+// meetc: compiles the meet. Exit codes: 0 done, 1 a check failed, 2 bad usage or input.
+#include "gen/driver.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fmt/format.h>
+
+int main(int argc, char **argv) {
+  using namespace meetc;
+  CLI::App app("meetc generates geometric-algebra kernels from a scene.", "meetc");
+  app.set_version_flag("--version", "meetc " MEETC_VERSION);
+  app.require_subcommand(1);
+
+  generate_options g;
+  CLI::App *generate_command = app.add_subcommand("generate", "Write the C++ and CUDA source that a scene asks for");
+  generate_command->add_option("scene", g.scene, "Scene file (.toml)")->required();
+  generate_command->add_option("-o,--out", g.out, "Folder that holds what is emitted, and nothing else")->required();
+  generate_command->add_flag("--check", g.check, "Write nothing; exit 1 if a byte would change or a stray file lies there");
+  generate_command->add_option("--namespace", g.space, "Namespace instead of the scene's");
+  generate_command->add_option("--depfile", g.depfile, "Write the files that were read, for a build system");
+  generate_command->add_option("--stamp", g.stamp, "Touch this file when done");
+  generate_command->add_flag("-q,--quiet", g.quiet, "Say nothing when all is well");
+
+  verify_options v;
+  CLI::App *verify_command = app.add_subcommand(
+      "verify", "Check every kernel of a scene: formulas against the dense product, predicates against exact geometry");
+  verify_command->add_option("scene", v.scene, "Scene file (.toml)")->required();
+  verify_command->add_option("--cases", v.cases, "Cases a predicate")->capture_default_str()->check(CLI::Range(1L, 100000000L));
+  verify_command->add_option("--seed", v.seed, "Seed of the cases")->capture_default_str();
+
+  show_options s;
+  CLI::App *show_command = app.add_subcommand("show", "Print one kernel at any stage of the compiler");
+  show_command->add_option("scene", s.scene, "Scene file (.toml)")->required();
+  show_command->add_option("what", s.words, "A predicate, or a function and its kinds: meet sphere line");
+  show_command->add_option("-e,--expression", s.expression, "An expression instead, with --with for its operands");
+  show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
+  show_command->add_option("--emit", s.emit, "Stage to print")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"spec", "poly", "dag", "schedule", "json", "latex", "cpp", "cuda"}));
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success &e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError &e) {
+    fmt::print(stderr, "meetc: {} (see meetc --help)\n", e.what());
+    return 2;
+  }
+  try {
+    if (generate_command->parsed())
+      return generate(g);
+    if (verify_command->parsed())
+      return verify_scene(v);
+    return show(s);
+  } catch (const spec_error &e) {
+    fmt::print(stderr, "{}", e.render());
+  } catch (const std::bad_alloc &) {
+    fmt::print(stderr, "error: out of memory\n");
+  } catch (const std::exception &e) {
+    fmt::print(stderr, "error: internal: {}\n", e.what());
+  }
+  return 2;
+}

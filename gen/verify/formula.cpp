@@ -1,0 +1,121 @@
+#include "gen/verify/dense_evaluator.hpp"
+#include "gen/verify/verify.hpp"
+
+#include <fmt/format.h>
+#include <random>
+
+namespace meetc::verify {
+namespace {
+
+oracle::matrix working_metric(const decide::model &m) {
+  const auto n = static_cast<std::size_t>(m.working().vectors());
+  oracle::matrix out(n, std::vector<oracle::rational>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      out[i][j] = m.working().product(static_cast<int>(i), static_cast<int>(j));
+  return out;
+}
+
+std::string describe(const std::vector<oracle::rational> &numbers) {
+  std::string out;
+  for (const auto &q : numbers)
+    out += (out.empty() ? "" : ", ") + q.get_str();
+  return out;
+}
+
+class checker {
+public:
+  checker(const decide::model &m, const dag::kernel &k, unsigned seed)
+      : m_(m), k_(k), dense_(m.spec(), working_metric(m), m.to_working()), random_(seed) {}
+
+  report run(long cases) {
+    for (long i = 0; i < cases; ++i) {
+      blades();
+      if (!k_.value.stored_inputs.empty())
+        stored();
+    }
+    for (const spec::kind *kind : k_.asked.kinds)
+      for (const dag::blade_maker &maker : dag::makers(m_, *kind))
+        for (long i = 0; i < std::min(cases, 20L); ++i)
+          made(*kind, maker);
+    return out_;
+  }
+
+private:
+  const decide::model &m_;
+  const dag::kernel &k_;
+  dense_evaluator dense_;
+  std::mt19937 random_;
+  report out_;
+
+  std::vector<oracle::rational> numbers(std::size_t n) {
+    std::vector<oracle::rational> out;
+    for (std::size_t i = 0; i < n; ++i) {
+      oracle::rational q(static_cast<long>(random_() % 41) - 20, static_cast<long>(random_() % 7) + 1);
+      q.canonicalize();
+      out.push_back(q);
+    }
+    return out;
+  }
+
+  void compare(const oracle::multivector &want, const std::vector<dag::blade> &blades,
+               const std::vector<oracle::rational> &have, const char *what,
+               const std::vector<oracle::rational> &inputs) {
+    ++out_.cases;
+    oracle::multivector got = dense_.algebra().zero();
+    for (std::size_t i = 0; i < blades.size(); ++i)
+      got[blades[i]] = have[i];
+    if (got == want)
+      return;
+    if (out_.wrong++ == 0)
+      out_.first_wrong = fmt::format("{} of {} at ({})", what, k_.asked.text, describe(inputs));
+  }
+
+  // Operands as general elements of their kinds' supports: the formula holds for them all.
+  void blades() {
+    const auto inputs = numbers(k_.value.blade_inputs.size());
+    dense_scope scope;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < k_.asked.kinds.size(); ++i) {
+      oracle::multivector operand = dense_.algebra().zero();
+      for (const dag::blade b : dag::support(m_, *k_.asked.kinds[i]))
+        operand[b] = inputs[at++];
+      scope[k_.asked.names[i]] = {operand, {}};
+    }
+    compare(dense_.evaluate(*k_.asked.body, scope), k_.value.result, dag::evaluate(k_.value.from_blades, inputs),
+            "blades", inputs);
+  }
+
+  void stored() {
+    const auto inputs = numbers(k_.value.stored_inputs.size());
+    dense_scope scope;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < k_.asked.kinds.size(); ++i)
+      scope[k_.asked.names[i]] = dense_.operand(*k_.asked.kinds[i], inputs, next);
+    compare(dense_.evaluate(*k_.asked.body, scope), {0}, dag::evaluate(k_.value.from_stored, inputs), "stored numbers",
+            inputs);
+  }
+
+  void made(const spec::kind &kind, const dag::blade_maker &maker) {
+    const auto inputs = numbers(maker.inputs.size());
+    const spec::expr *body = kind.blade.get();
+    for (const spec::constructor &c : kind.from)
+      if (c.name == maker.name)
+        body = c.blade.get();
+    dense_scope scope;
+    std::size_t next = 0;
+    for (const spec::field &f : maker.of)
+      scope[f.name] = f.type == "real" ? dense_value{dense_.algebra().scalar(inputs.at(next++)), {}}
+                                       : dense_.operand(*m_.spec().find_kind(f.type), inputs, next);
+    compare(dense_.evaluate(*body, scope), dag::support(m_, kind), dag::evaluate(maker.code, inputs),
+            (kind.name + " " + maker.name).c_str(), inputs);
+  }
+};
+
+} // namespace
+
+report verify_formula(const decide::model &m, const dag::kernel &k, long cases, unsigned seed) {
+  return checker(m, k, seed).run(cases);
+}
+
+} // namespace meetc::verify

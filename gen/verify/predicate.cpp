@@ -1,0 +1,115 @@
+#include "gen/oracle/convex.hpp"
+#include "gen/verify/verify.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <random>
+
+namespace meetc::verify {
+namespace {
+
+// Stored numbers on a lattice so small that operands often share corners, planes and lines.
+class lattice {
+public:
+  explicit lattice(unsigned seed) : random_(seed) {}
+  int number(int low, int high) { return low + static_cast<int>(random_() % static_cast<unsigned>(high - low + 1)); }
+  bool one_in(int n) { return number(1, n) == 1; }
+
+private:
+  std::mt19937 random_;
+};
+
+struct sample {
+  std::vector<oracle::rational> row; // as stored
+  oracle::hull hull;
+  oracle::rational pad = 0;
+};
+
+sample draw(lattice &random, std::size_t reals, const dag::enclosure &e, int size, const oracle::hull *near) {
+  sample out;
+  for (std::size_t i = 0; i < reals; ++i)
+    out.row.emplace_back(random.number(0, size));
+  // Half of the time a corner is taken from the other operand, or from another corner of this one.
+  for (std::size_t p = 0; p < e.hull.size(); ++p) {
+    const auto copy = [&](const oracle::point &from) {
+      for (std::size_t axis = 0; axis < e.hull[p].size(); ++axis)
+        out.row[static_cast<std::size_t>(e.hull[p][axis])] = from[axis];
+    };
+    if (near && random.one_in(4))
+      copy((*near)[static_cast<std::size_t>(random.number(0, static_cast<int>(near->size()) - 1))]);
+    else if (near && near->size() > 1 && random.one_in(6)) { // between two of its corners
+      oracle::point middle;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        middle[axis] = ((*near)[0][axis] + (*near)[1][axis]) / 2;
+      copy(middle);
+    }
+  }
+  for (const std::vector<int> &point : e.hull) {
+    oracle::point p{};
+    for (std::size_t axis = 0; axis < point.size(); ++axis)
+      p[axis] = out.row[static_cast<std::size_t>(point[axis])];
+    out.hull.push_back(p);
+  }
+  if (e.pad >= 0)
+    out.pad = out.row[static_cast<std::size_t>(e.pad)];
+  return out;
+}
+
+int sign_of(const oracle::rational &q) { return sgn(q); }
+
+} // namespace
+
+report verify_predicate(const decide::model &m, const dag::kernel &k, long cases, unsigned seed) {
+  report out;
+  const dag::enclosure ea = dag::enclosing(m, *k.asked.kinds[0]), eb = dag::enclosing(m, *k.asked.kinds[1]);
+  if (ea.hull.empty() || eb.hull.empty()) {
+    out.note = "not checked: an operand has no hull";
+    return out;
+  }
+  const auto mode = k.asked.asked->mode == "surface" ? oracle::touch_mode::surface : oracle::touch_mode::solid;
+  const dag::predicate &p = k.decision;
+  const auto reals = [&](std::size_t i) { return m.layout(*k.asked.kinds[i]).reals.size(); };
+  lattice random(seed);
+  for (long i = 0; i < cases; ++i) {
+    const int size = i % 3 == 0 ? 1 : i % 3 == 1 ? 2 : 5;
+    const sample a = draw(random, reals(0), ea, size, nullptr);
+    const sample b = draw(random, reals(1), eb, size, &a.hull);
+    std::vector<oracle::rational> row = a.row;
+    row.insert(row.end(), b.row.begin(), b.row.end());
+    std::vector<int> signs(p.signs.atoms().size());
+    bool zero = false;
+    for (const dag::stage *s : {&p.reject, &p.common, &p.rare}) {
+      if (s->atoms.empty())
+        continue;
+      const auto values = dag::evaluate(s->code, row);
+      for (std::size_t v = 0; v < values.size(); ++v) {
+        signs[static_cast<std::size_t>(s->atoms[v])] = sign_of(values[v]);
+        zero = zero || (s != &p.rare && values[v] == 0);
+      }
+    }
+    const bool want = oracle::touches(a.hull, a.pad, b.hull, b.pad, mode);
+    const bool hit = p.signs.evaluate(p.truths.hit, signs);
+    const bool rejected = std::any_of(p.truths.reject.begin(), p.truths.reject.end(),
+                                      [&](int t) { return p.signs.evaluate(t, signs); });
+    const bool rare = std::any_of(p.conditions.begin(), p.conditions.end(),
+                                  [&](int t) { return p.signs.evaluate(t, signs); });
+    // A reject line may only speed things up, and the usual case stands alone when no condition holds.
+    const bool staged = !rejected && (rare ? hit : p.signs.evaluate(p.usual, signs));
+    ++out.cases;
+    out.degenerate += zero;
+    out.hits += want;
+    if (hit == want && staged == want)
+      continue;
+    if (out.wrong++ == 0) {
+      std::string numbers;
+      for (const auto &q : row)
+        numbers += (numbers.empty() ? "" : ", ") + q.get_str();
+      out.first_wrong = fmt::format("{}({}) is {}, and should be {}{}", k.asked.text, numbers, staged ? "a hit" : "a miss",
+                                    want ? "a hit" : "a miss",
+                                    hit == want ? "; without its reject lines it is right" : "");
+    }
+  }
+  return out;
+}
+
+} // namespace meetc::verify

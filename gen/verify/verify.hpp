@@ -1,0 +1,21 @@
+// verify: what was compiled, held against what is true.
+//
+//   formulas    against the dense 2^n product (gen/oracle/dense.hpp), in exact rationals
+//   predicates  against exact convex feasibility of the operands' hulls (gen/oracle/convex.hpp), on small lattices
+//               where about half of the cases are degenerate
+#pragma once
+#include "gen/dag/kernel.hpp"
+
+namespace meetc::verify {
+
+struct report {
+  long cases = 0, wrong = 0;
+  std::string first_wrong; // the first case that failed, for a person
+  std::string note;        // why nothing could be checked, or ""
+  long degenerate = 0, hits = 0;
+};
+
+report verify_formula(const decide::model &m, const dag::kernel &k, long cases, unsigned seed);
+report verify_predicate(const decide::model &m, const dag::kernel &k, long cases, unsigned seed);
+
+} // namespace meetc::verify

@@ -1,0 +1,230 @@
+#include "app/cli.hpp"
+
+#include "app/choose.hpp"
+#include "app/collide_command.hpp"
+#include "app/demo_command.hpp"
+#include "app/failure.hpp"
+#include "app/inspect_command.hpp"
+#include "core/threads.hpp"
+#include "io/number.hpp"
+#include "io/text.hpp"
+
+#include <cga/cga_runtime.hpp>
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace meet::app {
+
+namespace {
+
+// Numbers apart by commas or blanks.
+template <std::size_t N> std::array<double, N> numbers(const char *option, std::string text) {
+  std::array<double, N> out{};
+  std::size_t n = 0;
+  for (char &c : text)
+    c = c == ',' ? ' ' : c;
+  std::string_view rest = text;
+  for (std::string_view word; !(word = io::take_word(rest)).empty(); ++n) {
+    double value = 0;
+    if (!io::parse_decimal(word, io::precision::float64, value))
+      throw failure(fmt::format("{}: {} is not a number", option, io::quote(word)));
+    if (n < N)
+      out[n] = value;
+  }
+  if (n != N)
+    throw failure(fmt::format("{}: {} number{} expected{}, {} given", option, N, N == 1 ? "" : "s",
+                              N == 1 ? "" : ", with commas between them", n));
+  return out;
+}
+
+void check_device(const std::string &device) {
+  if (device == "cuda")
+    throw failure("--device cuda: this build decides pairs on the CPU; use --device cpu", no_device);
+  if (device != "auto" && device != "cpu")
+    throw failure(fmt::format("--device {}: unknown; known: auto, cpu, cuda", io::quote(device)));
+}
+
+int threads_named(const std::string &text) {
+  std::int64_t n = 0;
+  if (!io::parse_integer(text, n) || n < 0 || n > max_threads)
+    throw failure(fmt::format("--threads: {} is not a number from 0 to {}", io::quote(text), max_threads));
+  return static_cast<int>(n);
+}
+
+// What CLI11 fills; strings where its own conversion says less than ours.
+struct arguments {
+  collide_request collide;
+  inspect_request inspect;
+  std::filesystem::path demo_folder = "meet-demo";
+  std::string precision = "exact", device = "auto";
+  std::optional<std::string> translate, scale, matrix, threads;
+  CLI::App *collide_command = nullptr, *inspect_command = nullptr, *demo_command = nullptr;
+};
+
+constexpr const char *files_help =
+    "A mesh (.ply, .obj, .stl), or a .csv whose first line names a kind's numbers: "
+    "x,y,z,r spheres; x0,y0,z0,x1,y1,z1 segments; x,y,z points";
+
+void add_collide(CLI::App &app, arguments &to) {
+  CLI::App &c = *app.add_subcommand("collide", "Find all touching pairs of the elements of two files");
+  to.collide_command = &c;
+  collide_request &q = to.collide;
+  c.add_option("A", q.a, files_help)->required()->type_name("FILE");
+  c.add_option("B", q.b, "The other set; the same file gives every ordered pair (i, j), i = j included")
+      ->required()
+      ->type_name("FILE");
+  c.add_option("--predicate", q.predicate,
+               "Which predicate decides, where several fit (meet inspect lists them)")
+      ->type_name("NAME");
+  c.add_option("--mode", q.mode, "What a sphere is; solid is the default")->type_name("solid|surface");
+  c.add_option("--precision", to.precision,
+               "exact, the default, is never wrong; fp32 and fp64 take the sign of what rounding leaves")
+      ->type_name("fp32|fp64|exact");
+  c.add_option("--device", to.device, "Where pairs are decided; auto is the default")
+      ->type_name("auto|cpu|cuda");
+  c.add_option("--scale-b", to.scale, "Multiply B by s first: coordinates and radii")->type_name("s");
+  c.add_option("--matrix-b", to.matrix,
+               "Then move B by m00,m01,..,m23: 12 numbers, row-major 3x4; not for spheres")
+      ->type_name("NUMBERS");
+  c.add_option("--translate-b", to.translate, "Then move B by x,y,z")->type_name("x,y,z");
+  c.add_flag("--any", q.any,
+             "Only whether anything touches: stops at the first pair found, so that pairs is 0 or 1; "
+             "which pair is not told");
+  c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")
+      ->type_name("out.csv");
+  c.add_option("--color,--colour", q.colour,
+               "Write a.ply and b.ply with touched faces in bright colours into this folder")
+      ->type_name("DIR");
+  c.add_option("--image", q.image, "Write a picture in which what touches stands out")->type_name("out.png");
+  c.add_flag("--json", q.json, "Print one JSON object instead of the summary");
+  c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
+}
+
+void add_inspect(CLI::App &app, arguments &to) {
+  CLI::App &c =
+      *app.add_subcommand("inspect", "Say what two files hold, what is degenerate, and which predicates fit");
+  to.inspect_command = &c;
+  c.add_option("A", to.inspect.a, files_help)->required()->type_name("FILE");
+  c.add_option("B", to.inspect.b, "The other set")->required()->type_name("FILE");
+  c.add_option("--scene", to.inspect.scene, "Write the scene file that these files require, for meetc")
+      ->type_name("out.toml");
+  c.add_option("--algebra", to.inspect.algebra,
+               "The algebra that the scene file names (the shipped cga3.toml)")
+      ->type_name("PATH");
+}
+
+void add_demo(CLI::App &app, arguments &to) {
+  CLI::App &c = *app.add_subcommand("demo", "Collide built-in bodies; write coloured meshes and pictures");
+  to.demo_command = &c;
+  c.add_option("-o", to.demo_folder, "The folder to write to (./meet-demo)")->type_name("DIR");
+}
+
+std::string obey(arguments &args) {
+  const catalogue &all = cga::catalogue();
+  if (args.inspect_command->parsed())
+    return inspect(all, args.inspect);
+  if (args.demo_command->parsed())
+    return demo(all, args.demo_folder, 0);
+  collide_request &q = args.collide;
+  check_device(args.device);
+  q.precision = precision_named(args.precision);
+  if (args.threads)
+    q.threads = threads_named(*args.threads);
+  if (args.scale)
+    q.move_b.scale = numbers<1>("--scale-b", *args.scale)[0];
+  if (args.matrix)
+    q.move_b.matrix = numbers<12>("--matrix-b", *args.matrix);
+  if (args.translate)
+    q.move_b.translate = numbers<3>("--translate-b", *args.translate);
+  q.move_b.check();
+  return collide(all, q);
+}
+
+int complain(const std::string &what, int code) {
+  std::fprintf(stderr, "meet: %s\n", what.c_str());
+  return code;
+}
+
+// A reader that has gone (head) is no fault; a full disk is.
+int print(const std::string &text) {
+  errno = 0;
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if ((written && std::fflush(stdout) == 0) || errno == EPIPE)
+    return done;
+  return complain(fmt::format("standard output: {}", std::generic_category().message(errno)), bad_input);
+}
+
+// A program started without them would get its next files under their numbers.
+void open_standard_streams() {
+  for (int fd = 0; fd < 3; ++fd)
+    if (::fcntl(fd, F_GETFD) == -1)
+      static_cast<void>(::open("/dev/null", fd == 0 ? O_RDONLY : O_WRONLY));
+}
+
+bool contains(const std::string &text, const char *part) {
+  return text.find(part) != std::string::npos;
+}
+
+// CLI11's words, or better ones, in one line.
+std::string in_one_line(const CLI::Error &e, const arguments &args, int argc, char **argv) {
+  const CLI::App *command = nullptr;
+  for (const CLI::App *c : {args.collide_command, args.inspect_command, args.demo_command})
+    if (argc > 1 && c->get_name() == argv[1])
+      command = c;
+  const std::string more = fmt::format("meet {}--help says more", command ? command->get_name() + " " : "");
+  if (!command && argc < 2)
+    return fmt::format("a command is needed: collide, inspect or demo ({})", more);
+  if (!command && argv[1][0] != '-')
+    return fmt::format("unknown command {}; known: collide, inspect, demo ({})", io::quote(argv[1]), more);
+  std::string what = e.what();
+  const std::string option = what.substr(0, what.find(':'));
+  if (contains(what, "At Most 1 required"))
+    what = option + ": given more than once";
+  else if (contains(what, "1 required") && contains(what, "missing"))
+    what = option + ": its value is missing";
+  else if (contains(what, "not expected"))
+    what = "not expected:" + what.substr(what.find(':') + 1);
+  return fmt::format("{} ({})", io::error(what).what(), more);
+}
+
+} // namespace
+
+int run(int argc, char **argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  open_standard_streams();
+  try {
+    CLI::App app("Which elements of two sets touch: meshes, segments and spheres, exactly.", "meet");
+    app.set_version_flag("--version", "meet " MEET_VERSION);
+    app.require_subcommand(1);
+    arguments args;
+    add_collide(app, args);
+    add_inspect(app, args);
+    add_demo(app, args);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::CallForHelp &) {
+      return print(app.help());
+    } catch (const CLI::CallForVersion &) {
+      return print("meet " MEET_VERSION "\n");
+    } catch (const CLI::Error &e) {
+      return complain(in_one_line(e, args, argc, argv), bad_input);
+    }
+    return print(obey(args));
+  } catch (const failure &e) {
+    return complain(e.what(), e.code());
+  } catch (const std::bad_alloc &) {
+    return complain("not enough memory", bad_input);
+  } catch (const std::length_error &) {
+    return complain("not enough memory", bad_input);
+  } catch (const std::exception &e) {
+    return complain(e.what(), bad_input);
+  }
+}
+
+} // namespace meet::app

@@ -1,0 +1,96 @@
+#include "app/collide_command.hpp"
+
+#include "app/collide_sets.hpp"
+#include "app/failure.hpp"
+#include "app/kinds.hpp"
+#include "app/output_files.hpp"
+#include "app/paint.hpp"
+#include "app/progress.hpp"
+#include "app/report.hpp"
+#include "io/read.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <memory>
+
+namespace meet::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void check_outputs(const collide_request &q, output_files &outputs) {
+  if (q.any && (q.pairs || q.colour || q.image))
+    throw failure("--any stops at the first pair and keeps none; --pairs, --color and --image need them all");
+  if (q.pairs)
+    outputs.expect(*q.pairs);
+  if (q.image)
+    outputs.expect(*q.image);
+  if (q.colour)
+    for (const char *const name : {"a.ply", "b.ply"})
+      outputs.expect(*q.colour / name, true);
+}
+
+void write_colours(const collide_request &q, const painted &a, const painted &b, output_files &outputs,
+                   collide_report &report) {
+  if (!is_mesh(a.set) && !is_mesh(b.set))
+    throw failure(fmt::format("--color: only the faces of a mesh can be coloured; here are {}s and {}s",
+                              a.set.kind->name, b.set.kind->name));
+  outputs.make_folder(*q.colour);
+  for (const painted *const side : {&a, &b}) {
+    const bool first = side == &a;
+    if (!is_mesh(side->set)) {
+      report.notes.push_back(fmt::format("{} is no mesh and has no coloured one", first ? "A" : "B"));
+      continue;
+    }
+    const fs::path path = *q.colour / (first ? "a.ply" : "b.ply");
+    outputs.write(path, [side](const fs::path &to) { write_coloured(to, *side); });
+    report.written.push_back(path.string());
+  }
+}
+
+void write_all(const collide_request &q, output_files &outputs, collide_report &report) {
+  const painted a{report.a, report.found.a.hit, q.a.filename().string(), palette::green, palette::yellow};
+  const painted b{report.b, report.found.b.hit, q.b.filename().string(), palette::blue, palette::pink};
+  if (q.pairs) {
+    const std::vector<index_pair> &list = report.found.list;
+    outputs.write(*q.pairs, [&list](const fs::path &to) { io::write_pairs_csv(to, list); });
+    report.written.push_back(q.pairs->string());
+  }
+  if (q.colour)
+    write_colours(q, a, b, outputs, report);
+  if (q.image) {
+    outputs.write(*q.image, [&a, &b](const fs::path &to) { write_picture(to, {a, b}); });
+    report.written.push_back(q.image->string());
+  }
+  outputs.commit();
+}
+
+} // namespace
+
+std::string collide(const catalogue &all, const collide_request &q) {
+  output_files outputs({q.a, q.b});
+  check_outputs(q, outputs);
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<const kind_info *> kinds = kinds_of(all);
+  const io::element_set a = io::read(q.a, kinds), b = io::read(q.b, kinds, q.move_b);
+  const std::chrono::duration<double> read = std::chrono::steady_clock::now() - start;
+
+  how h;
+  h.by = choose(all, *a.kind, *b.kind, q.predicate, q.mode);
+  h.precision = q.precision;
+  h.any = q.any;
+  h.threads = q.threads;
+  auto progress = std::make_unique<progress_line>("collide");
+  h.progress = [&progress](double fraction) { (*progress)(fraction); };
+  const answers found = collide_sets(a, b, h);
+  progress.reset();
+
+  std::error_code code;
+  collide_report report{q.a.string(),   q.b.string(), a,  b, h, found, fs::equivalent(q.a, q.b, code),
+                        q.move_b.any(), read.count(), {}, {}};
+  write_all(q, outputs, report);
+  return q.json ? json(report) : summary(report);
+}
+
+} // namespace meet::app

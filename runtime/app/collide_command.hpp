@@ -1,0 +1,29 @@
+// app/collide_command.hpp: `meet collide`: which elements of two files touch.
+#ifndef MEET_APP_COLLIDE_COMMAND_HPP
+#define MEET_APP_COLLIDE_COMMAND_HPP
+
+#include "io/transform.hpp"
+#include "meet/support.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace meet::app {
+
+struct collide_request {
+  std::filesystem::path a, b;
+  std::optional<std::string> predicate, mode;
+  rung precision = rung::exact;
+  io::transform move_b;
+  bool any = false, json = false;
+  std::optional<std::filesystem::path> pairs, colour, image;
+  int threads = 0;
+};
+
+// Writes the files that are asked for and returns what goes to standard output. Throws io::error.
+std::string collide(const catalogue &all, const collide_request &request);
+
+} // namespace meet::app
+
+#endif

@@ -1,0 +1,46 @@
+// app/collide_sets.hpp: two sets as read, one predicate, and all that a report or a picture needs of the
+// answer.
+#ifndef MEET_APP_COLLIDE_SETS_HPP
+#define MEET_APP_COLLIDE_SETS_HPP
+
+#include "app/choose.hpp"
+#include "core/box.hpp"
+#include "core/collide.hpp"
+#include "io/element_set.hpp"
+
+#include <functional>
+
+namespace meet::app {
+
+struct side_answer {
+  box bounds{};                  // around all elements; lo > hi where there are none
+  std::vector<std::uint8_t> hit; // 1 for each of the file's items with a pair
+  std::uint64_t touched = 0;     // how many; with `any` 0 or 1
+};
+
+struct answers {
+  std::vector<index_pair> list; // of items, sorted by a, then b; empty with `any`
+  std::uint64_t pairs = 0;      // with `any` 0 or 1
+  std::uint64_t candidates = 0; // pairs of elements that the predicate was asked about
+  side_answer a, b;
+  double prepare_seconds = 0, collide_seconds = 0;
+};
+
+struct how {
+  choice by;
+  rung precision = rung::exact;
+  bool any = false; // stop at the first pair
+  int threads = 0;  // 0: all cores
+  std::function<void(double fraction)> progress = {};
+};
+
+// Throws failure where the predicate was not generated for the precision; std::bad_alloc.
+answers collide_sets(const io::element_set &a, const io::element_set &b, const how &h);
+
+bool is_empty(const box &b);
+bool disjoint(const box &x, const box &y); // not where one is empty
+bool inside(const box &inner, const box &outer);
+
+} // namespace meet::app
+
+#endif

@@ -1,0 +1,23 @@
+// app/demo_scenes.hpp: pairs of sets made from nothing, one of each kind of answer.
+#ifndef MEET_APP_DEMO_SCENES_HPP
+#define MEET_APP_DEMO_SCENES_HPP
+
+#include "io/element_set.hpp"
+#include "meet/support.hpp"
+
+#include <string>
+#include <vector>
+
+namespace meet::app {
+
+struct demo_scene {
+  std::string name, name_a, name_b;
+  io::element_set a, b;
+};
+
+// The same bytes everywhere.
+std::vector<demo_scene> demo_scenes(const catalogue &all);
+
+} // namespace meet::app
+
+#endif

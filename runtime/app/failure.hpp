@@ -1,0 +1,23 @@
+// app/failure.hpp: why a command ends without a result, in one line.
+#ifndef MEET_APP_FAILURE_HPP
+#define MEET_APP_FAILURE_HPP
+
+#include "io/error.hpp"
+
+namespace meet::app {
+
+enum exit_code : int { done = 0, bad_input = 2, no_device = 3 };
+
+// Like io::error, which means bad_input too; with another exit code where one is due.
+class failure : public io::error {
+public:
+  explicit failure(std::string_view message, exit_code code = bad_input) : io::error(message), code_(code) {}
+  exit_code code() const { return code_; }
+
+private:
+  exit_code code_;
+};
+
+} // namespace meet::app
+
+#endif

@@ -1,0 +1,37 @@
+// app/findings.hpp: what a set of elements is like: its box, its grid and its degenerate elements.
+//
+// All of it is exact: a triangle has zero area when its corners are collinear as the rational numbers that
+// they are, tested in integers on the grid of its own coordinates.
+#ifndef MEET_APP_FINDINGS_HPP
+#define MEET_APP_FINDINGS_HPP
+
+#include "core/box.hpp"
+#include "io/element_set.hpp"
+
+#include <optional>
+
+namespace meet::app {
+
+struct findings {
+  box points{{1, 1, 1}, {-1, -1, -1}}; // around all points (without radii); lo > hi where there are none
+  box bounds{{1, 1, 1}, {-1, -1, -1}}; // around all elements
+  grid numbers{1000, -1000};           // of every number of every element
+  std::size_t zero_area = 0;           // items, as are the next three
+  std::size_t zero_length = 0;
+  std::size_t zero_radius = 0;
+  std::size_t duplicates = 0;      // items that repeat an earlier one, whatever the order of their corners
+  std::size_t unused_vertices = 0; // of an indexed mesh
+};
+
+findings find(const io::element_set &set);
+
+// Bits that the differences of two coordinates may take, in steps of the grid: the least n with every
+// |difference| <= 2^n steps. None where there are no points.
+std::optional<int> difference_bits(const box &points, const grid &numbers);
+
+box around(const box &x, const box &y);
+grid around(const grid &x, const grid &y);
+
+} // namespace meet::app
+
+#endif

@@ -1,0 +1,123 @@
+#include "app/inspect_command.hpp"
+
+#include "app/choose.hpp"
+#include "app/failure.hpp"
+#include "app/findings.hpp"
+#include "app/kinds.hpp"
+#include "app/output_files.hpp"
+#include "app/paint.hpp"
+#include "app/report.hpp"
+#include "app/scene_file.hpp"
+#include "io/atomic_file.hpp"
+#include "io/read.hpp"
+
+#include <fmt/format.h>
+
+namespace meet::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int exact_window = 26; // bits of differences for which fp64 with exact products decides
+
+std::string power(int exponent) {
+  return fmt::format("2^{}", exponent);
+}
+
+std::string grid_in_words(const grid &numbers, const box &points) {
+  const std::optional<int> bits = difference_bits(points, numbers);
+  if (!bits)
+    return "no numbers";
+  if (numbers.bits() == 0)
+    return "all numbers are 0";
+  return fmt::format("multiples of {} below {} ({} bits); differences to {} steps: {}", power(numbers.low),
+                     power(numbers.high), numbers.bits(), power(*bits),
+                     *bits <= exact_window ? "they fit 26 bits" : "more than 26 bits");
+}
+
+std::string faults_in_words(const io::element_set &set, const findings &f) {
+  std::string out;
+  const auto add = [&out](std::size_t n, std::string_view one, std::string_view many) {
+    if (n > 0)
+      out += fmt::format("{}{} {}", out.empty() ? "" : ", ", grouped(n), n == 1 ? one : many);
+  };
+  add(f.zero_area, "face with a zero-area triangle", "faces with zero-area triangles");
+  add(f.zero_length, "zero-length segment", "zero-length segments");
+  add(f.zero_radius, "sphere of radius 0", "spheres of radius 0");
+  if (is_mesh(set))
+    add(f.duplicates, "duplicate face", "duplicate faces");
+  else
+    add(f.duplicates, "duplicate", "duplicates");
+  add(f.unused_vertices, "unused vertex", "unused vertices");
+  return out.empty() ? "none" : out;
+}
+
+std::string file_lines(const char *label, const fs::path &path, const io::element_set &set,
+                       const findings &f) {
+  const std::string vertices = set.vertices > 0 ? fmt::format(", {} vertices", grouped(set.vertices)) : "";
+  return fmt::format("{}  {}\n"
+                     "   kind        {}: {}{}\n"
+                     "   box         {}\n"
+                     "   grid        {}\n"
+                     "   degenerate  {}\n",
+                     label, path.string(), set.kind->name, counted(set), vertices, in_words(f.bounds),
+                     grid_in_words(f.numbers, f.points), faults_in_words(set, f));
+}
+
+std::string predicate_lines(const std::vector<choice> &fit, const kind_info &a, const kind_info &b) {
+  if (fit.empty())
+    return fmt::format("   predicates  none for {} with {}\n", a.name, b.name);
+  std::string out;
+  for (const choice &c : fit)
+    out += fmt::format("   {}  {}{}\n", out.empty() ? "predicates" : "          ", c.predicate->name,
+                       *c.predicate->mode ? fmt::format(" (--mode {})", c.predicate->mode) : "");
+  return out;
+}
+
+} // namespace
+
+std::string inspect(const catalogue &all, const inspect_request &q) {
+  if (q.algebra && !q.scene)
+    throw failure("--algebra says what a scene file names; it goes with --scene");
+  std::vector<fs::path> inputs{q.a, q.b};
+  fs::path algebra;
+  if (q.scene) {
+    algebra = algebra_path(q.algebra);
+    inputs.push_back(algebra);
+  }
+  output_files outputs(inputs);
+  if (q.scene)
+    outputs.expect(*q.scene);
+  const std::vector<const kind_info *> kinds = kinds_of(all);
+  const io::element_set a = io::read(q.a, kinds), b = io::read(q.b, kinds);
+  const std::vector<choice> fit = fitting(all, *a.kind, *b.kind);
+  const findings in_a = find(a), in_b = find(b);
+
+  std::string out = file_lines("A", q.a, a, in_a) + file_lines("B", q.b, b, in_b);
+  out += "A with B\n";
+  out += fmt::format("   boxes       {}\n", is_empty(in_a.bounds) || is_empty(in_b.bounds) ? "one is empty"
+                                            : disjoint(in_a.bounds, in_b.bounds)           ? "disjoint"
+                                                                                           : "they overlap");
+  out += fmt::format("   grid        {}\n",
+                     grid_in_words(around(in_a.numbers, in_b.numbers), around(in_a.points, in_b.points)));
+  out += predicate_lines(fit, *a.kind, *b.kind);
+  if (!q.scene)
+    return out;
+  if (fit.empty())
+    throw failure(fmt::format("--scene: no predicate for {} with {}", a.kind->name, b.kind->name));
+  std::vector<std::string> names;
+  for (const choice &c : fit)
+    names.emplace_back(c.predicate->name);
+  const std::string text = scene_text(*q.scene, algebra, names,
+                                      fmt::format("What {}s with {}s require.", a.kind->name, b.kind->name));
+  outputs.write(*q.scene, [&text](const fs::path &to) {
+    io::atomic_file file(to);
+    file.write(text);
+    file.commit();
+  });
+  outputs.commit();
+  return out + fmt::format("wrote {}\n", q.scene->string());
+}
+
+} // namespace meet::app

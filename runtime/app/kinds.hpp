@@ -1,0 +1,20 @@
+// app/kinds.hpp: the kinds of a catalogue as the readers take them.
+#ifndef MEET_APP_KINDS_HPP
+#define MEET_APP_KINDS_HPP
+
+#include "meet/support.hpp"
+
+#include <vector>
+
+namespace meet::app {
+
+inline std::vector<const kind_info *> kinds_of(const catalogue &all) {
+  std::vector<const kind_info *> out;
+  for (int i = 0; i < all.kind_count; ++i)
+    out.push_back(&all.kinds[i]);
+  return out;
+}
+
+} // namespace meet::app
+
+#endif

@@ -1,0 +1,51 @@
+// app/output_files.hpp: several files that are written together or not at all.
+//
+// Problem: a command may write a table, two meshes and a picture. Where the last cannot be written, the first
+// ones should not lie there as if all were well; and a mistyped name must not cost a long computation, nor
+// an input file.
+// Method: names are checked before the work. Files are then written beside their targets under temporary
+// names, and renamed when all are there.
+// Limits: a target that exists and is no regular file (a terminal, a pipe) is written directly, after all
+// others are ready. A rename that fails half-way leaves those before it.
+#ifndef MEET_APP_OUTPUT_FILES_HPP
+#define MEET_APP_OUTPUT_FILES_HPP
+
+#include "io/error.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace meet::app {
+
+class output_files {
+public:
+  using writer = std::function<void(const std::filesystem::path &to)>;
+
+  // No output may be one of `inputs`.
+  explicit output_files(std::vector<std::filesystem::path> inputs = {}) : inputs_(std::move(inputs)) {}
+  ~output_files();
+  output_files(const output_files &) = delete;
+  output_files &operator=(const output_files &) = delete;
+
+  // Throws io::error for a name that is refused or surely cannot be written. Where the folder is missing,
+  // `makes_folder` says that make_folder() will be called for it.
+  void expect(const std::filesystem::path &target, bool makes_folder = false);
+  // Creates it, and what is missing above it.
+  void make_folder(const std::filesystem::path &folder);
+  // Calls `write` with the name to write to. Throws io::error that names the target.
+  void write(const std::filesystem::path &target, const writer &write);
+  void commit();
+
+private:
+  struct staged {
+    std::filesystem::path at, target;
+  };
+  std::vector<std::filesystem::path> inputs_, expected_, folders_;
+  std::vector<staged> staged_;
+  std::vector<std::function<void()>> direct_;
+};
+
+} // namespace meet::app
+
+#endif

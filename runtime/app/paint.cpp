@@ -1,0 +1,76 @@
+#include "app/paint.hpp"
+
+#include "app/failure.hpp"
+#include "io/atomic_file.hpp"
+
+#include <fmt/format.h>
+
+namespace meet::app {
+
+namespace {
+
+constexpr int width = 1600, height = 900;
+
+io::rgb bytes(colour c) {
+  return {c.r, c.g, c.b};
+}
+
+// What a shape borrows.
+struct kept {
+  std::vector<std::uint8_t> hit; // one an element
+  std::vector<float> rows;       // where the set's own will not do
+};
+
+shape shape_of(const painted &side, kept &keep) {
+  const io::element_set &set = side.set;
+  keep.hit.resize(set.elements);
+  for (std::size_t i = 0; i < set.elements; ++i)
+    keep.hit[i] = side.hit[set.owner_of(i)];
+  shape s;
+  s.rows = set.data;
+  s.hit = keep.hit;
+  s.base = side.base;
+  s.hit_colour = side.hit_colour;
+  s.name = side.name;
+  if (is_mesh(set)) {
+    s.what = form::triangles;
+    s.index = set.index;
+    if (set.elements == 0)
+      s.rows = {}; // vertices alone are no rows
+  } else if (set.kind->fields == 4) {
+    s.what = form::spheres;
+  } else if (set.kind->points == 2) {
+    s.what = form::segments;
+  } else if (set.kind->points == 1) {
+    s.what = form::spheres;
+    for (std::size_t i = 0; i < set.elements; ++i)
+      keep.rows.insert(keep.rows.end(), {set.data[3 * i], set.data[3 * i + 1], set.data[3 * i + 2], 0.0f});
+    s.rows = keep.rows;
+  } else {
+    throw failure(fmt::format("a picture cannot show elements of kind {}", set.kind->name));
+  }
+  return s;
+}
+
+} // namespace
+
+void write_coloured(const std::filesystem::path &path, const painted &side) {
+  std::vector<io::rgb> colours(side.set.items, bytes(side.base));
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    if (side.hit[i])
+      colours[i] = bytes(side.hit_colour);
+  io::write_ply(path, side.set, colours);
+}
+
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const view &from) {
+  std::vector<kept> keep(sides.size());
+  std::vector<shape> shapes;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    shapes.push_back(shape_of(sides[i], keep[i]));
+  const std::vector<std::uint8_t> png = encode_png(render_panels(shapes, from, width, height));
+  io::atomic_file file(path);
+  file.write({reinterpret_cast<const char *>(png.data()), png.size()});
+  file.commit();
+}
+
+} // namespace meet::app

@@ -1,0 +1,36 @@
+// app/paint.hpp: the hits of two sets as coloured meshes and as a picture.
+#ifndef MEET_APP_PAINT_HPP
+#define MEET_APP_PAINT_HPP
+
+#include "app/picture.hpp"
+#include "io/element_set.hpp"
+#include "io/write.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meet::app {
+
+// What is painted of one side.
+struct painted {
+  const io::element_set &set;
+  const std::vector<std::uint8_t> &hit; // one an item
+  std::string name;
+  colour base, hit_colour;
+};
+
+inline bool is_mesh(const io::element_set &set) {
+  return set.kind->points == 3 && set.kind->fields == 9;
+}
+
+// The mesh with a bright colour on every face that is hit and a calm one elsewhere.
+void write_coloured(const std::filesystem::path &path, const painted &side);
+
+// A PNG of the sides together and each alone. Throws io::error.
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides,
+                   const view &from = {});
+
+} // namespace meet::app
+
+#endif

@@ -1,0 +1,41 @@
+// app/progress.hpp: a line on a terminal that says how far a long computation is.
+#ifndef MEET_APP_PROGRESS_HPP
+#define MEET_APP_PROGRESS_HPP
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <unistd.h>
+
+namespace meet::app {
+
+// Says nothing in the first second, and nothing at all where standard error is no terminal. The line is gone
+// when the object is.
+class progress_line {
+public:
+  explicit progress_line(std::string what) : what_(std::move(what)) {}
+  ~progress_line() {
+    if (shown_)
+      std::fputs("\r\x1b[K", stderr);
+  }
+  progress_line(const progress_line &) = delete;
+  progress_line &operator=(const progress_line &) = delete;
+
+  void operator()(double fraction) {
+    using namespace std::chrono_literals;
+    if (!terminal_ || std::chrono::steady_clock::now() - start_ < 1s)
+      return;
+    std::fprintf(stderr, "\r%s %3d %%", what_.c_str(), static_cast<int>(100 * fraction));
+    std::fflush(stderr);
+    shown_ = true;
+  }
+
+private:
+  std::string what_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  bool terminal_ = ::isatty(STDERR_FILENO) == 1, shown_ = false;
+};
+
+} // namespace meet::app
+
+#endif

@@ -1,0 +1,115 @@
+#include "app/report.hpp"
+
+#include "app/paint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace meet::app {
+
+namespace {
+
+// Where nothing touches though one set lies within a mesh's box: said, since many expect containment to
+// count.
+bool may_be_contained(const collide_report &r) {
+  const answers &f = r.found;
+  return f.pairs == 0 && ((is_mesh(r.a) && inside(f.b.bounds, f.a.bounds)) ||
+                          (is_mesh(r.b) && inside(f.a.bounds, f.b.bounds)));
+}
+
+std::string predicate_in_words(const how &h) {
+  const predicate_info &p = *h.by.predicate;
+  const std::string mode = *p.mode ? fmt::format(" ({})", p.mode) : "";
+  return fmt::format("{}{}, {}, on the CPU", p.name, mode, name_of(h.precision));
+}
+
+std::string file_lines(const collide_report &r) {
+  const std::string count_a = counted(r.a), count_b = counted(r.b);
+  const std::size_t names = std::max(r.name_a.size(), r.name_b.size());
+  const std::size_t counts = std::max(count_a.size(), count_b.size());
+  std::string out;
+  out +=
+      fmt::format("A  {:{}}  {:{}}  box {}\n", r.name_a, names, count_a, counts, in_words(r.found.a.bounds));
+  out += fmt::format("B  {:{}}  {:{}}  box {}{}\n", r.name_b, names, count_b, counts,
+                     in_words(r.found.b.bounds), r.moved ? ", moved" : "");
+  return out;
+}
+
+std::string answer_line(const collide_report &r) {
+  const answers &f = r.found;
+  if (r.asked.any)
+    return f.pairs ? "They touch (stopped at the first pair found).\n" : "Nothing touches.\n";
+  if (f.pairs == 0)
+    return "Nothing touches: 0 pairs.\n";
+  return fmt::format("{} {}: {} of A, {} of B.\n", grouped(f.pairs),
+                     f.pairs == 1 ? "pair touches" : "pairs touch", counted(r.a, f.a.touched),
+                     counted(r.b, f.b.touched));
+}
+
+} // namespace
+
+std::string grouped(std::uint64_t n) {
+  std::string s = std::to_string(n);
+  for (std::size_t at = s.size(); at > 3; at -= 3)
+    s.insert(at - 3, 1, ',');
+  return s;
+}
+
+std::string counted(const io::element_set &set, std::uint64_t n) {
+  return fmt::format("{} {}{}", grouped(n), is_mesh(set) ? "face" : set.kind->name, n == 1 ? "" : "s");
+}
+
+std::string counted(const io::element_set &set) {
+  const std::string items = counted(set, set.items);
+  return set.items == set.elements ? items : fmt::format("{} ({} triangles)", items, grouped(set.elements));
+}
+
+std::string in_words(const box &b) {
+  if (is_empty(b))
+    return "empty";
+  return fmt::format("[{}, {}, {}] to [{}, {}, {}]", b.lo[0], b.lo[1], b.lo[2], b.hi[0], b.hi[1], b.hi[2]);
+}
+
+std::string summary(const collide_report &r) {
+  const answers &f = r.found;
+  std::string out = file_lines(r);
+  if (r.same_file)
+    out +=
+        r.moved
+            ? "A and B are the same file, B moved.\n"
+            : "A and B are the same file: every ordered pair (i, j) counts, i = j included, and neighbours\n"
+              "touch where they share a corner or an edge.\n";
+  if (disjoint(f.a.bounds, f.b.bounds))
+    out += "The boxes are disjoint.\n";
+  out += '\n';
+  out += answer_line(r);
+  if (may_be_contained(r))
+    out += "Meshes are surfaces here: what lies wholly inside one does not touch it.\n";
+  out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked),
+                     grouped(f.candidates), f.candidates == 1 ? "" : "s");
+  out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
+                     f.collide_seconds);
+  for (const std::string &note : r.notes)
+    out += note + "\n";
+  for (const std::string &file : r.written)
+    out += fmt::format("wrote {}\n", file);
+  return out;
+}
+
+std::string json(const collide_report &r) {
+  const answers &f = r.found;
+  const auto side = [](const io::element_set &set) {
+    return fmt::format(R"({{"kind":"{}","elements":{}}})", set.kind->name, set.items);
+  };
+  return fmt::format(
+      R"({{"a":{},"b":{},"pairs":{},"touched_a":{},"touched_b":{},"precision":"{}",)"
+      R"("device":"cpu","unsure":{{}},"seconds":{{"read":{:.6f},"prepare":{:.6f},"collide":{:.6f}}},)"
+      R"("predicate":"{}","mode":"{}"}})"
+      "\n",
+      side(r.a), side(r.b), f.pairs, f.a.touched, f.b.touched, name_of(r.asked.precision), r.read_seconds,
+      f.prepare_seconds, f.collide_seconds, r.asked.by.predicate->name, r.asked.by.predicate->mode);
+}
+
+} // namespace meet::app

@@ -1,0 +1,80 @@
+#include "app/scene_file.hpp"
+
+#include "app/failure.hpp"
+
+#include <fmt/format.h>
+#include <string_view>
+#include <system_error>
+
+namespace meet::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A TOML string: literal where it can be.
+std::string toml_string(std::string_view text) {
+  if (text.find('\'') == std::string_view::npos)
+    return fmt::format("'{}'", text);
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+// The generator sees to words of C++.
+std::string space_named(const std::string &stem) {
+  std::string out;
+  for (const char c : stem)
+    if (is_letter(c) || (c >= '0' && c <= '9'))
+      out += c;
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+  if (out.empty() || !is_letter(out.front()))
+    out = "scene_" + out;
+  while (out.back() == '_')
+    out.pop_back();
+  return out == "meet" ? "meet_scene" : out; // where the support header lives
+}
+
+} // namespace
+
+fs::path algebra_path(const std::optional<fs::path> &asked) {
+  std::error_code code;
+  if (asked) {
+    if (!fs::is_regular_file(*asked, code))
+      throw failure(
+          fmt::format("{}: no such file; --algebra names the algebra, such as cga3.toml", asked->string()));
+    return *asked;
+  }
+  for (const char *const usual : {MEET_INSTALLED_ALGEBRA, MEET_SOURCE_ALGEBRA})
+    if (fs::is_regular_file(usual, code))
+      return usual;
+  throw failure(
+      "--scene: the algebra cga3.toml is not where it was installed; say where with --algebra PATH");
+}
+
+std::string scene_text(const fs::path &at, const fs::path &algebra,
+                       const std::vector<std::string> &predicates, const std::string &comment) {
+  std::error_code code;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(at).parent_path(), code);
+  const fs::path real = fs::weakly_canonical(fs::absolute(algebra), code);
+  const fs::path relative = real.lexically_relative(folder);
+  std::string kernels;
+  for (const std::string &p : predicates)
+    kernels += fmt::format("{}'{}'", kernels.empty() ? "" : ", ", p);
+  return fmt::format(
+      "# {}\n\n[scene]\nalgebra   = {}\nnamespace = '{}'\nrungs     = ['fp32', 'fp64', 'exact']\n"
+      "backends  = ['cpp', 'cuda']\nkernels   = [{}]\n",
+      comment, toml_string((relative.empty() ? real : relative).generic_string()),
+      space_named(at.stem().string()), kernels);
+}
+
+} // namespace meet::app

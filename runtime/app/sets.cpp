@@ -1,0 +1,23 @@
+#include "app/sets.hpp"
+
+namespace meet::app {
+
+::meet::view view_of(const io::element_set &set) {
+  ::meet::view v;
+  v.data = set.data.data();
+  v.elements = set.elements;
+  if (set.index.empty()) {
+    v.stride_bytes = static_cast<std::size_t>(set.kind->fields) * sizeof(float);
+    return v;
+  }
+  v.vertices = set.data.size() / 3;
+  v.stride_bytes = 3 * sizeof(float);
+  v.index = set.index.data();
+  return v;
+}
+
+prepared prepare(const io::element_set &set, int threads) {
+  return ::meet::prepare(view_of(set), *set.kind, {}, threads);
+}
+
+} // namespace meet::app
