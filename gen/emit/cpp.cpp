@@ -156,6 +156,11 @@ std::string kinds_header(const unit &u) {
   return out + close_header(u.scene);
 }
 
+// Marks an operand that nothing reads, so that no compiler warns of it.
+std::string unused_mark(const std::string &body, const std::string &name) {
+  return body.find(name + '.') == std::string::npos ? "[[maybe_unused]] " : "";
+}
+
 std::string formula_header(const unit &u, const dag::kernel &k) {
   const dag::formula &f = k.value;
   const bool number = f.result.size() == 1 && f.result[0] == 0;
@@ -184,20 +189,24 @@ std::string formula_header(const unit &u, const dag::kernel &k) {
       out += fmt::format("//   {}{} terms when expanded\n", left, f.polynomials[i].length());
   }
   out += fmt::format("// {}.\n", count_text(dag::count(f.from_blades.nodes, f.from_blades.results)));
-  std::string parameters, call, stored_parameters;
-  for (std::size_t i = 0; i < k.asked.kinds.size(); ++i) {
-    // An operand that no result reads still stands in the signature.
-    const std::string kind = identifier(k.asked.kinds[i]->name), name = identifier(k.asked.names[i]);
-    parameters += fmt::format("{}[[maybe_unused]] const {}_blade<T> &{}", i ? ", " : "", kind, name);
-    stored_parameters += fmt::format("{}[[maybe_unused]] const {}<T> &{}", i ? ", " : "", kind, name);
-    call += fmt::format("{}blade({})", i ? ", " : "", name);
-  }
+  const auto parameters = [&](const char *suffix, const std::string &reads) {
+    std::string list;
+    for (std::size_t i = 0; i < k.asked.kinds.size(); ++i) {
+      const std::string kind = identifier(k.asked.kinds[i]->name), name = identifier(k.asked.names[i]);
+      list += fmt::format("{}{}const {}{}<T> &{}", i ? ", " : "", unused_mark(reads, name), kind, suffix, name);
+    }
+    return list;
+  };
+  std::string call;
+  for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
+    call += fmt::format("{}blade({})", i ? ", " : "", identifier(k.asked.names[i]));
   body_names names;
   names.input = [&](int i) { return blade_names[static_cast<std::size_t>(i)]; };
   if (number) {
     names.result = [](std::size_t, const std::string &value) { return fmt::format("return {};", value); };
-    out += fmt::format("template <class T> MEET_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked), parameters,
-                       body(f.from_blades, names, "  "));
+    const std::string code = body(f.from_blades, names, "  ");
+    out += fmt::format("template <class T> MEET_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
+                       parameters("_blade", code), code);
   } else {
     names.result = [&](std::size_t i, const std::string &value) {
       return fmt::format("B.{} = {};", blade_field(u.model.working(), f.result[i]), value);
@@ -207,8 +216,9 @@ std::string formula_header(const unit &u, const dag::kernel &k) {
       for (const blade b : dag::support(u.model, *f.result_kind))
         if (std::find(f.result.begin(), f.result.end(), b) == f.result.end())
           rest += fmt::format("  B.{} = T(0);\n", blade_field(u.model.working(), b));
+    const std::string code = body(f.from_blades, names, "  ");
     out += fmt::format("template <class T> MEET_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
-                       kernel_function(k.asked), parameters, type, body(f.from_blades, names, "  "), rest);
+                       kernel_function(k.asked), parameters("_blade", code), type, code, rest);
   }
   // On what is stored.
   if (number) {
@@ -220,11 +230,15 @@ std::string formula_header(const unit &u, const dag::kernel &k) {
     out += fmt::format("\n// {} from what is stored, in differences where a translation changes nothing; B is never "
                        "formed.\n// {}.\n",
                        k.asked.text, count_text(dag::count(f.from_stored.nodes, f.from_stored.results)));
+    const std::string code = body(f.from_stored, names, "  ");
     out += fmt::format("template <class T> MEET_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
-                       stored_parameters, body(f.from_stored, names, "  "));
+                       parameters("", code), code);
   } else {
-    out += fmt::format("template <class T> MEET_HD inline {} {}({}) {{ return {}({}); }}\n", type,
-                       kernel_function(k.asked), stored_parameters, kernel_function(k.asked), call);
+    std::string all;
+    for (const std::string &name : k.asked.names)
+      all += identifier(name) + '.';
+    out += fmt::format("template <class T> MEET_HD inline {} {}({}) {{\n  return {}({});\n}}\n", type,
+                       kernel_function(k.asked), parameters("", all), kernel_function(k.asked), call);
   }
   return out;
 }
@@ -252,11 +266,37 @@ std::string open_header(const spec::scene &s, const std::string &name, const std
 
 std::string close_header(const spec::scene &s) { return fmt::format("\n}} // namespace {}\n\n#endif\n", identifier(s.space)); }
 
+namespace {
+
+// Long lines of code are broken after a comma; comments have their own way (wrapped()).
+std::string broken_lines(const std::string &text) {
+  constexpr std::size_t width = 110;
+  std::string out;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    std::string line = text.substr(from, end - from);
+    from = end + 1;
+    const std::size_t indent = line.find_first_not_of(' ');
+    const bool code = indent != std::string::npos && line[indent] != '#' && line.compare(indent, 2, "//") != 0;
+    while (code && line.size() > width) {
+      const std::size_t cut = line.rfind(", ", width - 1);
+      if (cut == std::string::npos || cut <= indent + 4)
+        break;
+      out += line.substr(0, cut + 1) + '\n';
+      line = std::string(indent + 4, ' ') + line.substr(cut + 2);
+    }
+    out += line + '\n';
+  }
+  return out;
+}
+
+} // namespace
+
 std::string cpp_text(const unit &u, const dag::kernel &k) {
   std::string out = banner(u.scene, k.asked.text);
   out += open_header(u.scene, k.asked.name(), {"kinds.hpp"});
   out += k.is_predicate ? predicate_text(u, k) : formula_header(u, k);
-  return out + close_header(u.scene);
+  return broken_lines(out + close_header(u.scene));
 }
 
 std::vector<file> cpp_files(const unit &u) {
@@ -281,6 +321,8 @@ std::vector<file> cpp_files(const unit &u) {
     out.push_back({space + '/' + space + "_cuda.hpp", cuda_header(u)});
     out.push_back({space + '/' + space + "_cuda.cu", cuda_source(u)});
   }
+  for (std::size_t i = 1; i < out.size(); ++i) // not the support header, which is copied byte for byte
+    out[i].text = broken_lines(out[i].text);
   std::sort(out.begin(), out.end(), [](const file &a, const file &b) { return a.path < b.path; });
   return out;
 }

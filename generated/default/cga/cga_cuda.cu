@@ -17,7 +17,8 @@ namespace {
 constexpr int block = 128;
 
 template <class P, class T>
-__global__ void __launch_bounds__(block) plain_kernel(const float *a, const float *b, const ::meet::index_pair *pairs,
+__global__ void __launch_bounds__(block) plain_kernel(const float *a, const float *b,
+    const ::meet::index_pair *pairs,
                                                       std::size_t n, ::meet::answer *out) {
   const std::size_t i = std::size_t{blockIdx.x} * block + threadIdx.x;
   if (i < n)
@@ -26,7 +27,8 @@ __global__ void __launch_bounds__(block) plain_kernel(const float *a, const floa
 }
 
 template <class P>
-__global__ void __launch_bounds__(block) exact_kernel(const float *a, const float *b, const ::meet::index_pair *pairs,
+__global__ void __launch_bounds__(block) exact_kernel(const float *a, const float *b,
+    const ::meet::index_pair *pairs,
                                                       std::size_t n, ::meet::answer *out) {
   const std::size_t i = std::size_t{blockIdx.x} * block + threadIdx.x;
   if (i < n)
@@ -35,7 +37,8 @@ __global__ void __launch_bounds__(block) exact_kernel(const float *a, const floa
 }
 
 template <class P>
-cudaError_t launch(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs, std::size_t n,
+cudaError_t launch(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+    std::size_t n,
                    ::meet::answer *out, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
@@ -63,43 +66,53 @@ cudaError_t launch(::meet::rung rung, const float *a, const float *b, const ::me
 namespace cga {
 namespace cuda {
 
-cudaError_t segment_segment::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t segment_segment::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::segment_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t point_triangle::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t point_triangle::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::point_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t segment_triangle::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t segment_triangle::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::segment_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t triangle_triangle::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t triangle_triangle::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::triangle_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_sphere::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t sphere_sphere::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::sphere_sphere>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_ball::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t ball_ball::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::ball_ball>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_segment::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t ball_segment::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::ball_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_segment::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t sphere_segment::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::sphere_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_triangle::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t ball_triangle::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::ball_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_triangle::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t sphere_triangle::decide(::meet::rung rung, const float *a, const float *b,
+    const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {
   return launch<::cga::sphere_triangle>(rung, a, b, pairs, n, out, stream);
 }

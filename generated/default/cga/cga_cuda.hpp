@@ -13,43 +13,53 @@ namespace cuda {
 // the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.
 // Answers are the CPU's, bit for bit. An unknown rung gives cudaErrorInvalidValue.
 struct segment_segment {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct point_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct segment_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct triangle_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct sphere_sphere {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct ball_ball {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct ball_segment {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct sphere_segment {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct ball_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct sphere_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
+      const ::meet::index_pair *pairs,
                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 

@@ -39,7 +39,8 @@ void sphere_box(const float *row, float lo[3], float hi[3]) {
 }
 const char *sphere_fault(const float *row) { return row[3] >= 0 ? nullptr : "r >= 0"; }
 
-const ::meet::role segment_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x, ::meet::role::y, ::meet::role::z};
+const ::meet::role segment_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
+    ::meet::role::y, ::meet::role::z};
 void segment_box(const float *row, float lo[3], float hi[3]) {
   lo[0] = least(row[0], row[3]);
   hi[0] = most(row[0], row[3]);
@@ -49,7 +50,8 @@ void segment_box(const float *row, float lo[3], float hi[3]) {
   hi[2] = most(row[2], row[5]);
 }
 
-const ::meet::role triangle_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x, ::meet::role::y, ::meet::role::z};
+const ::meet::role triangle_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
+    ::meet::role::y, ::meet::role::z, ::meet::role::x, ::meet::role::y, ::meet::role::z};
 void triangle_box(const float *row, float lo[3], float hi[3]) {
   lo[0] = least(least(row[0], row[3]), row[6]);
   hi[0] = most(most(row[0], row[3]), row[6]);
@@ -68,25 +70,35 @@ const ::meet::kind_info all_kinds[] = {
 
 const ::meet::predicate_info all_predicates[] = {
   {"segment_segment", "", &all_kinds[2], &all_kinds[2],
-   {::meet::decide_plain<segment_segment, float>, ::meet::decide_plain<segment_segment, double>, ::meet::decide_exact<segment_segment>}},
+   {::meet::decide_plain<segment_segment, float>, ::meet::decide_plain<segment_segment, double>,
+       ::meet::decide_exact<segment_segment>}},
   {"point_triangle", "", &all_kinds[0], &all_kinds[3],
-   {::meet::decide_plain<point_triangle, float>, ::meet::decide_plain<point_triangle, double>, ::meet::decide_exact<point_triangle>}},
+   {::meet::decide_plain<point_triangle, float>, ::meet::decide_plain<point_triangle, double>,
+       ::meet::decide_exact<point_triangle>}},
   {"segment_triangle", "", &all_kinds[2], &all_kinds[3],
-   {::meet::decide_plain<segment_triangle, float>, ::meet::decide_plain<segment_triangle, double>, ::meet::decide_exact<segment_triangle>}},
+   {::meet::decide_plain<segment_triangle, float>, ::meet::decide_plain<segment_triangle, double>,
+       ::meet::decide_exact<segment_triangle>}},
   {"triangle_triangle", "", &all_kinds[3], &all_kinds[3],
-   {::meet::decide_plain<triangle_triangle, float>, ::meet::decide_plain<triangle_triangle, double>, ::meet::decide_exact<triangle_triangle>}},
+   {::meet::decide_plain<triangle_triangle, float>, ::meet::decide_plain<triangle_triangle, double>,
+       ::meet::decide_exact<triangle_triangle>}},
   {"sphere_sphere", "surface", &all_kinds[1], &all_kinds[1],
-   {::meet::decide_plain<sphere_sphere, float>, ::meet::decide_plain<sphere_sphere, double>, ::meet::decide_exact<sphere_sphere>}},
+   {::meet::decide_plain<sphere_sphere, float>, ::meet::decide_plain<sphere_sphere, double>,
+       ::meet::decide_exact<sphere_sphere>}},
   {"ball_ball", "solid", &all_kinds[1], &all_kinds[1],
-   {::meet::decide_plain<ball_ball, float>, ::meet::decide_plain<ball_ball, double>, ::meet::decide_exact<ball_ball>}},
+   {::meet::decide_plain<ball_ball, float>, ::meet::decide_plain<ball_ball, double>,
+       ::meet::decide_exact<ball_ball>}},
   {"ball_segment", "solid", &all_kinds[1], &all_kinds[2],
-   {::meet::decide_plain<ball_segment, float>, ::meet::decide_plain<ball_segment, double>, ::meet::decide_exact<ball_segment>}},
+   {::meet::decide_plain<ball_segment, float>, ::meet::decide_plain<ball_segment, double>,
+       ::meet::decide_exact<ball_segment>}},
   {"sphere_segment", "surface", &all_kinds[1], &all_kinds[2],
-   {::meet::decide_plain<sphere_segment, float>, ::meet::decide_plain<sphere_segment, double>, ::meet::decide_exact<sphere_segment>}},
+   {::meet::decide_plain<sphere_segment, float>, ::meet::decide_plain<sphere_segment, double>,
+       ::meet::decide_exact<sphere_segment>}},
   {"ball_triangle", "solid", &all_kinds[1], &all_kinds[3],
-   {::meet::decide_plain<ball_triangle, float>, ::meet::decide_plain<ball_triangle, double>, ::meet::decide_exact<ball_triangle>}},
+   {::meet::decide_plain<ball_triangle, float>, ::meet::decide_plain<ball_triangle, double>,
+       ::meet::decide_exact<ball_triangle>}},
   {"sphere_triangle", "surface", &all_kinds[1], &all_kinds[3],
-   {::meet::decide_plain<sphere_triangle, float>, ::meet::decide_plain<sphere_triangle, double>, ::meet::decide_exact<sphere_triangle>}},
+   {::meet::decide_plain<sphere_triangle, float>, ::meet::decide_plain<sphere_triangle, double>,
+       ::meet::decide_exact<sphere_triangle>}},
 };
 
 } // namespace

@@ -215,7 +215,8 @@ template <class T> MEET_HD inline line_blade<T> blade(const line<T> &k) {
 }
 // 2*(p ^ v ^ n
 // 6 multiplications, 3 additions.
-template <class T> MEET_HD inline line_blade<T> line_from_direction(const point<T> &p, const direction<T> &v) {
+template <class T> MEET_HD inline line_blade<T> line_from_direction(const point<T> &p,
+    const direction<T> &v) {
   line_blade<T> B;
   const T t0 = -v.x;
   B.e1_e2_n = ::meet::fma(t0, p.y, v.y * p.x) * T(4);
@@ -256,7 +257,8 @@ template <class T> MEET_HD inline circle_blade<T> blade(const circle<T> &k) {
 }
 // a ^ b ^ c
 // 45 multiplications, 36 additions.
-template <class T> MEET_HD inline circle_blade<T> circle_from_points(const point<T> &a, const point<T> &b, const point<T> &c) {
+template <class T> MEET_HD inline circle_blade<T> circle_from_points(const point<T> &a, const point<T> &b,
+    const point<T> &c) {
   circle_blade<T> B;
   const T t0 = c.x * T(2);
   const T t1 = T(2) * c.y;
@@ -313,7 +315,8 @@ template <class T> MEET_HD inline plane_blade<T> blade(const plane<T> &k) {
 }
 // a ^ b ^ c ^ n
 // 15 multiplications, 14 additions.
-template <class T> MEET_HD inline plane_blade<T> plane_from_points(const point<T> &a, const point<T> &b, const point<T> &c) {
+template <class T> MEET_HD inline plane_blade<T> plane_from_points(const point<T> &a, const point<T> &b,
+    const point<T> &c) {
   plane_blade<T> B;
   const T t0 = c.x * T(2);
   const T t1 = T(2) * c.y;
@@ -356,7 +359,8 @@ template <class T> MEET_HD inline sphere_blade<T> blade(const sphere<T> &k) {
 }
 // a ^ b ^ c ^ d
 // 64 multiplications, 53 additions.
-template <class T> MEET_HD inline sphere_blade<T> sphere_from_points(const point<T> &a, const point<T> &b, const point<T> &c, const point<T> &d) {
+template <class T> MEET_HD inline sphere_blade<T> sphere_from_points(const point<T> &a, const point<T> &b,
+    const point<T> &c, const point<T> &d) {
   sphere_blade<T> B;
   const T t0 = T(2) * d.y;
   const T t1 = T(2) * d.z;

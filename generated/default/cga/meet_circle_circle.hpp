@@ -22,20 +22,23 @@ namespace cga {
 //   B.nb = 2*X.e1_e2_nb*Y.e3_n_nb - 2*X.e1_e3_nb*Y.e2_n_nb + 2*X.e1_n_nb*Y.e2_e3_nb + 2*X.e2_e3_nb*Y.e1_n_nb
 //       - 2*X.e2_n_nb*Y.e1_e3_nb + 2*X.e3_n_nb*Y.e1_e2_nb
 // 30 multiplications, 25 additions.
-template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const circle_blade<T> &X, [[maybe_unused]] const circle_blade<T> &Y) {
+template <class T> MEET_HD inline point_blade<T> meet(const circle_blade<T> &X, const circle_blade<T> &Y) {
   point_blade<T> B;
   const T t0 = -X.e1_e2_n;
   const T t1 = ::meet::fma(X.e1_e2_nb, Y.e1_e3_n, ::meet::fma(t0, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
   const T t2 = -X.e1_e3_nb;
-  const T t3 = ::meet::fma(X.e1_n_nb, Y.e1_e2_e3, ::meet::fma(t2, Y.e1_e2_n, ::meet::fma(X.e1_e3_n, Y.e1_e2_nb, t1)));
+  const T t3 = ::meet::fma(X.e1_n_nb, Y.e1_e2_e3, ::meet::fma(t2, Y.e1_e2_n, ::meet::fma(X.e1_e3_n,
+      Y.e1_e2_nb, t1)));
   const T t4 = ::meet::fma(X.e1_e2_nb, Y.e2_e3_n, ::meet::fma(t0, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
   const T t5 = ::meet::fma(-Y.e1_e2_n, X.e2_e3_nb, ::meet::fma(Y.e1_e2_nb, X.e2_e3_n, t4));
   const T t6 = -X.e1_e3_n;
   const T t7 = ::meet::fma(X.e1_e3_nb, Y.e2_e3_n, ::meet::fma(t6, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
   const T t8 = -Y.e1_e3_n;
-  const T t9 = ::meet::fma(Y.e1_e2_e3, X.e3_n_nb, ::meet::fma(t8, X.e2_e3_nb, ::meet::fma(Y.e1_e3_nb, X.e2_e3_n, t7)));
+  const T t9 = ::meet::fma(Y.e1_e2_e3, X.e3_n_nb, ::meet::fma(t8, X.e2_e3_nb, ::meet::fma(Y.e1_e3_nb,
+      X.e2_e3_n, t7)));
   const T t10 = ::meet::fma(X.e1_n_nb, Y.e2_e3_n, ::meet::fma(t6, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
-  const T t11 = ::meet::fma(Y.e1_e2_n, X.e3_n_nb, ::meet::fma(t8, X.e2_n_nb, ::meet::fma(Y.e1_n_nb, X.e2_e3_n, t10)));
+  const T t11 = ::meet::fma(Y.e1_e2_n, X.e3_n_nb, ::meet::fma(t8, X.e2_n_nb, ::meet::fma(Y.e1_n_nb, X.e2_e3_n,
+      t10)));
   const T t12 = ::meet::fma(X.e1_n_nb, Y.e2_e3_nb, ::meet::fma(t2, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
   const T t13 = ::meet::fma(-Y.e1_e3_nb, X.e2_n_nb, ::meet::fma(Y.e1_n_nb, X.e2_e3_nb, t12));
   B.e1 = t3 * T(2);
@@ -45,7 +48,9 @@ template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const cir
   B.nb = T(2) * ::meet::fma(Y.e1_e2_nb, X.e3_n_nb, t13);
   return B;
 }
-template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const circle<T> &X, [[maybe_unused]] const circle<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline point_blade<T> meet(const circle<T> &X, const circle<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

@@ -22,7 +22,8 @@ namespace cga {
 //   B.e3_nb = 2*X.e1_e3_nb*Y.e2_e3_n_nb - 2*X.e2_e3_nb*Y.e1_e3_n_nb
 //   B.n_nb = 2*X.e1_n_nb*Y.e2_e3_n_nb - 2*X.e2_n_nb*Y.e1_e3_n_nb + 2*X.e3_n_nb*Y.e1_e2_n_nb
 // 24 multiplications, 14 additions.
-template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] const circle_blade<T> &X, [[maybe_unused]] const plane_blade<T> &Y) {
+template <class T> MEET_HD inline point_pair_blade<T> meet(const circle_blade<T> &X,
+    const plane_blade<T> &Y) {
   point_pair_blade<T> B;
   const T t0 = -Y.e1_e2_n_nb;
   const T t1 = ::meet::fma(Y.e1_e2_e3_n, X.e1_n_nb, ::meet::fma(t0, X.e1_e3_n, Y.e1_e3_n_nb * X.e1_e2_n));
@@ -42,7 +43,9 @@ template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] cons
   B.n_nb = T(2) * t5;
   return B;
 }
-template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] const circle<T> &X, [[maybe_unused]] const plane<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline point_pair_blade<T> meet(const circle<T> &X, const plane<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

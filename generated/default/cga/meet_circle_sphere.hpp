@@ -22,9 +22,11 @@ namespace cga {
 //   B.e3_nb = 2*X.e1_e3_nb*Y.e2_e3_n_nb - 2*X.e2_e3_nb*Y.e1_e3_n_nb + 2*X.e3_n_nb*Y.e1_e2_e3_nb
 //   B.n_nb = 2*X.e1_n_nb*Y.e2_e3_n_nb - 2*X.e2_n_nb*Y.e1_e3_n_nb + 2*X.e3_n_nb*Y.e1_e2_n_nb
 // 30 multiplications, 20 additions.
-template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] const circle_blade<T> &X, [[maybe_unused]] const sphere_blade<T> &Y) {
+template <class T> MEET_HD inline point_pair_blade<T> meet(const circle_blade<T> &X,
+    const sphere_blade<T> &Y) {
   point_pair_blade<T> B;
-  const T t0 = ::meet::fma(X.e1_e2_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e2_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e2_n_nb));
+  const T t0 = ::meet::fma(X.e1_e2_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e2_n, Y.e1_e2_e3_nb,
+      X.e1_e2_e3 * Y.e1_e2_n_nb));
   const T t1 = -Y.e1_e2_e3_nb;
   const T t2 = ::meet::fma(Y.e1_e2_e3_n, X.e1_e3_nb, ::meet::fma(t1, X.e1_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb));
   const T t3 = -Y.e1_e2_n_nb;
@@ -49,7 +51,9 @@ template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] cons
   B.n_nb = T(2) * t12;
   return B;
 }
-template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] const circle<T> &X, [[maybe_unused]] const sphere<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline point_pair_blade<T> meet(const circle<T> &X, const sphere<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

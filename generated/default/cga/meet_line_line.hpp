@@ -14,7 +14,7 @@ namespace cga {
 //   B.n = 2*X.e1_e2_n*Y.e3_n_nb - 2*X.e1_e3_n*Y.e2_n_nb + 2*X.e1_n_nb*Y.e2_e3_n + 2*X.e2_e3_n*Y.e1_n_nb
 //       - 2*X.e2_n_nb*Y.e1_e3_n + 2*X.e3_n_nb*Y.e1_e2_n
 // 6 multiplications, 5 additions.
-template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const line_blade<T> &X, [[maybe_unused]] const line_blade<T> &Y) {
+template <class T> MEET_HD inline point_blade<T> meet(const line_blade<T> &X, const line_blade<T> &Y) {
   point_blade<T> B;
   const T t0 = ::meet::fma(X.e1_n_nb, Y.e2_e3_n, ::meet::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
   const T t1 = ::meet::fma(-X.e2_n_nb, Y.e1_e3_n, ::meet::fma(X.e2_e3_n, Y.e1_n_nb, t0));
@@ -25,7 +25,9 @@ template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const lin
   B.nb = T(0);
   return B;
 }
-template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const line<T> &X, [[maybe_unused]] const line<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline point_blade<T> meet(const line<T> &X, const line<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

@@ -16,7 +16,7 @@ namespace cga {
 //   B.e3_n = 2*X.e1_e2_e3_n*Y.e3_n_nb - 2*X.e1_e3_n_nb*Y.e2_e3_n + 2*X.e2_e3_n_nb*Y.e1_e3_n
 //   B.n_nb = 2*X.e1_e2_n_nb*Y.e3_n_nb - 2*X.e1_e3_n_nb*Y.e2_n_nb + 2*X.e2_e3_n_nb*Y.e1_n_nb
 // 12 multiplications, 8 additions.
-template <class T> MEET_HD inline flat_point_blade<T> meet([[maybe_unused]] const plane_blade<T> &X, [[maybe_unused]] const line_blade<T> &Y) {
+template <class T> MEET_HD inline flat_point_blade<T> meet(const plane_blade<T> &X, const line_blade<T> &Y) {
   flat_point_blade<T> B;
   const T t0 = -X.e1_e2_n_nb;
   const T t1 = ::meet::fma(X.e1_e3_n_nb, Y.e1_e2_n, ::meet::fma(t0, Y.e1_e3_n, X.e1_e2_e3_n * Y.e1_n_nb));
@@ -30,7 +30,9 @@ template <class T> MEET_HD inline flat_point_blade<T> meet([[maybe_unused]] cons
   B.n_nb = T(2) * t5;
   return B;
 }
-template <class T> MEET_HD inline flat_point_blade<T> meet([[maybe_unused]] const plane<T> &X, [[maybe_unused]] const line<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline flat_point_blade<T> meet(const plane<T> &X, const line<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

@@ -18,7 +18,7 @@ namespace cga {
 //   B.e2_n_nb = -2*X.e1_e2_n_nb*Y.e2_e3_n_nb + 2*X.e2_e3_n_nb*Y.e1_e2_n_nb
 //   B.e3_n_nb = -2*X.e1_e3_n_nb*Y.e2_e3_n_nb + 2*X.e2_e3_n_nb*Y.e1_e3_n_nb
 // 12 multiplications, 6 additions.
-template <class T> MEET_HD inline line_blade<T> meet([[maybe_unused]] const plane_blade<T> &X, [[maybe_unused]] const plane_blade<T> &Y) {
+template <class T> MEET_HD inline line_blade<T> meet(const plane_blade<T> &X, const plane_blade<T> &Y) {
   line_blade<T> B;
   const T t0 = ::meet::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(2);
   const T t1 = -Y.e1_e2_e3_n;
@@ -32,7 +32,9 @@ template <class T> MEET_HD inline line_blade<T> meet([[maybe_unused]] const plan
   B.e3_n_nb = -t3;
   return B;
 }
-template <class T> MEET_HD inline line_blade<T> meet([[maybe_unused]] const plane<T> &X, [[maybe_unused]] const plane<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline line_blade<T> meet(const plane<T> &X, const plane<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

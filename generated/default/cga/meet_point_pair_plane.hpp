@@ -17,9 +17,10 @@ namespace cga {
 //   B.n = -2*X.e1_n*Y.e2_e3_n_nb + 2*X.e2_n*Y.e1_e3_n_nb - 2*X.e3_n*Y.e1_e2_n_nb + 2*X.n_nb*Y.e1_e2_e3_n
 //   B.nb = -2*X.e1_nb*Y.e2_e3_n_nb + 2*X.e2_nb*Y.e1_e3_n_nb - 2*X.e3_nb*Y.e1_e2_n_nb
 // 16 multiplications, 11 additions.
-template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const point_pair_blade<T> &X, [[maybe_unused]] const plane_blade<T> &Y) {
+template <class T> MEET_HD inline point_blade<T> meet(const point_pair_blade<T> &X, const plane_blade<T> &Y) {
   point_blade<T> B;
-  const T t0 = ::meet::fma(-X.e1_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
+  const T t0 = ::meet::fma(-X.e1_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb,
+      X.e1_e2 * Y.e1_e3_n_nb));
   const T t1 = -Y.e1_e2_e3_n;
   const T t2 = ::meet::fma(t1, X.e2_nb, ::meet::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
   const T t3 = -Y.e1_e3_n_nb;
@@ -33,7 +34,9 @@ template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const poi
   B.nb = -(T(2) * t6);
   return B;
 }
-template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const point_pair<T> &X, [[maybe_unused]] const plane<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline point_blade<T> meet(const point_pair<T> &X, const plane<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

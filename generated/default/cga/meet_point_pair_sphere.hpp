@@ -17,10 +17,13 @@ namespace cga {
 //   B.n = -2*X.e1_n*Y.e2_e3_n_nb + 2*X.e2_n*Y.e1_e3_n_nb - 2*X.e3_n*Y.e1_e2_n_nb + 2*X.n_nb*Y.e1_e2_e3_n
 //   B.nb = -2*X.e1_nb*Y.e2_e3_n_nb + 2*X.e2_nb*Y.e1_e3_n_nb - 2*X.e3_nb*Y.e1_e2_n_nb + 2*X.n_nb*Y.e1_e2_e3_nb
 // 20 multiplications, 15 additions.
-template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const point_pair_blade<T> &X, [[maybe_unused]] const sphere_blade<T> &Y) {
+template <class T> MEET_HD inline point_blade<T> meet(const point_pair_blade<T> &X,
+    const sphere_blade<T> &Y) {
   point_blade<T> B;
-  const T t0 = ::meet::fma(X.e1_n, Y.e1_e2_e3_nb, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
-  const T t1 = ::meet::fma(Y.e1_e2_e3_nb, X.e2_n, ::meet::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t0 = ::meet::fma(X.e1_n, Y.e1_e2_e3_nb, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb,
+      X.e1_e2 * Y.e1_e3_n_nb));
+  const T t1 = ::meet::fma(Y.e1_e2_e3_nb, X.e2_n, ::meet::fma(-Y.e1_e2_n_nb, X.e2_e3,
+      X.e1_e2 * Y.e2_e3_n_nb));
   const T t2 = -Y.e1_e2_e3_n;
   const T t3 = -Y.e1_e3_n_nb;
   const T t4 = ::meet::fma(Y.e1_e2_e3_nb, X.e3_n, ::meet::fma(t3, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
@@ -33,7 +36,9 @@ template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const poi
   B.nb = -(T(2) * ::meet::fma(-Y.e1_e2_e3_nb, X.n_nb, t6));
   return B;
 }
-template <class T> MEET_HD inline point_blade<T> meet([[maybe_unused]] const point_pair<T> &X, [[maybe_unused]] const sphere<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline point_blade<T> meet(const point_pair<T> &X, const sphere<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

@@ -22,10 +22,12 @@ namespace cga {
 //   B.e3_nb = 2*X.e1_e2_e3_nb*Y.e3_n_nb
 //   B.n_nb = 2*X.e1_e2_n_nb*Y.e3_n_nb - 2*X.e1_e3_n_nb*Y.e2_n_nb + 2*X.e2_e3_n_nb*Y.e1_n_nb
 // 18 multiplications, 8 additions.
-template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] const sphere_blade<T> &X, [[maybe_unused]] const line_blade<T> &Y) {
+template <class T> MEET_HD inline point_pair_blade<T> meet(const sphere_blade<T> &X, const line_blade<T> &Y) {
   point_pair_blade<T> B;
-  const T t0 = ::meet::fma(Y.e1_e2_n, X.e1_e3_n_nb, ::meet::fma(-Y.e1_e3_n, X.e1_e2_n_nb, X.e1_e2_e3_n * Y.e1_n_nb));
-  const T t1 = ::meet::fma(Y.e1_e2_n, X.e2_e3_n_nb, ::meet::fma(-X.e1_e2_n_nb, Y.e2_e3_n, X.e1_e2_e3_n * Y.e2_n_nb));
+  const T t0 = ::meet::fma(Y.e1_e2_n, X.e1_e3_n_nb, ::meet::fma(-Y.e1_e3_n, X.e1_e2_n_nb,
+      X.e1_e2_e3_n * Y.e1_n_nb));
+  const T t1 = ::meet::fma(Y.e1_e2_n, X.e2_e3_n_nb, ::meet::fma(-X.e1_e2_n_nb, Y.e2_e3_n,
+      X.e1_e2_e3_n * Y.e2_n_nb));
   const T t2 = -X.e1_e3_n_nb;
   const T t3 = ::meet::fma(Y.e1_e3_n, X.e2_e3_n_nb, ::meet::fma(t2, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
   const T t4 = ::meet::fma(Y.e1_n_nb, X.e2_e3_n_nb, ::meet::fma(t2, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
@@ -41,7 +43,9 @@ template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] cons
   B.n_nb = T(2) * t4;
   return B;
 }
-template <class T> MEET_HD inline point_pair_blade<T> meet([[maybe_unused]] const sphere<T> &X, [[maybe_unused]] const line<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline point_pair_blade<T> meet(const sphere<T> &X, const line<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

@@ -22,7 +22,7 @@ namespace cga {
 //   B.e2_n_nb = -2*X.e1_e2_n_nb*Y.e2_e3_n_nb + 2*X.e2_e3_n_nb*Y.e1_e2_n_nb
 //   B.e3_n_nb = -2*X.e1_e3_n_nb*Y.e2_e3_n_nb + 2*X.e2_e3_n_nb*Y.e1_e3_n_nb
 // 16 multiplications, 6 additions.
-template <class T> MEET_HD inline circle_blade<T> meet([[maybe_unused]] const sphere_blade<T> &X, [[maybe_unused]] const plane_blade<T> &Y) {
+template <class T> MEET_HD inline circle_blade<T> meet(const sphere_blade<T> &X, const plane_blade<T> &Y) {
   circle_blade<T> B;
   const T t0 = -Y.e1_e2_e3_n;
   const T t1 = -Y.e1_e2_n_nb;
@@ -39,7 +39,9 @@ template <class T> MEET_HD inline circle_blade<T> meet([[maybe_unused]] const sp
   B.e3_n_nb = -t2;
   return B;
 }
-template <class T> MEET_HD inline circle_blade<T> meet([[maybe_unused]] const sphere<T> &X, [[maybe_unused]] const plane<T> &Y) { return meet(blade(X), blade(Y)); }
+template <class T> MEET_HD inline circle_blade<T> meet(const sphere<T> &X, const plane<T> &Y) {
+  return meet(blade(X), blade(Y));
+}
 
 } // namespace cga
 

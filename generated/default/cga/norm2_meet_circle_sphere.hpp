@@ -44,23 +44,30 @@ namespace cga {
 //       + 16*X.e2_n_nb^2*Y.e1_e3_n_nb^2 - 32*X.e2_n_nb*X.e3_n_nb*Y.e1_e2_n_nb*Y.e1_e3_n_nb
 //       - 16*X.e3_n_nb^2*Y.e1_e2_e3_n*Y.e1_e2_e3_nb + 16*X.e3_n_nb^2*Y.e1_e2_n_nb^2
 // 38 multiplications, 26 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const circle_blade<T> &X, [[maybe_unused]] const sphere_blade<T> &Y) {
-  const T t0 = ::meet::fma(X.e1_e2_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e2_n, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e2_n_nb));
+template <class T> MEET_HD inline T norm2_meet(const circle_blade<T> &X, const sphere_blade<T> &Y) {
+  const T t0 = ::meet::fma(X.e1_e2_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e2_n, Y.e1_e2_e3_nb,
+      X.e1_e2_e3 * Y.e1_e2_n_nb));
   const T t1 = T(2) * t0;
   const T t2 = -X.e1_e3_n;
-  const T t3 = ::meet::fma(X.e1_e3_nb, Y.e1_e2_e3_n, ::meet::fma(t2, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb));
+  const T t3 = ::meet::fma(X.e1_e3_nb, Y.e1_e2_e3_n, ::meet::fma(t2, Y.e1_e2_e3_nb,
+      X.e1_e2_e3 * Y.e1_e3_n_nb));
   const T t4 = T(2) * t3;
   const T t5 = -X.e2_e3_n;
-  const T t6 = ::meet::fma(X.e2_e3_nb, Y.e1_e2_e3_n, ::meet::fma(t5, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb));
+  const T t6 = ::meet::fma(X.e2_e3_nb, Y.e1_e2_e3_n, ::meet::fma(t5, Y.e1_e2_e3_nb,
+      X.e1_e2_e3 * Y.e2_e3_n_nb));
   const T t7 = T(2) * t6;
   const T t8 = ::meet::fma(X.e1_n_nb, Y.e1_e2_e3_n, ::meet::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n * Y.e1_e3_n_nb));
   const T t9 = ::meet::fma(X.e2_n_nb, Y.e1_e2_e3_n, ::meet::fma(t5, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb));
   const T t10 = ::meet::fma(X.e3_n_nb, Y.e1_e2_e3_n, ::meet::fma(t5, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t11 = ::meet::fma(X.e1_n_nb, Y.e1_e2_e3_nb, ::meet::fma(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb));
+  const T t11 = ::meet::fma(X.e1_n_nb, Y.e1_e2_e3_nb, ::meet::fma(-X.e1_e3_nb, Y.e1_e2_n_nb,
+      X.e1_e2_nb * Y.e1_e3_n_nb));
   const T t12 = -X.e2_e3_nb;
-  const T t13 = ::meet::fma(X.e2_n_nb, Y.e1_e2_e3_nb, ::meet::fma(t12, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb));
-  const T t14 = ::meet::fma(X.e3_n_nb, Y.e1_e2_e3_nb, ::meet::fma(t12, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb));
-  const T t15 = ::meet::fma(X.e3_n_nb, Y.e1_e2_n_nb, ::meet::fma(-X.e2_n_nb, Y.e1_e3_n_nb, X.e1_n_nb * Y.e2_e3_n_nb));
+  const T t13 = ::meet::fma(X.e2_n_nb, Y.e1_e2_e3_nb, ::meet::fma(t12, Y.e1_e2_n_nb,
+      X.e1_e2_nb * Y.e2_e3_n_nb));
+  const T t14 = ::meet::fma(X.e3_n_nb, Y.e1_e2_e3_nb, ::meet::fma(t12, Y.e1_e3_n_nb,
+      X.e1_e3_nb * Y.e2_e3_n_nb));
+  const T t15 = ::meet::fma(X.e3_n_nb, Y.e1_e2_n_nb, ::meet::fma(-X.e2_n_nb, Y.e1_e3_n_nb,
+      X.e1_n_nb * Y.e2_e3_n_nb));
   const T t16 = T(2) * t15;
   const T t17 = ::meet::fma(T(2) * t11, t8 * T(8), ::meet::fma(t7, t7, ::meet::fma(t4, t4, t1 * t1)));
   const T t18 = ::meet::fma(T(2) * t14, t10 * T(8), ::meet::fma(T(2) * t13, t9 * T(8), t17));
@@ -69,7 +76,7 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const circle_bla
 
 // norm2(meet(circle, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 19 multiplications, 15 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const circle<T> &X, [[maybe_unused]] const sphere<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const circle<T> &X, const sphere<T> &Y) {
   const T t0 = ::meet::fma(X.N.z, X.N.z, ::meet::fma(X.N.y, X.N.y, X.N.x * X.N.x));
   const T t1 = Y.c.x - X.c.x;
   const T t2 = Y.c.y - X.c.y;
@@ -78,7 +85,8 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const circle<T> 
   const T t5 = ::meet::fma(X.N.z, t3, ::meet::fma(X.N.y, t2, X.N.x * t1));
   const T t6 = Y.r * Y.r;
   const T t7 = t4 * T(2);
-  const T t8 = ::meet::fma(X.r, X.r * ::meet::fma(t0, (X.r * X.r - (t6 * T(2))) - t7, (t5 * t5) * T(4)), t0 * ::meet::fma(Y.r, Y.r * (t6 - t7), t4 * t4));
+  const T t8 = ::meet::fma(X.r, X.r * ::meet::fma(t0, (X.r * X.r - (t6 * T(2))) - t7, (t5 * t5) * T(4)),
+      t0 * ::meet::fma(Y.r, Y.r * (t6 - t7), t4 * t4));
   return -(T(4) * t8);
 }
 

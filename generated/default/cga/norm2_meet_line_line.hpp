@@ -13,13 +13,15 @@ namespace cga {
 // norm2(meet(line, line)) on blades
 //   0
 // 0 multiplications, 0 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const line_blade<T> &X, [[maybe_unused]] const line_blade<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const line_blade<T> &X,
+    [[maybe_unused]] const line_blade<T> &Y) {
   return T(0);
 }
 
 // norm2(meet(line, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 0 multiplications, 0 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const line<T> &X, [[maybe_unused]] const line<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const line<T> &X,
+    [[maybe_unused]] const line<T> &Y) {
   return T(0);
 }
 

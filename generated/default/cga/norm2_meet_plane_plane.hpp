@@ -17,7 +17,7 @@ namespace cga {
 //       + 16*X.e1_e3_n_nb^2*Y.e2_e3_n_nb^2 - 32*X.e1_e3_n_nb*X.e2_e3_n_nb*Y.e1_e3_n_nb*Y.e2_e3_n_nb
 //       + 16*X.e2_e3_n_nb^2*Y.e1_e2_n_nb^2 + 16*X.e2_e3_n_nb^2*Y.e1_e3_n_nb^2
 // 9 multiplications, 5 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const plane_blade<T> &X, [[maybe_unused]] const plane_blade<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const plane_blade<T> &X, const plane_blade<T> &Y) {
   const T t0 = T(2) * ::meet::fma(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
   const T t1 = -X.e2_e3_n_nb;
   const T t2 = T(2) * ::meet::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
@@ -27,7 +27,7 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const plane_blad
 
 // norm2(meet(plane, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 9 multiplications, 5 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const plane<T> &X, [[maybe_unused]] const plane<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const plane<T> &X, const plane<T> &Y) {
   const T t0 = ::meet::fma(-X.N.z, Y.N.y, X.N.y * Y.N.z);
   const T t1 = ::meet::fma(-X.N.x, Y.N.z, X.N.z * Y.N.x);
   const T t2 = ::meet::fma(-X.N.y, Y.N.x, X.N.x * Y.N.y);

@@ -27,8 +27,9 @@ namespace cga {
 //       + 16*X.e3_n*X.e3_nb*Y.e1_e2_n_nb^2 + 4*X.e3_nb^2*Y.e1_e2_e3_n^2
 //       - 16*X.e3_nb*X.n_nb*Y.e1_e2_e3_n*Y.e1_e2_n_nb
 // 20 multiplications, 14 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const point_pair_blade<T> &X, [[maybe_unused]] const plane_blade<T> &Y) {
-  const T t0 = ::meet::fma(-X.e1_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
+template <class T> MEET_HD inline T norm2_meet(const point_pair_blade<T> &X, const plane_blade<T> &Y) {
+  const T t0 = ::meet::fma(-X.e1_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb,
+      X.e1_e2 * Y.e1_e3_n_nb));
   const T t1 = T(2) * t0;
   const T t2 = -X.e2_e3;
   const T t3 = -X.e2_nb;
@@ -38,16 +39,19 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const point_pair
   const T t7 = T(2) * t6;
   const T t8 = ::meet::fma(X.e3_n, Y.e1_e2_n_nb, ::meet::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
   const T t9 = ::meet::fma(X.e3_nb, Y.e1_e2_n_nb, ::meet::fma(t3, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
-  const T t10 = ::meet::fma(T(2) * t9, ::meet::fma(-X.n_nb, Y.e1_e2_e3_n, t8) * T(8), ::meet::fma(t7, t7, ::meet::fma(t5, t5, t1 * t1)));
+  const T t10 = ::meet::fma(T(2) * t9, ::meet::fma(-X.n_nb, Y.e1_e2_e3_n, t8) * T(8), ::meet::fma(t7, t7,
+      ::meet::fma(t5, t5, t1 * t1)));
   return t10;
 }
 
 // norm2(meet(point_pair, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 17 multiplications, 14 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const point_pair<T> &X, [[maybe_unused]] const plane<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const point_pair<T> &X, const plane<T> &Y) {
   const T t0 = ::meet::fma(Y.N.z, X.p.z, ::meet::fma(Y.N.y, X.p.y, Y.N.x * X.p.x)) - Y.d;
-  const T t1 = ::meet::fma(X.p.z, ::meet::fma(-X.q.z, T(2), X.p.z), ::meet::fma(X.q.z, X.q.z, ::meet::fma(X.q.y, X.q.y, X.q.x * X.q.x)));
-  const T t2 = ::meet::fma(X.p.x, ::meet::fma(-X.q.x, T(2), X.p.x), ::meet::fma(X.p.y, ::meet::fma(-X.q.y, T(2), X.p.y), t1));
+  const T t1 = ::meet::fma(X.p.z, ::meet::fma(-X.q.z, T(2), X.p.z), ::meet::fma(X.q.z, X.q.z,
+      ::meet::fma(X.q.y, X.q.y, X.q.x * X.q.x)));
+  const T t2 = ::meet::fma(X.p.x, ::meet::fma(-X.q.x, T(2), X.p.x), ::meet::fma(X.p.y, ::meet::fma(-X.q.y,
+      T(2), X.p.y), t1));
   const T t3 = ::meet::fma(Y.N.z, X.q.z, ::meet::fma(Y.N.y, X.q.y, Y.N.x * X.q.x)) - Y.d;
   return ((t0 * t2) * t3) * T(16);
 }

@@ -35,8 +35,9 @@ namespace cga {
 //       + 4*X.e3_nb^2*Y.e1_e2_e3_n^2 - 16*X.e3_nb*X.n_nb*Y.e1_e2_e3_n*Y.e1_e2_n_nb
 //       + 16*X.n_nb^2*Y.e1_e2_e3_n*Y.e1_e2_e3_nb
 // 24 multiplications, 18 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const point_pair_blade<T> &X, [[maybe_unused]] const sphere_blade<T> &Y) {
-  const T t0 = ::meet::fma(X.e1_n, Y.e1_e2_e3_nb, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
+template <class T> MEET_HD inline T norm2_meet(const point_pair_blade<T> &X, const sphere_blade<T> &Y) {
+  const T t0 = ::meet::fma(X.e1_n, Y.e1_e2_e3_nb, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb,
+      X.e1_e2 * Y.e1_e3_n_nb));
   const T t1 = T(2) * ::meet::fma(-X.e1_nb, Y.e1_e2_e3_n, t0);
   const T t2 = -X.e2_e3;
   const T t3 = ::meet::fma(X.e2_n, Y.e1_e2_e3_nb, ::meet::fma(t2, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
@@ -47,13 +48,14 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const point_pair
   const T t8 = ::meet::fma(X.e3_n, Y.e1_e2_n_nb, ::meet::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
   const T t9 = -X.n_nb;
   const T t10 = ::meet::fma(X.e3_nb, Y.e1_e2_n_nb, ::meet::fma(t4, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
-  const T t11 = ::meet::fma(T(2) * ::meet::fma(t9, Y.e1_e2_e3_nb, t10), ::meet::fma(t9, Y.e1_e2_e3_n, t8) * T(8), ::meet::fma(t7, t7, ::meet::fma(t5, t5, t1 * t1)));
+  const T t11 = ::meet::fma(T(2) * ::meet::fma(t9, Y.e1_e2_e3_nb, t10), ::meet::fma(t9, Y.e1_e2_e3_n,
+      t8) * T(8), ::meet::fma(t7, t7, ::meet::fma(t5, t5, t1 * t1)));
   return t11;
 }
 
 // norm2(meet(point_pair, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 12 multiplications, 20 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const point_pair<T> &X, [[maybe_unused]] const sphere<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const point_pair<T> &X, const sphere<T> &Y) {
   const T t0 = X.q.x - X.p.x;
   const T t1 = t0 * t0;
   const T t2 = X.q.y - X.p.y;
@@ -65,7 +67,8 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const point_pair
   const T t8 = Y.c.z - X.p.z;
   const T t9 = Y.r * Y.r;
   const T t10 = ::meet::fma(t7, t2 * T(2) - t7, ::meet::fma(t8, t4 * T(2) - t8, ((t9 - t1) - t3) - t5));
-  const T t11 = (t9 - ::meet::fma(t8, t8, ::meet::fma(t7, t7, t6 * t6))) * (((t1 + t3) + t5) * ::meet::fma(t6, t0 * T(2) - t6, t10));
+  const T t11 = (t9 - ::meet::fma(t8, t8, ::meet::fma(t7, t7, t6 * t6))) * (((t1 + t3) + t5) * ::meet::fma(t6,
+      t0 * T(2) - t6, t10));
   return t11 * T(16);
 }
 

@@ -24,7 +24,7 @@ namespace cga {
 //       + 16*X.e1_e3_n_nb^2*Y.e2_n_nb^2 - 32*X.e1_e3_n_nb*X.e2_e3_n_nb*Y.e1_n_nb*Y.e2_n_nb
 //       + 16*X.e2_e3_n_nb^2*Y.e1_n_nb^2
 // 26 multiplications, 14 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const sphere_blade<T> &X, [[maybe_unused]] const line_blade<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const sphere_blade<T> &X, const line_blade<T> &Y) {
   const T t0 = T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n);
   const T t1 = T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n);
   const T t2 = T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n);
@@ -35,14 +35,16 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const sphere_bla
   const T t7 = ::meet::fma(X.e2_e3_n_nb, Y.e1_e3_n, ::meet::fma(t6, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
   const T t8 = ::meet::fma(X.e2_e3_n_nb, Y.e1_n_nb, ::meet::fma(t6, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
   const T t9 = T(2) * t8;
-  const T t10 = ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_n_nb), t4 * T(8), ::meet::fma(t2, t2, ::meet::fma(t1, t1, t0 * t0)));
-  const T t11 = ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e3_n_nb), t7 * T(8), ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_n_nb), t5 * T(8), t10));
+  const T t10 = ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_n_nb), t4 * T(8), ::meet::fma(t2, t2, ::meet::fma(t1,
+      t1, t0 * t0)));
+  const T t11 = ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e3_n_nb), t7 * T(8),
+      ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_n_nb), t5 * T(8), t10));
   return -::meet::fma(t9 * t9, T(-4), t11);
 }
 
 // norm2(meet(sphere, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 12 multiplications, 14 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const sphere<T> &X, [[maybe_unused]] const line<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const sphere<T> &X, const line<T> &Y) {
   const T t0 = Y.p.x - X.c.x;
   const T t1 = Y.p.y - X.c.y;
   const T t2 = Y.p.z - X.c.z;
@@ -50,7 +52,8 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const sphere<T> 
   const T t4 = Y.q.y - Y.p.y;
   const T t5 = Y.q.z - Y.p.z;
   const T t6 = ::meet::fma(t2, t5, ::meet::fma(t1, t4, t0 * t3));
-  const T t7 = ::meet::fma(::meet::fma(t5, t5, ::meet::fma(t4, t4, t3 * t3)), X.r * X.r - ::meet::fma(t2, t2, ::meet::fma(t1, t1, t0 * t0)), t6 * t6);
+  const T t7 = ::meet::fma(::meet::fma(t5, t5, ::meet::fma(t4, t4, t3 * t3)), X.r * X.r - ::meet::fma(t2, t2,
+      ::meet::fma(t1, t1, t0 * t0)), t6 * t6);
   return t7 * T(64);
 }
 

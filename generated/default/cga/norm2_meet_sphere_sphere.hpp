@@ -28,7 +28,7 @@ namespace cga {
 //       - 16*X.e2_e3_n_nb^2*Y.e1_e2_e3_n*Y.e1_e2_e3_nb + 16*X.e2_e3_n_nb^2*Y.e1_e2_n_nb^2
 //       + 16*X.e2_e3_n_nb^2*Y.e1_e3_n_nb^2
 // 30 multiplications, 16 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const sphere_blade<T> &X, [[maybe_unused]] const sphere_blade<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const sphere_blade<T> &X, const sphere_blade<T> &Y) {
   const T t0 = T(2) * ::meet::fma(-X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb);
   const T t1 = -X.e1_e2_n_nb;
   const T t2 = -X.e1_e3_n_nb;
@@ -36,16 +36,19 @@ template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const sphere_bla
   const T t4 = T(2) * ::meet::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
   const T t5 = T(2) * ::meet::fma(t3, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
   const T t6 = T(2) * ::meet::fma(t3, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  const T t7 = ::meet::fma(T(2) * ::meet::fma(t1, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb), ::meet::fma(t1, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8), t0 * t0);
-  const T t8 = ::meet::fma(T(2) * ::meet::fma(t2, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb), ::meet::fma(t2, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8), t7);
-  const T t9 = ::meet::fma(T(2) * ::meet::fma(t3, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb), ::meet::fma(t3, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e2_e3_n_nb) * T(8), t8);
+  const T t7 = ::meet::fma(T(2) * ::meet::fma(t1, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb),
+      ::meet::fma(t1, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8), t0 * t0);
+  const T t8 = ::meet::fma(T(2) * ::meet::fma(t2, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb),
+      ::meet::fma(t2, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8), t7);
+  const T t9 = ::meet::fma(T(2) * ::meet::fma(t3, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb),
+      ::meet::fma(t3, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e2_e3_n_nb) * T(8), t8);
   const T t10 = ::meet::fma(T(-4), t6 * t6, ::meet::fma(T(-4), t5 * t5, ::meet::fma(t4 * t4, T(-4), t9)));
   return -t10;
 }
 
 // norm2(meet(sphere, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 7 multiplications, 10 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const sphere<T> &X, [[maybe_unused]] const sphere<T> &Y) {
+template <class T> MEET_HD inline T norm2_meet(const sphere<T> &X, const sphere<T> &Y) {
   const T t0 = Y.c.x - X.c.x;
   const T t1 = Y.c.y - X.c.y;
   const T t2 = Y.c.z - X.c.z;

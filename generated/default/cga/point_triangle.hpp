@@ -131,7 +131,8 @@ struct point_triangle {
     const auto b28 = ::meet::in<3>(s[11]);
     const auto b29 = ::meet::in<3>(s[12]);
     const auto b30 = ::meet::either(::meet::either(b27, b28), b29);
-    const auto b31 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b9), b13), b17), b26), b30);
+    const auto b31 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b9), b13), b17),
+        b26), b30);
     const auto b32 = ::meet::in<6>(s[10]);
     const auto b33 = ::meet::in<6>(s[11]);
     const auto b34 = ::meet::in<6>(s[12]);
@@ -188,7 +189,8 @@ struct point_triangle {
     const auto b28 = ::meet::in<3>(s[11]);
     const auto b29 = ::meet::in<3>(s[12]);
     const auto b30 = ::meet::either(::meet::either(b27, b28), b29);
-    const auto b31 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b9), b13), b17), b26), b30);
+    const auto b31 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b9), b13), b17),
+        b26), b30);
     const auto b32 = ::meet::in<6>(s[10]);
     const auto b33 = ::meet::in<6>(s[11]);
     const auto b34 = ::meet::in<6>(s[12]);
@@ -223,7 +225,8 @@ struct point_triangle {
   }
 
   // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEET_HD static bool plain(const point<float> &operand_a, const triangle<float> &operand_b) {
+  template <class T> MEET_HD static bool plain(const point<float> &operand_a,
+      const triangle<float> &operand_b) {
     float row_a[inputs_a], row_b[inputs_b];
     to_row(operand_a, row_a);
     to_row(operand_b, row_b);

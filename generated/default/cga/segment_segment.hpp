@@ -58,7 +58,8 @@ struct segment_segment {
                              [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, ::meet::sign *s) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
-      const T t2 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), t1, ::meet::fma(fb[2], fa[0], fb[1] * fa[1]) * t0);
+      const T t2 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), t1, ::meet::fma(fb[2], fa[0],
+          fb[1] * fa[1]) * t0);
       const T t3 = b[2] - a[2];
       const T t4 = b[4] - a[1];
       const T t5 = b[5] - a[2];
@@ -117,7 +118,8 @@ struct segment_segment {
     const auto b11 = ::meet::in<6>(s[8]);
     const auto b12 = ::meet::either(::meet::either(::meet::either(b8, b9), b10), b11);
     const auto b13 = ::meet::in<3>(s[9] * s[10]);
-    const auto b14 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b1), b2), b7), b12), b13);
+    const auto b14 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b1), b2), b7), b12),
+        b13);
     const auto b15 = ::meet::in<3>(s[11] * s[12]);
     const auto b16 = ::meet::in<3>(s[13]);
     const auto b17 = ::meet::in<3>(s[14]);
@@ -131,7 +133,8 @@ struct segment_segment {
     const auto b25 = ::meet::either(::meet::either(::meet::either(b21, b22), b23), b24);
     const auto b26 = ::meet::in<3>(s[17] * s[18]);
     const auto b27 = ::meet::in<3>(s[19] * s[20]);
-    const auto b28 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b14, b15), b20), b25), b26), b27);
+    const auto b28 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b14, b15), b20), b25),
+        b26), b27);
     const auto b29 = ::meet::in<3>(s[21]);
     const auto b30 = ::meet::in<3>(s[22]);
     const auto b31 = ::meet::in<3>(s[23]);
@@ -160,7 +163,8 @@ struct segment_segment {
     const auto b11 = ::meet::in<6>(s[8]);
     const auto b12 = ::meet::either(::meet::either(::meet::either(b8, b9), b10), b11);
     const auto b13 = ::meet::in<3>(s[9] * s[10]);
-    const auto b14 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b1), b2), b7), b12), b13);
+    const auto b14 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b1), b2), b7), b12),
+        b13);
     const auto b15 = ::meet::in<3>(s[11] * s[12]);
     const auto b16 = ::meet::in<3>(s[13]);
     const auto b17 = ::meet::in<3>(s[14]);
@@ -174,7 +178,8 @@ struct segment_segment {
     const auto b25 = ::meet::either(::meet::either(::meet::either(b21, b22), b23), b24);
     const auto b26 = ::meet::in<3>(s[17] * s[18]);
     const auto b27 = ::meet::in<3>(s[19] * s[20]);
-    const auto b28 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b14, b15), b20), b25), b26), b27);
+    const auto b28 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b14, b15), b20), b25),
+        b26), b27);
     const auto b29 = ::meet::in<3>(s[21]);
     const auto b30 = ::meet::in<3>(s[22]);
     const auto b31 = ::meet::in<3>(s[23]);
@@ -198,7 +203,8 @@ struct segment_segment {
   }
 
   // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEET_HD static bool plain(const segment<float> &operand_a, const segment<float> &operand_b) {
+  template <class T> MEET_HD static bool plain(const segment<float> &operand_a,
+      const segment<float> &operand_b) {
     float row_a[inputs_a], row_b[inputs_b];
     to_row(operand_a, row_a);
     to_row(operand_b, row_b);

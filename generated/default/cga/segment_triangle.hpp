@@ -104,10 +104,13 @@ struct segment_triangle {
                              [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, ::meet::sign *s) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
-      const T t2 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), t1, ::meet::fma(fb[2], fa[0], fb[1] * fa[1]) * t0);
+      const T t2 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), t1, ::meet::fma(fb[2], fa[0],
+          fb[1] * fa[1]) * t0);
       const T t3 = b[2] - a[2];
-      const T t4 = ::meet::fma(::meet::fma(fa[5], fb[6], fa[0] * fb[7]), b[4] - a[1], ::meet::fma(fa[4], fb[5], fa[1] * fb[6]) * (b[3] - a[0]));
-      const T t5 = ::meet::fma(t1, ::meet::fma(fa[5], fb[9], fa[0] * fb[10]), t0 * ::meet::fma(fa[4], fb[8], fa[1] * fb[9]));
+      const T t4 = ::meet::fma(::meet::fma(fa[5], fb[6], fa[0] * fb[7]), b[4] - a[1], ::meet::fma(fa[4],
+          fb[5], fa[1] * fb[6]) * (b[3] - a[0]));
+      const T t5 = ::meet::fma(t1, ::meet::fma(fa[5], fb[9], fa[0] * fb[10]), t0 * ::meet::fma(fa[4], fb[8],
+          fa[1] * fb[9]));
       s[2] = ::meet::sign_of(::meet::fma(::meet::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2));
       s[3] = ::meet::sign_of(::meet::fma(::meet::fma(fa[3], fb[7], fa[2] * fb[5]), b[5] - a[2], t4));
       s[4] = ::meet::sign_of(::meet::fma(t3, ::meet::fma(fa[3], fb[10], fa[2] * fb[8]), t5));
@@ -292,7 +295,8 @@ struct segment_triangle {
     const auto b30 = ::meet::in<3>(s[15]);
     const auto b31 = ::meet::in<3>(s[16]);
     const auto b32 = ::meet::either(::meet::either(b29, b30), b31);
-    const auto b33 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b11), b15), b19), b28), b32);
+    const auto b33 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b11), b15), b19),
+        b28), b32);
     const auto b34 = ::meet::in<6>(s[14]);
     const auto b35 = ::meet::in<6>(s[15]);
     const auto b36 = ::meet::in<6>(s[16]);
@@ -325,7 +329,8 @@ struct segment_triangle {
     const auto b63 = ::meet::in<6>(s[27]);
     const auto b64 = ::meet::either(::meet::either(::meet::either(b16, b17), b62), b63);
     const auto b65 = ::meet::in<3>(s[28] * s[29]);
-    const auto b66 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b56, b57), b58), b61), b64), b65);
+    const auto b66 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b56, b57), b58), b61),
+        b64), b65);
     const auto b67 = ::meet::in<3>(s[11] * s[30]);
     const auto b68 = ::meet::in<3>(s[31]);
     const auto b69 = ::meet::in<3>(s[32]);
@@ -335,7 +340,8 @@ struct segment_triangle {
     const auto b73 = ::meet::either(::meet::either(::meet::either(b34, b35), b71), b72);
     const auto b74 = ::meet::in<3>(s[33] * s[34]);
     const auto b75 = ::meet::in<3>(s[17] * s[35]);
-    const auto b76 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b66, b67), b70), b73), b74), b75);
+    const auto b76 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b66, b67), b70), b73),
+        b74), b75);
     const auto b77 = ::meet::in<3>(s[36]);
     const auto b78 = ::meet::in<3>(s[37]);
     const auto b79 = ::meet::either(::meet::either(::meet::either(b47, b48), b77), b78);
@@ -351,7 +357,8 @@ struct segment_triangle {
     const auto b89 = ::meet::in<6>(s[40]);
     const auto b90 = ::meet::either(::meet::either(::meet::either(b17, b18), b63), b89);
     const auto b91 = ::meet::in<3>(s[29] * s[41]);
-    const auto b92 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b84, b85), b86), b88), b90), b91);
+    const auto b92 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b84, b85), b86), b88),
+        b90), b91);
     const auto b93 = ::meet::in<3>(s[12] * s[42]);
     const auto b94 = ::meet::in<3>(s[43]);
     const auto b95 = ::meet::either(::meet::either(::meet::either(b30, b31), b69), b94);
@@ -359,7 +366,8 @@ struct segment_triangle {
     const auto b97 = ::meet::either(::meet::either(::meet::either(b35, b36), b72), b96);
     const auto b98 = ::meet::in<3>(s[34] * s[44]);
     const auto b99 = ::meet::in<3>(s[18] * s[45]);
-    const auto b100 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b92, b93), b95), b97), b98), b99);
+    const auto b100 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b92, b93), b95), b97),
+        b98), b99);
     const auto b101 = ::meet::in<3>(s[46]);
     const auto b102 = ::meet::either(::meet::either(::meet::either(b48, b49), b78), b101);
     const auto b103 = ::meet::in<6>(s[46]);
@@ -371,13 +379,15 @@ struct segment_triangle {
     const auto b109 = ::meet::either(::meet::either(::meet::either(b12, b14), b59), b87);
     const auto b110 = ::meet::either(::meet::either(::meet::either(b16, b18), b62), b89);
     const auto b111 = ::meet::in<3>(s[28] * s[41]);
-    const auto b112 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b106, b107), b108), b109), b110), b111);
+    const auto b112 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b106, b107), b108),
+        b109), b110), b111);
     const auto b113 = ::meet::in<3>(s[13] * s[48]);
     const auto b114 = ::meet::either(::meet::either(::meet::either(b29, b31), b68), b94);
     const auto b115 = ::meet::either(::meet::either(::meet::either(b34, b36), b71), b96);
     const auto b116 = ::meet::in<3>(s[33] * s[44]);
     const auto b117 = ::meet::in<3>(s[19] * s[49]);
-    const auto b118 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b112, b113), b114), b115), b116), b117);
+    const auto b118 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b112, b113), b114),
+        b115), b116), b117);
     const auto b119 = ::meet::either(::meet::either(::meet::either(b47, b49), b77), b101);
     const auto b120 = ::meet::either(::meet::either(::meet::either(b51, b53), b80), b103);
     const auto b121 = ::meet::both(::meet::both(b118, b119), b120);
@@ -406,7 +416,8 @@ struct segment_triangle {
   }
 
   // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEET_HD static bool plain(const segment<float> &operand_a, const triangle<float> &operand_b) {
+  template <class T> MEET_HD static bool plain(const segment<float> &operand_a,
+      const triangle<float> &operand_b) {
     float row_a[inputs_a], row_b[inputs_b];
     to_row(operand_a, row_a);
     to_row(operand_b, row_b);

@@ -72,7 +72,8 @@ struct sphere_sphere {
   }
 
   // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEET_HD static bool plain(const sphere<float> &operand_a, const sphere<float> &operand_b) {
+  template <class T> MEET_HD static bool plain(const sphere<float> &operand_a,
+      const sphere<float> &operand_b) {
     float row_a[inputs_a], row_b[inputs_b];
     to_row(operand_a, row_a);
     to_row(operand_b, row_b);

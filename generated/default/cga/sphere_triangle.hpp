@@ -140,7 +140,8 @@ struct sphere_triangle {
     const auto b9 = ::meet::in<3>(s[9]);
     const auto b10 = ::meet::in<1>(s[10] * s[11]);
     const auto b11 = ::meet::both(b9, b10);
-    const auto b12 = ::meet::either(::meet::either(::meet::either(::meet::either(::meet::either(b0, b1), b2), b5), b8), b11);
+    const auto b12 = ::meet::either(::meet::either(::meet::either(::meet::either(::meet::either(b0, b1), b2),
+        b5), b8), b11);
     const auto b13 = ::meet::in<3>(s[12]);
     const auto b14 = ::meet::in<4>(s[13]);
     const auto b15 = ::meet::in<4>(s[14]);
@@ -173,7 +174,8 @@ struct sphere_triangle {
     const auto b9 = ::meet::in<3>(s[9]);
     const auto b10 = ::meet::in<1>(s[10] * s[11]);
     const auto b11 = ::meet::both(b9, b10);
-    const auto b12 = ::meet::either(::meet::either(::meet::either(::meet::either(::meet::either(b0, b1), b2), b5), b8), b11);
+    const auto b12 = ::meet::either(::meet::either(::meet::either(::meet::either(::meet::either(b0, b1), b2),
+        b5), b8), b11);
     const auto b13 = ::meet::in<3>(s[12]);
     const auto b14 = ::meet::in<4>(s[13]);
     const auto b15 = ::meet::in<4>(s[14]);
@@ -203,7 +205,8 @@ struct sphere_triangle {
   }
 
   // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEET_HD static bool plain(const sphere<float> &operand_a, const triangle<float> &operand_b) {
+  template <class T> MEET_HD static bool plain(const sphere<float> &operand_a,
+      const triangle<float> &operand_b) {
     float row_a[inputs_a], row_b[inputs_b];
     to_row(operand_a, row_a);
     to_row(operand_b, row_b);

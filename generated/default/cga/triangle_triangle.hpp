@@ -149,22 +149,31 @@ struct triangle_triangle {
                              [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, ::meet::sign *s) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
-      const T t2 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), t1, ::meet::fma(fb[2], fa[0], fb[1] * fa[1]) * t0);
+      const T t2 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), t1, ::meet::fma(fb[2], fa[0],
+          fb[1] * fa[1]) * t0);
       const T t3 = b[2] - a[2];
       const T t4 = b[3] - a[0];
       const T t5 = b[4] - a[1];
-      const T t6 = ::meet::fma(::meet::fma(fa[5], fb[6], fa[0] * fb[7]), t5, ::meet::fma(fa[4], fb[5], fa[1] * fb[6]) * t4);
+      const T t6 = ::meet::fma(::meet::fma(fa[5], fb[6], fa[0] * fb[7]), t5, ::meet::fma(fa[4], fb[5],
+          fa[1] * fb[6]) * t4);
       const T t7 = b[5] - a[2];
-      const T t8 = ::meet::fma(t1, ::meet::fma(fa[5], fb[9], fa[0] * fb[10]), t0 * ::meet::fma(fa[4], fb[8], fa[1] * fb[9]));
+      const T t8 = ::meet::fma(t1, ::meet::fma(fa[5], fb[9], fa[0] * fb[10]), t0 * ::meet::fma(fa[4], fb[8],
+          fa[1] * fb[9]));
       const T t9 = b[0] - a[3];
       const T t10 = b[1] - a[4];
-      const T t11 = ::meet::fma(::meet::fma(fb[4], fa[8], fb[3] * fa[6]), t10, ::meet::fma(fb[2], fa[6], fb[1] * fa[7]) * t9);
+      const T t11 = ::meet::fma(::meet::fma(fb[4], fa[8], fb[3] * fa[6]), t10, ::meet::fma(fb[2], fa[6],
+          fb[1] * fa[7]) * t9);
       const T t12 = b[2] - a[5];
-      const T t13 = ::meet::fma(::meet::fma(fb[13], fa[8], fb[7] * fa[6]), b[4] - a[4], ::meet::fma(fb[12], fa[6], fb[6] * fa[7]) * (b[3] - a[3]));
-      const T t14 = ::meet::fma(t10, ::meet::fma(fb[16], fa[8], fb[10] * fa[6]), t9 * ::meet::fma(fb[15], fa[6], fb[9] * fa[7]));
-      const T t15 = ::meet::fma(t1, ::meet::fma(fb[4], fa[11], fb[3] * fa[9]), t0 * ::meet::fma(fb[2], fa[9], fb[1] * fa[10]));
-      const T t16 = ::meet::fma(t5, ::meet::fma(fb[13], fa[11], fb[7] * fa[9]), t4 * ::meet::fma(fb[12], fa[9], fb[6] * fa[10]));
-      const T t17 = ::meet::fma(t1, ::meet::fma(fb[16], fa[11], fb[10] * fa[9]), t0 * ::meet::fma(fb[15], fa[9], fb[9] * fa[10]));
+      const T t13 = ::meet::fma(::meet::fma(fb[13], fa[8], fb[7] * fa[6]), b[4] - a[4], ::meet::fma(fb[12],
+          fa[6], fb[6] * fa[7]) * (b[3] - a[3]));
+      const T t14 = ::meet::fma(t10, ::meet::fma(fb[16], fa[8], fb[10] * fa[6]), t9 * ::meet::fma(fb[15],
+          fa[6], fb[9] * fa[7]));
+      const T t15 = ::meet::fma(t1, ::meet::fma(fb[4], fa[11], fb[3] * fa[9]), t0 * ::meet::fma(fb[2], fa[9],
+          fb[1] * fa[10]));
+      const T t16 = ::meet::fma(t5, ::meet::fma(fb[13], fa[11], fb[7] * fa[9]), t4 * ::meet::fma(fb[12],
+          fa[9], fb[6] * fa[10]));
+      const T t17 = ::meet::fma(t1, ::meet::fma(fb[16], fa[11], fb[10] * fa[9]), t0 * ::meet::fma(fb[15],
+          fa[9], fb[9] * fa[10]));
       s[6] = ::meet::sign_of(::meet::fma(::meet::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2));
       s[7] = ::meet::sign_of(::meet::fma(::meet::fma(fa[3], fb[7], fa[2] * fb[5]), t7, t6));
       s[8] = ::meet::sign_of(::meet::fma(t3, ::meet::fma(fa[3], fb[10], fa[2] * fb[8]), t8));
@@ -391,7 +400,8 @@ struct triangle_triangle {
     const auto b9 = ::meet::in<2>(s[5]);
     const auto b10 = ::meet::both(b7, b9);
     const auto b11 = ::meet::both(b6, b9);
-    return ::meet::can_be_true(::meet::either(::meet::either(::meet::either(::meet::either(::meet::either(b2, b4), b5), b8), b10), b11));
+    return ::meet::can_be_true(::meet::either(::meet::either(::meet::either(::meet::either(::meet::either(b2,
+        b4), b5), b8), b10), b11));
   }
   template <class S> MEET_HD static constexpr auto usual([[maybe_unused]] const S *s) {
     const auto b0 = ::meet::in<3>(s[0] * s[1]);
@@ -442,7 +452,8 @@ struct triangle_triangle {
     const auto b45 = ::meet::both(::meet::both(b7, b18), b29);
     const auto b46 = ::meet::either(b44, b45);
     const auto b47 = ::meet::both(b43, b46);
-    const auto b48 = ::meet::either(::meet::either(::meet::either(::meet::either(::meet::either(b10, b21), b32), b37), b42), b47);
+    const auto b48 = ::meet::either(::meet::either(::meet::either(::meet::either(::meet::either(b10, b21),
+        b32), b37), b42), b47);
     return b48;
   }
   template <class S> MEET_HD static constexpr auto whole([[maybe_unused]] const S *s) {
@@ -479,7 +490,8 @@ struct triangle_triangle {
     const auto b30 = ::meet::in<3>(s[25]);
     const auto b31 = ::meet::in<3>(s[26]);
     const auto b32 = ::meet::either(::meet::either(b29, b30), b31);
-    const auto b33 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b11), b15), b19), b28), b32);
+    const auto b33 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b0, b11), b15), b19),
+        b28), b32);
     const auto b34 = ::meet::in<6>(s[24]);
     const auto b35 = ::meet::in<6>(s[25]);
     const auto b36 = ::meet::in<6>(s[26]);
@@ -512,7 +524,8 @@ struct triangle_triangle {
     const auto b63 = ::meet::in<6>(s[37]);
     const auto b64 = ::meet::either(::meet::either(::meet::either(b16, b17), b62), b63);
     const auto b65 = ::meet::in<3>(s[38] * s[39]);
-    const auto b66 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b56, b57), b58), b61), b64), b65);
+    const auto b66 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b56, b57), b58), b61),
+        b64), b65);
     const auto b67 = ::meet::in<3>(s[21] * s[40]);
     const auto b68 = ::meet::in<3>(s[41]);
     const auto b69 = ::meet::in<3>(s[42]);
@@ -522,7 +535,8 @@ struct triangle_triangle {
     const auto b73 = ::meet::either(::meet::either(::meet::either(b34, b35), b71), b72);
     const auto b74 = ::meet::in<3>(s[43] * s[44]);
     const auto b75 = ::meet::in<3>(s[27] * s[45]);
-    const auto b76 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b66, b67), b70), b73), b74), b75);
+    const auto b76 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b66, b67), b70), b73),
+        b74), b75);
     const auto b77 = ::meet::in<3>(s[46]);
     const auto b78 = ::meet::in<3>(s[47]);
     const auto b79 = ::meet::either(::meet::either(::meet::either(b47, b48), b77), b78);
@@ -538,7 +552,8 @@ struct triangle_triangle {
     const auto b89 = ::meet::in<6>(s[50]);
     const auto b90 = ::meet::either(::meet::either(::meet::either(b17, b18), b63), b89);
     const auto b91 = ::meet::in<3>(s[39] * s[51]);
-    const auto b92 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b84, b85), b86), b88), b90), b91);
+    const auto b92 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b84, b85), b86), b88),
+        b90), b91);
     const auto b93 = ::meet::in<3>(s[22] * s[52]);
     const auto b94 = ::meet::in<3>(s[53]);
     const auto b95 = ::meet::either(::meet::either(::meet::either(b30, b31), b69), b94);
@@ -546,7 +561,8 @@ struct triangle_triangle {
     const auto b97 = ::meet::either(::meet::either(::meet::either(b35, b36), b72), b96);
     const auto b98 = ::meet::in<3>(s[44] * s[54]);
     const auto b99 = ::meet::in<3>(s[28] * s[55]);
-    const auto b100 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b92, b93), b95), b97), b98), b99);
+    const auto b100 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b92, b93), b95), b97),
+        b98), b99);
     const auto b101 = ::meet::in<3>(s[56]);
     const auto b102 = ::meet::either(::meet::either(::meet::either(b48, b49), b78), b101);
     const auto b103 = ::meet::in<6>(s[56]);
@@ -558,13 +574,15 @@ struct triangle_triangle {
     const auto b109 = ::meet::either(::meet::either(::meet::either(b12, b14), b59), b87);
     const auto b110 = ::meet::either(::meet::either(::meet::either(b16, b18), b62), b89);
     const auto b111 = ::meet::in<3>(s[38] * s[51]);
-    const auto b112 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b106, b107), b108), b109), b110), b111);
+    const auto b112 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b106, b107), b108),
+        b109), b110), b111);
     const auto b113 = ::meet::in<3>(s[23] * s[58]);
     const auto b114 = ::meet::either(::meet::either(::meet::either(b29, b31), b68), b94);
     const auto b115 = ::meet::either(::meet::either(::meet::either(b34, b36), b71), b96);
     const auto b116 = ::meet::in<3>(s[43] * s[54]);
     const auto b117 = ::meet::in<3>(s[29] * s[59]);
-    const auto b118 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b112, b113), b114), b115), b116), b117);
+    const auto b118 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b112, b113), b114),
+        b115), b116), b117);
     const auto b119 = ::meet::either(::meet::either(::meet::either(b47, b49), b77), b101);
     const auto b120 = ::meet::either(::meet::either(::meet::either(b51, b53), b80), b103);
     const auto b121 = ::meet::both(::meet::both(b118, b119), b120);
@@ -604,7 +622,8 @@ struct triangle_triangle {
     const auto b155 = ::meet::both(::meet::both(b152, b153), b154);
     const auto b156 = ::meet::either(b151, b155);
     const auto b157 = ::meet::either(::meet::either(b68, b69), b94);
-    const auto b158 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b1, b145), b146), b147), b156), b157);
+    const auto b158 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b1, b145), b146),
+        b147), b156), b157);
     const auto b159 = ::meet::either(::meet::either(b71, b72), b96);
     const auto b160 = ::meet::in<3>(s[45]);
     const auto b161 = ::meet::in<3>(s[55]);
@@ -628,7 +647,8 @@ struct triangle_triangle {
     const auto b179 = ::meet::in<6>(s[64]);
     const auto b180 = ::meet::either(::meet::either(::meet::either(b62, b63), b178), b179);
     const auto b181 = ::meet::in<3>(s[65] * s[66]);
-    const auto b182 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b172, b173), b174), b177), b180), b181);
+    const auto b182 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b172, b173), b174),
+        b177), b180), b181);
     const auto b183 = ::meet::in<3>(s[40] * s[67]);
     const auto b184 = ::meet::in<3>(s[68]);
     const auto b185 = ::meet::in<3>(s[69]);
@@ -638,7 +658,8 @@ struct triangle_triangle {
     const auto b189 = ::meet::either(::meet::either(::meet::either(b71, b72), b187), b188);
     const auto b190 = ::meet::in<3>(s[70] * s[71]);
     const auto b191 = ::meet::in<3>(s[45] * s[72]);
-    const auto b192 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b182, b183), b186), b189), b190), b191);
+    const auto b192 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b182, b183), b186),
+        b189), b190), b191);
     const auto b193 = ::meet::in<3>(s[73]);
     const auto b194 = ::meet::in<3>(s[74]);
     const auto b195 = ::meet::either(::meet::either(::meet::either(b77, b78), b193), b194);
@@ -654,7 +675,8 @@ struct triangle_triangle {
     const auto b205 = ::meet::in<6>(s[77]);
     const auto b206 = ::meet::either(::meet::either(::meet::either(b63, b89), b179), b205);
     const auto b207 = ::meet::in<3>(s[66] * s[78]);
-    const auto b208 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b200, b201), b202), b204), b206), b207);
+    const auto b208 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b200, b201), b202),
+        b204), b206), b207);
     const auto b209 = ::meet::in<3>(s[52] * s[79]);
     const auto b210 = ::meet::in<3>(s[80]);
     const auto b211 = ::meet::either(::meet::either(::meet::either(b69, b94), b185), b210);
@@ -662,7 +684,8 @@ struct triangle_triangle {
     const auto b213 = ::meet::either(::meet::either(::meet::either(b72, b96), b188), b212);
     const auto b214 = ::meet::in<3>(s[71] * s[81]);
     const auto b215 = ::meet::in<3>(s[55] * s[82]);
-    const auto b216 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b208, b209), b211), b213), b214), b215);
+    const auto b216 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b208, b209), b211),
+        b213), b214), b215);
     const auto b217 = ::meet::in<3>(s[83]);
     const auto b218 = ::meet::either(::meet::either(::meet::either(b78, b101), b194), b217);
     const auto b219 = ::meet::in<6>(s[83]);
@@ -674,13 +697,15 @@ struct triangle_triangle {
     const auto b225 = ::meet::either(::meet::either(::meet::either(b59, b87), b175), b203);
     const auto b226 = ::meet::either(::meet::either(::meet::either(b62, b89), b178), b205);
     const auto b227 = ::meet::in<3>(s[65] * s[78]);
-    const auto b228 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b222, b223), b224), b225), b226), b227);
+    const auto b228 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b222, b223), b224),
+        b225), b226), b227);
     const auto b229 = ::meet::in<3>(s[58] * s[85]);
     const auto b230 = ::meet::either(::meet::either(::meet::either(b68, b94), b184), b210);
     const auto b231 = ::meet::either(::meet::either(::meet::either(b71, b96), b187), b212);
     const auto b232 = ::meet::in<3>(s[70] * s[81]);
     const auto b233 = ::meet::in<3>(s[59] * s[86]);
-    const auto b234 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b228, b229), b230), b231), b232), b233);
+    const auto b234 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b228, b229), b230),
+        b231), b232), b233);
     const auto b235 = ::meet::either(::meet::either(::meet::either(b77, b101), b193), b217);
     const auto b236 = ::meet::either(::meet::either(::meet::either(b80, b103), b196), b219);
     const auto b237 = ::meet::both(::meet::both(b234, b235), b236);
@@ -719,7 +744,8 @@ struct triangle_triangle {
     const auto b270 = ::meet::both(::meet::both(b267, b268), b269);
     const auto b271 = ::meet::either(b266, b270);
     const auto b272 = ::meet::either(::meet::either(b184, b185), b210);
-    const auto b273 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b135, b260), b261), b262), b271), b272);
+    const auto b273 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b135, b260), b261),
+        b262), b271), b272);
     const auto b274 = ::meet::either(::meet::either(b187, b188), b212);
     const auto b275 = ::meet::in<3>(s[72]);
     const auto b276 = ::meet::in<3>(s[82]);
@@ -739,13 +765,15 @@ struct triangle_triangle {
     const auto b290 = ::meet::either(::meet::either(::meet::either(b12, b13), b175), b176);
     const auto b291 = ::meet::either(::meet::either(::meet::either(b16, b17), b178), b179);
     const auto b292 = ::meet::in<3>(s[89] * s[90]);
-    const auto b293 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b287, b288), b289), b290), b291), b292);
+    const auto b293 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b287, b288), b289),
+        b290), b291), b292);
     const auto b294 = ::meet::in<3>(s[21] * s[67]);
     const auto b295 = ::meet::either(::meet::either(::meet::either(b29, b30), b184), b185);
     const auto b296 = ::meet::either(::meet::either(::meet::either(b34, b35), b187), b188);
     const auto b297 = ::meet::in<3>(s[91] * s[92]);
     const auto b298 = ::meet::in<3>(s[27] * s[72]);
-    const auto b299 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b293, b294), b295), b296), b297), b298);
+    const auto b299 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b293, b294), b295),
+        b296), b297), b298);
     const auto b300 = ::meet::either(::meet::either(::meet::either(b47, b48), b193), b194);
     const auto b301 = ::meet::either(::meet::either(::meet::either(b51, b52), b196), b197);
     const auto b302 = ::meet::both(::meet::both(b299, b300), b301);
@@ -755,13 +783,15 @@ struct triangle_triangle {
     const auto b306 = ::meet::either(::meet::either(::meet::either(b13, b14), b176), b203);
     const auto b307 = ::meet::either(::meet::either(::meet::either(b17, b18), b179), b205);
     const auto b308 = ::meet::in<3>(s[90] * s[94]);
-    const auto b309 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b303, b304), b305), b306), b307), b308);
+    const auto b309 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b303, b304), b305),
+        b306), b307), b308);
     const auto b310 = ::meet::in<3>(s[22] * s[79]);
     const auto b311 = ::meet::either(::meet::either(::meet::either(b30, b31), b185), b210);
     const auto b312 = ::meet::either(::meet::either(::meet::either(b35, b36), b188), b212);
     const auto b313 = ::meet::in<3>(s[92] * s[95]);
     const auto b314 = ::meet::in<3>(s[28] * s[82]);
-    const auto b315 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b309, b310), b311), b312), b313), b314);
+    const auto b315 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b309, b310), b311),
+        b312), b313), b314);
     const auto b316 = ::meet::either(::meet::either(::meet::either(b48, b49), b194), b217);
     const auto b317 = ::meet::either(::meet::either(::meet::either(b52, b53), b197), b219);
     const auto b318 = ::meet::both(::meet::both(b315, b316), b317);
@@ -771,13 +801,15 @@ struct triangle_triangle {
     const auto b322 = ::meet::either(::meet::either(::meet::either(b12, b14), b175), b203);
     const auto b323 = ::meet::either(::meet::either(::meet::either(b16, b18), b178), b205);
     const auto b324 = ::meet::in<3>(s[89] * s[94]);
-    const auto b325 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b319, b320), b321), b322), b323), b324);
+    const auto b325 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b319, b320), b321),
+        b322), b323), b324);
     const auto b326 = ::meet::in<3>(s[23] * s[85]);
     const auto b327 = ::meet::either(::meet::either(::meet::either(b29, b31), b184), b210);
     const auto b328 = ::meet::either(::meet::either(::meet::either(b34, b36), b187), b212);
     const auto b329 = ::meet::in<3>(s[91] * s[95]);
     const auto b330 = ::meet::in<3>(s[29] * s[86]);
-    const auto b331 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b325, b326), b327), b328), b329), b330);
+    const auto b331 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b325, b326), b327),
+        b328), b329), b330);
     const auto b332 = ::meet::either(::meet::either(::meet::either(b47, b49), b193), b217);
     const auto b333 = ::meet::either(::meet::either(::meet::either(b51, b53), b196), b219);
     const auto b334 = ::meet::both(::meet::both(b331, b332), b333);
@@ -818,7 +850,8 @@ struct triangle_triangle {
     const auto b369 = ::meet::both(::meet::both(b366, b367), b368);
     const auto b370 = ::meet::either(b365, b369);
     const auto b371 = ::meet::either(::meet::either(b34, b71), b187);
-    const auto b372 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b348, b359), b360), b361), b370), b371);
+    const auto b372 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b348, b359), b360),
+        b361), b370), b371);
     const auto b373 = ::meet::either(::meet::either(b29, b68), b184);
     const auto b374 = ::meet::in<3>(s[43]);
     const auto b375 = ::meet::in<3>(s[70]);
@@ -862,7 +895,8 @@ struct triangle_triangle {
     const auto b413 = ::meet::both(::meet::both(b410, b411), b412);
     const auto b414 = ::meet::either(b409, b413);
     const auto b415 = ::meet::either(::meet::either(b35, b72), b188);
-    const auto b416 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b349, b403), b404), b405), b414), b415);
+    const auto b416 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b349, b403), b404),
+        b405), b414), b415);
     const auto b417 = ::meet::either(::meet::either(b30, b69), b185);
     const auto b418 = ::meet::in<3>(s[44]);
     const auto b419 = ::meet::in<3>(s[71]);
@@ -883,7 +917,8 @@ struct triangle_triangle {
     const auto b434 = ::meet::either(b432, b433);
     const auto b435 = ::meet::both(b431, b434);
     const auto b436 = ::meet::either(::meet::both(b394, b430), ::meet::both(::meet::negate(b394), b435));
-    const auto b437 = ::meet::either(::meet::either(::meet::either(::meet::either(b134, b250), b347), b392), b436);
+    const auto b437 = ::meet::either(::meet::either(::meet::either(::meet::either(b134, b250), b347), b392),
+        b436);
     const auto b438 = ::meet::both(b348, b393);
     const auto b439 = ::meet::in<3>(s[48]);
     const auto b440 = ::meet::in<3>(s[75]);
@@ -906,7 +941,8 @@ struct triangle_triangle {
     const auto b457 = ::meet::both(::meet::both(b454, b455), b456);
     const auto b458 = ::meet::either(b453, b457);
     const auto b459 = ::meet::either(::meet::either(b36, b96), b212);
-    const auto b460 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b393, b447), b448), b449), b458), b459);
+    const auto b460 = ::meet::both(::meet::both(::meet::both(::meet::both(::meet::both(b393, b447), b448),
+        b449), b458), b459);
     const auto b461 = ::meet::either(::meet::either(b31, b94), b210);
     const auto b462 = ::meet::in<3>(s[54]);
     const auto b463 = ::meet::in<3>(s[81]);
@@ -940,7 +976,8 @@ struct triangle_triangle {
   }
 
   // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEET_HD static bool plain(const triangle<float> &operand_a, const triangle<float> &operand_b) {
+  template <class T> MEET_HD static bool plain(const triangle<float> &operand_a,
+      const triangle<float> &operand_b) {
     float row_a[inputs_a], row_b[inputs_b];
     to_row(operand_a, row_a);
     to_row(operand_b, row_b);
