@@ -32,7 +32,13 @@ void compile_all(compilation &c) {
 
 std::vector<emit::file> emit_all(compilation &c) {
   const emit::unit u{*c.scene, *c.model, std::move(c.kernels)};
-  return emit::cpp_files(u);
+  std::vector<emit::file> files = emit::cpp_files(u);
+  for (std::size_t i = 1; i < files.size(); ++i) // sorted by path
+    if (files[i].path == files[i - 1].path)
+      throw spec_error({}, fmt::format("'{}' would be written twice: a kernel has the name of the namespace or of a file "
+                                       "that every namespace has; rename one",
+                                       files[i].path));
+  return files;
 }
 
 int verify_scene(const verify_options &o) {

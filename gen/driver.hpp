@@ -20,6 +20,7 @@ std::vector<emit::file> emit_all(compilation &c);         // moves the kernels o
 
 struct generate_options {
   std::string scene, out, depfile, stamp, space;
+  std::vector<std::string> required_backends; // a build that compiles them says so here
   bool check = false, quiet = false;
 };
 struct verify_options {

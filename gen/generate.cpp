@@ -1,7 +1,9 @@
 // Writing files: only what changed, all or nothing to the eye, and never over somebody's own file.
 #include "gen/driver.hpp"
+#include "gen/emit/names.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -71,14 +73,40 @@ std::string make_escaped(const std::string &path) {
   return out;
 }
 
+// A build system computes the names of the files from the namespace that it gives.
+void check_namespace(const std::string &space) {
+  const bool name = !space.empty() && !std::isdigit(static_cast<unsigned char>(space[0])) &&
+                    std::all_of(space.begin(), space.end(),
+                                [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); });
+  if (!name || space == "meet" || emit::identifier(space) != space)
+    throw spec_error({}, fmt::format("'{}' cannot be the namespace of generated code: it is no plain identifier, or "
+                                     "reserved",
+                                     space));
+}
+
+void check_backend(const std::string &path, const spec::scene &scene, const std::vector<emit::file> &files,
+                   const std::string &backend) {
+  const std::string source = scene.space + '/' + scene.space + (backend == "cuda" ? "_cuda.cu" : "_runtime.cpp");
+  if (std::any_of(files.begin(), files.end(), [&](const emit::file &f) { return f.path == source; }))
+    return;
+  const bool asked = std::find(scene.backends.begin(), scene.backends.end(), backend) != scene.backends.end();
+  throw spec_error({}, fmt::format("{}: the build compiles the backend {}, but {}", path, backend,
+                                   asked ? "no kernel of the scene is a predicate, so there is nothing to launch"
+                                         : "scene.backends does not list it"));
+}
+
 } // namespace
 
 int generate(const generate_options &o) {
   compilation c = load(o.scene);
-  if (!o.space.empty())
+  if (!o.space.empty()) {
+    check_namespace(o.space);
     c.scene->space = o.space;
+  }
   compile_all(c);
   const std::vector<emit::file> files = emit_all(c);
+  for (const std::string &backend : o.required_backends)
+    check_backend(o.scene, *c.scene, files, backend);
   const fs::path out = o.out;
   std::error_code ignored;
   if (fs::exists(out, ignored) && !fs::is_directory(out, ignored))

@@ -17,6 +17,9 @@ int main(int argc, char **argv) {
   generate_command->add_option("-o,--out", g.out, "Folder that holds what is emitted, and nothing else")->required();
   generate_command->add_flag("--check", g.check, "Write nothing; exit 1 if a byte would change or a stray file lies there");
   generate_command->add_option("--namespace", g.space, "Namespace instead of the scene's");
+  generate_command->add_option("--require-backend", g.required_backends, "Fail unless the scene emits this backend")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"cpp", "cuda"}));
   generate_command->add_option("--depfile", g.depfile, "Write the files that were read, for a build system");
   generate_command->add_option("--stamp", g.stamp, "Touch this file when done");
   generate_command->add_flag("-q,--quiet", g.quiet, "Say nothing when all is well");

@@ -8,8 +8,12 @@ namespace meetc::decide {
 namespace {
 using spec::op;
 
-constexpr long most_steps = 2'000'000;     // no spec that a person writes comes near
+// Limits that no spec which a person writes comes near; they turn a runaway spec into an error.
+constexpr long most_steps = 2'000'000;
+constexpr int most_depth = 1000; // keeps the stack safe
 constexpr std::size_t most_terms = 200'000;
+constexpr int most_degree = 100;
+constexpr std::size_t most_bits = 4096; // of a constant
 
 bool compare_ints(op kind, int a, int b) {
   switch (kind) {
@@ -34,6 +38,13 @@ sign_mask mask_for(op kind, int against) {
     if (compare_ints(kind, s, against))
       mask |= 1 << (s + 1);
   return mask;
+}
+
+std::size_t length(const multivector &m) {
+  std::size_t terms = 0;
+  for (const auto &[at, c] : m.terms())
+    terms += c.length();
+  return terms;
 }
 
 rational parse_number(const std::string &text) {
@@ -121,9 +132,25 @@ int expander::truth_of(const spec::expr &e, const environment &env) {
   throw spec_error(e.where, fmt::format("{} where a truth is needed; compare it, as in 's > 0'", describe(v)));
 }
 
+void expander::charge(std::size_t work, const location &where) {
+  steps_ += static_cast<long>(work);
+  if (steps_ > most_steps)
+    throw spec_error(where, fmt::format("this expands to more than {} steps", most_steps));
+}
+
+struct expander::level {
+  expander &of;
+  explicit level(expander &x) : of(x) { ++of.depth_; }
+  ~level() { --of.depth_; }
+  level(const level &) = delete;
+  level &operator=(const level &) = delete;
+};
+
 value expander::evaluate(const spec::expr &e, const environment &env) {
-  if (++steps_ > most_steps)
-    throw spec_error(e.where, fmt::format("this expands to more than {} steps", most_steps));
+  const level one(*this);
+  if (depth_ > most_depth)
+    throw spec_error(e.where, fmt::format("this expands to more than {} levels", most_depth));
+  charge(1, e.where);
   switch (e.kind) {
   case op::number:
     return {number(parse_number(e.text))};
@@ -197,6 +224,14 @@ value expander::name(const spec::expr &e, const environment &env) {
 }
 
 value expander::call(const spec::expr &e, const environment &env) {
+  // Expressions of a spec are checked when they are read; what a scene or the command line asks is not.
+  const spec::function *defined = model_.spec().find_function(e.text);
+  const spec::predicate *asked = model_.spec().find_predicate(e.text);
+  const spec::kind *made = model_.spec().find_kind(e.text);
+  const std::size_t want = defined ? defined->params.size() : asked ? asked->of.size() : made ? made->store.size() : 1;
+  if (e.args.size() != want && (defined || asked || made || e.text == "sign" || e.text == "grade"))
+    throw spec_error(e.where, fmt::format("'{}' takes {} argument{}, not {}", e.text, want, want == 1 ? "" : "s",
+                                          e.args.size()));
   if (e.text == "sign")
     return {signs_.sign_of(scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where))};
   if (e.text == "grade") {
@@ -342,7 +377,7 @@ value expander::compare(const spec::expr &e, const environment &env) {
   }
   const std::size_t plain = sa ? 1 : 0;
   const poly::poly number = scalar_of(blade_of(sa ? b : a, e.args[plain]->where), e.args[plain]->where);
-  if (!number.is_constant() || number.constant().get_den() != 1 || abs(number.constant()) > 2)
+  if (!number.is_constant() || number.constant().get_den() != 1 || abs(number.constant()) > 1)
     throw spec_error(e.args[plain]->where, "a sign compares with -1, 0, 1 or another sign");
   const int constant = static_cast<int>(number.is_zero() ? 0 : number.constant().get_num().get_si());
   if (sa)
@@ -364,6 +399,7 @@ value expander::quantify(const spec::expr &e, const environment &env) {
       if (!items)
         throw spec_error(b.over->where, fmt::format("{} where a list is needed", describe(over)));
       for (const value &item : **items) {
+        charge(1, b.over->where);
         next.push_back(outer);
         next.back().emplace_back(b.name, item);
       }
@@ -395,6 +431,8 @@ value expander::arithmetic(const spec::expr &e, const environment &env) {
     return {*sa * *sb};
   }
   const multivector x = blade_of(a, e.args[0]->where), y = blade_of(b, e.args[1]->where);
+  if (e.kind == op::multiply || e.kind == op::outer || e.kind == op::inner)
+    charge(4 * x.terms().size() * y.terms().size() + length(x) * length(y) / 64, e.where);
   multivector out;
   switch (e.kind) {
   case op::add:
@@ -419,11 +457,17 @@ value expander::arithmetic(const spec::expr &e, const environment &env) {
     out = x.scaled(1 / divisor.constant());
   }
   }
-  std::size_t terms = 0;
-  for (const auto &[at, c] : out.terms())
-    terms += c.length();
-  if (terms > most_terms)
+  if (length(out) > most_terms)
     throw spec_error(e.where, fmt::format("this expands to more than {} terms", most_terms));
+  for (const auto &[at, c] : out.terms()) {
+    if (c.total_degree() > most_degree)
+      throw spec_error(e.where, fmt::format("this is of a degree above {}", most_degree));
+    if (c.is_constant()) {
+      const rational q = c.constant();
+      if (mpz_sizeinbase(q.get_num_mpz_t(), 2) + mpz_sizeinbase(q.get_den_mpz_t(), 2) > most_bits)
+        throw spec_error(e.where, fmt::format("this number has more than {} bits", most_bits));
+    }
+  }
   return {out};
 }
 

@@ -57,7 +57,11 @@ private:
   std::vector<std::vector<rational>> declared_vectors_; // in the basis of expansion
   std::vector<std::pair<std::string, value>> constants_;
   long steps_ = 0;
+  int depth_ = 0;
 
+  struct level; // counts how deep evaluation is
+
+  void charge(std::size_t work, const location &where); // throws when a spec asks for too much
   multivector number(const rational &q) const;
   value name(const spec::expr &e, const environment &env);
   value call(const spec::expr &e, const environment &env);

@@ -130,7 +130,7 @@ kind_layout model::layout(const spec::kind &k) const {
   // A kind of as many reals as space has axes and nothing else is one group: a point or a direction.
   const spec::named_expr *axes = spec_.find_constant("axes");
   const std::size_t dimension = axes && axes->body->kind == spec::op::list ? axes->body->args.size() : 0;
-  bool bare = k.store.size() == dimension && dimension > 0;
+  bool bare = k.position || (k.store.size() == dimension && dimension > 0);
   for (const spec::field &f : k.store)
     bare = bare && f.type == "real";
   if (bare) {

@@ -22,8 +22,8 @@ std::string identifier(const std::string &name) {
   for (const char c : name)
     if (c != '_' || (!out.empty() && out.back() != '_'))
       out += c;
-  if (out.empty() || out.back() == '_' || out != name || taken.count(out))
-    out += out.empty() || out.back() != '_' ? "_" : "0_";
+  if (out.empty() || out != name || taken.count(out))
+    out += out.empty() || out.back() == '_' ? "0_" : "_";
   return out;
 }
 
@@ -31,7 +31,9 @@ std::string path_identifier(const std::string &path) {
   std::string out;
   for (std::size_t from = 0; from <= path.size();) {
     const std::size_t dot = std::min(path.find('.', from), path.size());
-    out += (from ? "." : "") + identifier(path.substr(from, dot - from));
+    if (from)
+      out += '.';
+    out += identifier(path.substr(from, dot - from));
     from = dot + 1;
   }
   return out;

@@ -81,6 +81,11 @@ private:
   const algebra &a_;
   std::map<std::string, location> declared_;
   std::set<std::string> open_, done_;
+  std::map<std::string, std::size_t> whole_kinds_; // known to end, with the numbers that each stores
+  std::set<std::string> whole_constants_;
+
+  static constexpr std::size_t most_nested = 500; // definitions within definitions; keeps the stack safe
+  static constexpr std::size_t most_stored = 1000;
 
   void add(const std::string &name, const location &where, const char *what) {
     if (const auto [it, fresh] = declared_.try_emplace(name, where); !fresh)
@@ -98,24 +103,40 @@ private:
         throw spec_error(f.where, fmt::format("no kind '{}'; kinds: {}{}", f.type, join(a_.kind_names(), ", "),
                                               nearest(f.type, a_.kind_names())));
   }
-  void contains_itself(const kind &k, std::vector<std::string> open) const {
+  std::size_t contains_itself(const kind &k, std::vector<std::string> open) {
+    if (const auto known = whole_kinds_.find(k.name); known != whole_kinds_.end())
+      return known->second;
     if (std::find(open.begin(), open.end(), k.name) != open.end())
       throw spec_error(k.where, fmt::format("kind '{}' contains itself", k.name));
     open.push_back(k.name);
-    for (const field &f : k.store)
-      if (const kind *inner = a_.find_kind(f.type))
-        contains_itself(*inner, open);
+    nests(open.size(), k.where);
+    std::size_t numbers = 0;
+    for (const field &f : k.store) {
+      const kind *inner = a_.find_kind(f.type);
+      numbers += inner ? contains_itself(*inner, open) : 1;
+    }
+    if (numbers > most_stored)
+      throw spec_error(k.where, fmt::format("kind '{}' stores more than {} numbers", k.name, most_stored));
+    return whole_kinds_[k.name] = numbers;
   }
-  void constant(const named_expr &c, std::vector<std::string> open) const {
+  static void nests(std::size_t depth, const location &where) {
+    if (depth > most_nested)
+      throw spec_error(where, fmt::format("definitions are nested more than {} deep here", most_nested));
+  }
+  void constant(const named_expr &c, std::vector<std::string> open) {
+    if (whole_constants_.count(c.name))
+      return;
     if (std::find(open.begin(), open.end(), c.name) != open.end())
       throw spec_error(c.where, fmt::format("constant '{}' is defined by itself", c.name));
     open.push_back(c.name);
+    nests(open.size(), c.where);
     expression(*c.body, {});
     walk(*c.body, [&](const expr &e) {
       if (e.kind == op::name)
         if (const named_expr *other = a_.find_constant(e.text))
           constant(*other, open);
     });
+    whole_constants_.insert(c.name);
   }
   template <class F> static void walk(const expr &e, F &&f) {
     f(e);
@@ -130,6 +151,7 @@ private:
       return;
     if (!open_.insert(name).second)
       throw spec_error(where, fmt::format("'{}' calls itself; there is no recursion", name));
+    nests(open_.size(), where);
     const auto visit = [&](const expr_ptr &body) {
       walk(*body, [&](const expr &e) {
         if (e.kind == op::call && (a_.find_function(e.text) || a_.find_predicate(e.text)))

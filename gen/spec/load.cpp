@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace meetc::spec {
 namespace {
@@ -146,6 +147,16 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
   return p;
 }
 
+// 'p/q' in lowest terms, so that equal entries are equal text. What has too many digits stays as it is.
+std::string reduced(const std::string &s) {
+  const auto slash = std::min(s.find('/'), s.size());
+  if (slash > 18 || s.size() - slash > 18)
+    return s;
+  const long long p = std::stoll(s.substr(0, slash)), q = slash == s.size() ? 1 : std::stoll(s.substr(slash + 1));
+  const long long common = std::gcd(p, q);
+  return q == common ? std::to_string(p / common) : fmt::format("{}/{}", p / common, q / common);
+}
+
 std::string rational_text(const toml_reader &in, const toml::node &node) {
   if (node.is_integer())
     return std::to_string(node.as_integer()->get());
@@ -159,7 +170,7 @@ std::string rational_text(const toml_reader &in, const toml::node &node) {
     if (slash == std::string::npos ? digits(s, true)
                                    : digits(s.substr(0, slash), true) && digits(s.substr(slash + 1), false) &&
                                          s.find_first_not_of('0', slash + 1) != std::string::npos)
-      return s;
+      return reduced(s);
   }
   throw spec_error(in.place(node), "a metric's entry is a whole number or a 'p/q' string");
 }
@@ -281,9 +292,10 @@ void load_into(const std::string &path, algebra &out, std::vector<std::shared_pt
 
 void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files) {
   std::vector<std::string> open;
+  const std::size_t own = files.size(); // a scene that names this file comes before it
   load_into(path, out, files, open);
   if (out.vectors.empty())
-    throw spec_error({files.front(), 0, 1}, fmt::format("{} declares no [algebra]", path));
+    throw spec_error({files[own], 0, 1}, fmt::format("{} declares no [algebra]", path));
   check(out);
 }
 

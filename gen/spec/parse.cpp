@@ -10,7 +10,9 @@
 namespace meetc::spec {
 namespace {
 
-constexpr int max_depth = 200; // nesting that no person writes, and that keeps the stack safe
+constexpr int max_depth = 200;   // nesting that no person writes, and that keeps the stack safe
+constexpr std::size_t max_digits = 300;
+constexpr int max_tokens = 4000; // a long chain a + b + ... is as deep a tree as it is long
 
 struct token {
   enum class type { end, number, word, symbol } kind = type::end;
@@ -33,7 +35,7 @@ private:
   expr_source source_;
   std::size_t at_;
   token token_;
-  int depth_ = 0;
+  int depth_ = 0, tokens_ = 0;
 
   location here(std::size_t offset, std::size_t length) const { return {source_.file, offset, length}; }
 
@@ -43,6 +45,8 @@ private:
   static bool digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
   void next() {
+    if (++tokens_ > max_tokens)
+      throw spec_error(here(at_, 1), fmt::format("this expression is longer than {} words and symbols", max_tokens));
     const std::string &s = source_.file->text;
     while (at_ < source_.end && std::isspace(static_cast<unsigned char>(s[at_])))
       ++at_;
@@ -63,6 +67,8 @@ private:
       if (at_ + 1 < source_.end && s[at_] == '.' && digit(s[at_ + 1]))
         for (++at_; at_ < source_.end && digit(s[at_]);)
           ++at_;
+      if (at_ - start > max_digits)
+        throw spec_error(here(start, at_ - start), fmt::format("a number of more than {} digits", max_digits));
       if (at_ < source_.end && letter(s[at_]))
         throw spec_error(here(start, at_ - start + 1), "a number runs into a name; write '*' between them");
     } else {
@@ -70,8 +76,13 @@ private:
       at_ += two ? 2 : 1;
       const std::string text = s.substr(start, at_ - start);
       static const std::string single = "+-*/^|.,:()[]<>";
-      if (!two && single.find(text[0]) == std::string::npos)
-        throw spec_error(here(start, 1), fmt::format("'{}' does not belong in an expression", text));
+      if (!two && single.find(text[0]) == std::string::npos) {
+        // All bytes of a UTF-8 character together.
+        while ((s[start] & 0xc0) == 0xc0 && at_ < source_.end && (s[at_] & 0xc0) == 0x80)
+          ++at_;
+        throw spec_error(here(start, at_ - start),
+                         fmt::format("'{}' does not belong in an expression", s.substr(start, at_ - start)));
+      }
     }
     token_ = {kind, s.substr(start, at_ - start), here(start, at_ - start)};
   }

@@ -1,0 +1,229 @@
+# meetc_add_kernels: a library from a scene, in a user's own project.
+#
+#   meetc_add_kernels(robot_cell
+#     SCENE robot_cell.toml        # what to generate
+#     NAMESPACE cell               # its C++ namespace; #include <cell/cell.hpp>
+#     [BACKENDS cpp cuda]          # what to compile; the scene must emit it. Default: cpp
+#     [CHECKED_IN generated])      # compile the files of this folder instead; nothing is generated at build time
+#
+# makes the static library robot_cell, an ordinary target with its include path. It needs nothing of meetc once it is
+# built; with cuda it needs CUDA's runtime library.
+#
+# CHECKED_IN adds the target robot_cell.update, which regenerates the folder in place, and the test
+# robot_cell.up_to_date, which fails when the folder is not what the scene gives. Both are left out where there is no
+# generator; the library is built all the same.
+#
+#   meetc_install_kernels(robot_cell EXPORT cell_targets [DESTINATION include/robot_cell])
+#
+# installs the library with its headers and adds it to an export set, like install(TARGETS). With cuda, the package's
+# config file has to say find_dependency(CUDAToolkit).
+#
+# The generator is MEETC_EXECUTABLE where that is set (a cross build needs one that runs here), else the target
+# meetc::meetc of find_package(meetc) or add_subdirectory.
+
+# A function keeps the policies that were in force where it was defined, whatever its caller asks for. CMP0116 among
+# them: paths in a depfile.
+cmake_policy(PUSH)
+cmake_policy(VERSION 3.25)
+
+set(MEETC_EXECUTABLE "" CACHE FILEPATH "The meetc to run instead of the package's; a cross build needs one that runs here")
+
+# Sets `out` to the command that runs meetc, and `out`_depends to what a rule that runs it depends on; to nothing when
+# there is none, and then `out`_why says why.
+function(_meetc_find_generator out)
+  set(command "")
+  set(why "")
+  if(MEETC_EXECUTABLE)
+    if(NOT EXISTS "${MEETC_EXECUTABLE}")
+      message(FATAL_ERROR "MEETC_EXECUTABLE is '${MEETC_EXECUTABLE}', which is not there")
+    endif()
+    set(command "${MEETC_EXECUTABLE}")
+    set(depends "${MEETC_EXECUTABLE}")
+  elseif(TARGET meetc::meetc)
+    get_target_property(imported meetc::meetc IMPORTED)
+    if(CMAKE_CROSSCOMPILING AND NOT imported AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
+      set(why "this is a cross build, and its own meetc does not run here: set MEETC_EXECUTABLE to one that does")
+    else()
+      set(command "$<TARGET_FILE:meetc::meetc>")
+      set(depends meetc::meetc)
+    endif()
+  else()
+    set(why "there is no meetc: say find_package(meetc REQUIRED COMPONENTS generator) in this folder or above, or set \
+MEETC_EXECUTABLE")
+  endif()
+  set(${out} "${command}" PARENT_SCOPE)
+  set(${out}_depends "${depends}" PARENT_SCOPE)
+  set(${out}_why "${why}" PARENT_SCOPE)
+endfunction()
+
+function(meetc_add_kernels target)
+  set(me "meetc_add_kernels(${target})")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE;NAMESPACE;CHECKED_IN" "BACKENDS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "${me}: unknown: ${arg_UNPARSED_ARGUMENTS}; known: SCENE, NAMESPACE, BACKENDS, CHECKED_IN")
+  endif()
+  foreach(key SCENE NAMESPACE)
+    if(NOT arg_${key})
+      message(FATAL_ERROR "${me}: ${key} is missing, as in: meetc_add_kernels(${target} SCENE ${target}.toml NAMESPACE cell)")
+    endif()
+  endforeach()
+  if(arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "${me}: ${arg_KEYWORDS_MISSING_VALUES} has no value")
+  endif()
+  # The namespace names the files, so it must be one that meetc uses as it stands (meetc refuses the reserved words).
+  if(NOT arg_NAMESPACE MATCHES "^[A-Za-z]([A-Za-z0-9]|_[A-Za-z0-9])*$" OR arg_NAMESPACE MATCHES "^(meet|std|cuda)$")
+    message(FATAL_ERROR "${me}: '${arg_NAMESPACE}' cannot be the NAMESPACE: letters, digits and single '_' inside, "
+      "not meet, std or cuda")
+  endif()
+  set(space "${arg_NAMESPACE}")
+
+  cmake_path(ABSOLUTE_PATH arg_SCENE BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE OUTPUT_VARIABLE scene)
+  get_source_file_property(made_by_a_rule "${scene}" GENERATED)
+  if(NOT EXISTS "${scene}" AND NOT made_by_a_rule)
+    message(FATAL_ERROR "${me}: the scene '${scene}' is not there")
+  endif()
+
+  foreach(backend IN LISTS arg_BACKENDS)
+    if(NOT backend MATCHES "^(cpp|cuda)$")
+      message(FATAL_ERROR "${me}: no backend '${backend}'; known: cpp, cuda")
+    endif()
+  endforeach()
+  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if("cuda" IN_LIST arg_BACKENDS)
+    set(cuda ON)
+    if(NOT "CUDA" IN_LIST languages)
+      message(FATAL_ERROR "${me}: BACKENDS cuda needs the language CUDA; say enable_language(CUDA) before this call, or "
+        "project(${PROJECT_NAME} LANGUAGES CXX CUDA)")
+    endif()
+    if(CMAKE_CUDA_COMPILER_ID STREQUAL "NVIDIA" AND CMAKE_CUDA_COMPILER_VERSION VERSION_LESS 12)
+      message(FATAL_ERROR "${me}: BACKENDS cuda needs CUDA 12 or later (C++20); this is ${CMAKE_CUDA_COMPILER_VERSION}")
+    endif()
+  else()
+    set(cuda OFF)
+  endif()
+  if(NOT "CXX" IN_LIST languages)
+    message(FATAL_ERROR "${me}: needs the language CXX; say project(${PROJECT_NAME} LANGUAGES CXX)")
+  endif()
+
+  # ---- where the files are, and who writes them ----
+  _meetc_find_generator(meetc)
+  if(arg_CHECKED_IN)
+    cmake_path(ABSOLUTE_PATH arg_CHECKED_IN BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE OUTPUT_VARIABLE folder)
+  else()
+    set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}.generated")
+  endif()
+  set(sources "${folder}/${space}/${space}_runtime.cpp")
+  set(headers "${folder}/meet/support.hpp" "${folder}/${space}/${space}.hpp" "${folder}/${space}/kinds.hpp"
+    "${folder}/${space}/${space}_runtime.hpp")
+  set(generate ${meetc} generate "${scene}" --out "${folder}" --namespace "${space}")
+  if(cuda)
+    list(APPEND sources "${folder}/${space}/${space}_cuda.cu")
+    list(APPEND headers "${folder}/${space}/${space}_cuda.hpp")
+    list(APPEND generate --require-backend cuda)
+  endif()
+
+  if(arg_CHECKED_IN)
+    set(missing "")
+    foreach(file IN LISTS sources)
+      if(NOT EXISTS "${file}")
+        list(APPEND missing "${file}")
+      endif()
+    endforeach()
+    if(missing AND NOT meetc)
+      message(FATAL_ERROR "${me}: ${missing}: not there, and it cannot be generated: ${meetc_why}")
+    elseif(missing)
+      # Without the mark, CMake would refuse to go on, and there would be no target to make them with.
+      set_source_files_properties(${missing} PROPERTIES GENERATED ON)
+      message(WARNING "${me}: ${missing}: not there yet; run: cmake --build ${CMAKE_BINARY_DIR} --target ${target}.update")
+    endif()
+    if(meetc)
+      add_custom_target(${target}.update COMMAND ${generate}
+        DEPENDS ${meetc_depends}
+        COMMENT "Generating ${arg_CHECKED_IN} from ${arg_SCENE}" VERBATIM)
+      # Does nothing in a project without enable_testing().
+      add_test(NAME ${target}.up_to_date COMMAND ${generate} --check)
+    else()
+      message(STATUS "${me}: compiles what is checked in; no ${target}.update: ${meetc_why}")
+    endif()
+  else()
+    if(NOT meetc)
+      message(FATAL_ERROR "${me}: ${meetc_why}, or compile generated files with CHECKED_IN")
+    endif()
+    # The stamp is the OUTPUT: it is touched by every run, while files that do not change keep their time, and so
+    # nothing is compiled anew for a changed comment elsewhere. With the files as OUTPUT, Make would regenerate at
+    # every build. Ninja has to know, before it starts, a file that changes with the scene and that every user of the
+    # headers includes; kinds.hpp is that (its first line has a hash of the whole spec), and the headers of the
+    # kernels, whose names are not known here, need not be listed.
+    set(stamp "${CMAKE_CURRENT_BINARY_DIR}/${target}.stamp")
+    set(depfile "${CMAKE_CURRENT_BINARY_DIR}/${target}.stamp.d")
+    add_custom_command(OUTPUT "${stamp}" BYPRODUCTS ${sources} ${headers}
+      COMMAND ${generate} --stamp "${stamp}" --depfile "${depfile}" --quiet
+      DEPENDS "${scene}" ${meetc_depends}
+      DEPFILE "${depfile}"
+      COMMENT "Generating ${target} from ${arg_SCENE}" VERBATIM)
+    list(APPEND sources "${stamp}")
+  endif()
+
+  # ---- the library ----
+  add_library(${target} STATIC ${sources})
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${folder}>")
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  if(NOT DEFINED CMAKE_POSITION_INDEPENDENT_CODE)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON) # so that it can go into a shared library
+  endif()
+  # A contracted a*b + c rounds otherwise, and the plain rungs would answer otherwise. The flags are passed on to what
+  # uses the headers, because the linker keeps one copy of an inline function, whoever compiled it.
+  target_compile_definitions(${target} PUBLIC MEET_NO_CONTRACTION)
+  target_compile_options(${target} PUBLIC
+    "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>"
+    "$<$<COMPILE_LANG_AND_ID:CUDA,NVIDIA>:--fmad=false;-Xcompiler=-ffp-contract=off>"
+    "$<$<COMPILE_LANG_AND_ID:CUDA,Clang>:-ffp-contract=off>")
+  if(cuda)
+    # CMake 3.25 knows no CUDA20, and a second -std would be an error. The architectures are the project's choice.
+    set_property(TARGET ${target} PROPERTY CUDA_STANDARD)
+    target_compile_options(${target} PRIVATE "$<$<COMPILE_LANGUAGE:CUDA>:-std=c++20>")
+    # The runtime that CMake itself links with CUDA code, so that there is one; also where a user has C++ only.
+    find_package(CUDAToolkit 12 REQUIRED)
+    string(TOLOWER "${CMAKE_CUDA_RUNTIME_LIBRARY}" runtime)
+    if(runtime STREQUAL "shared")
+      target_link_libraries(${target} PUBLIC CUDA::cudart)
+    else()
+      target_link_libraries(${target} PUBLIC CUDA::cudart_static)
+    endif()
+  endif()
+  set_target_properties(${target} PROPERTIES meetc_folder "${folder}" meetc_cuda ${cuda})
+endfunction()
+
+function(meetc_install_kernels target)
+  set(me "meetc_install_kernels(${target})")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "EXPORT;DESTINATION" "")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "${me}: unknown: ${arg_UNPARSED_ARGUMENTS}; known: EXPORT, DESTINATION")
+  endif()
+  if(NOT arg_EXPORT)
+    message(FATAL_ERROR "${me}: EXPORT is missing: the export set that the library joins")
+  endif()
+  set(folder "")
+  if(TARGET ${target})
+    get_target_property(folder ${target} meetc_folder)
+  endif()
+  if(NOT folder)
+    message(FATAL_ERROR "${me}: no target of meetc_add_kernels has this name")
+  endif()
+  include(GNUInstallDirs)
+  if(NOT arg_DESTINATION)
+    # A folder of its own: another package may bring a meet/support.hpp of another version.
+    set(arg_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${target}")
+  endif()
+  set(leave_out "")
+  get_target_property(cuda ${target} meetc_cuda)
+  if(NOT cuda) # the scene may emit launchers that this library does not hold
+    set(leave_out PATTERN "*_cuda.hpp" EXCLUDE)
+  endif()
+  install(TARGETS ${target} EXPORT ${arg_EXPORT}
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    INCLUDES DESTINATION "${arg_DESTINATION}")
+  install(DIRECTORY "${folder}/" DESTINATION "${arg_DESTINATION}" FILES_MATCHING PATTERN "*.hpp" ${leave_out})
+endfunction()
+
+cmake_policy(POP)

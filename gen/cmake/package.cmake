@@ -1,0 +1,87 @@
+# The names by which users know the targets, and what `cmake --install` puts where. Included by the top CMakeLists.txt
+# once all targets are there.
+#
+# Install components: meetc_generator (the program, the algebras), meetc_runtime (libraries and their headers),
+# meetc_program (meet). The package files come with either of the first two, and find_package takes what it finds.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+if(TARGET meetc)
+  add_executable(meetc::meetc ALIAS meetc)
+endif()
+if(TARGET meet_core)
+  add_library(meet_runtime INTERFACE)
+  target_link_libraries(meet_runtime INTERFACE meet_core)
+  add_library(meet::core ALIAS meet_core)
+  add_library(meet::runtime ALIAS meet_runtime)
+endif()
+if(TARGET meet_io)
+  add_library(meet::io ALIAS meet_io)
+endif()
+# Where a project that has meetc as a subfolder finds the algebras; the package says it in its config file.
+set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folder of the algebras that come with meetc")
+
+option(MEETC_INSTALL "Make install rules for meetc" ${PROJECT_IS_TOP_LEVEL})
+if(NOT MEETC_INSTALL)
+  return()
+endif()
+
+set(MEETC_INSTALL_CMAKE "${CMAKE_INSTALL_LIBDIR}/cmake/meetc")
+set(MEETC_INSTALL_ALGEBRA "${CMAKE_INSTALL_DATADIR}/meetc/algebra_spec")
+# Not straight into include/: the runtime's folders have short names.
+set(MEETC_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/meetc")
+
+set(MEETC_INSTALL_COMPONENTS "")
+if(TARGET meetc)
+  list(APPEND MEETC_INSTALL_COMPONENTS meetc_generator)
+  install(TARGETS meetc EXPORT meetc_generator_targets
+    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT meetc_generator)
+  install(EXPORT meetc_generator_targets NAMESPACE meetc::
+    DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_generator)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/algebra_spec/"
+    DESTINATION "${MEETC_INSTALL_ALGEBRA}" COMPONENT meetc_generator)
+endif()
+
+if(TARGET meet_core)
+  list(APPEND MEETC_INSTALL_COMPONENTS meetc_runtime)
+  set_target_properties(meet_core PROPERTIES EXPORT_NAME core)
+  set_target_properties(meet_runtime PROPERTIES EXPORT_NAME runtime)
+  install(TARGETS meet_core meet_runtime EXPORT meetc_runtime_targets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
+    INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
+  install(EXPORT meetc_runtime_targets NAMESPACE meet::
+    DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
+  install(FILES "${PROJECT_SOURCE_DIR}/gen/emit/support/meet/support.hpp"
+    DESTINATION "${MEETC_INSTALL_HEADERS}/meet" COMPONENT meetc_runtime)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/core"
+    DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp")
+endif()
+
+# An export set of its own, so that the runtime is found where fmt is not.
+if(TARGET meet_io)
+  set_target_properties(meet_io PROPERTIES EXPORT_NAME io)
+  install(TARGETS meet_io EXPORT meetc_io_targets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
+    INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
+  install(EXPORT meetc_io_targets NAMESPACE meet::
+    DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
+  set(headers atomic_file.hpp element_set.hpp error.hpp read.hpp transform.hpp write.hpp)
+  list(TRANSFORM headers PREPEND "${PROJECT_SOURCE_DIR}/runtime/io/")
+  install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/io" COMPONENT meetc_runtime)
+endif()
+
+if(TARGET meet)
+  install(TARGETS meet RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT meetc_program)
+endif()
+
+configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/meetcConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/package/meetcConfig.cmake"
+  INSTALL_DESTINATION "${MEETC_INSTALL_CMAKE}")
+# Below 1.0 a new minor version may change anything.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/package/meetcConfigVersion.cmake"
+  VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
+foreach(component IN LISTS MEETC_INSTALL_COMPONENTS)
+  install(FILES "${PROJECT_BINARY_DIR}/package/meetcConfig.cmake" "${PROJECT_BINARY_DIR}/package/meetcConfigVersion.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/meetc_add_kernels.cmake"
+    DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT ${component})
+endforeach()

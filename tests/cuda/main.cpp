@@ -1,0 +1,20 @@
+#include "cuda_test.hpp"
+
+#include <cmath>
+#include <exception>
+
+int main() {
+  int devices = 0;
+  if (cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) {
+    std::printf("skipped: no CUDA device\n");
+    return 77;
+  }
+  try {
+    const long differences = cuda_test::same_decisions() + cuda_test::same_formulas();
+    std::printf("%ld differences between CPU and device\n", differences);
+    return differences ? 1 : 0;
+  } catch (const std::exception &e) {
+    std::printf("error: %s\n", e.what());
+    return 1;
+  }
+}

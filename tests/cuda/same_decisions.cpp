@@ -1,0 +1,95 @@
+// Every predicate and rung: the launcher's answers against the CPU table's.
+#include "cuda_test.hpp"
+
+#include <cga/cga_cuda.hpp>
+#include <cga/cga_runtime.hpp>
+#include <cmath>
+#include <cstring>
+
+namespace cuda_test {
+namespace {
+
+using launcher = cudaError_t (*)(meet::rung, const float *, const float *, const meet::index_pair *, std::size_t,
+                                 meet::answer *, cudaStream_t);
+
+launcher launcher_of(const char *name) {
+  static const struct {
+    const char *name;
+    launcher decide;
+  } all[] = {{"segment_segment", cga::cuda::segment_segment::decide},
+             {"point_triangle", cga::cuda::point_triangle::decide},
+             {"segment_triangle", cga::cuda::segment_triangle::decide},
+             {"triangle_triangle", cga::cuda::triangle_triangle::decide},
+             {"sphere_sphere", cga::cuda::sphere_sphere::decide},
+             {"ball_ball", cga::cuda::ball_ball::decide},
+             {"ball_segment", cga::cuda::ball_segment::decide},
+             {"sphere_segment", cga::cuda::sphere_segment::decide},
+             {"ball_triangle", cga::cuda::ball_triangle::decide},
+             {"sphere_triangle", cga::cuda::sphere_triangle::decide}};
+  for (const auto &row : all)
+    if (std::strcmp(row.name, name) == 0)
+      return row.decide;
+  throw std::runtime_error(std::string("no launcher for ") + name);
+}
+
+std::vector<float> rows(const meet::kind_info &kind, std::size_t n, std::mt19937_64 &random) {
+  std::vector<float> out;
+  for (std::size_t i = 0; i < n; ++i)
+    for (int f = 0; f < kind.fields; ++f) {
+      const float v = number(random, static_cast<int>(i));
+      out.push_back(kind.roles[f] == meet::role::length ? std::fabs(v) : v);
+    }
+  return out;
+}
+
+} // namespace
+
+long same_decisions() {
+  constexpr std::size_t n = 600;
+  constexpr std::size_t pairs_count = 200'000;
+  std::mt19937_64 random(1);
+  long differences = 0;
+  const meet::catalogue &all = cga::catalogue();
+  for (int p = 0; p < all.predicate_count; ++p) {
+    const meet::predicate_info &predicate = all.predicates[p];
+    const std::vector<float> a = rows(*predicate.a, n, random), b = rows(*predicate.b, n, random);
+    std::vector<meet::index_pair> pairs;
+    for (std::size_t i = 0; i < pairs_count; ++i) {
+      // Mostly of one family, so that the operands are near each other.
+      const auto x = static_cast<std::uint32_t>(random() % n);
+      auto y = static_cast<std::uint32_t>(random() % n);
+      if (i % 8)
+        y = (y / 6 * 6 + x % 6) % static_cast<std::uint32_t>(n);
+      pairs.push_back({x, y});
+    }
+    const buffer<float> da(a), db(b);
+    const buffer<meet::index_pair> dp(pairs);
+    const buffer<meet::answer> out(pairs.size());
+    for (int r = 0; r < meet::rung_count; ++r) {
+      std::vector<meet::answer> want(pairs.size());
+      predicate.decide[r](a.data(), b.data(), pairs.data(), pairs.size(), want.data());
+      check(launcher_of(predicate.name)(static_cast<meet::rung>(r), da.data(), db.data(), dp.data(), pairs.size(),
+                                        out.data(), nullptr),
+            "launch");
+      check(cudaDeviceSynchronize(), predicate.name);
+      const std::vector<meet::answer> have = out.read();
+      long wrong = 0, hits = 0;
+      for (std::size_t i = 0; i < want.size(); ++i) {
+        wrong += want[i] != have[i];
+        hits += want[i] == meet::answer::yes;
+      }
+      static const char *const rungs[] = {"fp32", "fp64", "exact"};
+      std::printf("%-18s %-6s %ld differences in %zu pairs (%ld hits)\n", predicate.name, rungs[r], wrong, want.size(), hits);
+      differences += wrong;
+    }
+  }
+  // An unknown rung is an error, not a crash.
+  if (cga::cuda::ball_ball::decide(static_cast<meet::rung>(77), nullptr, nullptr, nullptr, 1, nullptr, nullptr) !=
+      cudaErrorInvalidValue) {
+    std::printf("an unknown rung was taken\n");
+    ++differences;
+  }
+  return differences;
+}
+
+} // namespace cuda_test
