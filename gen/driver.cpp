@@ -46,13 +46,14 @@ int verify_scene(const verify_options &o) {
   compile_all(c);
   long wrong = 0, cases = 0;
   for (const dag::kernel &k : c.kernels) {
-    const verify::report r = k.is_predicate ? verify::verify_predicate(*c.model, k, o.cases, o.seed)
+    const verify::report r = k.is_sign        ? verify::verify_sign(*c.model, k, std::max(1L, o.cases / 5), o.seed)
+                             : k.is_predicate ? verify::verify_predicate(*c.model, k, o.cases, o.seed)
                                             : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 20), o.seed);
     wrong += r.wrong;
     cases += r.cases;
     if (!r.note.empty())
       fmt::print("{:<36} {}\n", k.asked.text, r.note);
-    else if (k.is_predicate)
+    else if (k.is_predicate && !k.is_sign)
       fmt::print("{:<36} {} wrong of {} ({} hits, {} degenerate)\n", k.asked.text, r.wrong, r.cases, r.hits, r.degenerate);
     else
       fmt::print("{:<36} {} wrong of {}\n", k.asked.text, r.wrong, r.cases);
@@ -140,7 +141,7 @@ int show(const show_options &o) {
     fmt::print("{}", emit::poly_text(*c.model, k));
   else if (o.emit == "dag" || o.emit == "schedule")
     fmt::print("{}", emit::dag_text(k, o.emit == "schedule"));
-  else if (o.emit == "cuda" && k.is_predicate)
+  else if (o.emit == "cuda" && k.is_predicate && !k.is_sign)
     fmt::print("{}", emit::cuda_text(u));
   else if (o.emit == "cuda")
     throw spec_error({}, "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");

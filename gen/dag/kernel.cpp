@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -215,13 +216,41 @@ stage compile_stage(const poly::frame &local, const decide::decision &signs, con
   return out;
 }
 
-predicate compile_predicate(const decide::model &m, const request &r) {
+// The operands of a kernel that is made of signs, before its signs are known.
+predicate with_operands(const decide::model &m, const request &r) {
   predicate out;
   const stored_ring stored = stored_numbers(m, r.names, r.kinds);
   out.numbers = stored.numbers;
   out.stored_inputs = stored.numbers->names();
   out.inputs_a = static_cast<int>(m.layout(*r.kinds[0]).reals.size());
   out.inputs_b = static_cast<int>(m.layout(*r.kinds[1]).reals.size());
+  out.local = std::make_shared<poly::frame>(*out.numbers, stored.moves);
+  return out;
+}
+
+// The sign that the body gives on stored operands; nothing when it gives something else.
+std::optional<predicate> compile_sign(const decide::model &m, const request &r) {
+  if (r.kinds.size() != 2)
+    return std::nullopt;
+  predicate out = with_operands(m, r);
+  decide::expander expand(m, *out.numbers, out.signs);
+  environment env;
+  for (std::size_t i = 0; i < r.kinds.size(); ++i)
+    env.emplace_back(r.names[i], expand.operand(*r.kinds[i], r.names[i] + '.'));
+  const decide::value v = expand.evaluate(*r.body, env);
+  const auto *s = std::get_if<decide::sign_value>(&v.is);
+  if (!s)
+    return std::nullopt;
+  out.value = *s;
+  std::vector<int> atoms;
+  for (const auto &[atom, exponent] : s->atoms)
+    atoms.push_back(atom);
+  out.common = compile_stage(*out.local, out.signs, atoms, r);
+  return out;
+}
+
+predicate compile_predicate(const decide::model &m, const request &r) {
+  predicate out = with_operands(m, r);
   decide::expander expand(m, *out.numbers, out.signs);
   std::vector<decide::value> operands;
   for (std::size_t i = 0; i < r.kinds.size(); ++i)
@@ -229,7 +258,6 @@ predicate compile_predicate(const decide::model &m, const request &r) {
   out.truths = expand.evaluate_predicate(*r.asked, operands);
   out.conditions = out.signs.conditions_of(out.truths.hit);
   out.usual = out.signs.usual(out.truths.hit);
-  out.local = std::make_shared<poly::frame>(*out.numbers, stored.moves);
   std::set<int> seen;
   const auto fresh = [&](const std::vector<int> &truths) {
     std::set<int> atoms;
@@ -330,10 +358,14 @@ kernel compile(const decide::model &m, const request &r) {
   kernel out;
   out.asked = r;
   out.is_predicate = r.asked != nullptr;
-  if (out.is_predicate)
+  if (out.is_predicate) {
     out.decision = compile_predicate(m, r);
-  else
+  } else if (auto sign = compile_sign(m, r)) {
+    out.is_predicate = out.is_sign = true;
+    out.decision = std::move(*sign);
+  } else {
     out.value = compile_formula(m, r);
+  }
   return out;
 }
 

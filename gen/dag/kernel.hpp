@@ -65,13 +65,15 @@ struct predicate {
   decide::staged truths;
   std::vector<int> conditions; // any true: the rare stage is needed
   int usual = 0;               // the hit when none is
+  decide::sign_value value;    // of a sign kernel, which has the common stage alone
   stage reject, common, rare;  // empty atoms: the stage is not there
 };
 
 struct kernel {
   request asked;
-  bool is_predicate = false;
-  formula value;      // when it is not
+  bool is_predicate = false; // made of signs: a predicate, or one sign
+  bool is_sign = false;      // one sign, as 'side(triangle, point)'
+  formula value;      // when it is not made of signs
   predicate decision; // when it is
 };
 

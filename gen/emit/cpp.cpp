@@ -295,7 +295,7 @@ std::string broken_lines(const std::string &text) {
 std::string cpp_text(const unit &u, const dag::kernel &k) {
   std::string out = banner(u.scene, k.asked.text);
   out += open_header(u.scene, k.asked.name(), {"kinds.hpp"});
-  out += k.is_predicate ? predicate_text(u, k) : formula_header(u, k);
+  out += k.is_sign ? sign_text(u, k) : k.is_predicate ? predicate_text(u, k) : formula_header(u, k);
   return broken_lines(out + close_header(u.scene));
 }
 
@@ -309,7 +309,7 @@ std::vector<file> cpp_files(const unit &u) {
   for (const dag::kernel &k : u.kernels) {
     headers.push_back(lower_include(k.asked.name()));
     out.push_back({space + '/' + headers.back(), cpp_text(u, k)});
-    predicates = predicates || k.is_predicate;
+    predicates = predicates || (k.is_predicate && !k.is_sign);
   }
   std::sort(headers.begin() + 1, headers.end());
   out.push_back({space + '/' + space + ".hpp",

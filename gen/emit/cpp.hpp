@@ -9,6 +9,7 @@ std::string open_header(const spec::scene &s, const std::string &name, const std
 std::string close_header(const spec::scene &s);
 
 std::string predicate_text(const unit &u, const dag::kernel &k);
+std::string sign_text(const unit &u, const dag::kernel &k);
 
 // The table of kinds and predicates through which a runtime knows this namespace.
 std::string runtime_header(const unit &u);

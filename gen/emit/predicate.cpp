@@ -131,8 +131,41 @@ std::string commented(const std::string &label, const std::string &text) {
 }
 } // namespace
 
+std::string sign_text(const unit &u, const dag::kernel &k) {
+  const dag::predicate &p = k.decision;
+  const std::string name = identifier(k.asked.name()), a = identifier(k.asked.kinds[0]->name),
+                    b = identifier(k.asked.kinds[1]->name);
+  std::map<int, int> slot;
+  std::string out = fmt::format("// {}: one sign.\nstruct {}_sign {{\n  static constexpr int inputs_a = {}, inputs_b = {}, "
+                                "atoms = {};\n",
+                                k.asked.text, name, p.inputs_a, p.inputs_b, p.common.atoms.size());
+  out += stage_text(p, p.common, "common_stage", "The sign", slot);
+  std::string product = p.value.unit == 0 ? "::meet::sign::zero" : p.value.atoms.empty() ? "::meet::sign::positive" : "";
+  for (const auto &[atom, e] : p.value.atoms)
+    product += fmt::format(fmt::runtime(e == 2 ? "{}::meet::square(s[{}])" : "{}s[{}]"), product.empty() ? "" : " * ",
+                           slot.at(atom));
+  if (p.value.unit < 0)
+    product = "-(" + product + ")";
+  out += fmt::format("  template <class S> MEET_HD static constexpr auto value([[maybe_unused]] const S *s) {{ return {}; "
+                     "}}\n}};\n",
+                     product);
+  const auto function = [&](const char *comment, const char *head, const char *suffix, const char *signs) {
+    return fmt::format("// {}\n{}MEET_HD inline ::meet::sign {}{}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
+                       "  float row_a[{}], row_b[{}];\n  to_row(operand_a, row_a);\n  to_row(operand_b, row_b);\n"
+                       "  return ::meet::decide_sign<{}_sign>({}(row_a, row_b));\n}}\n",
+                       comment, head, kernel_function(k.asked), suffix, a, b, p.inputs_a, p.inputs_b, name, signs);
+  };
+  const auto &rungs = u.scene.rungs;
+  const auto rung = [&](const char *r) { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); };
+  if (rung("exact"))
+    out += function("Right for any finite operands.", "", "", fmt::format("::meet::exact_signs<{}_sign>", name).c_str());
+  if (rung("fp32") || rung("fp64"))
+    out += function("The sign of the value computed in T (float, double); says nothing about how wrong it can be.",
+                    "template <class T> ", "_plain", fmt::format("::meet::plain_signs<{}_sign, T>", name).c_str());
+  return out;
+}
+
 std::string predicate_text(const unit &u, const dag::kernel &k) {
-  (void)u;
   const dag::predicate &p = k.decision;
   const spec::predicate &asked = *k.asked.asked;
   const std::string name = identifier(asked.name), a = identifier(asked.of[0].type), b = identifier(asked.of[1].type);

@@ -12,7 +12,7 @@ namespace {
 std::vector<const dag::kernel *> predicates_of(const unit &u) {
   std::vector<const dag::kernel *> out;
   for (const dag::kernel &k : u.kernels)
-    if (k.is_predicate)
+    if (k.is_predicate && !k.is_sign)
       out.push_back(&k);
   return out;
 }

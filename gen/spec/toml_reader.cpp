@@ -5,15 +5,19 @@
 
 namespace meetc::spec {
 namespace {
+// toml++ counts columns in code points, and none for a byte order mark.
 std::size_t offset_of(const std::string &text, const toml::source_position &at) {
-  std::size_t offset = 0;
+  std::size_t offset = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
   for (std::size_t line = 1; line < at.line; ++line) {
     const std::size_t end = text.find('\n', offset);
     if (end == std::string::npos)
       return text.size();
     offset = end + 1;
   }
-  return std::min(text.size(), offset + (at.column ? at.column - 1 : 0));
+  for (std::size_t column = 1; column < at.column && offset < text.size(); ++column)
+    for (++offset; offset < text.size() && (text[offset] & 0xc0) == 0x80;)
+      ++offset;
+  return offset;
 }
 } // namespace
 

@@ -40,11 +40,16 @@ std::string spec_error::render() const {
     const std::size_t start = where_.offset + 1 - column;
     const std::size_t end = std::min(text.find('\n', start), text.size());
     std::string source = text.substr(start, end - start);
+    // Columns are bytes; what is drawn is characters.
+    const auto starts = [&](std::size_t i) { return (source[i] & 0xc0) != 0x80; };
     std::string pad;
     for (std::size_t i = 0; i + 1 < column && i < source.size(); ++i)
-      pad += source[i] == '\t' ? '\t' : ' ';
-    const std::size_t room = source.size() >= column ? source.size() - column + 1 : 1;
-    const std::size_t width = std::max<std::size_t>(1, std::min(where_.length, room));
+      if (starts(i))
+        pad += source[i] == '\t' ? '\t' : ' ';
+    std::size_t width = 0;
+    for (std::size_t i = column - 1; i < source.size() && i < column - 1 + where_.length; ++i)
+      width += starts(i);
+    width = std::max<std::size_t>(1, width);
     out += fmt::format("  {}\n  {}^{}\n", source, pad, std::string(width - 1, '~'));
   }
   for (const trail_step &step : trail_)

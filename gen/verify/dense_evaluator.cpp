@@ -60,6 +60,8 @@ dense_value dense_evaluator::value(const spec::expr &e, const dense_scope &scope
     return {m, {}};
   }
   case op::call: {
+    if (e.text == "sign")
+      return {dense_.scalar(sgn(oracle::scalar_part(arg(0)))), {}};
     const spec::function *f = spec_.find_function(e.text);
     if (!f)
       break;

@@ -20,7 +20,7 @@ public:
   // The metric of the basis of evaluation, and the declared vectors in it, by rows.
   dense_evaluator(const spec::algebra &a, const oracle::matrix &metric, const oracle::matrix &declared_vectors);
 
-  // Throws spec_error for what has no numeric meaning (signs, truths, lists).
+  // A sign is the number -1, 0 or 1. Throws spec_error for truths and lists.
   oracle::multivector evaluate(const spec::expr &e, const dense_scope &scope) const;
 
   // An operand from its stored numbers, taken from `numbers` in memory order.

@@ -1,6 +1,7 @@
 #include "gen/verify/dense_evaluator.hpp"
 #include "gen/verify/verify.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <random>
 
@@ -38,6 +39,28 @@ public:
       for (const dag::blade_maker &maker : dag::makers(m_, *kind))
         for (long i = 0; i < std::min(cases, 20L); ++i)
           made(*kind, maker);
+    return out_;
+  }
+
+  report run_sign(long cases) {
+    const dag::predicate &p = k_.decision;
+    for (long i = 0; i < cases; ++i) {
+      std::vector<oracle::rational> inputs;
+      for (std::size_t n = 0; n < p.stored_inputs.size(); ++n)
+        inputs.emplace_back(static_cast<long>(random_() % 5)); // small, so that zeros come
+      dense_scope scope;
+      std::size_t next = 0;
+      for (std::size_t o = 0; o < k_.asked.kinds.size(); ++o)
+        scope[k_.asked.names[o]] = dense_.operand(*k_.asked.kinds[o], inputs, next);
+      int sign = p.value.unit;
+      const auto values = p.common.atoms.empty() ? std::vector<oracle::rational>{} : dag::evaluate(p.common.code, inputs);
+      for (const auto &[atom, exponent] : p.value.atoms) {
+        const auto at = std::find(p.common.atoms.begin(), p.common.atoms.end(), atom) - p.common.atoms.begin();
+        const int s = sgn(values[static_cast<std::size_t>(at)]);
+        sign *= exponent == 2 ? s * s : s;
+      }
+      compare(dense_.evaluate(*k_.asked.body, scope), {0}, {sign}, "sign", inputs);
+    }
     return out_;
   }
 
@@ -116,6 +139,10 @@ private:
 
 report verify_formula(const decide::model &m, const dag::kernel &k, long cases, unsigned seed) {
   return checker(m, k, seed).run(cases);
+}
+
+report verify_sign(const decide::model &m, const dag::kernel &k, long cases, unsigned seed) {
+  return checker(m, k, seed).run_sign(cases);
 }
 
 } // namespace meetc::verify

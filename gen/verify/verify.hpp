@@ -16,6 +16,8 @@ struct report {
 };
 
 report verify_formula(const decide::model &m, const dag::kernel &k, long cases, unsigned seed);
+// One sign, against the sign of the dense product.
+report verify_sign(const decide::model &m, const dag::kernel &k, long cases, unsigned seed);
 report verify_predicate(const decide::model &m, const dag::kernel &k, long cases, unsigned seed);
 
 } // namespace meetc::verify

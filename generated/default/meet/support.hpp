@@ -339,6 +339,14 @@ template <class P, class Signs> MEET_HD inline bool decide(const Signs &signs) {
   return P::usual(s);
 }
 
+// One sign, for kernels that are nothing else.
+template <class P, class Signs> MEET_HD inline sign decide_sign(const Signs &signs) {
+  sign s[P::atoms + 1];
+  if constexpr (P::common_stage::atoms > 0)
+    signs.template get<typename P::common_stage>(s);
+  return P::value(s);
+}
+
 // ---- what a runtime and generated code tell each other --------------------------------------------------------
 
 // What a stored number is, so that a runtime can move an element and check it without knowing its shape.
