@@ -191,6 +191,22 @@ MEET_HD inline decoded decode(float v) {
   return {exponent ? fraction | 0x800000 : fraction, static_cast<int>(exponent ? exponent : 1) - 150, b >> 31 != 0};
 }
 
+// Places of the lowest and the highest set bit of m > 0.
+MEET_HD inline int lowest_bit(std::uint32_t m) {
+#if defined(__CUDA_ARCH__)
+  return __ffs(static_cast<int>(m)) - 1;
+#else
+  return __builtin_ctz(m);
+#endif
+}
+MEET_HD inline int highest_bit(std::uint32_t m) {
+#if defined(__CUDA_ARCH__)
+  return 31 - __clz(static_cast<int>(m));
+#else
+  return 31 - __builtin_clz(m);
+#endif
+}
+
 // The common grid of some float32 numbers: each is an integer below 2^bits in magnitude, times 2^low.
 struct grid {
   int low, high; // high: one past the exponent of the highest set bit; low >= high when all are zero
@@ -202,11 +218,7 @@ MEET_HD inline grid grid_of(const float *v, int n) {
     const decoded d = decode(v[i]);
     if (d.m == 0)
       continue;
-    int low = d.e, high = d.e;
-    for (std::uint32_t m = d.m; (m & 1) == 0; m >>= 1)
-      ++low;
-    for (std::uint32_t m = d.m; m != 0; m >>= 1)
-      ++high;
+    const int low = d.e + lowest_bit(d.m), high = d.e + highest_bit(d.m) + 1;
     g.low = low < g.low ? low : g.low;
     g.high = high > g.high ? high : g.high;
   }
