@@ -82,9 +82,14 @@ std::string struct_text(const unit &u, const spec::kind &k) {
     // Neighbours of one type share a line.
     std::vector<std::string> names;
     const std::string &type = k.store[i].type;
-    for (; i < k.store.size() && k.store[i].type == type; ++i)
+    bool clash = false; // a member named like its type would change what the type's name means
+    for (; i < k.store.size() && k.store[i].type == type; ++i) {
       names.push_back(identifier(k.store[i].name));
-    out += fmt::format("  {} {};\n", type == "real" ? "T" : identifier(type) + "<T>", field_list(names));
+      for (const spec::field &f : k.store)
+        clash = clash || identifier(f.name) == identifier(type);
+    }
+    const std::string space = clash ? "::" + identifier(u.scene.space) + "::" : "";
+    out += fmt::format("  {} {};\n", type == "real" ? "T" : space + identifier(type) + "<T>", field_list(names));
   }
   out += "};\n";
   out += fmt::format("template <class T> MEET_HD inline void to_row(const {}<T> &k, T *out) {{\n", name);

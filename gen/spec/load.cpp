@@ -299,6 +299,19 @@ void load_algebra(const std::string &path, algebra &out, std::vector<std::shared
   check(out);
 }
 
+namespace {
+// An algebra beside the scene, else one that was installed with the program.
+fs::path find_algebra(const std::string &scene, const std::string &name) {
+  const fs::path beside = fs::path(scene).parent_path() / name;
+  std::error_code ignored;
+  if (fs::is_regular_file(beside, ignored))
+    return beside;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  const fs::path shipped = program.parent_path().parent_path() / "share/meetc/algebra_spec" / name;
+  return !program.empty() && fs::is_regular_file(shipped, ignored) ? shipped : beside;
+}
+} // namespace
+
 scene load_scene(const std::string &path) {
   const toml_reader in(path);
   scene s;
@@ -316,7 +329,7 @@ scene load_scene(const std::string &path) {
   s.space = in.as_string(*t.get("namespace"), "scene.namespace");
   need_name(s.space, in.place(*t.get("namespace")), "a namespace");
   const std::string algebra_path = in.as_string(*t.get("algebra"), "scene.algebra");
-  const fs::path target = fs::path(path).parent_path() / algebra_path;
+  const fs::path target = find_algebra(path, algebra_path);
   if (!fs::is_regular_file(target))
     throw spec_error(in.place(*t.get("algebra")), fmt::format("cannot find the algebra '{}'", target.generic_string()));
   load_algebra(target.generic_string(), s.in, s.files);

@@ -95,14 +95,15 @@ void add_collide(CLI::App &app, arguments &to) {
   c.add_option("--translate-b", to.translate, "Then move B by x,y,z")->type_name("x,y,z");
   c.add_flag("--any", q.any,
              "Only whether anything touches: stops at the first pair found, so that pairs is 0 or 1; "
-             "which pair is not told");
+             "which pair is not told")
+      ->disable_flag_override();
   c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")
       ->type_name("out.csv");
   c.add_option("--color,--colour", q.colour,
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
   c.add_option("--image", q.image, "Write a picture in which what touches stands out")->type_name("out.png");
-  c.add_flag("--json", q.json, "Print one JSON object instead of the summary");
+  c.add_flag("--json", q.json, "Print one JSON object instead of the summary")->disable_flag_override();
   c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
 }
 
@@ -178,9 +179,9 @@ std::string in_one_line(const CLI::Error &e, const arguments &args, int argc, ch
     if (argc > 1 && c->get_name() == argv[1])
       command = c;
   const std::string more = fmt::format("meet {}--help says more", command ? command->get_name() + " " : "");
-  if (!command && argc < 2)
-    return fmt::format("a command is needed: collide, inspect or demo ({})", more);
-  if (!command && argv[1][0] != '-')
+  if (!command && (argc < 2 || argv[1][0] == '-'))
+    return fmt::format("a command is needed first: collide, inspect or demo ({})", more);
+  if (!command)
     return fmt::format("unknown command {}; known: collide, inspect, demo ({})", io::quote(argv[1]), more);
   std::string what = e.what();
   const std::string option = what.substr(0, what.find(':'));

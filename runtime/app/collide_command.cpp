@@ -80,6 +80,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
   h.by = choose(all, *a.kind, *b.kind, q.predicate, q.mode);
   h.precision = q.precision;
   h.any = q.any;
+  h.keep = q.pairs.has_value();
   h.threads = q.threads;
   auto progress = std::make_unique<progress_line>("collide");
   h.progress = [&progress](double fraction) { (*progress)(fraction); };

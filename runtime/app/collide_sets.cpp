@@ -2,10 +2,15 @@
 
 #include "app/failure.hpp"
 #include "app/sets.hpp"
+#include "core/decide.hpp"
 #include "core/pair_sort.hpp"
+#include "core/threads.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <fmt/format.h>
+#include <memory>
 #include <utility>
 
 namespace meet::app {
@@ -16,13 +21,65 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void mark(side_answer &side, std::size_t items, const std::vector<index_pair> &pairs,
-          std::uint32_t index_pair::*which) {
-  side.hit.assign(items, 0);
-  for (const index_pair &p : pairs) {
-    std::uint8_t &hit = side.hit[p.*which];
-    side.touched += hit == 0;
-    hit = 1;
+// Marks items instead of keeping pairs, on all threads at once.
+class mark_items final : public hit_taker {
+public:
+  mark_items(std::vector<std::uint8_t> &a, std::vector<std::uint8_t> &b) : a_(a), b_(b) {}
+  void take(int, const index_pair *hits, std::size_t n) override {
+    for (std::size_t i = 0; i < n; ++i) {
+      mark(a_[hits[i].a]);
+      mark(b_[hits[i].b]);
+    }
+  }
+
+private:
+  static void mark(std::uint8_t &flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); }
+  std::vector<std::uint8_t> &a_, &b_;
+};
+
+// The predicate's first and second set, whichever of the user's they are.
+struct ordered {
+  const prepared &first, &second;
+  const io::element_set &first_set, &second_set;
+  side_answer &first_answer, &second_answer;
+};
+
+void count_only(const ordered &o, const how &h, answers &out) {
+  mark_items taker(o.first_answer.hit, o.second_answer.hit);
+  const tree_pairs source(o.first.set(), o.second.set());
+  const int threads = thread_count(h.threads);
+  const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
+  std::function<void(double)> progress = h.progress;
+  const auto report = [](void *context, double fraction) {
+    (*static_cast<std::function<void(double)> *>(context))(fraction);
+  };
+  const tally total =
+      decide_all({o.first.set(), o.second.set(), h.by.predicate->decide[static_cast<int>(h.precision)],
+                  source, threads, h.any, progress ? +report : nullptr, &progress, h.any ? nullptr : &taker},
+                 {batches.get(), batch_bytes(threads)});
+  out.pairs = total.hits;
+  out.candidates = total.candidates;
+}
+
+void list_pairs(const ordered &o, const how &h, answers &out) {
+  collide_options options;
+  options.threads = h.threads;
+  options.progress = h.progress;
+  options.owner_a = o.first_set.owner;
+  options.owner_b = o.second_set.owner;
+  result r = ::meet::collide(o.first, o.second, *h.by.predicate, h.precision, options);
+  out.pairs = r.count;
+  out.candidates = r.candidates;
+  out.list = std::move(r.pairs);
+  for (const index_pair &p : out.list) {
+    o.first_answer.hit[p.a] = 1;
+    o.second_answer.hit[p.b] = 1;
+  }
+  if (h.by.swapped) {
+    for (index_pair &p : out.list)
+      std::swap(p.a, p.b);
+    std::vector<index_pair> scratch;
+    sort_pairs(out.list.data(), out.list.size(), scratch);
   }
 }
 
@@ -41,27 +98,17 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const h
   out.prepare_seconds = seconds_since(start);
 
   const auto then = std::chrono::steady_clock::now();
-  collide_options options;
-  options.mode = h.any ? collide_mode::any : collide_mode::list;
-  options.threads = h.threads;
-  options.progress = h.progress;
-  options.owner_a = h.by.swapped ? b.owner : a.owner;
-  options.owner_b = h.by.swapped ? a.owner : b.owner;
-  result r = h.by.swapped ? ::meet::collide(ready_b, ready_a, predicate, h.precision, options)
-                          : ::meet::collide(ready_a, ready_b, predicate, h.precision, options);
-  if (h.by.swapped) {
-    for (index_pair &p : r.pairs)
-      std::swap(p.a, p.b);
-    std::vector<index_pair> scratch;
-    sort_pairs(r.pairs.data(), r.pairs.size(), scratch);
-  }
-  out.pairs = r.count;
-  out.candidates = r.candidates;
-  out.list = std::move(r.pairs);
-  mark(out.a, a.items, out.list, &index_pair::a);
-  mark(out.b, b.items, out.list, &index_pair::b);
-  if (h.any)
-    out.a.touched = out.b.touched = out.pairs;
+  out.a.hit.assign(a.items, 0);
+  out.b.hit.assign(b.items, 0);
+  const ordered o = h.by.swapped ? ordered{ready_b, ready_a, b, a, out.b, out.a}
+                                 : ordered{ready_a, ready_b, a, b, out.a, out.b};
+  if (h.any || (!h.keep && a.owner.empty() && b.owner.empty()))
+    count_only(o, h, out);
+  else
+    list_pairs(o, h, out);
+  for (side_answer *const side : {&out.a, &out.b})
+    side->touched =
+        h.any ? out.pairs : static_cast<std::uint64_t>(std::count(side->hit.begin(), side->hit.end(), 1));
   out.collide_seconds = seconds_since(then);
   return out;
 }

@@ -19,7 +19,7 @@ struct side_answer {
 };
 
 struct answers {
-  std::vector<index_pair> list; // of items, sorted by a, then b; empty with `any`
+  std::vector<index_pair> list; // of items, sorted by a, then b; empty unless `keep`
   std::uint64_t pairs = 0;      // with `any` 0 or 1
   std::uint64_t candidates = 0; // pairs of elements that the predicate was asked about
   side_answer a, b;
@@ -29,8 +29,9 @@ struct answers {
 struct how {
   choice by;
   rung precision = rung::exact;
-  bool any = false; // stop at the first pair
-  int threads = 0;  // 0: all cores
+  bool any = false;  // stop at the first pair
+  bool keep = false; // the list of pairs; without it, and without polygons, memory does not grow with them
+  int threads = 0;   // 0: all cores
   std::function<void(double fraction)> progress = {};
 };
 

@@ -1,0 +1,48 @@
+// Real meshes, where they are present.
+#include "fixture.hpp"
+
+#include <algorithm>
+
+using namespace fixture;
+
+namespace {
+
+bool present(const std::string &name) {
+  return fs::exists(fs::path(MEETC_DATA) / name);
+}
+std::string data(const std::string &name) {
+  return (fs::path(MEETC_DATA) / name).string();
+}
+
+} // namespace
+
+TEST_CASE("two scans that cross", "[data]") {
+  if (!present("bunny_69k.ply") || !present("armadillo_345k.ply")) {
+    WARN("no meshes in " MEETC_DATA);
+    return;
+  }
+  const std::string a = data("bunny_69k.ply"), b = data("armadillo_345k.ply");
+  const std::vector<std::string> pose{a, b, "--scale-b", "0.001", "--translate-b", "0,0.1,0"};
+  const json j = answer(pose);
+  CHECK(j["pairs"] == 2420);
+  CHECK(j["touched_a"] == 659);
+  CHECK(j["touched_b"] == 1755);
+  CHECK(j["seconds"]["collide"] < 10.0);
+  const pair_list exact = pairs_of(pose);
+  for (const char *const rung : {"fp64", "fp32"}) {
+    std::vector<std::string> plain = pose;
+    plain.insert(plain.end(), {"--precision", rung});
+    const pair_list rounded = pairs_of(plain);
+    pair_list different;
+    std::set_symmetric_difference(exact.begin(), exact.end(), rounded.begin(), rounded.end(),
+                                  std::back_inserter(different));
+    CHECK(different.size() < exact.size() / 100);
+  }
+}
+
+TEST_CASE("a scan against itself", "[data]") {
+  if (!present("bunny_69k.ply"))
+    return;
+  // As counted independently.
+  CHECK(answer({data("bunny_69k.ply"), data("bunny_69k.ply")})["pairs"] == 911703);
+}

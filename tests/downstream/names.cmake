@@ -1,0 +1,18 @@
+# Names that C++ keeps for itself, two scenes in one program, and the user's own warnings.
+include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
+fresh_room(cell names)
+
+configure("${ROOM}/names" "-DCMAKE_PREFIX_PATH=${PREFIX}")
+build("${ROOM}/names")
+run("${ROOM}/names-build/app")
+expect("2 2 2" "int of meet" "namespace of meet" "second 1")
+
+# Whichever folder comes first on the include path, the support header is the same; the runtime's is, too.
+set(generated "${ROOM}/names-build")
+file(SHA256 "${PREFIX}/include/meetc/meet/support.hpp" wanted)
+foreach(target IN ITEMS robot_cell other_cell odd_cell)
+  file(SHA256 "${generated}/${target}.generated/meet/support.hpp" found)
+  if(NOT found STREQUAL wanted)
+    fail("the support header of ${target} is another one")
+  endif()
+endforeach()

@@ -1,0 +1,8 @@
+// The same headers in another order, in another unit.
+#include <odd/odd.hpp>
+#include <other/other.hpp>
+#include <cell/cell.hpp>
+
+int second() {
+  return cell::ball_ball::hit({{0, 0, 0}, 1}, {{2, 0, 0}, 1}) + 2 * other::ball_ball::hit({{0, 0, 0}, 1}, {{3, 0, 0}, 1});
+}

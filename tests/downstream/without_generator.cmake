@@ -1,0 +1,31 @@
+# Checked-in files where there is no generator: with the runtime's package, and with nothing of meetc at all; and the
+# runtime itself, built without the generator and what that needs.
+include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
+fresh_room(cell checked_in)
+set(project "${ROOM}/checked_in")
+file(COPY "${ALGEBRA}" DESTINATION "${project}")
+
+configure_to_fail("${project}" "-DCMAKE_PREFIX_PATH=${RUNTIME_PREFIX}" -DFIND_MEETC=ON)
+expect("cell_runtime.cpp: not there, and it cannot be generated: there is no meetc")
+run("${MEETC}" generate "${project}/robot_cell.toml" -o "${project}/generated")
+file(REMOVE_RECURSE "${project}/algebra_spec") # not looked at
+
+configure("${project}" "-DCMAKE_PREFIX_PATH=${RUNTIME_PREFIX}" -DFIND_MEETC=ON --fresh)
+expect("compiles what is checked in; no robot_cell.update")
+build("${project}")
+run("${project}-build/app")
+expect("norm2 1024 1024, off the axis 0" "hit 1 0")
+run("${project}-build/frame")
+expect("2 pairs")
+
+configure("${project}" "-DMEETC_FUNCTIONS=${SOURCE}/gen/cmake/meetc_add_kernels.cmake" -DFIND_MEETC=OFF --fresh)
+build("${project}" --target app)
+
+# The runtime's own build: the generator's libraries are not looked for, and nothing of the generator is planned.
+configure_command(command "${SOURCE}" -DMEETC_BUILD_GENERATOR=OFF -DMEETC_BUILD_TESTS=OFF -DMEETC_CUDA=OFF
+  -DFLINT_LIBRARY=FLINT_LIBRARY-NOTFOUND)
+list(APPEND command -B "${ROOM}/meetc-build")
+run(${command})
+run(${CMAKE_COMMAND} --build "${ROOM}/meetc-build" --parallel 2 --target meet_core)
+run(${CMAKE_COMMAND} --build "${ROOM}/meetc-build" --target help)
+expect_none("gen_poly")
