@@ -46,9 +46,9 @@ int verify_scene(const verify_options &o) {
   compile_all(c);
   long wrong = 0, cases = 0;
   for (const dag::kernel &k : c.kernels) {
-    const verify::report r = k.is_sign        ? verify::verify_sign(*c.model, k, std::max(1L, o.cases / 5), o.seed)
+    const verify::report r = k.is_sign        ? verify::verify_sign(*c.model, k, std::max(1L, o.cases / 10), o.seed)
                              : k.is_predicate ? verify::verify_predicate(*c.model, k, o.cases, o.seed)
-                                            : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 20), o.seed);
+                                            : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 50), o.seed);
     wrong += r.wrong;
     cases += r.cases;
     if (!r.note.empty())

@@ -25,7 +25,7 @@ struct generate_options {
 };
 struct verify_options {
   std::string scene;
-  long cases = 2000;
+  long cases = 5000;
   unsigned seed = 1;
 };
 struct show_options {

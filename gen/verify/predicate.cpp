@@ -25,24 +25,36 @@ struct sample {
   oracle::rational pad = 0;
 };
 
-sample draw(lattice &random, std::size_t reals, const dag::enclosure &e, int size, const oracle::hull *near) {
+// A point of the hull: a corner, the middle of two corners, or somewhere inside.
+oracle::point point_of(lattice &random, const oracle::hull &hull) {
+  const auto corner = [&] { return hull[static_cast<std::size_t>(random.number(0, static_cast<int>(hull.size()) - 1))]; };
+  oracle::point out = corner();
+  const int way = random.number(0, 2);
+  if (way == 0)
+    return out;
+  const oracle::point other = corner(), third = corner();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (way == 1)
+      out[axis] = (out[axis] + other[axis]) / 2;
+    else
+      out[axis] = (2 * out[axis] + other[axis] + third[axis]) / 4;
+  return out;
+}
+
+// An operand whose corners are on the lattice, or, half of the time, taken from the other operand.
+sample draw(lattice &random, std::size_t reals, const dag::enclosure &e, int size, int flat_axis,
+            const oracle::hull *near) {
   sample out;
   for (std::size_t i = 0; i < reals; ++i)
     out.row.emplace_back(random.number(0, size));
-  // Half of the time a corner is taken from the other operand, or from another corner of this one.
-  for (std::size_t p = 0; p < e.hull.size(); ++p) {
-    const auto copy = [&](const oracle::point &from) {
-      for (std::size_t axis = 0; axis < e.hull[p].size(); ++axis)
-        out.row[static_cast<std::size_t>(e.hull[p][axis])] = from[axis];
-    };
-    if (near && random.one_in(4))
-      copy((*near)[static_cast<std::size_t>(random.number(0, static_cast<int>(near->size()) - 1))]);
-    else if (near && near->size() > 1 && random.one_in(6)) { // between two of its corners
-      oracle::point middle;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        middle[axis] = ((*near)[0][axis] + (*near)[1][axis]) / 2;
-      copy(middle);
-    }
+  for (const std::vector<int> &point : e.hull) {
+    if (flat_axis >= 0 && static_cast<std::size_t>(flat_axis) < point.size())
+      out.row[static_cast<std::size_t>(point[static_cast<std::size_t>(flat_axis)])] = 1;
+    if (!near || !random.one_in(2))
+      continue;
+    const oracle::point from = point_of(random, *near);
+    for (std::size_t axis = 0; axis < point.size(); ++axis)
+      out.row[static_cast<std::size_t>(point[axis])] = from[axis];
   }
   for (const std::vector<int> &point : e.hull) {
     oracle::point p{};
@@ -71,9 +83,19 @@ report verify_predicate(const decide::model &m, const dag::kernel &k, long cases
   const auto reals = [&](std::size_t i) { return m.layout(*k.asked.kinds[i]).reals.size(); };
   lattice random(seed);
   for (long i = 0; i < cases; ++i) {
-    const int size = i % 3 == 0 ? 1 : i % 3 == 1 ? 2 : 5;
-    const sample a = draw(random, reals(0), ea, size, nullptr);
-    const sample b = draw(random, reals(1), eb, size, &a.hull);
+    // Lattices of 2, 5 and 17 points an axis; every fourth case lies in one plane.
+    const int size = i % 3 == 0 ? 1 : i % 3 == 1 ? 4 : 16;
+    const int flat_axis = i % 4 == 3 ? random.number(0, 2) : -1;
+    // Either operand may be the one whose corners are taken.
+    const bool swapped = random.one_in(2);
+    sample a, b;
+    if (swapped) {
+      b = draw(random, reals(1), eb, size, flat_axis, nullptr);
+      a = draw(random, reals(0), ea, size, flat_axis, random.one_in(3) ? nullptr : &b.hull);
+    } else {
+      a = draw(random, reals(0), ea, size, flat_axis, nullptr);
+      b = draw(random, reals(1), eb, size, flat_axis, random.one_in(3) ? nullptr : &a.hull);
+    }
     std::vector<oracle::rational> row = a.row;
     row.insert(row.end(), b.row.begin(), b.row.end());
     std::vector<int> signs(p.signs.atoms().size());
