@@ -1,0 +1,149 @@
+// A tiny program that is built with many compilers and flags: it decides the same hostile cases by the exact
+// rung and prints a hash of the answers a predicate, which must not depend on how it was built.
+//
+// Cases are made of integers only (a conversion to float rounds once, in one way), so that they are the same
+// under any flags, too.
+#include <cga/cga.hpp>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+
+namespace {
+
+constexpr int cases = 20000;
+
+std::uint64_t state = 0;
+std::uint64_t bits() { // splitmix64
+  std::uint64_t z = state += 0x9e3779b97f4a7c15;
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+  z = (z ^ z >> 27) * 0x94d049bb133111eb;
+  return z ^ z >> 31;
+}
+std::int64_t below(std::int64_t n) {
+  return static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(n));
+}
+
+float from_bits(std::uint32_t b) {
+  float f;
+  std::memcpy(&f, &b, sizeof f);
+  return f;
+}
+float pattern() {
+  for (;;)
+    if (const auto b = static_cast<std::uint32_t>(bits()); (b >> 23 & 0xff) != 0xff)
+      return from_bits(b);
+}
+
+std::int64_t root(std::int64_t square) {
+  std::int64_t low = 0, high = std::int64_t{1} << 31;
+  while (low + 1 < high) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (middle * middle <= square ? low : high) = middle;
+  }
+  return low;
+}
+
+// One pair of rows, corners first, then a radius where there is one.
+void make(int i, float *a, int fields_a, float *b, int fields_b) {
+  const int corners_a = fields_a / 3, corners_b = fields_b / 3;
+  std::int64_t p[9], q[9];
+  const std::int64_t size = i % 3 == 0 ? 5 : std::int64_t{1} << (i % 3 == 1 ? 12 : 24);
+  for (std::int64_t &c : p)
+    c = below(size);
+  for (std::int64_t &c : q)
+    c = below(size);
+  for (int j = 0; j < corners_b; ++j) { // corners of b on corners, edges and faces of a, in sixteenths
+    const std::int64_t s = below(17), t = bits() & 1 ? 0 : below(17 - s);
+    const int mode = static_cast<int>(below(3)), o = static_cast<int>(below(corners_a));
+    const int u = (o + 1) % corners_a, v = (o + 2) % corners_a;
+    for (int k = 0; k < 3; ++k)
+      q[3 * j + k] = mode == 0 ? 16 * q[3 * j + k]
+                               : 16 * p[3 * o + k] + s * (p[3 * u + k] - p[3 * o + k]) +
+                                     t * (p[3 * v + k] - p[3 * o + k]) + (mode == 2 ? below(3) - 1 : 0);
+  }
+  std::int64_t square = 0;
+  for (int k = 0; k < 3; ++k)
+    square += (q[k] - 16 * p[k]) / 16 * ((q[k] - 16 * p[k]) / 16);
+  for (int k = 0; k < 3 * corners_a; ++k)
+    a[k] = static_cast<float>(16 * p[k]);
+  for (int k = 0; k < 3 * corners_b; ++k)
+    b[k] = static_cast<float>(q[k]);
+  const std::int64_t reach = 16 * root(square), share = below(17);
+  if (fields_a % 3)
+    a[fields_a - 1] = static_cast<float>(fields_b % 3               ? reach * share / 16
+                                         : reach + below(3) - 1 < 0 ? 0
+                                                                    : reach + below(3));
+  if (fields_b % 3)
+    b[fields_b - 1] = static_cast<float>(reach - reach * share / 16);
+  // Exponents: none, one for all, one a body, or bit patterns.
+  const auto scale = [](float *r, int fields, int by) {
+    const float step = from_bits(static_cast<std::uint32_t>(by < 0 ? 127 - 60 : 127 + 30) << 23);
+    for (int k = 0; k < fields; ++k)
+      for (int t = 0; t < (by < 0 ? -by : by); ++t)
+        r[k] = r[k] * step; // no sum follows: nothing to contract
+  };
+  switch (i % 14) {
+  case 0: {
+    const int by = static_cast<int>(below(6)) - 3;
+    scale(a, fields_a, by), scale(b, fields_b, by);
+    break;
+  }
+  case 1:
+    scale(a, fields_a, static_cast<int>(below(6)) - 3);
+    break;
+  case 2:
+    for (int k = 0; k < 3 * corners_b; ++k)
+      if ((bits() & 7) == 0)
+        b[k] = pattern();
+    break;
+  default:
+    break;
+  }
+}
+
+template <class P, class Hit> void run(const char *name, Hit hit) {
+  state = 42;
+  std::uint64_t hash = 0xcbf29ce484222325;
+  int hits = 0;
+  for (int i = 0; i < cases; ++i) {
+    float a[9], b[9];
+    make(i, a, P::inputs_a, b, P::inputs_b);
+    const bool answer = hit(a, b);
+    hits += answer;
+    hash = (hash ^ static_cast<std::uint64_t>(answer)) * 0x100000001b3;
+  }
+  std::printf("%s %016llx %d of %d\n", name, static_cast<unsigned long long>(hash), hits, cases);
+}
+
+cga::point<float> point(const float *r) {
+  return {r[0], r[1], r[2]};
+}
+cga::sphere<float> sphere(const float *r) {
+  return {point(r), r[3]};
+}
+cga::segment<float> segment(const float *r) {
+  return {point(r), point(r + 3)};
+}
+cga::triangle<float> triangle(const float *r) {
+  return {point(r), point(r + 3), point(r + 6)};
+}
+
+} // namespace
+
+#define RUN(predicate, first, second)                                                                        \
+  run<cga::predicate>(                                                                                       \
+      #predicate, [](const float *a, const float *b) { return cga::predicate::hit(first(a), second(b)); })
+
+int main() {
+  RUN(segment_segment, segment, segment);
+  RUN(point_triangle, point, triangle);
+  RUN(segment_triangle, segment, triangle);
+  RUN(triangle_triangle, triangle, triangle);
+  RUN(sphere_sphere, sphere, sphere);
+  RUN(ball_ball, sphere, sphere);
+  RUN(ball_segment, sphere, segment);
+  RUN(sphere_segment, sphere, segment);
+  RUN(ball_triangle, sphere, triangle);
+  RUN(sphere_triangle, sphere, triangle);
+  return 0;
+}

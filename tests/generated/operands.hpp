@@ -1,0 +1,33 @@
+// Families of operands, from harmless to hostile; each gives a pair of rows for any two shapes.
+#ifndef MEETC_TESTS_GENERATED_OPERANDS_HPP
+#define MEETC_TESTS_GENERATED_OPERANDS_HPP
+
+#include "tests/generated/numbers.hpp"
+#include "tests/generated/predicates.hpp"
+
+#include <span>
+
+namespace meetc::generated_test {
+
+struct pair_of_rows {
+  row a, b;
+};
+
+struct family {
+  const char *name;
+  pair_of_rows (*make)(shape a, shape b, random_numbers &random);
+};
+
+// Every row is finite and every radius >= 0.
+std::span<const family> families();
+
+// The row times 2^k, rounded where it must be; beyond float32 the largest number.
+row scaled(const row &r, int k);
+// The row's points moved by t along each axis, rounded to float32.
+row moved(shape kind, const row &r, const float t[3]);
+// f, or a neighbour some steps away, finite.
+float stepped(float f, int steps);
+
+} // namespace meetc::generated_test
+
+#endif

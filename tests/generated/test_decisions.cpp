@@ -1,0 +1,123 @@
+// Three-valued logic: over sets of signs the decision allows exactly what some choice of signs allows where
+// it is certain, and never less than the truth.
+#include "tests/generated/catch.hpp"
+#include "tests/generated/effort.hpp"
+#include "tests/generated/numbers.hpp"
+#include "tests/generated/predicates.hpp"
+
+using namespace meetc::generated_test;
+using meet::sign;
+using meet::sign_set;
+using meet::truth;
+
+namespace {
+
+constexpr sign signs[] = {sign::negative, sign::zero, sign::positive};
+bool holds(sign_set set, sign s) {
+  return (set.bits & sign_set::of(s).bits) != 0;
+}
+sign_set set_of(unsigned bits) {
+  return {static_cast<std::uint8_t>(bits)};
+}
+
+} // namespace
+
+TEST_CASE("decisions: operations on sets of signs are those on their members") {
+  for (unsigned a = 1; a < 8; ++a) {
+    unsigned negated = 0, squared = 0;
+    for (const sign s : signs)
+      if (holds(set_of(a), s)) {
+        negated |= sign_set::of(-s).bits;
+        squared |= sign_set::of(meet::square(s)).bits;
+      }
+    CHECK((-set_of(a)).bits == negated);
+    CHECK(meet::square(set_of(a)).bits == squared);
+    for (unsigned b = 1; b < 8; ++b) {
+      unsigned product = 0;
+      for (const sign s : signs)
+        for (const sign t : signs)
+          if (holds(set_of(a), s) && holds(set_of(b), t))
+            product |= sign_set::of(s * t).bits;
+      CHECK((set_of(a) * set_of(b)).bits == product);
+    }
+  }
+}
+
+TEST_CASE("decisions: comparisons and connectives are Kleene's") {
+  const auto comparison = [](auto mask) {
+    for (unsigned a = 1; a < 8; ++a) {
+      unsigned want = 0;
+      for (const sign s : signs)
+        if (holds(set_of(a), s))
+          want |= meet::in<decltype(mask)::value>(s) ? 2U : 1U;
+      CHECK(meet::in<decltype(mask)::value>(set_of(a)).bits == want);
+    }
+  };
+  comparison(std::integral_constant<int, 1>());
+  comparison(std::integral_constant<int, 2>());
+  comparison(std::integral_constant<int, 3>());
+  comparison(std::integral_constant<int, 4>());
+  comparison(std::integral_constant<int, 5>());
+  comparison(std::integral_constant<int, 6>());
+  for (unsigned a = 1; a < 4; ++a) {
+    const truth x{static_cast<std::uint8_t>(a)};
+    CHECK(meet::to_answer(x) == (a == 3   ? meet::answer::unsure
+                                 : a == 2 ? meet::answer::yes
+                                          : meet::answer::no));
+    unsigned negated = 0;
+    for (unsigned i = 0; i < 2; ++i)
+      if (a >> i & 1)
+        negated |= 1U << (1 - i);
+    CHECK(meet::negate(x).bits == negated);
+    for (unsigned b = 1; b < 4; ++b) {
+      unsigned conjunction = 0, disjunction = 0;
+      for (unsigned i = 0; i < 2; ++i)
+        for (unsigned j = 0; j < 2; ++j)
+          if (a >> i & 1 && b >> j & 1) {
+            conjunction |= 1U << (i & j);
+            disjunction |= 1U << (i | j);
+          }
+      const truth y{static_cast<std::uint8_t>(b)};
+      CHECK(meet::both(x, y).bits == conjunction);
+      CHECK(meet::either(x, y).bits == disjunction);
+    }
+  }
+}
+
+// Over any signs, also such as no operands have: the emitted decision as sets must allow what it says of each
+// member, and is certain where every set has one member.
+TEST_CASE("decisions: every predicate over sets of signs is sound") {
+  for_each_predicate([](auto p) {
+    using P = typename decltype(p)::type;
+    INFO(p.name);
+    random_numbers random(9);
+    bool sound = true, certain = true;
+    int unsure = 0;
+    for (int i = 0; i < effort(20000); ++i) {
+      sign s[P::atoms];
+      sign_set only[P::atoms], sets[P::atoms];
+      const int doubt = random.integer(1, 40), zeros = random.integer(1, 3);
+      for (int k = 0; k < P::atoms; ++k) {
+        s[k] = random.one_in(zeros) ? sign::zero : signs[random.integer(0, 2)];
+        only[k] = sign_set::of(s[k]);
+        sets[k] = random.one_in(doubt) ? set_of(only[k].bits | static_cast<unsigned>(random.integer(1, 7)))
+                                       : only[k];
+      }
+      const auto check = [&](bool plain, auto alone, auto set) {
+        certain = certain && meet::to_answer(alone) == meet::to_answer(plain);
+        sound = sound && (plain ? meet::can_be_true(set) : meet::can_be_false(set));
+        unsure += meet::to_answer(set) == meet::answer::unsure;
+      };
+      check(P::whole(s), P::whole(only), P::whole(sets));
+      check(P::usual(s), P::usual(only), P::usual(sets));
+      if constexpr (P::reject_stage::atoms > 0)
+        check(P::rejected(s), P::rejected(only), P::rejected(sets));
+      // Without a rare condition the usual decision is the whole one.
+      if (!P::needs_rare(s))
+        sound = sound && P::usual(s) == P::whole(s);
+    }
+    CHECK(sound);
+    CHECK(certain);
+    CHECK(unsure > 0);
+  });
+}

@@ -1,0 +1,186 @@
+// The exact rung needs nothing of its surroundings: not the control word, not finite operands (any answer
+// will do then, but no undefined behaviour), not the translation unit it is called from. Plain rungs are
+// deterministic.
+#include "tests/generated/catch.hpp"
+#include "tests/generated/effort.hpp"
+#include "tests/generated/operands.hpp"
+
+#include <cfenv>
+#include <cga/cga_runtime.hpp>
+#include <cstring>
+#include <limits>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
+using namespace meetc::generated_test;
+
+namespace {
+
+const meet::predicate_info *find(const char *name) {
+  const meet::catalogue &c = cga::catalogue();
+  for (int i = 0; i < c.predicate_count; ++i)
+    if (std::strcmp(c.predicates[i].name, name) == 0)
+      return &c.predicates[i];
+  return nullptr;
+}
+const char *name_of(shape s) {
+  static constexpr const char *names[] = {"point", "sphere", "segment", "triangle"};
+  return names[static_cast<int>(s)];
+}
+
+template <class P> std::vector<pair_of_rows> some(P p, int of_each) {
+  std::vector<pair_of_rows> out;
+  std::uint64_t seed = 900;
+  for (const family &f : families()) {
+    random_numbers random(seed++);
+    for (int i = 0; i < effort(of_each); ++i)
+      out.push_back(f.make(p.a, p.b, random));
+  }
+  return out;
+}
+
+struct control_word {
+  unsigned found = 0;
+  explicit control_word(unsigned set) {
+#if defined(__SSE2__)
+    found = _mm_getcsr();
+    _mm_setcsr((found & ~0xe040U) | set);
+#else
+    (void)set;
+#endif
+  }
+  ~control_word() {
+#if defined(__SSE2__)
+    _mm_setcsr(found);
+#endif
+  }
+  control_word(const control_word &) = delete;
+  control_word &operator=(const control_word &) = delete;
+};
+
+} // namespace
+
+TEST_CASE("environment: flush-to-zero and rounding modes change no exact answer") {
+  for_each_predicate([](auto p) {
+    INFO(p.name);
+    const auto cases = some(p, 300);
+    for (const unsigned word :
+         {0x8040U, 0x2000U, 0x4000U, 0x6000U, 0xe040U}) { // FTZ and DAZ; down, up, to zero; both
+      bool same = true;
+      for (const pair_of_rows &c : cases) {
+        const bool want = p.hit(c.a, c.b);
+        const control_word changed(word);
+        same = same && p.hit(c.a, c.b) == want;
+      }
+      CHECK(same);
+    }
+  });
+}
+
+TEST_CASE("environment: operands that are not finite do no harm") {
+  constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN(),
+                  special[] = {inf, -inf, nan, -nan, 0x1p-149F, std::numeric_limits<float>::max()};
+  for_each_predicate([&](auto p) {
+    random_numbers random(31);
+    int answers[2] = {0, 0};
+    for (pair_of_rows &c : some(p, 60)) {
+      for (row *r : {&c.a, &c.b})
+        for (float &f : *r)
+          if (random.one_in(4))
+            f = special[random.integer(0, 5)];
+      if (random.one_in(9))
+        std::fill(c.a.begin(), c.a.end(), nan);
+      const bool hit = p.hit(c.a, c.b);
+      CHECK(hit == p.hit(c.a, c.b));
+      ++answers[hit];
+      ++answers[p.template plain<float>(c.a, c.b)];
+      ++answers[p.template plain<double>(c.a, c.b)];
+    }
+    CHECK(answers[0] + answers[1] > 0);
+  });
+}
+
+TEST_CASE("environment: the runtime's table answers as the headers do") {
+  CHECK(cga::catalogue().predicate_count == 10);
+  CHECK(std::string(cga::catalogue().space) == "cga");
+  for_each_predicate([](auto p) {
+    INFO(p.name);
+    const meet::predicate_info *info = find(p.name);
+    REQUIRE(info != nullptr);
+    CHECK(std::string(info->a->name) == name_of(p.a));
+    CHECK(std::string(info->b->name) == name_of(p.b));
+    REQUIRE(info->a->fields == floats_of(p.a));
+    REQUIRE(info->b->fields == floats_of(p.b));
+    CHECK(std::string(info->mode) == (!padded(p.a) && !padded(p.b) ? "" : p.surface ? "surface" : "solid"));
+    // All rows of the cases, and pairs that do not go in step.
+    const auto cases = some(p, 200);
+    row a, b;
+    for (const pair_of_rows &c : cases) {
+      a.insert(a.end(), c.a.begin(), c.a.end());
+      b.insert(b.end(), c.b.begin(), c.b.end());
+    }
+    std::vector<meet::index_pair> pairs;
+    random_numbers random(4);
+    for (std::uint32_t i = 0; i < cases.size(); ++i) {
+      pairs.push_back({i, i});
+      pairs.push_back({static_cast<std::uint32_t>(random.bits() % cases.size()), i});
+    }
+    std::vector<meet::answer> first(pairs.size()), again(pairs.size());
+    for (const meet::rung rung : {meet::rung::fp32, meet::rung::fp64, meet::rung::exact}) {
+      const auto decide = info->decide[static_cast<int>(rung)];
+      REQUIRE(decide != nullptr);
+      decide(a.data(), b.data(), pairs.data(), pairs.size(), first.data());
+      decide(a.data(), b.data(), pairs.data(), pairs.size(), again.data());
+      CHECK(first == again); // plain rungs, too, are deterministic
+      bool same = true;
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const row &x = cases[pairs[i].a].a, &y = cases[pairs[i].b].b;
+        const bool want = rung == meet::rung::exact  ? p.hit(x, y)
+                          : rung == meet::rung::fp64 ? p.template plain<double>(x, y)
+                                                     : p.template plain<float>(x, y);
+        same = same && first[i] == (want ? meet::answer::yes : meet::answer::no);
+      }
+      CHECK(same);
+    }
+  });
+}
+
+// With integers of b bits no value passes 2^(degree b + growth): where that fits the mantissa, plain is
+// exact.
+TEST_CASE("environment: plain rungs are right where their arithmetic is exact") {
+  for_each_predicate([](auto p) {
+    INFO(p.name);
+    using P = typename decltype(p)::type;
+    const auto bits_for = [](int mantissa) {
+      int bits = 30;
+      const auto fits = [&]<class Stage>(Stage) {
+        if constexpr (Stage::atoms > 0)
+          bits = std::min(bits, (mantissa - Stage::growth) / Stage::degree);
+      };
+      fits(typename P::reject_stage()), fits(typename P::common_stage()), fits(typename P::rare_stage());
+      return bits;
+    };
+    const auto check = [&](int bits, auto plain) {
+      REQUIRE(bits >= 1);
+      random_numbers random(55);
+      bool same = true;
+      int hits = 0;
+      for (int i = 0; i < effort(20000); ++i) {
+        const int most = (1 << random.integer(1, bits)) - 1;
+        pair_of_rows c{row(static_cast<std::size_t>(floats_of(p.a))),
+                       row(static_cast<std::size_t>(floats_of(p.b)))};
+        for (row *r : {&c.a, &c.b})
+          for (float &f : *r)
+            f = static_cast<float>(random.integer(0, most));
+        const bool hit = p.hit(c.a, c.b);
+        hits += hit;
+        same = same && plain(c.a, c.b) == hit;
+      }
+      CHECK(same);
+      CHECK(hits > 0);
+    };
+    check(bits_for(53), [&](const row &x, const row &y) { return p.template plain<double>(x, y); });
+    check(bits_for(24), [&](const row &x, const row &y) { return p.template plain<float>(x, y); });
+  });
+}

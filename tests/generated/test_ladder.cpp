@@ -1,0 +1,119 @@
+// The width of the exact rung's integers: what a stage claims (degree, growth) holds for every value that it
+// computes, and the ladder never runs a stage in integers that are too narrow for that.
+#include "tests/generated/catch.hpp"
+#include "tests/generated/effort.hpp"
+#include "tests/generated/numbers.hpp"
+#include "tests/generated/predicates.hpp"
+
+#include <cmath>
+
+using namespace meetc::generated_test;
+
+namespace {
+
+template <class P, class Stage> std::size_t widest_of(const std::vector<mpz_class> &inputs) {
+  counted_integer a[P::inputs_a], b[P::inputs_b];
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    (i < P::inputs_a ? a[i] : b[i - P::inputs_a]) = counted_integer(inputs[i]);
+  counted_integer::widest = 0;
+  meet::sign s[P::atoms + 1];
+  meet::stage_signs<Stage>(a, b, s);
+  return counted_integer::widest;
+}
+
+// The largest numbers of `bits` bits, with random signs and zeros, then climbing: a change of one number
+// stays if values do not get narrower. And random ones.
+template <class P, class Stage> void check_growth(const char *predicate, const char *stage) {
+  if constexpr (Stage::atoms > 0) {
+    constexpr std::size_t inputs = P::inputs_a + P::inputs_b;
+    random_numbers random(inputs);
+    for (const unsigned bits : {1U, 2U, 3U, 24U, 25U, 40U, 62U, 128U, 277U}) {
+      INFO(predicate << ", " << stage << " stage, inputs of " << bits << " bits");
+      const std::size_t most = static_cast<std::size_t>(Stage::degree) * bits + Stage::growth;
+      const mpz_class top = (mpz_class(1) << bits) - 1;
+      std::size_t seen = 0;
+      for (int i = 0; i < effort(120); ++i) {
+        std::vector<mpz_class> v(inputs);
+        for (mpz_class &c : v)
+          c = random.integer(-1, 1) * top;
+        std::size_t best = widest_of<P, Stage>(v);
+        for (int climb = 0; climb < 20; ++climb) {
+          mpz_class &c = v[static_cast<std::size_t>(random.bits() % inputs)];
+          const mpz_class before = c;
+          c = random.one_in(5) ? mpz_class(top - random.integer(0, 1))
+                               : mpz_class(random.integer(-1, 1) * top);
+          if (const std::size_t now = widest_of<P, Stage>(v); now >= best)
+            best = now;
+          else
+            c = before;
+        }
+        seen = std::max(seen, best);
+      }
+      CHECK(seen <= most);
+      // The claim is not so generous that a slip would hide in it. (The smallest inputs never come close.)
+      if (bits > 3)
+        CHECK(seen + 6 >= most);
+    }
+  }
+}
+
+// A stage that does nothing but tell the width of the integers it is run in.
+int width_used = 0;
+template <int Degree, int Growth> struct probe_stage {
+  static constexpr int atoms = 1, fields_a = 0, fields_b = 0, degree = Degree, growth = Growth;
+  template <class T> static void object_a(const T *, T *) {}
+  template <class T> static void object_b(const T *, T *) {}
+  template <class T> static void pair(const T *a, const T *, const T *, const T *, meet::sign *s) {
+    width_used = static_cast<int>(sizeof(T)) * 8;
+    s[0] = meet::sign_of(a[0]);
+  }
+};
+template <class Stage> struct probe {
+  static constexpr int inputs_a = 1, inputs_b = 1, atoms = 1;
+  using reject_stage = meet::no_stage;
+  using common_stage = Stage;
+  using rare_stage = meet::no_stage;
+  static bool rejected(const meet::sign *) { return false; }
+  static bool needs_rare(const meet::sign *) { return false; }
+  static bool usual(const meet::sign *s) { return meet::in<4>(s[0]); }
+  static bool whole(const meet::sign *s) { return usual(s); }
+};
+
+template <int Degree, int Growth> void check_steps() {
+  using stage = probe_stage<Degree, Growth>;
+  bool fits = true, lean = true, right = true;
+  for (int bits = 1; bits <= 277; ++bits) {
+    const int low = bits <= 200 ? -100 : -149;
+    const float a = std::ldexp(1.0F, low + bits - 1), b = std::ldexp(1.0F, low);
+    right = right && meet::decide<probe<stage>>(meet::exact_signs<probe<stage>>(&a, &b));
+    const int need = Degree * bits + Growth;
+    fits = fits && need <= width_used - 1; // a sign bit
+    lean = lean && (need > 62 || width_used == 64) && (need > 126 || width_used <= 128) &&
+           (need > 254 || width_used <= 256);
+  }
+  INFO("degree " << Degree << ", growth " << Growth);
+  CHECK(right);
+  CHECK(fits);
+  CHECK(lean);
+}
+
+} // namespace
+
+TEST_CASE("ladder: no value of a stage is wider than it claims") {
+  for_each_predicate([](auto p) {
+    using P = typename decltype(p)::type;
+    check_growth<P, typename P::reject_stage>(p.name, "reject");
+    check_growth<P, typename P::common_stage>(p.name, "common");
+    check_growth<P, typename P::rare_stage>(p.name, "rare");
+  });
+}
+
+TEST_CASE("ladder: a stage always runs in integers that hold it") {
+  check_steps<1, 0>();
+  check_steps<2, 3>();
+  check_steps<2, 6>();
+  check_steps<3, 6>();
+  check_steps<4, 9>();
+  check_steps<6, 13>();
+  check_steps<8, 20>();
+}
