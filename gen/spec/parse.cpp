@@ -259,9 +259,10 @@ private:
     }
     if (is("(")) {
       next();
-      expr_ptr e = expression();
+      expr inside = *expression();
+      inside.where = span(start.where, token_.where); // with its parentheses, so that it prints as it was written
       expect(")");
-      return e;
+      return std::make_shared<expr>(std::move(inside));
     }
     if (is("[")) {
       next();

@@ -213,7 +213,7 @@ template <class T> MEET_HD inline line_blade<T> blade(const line<T> &k) {
   B.e3_n_nb = T(2) * (k.p.z - k.q.z);
   return B;
 }
-// 2*(p ^ v ^ n
+// 2*(p ^ v ^ n)
 // 6 multiplications, 3 additions.
 template <class T> MEET_HD inline line_blade<T> line_from_direction(const point<T> &p,
     const direction<T> &v) {
@@ -232,7 +232,7 @@ template <class T> MEET_HD inline line_blade<T> line_from_direction(const point<
 template <class T = float> struct circle_blade {
   T e1_e2_e3, e1_e2_n, e1_e2_nb, e1_e3_n, e1_e3_nb, e1_n_nb, e2_e3_n, e2_e3_nb, e2_n_nb, e3_n_nb;
 };
-// -I*((c - r*r*n) ^ (N + (N | c)*n/2
+// -I*((c - r*r*n) ^ (N + (N | c)*n/2))
 // 19 multiplications, 11 additions.
 template <class T> MEET_HD inline circle_blade<T> blade(const circle<T> &k) {
   circle_blade<T> B;
@@ -303,7 +303,7 @@ template <class T> MEET_HD inline circle_blade<T> circle_from_points(const point
 template <class T = float> struct plane_blade {
   T e1_e2_e3_n, e1_e2_n_nb, e1_e3_n_nb, e2_e3_n_nb;
 };
-// -I*(N + d*n
+// -I*(N + d*n)
 // 0 multiplications, 0 additions.
 template <class T> MEET_HD inline plane_blade<T> blade(const plane<T> &k) {
   plane_blade<T> B;
@@ -345,7 +345,7 @@ template <class T> MEET_HD inline plane_blade<T> plane_from_points(const point<T
 template <class T = float> struct sphere_blade {
   T e1_e2_e3_n, e1_e2_e3_nb, e1_e2_n_nb, e1_e3_n_nb, e2_e3_n_nb;
 };
-// -I*(c - r*r*n
+// -I*(c - r*r*n)
 // 4 multiplications, 3 additions.
 template <class T> MEET_HD inline sphere_blade<T> blade(const sphere<T> &k) {
   sphere_blade<T> B;
