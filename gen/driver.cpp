@@ -15,6 +15,10 @@ compilation load(const std::string &scene_path) {
   return c;
 }
 
+namespace {
+bool asks_exact(const spec::scene &s) { return std::find(s.rungs.begin(), s.rungs.end(), "exact") != s.rungs.end(); }
+} // namespace
+
 void compile_all(compilation &c) {
   std::vector<std::string> names;
   for (const spec::kernel_request &r : c.scene->kernels) {
@@ -23,7 +27,7 @@ void compile_all(compilation &c) {
       throw spec_error(r.where, fmt::format("'{}' is asked for twice", request.text));
     names.push_back(request.name());
     try {
-      c.kernels.push_back(dag::compile(*c.model, request));
+      c.kernels.push_back(dag::compile(*c.model, request, asks_exact(*c.scene)));
     } catch (spec_error &e) {
       throw e.add_step("kernel " + request.text, r.where);
     }
@@ -67,7 +71,7 @@ int verify_scene(const verify_options &o) {
 namespace {
 
 // 'S: sphere, L: line' to pairs.
-std::vector<std::pair<std::string, std::string>> parse_operands(const std::string &text) {
+std::vector<std::pair<std::string, std::string>> parse_operands(const decide::model &m, const std::string &text) {
   std::vector<std::pair<std::string, std::string>> out;
   const auto trim = [](std::string s) {
     s.erase(0, s.find_first_not_of(" \t"));
@@ -80,7 +84,17 @@ std::vector<std::pair<std::string, std::string>> parse_operands(const std::strin
     const std::size_t colon = item.find(':');
     if (colon == std::string::npos)
       throw spec_error({}, fmt::format("--with '{}': expected 'name: kind'", item));
-    out.emplace_back(trim(item.substr(0, colon)), trim(item.substr(colon + 1)));
+    const std::string name = trim(item.substr(0, colon));
+    const spec::expr_ptr e = name.empty() ? nullptr : spec::parse_expression(name, "--with");
+    if (!e || e->kind != spec::op::name)
+      throw spec_error({}, fmt::format("--with '{}': '{}' is not a name", item, name));
+    const auto &vectors = m.spec().vectors;
+    const bool taken = m.spec().find_constant(name) || m.spec().find_kind(name) ||
+                       std::find(vectors.begin(), vectors.end(), name) != vectors.end() ||
+                       std::any_of(out.begin(), out.end(), [&](const auto &o) { return o.first == name; });
+    if (taken)
+      throw spec_error({}, fmt::format("--with '{}': '{}' is taken", item, name));
+    out.emplace_back(name, trim(item.substr(colon + 1)));
     from = comma + 1;
   }
   return out;
@@ -88,7 +102,7 @@ std::vector<std::pair<std::string, std::string>> parse_operands(const std::strin
 
 dag::request requested(const compilation &c, const show_options &o) {
   if (!o.expression.empty())
-    return dag::resolve(*c.model, spec::parse_expression(o.expression, "-e"), parse_operands(o.with));
+    return dag::resolve(*c.model, spec::parse_expression(o.expression, "-e"), parse_operands(*c.model, o.with));
   if (o.words.empty())
     throw spec_error({}, "show what? A kernel of the scene, as in 'meet sphere line', or -e 'expression' --with 'X: sphere'");
   std::string text = o.words[0];
@@ -130,7 +144,7 @@ int show(const show_options &o) {
     return 0;
   }
   std::vector<dag::kernel> one;
-  one.push_back(dag::compile(*c.model, r));
+  one.push_back(dag::compile(*c.model, r, asks_exact(*c.scene)));
   const emit::unit u{*c.scene, *c.model, std::move(one)};
   const dag::kernel &k = u.kernels.front();
   if (o.emit == "json")

@@ -50,11 +50,10 @@ int main(int argc, char **argv) {
     return 2;
   }
   try {
-    if (generate_command->parsed())
-      return generate(g);
-    if (verify_command->parsed())
-      return verify_scene(v);
-    return show(s);
+    const int rc = generate_command->parsed() ? generate(g) : verify_command->parsed() ? verify_scene(v) : show(s);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw spec_error({}, "standard output cannot be written");
+    return rc;
   } catch (const spec_error &e) {
     fmt::print(stderr, "{}", e.render());
   } catch (const std::bad_alloc &) {

@@ -150,11 +150,12 @@ counts count_where(const arena &nodes, const std::vector<node_id> &ids, const st
       continue;
     if (n.kind == op::add || n.kind == op::subtract)
       ++out.additions;
-    else if (n.kind == op::fused)
-      ++out.fused;
-    else if (n.kind == op::multiply) {
+    else if (n.kind == op::fused || n.kind == op::multiply) {
       const auto free = [&](node_id f) { return nodes.at(f).kind == op::constant && is_power_of_two(nodes.value(f)); };
-      if (!free(n.a) && !free(n.b))
+      const bool scaling = free(n.a) || free(n.b);
+      if (n.kind == op::fused)
+        ++(scaling ? out.additions : out.fused);
+      else if (!scaling)
         ++out.multiplications;
     }
   }

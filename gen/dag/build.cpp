@@ -185,6 +185,19 @@ node_id builder::irreducible(const poly::poly &p) {
       symbols.push_back(symbol(q));
     const node_id root = horner(v.form, symbols);
     all.push_back({v.form.length(), cost(root), root});
+    // Bare numbers apart, where they factor: (r + s)^2 - d^2 and not r^2 + 2 r s + s^2 - d^2.
+    std::vector<poly::term> bare, rest;
+    for (const poly::term &t : v.form.terms()) {
+      const bool numbers = std::all_of(t.factors.begin(), t.factors.end(), [&](const poly::power &f) {
+        return v.invariants[static_cast<std::size_t>(f.variable)].kind == poly::invariant::type::number;
+      });
+      (numbers ? bare : rest).push_back(t);
+    }
+    if (bare.size() > 1 && !rest.empty()) {
+      const node_id apart = nodes_.add(build_over(poly::poly::from_terms(*v.symbols, bare), symbols),
+                                       horner(poly::poly::from_terms(*v.symbols, rest), symbols));
+      all.push_back({1 + rest.size(), cost(apart), apart});
+    }
   }
   if (all.empty() || prefer_ == prefer::operations) {
     std::vector<node_id> leaves(static_cast<std::size_t>(frame_.local().size()), -1);

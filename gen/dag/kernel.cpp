@@ -193,8 +193,18 @@ formula compile_formula(const decide::model &m, const request &r) {
   return out;
 }
 
+// Numbers in formulas become literals of every number type, so they stay where float64 still counts in ones.
+void check_constants(const program &p, const request &r) {
+  const mpz_class most = mpz_class(1) << 53;
+  for (const node_id id : needed(p.nodes, p.results))
+    if (p.nodes.at(id).kind == op::constant &&
+        (abs(p.nodes.value(id).get_num()) > most || p.nodes.value(id).get_den() > most))
+      throw spec_error(r.where, fmt::format("'{}' needs the number {}, which is beyond 2^53", r.text,
+                                            p.nodes.value(id).get_str()));
+}
+
 stage compile_stage(const poly::frame &local, const decide::decision &signs, const std::vector<int> &atoms,
-                    const request &r) {
+                    const request &r, bool exact) {
   stage out;
   out.atoms = atoms;
   if (atoms.empty())
@@ -204,6 +214,9 @@ stage compile_stage(const poly::frame &local, const decide::decision &signs, con
   for (const int a : atoms)
     results.push_back(code.build(signs.atoms()[static_cast<std::size_t>(a)], true));
   out.code = code.finish(results);
+  check_constants(out.code, r);
+  if (!exact)
+    return out;
   const std::vector<magnitude> bounds = magnitudes(out.code);
   if (bounds.empty())
     throw spec_error(r.where, fmt::format("a sign of '{}' is not homogeneous in the stored numbers, which the exact "
@@ -229,7 +242,7 @@ predicate with_operands(const decide::model &m, const request &r) {
 }
 
 // The sign that the body gives on stored operands; nothing when it gives something else.
-std::optional<predicate> compile_sign(const decide::model &m, const request &r) {
+std::optional<predicate> compile_sign(const decide::model &m, const request &r, bool exact) {
   if (r.kinds.size() != 2)
     return std::nullopt;
   predicate out = with_operands(m, r);
@@ -245,11 +258,11 @@ std::optional<predicate> compile_sign(const decide::model &m, const request &r) 
   std::vector<int> atoms;
   for (const auto &[atom, exponent] : s->atoms)
     atoms.push_back(atom);
-  out.common = compile_stage(*out.local, out.signs, atoms, r);
+  out.common = compile_stage(*out.local, out.signs, atoms, r, exact);
   return out;
 }
 
-predicate compile_predicate(const decide::model &m, const request &r) {
+predicate compile_predicate(const decide::model &m, const request &r, bool exact) {
   predicate out = with_operands(m, r);
   decide::expander expand(m, *out.numbers, out.signs);
   std::vector<decide::value> operands;
@@ -273,9 +286,9 @@ predicate compile_predicate(const decide::model &m, const request &r) {
   common.push_back(out.usual);
   const auto usual = fresh(common);
   const auto rare = fresh({out.truths.hit});
-  out.reject = compile_stage(*out.local, out.signs, reject, r);
-  out.common = compile_stage(*out.local, out.signs, usual, r);
-  out.rare = compile_stage(*out.local, out.signs, rare, r);
+  out.reject = compile_stage(*out.local, out.signs, reject, r, exact);
+  out.common = compile_stage(*out.local, out.signs, usual, r, exact);
+  out.rare = compile_stage(*out.local, out.signs, rare, r, exact);
   return out;
 }
 
@@ -309,6 +322,8 @@ std::vector<blade> support(const decide::model &m, const spec::kind &k, bool dec
   visit(k.store, *k.blade);
   for (const spec::constructor &c : k.from)
     visit(c.of, *c.blade);
+  if (blades.empty())
+    throw spec_error(k.blade->where, fmt::format("the blade of '{}' is always zero", k.name));
   return sorted_blades(blades);
 }
 
@@ -354,17 +369,19 @@ std::vector<blade_maker> makers(const decide::model &m, const spec::kind &k) {
   return out;
 }
 
-kernel compile(const decide::model &m, const request &r) {
+kernel compile(const decide::model &m, const request &r, bool exact) {
   kernel out;
   out.asked = r;
   out.is_predicate = r.asked != nullptr;
   if (out.is_predicate) {
-    out.decision = compile_predicate(m, r);
-  } else if (auto sign = compile_sign(m, r)) {
+    out.decision = compile_predicate(m, r, exact);
+  } else if (auto sign = compile_sign(m, r, exact)) {
     out.is_predicate = out.is_sign = true;
     out.decision = std::move(*sign);
   } else {
     out.value = compile_formula(m, r);
+    check_constants(out.value.from_blades, r);
+    check_constants(out.value.from_stored, r);
   }
   return out;
 }

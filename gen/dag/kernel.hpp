@@ -77,7 +77,8 @@ struct kernel {
   predicate decision; // when it is
 };
 
-kernel compile(const decide::model &m, const request &r);
+// `exact`: the exact rung is wanted, which needs signs that are homogeneous in the stored numbers.
+kernel compile(const decide::model &m, const request &r, bool exact = true);
 std::vector<blade_maker> makers(const decide::model &m, const spec::kind &k);
 
 // The stored numbers of operands as a ring, "X.c.x", and how a translation moves them.

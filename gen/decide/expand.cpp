@@ -314,7 +314,9 @@ value expander::member(const spec::expr &e, const environment &env) {
   const value base = evaluate(*e.args[0], env);
   const auto *o = std::get_if<std::shared_ptr<const object>>(&base.is);
   if (!o)
-    throw spec_error(e.where, fmt::format("{} has no members", describe(base)));
+    throw spec_error(e.where, fmt::format("{} has no members; a formula is taken on blades too, which have no stored "
+                                          "parts; a sign or a predicate may read them",
+                                          describe(base)));
   const spec::kind &k = *(*o)->kind;
   std::vector<std::string> known;
   for (std::size_t i = 0; i < k.store.size(); ++i) {

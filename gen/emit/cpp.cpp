@@ -151,7 +151,7 @@ std::string maker_text(const unit &u, const spec::kind &k) {
 
 std::string kinds_header(const unit &u) {
   std::string out = banner(u.scene, "Kinds: what is stored, and the blades that it stands for.");
-  out += open_header(u.scene, "kinds");
+  out += open_header(u.scene, "file_kinds");
   const auto blades = blades_of(u);
   for (const spec::kind *k : kinds_of(u))
     out += struct_text(u, *k);
@@ -260,8 +260,10 @@ std::string banner(const spec::scene &s, const std::string &what, const char *co
 
 std::string open_header(const spec::scene &s, const std::string &name, const std::vector<std::string> &includes) {
   const std::string space = identifier(s.space);
-  std::string out = fmt::format("#ifndef MEETC_{0}_{1}_HPP\n#define MEETC_{0}_{1}_HPP\n\n#include <meet/support.hpp>\n",
-                                space, identifier(name));
+  // The length keeps guards apart where '_' could stand for the border of two names.
+  std::string out = fmt::format("#ifndef MEETC_{2}_{0}_{1}_HPP\n#define MEETC_{2}_{0}_{1}_HPP\n\n#include "
+                                "<meet/support.hpp>\n",
+                                space, name, space.size());
   for (const std::string &i : includes)
     out += fmt::format("#include <{}/{}>\n", space, i);
   return out + fmt::format("\nstatic_assert(MEET_SUPPORT_VERSION == 1, \"meet/support.hpp is of another version; "
@@ -299,7 +301,7 @@ std::string broken_lines(const std::string &text) {
 
 std::string cpp_text(const unit &u, const dag::kernel &k) {
   std::string out = banner(u.scene, k.asked.text);
-  out += open_header(u.scene, k.asked.name(), {"kinds.hpp"});
+  out += open_header(u.scene, "kernel_" + k.asked.name(), {"kinds.hpp"});
   out += k.is_sign ? sign_text(u, k) : k.is_predicate ? predicate_text(u, k) : formula_header(u, k);
   return broken_lines(out + close_header(u.scene));
 }
@@ -318,7 +320,7 @@ std::vector<file> cpp_files(const unit &u) {
   }
   std::sort(headers.begin() + 1, headers.end());
   out.push_back({space + '/' + space + ".hpp",
-                 banner(u.scene, "Everything that the scene asks for.") + open_header(u.scene, space + "_all", headers) +
+                 banner(u.scene, "Everything that the scene asks for.") + open_header(u.scene, "file_all", headers) +
                      close_header(u.scene)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});

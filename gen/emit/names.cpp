@@ -1,5 +1,6 @@
 #include "gen/emit/names.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace meetc::emit {
@@ -16,7 +17,9 @@ std::string identifier(const std::string &name) {
       "requires", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct",
       "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union",
       "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "T", "S", "blade",
-      "to_row", "main", "std", "cuda", "predicates", "kinds", "linux", "unix"};
+      "to_row", "hit", "plain", "usual", "whole", "rejected", "needs_rare", "atoms", "inputs_a", "inputs_b", "value",
+      "reject_stage", "common_stage", "rare_stage", "catalogue", "NULL", "NAN", "INFINITY", "EOF", "errno", "assert",
+      "stdin", "stdout", "stderr", "main", "std", "cuda", "predicates", "kinds", "linux", "unix"};
   // Leading underscores, double underscores and a trailing one are reserved or ours.
   std::string out;
   for (const char c : name)
@@ -43,6 +46,10 @@ std::string blade_field(const algebra::metric &m, algebra::blade b) {
   return b == 0 ? "scalar" : identifier(m.name(b, "_"));
 }
 
-std::string kernel_function(const dag::request &r) { return identifier(r.function); }
+std::string kernel_function(const dag::request &r) {
+  // A function named like an operand would be hidden by it.
+  const bool hidden = std::find(r.names.begin(), r.names.end(), r.function) != r.names.end();
+  return identifier(r.function) + (hidden ? "_" : "");
+}
 
 } // namespace meetc::emit

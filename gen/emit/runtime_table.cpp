@@ -90,7 +90,7 @@ std::string kind_functions(const unit &u, const spec::kind &k, const dag::enclos
 } // namespace
 
 std::string runtime_header(const unit &u) {
-  return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, u.scene.space + "_runtime") +
+  return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, "file_runtime") +
          "// The bounded kinds and the predicates on them.\nconst ::meet::catalogue &catalogue();\n" + close_header(u.scene);
 }
 

@@ -50,6 +50,11 @@ public:
           expression(*e, names(k.store));
       if (k.position && std::any_of(k.store.begin(), k.store.end(), [](const field &f) { return f.type != "real"; }))
         throw spec_error(k.where, "a kind with 'position' stores reals alone, one a spatial axis");
+      if (k.position && k.store.size() > 3)
+        throw spec_error(k.where, "a kind with 'position' has at most three axes");
+      if (const auto cut = k.name.rfind("_blade"); cut != std::string::npos && cut + 6 == k.name.size() &&
+                                                   a_.find_kind(k.name.substr(0, cut)))
+        throw spec_error(k.where, fmt::format("'{}' is the name of the blade of '{}'", k.name, k.name.substr(0, cut)));
     }
     for (const named_expr &c : a_.constants)
       constant(c, {});

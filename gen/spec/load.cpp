@@ -349,6 +349,8 @@ scene load_scene(const std::string &path) {
         throw spec_error(in.place(item), fmt::format("'{}' stands twice", value));
       out.push_back(value);
     }
+    if (out.empty())
+      throw spec_error(in.place(*node_of), fmt::format("scene.{} is empty; known: {}", key, join(known, ", ")));
   };
   choices("rungs", {"fp32", "fp64", "exact"}, s.rungs);
   choices("backends", {"cpp", "cuda"}, s.backends);

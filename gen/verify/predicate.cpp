@@ -126,9 +126,9 @@ report verify_predicate(const decide::model &m, const dag::kernel &k, long cases
       std::string numbers;
       for (const auto &q : row)
         numbers += (numbers.empty() ? "" : ", ") + q.get_str();
-      out.first_wrong = fmt::format("{}({}) is {}, and should be {}{}", k.asked.text, numbers, staged ? "a hit" : "a miss",
+      out.first_wrong = fmt::format("{}({}) is {}, and should be {}{}", k.asked.text, numbers, hit ? "a hit" : "a miss",
                                     want ? "a hit" : "a miss",
-                                    hit == want ? "; without its reject lines it is right" : "");
+                                    hit == want ? ", but a reject line or the usual case gets it wrong" : "");
     }
   }
   return out;

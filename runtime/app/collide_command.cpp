@@ -26,6 +26,8 @@ void check_outputs(const collide_request &q, output_files &outputs) {
     outputs.expect(*q.pairs);
   if (q.image)
     outputs.expect(*q.image);
+  if (q.colour && q.colour->empty())
+    throw failure("--color: the folder's name is empty");
   if (q.colour)
     for (const char *const name : {"a.ply", "b.ply"})
       outputs.expect(*q.colour / name, true);

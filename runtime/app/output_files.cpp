@@ -22,7 +22,7 @@ bool same_file(const fs::path &x, const fs::path &y) {
   std::error_code code;
   if (fs::exists(x, code) && fs::exists(y, code))
     return fs::equivalent(x, y, code);
-  return fs::weakly_canonical(x, code) == fs::weakly_canonical(y, code);
+  return fs::weakly_canonical(fs::absolute(x, code), code) == fs::weakly_canonical(fs::absolute(y, code), code);
 }
 
 bool special(const fs::path &target) {

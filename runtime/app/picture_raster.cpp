@@ -16,6 +16,12 @@ std::uint32_t pack(const vec &n, std::size_t number, bool edge) {
          static_cast<std::uint32_t>(number + 1);
 }
 
+// Asked before shading, which is what costs.
+bool nearer(const layer &l, int x, int y, double near) {
+  return static_cast<float>(near) >
+         l.at[static_cast<std::size_t>(y) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(x)].near;
+}
+
 void put_nearer(layer &l, int x, int y, double near, std::uint32_t bits) {
   sample &s =
       l.at[static_cast<std::size_t>(y) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(x)];
@@ -57,20 +63,35 @@ void fill(layer &l, const std::array<corner, 3> &c, std::size_t number, double p
     least = std::min(least, height[i]);
   }
   const bool edges = wire && least > 3 * pixel;
-  for (int y = y0; y <= y1; ++y)
-    for (int x = x0; x <= x1; ++x) {
+  for (int y = y0; y <= y1; ++y) {
+    // The part of the row where all weights can be positive, one sample wider: slivers cost their own area.
+    double low = x0, high = x1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double zero = x0 - (start[i] + (y - y0) * dy[i]) / dx[i];
+      if (dx[i] > 0)
+        low = std::max(low, zero - 1);
+      else if (dx[i] < 0)
+        high = std::min(high, zero + 1);
+    }
+    if (!(low <= high))
+      continue;
+    const int row_end = static_cast<int>(std::floor(high));
+    for (int x = static_cast<int>(std::ceil(low)); x <= row_end; ++x) {
       std::array<double, 3> w;
       for (std::size_t i = 0; i < 3; ++i)
         w[i] = start[i] + (x - x0) * dx[i] + (y - y0) * dy[i];
       if (!(w[0] >= 0 && w[1] >= 0 && w[2] >= 0))
         continue;
       const double near = w[0] * a.near + w[1] * b.near + w[2] * d.near;
+      if (!nearer(l, x, y, near))
+        continue;
       const vec n = w[0] * c[0].normal + w[1] * c[1].normal + w[2] * c[2].normal;
       const double length = std::sqrt(dot(n, n));
       const bool edge =
           edges && std::min({w[0] * height[0], w[1] * height[1], w[2] * height[2]}) < 0.5 * pixel;
       put_nearer(l, x, y, near, pack((1 / std::max(length, 1e-30)) * n, number, edge));
     }
+  }
 }
 
 // A line `half` samples wide to each side; round: shaded as a tube, otherwise with the normal n.
@@ -167,6 +188,9 @@ public:
   const vec &face(std::size_t i) const { return faces_[i]; }
   vec corner(std::size_t i, std::size_t k) const {
     if (first_.empty())
+      return faces_[i];
+    // A vertex of very many faces is a cone's tip, which has no normal; and the sum would be taken at each face.
+    if (first_[index_[3 * i + k] + std::size_t{1}] - first_[index_[3 * i + k]] > 64)
       return faces_[i];
     vec sum{};
     for (std::size_t at = first_[index_[3 * i + k]]; at < first_[index_[3 * i + k] + std::size_t{1}]; ++at)

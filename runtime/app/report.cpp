@@ -79,8 +79,10 @@ std::string summary(const collide_report &r) {
     out +=
         r.moved
             ? "A and B are the same file, B moved.\n"
-            : "A and B are the same file: every ordered pair (i, j) counts, i = j included, and neighbours\n"
-              "touch where they share a corner or an edge.\n";
+        : r.a.kind->points == 3
+            ? "A and B are the same file: every ordered pair (i, j) counts, i = j included, and neighbours\n"
+              "touch where they share a corner or an edge.\n"
+            : "A and B are the same file: every ordered pair (i, j) counts, i = j included.\n";
   if (disjoint(f.a.bounds, f.b.bounds))
     out += "The boxes are disjoint.\n";
   out += '\n';

@@ -88,6 +88,12 @@ MEET_HD constexpr truth either(truth a, truth b) {
   return {static_cast<std::uint8_t>((a.bits & b.bits & 1) | ((a.bits | b.bits) & 2))};
 }
 MEET_HD constexpr truth negate(truth a) { return {static_cast<std::uint8_t>((a.bits & 1) << 1 | a.bits >> 1)}; }
+// A branch that is always taken is a plain bool beside truths.
+MEET_HD constexpr truth to_truth(bool a) { return {static_cast<std::uint8_t>(a ? 2 : 1)}; }
+MEET_HD constexpr truth both(truth a, bool b) { return both(a, to_truth(b)); }
+MEET_HD constexpr truth both(bool a, truth b) { return both(to_truth(a), b); }
+MEET_HD constexpr truth either(truth a, bool b) { return either(a, to_truth(b)); }
+MEET_HD constexpr truth either(bool a, truth b) { return either(to_truth(a), b); }
 MEET_HD constexpr bool can_be_true(bool a) { return a; }
 MEET_HD constexpr bool can_be_true(truth a) { return a.can_be_true(); }
 MEET_HD constexpr bool can_be_false(bool a) { return !a; }
@@ -282,6 +288,7 @@ struct no_stage {
 
 template <class Stage, class T> MEET_HD inline void stage_signs(const T *a, const T *b, sign *s) {
   T fields_a[Stage::fields_a + 1], fields_b[Stage::fields_b + 1];
+  fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare places, for stages that store nothing
   Stage::object_a(a, fields_a);
   Stage::object_b(b, fields_b);
   Stage::pair(a, fields_a, b, fields_b, s);
@@ -371,7 +378,8 @@ struct kind_info {
   int fields;        // floats a row
   const role *roles; // of each field
   int points;        // > 0: the row is that many points x, y, z and nothing else, so it can be indexed
-  void (*box)(const float *row, float lo[3], float hi[3]); // a closed box that encloses the element; never too small
+  // A closed box that encloses the element, never too small (where subnormals are not flushed to zero).
+  void (*box)(const float *row, float lo[3], float hi[3]);
   const char *(*fault)(const float *row);                  // the broken `where` rule, or null
 };
 
