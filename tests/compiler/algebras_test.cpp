@@ -1,5 +1,5 @@
-// Other algebras: the compiler knows none by name. A degenerate, a planar and two non-diagonal metrics, each verified
-// against the dense product in its own basis, and predicates of the plane against exact geometry.
+// Other algebras: the compiler knows none by name. A degenerate, a planar and two non-diagonal metrics, each
+// verified against the dense product in its own basis, and predicates of the plane against exact geometry.
 #include "gen/verify/dense_evaluator.hpp"
 #include "gen/verify/verify.hpp"
 #include "tests/compiler/catch.hpp"
@@ -149,18 +149,24 @@ struct other {
   std::vector<std::string> kernels;
 };
 const std::vector<other> others{
-    {"plane based", plane_based,
-     {"meet(plane, plane)", "meet(plane, line)", "meet(line, plane)", "reflect(plane, plane)", "reflect(plane, line)",
-      "reflect(plane, point)", "norm2(plane)", "norm2(line)", "norm2(meet(plane, plane))", "norm2(point)"}},
-    {"planar", planar,
-     {"meet(circle, circle)", "meet(line, circle)", "meet(circle, line)", "meet(line, line)", "norm2(meet(circle, circle))",
-      "norm2(meet(line, circle))", "norm2(meet(line, line))", "meet(point_pair, circle)", "disc_disc", "ring_ring", "cross"}},
-    {"null basis", null_basis,
+    {"plane based",
+     plane_based,
+     {"meet(plane, plane)", "meet(plane, line)", "meet(line, plane)", "reflect(plane, plane)",
+      "reflect(plane, line)", "reflect(plane, point)", "norm2(plane)", "norm2(line)",
+      "norm2(meet(plane, plane))", "norm2(point)"}},
+    {"planar",
+     planar,
+     {"meet(circle, circle)", "meet(line, circle)", "meet(circle, line)", "meet(line, line)",
+      "norm2(meet(circle, circle))", "norm2(meet(line, circle))", "norm2(meet(line, line))",
+      "meet(point_pair, circle)", "disc_disc", "ring_ring", "cross"}},
+    {"null basis",
+     null_basis,
      {"meet(sphere, sphere)", "meet(sphere, line)", "meet(line, line)", "norm2(meet(sphere, sphere))",
       "norm2(meet(sphere, line))", "norm2(meet(line, line))", "ball_ball"}},
-    {"crooked", crooked,
-     {"meet(plane, plane)", "mixed(vector, vector)", "mixed(plane, vector)", "mixed(vector, plane)", "mixed(plane, plane)",
-      "norm2(vector)", "norm2(plane)", "norm2(meet(plane, plane))"}},
+    {"crooked",
+     crooked,
+     {"meet(plane, plane)", "mixed(vector, vector)", "mixed(plane, vector)", "mixed(vector, plane)",
+      "mixed(plane, plane)", "norm2(vector)", "norm2(plane)", "norm2(meet(plane, plane))"}},
 };
 
 compilation compile_other(const temporary_folder &folder, const other &o) {
@@ -196,8 +202,8 @@ TEST_CASE("formulas and predicates of other algebras are verified like any") {
     const compilation c = compile_other(folder, o);
     for (const dag::kernel &k : c.kernels) {
       INFO(o.name << ": " << k.asked.text);
-      const verify::report r =
-          k.is_predicate ? verify::verify_predicate(*c.model, k, 1500, 3) : verify::verify_formula(*c.model, k, 40, 3);
+      const verify::report r = k.is_predicate ? verify::verify_predicate(*c.model, k, 1500, 3)
+                                              : verify::verify_formula(*c.model, k, 40, 3);
       CHECK(r.wrong == 0);
       CHECK(r.cases >= 40);
       CHECK(r.note.empty());
@@ -273,7 +279,8 @@ TEST_CASE("the geometric product of any symmetric metric agrees with the dense o
       for (std::size_t b = 0; b < dense.size(); ++b) {
         auto x = dense.zero(), y = dense.zero(), have = dense.zero();
         x[a] = y[b] = 1;
-        for (const auto &[at, weight] : m.geometric(static_cast<algebra::blade>(a), static_cast<algebra::blade>(b)))
+        for (const auto &[at, weight] :
+             m.geometric(static_cast<algebra::blade>(a), static_cast<algebra::blade>(b)))
           have[at] = weight;
         CHECK(have == dense.geometric(x, y));
       }

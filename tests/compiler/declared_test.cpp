@@ -1,5 +1,5 @@
-// `show --emit=json` for every ordered pair of declared kinds: B and B^2 in the declared basis against the dense product,
-// exactly, on valid operands that the oracle alone made.
+// `show --emit=json` for every ordered pair of declared kinds: B and B^2 in the declared basis against the
+// dense product, exactly, on valid operands that the oracle alone made.
 #include "tests/compiler/catch.hpp"
 #include "tests/compiler/fixture.hpp"
 #include "tests/oracle/random.hpp"
@@ -54,17 +54,17 @@ std::vector<std::string> declared_order() {
 // The paper's objects, written here once more, in its declared basis.
 class geometry {
 public:
-  explicit geometry(std::uint64_t seed) : dense_(oracle::dense_algebra::diagonal({1, 1, 1, 1, -1})), random_(seed) {}
+  explicit geometry(std::uint64_t seed)
+      : dense_(oracle::dense_algebra::diagonal({1, 1, 1, 1, -1})), random_(seed) {}
 
   const oracle::dense_algebra &algebra() const { return dense_; }
 
-  multivector vector() {
-    return vector_of(random_.fraction(3), random_.fraction(3), random_.fraction(3));
-  }
+  multivector vector() { return vector_of(random_.fraction(3), random_.fraction(3), random_.fraction(3)); }
   multivector point() {
     const rational x = random_.fraction(3), y = random_.fraction(3), z = random_.fraction(3);
-    return oracle::subtract(oracle::add(oracle::scale(2, vector_of(x, y, z)), oracle::scale(x * x + y * y + z * z, n())),
-                            oracle::subtract(dense_.vector(3), dense_.vector(4)));
+    return oracle::subtract(
+        oracle::add(oracle::scale(2, vector_of(x, y, z)), oracle::scale(x * x + y * y + z * z, n())),
+        oracle::subtract(dense_.vector(3), dense_.vector(4)));
   }
   multivector sphere_of(const multivector &centre) {
     const rational r = random_.fraction(3);
@@ -137,9 +137,9 @@ rational evaluate(const json &polynomial, const values &at) {
   return sum;
 }
 
-const std::map<std::string, int> grades{{"point", 1},  {"direction", 1}, {"point_pair", 2}, {"flat_point", 2},
-                                        {"line", 3},   {"circle", 3},    {"plane", 4},      {"sphere", 4},
-                                        {"segment", 3}, {"triangle", 4}};
+const std::map<std::string, int> grades{
+    {"point", 1},  {"direction", 1}, {"point_pair", 2}, {"flat_point", 2}, {"line", 3},
+    {"circle", 3}, {"plane", 4},     {"sphere", 4},     {"segment", 3},    {"triangle", 4}};
 
 // Keys of an object stand in the order that is given.
 void check_order(const json &object, const std::vector<std::string> &order) {
@@ -154,7 +154,8 @@ void check_order(const json &object, const std::vector<std::string> &order) {
 }
 
 // meet(x, y) as JSON; B and B^2 on random elements.
-void check_pair(const std::string &text, const std::string &x, const std::string &y, geometry &g, int rounds) {
+void check_pair(const std::string &text, const std::string &x, const std::string &y, geometry &g,
+                int rounds) {
   const json j = json::parse(text);
   CHECK(j.at("kernel") == "meet(" + x + ", " + y + ")");
   CHECK(j.at("operands") == json({{"X", x}, {"Y", y}}));
@@ -203,7 +204,8 @@ TEST_CASE("every pair with a meet, as JSON in the declared basis, is the dense p
         ++pairs;
       } else {
         CHECK_THROWS_WITH(compile_text(c, request),
-                          Catch::Contains("is not defined here") && Catch::Contains(fmt::format("grade(X) = {}", grades.at(x))));
+                          Catch::Contains("is not defined here") &&
+                              Catch::Contains(fmt::format("grade(X) = {}", grades.at(x))));
       }
     }
   CHECK(pairs == 72);
@@ -212,19 +214,23 @@ TEST_CASE("every pair with a meet, as JSON in the declared basis, is the dense p
 TEST_CASE("the program prints the same, asked for by the scene or not; below grade 5 it says why") {
   geometry g(22);
   const std::string scene = '\'' + default_scene_path().string() + '\'';
-  for (const auto &[x, y] : {std::pair("sphere", "line"), std::pair("triangle", "point"), std::pair("point", "sphere"),
-                             std::pair("circle", "point_pair"), std::pair("plane", "sphere")}) {
+  for (const auto &[x, y] :
+       {std::pair("sphere", "line"), std::pair("triangle", "point"), std::pair("point", "sphere"),
+        std::pair("circle", "point_pair"), std::pair("plane", "sphere")}) {
     const outcome o = run_meetc(fmt::format("show {} meet {} {} --emit=json", scene, x, y), source_folder());
     REQUIRE(o.code == 0);
-    CHECK(o.out == emit::json(*default_scene().model, compile_text(default_scene(), fmt::format("meet({}, {})", x, y))));
+    CHECK(o.out == emit::json(*default_scene().model,
+                              compile_text(default_scene(), fmt::format("meet({}, {})", x, y))));
     check_pair(o.out, x, y, g, 3);
   }
   const outcome low = run_meetc(fmt::format("show {} meet point line --emit=json", scene), source_folder());
   CHECK(low.code == 2);
   CHECK(low.out.empty());
-  CHECK(low.err.rfind("the command line:1:1: error: meet(point, line) is not defined here: grade(X) + grade(Y) >= 5 does "
-                      "not hold, grade(X) = 1, grade(Y) = 3\n",
-                      0) == 0);
+  CHECK(
+      low.err.rfind(
+          "the command line:1:1: error: meet(point, line) is not defined here: grade(X) + grade(Y) >= 5 does "
+          "not hold, grade(X) = 1, grade(Y) = 3\n",
+          0) == 0);
 }
 
 TEST_CASE("the JSON of a predicate holds its atoms") {

@@ -52,8 +52,9 @@ TEST_CASE("generated/default is what the default scene gives") {
   for (const char *name : {"default", "flat"})
     if (fs::exists(source_folder() / "generated" / name)) {
       INFO(name);
-      check_same(emitted((source_folder() / "algebra_spec" / "scenes" / (std::string(name) + ".toml")).string()),
-                 files_under(source_folder() / "generated" / name));
+      check_same(
+          emitted((source_folder() / "algebra_spec" / "scenes" / (std::string(name) + ".toml")).string()),
+          files_under(source_folder() / "generated" / name));
     }
 }
 
@@ -62,8 +63,11 @@ TEST_CASE("twice, from another folder and by another path: the same bytes, and n
   const std::string o = out.path().string(), scene = default_scene_path().string();
   REQUIRE(run_meetc(fmt::format("generate '{}' -o '{}/a' -q", scene, o), source_folder()).code == 0);
   REQUIRE(run_meetc(fmt::format("generate '{}' -o '{}/b' -q", scene, o), source_folder()).code == 0);
-  REQUIRE(run_meetc(fmt::format("generate algebra_spec/scenes/default.toml -o '{}/c' -q", o), source_folder()).code == 0);
-  REQUIRE(run_meetc(fmt::format("generate ./default.toml -o '{}/d' -q", o), default_scene_path().parent_path()).code == 0);
+  REQUIRE(run_meetc(fmt::format("generate algebra_spec/scenes/default.toml -o '{}/c' -q", o), source_folder())
+              .code == 0);
+  REQUIRE(
+      run_meetc(fmt::format("generate ./default.toml -o '{}/d' -q", o), default_scene_path().parent_path())
+          .code == 0);
   const tree a = files_under(out.path() / "a");
   CHECK(a.size() > 40);
   for (const char *other : {"b", "c", "d"})
@@ -71,7 +75,8 @@ TEST_CASE("twice, from another folder and by another path: the same bytes, and n
   check_same(a, emitted(scene));
   for (const auto &[path, text] : a) {
     INFO(path);
-    for (const std::string &folder : {source_folder().string(), o, std::string("algebra_spec"), std::string("../")})
+    for (const std::string &folder :
+         {source_folder().string(), o, std::string("algebra_spec"), std::string("../")})
       CHECK(text.find(folder) == std::string::npos);
   }
 }

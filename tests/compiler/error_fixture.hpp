@@ -24,8 +24,8 @@ struct broken {
 };
 void check_broken(std::span<const broken> rows);
 
-// Runs `generate` on files in a folder and checks the shape of every error: exit code 2, nothing on stdout, a first
-// line "PLACE: error: MESSAGE", the marked text under a caret, nothing written.
+// Runs `generate` on files in a folder and checks the shape of every error: exit code 2, nothing on stdout, a
+// first line "PLACE: error: MESSAGE", the marked text under a caret, nothing written.
 void check_error(const temporary_folder &folder, const std::string &scene, const broken &want);
 
 } // namespace meetc::compiler_test

@@ -43,8 +43,8 @@ const broken syntax[] = {
 };
 
 const broken strings[] = {
-    {blade, "\"-I*(c - r*r*n)\"", "a.toml:19:9", "kinds.sphere.blade must be a 'literal' string in single quotes",
-     "\"-I*(c - r*r*n)\"", ""},
+    {blade, "\"-I*(c - r*r*n)\"", "a.toml:19:9",
+     "kinds.sphere.blade must be a 'literal' string in single quotes", "\"-I*(c - r*r*n)\"", ""},
     {blade, "\"\"\"c\"\"\"", "a.toml:19:9", "'literal' string", "\"\"\"c\"\"\"", ""},
     {blade, "3", "a.toml:19:9", "kinds.sphere.blade must be a string", "3", ""},
     {blade, "['c']", "a.toml:19:9", "kinds.sphere.blade must be a string", "['c']", ""},
@@ -74,17 +74,24 @@ const broken names[] = {
     {"'r >= 0'", "'R >= 0'", "a.toml:20:10", "unknown name 'R'", "R", ""},
     {"hit = ", "reject = ['S.r > U.r']\nhit = ", "a.toml:40:18", "unknown name 'U'", "U", ""},
     {"hit = ", "let.a = 'b'\nlet.b = 'S.r'\nhit = ", "a.toml:40:10", "unknown name 'b'", "b", ""},
-    {"'T: sphere'", "'T: spher'", "a.toml:39:21", "no kind 'spher'; kinds: point, sphere, segment; did you mean 'sphere'?",
-     "'T: spher'", ""},
+    {"'T: sphere'", "'T: spher'", "a.toml:39:21",
+     "no kind 'spher'; kinds: point, sphere, segment; did you mean 'sphere'?", "'T: spher'", ""},
     {"'c: point'", "'c: Point'", "a.toml:18:10", "no kind 'Point'", "'c: Point'", ""},
     // A bound name lives in its body alone.
-    {"'sign(norm2(meet(S, T))) >= 0'", "'all(k in axes: S.r > 0) and k > 0'", "a.toml:40:36", "unknown name 'k'", "k", ""},
+    {"'sign(norm2(meet(S, T))) >= 0'", "'all(k in axes: S.r > 0) and k > 0'", "a.toml:40:36",
+     "unknown name 'k'", "k", ""},
 };
 } // namespace
 
-TEST_CASE("expressions that cannot be read") { check_broken(syntax); }
-TEST_CASE("expressions that are no literal strings, and places inside strings of many lines") { check_broken(strings); }
-TEST_CASE("names that nothing has, and calls with too many or too few arguments") { check_broken(names); }
+TEST_CASE("expressions that cannot be read") {
+  check_broken(syntax);
+}
+TEST_CASE("expressions that are no literal strings, and places inside strings of many lines") {
+  check_broken(strings);
+}
+TEST_CASE("names that nothing has, and calls with too many or too few arguments") {
+  check_broken(names);
+}
 
 TEST_CASE("columns are right after UTF-8, under a byte order mark and in CRLF files") {
   const std::string base = small_algebra;
@@ -112,7 +119,8 @@ TEST_CASE("columns are right after UTF-8, under a byte order mark and in CRLF fi
   const broken later{"", "", "a.toml:20:18", "unknown name 'q'", "q", ""};
   fails("# Zwölf Boxkämpfer, \xe2\x88\xa5x\xe2\x88\xa5\xc2\xb2 \xf0\x9f\x98\x80\n" + wrong, later);
   std::string commented = wrong; // on the line before, and behind the expression itself
-  commented.replace(commented.find("store = ['c: point', 'r: real']"), 31, "store = ['c: point', 'r: real'] # Größe ü");
+  commented.replace(commented.find("store = ['c: point', 'r: real']"), 31,
+                    "store = ['c: point', 'r: real'] # Größe ü");
   commented.replace(commented.find("- q*r*n)'"), 9, "- q*r*n)' # é");
   fails(commented, unknown);
   // A string with UTF-8 earlier on the same line.
@@ -125,7 +133,8 @@ TEST_CASE("columns are right after UTF-8, under a byte order mark and in CRLF fi
     folder.write("s.toml", small_scene("'touch'"));
     check_error(folder, "s.toml", {"", "", "a.toml:4:22", "cannot find 'gone.toml'", "'gone.toml'", ""});
   }
-  fails(with("hit = ", "reject = ['S.r > 0 # é', 'q']\nhit = "), {"", "", "a.toml:40:20", "'#' does not belong", "#", ""});
+  fails(with("hit = ", "reject = ['S.r > 0 # é', 'q']\nhit = "),
+        {"", "", "a.toml:40:20", "'#' does not belong", "#", ""});
   const broken under_mark{"", "", "a.toml:19:18", "unknown name 'q'", "q", ""};
   fails("\xef\xbb\xbf" + wrong, under_mark);
   fails("\xef\xbb\xbf[algebrax]\n", {"", "", "a.toml:1:5", "an algebra has no 'algebrax'", "algebrax", ""});

@@ -12,8 +12,12 @@
 
 namespace meetc::compiler_test {
 
-fs::path source_folder() { return MEETC_SOURCE_DIR; }
-fs::path default_scene_path() { return source_folder() / "algebra_spec" / "scenes" / "default.toml"; }
+fs::path source_folder() {
+  return MEETC_SOURCE_DIR;
+}
+fs::path default_scene_path() {
+  return source_folder() / "algebra_spec" / "scenes" / "default.toml";
+}
 
 const compilation &default_scene() {
   static const compilation compiled = [] {
@@ -68,8 +72,8 @@ fs::path temporary_folder::write(const std::string &name, const std::string &tex
 outcome run_meetc(const std::string &arguments, const fs::path &in_folder) {
   const temporary_folder said;
   const fs::path out = said.path() / "out", err = said.path() / "err";
-  const std::string command = fmt::format("cd '{}' && '{}' {} >'{}' 2>'{}'", in_folder.string(), MEETC_PROGRAM,
-                                          arguments, out.string(), err.string());
+  const std::string command = fmt::format("cd '{}' && '{}' {} >'{}' 2>'{}'", in_folder.string(),
+                                          MEETC_PROGRAM, arguments, out.string(), err.string());
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
 }
@@ -82,12 +86,10 @@ spec_copy::spec_copy(const std::vector<std::string> &kernels) {
   folder_.write("scenes/asked.toml", text + "]\n");
 }
 
-void spec_copy::replace(const std::string &file, const std::string &from, const std::string &to, int nth) const {
+void spec_copy::replace(const std::string &file, const std::string &from, const std::string &to) const {
   const fs::path path = folder_.path() / file;
   std::string text = read(path);
-  std::size_t at = text.find(from);
-  for (; nth > 0 && at != std::string::npos; --nth)
-    at = text.find(from, at + 1);
+  const std::size_t at = text.find(from);
   if (at == std::string::npos)
     FAIL(file << " does not hold '" << from << "'; the test is out of date");
   text.replace(at, from.size(), to);

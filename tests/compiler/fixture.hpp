@@ -1,4 +1,5 @@
-// What the compiler's tests share: the shipped scene compiled once, folders that vanish, and the program itself.
+// What the compiler's tests share: the shipped scene compiled once, folders that vanish, and the program
+// itself.
 #ifndef MEETC_TESTS_COMPILER_FIXTURE_HPP
 #define MEETC_TESTS_COMPILER_FIXTURE_HPP
 
@@ -13,8 +14,8 @@ namespace meetc::compiler_test {
 
 namespace fs = std::filesystem;
 
-fs::path source_folder();        // of the checkout
-fs::path default_scene_path();   // algebra_spec/scenes/default.toml
+fs::path source_folder();           // of the checkout
+fs::path default_scene_path();      // algebra_spec/scenes/default.toml
 const compilation &default_scene(); // compiled, once a run
 const dag::kernel &default_kernel(const std::string &name);
 enum class want { formulas, signs, predicates, made_of_signs }; // the last: signs and predicates
@@ -49,8 +50,8 @@ outcome run_meetc(const std::string &arguments, const fs::path &in_folder);
 class spec_copy {
 public:
   explicit spec_copy(const std::vector<std::string> &kernels);
-  // Replaces the `nth` (from 0) occurrence; fails the test when there is none.
-  void replace(const std::string &file, const std::string &from, const std::string &to, int nth = 0) const;
+  // Replaces the first occurrence; fails the test when there is none.
+  void replace(const std::string &file, const std::string &from, const std::string &to) const;
   fs::path folder() const { return folder_.path(); }
   fs::path scene() const { return folder_.path() / "scenes" / "asked.toml"; }
   compilation compile() const;

@@ -33,7 +33,8 @@ public:
     return expand_->evaluate_multivector(*spec::parse_expression(text, "a test"), environment_);
   }
   decide::sign_value sign(const std::string &text) {
-    return std::get<decide::sign_value>(expand_->evaluate(*spec::parse_expression(text, "a test"), environment_).is);
+    return std::get<decide::sign_value>(
+        expand_->evaluate(*spec::parse_expression(text, "a test"), environment_).is);
   }
   bool equal(const std::string &a, const std::string &b) { return ((*this)(a) - (*this)(b)).is_zero(); }
 
@@ -47,9 +48,11 @@ private:
 };
 
 // Solves a 3 by 3 system by Cramer's rule.
-std::array<rational, 3> solve(const std::array<std::array<rational, 3>, 3> &a, const std::array<rational, 3> &b) {
+std::array<rational, 3> solve(const std::array<std::array<rational, 3>, 3> &a,
+                              const std::array<rational, 3> &b) {
   const auto determinant = [](const std::array<std::array<rational, 3>, 3> &m) -> rational {
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   };
   const rational d = determinant(a);
@@ -78,7 +81,8 @@ TEST_CASE("points are null, and their product is the distance") {
 
 TEST_CASE("the radius comes back from the blade of a sphere") {
   expansion e(operands{{"S", "sphere"}});
-  CHECK(e.equal("norm2(I*S)", "S.r*S.r*(((I*S) | n) * ((I*S) | n))")); // r^2 = S^2 / (S . n)^2, of the dual vector
+  CHECK(e.equal("norm2(I*S)",
+                "S.r*S.r*(((I*S) | n) * ((I*S) | n))")); // r^2 = S^2 / (S . n)^2, of the dual vector
 }
 
 TEST_CASE("the radius comes back from the blade of a sphere through four points") {
@@ -135,7 +139,8 @@ TEST_CASE("the radius comes back from the blade of a sphere through four points"
 
 TEST_CASE("swapping the operands of a meet changes its sign as the dual grades say") {
   const decide::model &m = *default_scene().model;
-  const std::vector<std::pair<std::string, int>> kinds{{"point_pair", 2}, {"line", 3}, {"circle", 3}, {"plane", 4}, {"sphere", 4}};
+  const std::vector<std::pair<std::string, int>> kinds{
+      {"point_pair", 2}, {"line", 3}, {"circle", 3}, {"plane", 4}, {"sphere", 4}};
   for (const auto &[x, gx] : kinds)
     for (const auto &[y, gy] : kinds) {
       if (gx + gy < 5)
@@ -187,8 +192,9 @@ TEST_CASE("side is the orientation of four points, and turns over with their ord
 
 TEST_CASE("a sphere's side is plus inside, zero on the surface, minus outside") {
   expansion e(operands{{"S", "sphere"}, {"p", "point"}});
-  CHECK(e.sign("side(S, p)") == e.sign("sign(S.r*S.r - (p.x - S.c.x)*(p.x - S.c.x) - (p.y - S.c.y)*(p.y - S.c.y)"
-                                       " - (p.z - S.c.z)*(p.z - S.c.z))"));
+  CHECK(e.sign("side(S, p)") ==
+        e.sign("sign(S.r*S.r - (p.x - S.c.x)*(p.x - S.c.x) - (p.y - S.c.y)*(p.y - S.c.y)"
+               " - (p.z - S.c.z)*(p.z - S.c.z))"));
 }
 
 TEST_CASE("B squared of two spheres factors into its two quadrics") {

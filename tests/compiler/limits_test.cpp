@@ -84,8 +84,10 @@ TEST_CASE("expressions that are too deep or too long") {
       {"a long number", blade, "c - " + repeat("9", 5000) + "*r*r*n", "a number of more than 300 digits"},
       {"a long fraction", blade, "c - 0." + repeat("1", 5000) + "*r*r*n", "a number of more than 300 digits"},
       {"the longest sum that is read", blade, 'c' + repeat(" + c", 1990), "more than 1000 levels"},
-      {"TOML arrays", "null ", "import = " + repeat("[", 5000) + repeat("]", 5000) + "\nnull ", "maximum nested value depth"},
-      {"TOML keys", "[constants]", '[' + repeat("a.", 5000) + "a]\nb = 1\n[constants]", "an algebra has no 'a'"},
+      {"TOML arrays", "null ", "import = " + repeat("[", 5000) + repeat("]", 5000) + "\nnull ",
+       "maximum nested value depth"},
+      {"TOML keys", "[constants]", '[' + repeat("a.", 5000) + "a]\nb = 1\n[constants]",
+       "an algebra has no 'a'"},
   };
   for (const runaway &r : rows)
     check_runaway(r);
@@ -97,14 +99,17 @@ TEST_CASE("definitions that double at every step, forty deep") {
   };
   const std::string steps = "this expands to more than 2000000 steps";
   const runaway rows[] = {
-      {"f1 calls f2 twice", functions, functions + chain("'f{0}(x)' = 'f{1}(x) + f{1}(x)'", "'f40(x)' = 'x'\n"), steps,
-       "'f0(sphere)'"},
-      {"f1 multiplies f2 by itself", functions, functions + chain("'f{0}(x)' = 'f{1}(x) * f{1}(x)'", "'f40(x)' = 'x'\n"),
+      {"f1 calls f2 twice", functions,
+       functions + chain("'f{0}(x)' = 'f{1}(x) + f{1}(x)'", "'f40(x)' = 'x'\n"), steps, "'f0(sphere)'"},
+      {"f1 multiplies f2 by itself", functions,
+       functions + chain("'f{0}(x)' = 'f{1}(x) * f{1}(x)'", "'f40(x)' = 'x'\n"),
        "this is of a degree above 100", "'f0(sphere)'"},
-      {"f1 squares what it hands to f2", functions, functions + chain("'f{0}(x)' = 'f{1}(x*x)'", "'f40(x)' = 'x'\n"),
-       "this is of a degree above 100", "'norm2(f0(sphere))'"},
-      {"a polynomial that grows", functions, functions + chain("'f{0}(x)' = 'f{1}(x*x + x)'", "'f40(x)' = 'x'\n"),
-       "this expands to more than", "'f0(sphere)'"},
+      {"f1 squares what it hands to f2", functions,
+       functions + chain("'f{0}(x)' = 'f{1}(x*x)'", "'f40(x)' = 'x'\n"), "this is of a degree above 100",
+       "'norm2(f0(sphere))'"},
+      {"a polynomial that grows", functions,
+       functions + chain("'f{0}(x)' = 'f{1}(x*x + x)'", "'f40(x)' = 'x'\n"), "this expands to more than",
+       "'f0(sphere)'"},
       // A constant is worked out once, however often it is named; its size has a limit.
       {"constants that square", constants, constants + chain("k{0} = 'k{1}*k{1}'", "k40 = '10000'\n"),
        "this number has more than 4096 bits", "'norm2(k0*sphere)'"},
@@ -112,8 +117,9 @@ TEST_CASE("definitions that double at every step, forty deep") {
        chain("[predicates.p{0}]\nof = ['S: sphere', 'T: sphere']\nhit = 'p{1}(S, T) or p{1}(T, S)'",
              "[predicates.p40]\nof = ['S: sphere', 'T: sphere']\nhit = 'S.r > T.r'\n[predicates.touch]"),
        steps, "'p0'"},
-      {"kinds", functions, chain("[kinds.k{0}]\nstore = ['a: k{1}', 'b: k{1}']\nblade = 'e1'",
-                                 "[kinds.k40]\nstore = ['x: real']\nblade = 'e1'\n" + functions),
+      {"kinds", functions,
+       chain("[kinds.k{0}]\nstore = ['a: k{1}', 'b: k{1}']\nblade = 'e1'",
+             "[kinds.k40]\nstore = ['x: real']\nblade = 'e1'\n" + functions),
        "stores more than 1000 numbers"},
       {"lists of lists", hit,
        [] {
@@ -132,17 +138,24 @@ TEST_CASE("long chains of definitions") {
   const std::string nested = "definitions are nested more than 500 deep";
   const runaway rows[] = {
       {"functions", functions,
-       functions + lines(600, [](int i) { return fmt::format("'f{}(x)' = 'f{}(x)'", i, i + 1); }) + "'f600(x)' = 'x'\n", nested},
+       functions + lines(600, [](int i) { return fmt::format("'f{}(x)' = 'f{}(x)'", i, i + 1); }) +
+           "'f600(x)' = 'x'\n",
+       nested},
       {"constants", constants,
-       constants + lines(600, [](int i) { return fmt::format("k{} = 'k{}'", i, i + 1); }) + "k600 = '1'\n", nested},
+       constants + lines(600, [](int i) { return fmt::format("k{} = 'k{}'", i, i + 1); }) + "k600 = '1'\n",
+       nested},
       {"kinds", functions,
-       lines(600, [](int i) { return fmt::format("[kinds.k{}]\nstore = ['a: k{}']\nblade = 'e1'", i, i + 1); }) +
+       lines(600,
+             [](int i) { return fmt::format("[kinds.k{}]\nstore = ['a: k{}']\nblade = 'e1'", i, i + 1); }) +
            "[kinds.k600]\nstore = ['x: real']\nblade = 'e1'\n" + functions,
        nested},
       {"deep calls of deep expressions", functions,
-       functions + lines(400, [](int i) {
-         return fmt::format("'f{}(x)' = '{}f{}(x){}'", i, repeat("-(", 90), i + 1, repeat(")", 90));
-       }) + "'f400(x)' = 'x'\n",
+       functions +
+           lines(400,
+                 [](int i) {
+                   return fmt::format("'f{}(x)' = '{}f{}(x){}'", i, repeat("-(", 90), i + 1, repeat(")", 90));
+                 }) +
+           "'f400(x)' = 'x'\n",
        "this expands to more than 1000 levels", "'f0(sphere)'"},
   };
   for (const runaway &r : rows)

@@ -1,4 +1,5 @@
-// The emitted decisions, compiled as they are: bool and three-valued, against the compiler's own and against each other.
+// The emitted decisions, compiled as they are: bool and three-valued, against the compiler's own and against
+// each other.
 #include "tests/compiler/catch.hpp"
 #include "tests/compiler/fixture.hpp"
 #include "tests/oracle/random.hpp"
@@ -29,7 +30,9 @@ template <class P, class S> auto ask(question q, const S *s) {
   }
 }
 
-::meet::sign random_sign(random_numbers &random) { return static_cast<::meet::sign>(random.integer(-1, 1)); }
+::meet::sign random_sign(random_numbers &random) {
+  return static_cast<::meet::sign>(random.integer(-1, 1));
+}
 ::meet::sign pick(::meet::sign_set set, random_numbers &random) {
   for (;;)
     if (const ::meet::sign s = random_sign(random); set.bits & ::meet::sign_set::of(s).bits)
@@ -64,7 +67,8 @@ template <class P> void check_logic(const char *name) {
       rare = rare || p.signs.evaluate(t, by_atom);
     const std::array have{ask<P>(question::rejected, one.data()), ask<P>(question::needs_rare, one.data()),
                           ask<P>(question::usual, one.data()), ask<P>(question::whole, one.data())};
-    const std::array<bool, 4> wanted{reject, rare, p.signs.evaluate(p.usual, by_atom), p.signs.evaluate(p.truths.hit, by_atom)};
+    const std::array<bool, 4> wanted{reject, rare, p.signs.evaluate(p.usual, by_atom),
+                                     p.signs.evaluate(p.truths.hit, by_atom)};
     for (std::size_t q = 0; q < questions.size(); ++q) {
       if (have[q] != ::meet::to_answer(wanted[q]) || ask<P>(questions[q], sets.data()) != have[q])
         FAIL_CHECK("question " << q << " has several answers");

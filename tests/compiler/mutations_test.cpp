@@ -1,4 +1,5 @@
-// A check that cannot fail is a defect: small wrongs in the shipped spec and in compiled programs must be seen.
+// A check that cannot fail is a defect: small wrongs in the shipped spec and in compiled programs must be
+// seen.
 #include "gen/verify/verify.hpp"
 #include "tests/compiler/catch.hpp"
 #include "tests/compiler/fixture.hpp"
@@ -14,8 +15,6 @@ namespace {
 // One clause changed; verify must then find the kernel wrong.
 struct mutation {
   const char *kernel, *file, *from, *to;
-  int nth = 0;       // occurrence of `from` in the file
-  long cases = 3000; // rare wrongs need more
 };
 const char *const flat = "predicates/flat.toml", *const round_ones = "predicates/round.toml",
                   *const words = "predicates/words.toml", *const algebra_file = "cga3.toml";
@@ -54,16 +53,16 @@ const mutation mutations[] = {
     {"segment_triangle", flat, "if sp == 0 and sq == 0", "if sp == 0 or sq == 0"},
     {"segment_triangle", flat, "if sp == 0 and sq == 0", "if sp > 0 and sq == 0"},
     {"segment_triangle", flat, "any(e in t.edges: segment_segment", "all(e in t.edges: segment_segment"},
-    {"segment_triangle", flat, "then point_triangle(s.p, t) or any", "then any", 0, 20000},
+    {"segment_triangle", flat, "then point_triangle(s.p, t) or any", "then any"},
     {"segment_triangle", flat, "let.sq = 'side(t, s.q)'", "let.sq = 'side(t, s.p)'"},
     {"segment_triangle", algebra_file, "[segment(a, b), segment(b, c)", "[segment(b, c)"},
     // triangles
-    {"triangle_triangle", flat, "\nor any(e in B.edges: segment_triangle(e, A))", "", 0, 1500},
-    {"triangle_triangle", flat, "   any(e in A.edges: segment_triangle(e, B))\nor ", "", 0, 1500},
-    {"triangle_triangle", words, "'all(s in S: s > 0) or all(s in S: s < 0)'", "'all(s in S: s >= 0) or all(s in S: s < 0)'", 0,
-     1500},
-    {"triangle_triangle", flat, "'apart(B, A.corners)'", "'apart(B, [A.a])'", 0, 1500},
-    {"triangle_triangle", algebra_file, "segment(a, b), ", "", 0, 1500},
+    {"triangle_triangle", flat, "\nor any(e in B.edges: segment_triangle(e, A))", ""},
+    {"triangle_triangle", flat, "   any(e in A.edges: segment_triangle(e, B))\nor ", ""},
+    {"triangle_triangle", words, "'all(s in S: s > 0) or all(s in S: s < 0)'",
+     "'all(s in S: s >= 0) or all(s in S: s < 0)'"},
+    {"triangle_triangle", flat, "'apart(B, A.corners)'", "'apart(B, [A.a])'"},
+    {"triangle_triangle", algebra_file, "segment(a, b), ", ""},
     // balls and spheres
     {"sphere_sphere", round_ones, "sign(norm2(meet(S, T))) >= 0", "sign(norm2(meet(S, T))) > 0"},
     {"sphere_sphere", round_ones, "sign(norm2(meet(S, T))) >= 0", "sign(norm2(meet(S, T))) <= 0"},
@@ -86,14 +85,17 @@ const mutation mutations[] = {
     {"sphere_segment", round_ones, " and any(p in s.ends: side(S, p) <= 0)", ""},
     {"sphere_segment", round_ones, "side(S, p) <= 0", "side(S, p) < 0"},
     {"sphere_segment", round_ones, "any(p in s.ends: side(S, p) <= 0)", "all(p in s.ends: side(S, p) <= 0)"},
-    {"ball_triangle", round_ones, "any(p in t.corners: side(S, p) >= 0)", "all(p in t.corners: side(S, p) >= 0)"},
-    {"ball_triangle", round_ones, "\nor sign(norm2(meet(S, t))) >= 0 and inside", "\nor sign(norm2(meet(S, t))) > 0 and inside"},
+    {"ball_triangle", round_ones, "any(p in t.corners: side(S, p) >= 0)",
+     "all(p in t.corners: side(S, p) >= 0)"},
+    {"ball_triangle", round_ones, "\nor sign(norm2(meet(S, t))) >= 0 and inside",
+     "\nor sign(norm2(meet(S, t))) > 0 and inside"},
     {"ball_triangle", round_ones, "inside(each(e in t.edges", "agree(each(e in t.edges"},
     {"ball_triangle", round_ones, "sign(norm2(meet(S, t))) >= 0 and ", ""},
     {"ball_triangle", round_ones, "any(e in t.edges: sign", "all(e in t.edges: sign"},
     {"ball_triangle", algebra_file, ", segment(c, a)]", "]"},
     {"sphere_triangle", round_ones, " and any(p in t.corners: side(S, p) <= 0)", ""},
-    {"sphere_triangle", round_ones, "any(p in t.corners: side(S, p) <= 0)", "any(p in t.corners: side(S, p) < 0)"},
+    {"sphere_triangle", round_ones, "any(p in t.corners: side(S, p) <= 0)",
+     "any(p in t.corners: side(S, p) < 0)"},
 };
 
 verify::report verified(const compilation &c, long cases) {
@@ -149,7 +151,7 @@ int check_changes(const dag::kernel &k, dag::program dag::formula::*which, const
   const dag::program &whole = k.value.*which;
   const auto ids = dag::needed(whole.nodes, whole.results);
   const auto right = dag::to_poly(whole, ring);
-  const std::size_t step = std::max<std::size_t>(1, ids.size() / 8);
+  const std::size_t step = std::max<std::size_t>(1, ids.size() / 3);
   int made = 0;
   for (std::size_t i = 0; i < ids.size(); i += step)
     for (const change kind : {change::minus_for_plus, change::twice, change::other_input}) {
@@ -158,8 +160,9 @@ int check_changes(const dag::kernel &k, dag::program dag::formula::*which, const
         continue;
       dag::kernel copy = k;
       copy.value.*which = wrong;
-      if (verify::verify_formula(*default_scene().model, copy, 3, 9).wrong == 0)
-        FAIL_CHECK(k.asked.text << ": node " << ids[i] << ", change " << static_cast<int>(kind) << " is not seen");
+      if (verify::verify_formula(*default_scene().model, copy, 2, 9).wrong == 0)
+        FAIL_CHECK(k.asked.text << ": node " << ids[i] << ", change " << static_cast<int>(kind)
+                                << " is not seen");
       ++made;
     }
   return made;
@@ -171,8 +174,11 @@ TEST_CASE("verify sees every mutation of the shipped spec") {
   for (const mutation &m : mutations) {
     INFO(m.kernel << ", " << m.file << ": '" << m.from << "' to '" << m.to << "'");
     const spec_copy copy({m.kernel});
-    copy.replace(m.file, m.from, m.to, m.nth);
-    const verify::report r = verified(copy.compile(), m.cases);
+    copy.replace(m.file, m.from, m.to);
+    const compilation c = copy.compile();
+    verify::report r;
+    for (unsigned seed = 1; seed <= 50 && r.wrong == 0; ++seed) // most are seen in the first few cases
+      r = verify::verify_predicate(*c.model, c.kernels.front(), 60, seed);
     CHECK(r.wrong > 0);
     CHECK_FALSE(r.first_wrong.empty());
   }
@@ -191,14 +197,15 @@ TEST_CASE("unchanged, and without any reject line, nothing is wrong") {
     bare.replace(flat, "reject = ['sp*sq > 0']\n", "");
     bare.replace(flat, "reject = ['apart(B, A.corners)', 'apart(A, B.corners)']\n", "");
     const compilation with = whole.compile(), without = bare.compile();
-    CHECK(verified(with, 1500).wrong == 0);
-    CHECK(verified(without, 1500).wrong == 0);
+    CHECK(verified(with, 1000).wrong == 0);
+    CHECK(verified(without, 1000).wrong == 0);
     CHECK(without.kernels.front().decision.reject.atoms.empty());
   }
 }
 
 TEST_CASE("a meet in the other order is seen by whoever does not read the spec") {
-  // The dense evaluator of verify reads the same definition, so it cannot see this; the oracle's own meet does.
+  // The dense evaluator of verify reads the same definition, so it cannot see this; the oracle's own meet
+  // does.
   const spec_copy copy({"meet(sphere, sphere)"});
   copy.replace(algebra_file, "'(I*X) | Y'", "'(I*Y) | X'");
   const compilation c = copy.compile();
@@ -212,21 +219,22 @@ TEST_CASE("a changed coefficient, sign or input of a compiled formula is seen by
   for (const dag::kernel *k : default_kernels(want::formulas)) {
     made += check_changes(*k, &dag::formula::from_blades, *k->value.numbers);
     if (!k->value.stored_inputs.empty())
-      made += check_changes(*k, &dag::formula::from_stored,
-                            *dag::stored_numbers(*default_scene().model, k->asked.names, k->asked.kinds).numbers);
+      made +=
+          check_changes(*k, &dag::formula::from_stored,
+                        *dag::stored_numbers(*default_scene().model, k->asked.names, k->asked.kinds).numbers);
   }
-  CHECK(made > 500);
+  CHECK(made > 200);
 }
 
 TEST_CASE("a changed sign kernel is seen") {
   for (const dag::kernel *k : default_kernels(want::signs)) {
     INFO(k->asked.text);
-    CHECK(verify::verify_sign(*default_scene().model, *k, 300, 7).wrong == 0);
+    CHECK(verify::verify_sign(*default_scene().model, *k, 60, 7).wrong == 0);
     dag::kernel copy = *k;
     copy.decision.value.unit = -copy.decision.value.unit;
-    CHECK(verify::verify_sign(*default_scene().model, copy, 300, 7).wrong > 0);
+    CHECK(verify::verify_sign(*default_scene().model, copy, 60, 7).wrong > 0);
     copy = *k;
     copy.decision.value.atoms.clear();
-    CHECK(verify::verify_sign(*default_scene().model, copy, 300, 7).wrong > 0);
+    CHECK(verify::verify_sign(*default_scene().model, copy, 60, 7).wrong > 0);
   }
 }

@@ -27,7 +27,8 @@ struct stored_frame {
   dag::stored_ring ring;
   poly::frame frame;
   explicit stored_frame(const dag::request &r)
-      : ring(dag::stored_numbers(*default_scene().model, r.names, r.kinds)), frame(*ring.numbers, ring.moves) {}
+      : ring(dag::stored_numbers(*default_scene().model, r.names, r.kinds)),
+        frame(*ring.numbers, ring.moves) {}
 };
 
 // The request's value in stored numbers, expanded without any pass.
@@ -99,7 +100,8 @@ void check_residency(const dag::program &p, int inputs_a) {
           mine |= reads[static_cast<std::size_t>(operand)];
         }
     if (static_cast<int>(p.nodes.where(id)) != mine)
-      FAIL_CHECK("node " << id << " is marked " << static_cast<int>(p.nodes.where(id)) << " and reads " << mine);
+      FAIL_CHECK("node " << id << " is marked " << static_cast<int>(p.nodes.where(id)) << " and reads "
+                         << mine);
   }
 }
 
@@ -169,7 +171,8 @@ TEST_CASE("formulas compute their polynomials, from blades and from what is stor
       std::vector<polynomial> in_pair;
       for (const std::string &n : maker.inputs) {
         names.push_back(n);
-        in_pair.push_back(polynomial::variable(*local.ring.numbers, local.ring.numbers->find(k->asked.names[i] + '.' + n)));
+        in_pair.push_back(
+            polynomial::variable(*local.ring.numbers, local.ring.numbers->find(k->asked.names[i] + '.' + n)));
       }
       const poly::ring own(names);
       for (const polynomial &c : dag::to_poly(maker.code, own))
@@ -196,9 +199,10 @@ TEST_CASE("makers compute the blades of their kinds") {
       decide::expander expand(m, ring, unused);
       decide::environment env;
       for (const spec::field &f : maker.of)
-        env.emplace_back(f.name, f.type == "real" ? decide::value{decide::multivector(
-                                                        0, polynomial::variable(ring, ring.find(f.name)))}
-                                                  : expand.operand(*m.spec().find_kind(f.type), f.name + '.'));
+        env.emplace_back(
+            f.name, f.type == "real"
+                        ? decide::value{decide::multivector(0, polynomial::variable(ring, ring.find(f.name)))}
+                        : expand.operand(*m.spec().find_kind(f.type), f.name + '.'));
       const auto expanded = expand.evaluate_multivector(*body, env);
       const auto have = dag::to_poly(maker.code, ring);
       const auto blades = dag::support(m, k);
@@ -256,7 +260,9 @@ TEST_CASE("the arena's folding and fusing keep the value of random programs") {
       values.emplace_back(ring, q);
     }
     while (made.size() < 24) {
-      const auto pick = [&] { return static_cast<std::size_t>(random.integer(0, static_cast<int>(made.size()) - 1)); };
+      const auto pick = [&] {
+        return static_cast<std::size_t>(random.integer(0, static_cast<int>(made.size()) - 1));
+      };
       const std::size_t x = pick(), y = pick(), z = pick();
       node_id id = -1;
       polynomial value(ring);
@@ -306,7 +312,8 @@ TEST_CASE("the bound of the exact rung holds: no value outgrows it") {
         const int bits = 7, edge = (1 << bits) - 1;
         std::vector<poly::rational> inputs;
         for (std::size_t i = 0; i < k->decision.stored_inputs.size(); ++i)
-          inputs.emplace_back(random.integer(0, 2) ? (random.integer(0, 1) ? edge : -edge) : random.integer(-edge, edge));
+          inputs.emplace_back(random.integer(0, 2) ? (random.integer(0, 1) ? edge : -edge)
+                                                   : random.integer(-edge, edge));
         dag::program all{s->code.nodes, dag::needed(s->code.nodes, s->code.results)};
         const auto values = dag::evaluate(all, inputs);
         for (std::size_t i = 0; i < values.size(); ++i) {

@@ -22,7 +22,9 @@ spec::algebra read_algebra(const std::string &text) {
 std::map<std::string, std::string> generated_from(const std::string &algebra, bool keep_hash) {
   const temporary_folder folder;
   folder.write("a.toml", algebra);
-  compilation c = load(folder.write("s.toml", small_scene("'norm2(meet(sphere, sphere))', 'meet(sphere, segment)', 'touch'")).string());
+  compilation c = load(
+      folder.write("s.toml", small_scene("'norm2(meet(sphere, sphere))', 'meet(sphere, segment)', 'touch'"))
+          .string());
   compile_all(c);
   std::map<std::string, std::string> out;
   for (emit::file &f : emit_all(c)) {
@@ -88,12 +90,13 @@ hit = 'k.a > 0'
 
 TEST_CASE("the shipped kinds come in the order of the file, imports after their importer") {
   const spec::algebra &a = default_scene().model->spec();
-  CHECK(a.kind_names() == std::vector<std::string>{"point", "direction", "point_pair", "flat_point", "line", "circle", "plane",
-                                                   "sphere", "segment", "triangle"});
+  CHECK(a.kind_names() == std::vector<std::string>{"point", "direction", "point_pair", "flat_point", "line",
+                                                   "circle", "plane", "sphere", "segment", "triangle"});
   std::vector<std::string> files;
   for (const auto &f : default_scene().scene->files)
     files.push_back(fs::path(f->path).filename().string());
-  CHECK(files == std::vector<std::string>{"default.toml", "cga3.toml", "words.toml", "flat.toml", "round.toml"});
+  CHECK(files ==
+        std::vector<std::string>{"default.toml", "cga3.toml", "words.toml", "flat.toml", "round.toml"});
 }
 
 TEST_CASE("memory order is store order, depth first") {
@@ -118,7 +121,8 @@ TEST_CASE("comments and blanks change the hash in the banner and nothing else") 
       "# a comment\n" + base,
       edited(base, "squares = [1, 1, 1, 1, -1]", "squares   =   [ 1,1,1,1 , -1 ]  # ü"),
       edited(base, "[kinds.sphere]", "\n\n\n[ kinds . sphere ]"),
-      edited(base, "store = ['c: point', 'r: real']", "store = [\n  'c :  point',\n\n  'r: real',  # radius\n]"),
+      edited(base, "store = ['c: point', 'r: real']",
+             "store = [\n  'c :  point',\n\n  'r: real',  # radius\n]"),
   };
   for (const std::string &text : changes) {
     CHECK(generated_from(text, false) == plain);
