@@ -4,13 +4,23 @@
 
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
-namespace Catch {
-inline auto Contains(const std::string &part) {
-  return Matchers::ContainsSubstring(part);
-}
-} // namespace Catch
 #else
 #include <catch2/catch.hpp>
 #endif
+
+#include <string>
+
+namespace meetc::compiler_test {
+
+// Version 3 gave the old name to a matcher of ranges.
+inline auto contains(const std::string &part) {
+#if __has_include(<catch2/catch_all.hpp>)
+  return Catch::Matchers::ContainsSubstring(part);
+#else
+  return Catch::Matchers::Contains(part);
+#endif
+}
+
+} // namespace meetc::compiler_test
 
 #endif

@@ -203,9 +203,8 @@ TEST_CASE("every pair with a meet, as JSON in the declared basis, is the dense p
         check_pair(emit::json(*c.model, compile_text(c, request)), x, y, g, 6);
         ++pairs;
       } else {
-        CHECK_THROWS_WITH(compile_text(c, request),
-                          Catch::Contains("is not defined here") &&
-                              Catch::Contains(fmt::format("grade(X) = {}", grades.at(x))));
+        CHECK_THROWS_WITH(compile_text(c, request), contains("is not defined here") &&
+                                                        contains(fmt::format("grade(X) = {}", grades.at(x))));
       }
     }
   CHECK(pairs == 72);

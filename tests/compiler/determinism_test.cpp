@@ -91,13 +91,13 @@ TEST_CASE("--check tells what would change, and writes nothing") {
   out.write("gen/cga/kinds.hpp", "changed");
   const outcome changed = run_meetc(arguments + " --check", out.path());
   CHECK(changed.code == 1);
-  CHECK_THAT(changed.out, Catch::Contains("gen/cga/kinds.hpp: differs"));
+  CHECK_THAT(changed.out, contains("gen/cga/kinds.hpp: differs"));
   CHECK(read(out.path() / "gen/cga/kinds.hpp") == "changed");
   REQUIRE(run_meetc(arguments, out.path()).code == 0);
   out.write("gen/mine.hpp", "mine");
   const outcome stray = run_meetc(arguments + " --check", out.path());
   CHECK(stray.code == 1);
-  CHECK_THAT(stray.out, Catch::Contains("gen/mine.hpp: stray"));
+  CHECK_THAT(stray.out, contains("gen/mine.hpp: stray"));
   REQUIRE(run_meetc(arguments, out.path()).code == 0);
   CHECK(read(out.path() / "gen/mine.hpp") == "mine"); // somebody's own file is left alone
 }
@@ -108,7 +108,7 @@ TEST_CASE("what has not changed is not written again") {
   REQUIRE(run_meetc(arguments, out.path()).code == 0);
   const auto before = fs::last_write_time(out.path() / "gen/cga/kinds.hpp");
   const outcome again = run_meetc(arguments, out.path());
-  CHECK_THAT(again.out, Catch::Contains(", 0 written"));
+  CHECK_THAT(again.out, contains(", 0 written"));
   CHECK(fs::last_write_time(out.path() / "gen/cga/kinds.hpp") == before);
 }
 

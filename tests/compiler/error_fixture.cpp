@@ -98,7 +98,7 @@ void check_error(const temporary_folder &folder, const std::string &scene, const
   REQUIRE_FALSE(lines.empty());
   const std::string start = *want.place ? fmt::format("{}: error: ", want.place) : std::string("error: ");
   CHECK(lines[0].substr(0, start.size()) == start);
-  CHECK_THAT(lines[0], Catch::Contains(want.message));
+  CHECK_THAT(lines[0], contains(want.message));
   CHECK_FALSE(lines[0].find("internal") != std::string::npos);
   if (!*want.place) {
     CHECK(lines.size() == 1);
@@ -107,7 +107,7 @@ void check_error(const temporary_folder &folder, const std::string &scene, const
   REQUIRE(lines.size() >= 3);
   CHECK(marked_text(lines[1], lines[2]) == want.marked);
   if (*want.trail)
-    CHECK_THAT(o.err, Catch::Contains(want.trail));
+    CHECK_THAT(o.err, contains(want.trail));
   for (std::size_t i = 3; i < lines.size(); ++i)
     CHECK(lines[i].substr(0, 5) == "  in ");
 }

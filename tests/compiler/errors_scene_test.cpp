@@ -185,7 +185,7 @@ TEST_CASE("command lines that must fail") {
     INFO(o.err);
     const bool is_default_namespace = std::string_view(l.message).empty();
     CHECK(o.code == (is_default_namespace ? 0 : 2)); // an empty --namespace is the scene's own
-    CHECK_THAT(o.err, Catch::Contains(l.message));
+    CHECK_THAT(o.err, contains(l.message));
     CHECK(o.err.find("internal") == std::string::npos);
   }
   CHECK(read(folder.path() / "file") == "mine");

@@ -50,7 +50,7 @@ void check_runaway(const runaway &r) {
   const double seconds = children_seconds() - before;
   CHECK(o.code == 2);
   const std::string first = o.err.substr(0, o.err.find('\n'));
-  CHECK_THAT(first, Catch::Contains(": error: ") && Catch::Contains(r.message));
+  CHECK_THAT(first, contains(": error: ") && contains(r.message));
   CHECK(first.find("internal") == std::string::npos);
   CHECK_FALSE(fs::exists(folder.path() / "out"));
 #if defined(__SANITIZE_ADDRESS__)

@@ -7,7 +7,6 @@
 using namespace meetc;
 using namespace meetc::compiler_test;
 using dag::node_id;
-using poly::residency;
 using polynomial = poly::poly;
 
 namespace {
