@@ -10,7 +10,7 @@ using spec::op;
 
 // Limits that no spec which a person writes comes near; they turn a runaway spec into an error.
 constexpr long most_steps = 2'000'000;
-constexpr int most_depth = 1000; // keeps the stack safe
+constexpr int most_depth = 400; // keeps the stack safe, sanitizers included
 constexpr std::size_t most_terms = 200'000;
 constexpr int most_degree = 100;
 constexpr std::size_t most_bits = 4096; // of a constant
