@@ -136,11 +136,15 @@ private:
     open.push_back(c.name);
     nests(open.size(), c.where);
     expression(*c.body, {});
+    // Collected first: a walk within a walk would take stack for every level of every expression.
+    std::vector<const named_expr *> others;
     walk(*c.body, [&](const expr &e) {
       if (e.kind == op::name)
         if (const named_expr *other = a_.find_constant(e.text))
-          constant(*other, open);
+          others.push_back(other);
     });
+    for (const named_expr *other : others)
+      constant(*other, open);
     whole_constants_.insert(c.name);
   }
   template <class F> static void walk(const expr &e, F &&f) {
@@ -157,10 +161,11 @@ private:
     if (!open_.insert(name).second)
       throw spec_error(where, fmt::format("'{}' calls itself; there is no recursion", name));
     nests(open_.size(), where);
+    std::vector<const expr *> calls; // collected first, as in constant()
     const auto visit = [&](const expr_ptr &body) {
       walk(*body, [&](const expr &e) {
         if (e.kind == op::call && (a_.find_function(e.text) || a_.find_predicate(e.text)))
-          calls_itself(e.text, e.where);
+          calls.push_back(&e);
       });
     };
     if (const function *f = a_.find_function(name)) {
@@ -175,6 +180,8 @@ private:
       for (const expr_ptr &r : p->reject)
         visit(r);
     }
+    for (const expr *e : calls)
+      calls_itself(e->text, e->where);
     open_.erase(name);
     done_.insert(name);
   }

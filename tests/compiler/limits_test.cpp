@@ -157,6 +157,11 @@ TEST_CASE("long chains of definitions") {
                  }) +
            "'f400(x)' = 'x'\n",
        "this expands to more than 400 levels", "'f0(sphere)'"},
+      {"deep calls at the far end of long sums", functions,
+       functions +
+           lines(400, [](int i) { return fmt::format("'f{}(x)' = 'f{}(x){}'", i, i + 1, repeat(" + x", 1900)); }) +
+           "'f400(x)' = 'x'\n",
+       "this expands to more than 400 levels", "'f0(sphere)'"},
   };
   for (const runaway &r : rows)
     check_runaway(r);
