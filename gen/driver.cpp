@@ -16,7 +16,20 @@ compilation load(const std::string &scene_path) {
 }
 
 namespace {
-bool asks_exact(const spec::scene &s) { return std::find(s.rungs.begin(), s.rungs.end(), "exact") != s.rungs.end(); }
+// Certified answers end in exact ones.
+bool asks_exact(const spec::scene &s) {
+  return std::any_of(s.rungs.begin(), s.rungs.end(), [](const std::string &r) { return r == "exact" || r == "certified"; });
+}
+
+emit::unit unit_of(const compilation &c, std::vector<dag::kernel> kernels) {
+  emit::unit u{*c.scene, *c.model, std::move(kernels), {}};
+  for (const dag::kernel &k : u.kernels) {
+    u.bounds.emplace_back();
+    if (k.is_predicate && asks_exact(*c.scene))
+      u.bounds.back() = bound::analyse(k.decision);
+  }
+  return u;
+}
 } // namespace
 
 void compile_all(compilation &c) {
@@ -35,7 +48,7 @@ void compile_all(compilation &c) {
 }
 
 std::vector<emit::file> emit_all(compilation &c) {
-  const emit::unit u{*c.scene, *c.model, std::move(c.kernels)};
+  const emit::unit u = unit_of(c, std::move(c.kernels));
   std::vector<emit::file> files = emit::cpp_files(u);
   for (std::size_t i = 1; i < files.size(); ++i) // sorted by path
     if (files[i].path == files[i - 1].path)
@@ -145,7 +158,7 @@ int show(const show_options &o) {
   }
   std::vector<dag::kernel> one;
   one.push_back(dag::compile(*c.model, r, asks_exact(*c.scene)));
-  const emit::unit u{*c.scene, *c.model, std::move(one)};
+  const emit::unit u = unit_of(c, std::move(one));
   const dag::kernel &k = u.kernels.front();
   if (o.emit == "json")
     fmt::print("{}", emit::json(*c.model, k));
@@ -160,7 +173,7 @@ int show(const show_options &o) {
   else if (o.emit == "cuda")
     throw spec_error({}, "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
   else
-    fmt::print("{}", emit::cpp_text(u, k));
+    fmt::print("{}", emit::cpp_text(u, 0));
   return 0;
 }
 

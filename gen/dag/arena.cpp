@@ -245,7 +245,7 @@ std::vector<rational> evaluate(const program &p, const std::vector<rational> &in
   return out;
 }
 
-std::vector<magnitude> magnitudes(const program &p) {
+std::vector<magnitude> magnitudes(const program &p, bool differences) {
   std::vector<magnitude> out(p.nodes.size());
   const auto of = [&](node_id i) -> magnitude & { return out[static_cast<std::size_t>(i)]; };
   const auto sum = [&](const magnitude &a, const magnitude &b, magnitude &into) {
@@ -275,6 +275,8 @@ std::vector<magnitude> magnitudes(const program &p) {
     case op::add:
     case op::subtract:
       homogeneous = sum(of(n.a), of(n.b), of(id));
+      if (differences && n.kind == op::subtract && p.nodes.at(n.a).kind == op::input && p.nodes.at(n.b).kind == op::input)
+        of(id) = {1, 0};
       break;
     case op::multiply:
       of(id) = {of(n.a).degree + of(n.b).degree, of(n.a).growth + of(n.b).growth};

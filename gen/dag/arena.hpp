@@ -89,6 +89,7 @@ std::vector<rational> evaluate(const program &p, const std::vector<rational> &in
 struct magnitude {
   int degree, growth;
 };
-std::vector<magnitude> magnitudes(const program &p); // of all nodes by id, or empty
+// With `differences`, 2^bits bounds the differences of inputs too.
+std::vector<magnitude> magnitudes(const program &p, bool differences = false); // of all nodes by id, or empty
 
 } // namespace meetc::dag

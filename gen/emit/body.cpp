@@ -22,9 +22,10 @@ std::string constant_text(const dag::rational &q, const std::string &type) {
 // Writes nodes in id order; a node used once is folded into its user while that stays readable.
 class writer {
 public:
+  // wide[id]: the node is of type W.
   writer(const dag::program &p, std::function<std::string(int)> input, std::string type, std::string indent,
-         const std::vector<node_id> &order)
-      : p_(p), input_(std::move(input)), type_(std::move(type)), indent_(std::move(indent)) {
+         const std::vector<node_id> &order, std::vector<char> wide = {})
+      : p_(p), input_(std::move(input)), type_(std::move(type)), indent_(std::move(indent)), wide_(std::move(wide)) {
     for (const node_id id : order) {
       const node &n = p.nodes.at(id);
       if (n.kind != op::input && n.kind != op::constant)
@@ -60,7 +61,12 @@ public:
       text = fmt::format("{} - {}", term(n.a), factor(n.b));
       break;
     case op::multiply:
-      text = fmt::format("{} * {}", factor(n.a), factor(n.b));
+      if (is_wide(id) && !is_wide(n.a) && !is_wide(n.b)) {
+        text = fmt::format("::meet::times<W>({}, {})", plain(n.a), plain(n.b));
+        atom = true;
+      } else {
+        text = fmt::format("{} * {}", factor(n.a), factor(n.b));
+      }
       break;
     case op::fused:
       text = fmt::format("::meet::fma({}, {}, {})", plain(n.a), plain(n.b), plain(n.c));
@@ -74,10 +80,11 @@ public:
       return;
     }
     const std::string t = fmt::format("t{}", next_++);
-    out_ += fmt::format("{}const {} {} = {};\n", indent_, type_, t, text);
+    out_ += fmt::format("{}const {} {} = {};\n", indent_, is_wide(id) ? "W" : type_, t, text);
     text_[id] = {t, true};
   }
 
+  bool is_wide(node_id id) const { return !wide_.empty() && wide_[static_cast<std::size_t>(id)]; }
   std::string plain(node_id id) const { return text_.at(id).first; }
   std::string take() { return std::move(out_); }
   void line(const std::string &statement) { out_ += indent_ + statement + '\n'; }
@@ -86,6 +93,7 @@ private:
   const dag::program &p_;
   std::function<std::string(int)> input_;
   std::string type_, indent_, out_;
+  std::vector<char> wide_;
   std::map<node_id, int> uses_;
   std::map<node_id, std::pair<std::string, bool>> text_; // and whether it needs no parentheses
   int next_ = 0;
@@ -117,7 +125,7 @@ std::string body(const dag::program &p, const body_names &names, const std::stri
   return w.take();
 }
 
-parts split_body(const dag::program &p, int inputs_a, const std::vector<int> &slots, const std::string &indent) {
+parts split_body(const dag::program &p, int inputs_a, bool mixed, const std::string &indent) {
   using poly::residency;
   const auto input = [inputs_a](int i) {
     return i < inputs_a ? fmt::format("a[{}]", i) : fmt::format("b[{}]", i - inputs_a);
@@ -139,6 +147,12 @@ parts split_body(const dag::program &p, int inputs_a, const std::vector<int> &sl
         read_by_pair(operand);
   for (const node_id r : p.results)
     read_by_pair(r);
+  std::vector<char> wide(mixed ? p.nodes.size() : 0);
+  if (mixed) {
+    const std::vector<dag::magnitude> all = dag::magnitudes(p);
+    for (const node_id id : order)
+      wide[static_cast<std::size_t>(id)] = all[static_cast<std::size_t>(id)].degree >= 3;
+  }
   parts out;
   std::map<node_id, std::string> field;
   const auto object = [&](residency where, const char *array, int &count) {
@@ -155,7 +169,7 @@ parts split_body(const dag::program &p, int inputs_a, const std::vector<int> &sl
   };
   out.object_a = object(residency::a, "fa", out.fields_a);
   out.object_b = object(residency::b, "fb", out.fields_b);
-  writer w(p, input, "T", indent, order);
+  writer w(p, input, "T", indent, order, wide);
   std::map<node_id, int> results;
   for (const node_id r : p.results)
     ++results[r];
@@ -166,7 +180,8 @@ parts split_body(const dag::program &p, int inputs_a, const std::vector<int> &sl
       w.write(id, results[id] > 1);
   }
   for (std::size_t i = 0; i < p.results.size(); ++i)
-    w.line(fmt::format("s[{}] = ::meet::sign_of({});", slots[i], w.plain(p.results[i])));
+    w.line(fmt::format(fmt::runtime(mixed && !w.is_wide(p.results[i]) ? "v[{}] = W({});" : "v[{}] = {};"), i,
+                       w.plain(p.results[i])));
   out.pair = w.take();
   return out;
 }

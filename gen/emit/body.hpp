@@ -22,8 +22,9 @@ struct parts {
   int fields_a = 0, fields_b = 0;
   std::string object_a, object_b, pair;
 };
-// Inputs below inputs_a are a[i], the others b[i - inputs_a]; results are signs s[first + i].
-parts split_body(const dag::program &p, int inputs_a, const std::vector<int> &slots, const std::string &indent);
+// Inputs below inputs_a are a[i], the others b[i - inputs_a]; results are values v[i]. With `mixed`, values of degree 3
+// and more are of type W, the others of type T.
+parts split_body(const dag::program &p, int inputs_a, bool mixed, const std::string &indent);
 
 // "27 multiplications, 17 additions"; fused multiply-adds count as one of each.
 std::string count_text(const dag::counts &c);

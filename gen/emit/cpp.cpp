@@ -266,7 +266,7 @@ std::string open_header(const spec::scene &s, const std::string &name, const std
                                 space, name, space.size());
   for (const std::string &i : includes)
     out += fmt::format("#include <{}/{}>\n", space, i);
-  return out + fmt::format("\nstatic_assert(MEET_SUPPORT_VERSION == 1, \"meet/support.hpp is of another version; "
+  return out + fmt::format("\nstatic_assert(MEET_SUPPORT_VERSION == 2, \"meet/support.hpp is of another version; "
                            "regenerate\");\n\nnamespace {} {{\n\n",
                            space);
 }
@@ -299,23 +299,29 @@ std::string broken_lines(const std::string &text) {
 
 } // namespace
 
-std::string cpp_text(const unit &u, const dag::kernel &k) {
+bool unit::asks(const char *rung) const {
+  return std::find(scene.rungs.begin(), scene.rungs.end(), rung) != scene.rungs.end();
+}
+
+std::string cpp_text(const unit &u, std::size_t kernel) {
+  const dag::kernel &k = u.kernels[kernel];
   std::string out = banner(u.scene, k.asked.text);
   out += open_header(u.scene, "kernel_" + k.asked.name(), {"kinds.hpp"});
-  out += k.is_sign ? sign_text(u, k) : k.is_predicate ? predicate_text(u, k) : formula_header(u, k);
+  out += k.is_sign ? sign_text(u, kernel) : k.is_predicate ? predicate_text(u, kernel) : formula_header(u, k);
   return broken_lines(out + close_header(u.scene));
 }
 
 std::vector<file> cpp_files(const unit &u) {
   const std::string space = identifier(u.scene.space);
-  std::vector<file> out;
-  out.push_back({"meet/support.hpp", support_header()});
+  std::vector<file> out = support_headers();
+  const std::size_t copied = out.size();
   out.push_back({space + "/kinds.hpp", kinds_header(u)});
   std::vector<std::string> headers{"kinds.hpp"};
   bool predicates = false;
-  for (const dag::kernel &k : u.kernels) {
+  for (std::size_t i = 0; i < u.kernels.size(); ++i) {
+    const dag::kernel &k = u.kernels[i];
     headers.push_back(lower_include(k.asked.name()));
-    out.push_back({space + '/' + headers.back(), cpp_text(u, k)});
+    out.push_back({space + '/' + headers.back(), cpp_text(u, i)});
     predicates = predicates || (k.is_predicate && !k.is_sign);
   }
   std::sort(headers.begin() + 1, headers.end());
@@ -328,7 +334,7 @@ std::vector<file> cpp_files(const unit &u) {
     out.push_back({space + '/' + space + "_cuda.hpp", cuda_header(u)});
     out.push_back({space + '/' + space + "_cuda.cu", cuda_source(u)});
   }
-  for (std::size_t i = 1; i < out.size(); ++i) // not the support header, which is copied byte for byte
+  for (std::size_t i = copied; i < out.size(); ++i) // the headers of meet/ are copied byte for byte
     out[i].text = broken_lines(out[i].text);
   std::sort(out.begin(), out.end(), [](const file &a, const file &b) { return a.path < b.path; });
   return out;

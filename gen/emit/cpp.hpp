@@ -8,8 +8,8 @@ std::string banner(const spec::scene &s, const std::string &what, const char *co
 std::string open_header(const spec::scene &s, const std::string &name, const std::vector<std::string> &includes = {});
 std::string close_header(const spec::scene &s);
 
-std::string predicate_text(const unit &u, const dag::kernel &k);
-std::string sign_text(const unit &u, const dag::kernel &k);
+std::string predicate_text(const unit &u, std::size_t kernel);
+std::string sign_text(const unit &u, std::size_t kernel);
 
 // The table of kinds and predicates through which a runtime knows this namespace.
 std::string runtime_header(const unit &u);
@@ -19,7 +19,7 @@ std::string runtime_source(const unit &u);
 std::string cuda_header(const unit &u);
 std::string cuda_source(const unit &u);
 
-// meet/support.hpp, as the generator was built with it.
-std::string support_header();
+// The headers of meet/, as the generator was built with them.
+std::vector<file> support_headers();
 
 } // namespace meetc::emit

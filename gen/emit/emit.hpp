@@ -1,6 +1,6 @@
 // Emitters: text from compiled kernels. They decide nothing.
 #pragma once
-#include "gen/dag/kernel.hpp"
+#include "gen/bound/bound.hpp"
 
 #include <functional>
 #include <string>
@@ -18,6 +18,10 @@ struct unit {
   const spec::scene &scene;
   const decide::model &model;
   std::vector<dag::kernel> kernels;
+  // Of kernels made of signs, where the scene asks for rungs that need them.
+  std::vector<std::optional<bound::kernel_bounds>> bounds;
+
+  bool asks(const char *rung) const;
 };
 
 // Headers, the runtime table and the CUDA launchers, as the scene's backends ask. Sorted by path.
@@ -29,7 +33,7 @@ std::string poly_text(const decide::model &m, const dag::kernel &k);
 // The graph, one node a line; `schedule` in the order and with the names in which it is emitted.
 std::string dag_text(const dag::kernel &k, bool schedule);
 // A kernel's own header.
-std::string cpp_text(const unit &u, const dag::kernel &k);
+std::string cpp_text(const unit &u, std::size_t kernel);
 
 // The CUDA launchers of the unit's predicates.
 std::string cuda_text(const unit &u);

@@ -1,5 +1,6 @@
 // A predicate as a struct: its stages and its decision.
 #include "gen/emit/body.hpp"
+#include "gen/emit/bounds.hpp"
 #include "gen/emit/cpp.hpp"
 #include "gen/emit/names.hpp"
 
@@ -11,36 +12,38 @@ namespace meetc::emit {
 namespace {
 using decide::truth_node;
 
-std::string stage_text(const dag::predicate &p, const dag::stage &st, const char *name, const char *what,
-                       std::map<int, int> &slot) {
+std::string stage_text(const dag::predicate &p, const dag::stage &st, const bound::stage_bounds *b, const char *name,
+                       const char *what, std::map<int, int> &slot) {
   if (st.atoms.empty())
     return fmt::format("  using {} = ::meet::no_stage;\n", name);
   const int first = static_cast<int>(slot.size());
-  std::vector<int> slots;
   for (const int a : st.atoms) {
     const int next = static_cast<int>(slot.size());
-    slots.push_back(slot.try_emplace(a, next).first->second);
+    slot.try_emplace(a, next);
   }
-  const parts text = split_body(st.code, p.inputs_a, slots, "      ");
+  const parts text = split_body(st.code, p.inputs_a, b && b->mixed, "      ");
   std::string out = fmt::format("  // {}: signs {} to {}, degree {}.\n", what, first, slot.size() - 1, st.degree);
   const auto counted = [&](poly::residency r) { return count_text(dag::count(st.code, r)); };
   out += fmt::format("  // Once an object A: {}; B: {}; a pair: {}.\n", counted(poly::residency::a),
                      counted(poly::residency::b), counted(poly::residency::pair));
-  out += fmt::format("  struct {} {{\n    static constexpr int atoms = {}, fields_a = {}, fields_b = {};\n"
+  out += fmt::format("  struct {} {{\n    static constexpr int first = {}, atoms = {}, fields_a = {}, fields_b = {};\n"
                      "    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
                      "    static constexpr int degree = {}, growth = {};\n",
-                     name, st.atoms.size(), text.fields_a, text.fields_b, st.degree, st.growth);
+                     name, first, st.atoms.size(), text.fields_a, text.fields_b, st.degree, st.growth);
   out += fmt::format("    template <class T>\n    MEET_HD static void object_a([[maybe_unused]] const T *a, "
                      "[[maybe_unused]] T *f) {{\n{}    }}\n",
                      text.object_a);
   out += fmt::format("    template <class T>\n    MEET_HD static void object_b([[maybe_unused]] const T *b, "
                      "[[maybe_unused]] T *f) {{\n{}    }}\n",
                      text.object_b);
-  out += fmt::format("    template <class T>\n    MEET_HD static void pair([[maybe_unused]] const T *a, "
+  out += fmt::format("    // The values, whose signs are wanted; W holds those of degree 3 and more.\n"
+                     "    template <class T, class W = T>\n    MEET_HD static void pair([[maybe_unused]] const T *a, "
                      "[[maybe_unused]] const T *fa,\n                             [[maybe_unused]] const T *b, "
-                     "[[maybe_unused]] const T *fb, ::meet::sign *s) {{\n{}    }}\n  }};\n",
+                     "[[maybe_unused]] const T *fb, W *v) {{\n{}    }}\n",
                      text.pair);
-  return out;
+  if (b)
+    out += stage_bounds_text(*b, st, p.inputs_a);
+  return out + "  };\n";
 }
 
 // The truths that `roots` need, as statements b0, b1, ...; gives the names of the roots.
@@ -104,7 +107,7 @@ private:
 };
 
 std::string truth_function(const dag::predicate &p, const std::map<int, int> &slot, const char *name,
-                           const std::vector<int> &any_of, bool as_bool) {
+                           const std::vector<int> &any_of) {
   truth_writer w(p.signs, slot);
   std::string value;
   for (const int id : any_of) {
@@ -113,8 +116,6 @@ std::string truth_function(const dag::predicate &p, const std::map<int, int> &sl
   }
   if (value.empty())
     value = "false";
-  if (as_bool)
-    value = fmt::format("::meet::can_be_true({})", value);
   return fmt::format("  template <class S> MEET_HD static constexpr auto {}([[maybe_unused]] const S *s) {{\n{}    return {};\n"
                      "  }}\n",
                      name, w.take(), value);
@@ -131,7 +132,9 @@ std::string commented(const std::string &label, const std::string &text) {
 }
 } // namespace
 
-std::string sign_text(const unit &u, const dag::kernel &k) {
+std::string sign_text(const unit &u, std::size_t kernel) {
+  const dag::kernel &k = u.kernels[kernel];
+  const bound::kernel_bounds *bounds = u.bounds[kernel] ? &*u.bounds[kernel] : nullptr;
   const dag::predicate &p = k.decision;
   const std::string name = identifier(k.asked.name()), a = identifier(k.asked.kinds[0]->name),
                     b = identifier(k.asked.kinds[1]->name);
@@ -139,33 +142,42 @@ std::string sign_text(const unit &u, const dag::kernel &k) {
   std::string out = fmt::format("// {}: one sign.\nstruct {}_sign {{\n  static constexpr int inputs_a = {}, inputs_b = {}, "
                                 "atoms = {};\n",
                                 k.asked.text, name, p.inputs_a, p.inputs_b, p.common.atoms.size());
-  out += stage_text(p, p.common, "common_stage", "The sign", slot);
-  std::string product = p.value.unit == 0 ? "::meet::sign::zero" : p.value.atoms.empty() ? "::meet::sign::positive" : "";
+  if (bounds)
+    out += kernel_bounds_text(*bounds, p.inputs_a);
+  out += stage_text(p, p.common, bounds ? &bounds->common : nullptr, "common_stage", "The sign", slot);
+  std::string product = p.value.unit == 0         ? "::meet::constant_sign<S>(::meet::sign::zero)"
+                        : p.value.atoms.empty() ? "::meet::constant_sign<S>(::meet::sign::positive)"
+                                                : "";
   for (const auto &[atom, e] : p.value.atoms)
     product += fmt::format(fmt::runtime(e == 2 ? "{}::meet::square(s[{}])" : "{}s[{}]"), product.empty() ? "" : " * ",
                            slot.at(atom));
   if (p.value.unit < 0)
     product = "-(" + product + ")";
-  out += fmt::format("  template <class S> MEET_HD static constexpr auto value([[maybe_unused]] const S *s) {{ return {}; "
+  out += fmt::format("  template <class S> MEET_HD static constexpr S value([[maybe_unused]] const S *s) {{ return {}; "
                      "}}\n}};\n",
                      product);
-  const auto function = [&](const char *comment, const char *head, const char *suffix, const char *signs) {
+  const auto function = [&](const char *comment, const char *head, const char *suffix, const std::string &value) {
     return fmt::format("// {}\n{}MEET_HD inline ::meet::sign {}{}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
                        "  float row_a[{}], row_b[{}];\n  to_row(operand_a, row_a);\n  to_row(operand_b, row_b);\n"
-                       "  return ::meet::decide_sign<{}_sign>({}(row_a, row_b));\n}}\n",
-                       comment, head, kernel_function(k.asked), suffix, a, b, p.inputs_a, p.inputs_b, name, signs);
+                       "  return {};\n}}\n",
+                       comment, head, kernel_function(k.asked), suffix, a, b, p.inputs_a, p.inputs_b, value);
   };
-  const auto &rungs = u.scene.rungs;
-  const auto rung = [&](const char *r) { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); };
-  if (rung("exact"))
-    out += function("Right for any finite operands.", "", "", fmt::format("::meet::exact_signs<{}_sign>", name).c_str());
-  if (rung("fp32") || rung("fp64"))
+  if (u.asks("certified"))
+    out += function("Right for any finite operands; the cheapest rung that proves its answer gives it.", "", "",
+                    fmt::format("::meet::decide_certified_sign<{}_sign>(row_a, row_b)", name));
+  else if (u.asks("exact"))
+    out += function("Right for any finite operands.", "", "",
+                    fmt::format("::meet::decide_sign<{0}_sign>(::meet::exact_signs<{0}_sign>(row_a, row_b))", name));
+  if (u.asks("fp32") || u.asks("fp64") || u.asks("fp64x2"))
     out += function("The sign of the value computed in T (float, double); says nothing about how wrong it can be.",
-                    "template <class T> ", "_plain", fmt::format("::meet::plain_signs<{}_sign, T>", name).c_str());
+                    "template <class T> ", "_plain",
+                    fmt::format("::meet::decide_sign<{0}_sign>(::meet::plain_signs<{0}_sign, T>(row_a, row_b))", name));
   return out;
 }
 
-std::string predicate_text(const unit &u, const dag::kernel &k) {
+std::string predicate_text(const unit &u, std::size_t kernel) {
+  const dag::kernel &k = u.kernels[kernel];
+  const bound::kernel_bounds *bounds = u.bounds[kernel] ? &*u.bounds[kernel] : nullptr;
   const dag::predicate &p = k.decision;
   const spec::predicate &asked = *k.asked.asked;
   const std::string name = identifier(asked.name), a = identifier(asked.of[0].type), b = identifier(asked.of[1].type);
@@ -179,28 +191,36 @@ std::string predicate_text(const unit &u, const dag::kernel &k) {
   out += fmt::format("struct {} {{\n  static constexpr int inputs_a = {}, inputs_b = {}, atoms = {};\n\n", name,
                      p.inputs_a, p.inputs_b, p.signs.atoms().size());
   std::map<int, int> slot;
-  out += stage_text(p, p.reject, "reject_stage", "Decides most misses", slot);
-  out += stage_text(p, p.common, "common_stage", "The usual case", slot);
-  out += stage_text(p, p.rare, "rare_stage", "The rare case", slot);
+  if (bounds)
+    out += kernel_bounds_text(*bounds, p.inputs_a) + '\n';
+  out += stage_text(p, p.reject, bounds ? &bounds->reject : nullptr, "reject_stage", "Decides most misses", slot);
+  out += stage_text(p, p.common, bounds ? &bounds->common : nullptr, "common_stage", "The usual case", slot);
+  out += stage_text(p, p.rare, bounds ? &bounds->rare : nullptr, "rare_stage", "The rare case", slot);
   out += "\n  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).\n";
-  out += truth_function(p, slot, "rejected", p.truths.reject, false);
-  out += truth_function(p, slot, "needs_rare", p.conditions, true);
-  out += truth_function(p, slot, "usual", {p.usual}, false);
-  out += truth_function(p, slot, "whole", {p.truths.hit}, false);
-  const auto method = [&](const char *comment, const char *head, const char *function, const char *signs) {
-    return fmt::format("\n  // {}\n  {}MEET_HD static bool {}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
+  out += truth_function(p, slot, "rejected", p.truths.reject);
+  out += truth_function(p, slot, "needs_rare", p.conditions);
+  out += truth_function(p, slot, "usual", {p.usual});
+  out += truth_function(p, slot, "whole", {p.truths.hit});
+  const auto method = [&](const char *comment, const char *head, const char *type, const char *function,
+                          const std::string &value) {
+    return fmt::format("\n  // {}\n  {}MEET_HD static {} {}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
                        "    float row_a[inputs_a], row_b[inputs_b];\n    to_row(operand_a, row_a);\n"
-                       "    to_row(operand_b, row_b);\n    return ::meet::decide<{}>({}(row_a, row_b));\n  }}\n",
-                       comment, head, function, a, b, name, signs);
+                       "    to_row(operand_b, row_b);\n    return {};\n  }}\n",
+                       comment, head, type, function, a, b, value);
   };
-  const auto rung = [&](const char *r) {
-    return std::find(u.scene.rungs.begin(), u.scene.rungs.end(), r) != u.scene.rungs.end();
-  };
-  if (rung("exact"))
-    out += method("Right for any finite operands.", "", "hit", fmt::format("::meet::exact_signs<{}>", name).c_str());
-  if (rung("fp32") || rung("fp64"))
+  if (u.asks("certified")) {
+    out += method("Right for any finite operands; the cheapest rung that proves its answer gives it.", "", "bool", "hit",
+                  fmt::format("::meet::decide_certified<{}>(row_a, row_b)", name));
+    out += method("The first rung alone, in fp32: no and yes are proved, where standard_environment() holds.", "",
+                  "::meet::answer", "filter", fmt::format("::meet::certify<{}, ::meet::in_fp32>(row_a, row_b)", name));
+  } else if (u.asks("exact")) {
+    out += method("Right for any finite operands.", "", "bool", "hit",
+                  fmt::format("::meet::decide<{0}>(::meet::exact_signs<{0}>(row_a, row_b))", name));
+  }
+  if (u.asks("fp32") || u.asks("fp64") || u.asks("fp64x2"))
     out += method("By the signs of values computed in T (float, double); says nothing about how wrong it can be.",
-                  "template <class T> ", "plain", fmt::format("::meet::plain_signs<{}, T>", name).c_str());
+                  "template <class T> ", "bool", "plain",
+                  fmt::format("::meet::decide<{0}>(::meet::plain_signs<{0}, T>(row_a, row_b))", name));
   return out + "};\n";
 }
 

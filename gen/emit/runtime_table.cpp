@@ -1,4 +1,5 @@
 // The table of kinds and predicates for a runtime, and the same predicates as CUDA kernels.
+#include "gen/emit/bounds.hpp"
 #include "gen/emit/cpp.hpp"
 #include "gen/emit/names.hpp"
 
@@ -94,6 +95,11 @@ std::string runtime_header(const unit &u) {
          "// The bounded kinds and the predicates on them.\nconst ::meet::catalogue &catalogue();\n" + close_header(u.scene);
 }
 
+namespace {
+// The box as the least float32 that is not below it.
+std::string box_literal(double box) { return hex_literal(bound::rounded_up(dag::rational(box), 24), "f"); }
+} // namespace
+
 std::string runtime_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of kinds and predicates.");
@@ -120,22 +126,28 @@ std::string runtime_source(const unit &u) {
       return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
     };
     const std::string name = identifier(k->asked.asked->name);
-    const auto rung = [&](const char *r, const std::string &function) {
-      const auto &rungs = u.scene.rungs;
-      return std::find(rungs.begin(), rungs.end(), r) == rungs.end() ? "nullptr" : function;
+    const auto rung = [&](const char *r, const std::string &function) { return u.asks(r) ? function : "nullptr"; };
+    const auto bounded = [&](const char *a) {
+      return rung("certified", fmt::format("::meet::certify_pairs<{}, ::meet::in_{}>", name, a));
     };
-    rows += fmt::format("  {{\"{}\", \"{}\", &all_kinds[{}], &all_kinds[{}],\n   {{{}, {}, {}}}}},\n", k->asked.asked->name,
+    rows += fmt::format("  {{\"{}\", \"{}\", &all_kinds[{}], &all_kinds[{}],\n   {{{}, {}, {}, {}, {}}},\n", k->asked.asked->name,
                         k->asked.asked->mode, place(0), place(1),
                         rung("fp32", fmt::format("::meet::decide_plain<{}, float>", name)),
                         rung("fp64", fmt::format("::meet::decide_plain<{}, double>", name)),
-                        rung("exact", fmt::format("::meet::decide_exact<{}>", name)));
+                        rung("fp64x2", fmt::format("::meet::decide_plain<{}, ::meet::double_double>", name)),
+                        u.asks("certified") || u.asks("exact") ? fmt::format("::meet::decide_exact<{}>", name) : "nullptr",
+                        rung("certified", fmt::format("::meet::decide_certified<{}>", name)));
+    rows += fmt::format("   {{{}, {}, {}}},\n   {}, {}, {}}},\n", bounded("fp32"), bounded("fp64"), bounded("fp64x2"),
+                        rung("certified", fmt::format("::meet::certify_pairs_in_box<{}>", name)),
+                        u.asks("certified") ? fmt::format("::meet::least_box<{}>()", name) : "0",
+                        u.asks("certified") ? fmt::format("::meet::most_box<{}>()", name) : "0");
   }
   if (!rows.empty())
     out += "const ::meet::predicate_info all_predicates[] = {\n" + rows + "};\n\n";
   out += fmt::format("}} // namespace\n\nconst ::meet::catalogue &catalogue() {{\n  static const ::meet::catalogue c{{\"{}\", {}, "
-                     "{}, {}, {}}};\n  return c;\n}}\n\n}} // namespace {}\n",
+                     "{}, {}, {}, {}}};\n  return c;\n}}\n\n}} // namespace {}\n",
                      u.scene.space, kinds.empty() ? "nullptr" : "all_kinds", kinds.size(),
-                     rows.empty() ? "nullptr" : "all_predicates", predicates_of(u).size(), space);
+                     rows.empty() ? "nullptr" : "all_predicates", predicates_of(u).size(), box_literal(u.scene.box), space);
   return out;
 }
 
@@ -147,12 +159,17 @@ std::string cuda_header(const unit &u) {
                      space);
   out += "// Decides n pairs of rows on the device: a, b, pairs and out are device pointers, rows are packed floats in\n"
          "// the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.\n"
-         "// Answers are the CPU's, bit for bit. An unknown rung gives cudaErrorInvalidValue.\n";
+         "// Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), which may\n"
+         "// answer unsure. An unknown rung gives cudaErrorInvalidValue.\n";
   for (const dag::kernel *k : predicates_of(u))
     out += fmt::format("struct {} {{\n  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const "
                        "::meet::index_pair *pairs,\n                            std::size_t n, ::meet::answer *out, "
-                       "cudaStream_t stream);\n}};\n",
-                       identifier(k->asked.asked->name));
+                       "cudaStream_t stream);\n{}}};\n",
+                       identifier(k->asked.asked->name),
+                       u.asks("certified") ? "  static cudaError_t certify(::meet::rung rung, const float *a, const float *b, const "
+                                             "::meet::index_pair *pairs,\n                             std::size_t n, "
+                                             "::meet::answer *out, cudaStream_t stream);\n"
+                                           : "");
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
@@ -160,6 +177,7 @@ std::string cuda_text(const unit &u) { return cuda_source(u); }
 
 std::string cuda_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
+  const bool asks_exact = u.asks("exact") || u.asks("certified");
   std::string out = banner(u.scene, "Launchers on a CUDA device.");
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n", space);
   for (const dag::kernel *k : predicates_of(u))
@@ -169,59 +187,84 @@ namespace {
 
 constexpr int block = 128;
 
-template <class P, class T>
-__global__ void __launch_bounds__(block) plain_kernel(const float *a, const float *b, const ::meet::index_pair *pairs,
-                                                      std::size_t n, ::meet::answer *out) {
+template <class P, class Decide>
+__global__ void __launch_bounds__(block) decide_kernel(const float *a, const float *b, const ::meet::index_pair *pairs,
+                                                       std::size_t n, ::meet::answer *out) {
   const std::size_t i = std::size_t{blockIdx.x} * block + threadIdx.x;
   if (i < n)
-    out[i] = ::meet::to_answer(::meet::decide<P>(::meet::plain_signs<P, T>(
-        a + std::size_t{pairs[i].a} * P::inputs_a, b + std::size_t{pairs[i].b} * P::inputs_b)));
+    out[i] = Decide::of(a + std::size_t{pairs[i].a} * P::inputs_a, b + std::size_t{pairs[i].b} * P::inputs_b);
 }
 
-template <class P>
-__global__ void __launch_bounds__(block) exact_kernel(const float *a, const float *b, const ::meet::index_pair *pairs,
-                                                      std::size_t n, ::meet::answer *out) {
-  const std::size_t i = std::size_t{blockIdx.x} * block + threadIdx.x;
-  if (i < n)
-    out[i] = ::meet::to_answer(::meet::decide<P>(::meet::exact_signs<P>(
-        a + std::size_t{pairs[i].a} * P::inputs_a, b + std::size_t{pairs[i].b} * P::inputs_b)));
-}
-
-template <class P>
-cudaError_t launch(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs, std::size_t n,
-                   ::meet::answer *out, cudaStream_t stream) {
+template <class P, class T> struct plain {
+  __device__ static ::meet::answer of(const float *a, const float *b) {
+    return ::meet::to_answer(::meet::decide<P>(::meet::plain_signs<P, T>(a, b)));
+  }
+};
+)";
+  if (asks_exact)
+    out += R"(template <class P> struct exact {
+  __device__ static ::meet::answer of(const float *a, const float *b) {
+    return ::meet::to_answer(::meet::decide<P>(::meet::exact_signs<P>(a, b)));
+  }
+};
+)";
+  if (u.asks("certified"))
+    out += R"(template <class P, class A> struct bounded {
+  __device__ static ::meet::answer of(const float *a, const float *b) { return ::meet::certify<P, A>(a, b); }
+};
+template <class P> struct certified {
+  __device__ static ::meet::answer of(const float *a, const float *b) {
+    return ::meet::to_answer(::meet::decide_certified<P>(a, b));
+  }
+};
+)";
+  out += R"(
+template <class P, class Decide>
+cudaError_t launch(const float *a, const float *b, const ::meet::index_pair *pairs, std::size_t n, ::meet::answer *out,
+                   cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
   const std::size_t blocks = (n + block - 1) / block;
   if (blocks > 0x7fffffff)
     return cudaErrorInvalidValue;
-  switch (rung) {
-)";
-  const auto &rungs = u.scene.rungs;
-  const auto add_case = [&](const char *name, const char *kernel) {
-    if (std::find(rungs.begin(), rungs.end(), name) != rungs.end())
-      out += fmt::format("  case ::meet::rung::{}:\n    {}<<<static_cast<unsigned>(blocks), block, 0, stream>>>(a, b, pairs, "
-                         "n, out);\n    break;\n",
-                         name, kernel);
-  };
-  add_case("fp32", "plain_kernel<P, float>");
-  add_case("fp64", "plain_kernel<P, double>");
-  add_case("exact", "exact_kernel<P>");
-  out += R"(  default:
-    return cudaErrorInvalidValue;
-  }
+  decide_kernel<P, Decide><<<static_cast<unsigned>(blocks), block, 0, stream>>>(a, b, pairs, n, out);
   return cudaGetLastError();
 }
 
-} // namespace
-
 )";
-  out += fmt::format("namespace {} {{\nnamespace cuda {{\n\n", space);
+  const auto rungs_function = [&](const char *name, const std::vector<std::pair<const char *, const char *>> &cases) {
+    out += fmt::format("template <class P>\ncudaError_t {}(::meet::rung rung, const float *a, const float *b, const "
+                       "::meet::index_pair *pairs, std::size_t n,\n    ::meet::answer *out, cudaStream_t stream) {{\n  "
+                       "switch (rung) {{\n",
+                       name);
+    for (const auto &[r, decide] : cases)
+      out += fmt::format("  case ::meet::rung::{}:\n    return launch<P, {}>(a, b, pairs, n, out, stream);\n", r, decide);
+    out += "  default:\n    return cudaErrorInvalidValue;\n  }\n}\n";
+  };
+  std::vector<std::pair<const char *, const char *>> cases;
+  if (u.asks("fp32"))
+    cases.emplace_back("fp32", "plain<P, float>");
+  if (u.asks("fp64"))
+    cases.emplace_back("fp64", "plain<P, double>");
+  if (u.asks("fp64x2"))
+    cases.emplace_back("fp64x2", "plain<P, ::meet::double_double>");
+  if (asks_exact)
+    cases.emplace_back("exact", "exact<P>");
+  if (u.asks("certified"))
+    cases.emplace_back("certified", "certified<P>");
+  rungs_function("decide_by", cases);
+  if (u.asks("certified"))
+    rungs_function("certify_by", {{"fp32", "bounded<P, ::meet::in_fp32>"},
+                                  {"fp64", "bounded<P, ::meet::in_fp64>"},
+                                  {"fp64x2", "bounded<P, ::meet::in_fp64x2>"}});
+  out += fmt::format("\n}} // namespace\n\nnamespace {} {{\nnamespace cuda {{\n\n", space);
   for (const dag::kernel *k : predicates_of(u))
-    out += fmt::format("cudaError_t {0}::decide(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair "
-                       "*pairs,\n    std::size_t n, ::meet::answer *out, cudaStream_t stream) {{\n"
-                       "  return launch<::{1}::{0}>(rung, a, b, pairs, n, out, stream);\n}}\n",
-                       identifier(k->asked.asked->name), space);
+    for (const char *function : {"decide", "certify"})
+      if (function == std::string("decide") || u.asks("certified"))
+        out += fmt::format("cudaError_t {0}::{2}(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair "
+                           "*pairs,\n    std::size_t n, ::meet::answer *out, cudaStream_t stream) {{\n"
+                           "  return {2}_by<::{1}::{0}>(rung, a, b, pairs, n, out, stream);\n}}\n",
+                           identifier(k->asked.asked->name), space, function);
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
 

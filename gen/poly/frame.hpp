@@ -35,6 +35,7 @@ public:
   frame(const ring &base, std::vector<stored_number> numbers);
 
   const ring &base() const { return base_; }
+  const stored_number &stored(int v) const { return numbers_[static_cast<std::size_t>(v)]; }
   const ring &local() const { return *local_; }
   const local_variable &info(int v) const { return info_[static_cast<std::size_t>(v)]; }
   // The components of a vector, by axis, as local variables.

@@ -321,7 +321,7 @@ scene load_scene(const std::string &path) {
     throw spec_error({in.file(), 0, 1}, fmt::format("{} has no [scene]", path));
   const toml::node &node = *in.root().get("scene");
   const toml::table &t = in.as_table(node, "scene");
-  in.allow(t, "scene", {"algebra", "namespace", "kernels", "rungs", "backends"});
+  in.allow(t, "scene", {"algebra", "namespace", "kernels", "rungs", "backends", "box"});
   for (const char *key : {"algebra", "namespace", "kernels"})
     if (!t.contains(key))
       throw spec_error(in.place(node), fmt::format("scene needs '{}'", key));
@@ -352,7 +352,9 @@ scene load_scene(const std::string &path) {
     if (out.empty())
       throw spec_error(in.place(*node_of), fmt::format("scene.{} is empty; known: {}", key, join(known, ", ")));
   };
-  choices("rungs", {"fp32", "fp64", "exact"}, s.rungs);
+  choices("rungs", {"fp32", "fp64", "fp64x2", "exact", "certified"}, s.rungs);
+  if (t.contains("box"))
+    s.box = in.as_positive_number(*t.get("box"), "scene.box");
   choices("backends", {"cpp", "cuda"}, s.backends);
   return s;
 }

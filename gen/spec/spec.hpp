@@ -86,6 +86,7 @@ struct scene {
   algebra in;
   std::vector<kernel_request> kernels;
   std::vector<std::string> rungs, backends;
+  double box = 0; // every coordinate lies in [-box, box], every length in [0, 2 box]; 0: not stated
   std::vector<std::shared_ptr<const source_file>> files; // everything that was read, for the content hash
 };
 

@@ -1,6 +1,7 @@
 #include "gen/spec/toml_reader.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace meetc::spec {
@@ -66,6 +67,13 @@ std::vector<std::string> toml_reader::as_strings(const toml::node &node, const s
   for (const toml::node &item : as_array(node, what))
     out.push_back(as_string(item, "each item of " + what));
   return out;
+}
+
+double toml_reader::as_positive_number(const toml::node &node, const std::string &what) const {
+  const std::optional<double> v = node.value<double>(); // of an integer too
+  if (!node.is_number() || !v || !std::isfinite(*v) || *v <= 0)
+    throw spec_error(place(node), fmt::format("{} must be a number above 0", what));
+  return *v;
 }
 
 bool toml_reader::as_bool(const toml::node &node, const std::string &what) const {

@@ -25,6 +25,7 @@ public:
   std::string as_string(const toml::node &node, const std::string &what) const;
   std::vector<std::string> as_strings(const toml::node &node, const std::string &what) const;
   const toml::array &as_array(const toml::node &node, const std::string &what) const;
+  double as_positive_number(const toml::node &node, const std::string &what) const; // finite
   bool as_bool(const toml::node &node, const std::string &what) const;
 
   // A 'literal' or '''literal''' string, parsed as an expression.

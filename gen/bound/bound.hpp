@@ -1,0 +1,117 @@
+// Proven error bounds of the signs of a stage.
+//
+// Problem: the final, scheduled graph of a stage computes v^ in floating point; the sign that is wanted is that of
+// the exact v. Find E with |v^ - v| <= E, or rather with: v^ > E implies v > 0.
+//
+// Method: two analyses of the same graph, node for node, in exact rationals, rounded outward at the end.
+//   magnitude form  |v^ - v| <= K M: M is the graph itself, run on the absolute values of its leaves with every
+//                   subtraction made an addition. K counts roundings, as (1 + u)^theta - 1 (Higham 2002, ch. 3).
+//                   Scale-free, one M a pair ("semi-static").
+//   box form        |v^ - v| <= c alpha^i beta^j D^k where the leaves of object A, of object B and of the pair are
+//                   at most the powers of two alpha, beta <= D: with alpha and beta an object's own extents it is
+//                   the bound per object, with alpha = beta = D the static bound of a scene's box. A recurrence for
+//                   (bound, error) as in Meyer and Pion 2008; each c has a Gappa proof (gen/emit/gappa.cpp).
+//
+// A leaf is the difference of two stored numbers, or a stored number itself: its one rounding is counted, so the
+// bounds cover the whole chain from the float32 input, stored object values included. The last rounding is not
+// counted where rounding is to nearest: it is monotonic and keeps the sign of what it rounds.
+//
+// Limits: stages that are homogeneous with integer constants (dag::magnitudes), round to nearest, gradual
+// underflow. The emitted thresholds say where they hold; elsewhere a rung answers unsure.
+#pragma once
+#include "gen/dag/kernel.hpp"
+
+#include <cstdint>
+
+namespace meetc::bound {
+
+using dag::rational;
+
+struct leaf {
+  int minuend, subtrahend; // inputs of the program; subtrahend -1: the stored number itself
+  poly::residency where;
+  auto operator<=>(const leaf &) const = default;
+};
+
+// How roundings count in one arithmetic.
+struct arithmetic {
+  const char *name;
+  int precision;         // u = 2^-precision
+  int significand;       // integers of so many bits are exact
+  bool leaf_rounds;      // a difference of two float32 numbers is rounded
+  bool fuses;            // a*b + c is rounded once
+  bool monotonic;        // rounding keeps the sign: the last one is not counted
+};
+// A product is taken as relative down to lowest^degree; see leaf_floor().
+inline constexpr arithmetic fp32{"fp32", 24, 24, true, true, true};
+inline constexpr arithmetic fp64{"fp64", 53, 53, true, true, true};
+// Double-double: every operation is within 2^-102 of its result (meet/double_double.hpp); M is in fp64.
+inline constexpr arithmetic fp64x2{"fp64x2", 102, 106, false, false, false};
+
+// Roundings on the way to a value (theta) and to its computed magnitude (phi), which is always in fp32 or fp64.
+struct roundings {
+  int theta = 0, phi = 0, degree = 0;
+};
+
+// K with: v^ > fl(K M^) implies v > 0, for the magnitude M^ computed from computed leaves. Exact.
+rational factor(const arithmetic &a, const roundings &r);
+// The least float with `bits` significant bits that is not below q >= 0.
+rational rounded_up(const rational &q, int bits);
+
+// One sign in the box form. Its value divided by c = value covers every D in [2^lowest, 2^highest].
+struct box_bound {
+  rational value;          // c, a float32
+  int a = 0, b = 0, pair = 0; // the powers of alpha, beta, D; they sum to the degree
+};
+
+struct stage_bounds {
+  std::vector<leaf> leaves;
+  dag::program magnitudes;            // inputs: |leaf| by number; results: M, one a sign
+  std::vector<roundings> fp32, fp64, fp64x2; // by sign
+  std::vector<box_bound> box;         // by sign
+  int degree = 0;                     // the highest of any value
+  // Leaves below 2^floor count as 2^floor, so that no product of them underflows by more than a rounding.
+  int floor_fp32 = 0, floor_fp64 = 0;
+  int box_lowest = 0, box_highest = 0; // exponents of D
+  std::vector<std::uint32_t> zero_if;  // by sign: the coincidences (kernel_bounds) that make it zero
+  // Values of degree 3 and more may be in a wider type than the others: no object stores one.
+  bool mixed = false;
+  int window = -1; // differences of at most so many bits on a common grid: exact in fp64 (mixed: and double-double)
+};
+
+// Points of the operands that may have equal coordinates: inputs by axis.
+struct coincidence {
+  std::vector<int> x, y;
+};
+
+struct kernel_bounds {
+  stage_bounds reject, common, rare; // those that the predicate has
+  std::vector<coincidence> coincidences; // at most 32
+  // Of each input: its axis where it only ever stands in differences with inputs of the same axis, else -1.
+  std::vector<int> axes;
+};
+
+void find_coincidences(const dag::predicate &p, kernel_bounds &out); // coincidences, zero_if and axes
+
+// Of a predicate's or a sign's stages. They must be exact ones (degree > 0).
+kernel_bounds analyse(const dag::predicate &p);
+
+// The box form's exact recurrence for one program, in an arithmetic of `precision` bits: what the Gappa scripts
+// prove and what is rounded up into box_bound. Scaled to alpha = beta = D = 1.
+struct box_node {
+  rational exact, computed; // |value| at most
+  rational error;           // |computed - exact| at most
+  rational unrounded_error; // before the node's own rounding
+  int a = 0, b = 0, pair = 0;
+};
+std::vector<box_node> box_nodes(const dag::program &p, int precision, int lowest_exponent);
+// The least exponent of a scaled float32 in the box form: the format of the proofs is float<24, this>.
+inline constexpr int box_format_lowest = -47;
+
+// The difference or stored number that a node of a program is, where it is a leaf.
+std::optional<leaf> leaf_at(const dag::program &p, dag::node_id id);
+
+// The largest extents of an object's leaves: those of residency `of`.
+std::vector<leaf> leaves_of(const stage_bounds &s, poly::residency of);
+
+} // namespace meetc::bound

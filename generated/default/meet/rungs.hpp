@@ -1,0 +1,427 @@
+// The rungs of a predicate: how its stages' values become signs, or sets of signs, and those an answer.
+//
+// A predicate P has stages (reject, common, rare; absent ones are no_stage), each a program from stored numbers to
+// values: object_a and object_b compute what one object alone decides, pair the rest. P::rejected, P::usual,
+// P::needs_rare and P::whole are its decision, for sign and for sign_set alike. Signs are numbered over all stages;
+// a stage's own begin at Stage::first.
+#ifndef MEET_RUNGS_HPP
+#define MEET_RUNGS_HPP
+
+#include <meet/double_double.hpp>
+#include <meet/integers.hpp>
+
+#include <cmath>
+
+namespace meet {
+
+struct no_stage {
+  static constexpr int atoms = 0, first = 0;
+};
+
+// The stage's values for rows of T; those of degree 3 and more in W.
+template <class Stage, class T, class W> MEET_HD inline void stage_values(const T *a, const T *b, W *v) {
+  T fields_a[Stage::fields_a + 1], fields_b[Stage::fields_b + 1];
+  fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare places, for stages that store nothing
+  Stage::object_a(a, fields_a);
+  Stage::object_b(b, fields_b);
+  Stage::template pair<T, W>(a, fields_a, b, fields_b, v);
+}
+
+template <class Stage, class T, class W = T> MEET_HD inline void stage_signs(const T *a, const T *b, sign *s) {
+  W v[Stage::atoms];
+  stage_values<Stage>(a, b, v);
+  for (int i = 0; i < Stage::atoms; ++i)
+    s[Stage::first + i] = sign_of(v[i]);
+}
+
+// The rows of a pair in another number type.
+template <class P, class T> struct rows_in {
+  T a[P::inputs_a], b[P::inputs_b];
+  MEET_HD rows_in(const float *row_a, const float *row_b) {
+    for (int i = 0; i < P::inputs_a; ++i)
+      a[i] = static_cast<T>(row_a[i]);
+    for (int i = 0; i < P::inputs_b; ++i)
+      b[i] = static_cast<T>(row_b[i]);
+  }
+};
+
+// ---- plain ---------------------------------------------------------------------------------------------------
+
+// A plain rung takes the sign of the computed value and says nothing about how wrong it can be.
+template <class P, class T> struct plain_signs {
+  rows_in<P, T> rows;
+  MEET_HD plain_signs(const float *row_a, const float *row_b) : rows(row_a, row_b) {}
+  template <class Stage> MEET_HD void get(sign *s) const { stage_signs<Stage>(rows.a, rows.b, s); }
+};
+
+// ---- with a bound --------------------------------------------------------------------------------------------
+
+// K with |computed - true| <= K M for a value and its magnitude M, by arithmetic.
+struct factors {
+  float fp32;
+  double fp64, fp64x2;
+};
+// The bound c alpha^a beta^b D^pair of a value in fp32, inside a box.
+struct box_factor {
+  float c;
+  signed char a, b, pair;
+};
+
+// The three arithmetics with bounds.
+struct in_fp32 {
+  using value = float;
+  using magnitude = float;
+  MEET_HD static constexpr float factor(const factors &k) { return k.fp32; }
+  template <class Stage> MEET_HD static constexpr int floor() { return Stage::floor_fp32; }
+};
+struct in_fp64 {
+  using value = double;
+  using magnitude = double;
+  MEET_HD static constexpr double factor(const factors &k) { return k.fp64; }
+  template <class Stage> MEET_HD static constexpr int floor() { return Stage::floor_fp64; }
+};
+struct in_fp64x2 {
+  using value = double_double;
+  using magnitude = double;
+  MEET_HD static constexpr double factor(const factors &k) { return k.fp64x2; }
+  template <class Stage> MEET_HD static constexpr int floor() { return Stage::floor_fp64; }
+};
+
+MEET_HD constexpr float power_of_two(int e, float) {
+  float r = 1;
+  for (; e < 0; ++e)
+    r *= 0.5F;
+  return r;
+}
+MEET_HD constexpr double power_of_two(int e, double) {
+  double r = 1;
+  for (; e < 0; ++e)
+    r *= 0.5;
+  return r;
+}
+
+// The magnitude of a leaf: at least `floor`, so that no product of magnitudes underflows, but zero stays zero: a
+// magnitude of zero proves a value of zero.
+template <class M> struct leaf_magnitude {
+  M floor;
+  MEET_HD M operator()(M difference) const {
+    const M m = magnitude_of(difference);
+    return m == M(0) ? M(0) : m > floor ? m : m != m ? m : floor;
+  }
+};
+
+// The signs that v can have when it is within `error` of the truth. NaN: any. E = inf: any.
+template <class V, class E> MEET_HD inline sign_set within(const V &v, const E &error) {
+  const auto x = leading(v);
+  return {static_cast<std::uint8_t>(x > error ? 4 : x < -error ? 1 : 7)};
+}
+
+// Signs with the bound K M of arithmetic A.
+template <class P, class A> struct bounded_signs {
+  using V = typename A::value;
+  using M = typename A::magnitude;
+  const float *row_a, *row_b;
+  MEET_HD bounded_signs(const float *a, const float *b) : row_a(a), row_b(b) {}
+
+  template <class Stage> MEET_HD void get(sign_set *all) const {
+    const rows_in<P, V> rows(row_a, row_b);
+    V v[Stage::atoms];
+    stage_values<Stage>(rows.a, rows.b, v);
+    M m[Stage::atoms];
+    const leaf_magnitude<M> leaf{power_of_two(A::template floor<Stage>(), M(0))};
+    if constexpr (std::is_same_v<V, M>) {
+      Stage::magnitudes(rows.a, rows.b, leaf, m);
+    } else {
+      const rows_in<P, M> plain(row_a, row_b);
+      Stage::magnitudes(plain.a, plain.b, leaf, m);
+    }
+    sign_set *s = all + Stage::first;
+    int unsure = 0;
+    for (int i = 0; i < Stage::atoms; ++i) {
+      s[i] = m[i] == M(0) ? sign_set::of(sign::zero) : within(v[i], A::factor(Stage::factor(i)) * m[i]);
+      unsure |= s[i].bits == 7;
+    }
+    if (unsure)
+      settle<Stage>(v, m, s);
+  }
+
+private:
+  // Zeros that no bound can tell from small numbers: by equal points, and by the grid. A homogeneous polynomial of
+  // degree k with integer coefficients is a multiple of g^k where its inputs are multiples of g: what is less than
+  // g^k is zero.
+  template <class Stage> MEET_NOINLINE MEET_HD void settle(const V *v, const M *m, sign_set *s) const {
+    if constexpr (P::coincidences > 0) {
+      const std::uint32_t equal = P::coincident(row_a, row_b);
+      for (int i = 0; i < Stage::atoms; ++i)
+        if (Stage::zero_if(i) & equal)
+          s[i] = sign_set::of(sign::zero);
+    }
+    if constexpr (!std::is_same_v<M, float>) {
+      const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
+      for (int i = 0; i < Stage::atoms; ++i)
+        if (s[i].bits == 7 &&
+            magnitude_of(v[i]) + A::factor(Stage::factor(i)) * m[i] < std::ldexp(0.5, low * Stage::degree_of(i)))
+          s[i] = sign_set::of(sign::zero);
+    }
+  }
+};
+
+// The larger of m and |x|; NaN when x is.
+MEET_HD inline float larger(float m, float x) {
+  const float a = magnitude_of(x);
+  return a <= m ? m : a;
+}
+
+// The least power of two that is not below x >= 0; infinite and NaN stay.
+MEET_HD inline float power_above(float x) {
+  std::uint32_t b;
+  std::memcpy(&b, &x, sizeof b);
+  if (b < 0x7f800000 && (b & 0x7fffff))
+    b = (b & 0x7f800000) + 0x800000;
+  std::memcpy(&x, &b, sizeof b);
+  return x;
+}
+
+enum class box_form : std::uint8_t { per_object, whole_box };
+
+// Signs in fp32 inside a box of side D, a power of two: every difference of two coordinates and every length of the
+// pair is at most D. per_object also takes the objects' own extents; whole_box takes D for them ("static").
+// Stage::box_lowest <= log2 D <= Stage::box_highest must hold for every stage: see box_holds().
+template <class P, box_form F> struct boxed_signs {
+  rows_in<P, float> rows;
+  float d;
+  MEET_HD boxed_signs(const float *a, const float *b, float side) : rows(a, b), d(side) {}
+
+  template <class Stage> MEET_HD void get(sign_set *all) const {
+    float v[Stage::atoms];
+    stage_values<Stage>(rows.a, rows.b, v);
+    float alpha = d, beta = d;
+    if constexpr (F == box_form::per_object) {
+      const float least = power_of_two(Stage::box_lowest, 0.0F);
+      alpha = power_above(Stage::extent_a(rows.a)), beta = power_above(Stage::extent_b(rows.b));
+      alpha = alpha < least ? least : alpha, beta = beta < least ? least : beta;
+    }
+    sign_set *s = all + Stage::first;
+    int unsure = 0;
+    for (int i = 0; i < Stage::atoms; ++i) {
+      const box_factor f = Stage::box(i);
+      s[i] = within(v[i], f.c * power(alpha, f.a) * power(beta, f.b) * power(d, f.pair));
+      unsure |= s[i].bits == 7;
+    }
+    if constexpr (P::coincidences > 0)
+      if (unsure) {
+        const std::uint32_t equal = P::coincident(rows.a, rows.b);
+        for (int i = 0; i < Stage::atoms; ++i)
+          if (Stage::zero_if(i) & equal)
+            s[i] = sign_set::of(sign::zero);
+      }
+  }
+
+private:
+  MEET_HD static constexpr float power(float x, int n) {
+    float r = 1;
+    for (int i = 0; i < n; ++i)
+      r *= x;
+    return r;
+  }
+};
+
+// Whether the box form covers a box of this side.
+template <class P> MEET_HD inline bool box_holds(float side) {
+  const auto holds = [side](auto stage) {
+    using Stage = decltype(stage);
+    if constexpr (Stage::atoms == 0)
+      return true;
+    else
+      return side >= power_of_two(Stage::box_lowest, 0.0F) && side <= 1 / power_of_two(-Stage::box_highest, 0.0F) &&
+             power_above(side) == side;
+  };
+  return holds(typename P::reject_stage()) && holds(typename P::common_stage()) && holds(typename P::rare_stage());
+}
+
+// ---- exact -----------------------------------------------------------------------------------------------------
+
+MEET_HD inline grid join(grid x, grid y) {
+  return {x.low < y.low ? x.low : y.low, x.high > y.high ? x.high : y.high};
+}
+
+// Integers on the grid of the pair's own numbers, as wide as the stage needs. Depends on nothing: neither on compiler
+// flags nor on the control word.
+template <class P> struct integer_signs {
+  const float *a, *b;
+  grid common;
+  MEET_HD integer_signs(const float *row_a, const float *row_b)
+      : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))) {}
+
+  template <class Stage> MEET_HD void get(sign *s) const {
+    constexpr int most = Stage::degree * 277 + Stage::growth; // float32 spans 277 bits: 2^-149 to 2^128
+    const int need = Stage::degree * common.bits() + Stage::growth;
+    if (need <= 62)
+      run<Stage, std::int64_t>(s);
+    else if (need <= 126)
+      run<Stage, int128>(s);
+    else if (need <= 254)
+      run<Stage, wide<4>>(s);
+    else
+      run<Stage, wide<most / 64 + 1>>(s);
+  }
+
+private:
+  template <class Stage, class I> MEET_HD void run(sign *s) const {
+    I ia[P::inputs_a], ib[P::inputs_b];
+    for (int i = 0; i < P::inputs_a; ++i)
+      to_integer(a[i], common.low, ia[i]);
+    for (int i = 0; i < P::inputs_b; ++i)
+      to_integer(b[i], common.low, ib[i]);
+    stage_signs<Stage>(ia, ib, s);
+  }
+};
+
+// The exact rung. Where the differences are short on their common grid, values up to degree 2 are exact in fp64 and
+// the rest in double-double, without a branch; elsewhere double-double with its bound; what is left, in integers.
+template <class P> struct exact_signs {
+  const float *a, *b;
+  grid common;
+  int bits; // of the differences, on the grid
+  bool standard;
+  MEET_HD exact_signs(const float *row_a, const float *row_b)
+      : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
+        bits(spread(row_a, row_b) - common.low), standard(standard_environment()) {}
+
+  template <class Stage> MEET_HD void get(sign *s) const {
+    if (standard && bits <= Stage::window) {
+      const rows_in<P, double> rows(a, b);
+      if constexpr (Stage::mixed)
+        stage_signs<Stage, double, double_double>(rows.a, rows.b, s);
+      else
+        stage_signs<Stage, double>(rows.a, rows.b, s);
+      return;
+    }
+    if (standard) {
+      sign_set sets[P::atoms];
+      bounded_signs<P, in_fp64x2>(a, b).template get<Stage>(sets);
+      bool sure = true;
+      for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i) {
+        sure = sure && sets[i].bits != 7;
+        s[i] = static_cast<sign>((sets[i].bits == 4) - (sets[i].bits == 1));
+      }
+      if (sure)
+        return;
+    }
+    integer_signs<P>(a, b).template get<Stage>(s);
+  }
+
+private:
+  // e with every |difference| that the predicate forms < 2^e: by axis, from the least and the largest number.
+  MEET_HD static int spread(const float *row_a, const float *row_b) {
+    double low[4] = {0, 0, 0, 0}, high[4] = {0, 0, 0, 0};
+    bool seen[4] = {false, false, false, false};
+    const auto take = [&](double v, int axis) {
+      const int k = axis < 0 || axis > 2 ? 3 : axis;
+      if (k == 3) // stands alone, or in a difference with its like
+        v = v < 0 ? 2 * v : -2 * v;
+      low[k] = seen[k] && low[k] < v ? low[k] : v;
+      high[k] = k == 3 ? 0 : seen[k] && high[k] > v ? high[k] : v;
+      seen[k] = true;
+    };
+    for (int i = 0; i < P::inputs_a; ++i)
+      take(static_cast<double>(row_a[i]), P::axis(i));
+    for (int i = 0; i < P::inputs_b; ++i)
+      take(static_cast<double>(row_b[i]), P::axis(P::inputs_a + i));
+    double widest = 0;
+    for (int k = 0; k < 4; ++k)
+      widest = high[k] - low[k] > widest ? high[k] - low[k] : widest;
+    std::uint64_t word;
+    std::memcpy(&word, &widest, sizeof word);
+    return widest == 0 ? -1000 : static_cast<int>(word >> 52 & 0x7ff) - 1022; // < 2^e, also when rounded up to a power
+  }
+};
+
+// ---- decisions -------------------------------------------------------------------------------------------------
+
+// Runs the stages in order and stops at the first that decides.
+template <class P, class Signs> MEET_HD inline bool decide(const Signs &signs) {
+  sign s[P::atoms + 1];
+  if constexpr (P::reject_stage::atoms > 0) {
+    signs.template get<typename P::reject_stage>(s);
+    if (P::rejected(s))
+      return false;
+  }
+  if constexpr (P::common_stage::atoms > 0)
+    signs.template get<typename P::common_stage>(s);
+  if constexpr (P::rare_stage::atoms > 0)
+    if (P::needs_rare(s)) {
+      signs.template get<typename P::rare_stage>(s);
+      return P::whole(s);
+    }
+  return P::usual(s);
+}
+
+// The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure. A reject stage
+// that is unsure is no reason to stop, since the decision is right without it.
+template <class P, class Signs> MEET_HD inline answer decide_sets(const Signs &signs) {
+  sign_set s[P::atoms + 1];
+  if constexpr (P::reject_stage::atoms > 0) {
+    signs.template get<typename P::reject_stage>(s);
+    if (!can_be_false(P::rejected(s)))
+      return answer::no;
+  }
+  if constexpr (P::common_stage::atoms > 0)
+    signs.template get<typename P::common_stage>(s);
+  if constexpr (P::rare_stage::atoms > 0) {
+    const auto rare = P::needs_rare(s);
+    if (can_be_true(rare)) {
+      if (can_be_false(rare)) { // perhaps: the next rung will know
+        for (int i = 0; i < P::rare_stage::atoms; ++i)
+          s[P::rare_stage::first + i] = sign_set::all();
+      } else {
+        signs.template get<typename P::rare_stage>(s);
+      }
+      return to_answer(P::whole(s));
+    }
+  }
+  return to_answer(P::usual(s));
+}
+
+// One rung of `certified`: no and yes are proved.
+template <class P, class A> MEET_HD inline answer certify(const float *row_a, const float *row_b) {
+  return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
+}
+
+// All rungs of `certified` for one pair: never wrong, for any finite operands, flags and control word.
+template <class P> MEET_HD inline bool decide_certified(const float *row_a, const float *row_b) {
+  if (standard_environment()) {
+    answer x = certify<P, in_fp32>(row_a, row_b);
+    if (x == answer::unsure)
+      x = certify<P, in_fp64>(row_a, row_b);
+    if (x != answer::unsure)
+      return x == answer::yes;
+  }
+  return decide<P>(exact_signs<P>(row_a, row_b));
+}
+
+// One sign, for kernels that are nothing else.
+template <class P, class Signs> MEET_HD inline sign decide_sign(const Signs &signs) {
+  sign s[P::atoms + 1];
+  if constexpr (P::common_stage::atoms > 0)
+    signs.template get<typename P::common_stage>(s);
+  return P::value(s);
+}
+template <class P, class A> MEET_HD inline sign_set certify_sign(const float *row_a, const float *row_b) {
+  sign_set s[P::atoms + 1];
+  if constexpr (P::common_stage::atoms > 0)
+    bounded_signs<P, A>(row_a, row_b).template get<typename P::common_stage>(s);
+  return P::value(s);
+}
+template <class P> MEET_HD inline sign decide_certified_sign(const float *row_a, const float *row_b) {
+  if (standard_environment()) {
+    const sign_set s = certify_sign<P, in_fp32>(row_a, row_b);
+    if (s.bits == 1 || s.bits == 2 || s.bits == 4)
+      return static_cast<sign>((s.bits == 4) - (s.bits == 1));
+  }
+  return decide_sign<P>(exact_signs<P>(row_a, row_b));
+}
+
+} // namespace meet
+
+#endif
