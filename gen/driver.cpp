@@ -1,10 +1,12 @@
 #include "gen/driver.hpp"
+#include "gen/emit/gappa.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace meetc {
 
@@ -50,6 +52,11 @@ void compile_all(compilation &c) {
 std::vector<emit::file> emit_all(compilation &c) {
   const emit::unit u = unit_of(c, std::move(c.kernels));
   std::vector<emit::file> files = emit::cpp_files(u);
+  if (u.asks("certified")) {
+    std::vector<emit::file> proofs = emit::proof_files(u);
+    std::move(proofs.begin(), proofs.end(), std::back_inserter(files));
+    std::sort(files.begin(), files.end(), [](const auto &a, const auto &b) { return a.path < b.path; });
+  }
   for (std::size_t i = 1; i < files.size(); ++i) // sorted by path
     if (files[i].path == files[i - 1].path)
       throw spec_error({}, fmt::format("'{}' would be written twice: a kernel has the name of the namespace or of a file "
@@ -147,6 +154,20 @@ std::string spec_text(const decide::model &m, const dag::request &r) {
   return out;
 }
 
+// The bounds of the unit's one kernel.
+std::string bounds_text(const emit::unit &u, bool as_proofs) {
+  if (!u.kernels.front().is_predicate)
+    throw spec_error({}, "only predicates and signs have error bounds; this is a formula");
+  if (!u.bounds.front())
+    throw spec_error({}, "the scene asks for neither 'exact' nor 'certified', so nothing bounds its errors");
+  if (!as_proofs)
+    return emit::bounds_table(u, 0);
+  std::string out;
+  for (const emit::file &f : emit::proof_files(u))
+    out += fmt::format("{}# {}\n{}", out.empty() ? "" : "\n", f.path, f.text);
+  return out;
+}
+
 } // namespace
 
 int show(const show_options &o) {
@@ -172,6 +193,8 @@ int show(const show_options &o) {
     fmt::print("{}", emit::cuda_text(u));
   else if (o.emit == "cuda")
     throw spec_error({}, "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
+  else if (o.emit == "gappa" || o.emit == "bounds")
+    fmt::print("{}", bounds_text(u, o.emit == "gappa"));
   else
     fmt::print("{}", emit::cpp_text(u, 0));
   return 0;

@@ -39,7 +39,7 @@ int main(int argc, char **argv) {
   show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
   show_command->add_option("--emit", s.emit, "Stage to print")
       ->capture_default_str()
-      ->check(CLI::IsMember({"spec", "poly", "dag", "schedule", "json", "latex", "cpp", "cuda"}));
+      ->check(CLI::IsMember({"spec", "poly", "dag", "schedule", "bounds", "gappa", "json", "latex", "cpp", "cuda"}));
 
   try {
     app.parse(argc, argv);

@@ -111,6 +111,9 @@ inline constexpr int box_format_lowest = -47;
 // The difference or stored number that a node of a program is, where it is a leaf.
 std::optional<leaf> leaf_at(const dag::program &p, dag::node_id id);
 
+// A product with a power of two, which rounds nothing.
+bool scales_exactly(const dag::program &p, dag::node_id id);
+
 // The largest extents of an object's leaves: those of residency `of`.
 std::vector<leaf> leaves_of(const stage_bounds &s, poly::residency of);
 

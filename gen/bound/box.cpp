@@ -49,11 +49,17 @@ void take_scale_of_sum(box_node &out, const box_node &x, const box_node &y) {
   out.b = std::min(x.b, y.b);
   out.pair = degree - out.a - out.b;
 }
-
-bool is_power_of_two(const rational &q) {
-  return q.get_den() == 1 && mpz_popcount(mpz_class(abs(q.get_num())).get_mpz_t()) == 1;
-}
 } // namespace
+
+bool scales_exactly(const dag::program &p, node_id id) {
+  const node &n = p.nodes.at(id);
+  const auto power_of_two = [&](node_id factor) {
+    if (p.nodes.at(factor).kind != op::constant || p.nodes.value(factor).get_den() != 1)
+      return false;
+    return mpz_popcount(mpz_class(abs(p.nodes.value(factor).get_num())).get_mpz_t()) == 1;
+  };
+  return n.kind == op::multiply && (power_of_two(n.a) || power_of_two(n.b));
+}
 
 std::vector<box_node> box_nodes(const dag::program &p, int precision, int lowest_exponent) {
   const rounder in{precision, lowest_exponent};
@@ -107,11 +113,10 @@ std::vector<box_node> box_nodes(const dag::program &p, int precision, int lowest
       of(id) = sum(of(n.a), of(n.b));
       break;
     case op::multiply: {
-      const bool a_scales = p.nodes.at(n.a).kind == op::constant && is_power_of_two(p.nodes.value(n.a));
-      const bool b_scales = p.nodes.at(n.b).kind == op::constant && is_power_of_two(p.nodes.value(n.b));
       box_node r = product(of(n.a), of(n.b));
-      if (a_scales || b_scales) {
-        const node_id scaled = a_scales ? n.b : n.a, by = a_scales ? n.a : n.b;
+      if (scales_exactly(p, id)) {
+        const bool first = p.nodes.at(n.a).kind == op::constant;
+        const node_id scaled = first ? n.b : n.a, by = first ? n.a : n.b;
         r.unrounded_error = of(scaled).unrounded_error * abs(p.nodes.value(by));
       } else {
         in.round(r, r.computed);

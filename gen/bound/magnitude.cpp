@@ -32,10 +32,6 @@ rational power_of_two(int exponent) {
 
 int bits_of(const rational &integer) { return static_cast<int>(mpz_sizeinbase(integer.get_num().get_mpz_t(), 2)); }
 
-bool is_power_of_two(const rational &q) {
-  return q.get_den() == 1 && mpz_popcount(mpz_class(abs(q.get_num())).get_mpz_t()) == 1;
-}
-
 // A constant's own roundings: none where the arithmetic holds it.
 int constant_roundings(const rational &q, int significand) {
   mpz_class odd = abs(q.get_num());
@@ -77,8 +73,7 @@ std::vector<roundings> count_roundings(const dag::program &p, const arithmetic &
       break;
     case op::multiply: {
       of(id) = product(of(n.a), of(n.b));
-      const auto scales = [&](node_id f) { return p.nodes.at(f).kind == op::constant && is_power_of_two(p.nodes.value(f)); };
-      if (!scales(n.a) && !scales(n.b)) {
+      if (!scales_exactly(p, id)) {
         ++of(id).theta;
         ++of(id).phi;
       }
@@ -101,10 +96,8 @@ bool last_operation_rounds(const dag::program &p, node_id id) {
     const node &n = p.nodes.at(id);
     if (n.kind == op::negate) {
       id = n.a;
-    } else if (n.kind == op::multiply && p.nodes.at(n.a).kind == op::constant && is_power_of_two(p.nodes.value(n.a))) {
-      id = n.b;
-    } else if (n.kind == op::multiply && p.nodes.at(n.b).kind == op::constant && is_power_of_two(p.nodes.value(n.b))) {
-      id = n.a;
+    } else if (scales_exactly(p, id)) {
+      id = p.nodes.at(n.a).kind == op::constant ? n.b : n.a;
     } else {
       return n.kind != op::input && n.kind != op::constant;
     }
@@ -217,7 +210,7 @@ stage_bounds bounds_of(const dag::stage &s) {
   out.degree = s.degree;
   out.floor_fp32 = -(102 / s.degree);
   // No float32 difference is below 2^-149; above degree 6 the floor keeps products of doubles out of the subnormals.
-  out.floor_fp64 = std::max(-200, -(960 / s.degree));
+  out.floor_fp64 = std::max(-200, -(900 / s.degree));
   out.mixed = can_be_mixed(s.code);
   out.window = exact_window(s.code, out.mixed);
   out.box_lowest = -(102 / s.degree);

@@ -171,9 +171,10 @@ function(meetc_add_kernels target)
   if(NOT DEFINED CMAKE_POSITION_INDEPENDENT_CODE)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON) # so that it can go into a shared library
   endif()
-  # A contracted a*b + c rounds otherwise, and the plain rungs would answer otherwise. The flags are passed on to what
-  # uses the headers, because the linker keeps one copy of an inline function, whoever compiled it.
-  target_compile_definitions(${target} PUBLIC MEET_NO_CONTRACTION)
+  # No certified answer needs these flags: a contracted a*b + c has one rounding less than the error bounds count, and
+  # error-free transforms stand behind barriers that no compiler looks through. But it rounds otherwise, and the plain
+  # rungs would answer otherwise. The flags are passed on to what uses the headers, because the linker keeps one copy of
+  # an inline function, whoever compiled it. So there is no define to tell the headers of them.
   target_compile_options(${target} PUBLIC
     "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>"
     "$<$<COMPILE_LANG_AND_ID:CUDA,NVIDIA>:--fmad=false;-Xcompiler=-ffp-contract=off>"
@@ -223,7 +224,8 @@ function(meetc_install_kernels target)
   install(TARGETS ${target} EXPORT ${arg_EXPORT}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     INCLUDES DESTINATION "${arg_DESTINATION}")
-  install(DIRECTORY "${folder}/" DESTINATION "${arg_DESTINATION}" FILES_MATCHING PATTERN "*.hpp" ${leave_out})
+  install(DIRECTORY "${folder}/" DESTINATION "${arg_DESTINATION}" FILES_MATCHING PATTERN "*.hpp"
+    PATTERN "proofs" EXCLUDE ${leave_out})
 endfunction()
 
 cmake_policy(POP)

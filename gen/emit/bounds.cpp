@@ -21,7 +21,7 @@ std::string leaf_text(const leaf &l, int inputs_a) {
 
 // A function of the sign's number that looks its value up; equal values for all become one constant.
 std::string lookup(const char *type, const char *name, const std::vector<std::string> &values) {
-  const std::string head = fmt::format("    MEET_HD static constexpr {} {}([[maybe_unused]] int i) {{", type, name);
+  const std::string head = fmt::format("    MEET_HD static {} {}([[maybe_unused]] int i) {{", type, name);
   if (std::all_of(values.begin(), values.end(), [&](const std::string &v) { return v == values.front(); }))
     return fmt::format("{} return {}; }}\n", head, values.front());
   std::string list, line = "       ";
@@ -33,7 +33,7 @@ std::string lookup(const char *type, const char *name, const std::vector<std::st
     line += fmt::format(" {},", v);
   }
   line.pop_back();
-  return fmt::format("{}\n      constexpr {} all[] = {{\n{}{}}};\n      return all[i];\n    }}\n", head, type, list, line);
+  return fmt::format("{}\n      static constexpr {} all[] = {{\n{}{}}};\n      return all[i];\n    }}\n", head, type, list, line);
 }
 
 std::string extent_text(const char *object, const std::vector<leaf> &leaves, int inputs_a) {

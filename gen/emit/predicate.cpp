@@ -3,6 +3,7 @@
 #include "gen/emit/bounds.hpp"
 #include "gen/emit/cpp.hpp"
 #include "gen/emit/names.hpp"
+#include "gen/emit/steps.hpp"
 
 #include <fmt/format.h>
 #include <functional>
@@ -42,7 +43,7 @@ std::string stage_text(const dag::predicate &p, const dag::stage &st, const boun
                      "[[maybe_unused]] const T *fb, W *v) {{\n{}    }}\n",
                      text.pair);
   if (b)
-    out += stage_bounds_text(*b, st, p.inputs_a);
+    out += stage_bounds_text(*b, st, p.inputs_a) + steps_text(st.code, p.inputs_a + p.inputs_b);
   return out + "  };\n";
 }
 

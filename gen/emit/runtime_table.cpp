@@ -161,6 +161,10 @@ std::string cuda_header(const unit &u) {
          "// the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.\n"
          "// Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), which may\n"
          "// answer unsure. An unknown rung gives cudaErrorInvalidValue.\n";
+  if (u.asks("certified"))
+    out += "// Bits of meet::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds assume. Once a\n"
+           "// process is enough, before the first certified answer is relied upon.\n"
+           "cudaError_t self_test(unsigned *faults, cudaStream_t stream);\n";
   for (const dag::kernel *k : predicates_of(u))
     out += fmt::format("struct {} {{\n  static cudaError_t decide(::meet::rung rung, const float *a, const float *b, const "
                        "::meet::index_pair *pairs,\n                            std::size_t n, ::meet::answer *out, "
@@ -258,6 +262,9 @@ cudaError_t launch(const float *a, const float *b, const ::meet::index_pair *pai
                                   {"fp64", "bounded<P, ::meet::in_fp64>"},
                                   {"fp64x2", "bounded<P, ::meet::in_fp64x2>"}});
   out += fmt::format("\n}} // namespace\n\nnamespace {} {{\nnamespace cuda {{\n\n", space);
+  if (u.asks("certified"))
+    out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) { return ::meet::launch_self_test(faults, stream); "
+           "}\n\n";
   for (const dag::kernel *k : predicates_of(u))
     for (const char *function : {"decide", "certify"})
       if (function == std::string("decide") || u.asks("certified"))

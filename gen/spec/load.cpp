@@ -312,6 +312,18 @@ fs::path find_algebra(const std::string &scene, const std::string &name) {
 }
 } // namespace
 
+namespace {
+// A float32 that is no subnormal and that can be doubled.
+double box_size(const toml_reader &in, const toml::node &node) {
+  const double v = in.as_positive_number(node, "scene.box");
+  if (v >= 0x1p127)
+    throw spec_error(in.place(node), "scene.box must be below 2^127");
+  if (v < 0x1p-126)
+    throw spec_error(in.place(node), "scene.box must be at least 2^-126");
+  return v;
+}
+} // namespace
+
 scene load_scene(const std::string &path) {
   const toml_reader in(path);
   scene s;
@@ -354,7 +366,7 @@ scene load_scene(const std::string &path) {
   };
   choices("rungs", {"fp32", "fp64", "fp64x2", "exact", "certified"}, s.rungs);
   if (t.contains("box"))
-    s.box = in.as_positive_number(*t.get("box"), "scene.box");
+    s.box = box_size(in, *t.get("box"));
   choices("backends", {"cpp", "cuda"}, s.backends);
   return s;
 }

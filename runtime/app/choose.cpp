@@ -8,7 +8,7 @@ namespace meet::app {
 
 namespace {
 
-constexpr const char *rung_names[rung_count] = {"fp32", "fp64", "exact"};
+constexpr const char *rung_names[rung_count] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
 
 std::string join(const std::vector<std::string> &words) {
   std::string out;
@@ -98,7 +98,8 @@ rung precision_named(std::string_view name) {
   for (int i = 0; i < rung_count; ++i)
     if (name == rung_names[i])
       return static_cast<rung>(i);
-  throw failure(fmt::format("--precision {}: not in this build; known: fp32, fp64, exact", io::quote(name)));
+  throw failure(fmt::format("--precision {}: not in this build; known: {}", io::quote(name),
+                            join({std::begin(rung_names), std::end(rung_names)})));
 }
 
 } // namespace meet::app

@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -23,12 +24,25 @@ namespace meet::app {
 
 namespace {
 
+// Whether a comma lacks a number on one side.
+bool has_hole(std::string_view text) {
+  bool number = false, comma = false;
+  for (const char c : text) {
+    if (c == ',' && !number)
+      return true;
+    comma = comma || c == ',';
+    number = c != ',' && (number || (c != ' ' && c != '\t'));
+  }
+  return comma && !number;
+}
+
 // Numbers apart by commas or blanks.
 template <std::size_t N> std::array<double, N> numbers(const char *option, std::string text) {
   std::array<double, N> out{};
   std::size_t n = 0;
-  for (char &c : text)
-    c = c == ',' ? ' ' : c;
+  if (has_hole(text))
+    throw failure(fmt::format("{}: {} lacks a number beside a comma", option, io::quote(text)));
+  std::replace(text.begin(), text.end(), ',', ' ');
   std::string_view rest = text;
   for (std::string_view word; !(word = io::take_word(rest)).empty(); ++n) {
     double value = 0;
@@ -62,7 +76,7 @@ struct arguments {
   collide_request collide;
   inspect_request inspect;
   std::filesystem::path demo_folder = "meet-demo";
-  std::string precision = "exact", device = "auto";
+  std::string precision = "certified", device = "auto";
   std::optional<std::string> translate, scale, matrix, threads;
   CLI::App *collide_command = nullptr, *inspect_command = nullptr, *demo_command = nullptr;
 };
@@ -83,16 +97,19 @@ void add_collide(CLI::App &app, arguments &to) {
                "Which predicate decides, where several fit (meet inspect lists them)")
       ->type_name("NAME");
   c.add_option("--mode", q.mode, "What a sphere is; solid is the default")->type_name("solid|surface");
-  c.add_option("--precision", to.precision,
-               "exact, the default, is never wrong; fp32 and fp64 take the sign of what rounding leaves")
-      ->type_name("fp32|fp64|exact");
+  c.add_option(
+       "--precision", to.precision,
+       "certified, the default, is never wrong: fp32 with proved bounds first, and what that leaves unsure "
+       "goes on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the sign "
+       "of what rounding leaves")
+      ->type_name("fp32|fp64|fp64x2|exact|certified");
   c.add_option("--device", to.device, "Where pairs are decided; auto is the default")
       ->type_name("auto|cpu|cuda");
-  c.add_option("--scale-b", to.scale, "Multiply B by s first: coordinates and radii")->type_name("s");
-  c.add_option("--matrix-b", to.matrix,
-               "Then move B by m00,m01,..,m23: 12 numbers, row-major 3x4; not for spheres")
+  c.add_option(io::scale_option, to.scale, "Multiply B by s first: coordinates and radii")->type_name("s");
+  c.add_option(io::matrix_option, to.matrix,
+               "Then move B by m00,m01,..,m23: 12 numbers, row-major 3x4; for spheres a similarity")
       ->type_name("NUMBERS");
-  c.add_option("--translate-b", to.translate, "Then move B by x,y,z")->type_name("x,y,z");
+  c.add_option(io::translate_option, to.translate, "Then move B by x,y,z")->type_name("x,y,z");
   c.add_flag("--any", q.any,
              "Only whether anything touches: stops at the first pair found, so that pairs is 0 or 1; "
              "which pair is not told")
@@ -138,11 +155,11 @@ std::string obey(arguments &args) {
   if (args.threads)
     q.threads = threads_named(*args.threads);
   if (args.scale)
-    q.move_b.scale = numbers<1>("--scale-b", *args.scale)[0];
+    q.move_b.scale = numbers<1>(io::scale_option, *args.scale)[0];
   if (args.matrix)
-    q.move_b.matrix = numbers<12>("--matrix-b", *args.matrix);
+    q.move_b.matrix = numbers<12>(io::matrix_option, *args.matrix);
   if (args.translate)
-    q.move_b.translate = numbers<3>("--translate-b", *args.translate);
+    q.move_b.translate = numbers<3>(io::translate_option, *args.translate);
   q.move_b.check();
   return collide(all, q);
 }
@@ -161,11 +178,12 @@ int print(const std::string &text) {
   return complain(fmt::format("standard output: {}", std::generic_category().message(errno)), bad_input);
 }
 
-// A program started without them would get its next files under their numbers.
+// A program started without them would get its next files under their numbers. For reading only: what is
+// printed to a closed stream is lost, and writing must say so.
 void open_standard_streams() {
   for (int fd = 0; fd < 3; ++fd)
     if (::fcntl(fd, F_GETFD) == -1)
-      static_cast<void>(::open("/dev/null", fd == 0 ? O_RDONLY : O_WRONLY));
+      static_cast<void>(::open("/dev/null", O_RDONLY));
 }
 
 bool contains(const std::string &text, const char *part) {

@@ -10,6 +10,7 @@
 #include "io/read.hpp"
 
 #include <chrono>
+#include <cstdio>
 #include <fmt/format.h>
 #include <memory>
 
@@ -81,6 +82,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
   how h;
   h.by = choose(all, *a.kind, *b.kind, q.predicate, q.mode);
   h.precision = q.precision;
+  h.box = all.box;
   h.any = q.any;
   h.keep = q.pairs.has_value();
   h.threads = q.threads;
@@ -88,6 +90,8 @@ std::string collide(const catalogue &all, const collide_request &q) {
   h.progress = [&progress](double fraction) { (*progress)(fraction); };
   const answers found = collide_sets(a, b, h);
   progress.reset();
+  if (const std::string warning = box_warning(h, found); !warning.empty())
+    std::fprintf(stderr, "meet: %s\n", warning.c_str());
 
   std::error_code code;
   collide_report report{q.a.string(),   q.b.string(), a,  b, h, found, fs::equivalent(q.a, q.b, code),

@@ -14,14 +14,15 @@ namespace meet::app {
 struct collide_request {
   std::filesystem::path a, b;
   std::optional<std::string> predicate, mode;
-  rung precision = rung::exact;
+  rung precision = rung::certified;
   io::transform move_b;
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs, colour, image;
   int threads = 0;
 };
 
-// Writes the files that are asked for and returns what goes to standard output. Throws io::error.
+// Writes the files that are asked for and returns what goes to standard output. A set that leaves the scene's
+// box is one line of warning on standard error. Throws io::error.
 std::string collide(const catalogue &all, const collide_request &request);
 
 } // namespace meet::app

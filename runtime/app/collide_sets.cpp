@@ -53,23 +53,27 @@ void count_only(const ordered &o, const how &h, answers &out) {
   const auto report = [](void *context, double fraction) {
     (*static_cast<std::function<void(double)> *>(context))(fraction);
   };
-  const tally total =
-      decide_all({o.first.set(), o.second.set(), h.by.predicate->decide[static_cast<int>(h.precision)],
-                  source, threads, h.any, progress ? +report : nullptr, &progress, h.any ? nullptr : &taker},
-                 {batches.get(), batch_bytes(threads)});
+  ladder by(*h.by.predicate, h.precision);
+  by.enter_box(h.box, o.first.set(), o.second.set());
+  const tally total = decide_all({o.first.set(), o.second.set(), by, source, threads, h.any,
+                                  progress ? +report : nullptr, &progress, h.any ? nullptr : &taker},
+                                 {batches.get(), batch_bytes(threads)});
   out.pairs = total.hits;
   out.candidates = total.candidates;
+  out.rungs = total.rungs;
 }
 
 void list_pairs(const ordered &o, const how &h, answers &out) {
   collide_options options;
   options.threads = h.threads;
+  options.box = h.box;
   options.progress = h.progress;
   options.owner_a = o.first_set.owner;
   options.owner_b = o.second_set.owner;
   result r = ::meet::collide(o.first, o.second, *h.by.predicate, h.precision, options);
   out.pairs = r.count;
   out.candidates = r.candidates;
+  out.rungs = r.rungs;
   out.list = std::move(r.pairs);
   for (const index_pair &p : out.list) {
     o.first_answer.hit[p.a] = 1;
@@ -87,7 +91,7 @@ void list_pairs(const ordered &o, const how &h, answers &out) {
 
 answers collide_sets(const io::element_set &a, const io::element_set &b, const how &h) {
   const predicate_info &predicate = *h.by.predicate;
-  if (!predicate.decide[static_cast<int>(h.precision)])
+  if (ladder(predicate, h.precision).count == 0)
     throw failure(
         fmt::format("--precision {}: {} was not generated for it", name_of(h.precision), predicate.name));
   answers out;
@@ -106,6 +110,8 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const h
     count_only(o, h, out);
   else
     list_pairs(o, h, out);
+  if (h.by.swapped)
+    std::swap(out.rungs.left_box_a, out.rungs.left_box_b);
   for (side_answer *const side : {&out.a, &out.b})
     side->touched =
         h.any ? out.pairs : static_cast<std::uint64_t>(std::count(side->hit.begin(), side->hit.end(), 1));

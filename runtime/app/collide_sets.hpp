@@ -22,13 +22,15 @@ struct answers {
   std::vector<index_pair> list; // of items, sorted by a, then b; empty unless `keep`
   std::uint64_t pairs = 0;      // with `any` 0 or 1
   std::uint64_t candidates = 0; // pairs of elements that the predicate was asked about
+  rung_report rungs;            // of `certified`
   side_answer a, b;
   double prepare_seconds = 0, collide_seconds = 0;
 };
 
 struct how {
   choice by;
-  rung precision = rung::exact;
+  rung precision = rung::certified;
+  float box = 0;     // of the scene; 0: none
   bool any = false;  // stop at the first pair
   bool keep = false; // the list of pairs; without it, and without polygons, memory does not grow with them
   int threads = 0;   // 0: all cores

@@ -135,9 +135,13 @@ findings find(const io::element_set &set) {
       areas.add(i);
     if (kind.points == 2 && std::equal(row.begin(), row.begin() + 3, row.begin() + 3))
       lengths.add(i);
-    for (int k = 0; k < kind.fields; ++k)
-      if (kind.roles[k] == role::length && row[static_cast<std::size_t>(k)] == 0)
+    for (int k = 0; k < kind.fields; ++k) {
+      const double v = std::abs(row[static_cast<std::size_t>(k)]);
+      const bool is_length = kind.roles[k] == role::length;
+      f.reach = std::max(f.reach, is_length ? v / 2 : v);
+      if (is_length && v == 0)
         radii.add(i);
+    }
   }
   f.zero_area = areas.count();
   f.zero_length = lengths.count();
@@ -159,6 +163,14 @@ std::optional<int> difference_bits(const box &points, const grid &numbers) {
   int exponent = 0;
   const double fraction = std::frexp(most, &exponent);
   return std::max(0, (fraction == 0.5 ? exponent - 1 : exponent) - numbers.low);
+}
+
+double box_for(const findings &x, const findings &y) {
+  int exponent = 0;
+  const double reach = std::max(x.reach, y.reach), fraction = std::frexp(reach, &exponent);
+  if (reach == 0 || exponent > 127)
+    return 0;
+  return std::ldexp(1.0, fraction == 0.5 ? exponent - 1 : exponent);
 }
 
 box around(const box &x, const box &y) {

@@ -16,6 +16,7 @@ struct findings {
   box points{{1, 1, 1}, {-1, -1, -1}}; // around all points (without radii); lo > hi where there are none
   box bounds{{1, 1, 1}, {-1, -1, -1}}; // around all elements
   grid numbers{1000, -1000};           // of every number of every element
+  double reach = 0;                    // the largest |coordinate| and half of the largest length
   std::size_t zero_area = 0;           // items, as are the next three
   std::size_t zero_length = 0;
   std::size_t zero_radius = 0;
@@ -28,6 +29,10 @@ findings find(const io::element_set &set);
 // Bits that the differences of two coordinates may take, in steps of the grid: the least n with every
 // |difference| <= 2^n steps. None where there are no points.
 std::optional<int> difference_bits(const box &points, const grid &numbers);
+
+// The least power of two b with every coordinate in [-b, b] and every length in [0, 2 b]; 0 where all numbers
+// are 0, or where b is no float32.
+double box_for(const findings &x, const findings &y);
 
 box around(const box &x, const box &y);
 grid around(const grid &x, const grid &y);

@@ -109,7 +109,7 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   std::vector<std::string> names;
   for (const choice &c : fit)
     names.emplace_back(c.predicate->name);
-  const std::string text = scene_text(*q.scene, algebra, names,
+  const std::string text = scene_text(*q.scene, algebra, names, box_for(in_a, in_b),
                                       fmt::format("What {}s with {}s require.", a.kind->name, b.kind->name));
   outputs.write(*q.scene, [&text](const fs::path &to) {
     io::atomic_file file(to);

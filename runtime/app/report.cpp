@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 
 namespace meet::app {
 
@@ -34,6 +35,27 @@ std::string file_lines(const collide_report &r) {
       fmt::format("A  {:{}}  {:{}}  box {}\n", r.name_a, names, count_a, counts, in_words(r.found.a.bounds));
   out += fmt::format("B  {:{}}  {:{}}  box {}{}\n", r.name_b, names, count_b, counts,
                      in_words(r.found.b.bounds), r.moved ? ", moved" : "");
+  return out;
+}
+
+// Which rungs were needed, and what each handed to the next.
+std::string rungs_line(const answers &f) {
+  std::string out;
+  std::uint64_t left = f.candidates;
+  for (int r = 0; r < bounded_rungs && left > 0; ++r) {
+    left = f.rungs.unsure[r];
+    out += fmt::format("{} ({} handed on), ", name_of(static_cast<rung>(r)), grouped(left));
+  }
+  if (left > 0)
+    out += fmt::format("{}, ", name_of(rung::exact));
+  return out.empty() ? "" : fmt::format("rungs used: {}\n", std::string_view(out).substr(0, out.size() - 2));
+}
+
+// In the order in which the rungs run.
+std::string unsure_json(const collide_report &r) {
+  std::string out;
+  for (int i = 0; i < bounded_rungs && r.asked.precision == rung::certified; ++i)
+    out += fmt::format("{}\"{}\":{}", i ? "," : "", name_of(static_cast<rung>(i)), r.found.rungs.unsure[i]);
   return out;
 }
 
@@ -91,6 +113,8 @@ std::string summary(const collide_report &r) {
     out += "Meshes are surfaces here: what lies wholly inside one does not touch it.\n";
   out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked),
                      grouped(f.candidates), f.candidates == 1 ? "" : "s");
+  if (r.asked.precision == rung::certified)
+    out += rungs_line(f);
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
                      f.collide_seconds);
   for (const std::string &note : r.notes)
@@ -100,6 +124,20 @@ std::string summary(const collide_report &r) {
   return out;
 }
 
+std::string box_warning(const how &asked, const answers &found) {
+  const rung_report &r = found.rungs;
+  std::string sets;
+  for (const auto &[name, left, side] :
+       {std::tuple("A", r.left_box_a, &found.a), std::tuple("B", r.left_box_b, &found.b)})
+    if (left)
+      sets += fmt::format("{}{} {}", sets.empty() ? "" : ", ", name, in_words(side->bounds));
+  return sets.empty()
+             ? ""
+             : fmt::format("warning: outside of the scene's box, {} to {} in each coordinate: {}; fp32 "
+                           "then bounds each pair by itself, and the answer is as certain",
+                           -asked.box, asked.box, sets);
+}
+
 std::string json(const collide_report &r) {
   const answers &f = r.found;
   const auto side = [](const io::element_set &set) {
@@ -107,11 +145,12 @@ std::string json(const collide_report &r) {
   };
   return fmt::format(
       R"({{"a":{},"b":{},"pairs":{},"touched_a":{},"touched_b":{},"precision":"{}",)"
-      R"("device":"cpu","unsure":{{}},"seconds":{{"read":{:.6f},"prepare":{:.6f},"collide":{:.6f}}},)"
+      R"("device":"cpu","unsure":{{{}}},"seconds":{{"read":{:.6f},"prepare":{:.6f},"collide":{:.6f}}},)"
       R"("predicate":"{}","mode":"{}"}})"
       "\n",
-      side(r.a), side(r.b), f.pairs, f.a.touched, f.b.touched, name_of(r.asked.precision), r.read_seconds,
-      f.prepare_seconds, f.collide_seconds, r.asked.by.predicate->name, r.asked.by.predicate->mode);
+      side(r.a), side(r.b), f.pairs, f.a.touched, f.b.touched, name_of(r.asked.precision), unsure_json(r),
+      r.read_seconds, f.prepare_seconds, f.collide_seconds, r.asked.by.predicate->name,
+      r.asked.by.predicate->mode);
 }
 
 } // namespace meet::app

@@ -23,6 +23,9 @@ struct collide_report {
 
 std::string summary(const collide_report &r);
 
+// What to say of sets that leave the scene's box; empty where they lie in it.
+std::string box_warning(const how &asked, const answers &found);
+
 // One object and a newline.
 std::string json(const collide_report &r);
 

@@ -62,7 +62,7 @@ fs::path algebra_path(const std::optional<fs::path> &asked) {
 }
 
 std::string scene_text(const fs::path &at, const fs::path &algebra,
-                       const std::vector<std::string> &predicates, const std::string &comment) {
+                       const std::vector<std::string> &predicates, double box, const std::string &comment) {
   std::error_code code;
   const fs::path folder = fs::weakly_canonical(fs::absolute(at).parent_path(), code);
   const fs::path real = fs::weakly_canonical(fs::absolute(algebra), code);
@@ -70,11 +70,12 @@ std::string scene_text(const fs::path &at, const fs::path &algebra,
   std::string kernels;
   for (const std::string &p : predicates)
     kernels += fmt::format("{}'{}'", kernels.empty() ? "" : ", ", p);
-  return fmt::format(
-      "# {}\n\n[scene]\nalgebra   = {}\nnamespace = '{}'\nrungs     = ['fp32', 'fp64', 'exact']\n"
-      "backends  = ['cpp', 'cuda']\nkernels   = [{}]\n",
-      comment, toml_string((relative.empty() ? real : relative).generic_string()),
-      space_named(at.stem().string()), kernels);
+  return fmt::format("# {}\n\n[scene]\nalgebra   = {}\nnamespace = '{}'\nrungs     = ['fp32', 'fp64', "
+                     "'fp64x2', 'exact', 'certified']\n"
+                     "backends  = ['cpp', 'cuda']\n{}kernels   = [{}]\n",
+                     comment, toml_string((relative.empty() ? real : relative).generic_string()),
+                     space_named(at.stem().string()), box > 0 ? fmt::format("box       = {}\n", box) : "",
+                     kernels);
 }
 
 } // namespace meet::app

@@ -14,9 +14,9 @@ namespace meet::app {
 std::filesystem::path algebra_path(const std::optional<std::filesystem::path> &asked);
 
 // The text of a scene file that will lie at `at`. The namespace is the file's name, made an identifier; the
-// algebra is named relative to the file.
+// algebra is named relative to the file. `box` 0: the scene states none.
 std::string scene_text(const std::filesystem::path &at, const std::filesystem::path &algebra,
-                       const std::vector<std::string> &predicates, const std::string &comment);
+                       const std::vector<std::string> &predicates, double box, const std::string &comment);
 
 } // namespace meet::app
 

@@ -124,8 +124,10 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
           "the predicate is for other kinds of element");
   require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b),
           "an owner map needs one item an element");
-  const auto decide = predicate.decide[static_cast<int>(precision)];
-  require(decide != nullptr, text(status::no_such_rung));
+  ladder by(predicate, precision);
+  require(by.count > 0, text(status::no_such_rung));
+  require(options.box >= 0, "the scene's box is negative or not a number");
+  by.enter_box(options.box, a.set(), b.set());
 
   const int threads = thread_count(options.threads);
   const all_pairs every(a.set(), b.set());
@@ -139,13 +141,14 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   };
   const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
   const tally total =
-      decide_all({a.set(), b.set(), decide, source, threads, options.mode == collide_mode::any,
+      decide_all({a.set(), b.set(), by, source, threads, options.mode == collide_mode::any,
                   options.progress ? +report : nullptr,
                   const_cast<std::function<void(double)> *>(&options.progress), keep ? &taker : nullptr},
                  {batches.get(), batch_bytes(threads)});
   result r;
   r.candidates = total.candidates;
   r.count = total.hits;
+  r.rungs = total.rungs;
   if (keep) {
     r.pairs = taker.all(threads);
     r.count = r.pairs.size();

@@ -4,11 +4,13 @@
 // status. prepare() and collide() own their memory: a set is prepared once and collided often.
 //
 // A pair is decided where the closed boxes of its elements touch (the kind's box never is too small), by the
-// predicate's rung. A set against itself gives every ordered pair (i, j), i = j included. The same pairs come
-// out for any number of threads and from either source of candidates.
+// predicate's rung; `certified` is several rungs, each on what the one before left unsure. A set against
+// itself gives every ordered pair (i, j), i = j included. The same pairs come out for any number of threads
+// and from either source of candidates.
 #ifndef MEET_CORE_COLLIDE_HPP
 #define MEET_CORE_COLLIDE_HPP
 
+#include "core/ladder.hpp"
 #include "core/memory.hpp"
 #include "core/status.hpp"
 #include "core/view.hpp"
@@ -28,12 +30,14 @@ struct pairs_out {
   index_pair *data = nullptr; // null with capacity 0: only count
   std::size_t capacity = 0;
   std::uint64_t *count = nullptr; // the true count lands here, also where it exceeds the capacity
+  rung_report *rungs = nullptr;   // null: not asked for
 };
 
 struct pairs_options {
   int threads = 0;            // 0: all cores; 1 starts no thread
   bool all_pairs = false;     // test every pair of boxes; no hierarchy is walked
   bool stop_at_first = false; // *count becomes 0 or 1, and no pair is written
+  float box = 0;              // as in collide_options
   void (*progress)(void *context,
                    double fraction) noexcept = nullptr; // calling thread, about ten times a second
   void *progress_context = nullptr;
@@ -45,7 +49,7 @@ std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, s
 
 // All touching pairs (a, b), sorted by a, then b. Where *count > capacity, the pairs written are some of
 // them, in no order: call again with more. Allocates nothing (but the system does for each thread that it
-// starts). On any status but ok, *count is 0.
+// starts). On any status but ok, *count is 0 and *rungs says nothing.
 status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
              const pose &at_b, pairs_out out, memory work, const pairs_options &options = {}) noexcept;
 
@@ -96,6 +100,9 @@ struct collide_options {
   collide_mode mode = collide_mode::list;
   int threads = 0;
   bool all_pairs = false;
+  // The scene's (catalogue::box): coordinates lie in [-box, box], lengths in [0, 2 box]; 0: it has none. No
+  // answer depends on it: where a set leaves it, the first rung of `certified` bounds each pair by itself.
+  float box = 0;
   // Element -> item, of each side; empty: the element itself. Pairs are then of items, each once.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   std::function<void(double fraction)> progress = {}; // on the calling thread, about ten times a second
@@ -105,11 +112,12 @@ struct result {
   std::vector<index_pair> pairs; // sorted by a, then b; no pair twice
   std::uint64_t count = 0;       // pairs, of items where there are owners
   std::uint64_t candidates = 0;  // pairs of elements that were decided
+  rung_report rungs;             // the same for any number of threads, but for collide_mode::any
   double seconds = 0;
 };
 
-// Memory grows with the pairs, never with the product of the sets. Throws std::invalid_argument (kinds, rung
-// or owners that do not fit) or std::bad_alloc.
+// Memory grows with the pairs, never with the product of the sets. Throws std::invalid_argument (kinds, rung,
+// box or owners that do not fit) or std::bad_alloc.
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 

@@ -15,7 +15,7 @@ constexpr std::size_t batch_capacity = flush_at + pair_sink::longest_run;
 struct shared_state {
   const decision_job &job;
   std::atomic<bool> found{false};
-  std::atomic<std::uint64_t> candidates{0}, hits{0};
+  std::atomic<std::uint64_t> candidates{0}, hits{0}, unsure[bounded_rungs]{};
 };
 
 class batch final : public pair_sink {
@@ -30,13 +30,7 @@ public:
 
   bool flush() override {
     const decision_job &job = shared_.job;
-    if (size_ > 0)
-      job.decide(job.a.rows, job.b.rows, pairs_, size_, answers_);
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      pairs_[n] = pairs_[i];
-      n += answers_[i] == answer::yes;
-    }
+    const std::size_t n = decide();
     candidates_ += size_;
     hits_ += n;
     size_ = 0;
@@ -57,13 +51,43 @@ public:
     flush();
     shared_.candidates.fetch_add(candidates_, std::memory_order_relaxed);
     shared_.hits.fetch_add(hits_, std::memory_order_relaxed);
+    for (int r = 0; r < bounded_rungs; ++r)
+      shared_.unsure[r].fetch_add(unsure_[r], std::memory_order_relaxed);
   }
 
 private:
+  // Brings the hits to the front of the batch and returns how many there are.
+  std::size_t decide() {
+    const decision_job &job = shared_.job;
+    std::size_t hits = 0, end = size_; // from hits to end, pairs are unsure
+    for (int step = 0; step < job.by.count && hits < end && (hits == 0 || !job.stop_at_first); ++step) {
+      if (step > 0)
+        unsure_[step - 1] += end - hits;
+      job.by.decide(step, job.a.rows, job.b.rows, pairs_ + hits, end - hits, answers_);
+      end = sort_out(hits, end);
+    }
+    return hits;
+  }
+
+  // Sorts the pairs from `hits` on by their answers: hits, then unsure ones, in place and without a branch.
+  // Moves `hits` behind the hits and returns the end of the unsure ones.
+  std::size_t sort_out(std::size_t &hits, std::size_t end) {
+    std::size_t kept = hits;
+    for (std::size_t i = hits, k = 0; i < end; ++i, ++k) {
+      const bool yes = answers_[k] == answer::yes;
+      const index_pair p = pairs_[i], first_unsure = pairs_[hits];
+      pairs_[yes ? kept : hits] = first_unsure;
+      pairs_[yes ? hits : kept] = p;
+      hits += yes;
+      kept += answers_[k] != answer::no;
+    }
+    return kept;
+  }
+
   shared_state &shared_;
   int worker_;
   answer *answers_;
-  std::uint64_t candidates_ = 0, hits_ = 0;
+  std::uint64_t candidates_ = 0, hits_ = 0, unsure_[bounded_rungs] = {};
 };
 
 class progress_report {
@@ -119,7 +143,9 @@ tally decide_all(const decision_job &job, memory batches) {
     mine.finish();
   };
   run_workers(counter.workers(job.threads), counter, body);
-  tally total{shared.candidates, shared.hits};
+  tally total{shared.candidates, shared.hits, job.by.start};
+  for (int r = 0; r < bounded_rungs; ++r)
+    total.rungs.unsure[r] = shared.unsure[r];
   if (job.stop_at_first)
     total.hits = shared.found || total.hits > 0;
   return total;

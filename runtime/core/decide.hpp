@@ -1,12 +1,13 @@
 // core/decide.hpp: candidates into decisions, on all threads.
 //
-// Each thread collects candidates in a batch and hands it to the predicate; what is a hit goes to the taker
-// under the caller's element indices. Memory is one batch a thread, however many candidates or hits there
-// are.
+// Each thread collects candidates in a batch and takes it down the ladder: a step sees only the pairs that
+// the one before left unsure. What is a hit goes to the taker under the caller's element indices. Memory is
+// one batch a thread, however many candidates or hits there are.
 #ifndef MEET_CORE_DECIDE_HPP
 #define MEET_CORE_DECIDE_HPP
 
 #include "core/candidates.hpp"
+#include "core/ladder.hpp"
 
 namespace meet {
 
@@ -19,7 +20,7 @@ public:
 
 struct decision_job {
   const element_set &a, &b;
-  void (*decide)(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out);
+  const ladder &by;
   const candidate_source &source;
   int threads;
   bool stop_at_first;
@@ -30,11 +31,13 @@ struct decision_job {
 
 struct tally {
   std::uint64_t candidates = 0, hits = 0;
+  rung_report rungs;
 };
 
 std::size_t batch_bytes(int threads);
 
-// `batches` holds batch_bytes(threads). With stop_at_first, hits is 0 or 1 and the taker is not called.
+// `batches` holds batch_bytes(threads). With stop_at_first, hits is 0 or 1, the taker is not called, and
+// no step is taken that is not needed.
 tally decide_all(const decision_job &job, memory batches);
 
 } // namespace meet

@@ -6,8 +6,41 @@
 
 #include <atomic>
 #include <cstring>
+#include <limits>
+#include <mutex>
 
 namespace meet {
+namespace {
+
+// The largest |v| of every step-th number, by the bits: finite numbers are in the order of their magnitudes'
+// bits, and integers are compared in vectors.
+float largest(const float *v, std::size_t n, std::size_t step) {
+  std::uint32_t most = 0;
+  for (std::size_t i = 0; i < n; i += step) {
+    std::uint32_t bits;
+    std::memcpy(&bits, v + i, sizeof bits);
+    most = std::max(most, bits & 0x7fffffff);
+  }
+  float value;
+  std::memcpy(&value, &most, sizeof value);
+  return value;
+}
+
+// Takes so many rows into set.reach and set.longest.
+void widen(element_set &set, const float *rows, std::size_t count, std::mutex &lock) {
+  const kind_info &kind = *set.kind;
+  const auto fields = static_cast<std::size_t>(kind.fields);
+  const std::size_t n = count * fields, step = kind.points > 0 ? 1 : fields; // points: all are coordinates
+  for (std::size_t f = 0; f < step; ++f) {
+    const float most = kind.roles[f] == role::other ? std::numeric_limits<float>::infinity()
+                                                    : largest(rows + f, n - f, step);
+    const std::scoped_lock hold(lock);
+    float &all = kind.roles[f] == role::length ? set.longest : set.reach;
+    all = std::max(all, most);
+  }
+}
+
+} // namespace
 
 element_set take_set(arena &from, const kind_info &kind, std::size_t elements) {
   element_set s;
@@ -36,6 +69,8 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
 
   constexpr std::size_t chunk = 2048;
   std::atomic<status> outcome{status::ok};
+  std::mutex lock;
+  set.reach = set.longest = 0;
   for_chunks(threads, set.elements, chunk, [&](int, std::size_t begin, std::size_t end) {
     float *rows = scratch.rows + begin * fields;
     const status s = gather(elements, kind, at, begin, end, rows);
@@ -43,6 +78,7 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
       outcome.store(s, std::memory_order_relaxed);
       return;
     }
+    widen(set, rows, end - begin, lock);
     for (std::size_t e = begin; e < end; ++e, rows += fields) {
       kind.box(rows, scratch.boxes[e].lo, scratch.boxes[e].hi);
       scratch.boxes[e] = sanitised(scratch.boxes[e]);

@@ -16,6 +16,8 @@ struct element_set {
   std::size_t elements = 0;
   float *rows = nullptr;
   std::uint32_t *order = nullptr;
+  // The largest |coordinate| and |length| of any row; infinite where a field is neither.
+  float reach = 0, longest = 0;
   hierarchy boxes;
 };
 

@@ -60,10 +60,12 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   if (!out.count)
     return status::bad_argument;
   *out.count = 0;
-  if (out.capacity > 0 && !out.data)
+  if (out.rungs)
+    *out.rungs = {};
+  if ((out.capacity > 0 && !out.data) || !(options.box >= 0))
     return status::bad_argument;
-  const auto decide = predicate.decide[static_cast<int>(precision)];
-  if (!decide)
+  ladder by(predicate, precision);
+  if (by.count == 0)
     return status::no_such_rung;
   if (a.elements > 0xffffffff || b.elements > 0xffffffff)
     return status::too_many_elements;
@@ -83,10 +85,13 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   const tree_pairs tree(l.a, l.b);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   append taker(out);
-  *out.count = decide_all({l.a, l.b, decide, source, threads, options.stop_at_first, options.progress,
-                           options.progress_context, out.capacity > 0 ? &taker : nullptr},
-                          l.batches)
-                   .hits;
+  by.enter_box(options.box, l.a, l.b);
+  const tally total = decide_all({l.a, l.b, by, source, threads, options.stop_at_first, options.progress,
+                                  options.progress_context, out.capacity > 0 ? &taker : nullptr},
+                                 l.batches);
+  *out.count = total.hits;
+  if (out.rungs)
+    *out.rungs = total.rungs;
   if (!options.stop_at_first && *out.count <= out.capacity)
     std::sort(out.data, out.data + *out.count,
               [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });

@@ -14,7 +14,7 @@ enum class status : std::uint8_t {
   bad_index,           // check() names the element
   bad_value,           // not finite, also after the pose, or a broken rule of the kind; check() names it
   cannot_move,         // the kind has fields that a pose does not know how to move
-  bad_argument,        // a null count, or room for pairs without memory
+  bad_argument,        // a null count, room for pairs without memory, or a negative box
 };
 
 constexpr const char *text(status s) {
@@ -34,7 +34,7 @@ constexpr const char *text(status s) {
   case status::cannot_move:
     return "this kind cannot be moved by a pose";
   case status::bad_argument:
-    return "an argument is null that must not be";
+    return "an argument is null that must not be, or the box is negative";
   }
   return "unknown";
 }

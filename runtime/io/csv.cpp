@@ -46,7 +46,8 @@ const kind_info &match_header(const line_reader &lines, std::string_view header,
 class row_reader {
 public:
   row_reader(const kind_info &kind, const transform &move, const std::string &file)
-      : kind_(kind), move_(kind, move, file), target_(move.any() ? precision::float64 : precision::float32),
+      : kind_(kind), asked_(move), move_(kind, move, file),
+        target_(move.any() ? precision::float64 : precision::float32),
         read_(static_cast<std::size_t>(kind.fields)), placed_(read_.size()) {
     split(kind.csv, names_);
   }
@@ -66,8 +67,8 @@ public:
     move_.apply(read_, placed_);
     for (std::size_t f = 0; f < placed_.size(); ++f)
       if (!std::isfinite(placed_[f]))
-        lines.fail(
-            fmt::format("{} {}: {}", kind_.name, i, describe_non_finite(names_[f], read_[f], placed_[f])));
+        lines.fail(fmt::format("{} {}: {}", kind_.name, i,
+                               describe_non_finite(names_[f], read_[f], placed_[f], asked_)));
     if (const char *const fault = kind_.fault ? kind_.fault(placed_.data()) : nullptr)
       lines.fail(fmt::format("{} {}: {}", kind_.name, i, fault));
     return placed_;
@@ -75,6 +76,7 @@ public:
 
 private:
   const kind_info &kind_;
+  const transform &asked_;
   row_transform move_;
   precision target_;
   std::vector<double> read_;

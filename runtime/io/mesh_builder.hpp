@@ -55,7 +55,7 @@ std::array<float, 3> place_point(const transform &move, const std::array<double,
   const std::array<float, 3> p = round_point(move, read);
   for (std::size_t c = 0; c < 3; ++c)
     if (!std::isfinite(p[c]))
-      fail(describe_non_finite(std::string_view("xyz").substr(c, 1), read[c], p[c]));
+      fail(describe_non_finite(std::string_view("xyz").substr(c, 1), read[c], p[c], move));
   return p;
 }
 

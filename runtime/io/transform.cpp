@@ -5,22 +5,35 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace meet::io {
 
 void transform::check() const {
   if (scale && !(std::isfinite(*scale) && *scale > 0))
-    throw error(fmt::format("the scale is {}; it must be finite and above 0", *scale));
+    throw error(fmt::format("{}: the scale is {}; it must be finite and above 0", scale_option, *scale));
   if (matrix)
     for (const double m : *matrix)
       if (!std::isfinite(m))
-        throw error(fmt::format("the matrix holds {}; its 12 numbers must be finite", m));
+        throw error(fmt::format("{}: the matrix holds {}; its 12 numbers must be finite", matrix_option, m));
   if (translate)
     for (const double t : *translate)
       if (!std::isfinite(t))
-        throw error(fmt::format("the translation holds {}; its 3 numbers must be finite", t));
+        throw error(
+            fmt::format("{}: the translation holds {}; its 3 numbers must be finite", translate_option, t));
+}
+
+std::string transform::options() const {
+  std::string out;
+  for (const auto &[present, option] :
+       {std::pair(scale.has_value(), scale_option), std::pair(matrix.has_value(), matrix_option),
+        std::pair(translate.has_value(), translate_option)})
+    if (present)
+      out += fmt::format("{}{}", out.empty() ? "" : ", ", option);
+  return out;
 }
 
 std::array<double, 3> transform::point(std::array<double, 3> p) const {
@@ -38,6 +51,30 @@ std::array<double, 3> transform::point(std::array<double, 3> p) const {
     for (std::size_t i = 0; i < 3; ++i)
       p[i] += (*translate)[i];
   return p;
+}
+
+std::optional<double> similarity_scale(const std::array<double, 12> &matrix) {
+  double most = 0;
+  for (std::size_t i = 0; i < 12; ++i)
+    if (i % 4 < 3)
+      most = std::max(most, std::abs(matrix[i]));
+  if (!(most > 0))
+    return std::nullopt;
+  // Brought near 1 by a power of two, so that no product leaves the range.
+  int exponent = 0;
+  std::frexp(most, &exponent);
+  const auto dot = [&](std::size_t i, std::size_t j) {
+    const auto at = [&](std::size_t row, std::size_t column) {
+      return std::ldexp(matrix[4 * row + column], -exponent);
+    };
+    return (at(0, i) * at(0, j) + at(1, i) * at(1, j)) + at(2, i) * at(2, j);
+  };
+  const double length2 = dot(0, 0), slack = 0x1p-48 * length2;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i; j < 3; ++j)
+      if (!(std::abs(dot(i, j) - (i == j ? length2 : 0)) <= slack))
+        return std::nullopt;
+  return std::ldexp(std::sqrt(length2), exponent);
 }
 
 std::array<float, 3> round_point(const transform &move, const std::array<double, 3> &read) {
@@ -61,11 +98,15 @@ row_transform::row_transform(const kind_info &kind, const transform &move, const
           fmt::format("{}: a transform cannot move {}s: number {} of a row is neither part of a point nor "
                       "a length",
                       file, kind.name, f + 1));
-    if (move.matrix)
+    if (!move.matrix)
+      continue;
+    const std::optional<double> scale = similarity_scale(*move.matrix);
+    if (!scale)
       throw error(
-          fmt::format("{}: a matrix cannot move {}s: their radius has no meaning under it; use --scale-b "
-                      "and --translate-b",
-                      file, kind.name));
+          fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {}s have "
+                      "no radius under it",
+                      file, matrix_option, kind.name));
+    matrix_scale_ = *scale;
   }
 }
 
@@ -77,7 +118,7 @@ void row_transform::apply(std::span<const double> in, std::span<float> out) cons
   }
   for (std::size_t f = 0; f < in.size(); ++f) {
     if (roles_[f] == role::length) {
-      out[f] = to_float32(move_.length(in[f]));
+      out[f] = to_float32((move_.scale ? in[f] * *move_.scale : in[f]) * matrix_scale_);
       continue;
     }
     const std::array<double, 3> p = move_.point({in[f], in[f + 1], in[f + 2]});
@@ -87,10 +128,11 @@ void row_transform::apply(std::span<const double> in, std::span<float> out) cons
   }
 }
 
-std::string describe_non_finite(std::string_view field, double read, float result) {
+std::string describe_non_finite(std::string_view field, double read, float result, const transform &move) {
   if (!std::isfinite(read))
     return fmt::format("{} is {}, not finite", field, read);
-  return fmt::format("{} is {}, not finite in float32 (read as {})", field, result, read);
+  return fmt::format("{} is {}, not finite in float32{} (read as {})", field, result,
+                     move.any() ? " after " + move.options() : "", read);
 }
 
 } // namespace meet::io

@@ -37,9 +37,9 @@ TEST_CASE("JSON holds what it promises, and nothing else is printed") {
   CHECK(j["a"] == json{{"kind", "triangle"}, {"elements", 1280}});
   CHECK(j["b"] == json{{"kind", "triangle"}, {"elements", 2304}});
   CHECK(j["pairs"] > 100);
-  CHECK(j["precision"] == "exact");
+  CHECK(j["precision"] == "certified");
   CHECK(j["device"] == "cpu");
-  CHECK(j["unsure"] == json::object());
+  CHECK(j["unsure"].size() == 3);
   for (const char *const step : {"read", "prepare", "collide"})
     CHECK(j["seconds"][step] >= 0.0);
   CHECK(j["predicate"] == "triangle_triangle");
@@ -54,8 +54,8 @@ TEST_CASE("the summary can be read") {
   CHECK(s.code == 0);
   for (const char *const part :
        {"A  ball.ply  1,280 faces", "B  ring.ply  2,304 faces", "box [-1, -1, -1] to [1, 1, 1]",
-        "pairs touch: ", " faces of A, ", "triangle_triangle, exact, on the CPU", "read 0.", "prepare 0.",
-        "collide 0."})
+        "pairs touch: ", " faces of A, ", "triangle_triangle, certified, on the CPU", "rungs used: fp32 (",
+        " handed on)", "read 0.", "prepare 0.", "collide 0."})
     CHECK(has(s.out, part));
   CHECK_FALSE(has(s.out, "disjoint"));
   CHECK_FALSE(has(s.out, "surfaces"));
@@ -170,9 +170,49 @@ TEST_CASE("precisions and devices that there are") {
   put_mesh("ball.ply", icosphere(3));
   put_mesh("ring.ply", torus(48, 24));
   const json exact = answer({"ball.ply", "ring.ply", "--precision", "exact", "--device", "auto"});
-  for (const char *const rung : {"fp32", "fp64"}) {
+  CHECK(exact["unsure"] == json::object());
+  for (const char *const rung : {"fp32", "fp64", "fp64x2"}) {
     const json j = answer({"ball.ply", "ring.ply", "--precision", rung, "--device", "cpu"});
     CHECK(j["precision"] == rung);
+    CHECK(j["unsure"] == json::object());
+    CHECK_FALSE(has(run({"collide", "ball.ply", "ring.ply", "--precision", rung}).out, "rungs used"));
     CHECK(std::abs(j["pairs"].get<int>() - exact["pairs"].get<int>()) < 20);
   }
+}
+
+TEST_CASE("certified, the default, is exact and says what each rung handed on") {
+  // One triangle against others whose corners lie so near its plane that fp32, fp64 or none of the rungs with
+  // bounds can tell, and against one that fp32 decides.
+  put("a.csv", "x0,y0,z0,x1,y1,z1,x2,y2,z2\n0,0,0,1,1e-3,0.333,0.777,1,0.6543\n");
+  std::string rows = "x0,y0,z0,x1,y1,z1,x2,y2,z2\n0.5,0.3,-9,0.6,0.4,-9,0.6,0.3,9\n";
+  for (const int i : {1, 2, 3, 4, 5, 6, 7, 8, 9}) // corners a rounding off its plane
+    rows += fmt::format("{0},{1},{2},2,3,9,3,2,9\n", i * 0.0623 + i * i * 0.001, i * 0.05 + 0.0001,
+                        (i * 0.0623 + i * i * 0.001) * 0.333 +
+                            (i * 0.05 + 0.0001 - 1e-3 * (i * 0.0623 + i * i * 0.001)) *
+                                (0.6543 - 0.333 * 0.777) / (1 - 1e-3 * 0.777));
+  put("b.csv", rows);
+  put_mesh("ball.ply", icosphere(3));
+  put_mesh("ring.ply", torus(48, 24));
+  const struct {
+    const char *a, *b;
+  } sets[] = {{"a.csv", "b.csv"}, {"b.csv", "a.csv"}, {"ball.ply", "ring.ply"}, {"ring.ply", "ring.ply"}};
+  for (const auto &[a, b] : sets) {
+    answer({a, b, "--precision", "exact", "--pairs", "exact.csv"});
+    const json j = answer({a, b, "--pairs", "certified.csv"});
+    CHECK(answer({a, b, "--precision", "certified"})["unsure"] == j["unsure"]);
+    CHECK(get(at("certified.csv")) == get(at("exact.csv")));
+    CHECK(j["unsure"]["fp32"] >= j["unsure"]["fp64"]);
+    CHECK(j["unsure"]["fp64"] >= j["unsure"]["fp64x2"]);
+  }
+  const said s = run({"collide", "a.csv", "b.csv", "--json"});
+  const json unsure = json::parse(s.out)["unsure"];
+  CHECK(unsure["fp32"] > 0);
+  CHECK(unsure["fp32"] < 10);
+  CHECK(has(s.out,
+            fmt::format("\"unsure\":{{\"fp32\":{},\"fp64\":{},\"fp64x2\":{}}},", unsure["fp32"].get<int>(),
+                        unsure["fp64"].get<int>(), unsure["fp64x2"].get<int>())));
+  CHECK(has(run({"collide", "a.csv", "b.csv"}).out,
+            fmt::format("rungs used: fp32 ({} handed on), fp64 (", unsure["fp32"].get<int>())));
+  // Where nothing is decided no rung is used.
+  CHECK_FALSE(has(run({"collide", "a.csv", "b.csv", "--translate-b", "99,0,0"}).out, "rungs used"));
 }

@@ -46,7 +46,7 @@ TEST_CASE("help says what there is, and only that") {
     CHECK(has(all.out, command));
     CHECK(run({command, "--help"}).code == 0);
   }
-  for (const char *const later : {"bench", "trade", "tolerance", "certified", "fp16"}) {
+  for (const char *const later : {"bench", "trade", "tolerance", "fp16"}) {
     CHECK_FALSE(has(all.out, later));
     CHECK_FALSE(has(one.out, later));
   }
@@ -63,25 +63,33 @@ TEST_CASE("values of options") {
   const auto with = [](const std::string &option, const std::string &value, int code = 2) {
     return collide_complaint({"ball.ply", "ball.ply", option, value}, code);
   };
-  for (const char *const p : {"fp16", "certified", "FP32", ""})
-    CHECK(has(with("--precision", p), "not in this build; known: fp32, fp64, exact"));
+  for (const char *const p : {"fp16", "Certified", "FP32", ""})
+    CHECK(has(with("--precision", p), "not in this build; known: fp32, fp64, fp64x2, exact, certified"));
   CHECK(with("--device", "cuda", 3) ==
         "--device cuda: this build decides pairs on the CPU; use --device cpu");
   CHECK(with("--device", "tpu") == "--device 'tpu': unknown; known: auto, cpu, cuda");
   CHECK(with("--mode", "hollow") == "--mode 'hollow': unknown; known: solid, surface");
   for (const char *const n : {"-1", "257", "two", "1.5", ""})
     CHECK(has(with("--threads", n), "is not a number from 0 to 256"));
-  CHECK(has(with("--scale-b", "0"), "must be finite and above 0"));
-  CHECK(has(with("--scale-b", "-2"), "must be finite and above 0"));
-  CHECK(has(with("--scale-b", "nan"), "must be finite"));
+  CHECK(with("--scale-b", "0") == "--scale-b: the scale is 0; it must be finite and above 0");
+  CHECK(has(with("--scale-b", "-2"), "--scale-b: the scale is -2; it must be finite and above 0"));
+  CHECK(has(with("--scale-b", "nan"), "--scale-b: the scale is nan; it must be finite"));
   CHECK(has(with("--scale-b", "big"), "--scale-b: 'big' is not a number"));
   CHECK(has(with("--scale-b", "1,2"), "--scale-b: 1 number expected, 2 given"));
   CHECK(has(with("--translate-b", "1,2"),
             "--translate-b: 3 numbers expected, with commas between them, 2 given"));
   CHECK(has(with("--translate-b", "1,2,x"), "'x' is not a number"));
-  CHECK(has(with("--translate-b", "1,2,inf"), "must be finite"));
+  CHECK(has(with("--translate-b", "1,2,inf"), "--translate-b: the translation holds inf"));
   CHECK(has(with("--matrix-b", "1,2,3"), "--matrix-b: 12 numbers expected"));
-  CHECK(has(with("--scale-b", "1e39"), "ball.ply"));
+  CHECK(has(with("--matrix-b", "1,0,0,0,0,nan,0,0,0,0,1,0"), "--matrix-b: the matrix holds nan"));
+  for (const char *const list : {"1,,2,3", ",1,2,3", "1,2,3,", "1, ,2,3", "1,2,,3", ","})
+    CHECK(with("--translate-b", list) ==
+          fmt::format("--translate-b: '{}' lacks a number beside a comma", list));
+  CHECK(has(with("--translate-b", ""), "3 numbers expected"));
+  CHECK(has(with("--scale-b", "1e39"), "ball.ply: vertex 0: x is "));
+  CHECK(has(with("--scale-b", "1e39"), "not finite in float32 after --scale-b (read as "));
+  CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--scale-b", "2", "--translate-b", "0,0,1e39"}),
+            "z is inf, not finite in float32 after --scale-b, --translate-b (read as "));
   for (const char *const option : {"--pairs", "--color", "--image"})
     CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--any", option, "x"}),
               "--any stops at the first pair"));

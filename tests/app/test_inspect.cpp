@@ -72,7 +72,9 @@ TEST_CASE("the scene that the files require") {
   const std::string scene = get(at("robot-cell.toml"));
   CHECK(has(scene, "[scene]\n"));
   CHECK(has(scene, "namespace = 'robot_cell'"));
-  CHECK(has(scene, "rungs     = ['fp32', 'fp64', 'exact']"));
+  CHECK(has(scene, "rungs     = ['fp32', 'fp64', 'fp64x2', 'exact', 'certified']"));
+  CHECK(has(scene,
+            "\nbox       = 1\n")); // the mesh reaches to 1, the sphere's centre to 1, its radius is below 2
   CHECK(has(scene, "kernels   = ['ball_triangle', 'sphere_triangle']"));
   const std::size_t from = scene.find("algebra   = '") + 13, to = scene.find('\'', from);
   const fs::path algebra = scene.substr(from, to - from);
@@ -88,6 +90,27 @@ TEST_CASE("the scene that the files require") {
   CHECK(run({"inspect", "ball.ply", "ball.ply", "--scene", "7 meshes.toml"}).code == 0);
   CHECK(has(get(at("7 meshes.toml")), "namespace = 'scene_7_meshes'"));
   CHECK(has(get(at("7 meshes.toml")), "cga3.toml'"));
+}
+
+TEST_CASE("the scene's box is the least power of two that holds both files") {
+  const auto box_of = [](const std::string &a, const std::string &b) {
+    put("a.csv", "x,y,z,r\n" + a + "\n");
+    put("b.csv", "x,y,z,r\n" + b + "\n");
+    REQUIRE(run({"inspect", "a.csv", "b.csv", "--scene", "boxed.toml", "--algebra", MEETC_ALGEBRA}).code ==
+            0);
+    const std::string scene = get(at("boxed.toml"));
+    const std::size_t from = scene.find("box       = ");
+    return from == std::string::npos ? 0.0 : std::stod(scene.substr(from + 12));
+  };
+  CHECK(box_of("0,0,0,1", "0,0.25,0,0.1") == 0.5);
+  CHECK(box_of("0,0,-0.75,1", "0,0.25,0,2") == 1);
+  CHECK(box_of("0,0,-0.75,1", "0,0.25,0,2.0000002") == 2);
+  CHECK(box_of("1.0000001,0,0,0", "0,0,0,0") == 2);
+  CHECK(box_of("1e-45,0,0,0", "0,0,0,0") == 0x1p-149);
+  CHECK(box_of("1e30,0,0,0", "1,0,0,0") == 0x1p100);
+  CHECK(box_of("1.7e38,0,0,0", "1,0,0,0") == 0x1p127);
+  CHECK(box_of("1.8e38,0,0,0", "1,0,0,0") == 0); // 2^128 is no float32
+  CHECK(box_of("0,0,0,0", "0,0,0,0") == 0);
 }
 
 TEST_CASE("what inspect refuses") {

@@ -64,7 +64,7 @@ TEST_CASE("kinds choose the predicate in either order, and pairs stay (of A, of 
   CHECK(answer({"ring.ply", "balls.csv"})["mode"] == "solid");
   CHECK(answer({"ring.ply", "balls.csv"})["a"]["kind"] == "triangle");
   CHECK(answer({"ring.ply", "balls.csv"})["b"]["kind"] == "sphere");
-  CHECK(has(run({"collide", "balls.csv", "rods.csv"}).out, "ball_segment (solid), exact"));
+  CHECK(has(run({"collide", "balls.csv", "rods.csv"}).out, "ball_segment (solid), certified"));
 }
 
 TEST_CASE("spheres: tangent is a hit; nested depends on the mode; radius 0 is a point") {

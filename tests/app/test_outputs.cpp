@@ -150,9 +150,15 @@ TEST_CASE("a file that is replaced keeps its mode and its links; special files a
 
 TEST_CASE("standard output that is gone, closed or full") {
   put_files();
-  CHECK(run({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv"}, ">&-").code == 0);
+  // What is printed to a closed stream is lost, and that is a fault. A file that is written is whole: it does
+  // not get the stream's place.
+  const said closed = run({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv"}, ">&-");
+  CHECK(closed.code == 2);
+  CHECK(has(closed.err, "meet: standard output: "));
   CHECK(pairs_in(at("p.csv")).size() > 100);
-  CHECK(run({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv"}, ">&- 2>&- <&-").code == 0);
+  CHECK(run({"--help"}, ">&-").code == 2);
+  CHECK(run({"collide", "ball.ply", "ring.ply"}, "2>&- <&-").code == 0);
+  CHECK(run({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv"}, ">&- 2>&- <&-").code == 2);
   CHECK(pairs_in(at("p.csv")).size() > 100);
   const said full = run({"collide", "ball.ply", "ring.ply", "--json"}, ">/dev/full");
   CHECK(full.code == 2);

@@ -47,9 +47,15 @@ TEST_CASE("radii take the scale") {
   CHECK(becomes("1,0,0,1", {"--scale-b", "2"}, "2,0,0,2"));
   CHECK_FALSE(becomes("1,0,0,1", {"--scale-b", "2"}, "2,0,0,1"));
   CHECK(becomes("1,0,0,1", {"--scale-b", "2", "--translate-b", "0,5,0"}, "2,5,0,2"));
+  // A matrix only where it is a similarity; here a turn about z by atan(4/3) and a scale of 5, then mirrored.
+  CHECK(becomes("1,0,0,1", {"--matrix-b", "3,-4,0,0,4,3,0,0,0,0,5,7"}, "3,4,7,5"));
+  CHECK_FALSE(becomes("1,0,0,1", {"--matrix-b", "3,-4,0,0,4,3,0,0,0,0,5,7"}, "3,4,7,1"));
+  CHECK(becomes("1,0,0,1", {"--matrix-b", "3,4,0,0,4,-3,0,0,0,0,5,0", "--scale-b", "2"}, "6,8,0,10"));
   put("b.csv", "x,y,z,r\n1,0,0,1\n");
-  CHECK(has(complaint({"collide", "b.csv", "b.csv", "--matrix-b", "1,0,0,0,0,1,0,0,0,0,1,0"}),
-            "b.csv: a matrix cannot move spheres"));
+  CHECK(
+      complaint({"collide", "b.csv", "b.csv", "--matrix-b", "1,0,0,0,0,2,0,0,0,0,1,0"}) ==
+      "b.csv: --matrix-b is no similarity (columns equally long and at right angles), so the spheres have no "
+      "radius under it");
 }
 
 TEST_CASE("the same pairs under exact scaling and translation") {

@@ -146,7 +146,7 @@ bool always(const float *, const float *) {
   return true;
 }
 constexpr kind_info odd{"odd", "x,y,z", 3, box_roles, 0, odd_box, nullptr};
-constexpr predicate_info odd_hit{"odd", "", &odd, &odd, {decide<3, 3, always>, nullptr, nullptr}};
+constexpr predicate_info odd_hit = plain("odd", "", odd, odd, decide<3, 3, always>);
 } // namespace
 
 TEST_CASE("a box that is not a number touches everything") {

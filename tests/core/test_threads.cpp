@@ -57,7 +57,7 @@ void slow(const float *a, const float *b, const index_pair *pairs, std::size_t n
   std::this_thread::sleep_for(std::chrono::milliseconds(2));
   decide<6, 6, slow_hit>(a, b, pairs, n, out);
 }
-constexpr predicate_info slow_boxes{"slow", "", &boxes, &boxes, {slow, nullptr, nullptr}};
+constexpr predicate_info slow_boxes = plain("slow", "", boxes, boxes, slow);
 } // namespace
 
 TEST_CASE("progress rises, modestly, on the calling thread") {

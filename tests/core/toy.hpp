@@ -25,6 +25,13 @@ void decide(const float *a, const float *b, const index_pair *pairs, std::size_t
         meet::to_answer(Hit(a + std::size_t{FieldsA} * pairs[i].a, b + std::size_t{FieldsB} * pairs[i].b));
 }
 
+// A predicate with plain rungs only.
+constexpr meet::predicate_info plain(const char *name, const char *mode, const kind_info &a,
+                                     const kind_info &b, meet::decide_function fp32,
+                                     meet::decide_function exact = nullptr) {
+  return {name, mode, &a, &b, {fp32, nullptr, nullptr, exact, nullptr}, {}, nullptr, 0, 0};
+}
+
 // ---- boxes: x0,y0,z0,x1,y1,z1; they hit where they overlap, closed
 // ------------------------------------------
 inline void box_box(const float *r, float lo[3], float hi[3]) {
@@ -42,8 +49,8 @@ inline bool boxes_hit(const float *a, const float *b) {
 }
 inline constexpr role box_roles[6] = {role::x, role::y, role::z, role::x, role::y, role::z};
 inline constexpr kind_info boxes{"box", "x0,y0,z0,x1,y1,z1", 6, box_roles, 0, box_box, box_fault};
-inline constexpr meet::predicate_info box_box_hit{
-    "box_box", "", &boxes, &boxes, {decide<6, 6, boxes_hit>, nullptr, decide<6, 6, boxes_hit>}};
+inline constexpr meet::predicate_info box_box_hit =
+    plain("box_box", "", boxes, boxes, decide<6, 6, boxes_hit>, decide<6, 6, boxes_hit>);
 
 // ---- balls: x,y,z,r; they hit where they touch, in fp64
 // ------------------------------------------------------
@@ -65,8 +72,8 @@ inline bool balls_hit(const float *a, const float *b) {
 }
 inline constexpr role ball_roles[4] = {role::x, role::y, role::z, role::length};
 inline constexpr kind_info balls{"ball", "x,y,z,r", 4, ball_roles, 0, ball_box, ball_fault};
-inline constexpr meet::predicate_info ball_ball_hit{
-    "ball_ball", "solid", &balls, &balls, {decide<4, 4, balls_hit>, nullptr, nullptr}};
+inline constexpr meet::predicate_info ball_ball_hit =
+    plain("ball_ball", "solid", balls, balls, decide<4, 4, balls_hit>);
 
 // ---- rods: two points, can be indexed; their boxes decide
 // ----------------------------------------------------
@@ -83,8 +90,7 @@ inline bool rods_hit(const float *a, const float *b) {
   return boxes_hit(x, y);
 }
 inline constexpr kind_info rods{"rod", "x0,y0,z0,x1,y1,z1", 6, box_roles, 2, rod_box, nullptr};
-inline constexpr meet::predicate_info rod_rod_hit{
-    "rod_rod", "", &rods, &rods, {decide<6, 6, rods_hit>, nullptr, nullptr}};
+inline constexpr meet::predicate_info rod_rod_hit = plain("rod_rod", "", rods, rods, decide<6, 6, rods_hit>);
 
 // ---- balls against boxes
 // -------------------------------------------------------------------------------------
@@ -96,8 +102,8 @@ inline bool ball_hits_box(const float *a, const float *b) {
   }
   return d2 <= static_cast<double>(a[3]) * a[3];
 }
-inline constexpr meet::predicate_info ball_box_hit{
-    "ball_box", "", &balls, &boxes, {decide<4, 6, ball_hits_box>, nullptr, nullptr}};
+inline constexpr meet::predicate_info ball_box_hit =
+    plain("ball_box", "", balls, boxes, decide<4, 6, ball_hits_box>);
 
 // ---- sets
 // ------------------------------------------------------------------------------------------------------

@@ -60,5 +60,7 @@ inline float number(std::mt19937_64 &random, int family) {
 // Each gives the number of differences and prints what it compared.
 long same_decisions();
 long same_formulas();
+long same_signs();
+long sound_arithmetic(); // faults that the self-test finds
 
 } // namespace cuda_test

@@ -10,7 +10,8 @@ int main() {
     return 77;
   }
   try {
-    const long differences = cuda_test::same_decisions() + cuda_test::same_formulas();
+    const long differences = cuda_test::sound_arithmetic() + cuda_test::same_decisions() + cuda_test::same_signs() +
+                             cuda_test::same_formulas();
     std::printf("%ld differences between CPU and device\n", differences);
     return differences ? 1 : 0;
   } catch (const std::exception &e) {

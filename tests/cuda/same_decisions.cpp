@@ -9,26 +9,29 @@
 namespace cuda_test {
 namespace {
 
-using launcher = cudaError_t (*)(meet::rung, const float *, const float *, const meet::index_pair *, std::size_t,
-                                 meet::answer *, cudaStream_t);
+using launcher = cudaError_t (*)(meet::rung, const float *, const float *, const meet::index_pair *,
+                                 std::size_t, meet::answer *, cudaStream_t);
 
-launcher launcher_of(const char *name) {
-  static const struct {
-    const char *name;
-    launcher decide;
-  } all[] = {{"segment_segment", cga::cuda::segment_segment::decide},
-             {"point_triangle", cga::cuda::point_triangle::decide},
-             {"segment_triangle", cga::cuda::segment_triangle::decide},
-             {"triangle_triangle", cga::cuda::triangle_triangle::decide},
-             {"sphere_sphere", cga::cuda::sphere_sphere::decide},
-             {"ball_ball", cga::cuda::ball_ball::decide},
-             {"ball_segment", cga::cuda::ball_segment::decide},
-             {"sphere_segment", cga::cuda::sphere_segment::decide},
-             {"ball_triangle", cga::cuda::ball_triangle::decide},
-             {"sphere_triangle", cga::cuda::sphere_triangle::decide}};
+struct launchers {
+  const char *name;
+  launcher decide, certify;
+};
+
+const launchers &launchers_of(const char *name) {
+  static const launchers all[] = {
+      {"segment_segment", cga::cuda::segment_segment::decide, cga::cuda::segment_segment::certify},
+      {"point_triangle", cga::cuda::point_triangle::decide, cga::cuda::point_triangle::certify},
+      {"segment_triangle", cga::cuda::segment_triangle::decide, cga::cuda::segment_triangle::certify},
+      {"triangle_triangle", cga::cuda::triangle_triangle::decide, cga::cuda::triangle_triangle::certify},
+      {"sphere_sphere", cga::cuda::sphere_sphere::decide, cga::cuda::sphere_sphere::certify},
+      {"ball_ball", cga::cuda::ball_ball::decide, cga::cuda::ball_ball::certify},
+      {"ball_segment", cga::cuda::ball_segment::decide, cga::cuda::ball_segment::certify},
+      {"sphere_segment", cga::cuda::sphere_segment::decide, cga::cuda::sphere_segment::certify},
+      {"ball_triangle", cga::cuda::ball_triangle::decide, cga::cuda::ball_triangle::certify},
+      {"sphere_triangle", cga::cuda::sphere_triangle::decide, cga::cuda::sphere_triangle::certify}};
   for (const auto &row : all)
     if (std::strcmp(row.name, name) == 0)
-      return row.decide;
+      return row;
   throw std::runtime_error(std::string("no launcher for ") + name);
 }
 
@@ -65,27 +68,34 @@ long same_decisions() {
     const buffer<float> da(a), db(b);
     const buffer<meet::index_pair> dp(pairs);
     const buffer<meet::answer> out(pairs.size());
-    for (int r = 0; r < meet::rung_count; ++r) {
+    const auto compare = [&](const char *name, meet::decide_function on_cpu, launcher on_device,
+                             meet::rung rung) {
       std::vector<meet::answer> want(pairs.size());
-      predicate.decide[r](a.data(), b.data(), pairs.data(), pairs.size(), want.data());
-      check(launcher_of(predicate.name)(static_cast<meet::rung>(r), da.data(), db.data(), dp.data(), pairs.size(),
-                                        out.data(), nullptr),
-            "launch");
+      on_cpu(a.data(), b.data(), pairs.data(), pairs.size(), want.data());
+      check(on_device(rung, da.data(), db.data(), dp.data(), pairs.size(), out.data(), nullptr), "launch");
       check(cudaDeviceSynchronize(), predicate.name);
       const std::vector<meet::answer> have = out.read();
-      long wrong = 0, hits = 0;
+      long wrong = 0, hits = 0, unsure = 0;
       for (std::size_t i = 0; i < want.size(); ++i) {
         wrong += want[i] != have[i];
         hits += want[i] == meet::answer::yes;
+        unsure += want[i] == meet::answer::unsure;
       }
-      static const char *const rungs[] = {"fp32", "fp64", "exact"};
-      std::printf("%-18s %-6s %ld differences in %zu pairs (%ld hits)\n", predicate.name, rungs[r], wrong, want.size(), hits);
+      std::printf("%-18s %-16s %ld differences in %zu pairs (%ld hits, %ld unsure)\n", predicate.name, name,
+                  wrong, want.size(), hits, unsure);
       differences += wrong;
-    }
+    };
+    const launchers &on_device = launchers_of(predicate.name);
+    static const char *const rungs[] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
+    static const char *const bounded[] = {"bounded fp32", "bounded fp64", "bounded fp64x2"};
+    for (int r = 0; r < meet::rung_count; ++r)
+      compare(rungs[r], predicate.decide[r], on_device.decide, static_cast<meet::rung>(r));
+    for (int r = 0; r < meet::bounded_rungs; ++r)
+      compare(bounded[r], predicate.certify[r], on_device.certify, static_cast<meet::rung>(r));
   }
   // An unknown rung is an error, not a crash.
-  if (cga::cuda::ball_ball::decide(static_cast<meet::rung>(77), nullptr, nullptr, nullptr, 1, nullptr, nullptr) !=
-      cudaErrorInvalidValue) {
+  if (cga::cuda::ball_ball::decide(static_cast<meet::rung>(77), nullptr, nullptr, nullptr, 1, nullptr,
+                                   nullptr) != cudaErrorInvalidValue) {
     std::printf("an unknown rung was taken\n");
     ++differences;
   }

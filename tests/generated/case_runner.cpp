@@ -1,5 +1,6 @@
-// A tiny program that is built with many compilers and flags: it decides the same hostile cases by the exact
-// rung and prints a hash of the answers a predicate, which must not depend on how it was built.
+// A tiny program that is built with many compilers and flags: it decides the same hostile cases and prints,
+// for each predicate, a hash of the answers, which must not depend on how it was built; how often a rung with
+// a bound contradicted them, which must be never; and how often each such rung was unsure, which may differ.
 //
 // Cases are made of integers only (a conversion to float rounds once, in one way), so that they are the same
 // under any flags, too.
@@ -101,18 +102,59 @@ void make(int i, float *a, int fields_a, float *b, int fields_b) {
   }
 }
 
+// The side of a box that holds the pair, with room to spare.
+float box_side(const float *a, int fields_a, const float *b, int fields_b) {
+  float low[3] = {a[0], a[1], a[2]}, high[3] = {a[0], a[1], a[2]}, widest = 0;
+  const auto take = [&](const float *r, int fields) {
+    for (int i = 0; i + fields % 3 < fields; ++i) {
+      low[i % 3] = r[i] < low[i % 3] ? r[i] : low[i % 3];
+      high[i % 3] = r[i] > high[i % 3] ? r[i] : high[i % 3];
+    }
+    if (fields % 3 && r[fields - 1] > widest)
+      widest = r[fields - 1];
+  };
+  take(a, fields_a), take(b, fields_b);
+  for (int k = 0; k < 3; ++k)
+    widest = high[k] - low[k] > widest ? high[k] - low[k] : widest;
+  return 2 * meet::power_above(widest);
+}
+
+constexpr int rungs = 5; // fp32, fp64, fp64x2, and the box forms by object and by the box alone
+
+template <class P> void bounded_answers(const float *a, const float *b, meet::answer out[rungs]) {
+  out[0] = meet::certify<P, meet::in_fp32>(a, b);
+  out[1] = meet::certify<P, meet::in_fp64>(a, b);
+  out[2] = meet::certify<P, meet::in_fp64x2>(a, b);
+  out[3] = out[4] = meet::answer::unsure;
+  const float side = box_side(a, P::inputs_a, b, P::inputs_b);
+  if (!meet::box_holds<P>(side))
+    return;
+  out[3] = meet::decide_sets<P>(meet::boxed_signs<P, meet::box_form::per_object>(a, b, side));
+  out[4] = meet::decide_sets<P>(meet::boxed_signs<P, meet::box_form::whole_box>(a, b, side));
+}
+
 template <class P, class Hit> void run(const char *name, Hit hit) {
   state = 42;
   std::uint64_t hash = 0xcbf29ce484222325;
-  int hits = 0;
+  int hits = 0, wrong = 0, unsure[rungs] = {};
   for (int i = 0; i < cases; ++i) {
     float a[9], b[9];
     make(i, a, P::inputs_a, b, P::inputs_b);
     const bool answer = hit(a, b);
     hits += answer;
     hash = (hash ^ static_cast<std::uint64_t>(answer)) * 0x100000001b3;
+    meet::answer bounded[rungs];
+    bounded_answers<P>(a, b, bounded);
+    for (int r = 0; r < rungs; ++r) {
+      unsure[r] += bounded[r] == meet::answer::unsure;
+      wrong += bounded[r] != meet::answer::unsure && bounded[r] != meet::to_answer(answer);
+    }
   }
-  std::printf("%s %016llx %d of %d\n", name, static_cast<unsigned long long>(hash), hits, cases);
+  std::printf("%s %016llx %d of %d wrong %d unsure", name, static_cast<unsigned long long>(hash), hits, cases,
+              wrong);
+  for (const int n : unsure)
+    std::printf(" %d", n);
+  std::printf("\n");
 }
 
 cga::point<float> point(const float *r) {

@@ -127,8 +127,9 @@ TEST_CASE("environment: the runtime's table answers as the headers do") {
       pairs.push_back({static_cast<std::uint32_t>(random.bits() % cases.size()), i});
     }
     std::vector<meet::answer> first(pairs.size()), again(pairs.size());
-    for (const meet::rung rung : {meet::rung::fp32, meet::rung::fp64, meet::rung::exact}) {
-      const auto decide = info->decide[static_cast<int>(rung)];
+    for (int r = 0; r < meet::rung_count; ++r) {
+      const auto rung = static_cast<meet::rung>(r);
+      const auto decide = info->decide[r];
       REQUIRE(decide != nullptr);
       decide(a.data(), b.data(), pairs.data(), pairs.size(), first.data());
       decide(a.data(), b.data(), pairs.data(), pairs.size(), again.data());
@@ -136,12 +137,26 @@ TEST_CASE("environment: the runtime's table answers as the headers do") {
       bool same = true;
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const row &x = cases[pairs[i].a].a, &y = cases[pairs[i].b].b;
-        const bool want = rung == meet::rung::exact  ? p.hit(x, y)
-                          : rung == meet::rung::fp64 ? p.template plain<double>(x, y)
-                                                     : p.template plain<float>(x, y);
+        const bool want = rung == meet::rung::fp32     ? p.template plain<float>(x, y)
+                          : rung == meet::rung::fp64   ? p.template plain<double>(x, y)
+                          : rung == meet::rung::fp64x2 ? p.template plain<meet::double_double>(x, y)
+                                                       : p.hit(x, y);
         same = same && first[i] == (want ? meet::answer::yes : meet::answer::no);
       }
       CHECK(same);
+    }
+    for (const meet::decide_function certify : info->certify) {
+      REQUIRE(certify != nullptr);
+      certify(a.data(), b.data(), pairs.data(), pairs.size(), first.data());
+      bool right = true;
+      std::size_t sure = 0;
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (first[i] != meet::answer::unsure) {
+          ++sure;
+          right = right && (first[i] == meet::answer::yes) == p.hit(cases[pairs[i].a].a, cases[pairs[i].b].b);
+        }
+      CHECK(right);
+      CHECK(sure > pairs.size() / 4);
     }
   });
 }

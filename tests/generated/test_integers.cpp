@@ -1,4 +1,4 @@
-// The integers of the exact rung against GMP: wide<W>, the conversions from float32, the common grid.
+// The integers of the exact rung against GMP: steps on limbs, the conversions from float32, the common grid.
 #include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/numbers.hpp"
@@ -11,89 +11,101 @@ using namespace meetc::generated_test;
 
 namespace {
 
-template <int W> mpz_class value_of(const meet::wide<W> &v) {
+mpz_class value_of(const std::uint64_t *limbs, int n) {
   mpz_class z;
-  mpz_import(z.get_mpz_t(), W, -1, sizeof(std::uint64_t), 0, 0, v.limb);
-  return v.limb[W - 1] >> 63 ? mpz_class(z - (mpz_class(1) << (64 * W))) : z;
+  mpz_import(z.get_mpz_t(), static_cast<std::size_t>(n), -1, sizeof(std::uint64_t), 0, 0, limbs);
+  return limbs[n - 1] >> 63 ? mpz_class(z - (mpz_class(1) << (64U * static_cast<unsigned>(n)))) : z;
 }
 mpz_class value_of(meet::int128 v) {
-  meet::wide<2> w(0);
-  w.limb[0] = static_cast<std::uint64_t>(v);
-  w.limb[1] = static_cast<std::uint64_t>(v >> 64);
-  return value_of(w);
+  const std::uint64_t limbs[2] = {static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(v >> 64)};
+  return value_of(limbs, 2);
 }
 mpz_class value_of(std::int64_t v) {
   return mpz_class(static_cast<long>(v));
 }
 
-// z brought into the range of 64*W bits, two's complement.
-template <int W> mpz_class wrapped(const mpz_class &z) {
-  const mpz_class whole = mpz_class(1) << (64 * W), half = whole >> 1;
+// z brought into the range of n limbs, two's complement.
+mpz_class wrapped(const mpz_class &z, int n) {
+  const mpz_class whole = mpz_class(1) << (64U * static_cast<unsigned>(n)), half = whole >> 1;
   mpz_class r;
   mpz_fdiv_r(r.get_mpz_t(), z.get_mpz_t(), whole.get_mpz_t());
   return r >= half ? mpz_class(r - whole) : r;
 }
 
 // Random limbs, long runs of ones and zeros (carries), numbers near 0 and near the ends of the range.
-template <int W> meet::wide<W> draw(random_numbers &random) {
-  meet::wide<W> v(0);
+void draw(random_numbers &random, std::uint64_t *limbs, int n) {
   const int how = random.integer(0, 4);
-  if (how == 0)
-    return meet::wide<W>(static_cast<std::int64_t>(random.integer(-3, 3)));
-  if (how == 1)
-    return meet::wide<W>(static_cast<std::int64_t>(random.bits()));
-  for (std::uint64_t &l : v.limb)
-    l = how == 2 || random.one_in(4) ? random.bits() : random.one_in(2) ? 0 : ~std::uint64_t{0};
+  const std::uint64_t low = how == 0 ? static_cast<std::uint64_t>(random.integer(-3, 3)) : random.bits();
+  for (int i = 0; i < n; ++i)
+    limbs[i] = how <= 1 ? (i == 0 ? low : low >> 63 ? ~std::uint64_t{0} : 0)
+               : how == 2 || random.one_in(4) ? random.bits()
+               : random.one_in(2)             ? 0
+                                              : ~std::uint64_t{0};
   if (how == 4)
-    v.limb[W - 1] = std::uint64_t{1} << 63 | (random.one_in(2) ? 0 : ~std::uint64_t{0} >> 1);
-  return v;
+    limbs[n - 1] = std::uint64_t{1} << 63 | (random.one_in(2) ? 0 : ~std::uint64_t{0} >> 1);
 }
 
 int sign_of(const mpz_class &z) {
   return sgn(z);
 }
 
-template <int W> void check_wide() {
-  INFO("wide<" << W << ">");
-  random_numbers random(W);
+constexpr int widest = 27;
+
+void check_steps(int n) {
+  using enum meet::step_kind;
+  INFO(n << " limbs");
+  random_numbers random(static_cast<std::uint64_t>(n));
   bool same = true;
   for (int i = 0; i < effort(4000) && same; ++i) {
-    const meet::wide<W> a = draw<W>(random), b = draw<W>(random), c = draw<W>(random);
-    const mpz_class x = value_of(a), y = value_of(b), z = value_of(c);
-    same = same && value_of(a + b) == wrapped<W>(x + y);
-    same = same && value_of(a - b) == wrapped<W>(x - y);
-    same = same && value_of(a * b) == wrapped<W>(x * y);
-    same = same && value_of(-a) == wrapped<W>(-x);
-    same = same && value_of(meet::fma(a, b, c)) == wrapped<W>(x * y + z);
-    same = same && static_cast<int>(meet::sign_of(a)) == sign_of(x);
-    const auto k = static_cast<std::int64_t>(random.bits());
-    same = same && value_of(meet::wide<W>(k)) == value_of(k);
+    std::uint64_t place[6][widest];
+    meet::sign signs[2];
+    draw(random, place[0], n), draw(random, place[1], n);
+    const mpz_class x = value_of(place[0], n), y = value_of(place[1], n);
+    const auto run = [&](meet::step_kind kind, int r, int a, int b) {
+      meet::take_step({kind, static_cast<std::uint16_t>(r), static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b)}, n,
+                      place, signs);
+      return value_of(place[r], n);
+    };
+    same = same && run(add, 2, 0, 1) == wrapped(x + y, n) && run(subtract, 2, 0, 1) == wrapped(x - y, n);
+    same = same && run(multiply, 2, 0, 1) == wrapped(x * y, n) && run(multiply, 2, 0, 0) == wrapped(x * x, n);
+    same = same && run(negate, 3, 0, 0) == wrapped(-x, n) && run(add, 2, 2, 0) == wrapped(x * x + x, n);
+    same = same && run(negate, 3, 3, 0) == wrapped(x, n) && run(subtract, 3, 3, 3) == 0;
+    const int low = random.integer(0, 0xffff), high = random.integer(0, 0xffff);
+    mpz_class c = low + (mpz_class(high) << 16);
+    same = same && run(constant, 4, low, high) == wrapped(c, n);
+    c += mpz_class(low) << 32;
+    same = same && run(raise, 4, low, 0) == wrapped(c, n);
+    meet::take_step({take_sign, 1, 0, 0}, n, place, signs);
+    same = same && static_cast<int>(signs[1]) == sign_of(x);
+    meet::take_step({take_sign, 0, 3, 0}, n, place, signs);
+    same = same && signs[0] == meet::sign::zero;
   }
   CHECK(same);
+}
+
+mpq_class on_grid(float v, int low) {
+  const mpq_class want(static_cast<double>(v));
+  return low < 0 ? mpq_class(want << static_cast<unsigned>(-low)) : mpq_class(want >> static_cast<unsigned>(low));
+}
+
+bool converts_to_limbs(float v, int low, int n) {
+  std::uint64_t limbs[widest];
+  meet::to_limbs(v, low, n, limbs);
+  return on_grid(v, low) == mpq_class(value_of(limbs, n));
 }
 
 // v = integer * 2^low, exactly.
 template <class I> bool converts(float v, int low) {
   I out{};
   meet::to_integer(v, low, out);
-  mpq_class want(static_cast<double>(v));
-  want = low < 0 ? mpq_class(want << static_cast<unsigned>(-low))
-                 : mpq_class(want >> static_cast<unsigned>(low));
-  return want == mpq_class(value_of(out));
+  return on_grid(v, low) == mpq_class(value_of(out));
 }
 
 } // namespace
 
-TEST_CASE("integers: wide arithmetic is GMP's, modulo its width") {
-  check_wide<1>();
-  check_wide<2>();
-  check_wide<3>();
-  check_wide<4>();
-  check_wide<5>();
-  check_wide<9>();
-  check_wide<14>();
-  check_wide<18>();
-  check_wide<27>();
+TEST_CASE("integers: steps on limbs are GMP's arithmetic, modulo their width") {
+  for (const int n : {1, 2, 3, 4, 5, 9, 14, 18, widest})
+    check_steps(n);
 }
 
 TEST_CASE("integers: every shift of a mantissa lands in the right limbs") {
@@ -104,8 +116,8 @@ TEST_CASE("integers: every shift of a mantissa lands in the right limbs") {
       for (const int m : {1, 0xffffff, random.integer(1, 0xffffff)}) {
         const float v = std::ldexp(static_cast<float>(random.one_in(2) ? m : -m), exponent);
         const int bits = 24 + exponent - low;
-        same = same && converts<meet::wide<5>>(v, low) && converts<meet::wide<27>>(v, low);
-        same = same && (bits > 254 || converts<meet::wide<4>>(v, low));
+        same = same && converts_to_limbs(v, low, 5) && converts_to_limbs(v, low, widest);
+        same = same && (bits > 254 || converts_to_limbs(v, low, 4));
         same = same && (bits > 126 || converts<meet::int128>(v, low));
         same = same && (bits > 62 || converts<std::int64_t>(v, low));
       }
@@ -149,5 +161,5 @@ TEST_CASE("integers: a zero converts on any grid") {
   CHECK(converts<std::int64_t>(0.0F, 1000));
   CHECK(converts<std::int64_t>(-0.0F, 1000));
   CHECK(converts<meet::int128>(-0.0F, 1000));
-  CHECK(converts<meet::wide<4>>(-0.0F, 1000));
+  CHECK(converts_to_limbs(-0.0F, 1000, 4));
 }

@@ -16,8 +16,8 @@ template <class P, class Stage> std::size_t widest_of(const std::vector<mpz_clas
   for (std::size_t i = 0; i < inputs.size(); ++i)
     (i < P::inputs_a ? a[i] : b[i - P::inputs_a]) = counted_integer(inputs[i]);
   counted_integer::widest = 0;
-  meet::sign s[P::atoms + 1];
-  meet::stage_signs<Stage>(a, b, s);
+  counted_integer v[Stage::atoms];
+  meet::stage_values<Stage>(a, b, v);
   return counted_integer::widest;
 }
 
@@ -57,15 +57,26 @@ template <class P, class Stage> void check_growth(const char *predicate, const c
   }
 }
 
-// A stage that does nothing but tell the width of the integers it is run in.
+// A stage whose one value is a^Degree: its sign is wrong in integers that are too narrow. It tells the width of the
+// built-in ones that it is run in.
 int width_used = 0;
 template <int Degree, int Growth> struct probe_stage {
-  static constexpr int atoms = 1, fields_a = 0, fields_b = 0, degree = Degree, growth = Growth;
+  static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0, degree = Degree, growth = Growth;
   template <class T> static void object_a(const T *, T *) {}
   template <class T> static void object_b(const T *, T *) {}
-  template <class T> static void pair(const T *a, const T *, const T *, const T *, meet::sign *s) {
+  template <class T, class W> static void pair(const T *a, const T *, const T *, const T *, W *v) {
     width_used = static_cast<int>(sizeof(T)) * 8;
-    s[0] = meet::sign_of(a[0]);
+    v[0] = a[0];
+    for (int i = 1; i < Degree; ++i)
+      v[0] = v[0] * a[0];
+  }
+  // Places 2 and 3 in turn; the last step takes the sign.
+  static constexpr int places = 4, step_count = Degree;
+  static meet::step step_at(int i) {
+    const auto place = [](int k) { return static_cast<std::uint16_t>(k == 0 ? 0 : 2 + k % 2); };
+    if (i + 1 < Degree)
+      return {meet::step_kind::multiply, place(i + 1), place(i), 0};
+    return {meet::step_kind::take_sign, 0, place(i), 0};
   }
 };
 template <class Stage> struct probe {
@@ -84,12 +95,17 @@ template <int Degree, int Growth> void check_steps() {
   bool fits = true, lean = true, right = true;
   for (int bits = 1; bits <= 277; ++bits) {
     const int low = bits <= 200 ? -100 : -149;
-    const float a = std::ldexp(1.0F, low + bits - 1), b = std::ldexp(1.0F, low);
-    right = right && meet::decide<probe<stage>>(meet::exact_signs<probe<stage>>(&a, &b));
-    const int need = Degree * bits + Growth;
-    fits = fits && need <= width_used - 1; // a sign bit
-    lean = lean && (need > 62 || width_used == 64) && (need > 126 || width_used <= 128) &&
-           (need > 254 || width_used <= 256);
+    const float b = std::ldexp(1.0F, low);
+    for (const float sign : {1.0F, -1.0F}) {
+      // The largest magnitude of so many bits that a float32 has.
+      const float a = sign * (bits <= 24 ? std::ldexp(1.0F, low + bits) - b : std::ldexp(0x1.fffffep0F, low + bits - 1));
+      width_used = 0;
+      right = right && meet::decide<probe<stage>>(meet::integer_signs<probe<stage>>(&a, &b)) ==
+                           (sign > 0 || Degree % 2 == 0);
+      const int need = Degree * bits + Growth;
+      fits = fits && (width_used == 0 || need <= width_used - 1); // a sign bit
+      lean = lean && (need > 62 || width_used == 64) && (need > 126 || (width_used > 0 && width_used <= 128));
+    }
   }
   INFO("degree " << Degree << ", growth " << Growth);
   CHECK(right);

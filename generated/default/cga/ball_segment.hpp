@@ -81,28 +81,28 @@ struct ball_segment {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -25, floor_fp64 = -200, box_lowest = -25, box_highest = 27;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) {
-      constexpr ::meet::factors all[] = {
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) {
+      static constexpr ::meet::factors all[] = {
         {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
         {0xb01p-32f, 0xb01p-61, 0x801p-110}, {0x801p-33f, 0x801p-62, 0xc01p-112},
         {0xa01p-33f, 0xa01p-62, 0x801p-111}};
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) {
-      constexpr ::meet::box_factor all[] = {
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) {
+      static constexpr ::meet::box_factor all[] = {
         {0xe01p-33f, 0, 0, 2}, {0xe01p-33f, 0, 0, 2}, {0x801p-29f, 0, 2, 2}, {0x901p-33f, 0, 1, 1},
         {0xd01p-32f, 0, 1, 1}};
       return all[i];
     }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) {
-      constexpr int all[] = {
+    MEET_HD static int degree_of([[maybe_unused]] int i) {
+      static constexpr int all[] = {
         2, 2, 4, 2, 2};
       return all[i];
     }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0x0u, 0x0u, 0x4u, 0x5u, 0x6u};
       return all[i];
     }
@@ -140,6 +140,26 @@ struct ball_segment {
       m[2] = ::meet::fma(t0, t1, ::meet::fma(t4, t4, ::meet::fma(t3, t3, t2 * t2)));
       m[3] = ::meet::fma(l2, l9, ::meet::fma(l1, l8, l0 * l7));
       m[4] = t1 + ::meet::fma(l2, l9, ::meet::fma(l1, l8, l0 * l7));
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 15, step_count = 61;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 10, 4, 0}, {multiply, 11, 10, 10}, {subtract, 12, 5, 1}, {multiply, 13, 12, 12},
+        {add, 13, 13, 11}, {subtract, 11, 6, 2}, {multiply, 14, 11, 11}, {add, 14, 14, 13},
+        {multiply, 13, 3, 3}, {subtract, 3, 13, 14}, {negate, 14, 3, 0}, {take_sign, 0, 14, 0},
+        {subtract, 3, 7, 0}, {multiply, 0, 3, 3}, {subtract, 3, 8, 1}, {multiply, 1, 3, 3}, {add, 1, 1, 0},
+        {subtract, 0, 9, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {subtract, 0, 13, 2}, {negate, 1, 0, 0},
+        {take_sign, 1, 1, 0}, {subtract, 0, 7, 4}, {multiply, 1, 0, 0}, {subtract, 2, 8, 5},
+        {multiply, 3, 2, 2}, {add, 3, 3, 1}, {subtract, 1, 9, 6}, {multiply, 4, 1, 1}, {add, 4, 4, 3},
+        {multiply, 3, 10, 0}, {multiply, 5, 12, 2}, {add, 5, 5, 3}, {multiply, 3, 11, 1}, {add, 3, 3, 5},
+        {take_sign, 3, 3, 0}, {multiply, 5, 12, 1}, {negate, 6, 11, 0}, {multiply, 7, 6, 2}, {add, 7, 7, 5},
+        {multiply, 5, 11, 0}, {negate, 6, 10, 0}, {multiply, 8, 6, 1}, {add, 8, 8, 5}, {multiply, 1, 10, 2},
+        {negate, 2, 12, 0}, {multiply, 5, 2, 0}, {add, 5, 5, 1}, {multiply, 0, 7, 7}, {multiply, 1, 8, 8},
+        {add, 1, 1, 0}, {multiply, 0, 5, 5}, {add, 0, 0, 1}, {negate, 1, 0, 0}, {multiply, 0, 13, 4},
+        {add, 0, 0, 1}, {negate, 1, 0, 0}, {take_sign, 2, 1, 0}, {add, 0, 4, 3}, {take_sign, 4, 0, 0}};
+      return all[i];
     }
   };
   using rare_stage = ::meet::no_stage;

@@ -97,6 +97,9 @@ cudaError_t certify_by(::meet::rung rung, const float *a, const float *b, const 
 namespace cga {
 namespace cuda {
 
+cudaError_t self_test(unsigned *faults, cudaStream_t stream) { return ::meet::launch_self_test(faults,
+    stream); }
+
 cudaError_t segment_segment::decide(::meet::rung rung, const float *a, const float *b,
     const ::meet::index_pair *pairs,
     std::size_t n, ::meet::answer *out, cudaStream_t stream) {

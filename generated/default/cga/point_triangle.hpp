@@ -115,8 +115,8 @@ struct point_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) {
-      constexpr ::meet::factors all[] = {
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) {
+      static constexpr ::meet::factors all[] = {
         {0xe01p-33f, 0xe01p-62, 0xa01p-111}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
         {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
@@ -127,22 +127,22 @@ struct point_triangle {
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) {
-      constexpr ::meet::box_factor all[] = {
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) {
+      static constexpr ::meet::box_factor all[] = {
         {0x841p-31f, 0, 2, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
         {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
         {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1},
         {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}};
       return all[i];
     }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) {
-      constexpr int all[] = {
+    MEET_HD static int degree_of([[maybe_unused]] int i) {
+      static constexpr int all[] = {
         3, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1};
       return all[i];
     }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0x3fu, 0xbu, 0x26u, 0x15u, 0x1u, 0x2u, 0x4u, 0xbu, 0x26u, 0x15u, 0x1u, 0x2u, 0x4u, 0xbu, 0x26u, 0x15u,
         0x1u, 0x2u, 0x4u};
       return all[i];
@@ -204,6 +204,35 @@ struct point_triangle {
       m[16] = l8;
       m[17] = l10;
       m[18] = l17;
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 24, step_count = 93;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 12, 10, 4}, {subtract, 13, 8, 5}, {subtract, 14, 11, 5}, {subtract, 15, 7, 4},
+        {multiply, 16, 14, 15}, {negate, 17, 12, 0}, {multiply, 18, 17, 13}, {add, 18, 18, 16},
+        {subtract, 16, 6, 3}, {subtract, 19, 9, 3}, {multiply, 20, 13, 19}, {negate, 21, 14, 0},
+        {multiply, 22, 21, 16}, {add, 22, 22, 20}, {multiply, 20, 12, 16}, {negate, 21, 15, 0},
+        {multiply, 23, 21, 19}, {add, 23, 23, 20}, {subtract, 20, 3, 0}, {multiply, 3, 18, 20},
+        {subtract, 18, 4, 1}, {multiply, 4, 22, 18}, {add, 4, 4, 3}, {subtract, 3, 5, 2},
+        {multiply, 5, 23, 3}, {add, 5, 5, 4}, {negate, 4, 5, 0}, {take_sign, 0, 4, 0}, {multiply, 4, 13, 18},
+        {negate, 5, 3, 0}, {take_sign, 16, 5, 0}, {multiply, 5, 21, 3}, {add, 5, 5, 4}, {take_sign, 1, 5, 0},
+        {subtract, 4, 7, 1}, {subtract, 5, 8, 2}, {subtract, 21, 10, 7}, {subtract, 7, 11, 8},
+        {multiply, 8, 4, 7}, {negate, 22, 5, 0}, {take_sign, 17, 22, 0}, {multiply, 5, 22, 21},
+        {add, 5, 5, 8}, {take_sign, 2, 5, 0}, {multiply, 5, 14, 18}, {multiply, 8, 17, 3}, {add, 8, 8, 5},
+        {take_sign, 3, 8, 0}, {negate, 5, 20, 0}, {take_sign, 4, 5, 0}, {subtract, 5, 6, 0},
+        {negate, 8, 5, 0}, {take_sign, 5, 8, 0}, {subtract, 8, 9, 0}, {negate, 0, 8, 0}, {take_sign, 6, 0, 0},
+        {multiply, 0, 13, 20}, {negate, 8, 16, 0}, {multiply, 13, 8, 3}, {add, 13, 13, 0},
+        {take_sign, 7, 13, 0}, {subtract, 0, 9, 6}, {multiply, 6, 7, 5}, {multiply, 7, 22, 0}, {add, 7, 7, 6},
+        {take_sign, 8, 7, 0}, {multiply, 6, 14, 20}, {negate, 7, 19, 0}, {multiply, 9, 7, 3}, {add, 9, 9, 6},
+        {take_sign, 9, 9, 0}, {negate, 3, 18, 0}, {take_sign, 10, 3, 0}, {negate, 3, 4, 0},
+        {take_sign, 11, 3, 0}, {subtract, 4, 10, 1}, {negate, 1, 4, 0}, {take_sign, 12, 1, 0},
+        {multiply, 1, 15, 20}, {multiply, 4, 8, 18}, {add, 4, 4, 1}, {take_sign, 13, 4, 0},
+        {multiply, 1, 21, 5}, {multiply, 4, 3, 0}, {add, 4, 4, 1}, {take_sign, 14, 4, 0},
+        {multiply, 0, 12, 20}, {multiply, 1, 7, 18}, {add, 1, 1, 0}, {take_sign, 15, 1, 0},
+        {subtract, 0, 11, 2}, {negate, 1, 0, 0}, {take_sign, 18, 1, 0}};
+      return all[i];
     }
   };
   using rare_stage = ::meet::no_stage;

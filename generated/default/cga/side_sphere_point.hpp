@@ -52,13 +52,13 @@ struct side_sphere_point_sign {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 57;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
         0x801p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) { return {0xe01p-33f, 0, 0, 2}; }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) { return 2; }
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) { return {0xe01p-33f, 0, 0, 2}; }
+    MEET_HD static int degree_of([[maybe_unused]] int i) { return 2; }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
     MEET_HD static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[3]);
       return m0;
@@ -75,6 +75,16 @@ struct side_sphere_point_sign {
       const T l2 = leaf(b[2] - a[2]);
       const T l3 = leaf(a[3]);
       m[0] = ::meet::fma(l2, l2, ::meet::fma(l1, l1, l0 * l0)) + l3 * l3;
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 8, step_count = 12;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 7, 4, 0}, {multiply, 0, 7, 7}, {subtract, 4, 5, 1}, {multiply, 1, 4, 4}, {add, 1, 1, 0},
+        {subtract, 0, 6, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {multiply, 0, 3, 3}, {subtract, 1, 0, 2},
+        {negate, 0, 1, 0}, {take_sign, 0, 0, 0}};
+      return all[i];
     }
   };
   template <class S> MEET_HD static constexpr S value([[maybe_unused]] const S *s) { return -(s[0]); }

@@ -68,13 +68,13 @@ struct side_triangle_point_sign {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
         0xa01p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 2, 0, 1}; }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) { return 3; }
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 2, 0, 1}; }
+    MEET_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) { return 0x3fu; }
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x3fu; }
     MEET_HD static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[7] - a[1]);
       const float m1 = ::meet::larger(m0, a[5] - a[2]);
@@ -102,6 +102,19 @@ struct side_triangle_point_sign {
       const T l8 = leaf(b[2] - a[2]);
       const T t0 = ::meet::fma(::meet::fma(l2, l4, l1 * l5), l7, ::meet::fma(l0, l1, l2 * l3) * l6);
       m[0] = ::meet::fma(::meet::fma(l3, l5, l0 * l4), l8, t0);
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 15, step_count = 28;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 12, 7, 1}, {subtract, 7, 5, 2}, {subtract, 5, 8, 2}, {subtract, 8, 4, 1},
+        {multiply, 4, 5, 8}, {negate, 13, 12, 0}, {multiply, 14, 13, 7}, {add, 14, 14, 4},
+        {subtract, 4, 3, 0}, {subtract, 3, 6, 0}, {multiply, 6, 7, 3}, {negate, 7, 5, 0}, {multiply, 5, 7, 4},
+        {add, 5, 5, 6}, {multiply, 6, 12, 4}, {negate, 4, 8, 0}, {multiply, 7, 4, 3}, {add, 7, 7, 6},
+        {subtract, 3, 9, 0}, {multiply, 0, 14, 3}, {subtract, 3, 10, 1}, {multiply, 1, 5, 3}, {add, 1, 1, 0},
+        {subtract, 0, 11, 2}, {multiply, 2, 7, 0}, {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}};
+      return all[i];
     }
   };
   template <class S> MEET_HD static constexpr S value([[maybe_unused]] const S *s) { return -(s[0]); }

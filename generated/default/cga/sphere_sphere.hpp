@@ -58,17 +58,17 @@ struct sphere_sphere {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 57;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
         0x801p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) {
-      constexpr ::meet::box_factor all[] = {
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) {
+      static constexpr ::meet::box_factor all[] = {
         {0xa81p-32f, 0, 0, 2}, {0xf01p-33f, 0, 0, 2}};
       return all[i];
     }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) { return 2; }
+    MEET_HD static int degree_of([[maybe_unused]] int i) { return 2; }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
     MEET_HD static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[3]);
       return m0;
@@ -91,6 +91,17 @@ struct sphere_sphere {
       const T t1 = l3 + l4;
       m[0] = ::meet::fma(t1, t1, t0);
       m[1] = ::meet::fma(l5, l5, t0);
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 9, step_count = 19;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 8, 4, 0}, {multiply, 0, 8, 8}, {subtract, 4, 5, 1}, {multiply, 1, 4, 4}, {add, 1, 1, 0},
+        {subtract, 0, 6, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {add, 0, 3, 7}, {negate, 1, 2, 0},
+        {multiply, 2, 0, 0}, {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}, {subtract, 0, 3, 7},
+        {multiply, 2, 0, 0}, {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 1, 0, 0}};
+      return all[i];
     }
   };
   using rare_stage = ::meet::no_stage;

@@ -111,19 +111,19 @@ struct triangle_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
         0xa01p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) {
-      constexpr ::meet::box_factor all[] = {
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) {
+      static constexpr ::meet::box_factor all[] = {
         {0x841p-31f, 0, 2, 1}, {0x841p-31f, 0, 2, 1}, {0x841p-31f, 0, 2, 1}, {0x841p-31f, 2, 0, 1},
         {0x841p-31f, 2, 0, 1}, {0x841p-31f, 2, 0, 1}};
       return all[i];
     }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) { return 3; }
+    MEET_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0x701cu, 0x71c0u, 0x7e00u, 0x267u, 0x4abu, 0x933u};
       return all[i];
     }
@@ -188,6 +188,35 @@ struct triangle_triangle {
       m[3] = ::meet::fma(l8, t5, ::meet::fma(l7, t4, l6 * t3));
       m[4] = ::meet::fma(t5, l23, ::meet::fma(t4, l22, t3 * l21));
       m[5] = ::meet::fma(t5, l26, ::meet::fma(t4, l25, t3 * l24));
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 27, step_count = 93;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 18, 16, 10}, {subtract, 19, 14, 11}, {subtract, 20, 17, 11}, {subtract, 21, 13, 10},
+        {multiply, 22, 20, 21}, {negate, 23, 18, 0}, {multiply, 24, 23, 19}, {add, 24, 24, 22},
+        {subtract, 22, 12, 9}, {subtract, 23, 15, 9}, {multiply, 25, 19, 23}, {negate, 19, 20, 0},
+        {multiply, 20, 19, 22}, {add, 20, 20, 25}, {multiply, 19, 18, 22}, {negate, 18, 21, 0},
+        {multiply, 21, 18, 23}, {add, 21, 21, 19}, {subtract, 18, 9, 0}, {multiply, 19, 24, 18},
+        {subtract, 22, 10, 1}, {multiply, 23, 20, 22}, {add, 23, 23, 19}, {subtract, 19, 11, 2},
+        {multiply, 25, 21, 19}, {add, 25, 25, 23}, {negate, 23, 25, 0}, {take_sign, 0, 23, 0},
+        {subtract, 23, 9, 3}, {multiply, 25, 24, 23}, {subtract, 23, 10, 4}, {multiply, 26, 20, 23},
+        {add, 26, 26, 25}, {subtract, 23, 11, 5}, {multiply, 25, 21, 23}, {add, 25, 25, 26},
+        {negate, 23, 25, 0}, {take_sign, 1, 23, 0}, {subtract, 23, 9, 6}, {multiply, 9, 24, 23},
+        {subtract, 23, 10, 7}, {multiply, 10, 20, 23}, {add, 10, 10, 9}, {subtract, 9, 11, 8},
+        {multiply, 11, 21, 9}, {add, 11, 11, 10}, {negate, 9, 11, 0}, {take_sign, 2, 9, 0},
+        {subtract, 9, 7, 1}, {subtract, 7, 5, 2}, {subtract, 5, 8, 2}, {subtract, 8, 4, 1},
+        {multiply, 4, 5, 8}, {negate, 10, 9, 0}, {multiply, 11, 10, 7}, {add, 11, 11, 4}, {subtract, 4, 3, 0},
+        {subtract, 3, 6, 0}, {multiply, 6, 7, 3}, {negate, 7, 5, 0}, {multiply, 5, 7, 4}, {add, 5, 5, 6},
+        {multiply, 6, 9, 4}, {negate, 4, 8, 0}, {multiply, 7, 4, 3}, {add, 7, 7, 6}, {multiply, 3, 18, 11},
+        {multiply, 4, 22, 5}, {add, 4, 4, 3}, {multiply, 3, 19, 7}, {add, 3, 3, 4}, {negate, 4, 3, 0},
+        {take_sign, 3, 4, 0}, {subtract, 3, 12, 0}, {multiply, 4, 11, 3}, {subtract, 3, 13, 1},
+        {multiply, 6, 5, 3}, {add, 6, 6, 4}, {subtract, 3, 14, 2}, {multiply, 4, 7, 3}, {add, 4, 4, 6},
+        {negate, 3, 4, 0}, {take_sign, 4, 3, 0}, {subtract, 3, 15, 0}, {multiply, 0, 11, 3},
+        {subtract, 3, 16, 1}, {multiply, 1, 5, 3}, {add, 1, 1, 0}, {subtract, 0, 17, 2}, {multiply, 2, 7, 0},
+        {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 5, 0, 0}};
+      return all[i];
     }
   };
   // The usual case: signs 6 to 14, degree 3.
@@ -309,14 +338,14 @@ struct triangle_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
         0xa01p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) { return 3; }
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
+    MEET_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0x10cdu, 0x4199u, 0x2155u, 0x16e0u, 0x4da0u, 0x2b60u, 0x160eu, 0x4c1au, 0x2a16u};
       return all[i];
     }
@@ -396,6 +425,55 @@ struct triangle_triangle {
       m[6] = ::meet::fma(l8, ::meet::fma(l5, l28, l0 * l29), t6);
       m[7] = ::meet::fma(l14, ::meet::fma(l11, l28, l9 * l29), t7);
       m[8] = ::meet::fma(l8, ::meet::fma(l17, l28, l15 * l29), t8);
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 43, step_count = 177;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 18, 13, 10}, {subtract, 19, 5, 2}, {subtract, 20, 14, 11}, {subtract, 21, 4, 1},
+        {multiply, 22, 20, 21}, {negate, 23, 18, 0}, {multiply, 24, 23, 19}, {add, 24, 24, 22},
+        {subtract, 22, 3, 0}, {subtract, 25, 12, 9}, {multiply, 26, 19, 25}, {negate, 27, 20, 0},
+        {multiply, 28, 27, 22}, {add, 28, 28, 26}, {multiply, 26, 18, 22}, {negate, 29, 21, 0},
+        {multiply, 30, 29, 25}, {add, 30, 30, 26}, {subtract, 26, 9, 0}, {multiply, 31, 24, 26},
+        {subtract, 24, 10, 1}, {multiply, 32, 28, 24}, {add, 32, 32, 31}, {subtract, 28, 11, 2},
+        {multiply, 31, 30, 28}, {add, 31, 31, 32}, {take_sign, 0, 31, 0}, {subtract, 30, 16, 13},
+        {subtract, 31, 17, 14}, {multiply, 32, 21, 31}, {negate, 33, 19, 0}, {multiply, 34, 33, 30},
+        {add, 34, 34, 32}, {subtract, 32, 15, 12}, {multiply, 35, 19, 32}, {negate, 36, 22, 0},
+        {multiply, 37, 36, 31}, {add, 37, 37, 35}, {multiply, 35, 22, 30}, {multiply, 38, 29, 32},
+        {add, 38, 38, 35}, {subtract, 35, 12, 0}, {multiply, 39, 34, 35}, {subtract, 34, 13, 1},
+        {multiply, 40, 37, 34}, {add, 40, 40, 39}, {subtract, 37, 14, 2}, {multiply, 39, 38, 37},
+        {add, 39, 39, 40}, {take_sign, 1, 39, 0}, {subtract, 38, 16, 10}, {subtract, 16, 17, 11},
+        {multiply, 17, 21, 16}, {multiply, 21, 33, 38}, {add, 21, 21, 17}, {subtract, 17, 15, 9},
+        {multiply, 15, 19, 17}, {multiply, 19, 36, 16}, {add, 19, 19, 15}, {multiply, 15, 22, 38},
+        {multiply, 22, 29, 17}, {add, 22, 22, 15}, {multiply, 15, 26, 21}, {multiply, 21, 24, 19},
+        {add, 21, 21, 15}, {multiply, 15, 28, 22}, {add, 15, 15, 21}, {take_sign, 2, 15, 0},
+        {subtract, 15, 8, 5}, {subtract, 19, 7, 4}, {multiply, 21, 20, 19}, {multiply, 22, 23, 15},
+        {add, 22, 22, 21}, {subtract, 21, 6, 3}, {multiply, 29, 25, 15}, {multiply, 33, 27, 21},
+        {add, 33, 33, 29}, {multiply, 29, 18, 21}, {negate, 36, 25, 0}, {multiply, 39, 36, 19},
+        {add, 39, 39, 29}, {subtract, 29, 9, 3}, {multiply, 9, 22, 29}, {subtract, 22, 10, 4},
+        {multiply, 10, 33, 22}, {add, 10, 10, 9}, {subtract, 9, 11, 5}, {multiply, 11, 39, 9},
+        {add, 11, 11, 10}, {take_sign, 3, 11, 0}, {multiply, 10, 31, 19}, {negate, 11, 30, 0},
+        {multiply, 33, 11, 15}, {add, 33, 33, 10}, {multiply, 10, 32, 15}, {negate, 39, 31, 0},
+        {multiply, 40, 39, 21}, {add, 40, 40, 10}, {multiply, 10, 30, 21}, {negate, 41, 32, 0},
+        {multiply, 42, 41, 19}, {add, 42, 42, 10}, {subtract, 10, 12, 3}, {multiply, 3, 33, 10},
+        {subtract, 10, 13, 4}, {multiply, 4, 40, 10}, {add, 4, 4, 3}, {subtract, 3, 14, 5},
+        {multiply, 5, 42, 3}, {add, 5, 5, 4}, {take_sign, 4, 5, 0}, {multiply, 3, 16, 19}, {negate, 4, 38, 0},
+        {multiply, 5, 4, 15}, {add, 5, 5, 3}, {multiply, 3, 17, 15}, {negate, 10, 16, 0},
+        {multiply, 12, 10, 21}, {add, 12, 12, 3}, {multiply, 3, 38, 21}, {negate, 13, 17, 0},
+        {multiply, 14, 13, 19}, {add, 14, 14, 3}, {multiply, 3, 29, 5}, {multiply, 5, 22, 12}, {add, 5, 5, 3},
+        {multiply, 3, 9, 14}, {add, 3, 3, 5}, {take_sign, 5, 3, 0}, {subtract, 3, 8, 2}, {subtract, 2, 7, 1},
+        {multiply, 1, 20, 2}, {multiply, 5, 23, 3}, {add, 5, 5, 1}, {subtract, 1, 6, 0}, {multiply, 0, 25, 3},
+        {multiply, 6, 27, 1}, {add, 6, 6, 0}, {multiply, 0, 18, 1}, {multiply, 7, 36, 2}, {add, 7, 7, 0},
+        {multiply, 0, 26, 5}, {multiply, 5, 24, 6}, {add, 5, 5, 0}, {multiply, 0, 28, 7}, {add, 0, 0, 5},
+        {take_sign, 6, 0, 0}, {multiply, 0, 31, 2}, {multiply, 5, 11, 3}, {add, 5, 5, 0},
+        {multiply, 0, 32, 3}, {multiply, 6, 39, 1}, {add, 6, 6, 0}, {multiply, 0, 30, 1},
+        {multiply, 7, 41, 2}, {add, 7, 7, 0}, {multiply, 0, 35, 5}, {multiply, 5, 34, 6}, {add, 5, 5, 0},
+        {multiply, 0, 37, 7}, {add, 0, 0, 5}, {take_sign, 7, 0, 0}, {multiply, 0, 16, 2}, {multiply, 5, 4, 3},
+        {add, 5, 5, 0}, {multiply, 0, 17, 3}, {multiply, 3, 10, 1}, {add, 3, 3, 0}, {multiply, 0, 38, 1},
+        {multiply, 1, 13, 2}, {add, 1, 1, 0}, {multiply, 0, 26, 5}, {multiply, 2, 24, 3}, {add, 2, 2, 0},
+        {multiply, 0, 28, 1}, {add, 0, 0, 2}, {take_sign, 8, 0, 0}};
+      return all[i];
     }
   };
   // The rare case: signs 15 to 95, degree 2.
@@ -583,8 +661,8 @@ struct triangle_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 58;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) {
-      constexpr ::meet::factors all[] = {
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) {
+      static constexpr ::meet::factors all[] = {
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
@@ -619,8 +697,8 @@ struct triangle_triangle {
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) {
-      constexpr ::meet::box_factor all[] = {
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) {
+      static constexpr ::meet::box_factor all[] = {
         {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
         {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1},
         {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
@@ -641,16 +719,16 @@ struct triangle_triangle {
         {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}};
       return all[i];
     }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) {
-      constexpr int all[] = {
+    MEET_HD static int degree_of([[maybe_unused]] int i) {
+      static constexpr int all[] = {
         2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2,
         2, 1, 2, 2, 1, 2, 2, 1, 2, 2, 2, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2, 2, 1, 2, 2, 1, 2, 2,
         1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2};
       return all[i];
     }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0x100cu, 0x4018u, 0x2014u, 0x4u, 0x8u, 0x10u, 0x100cu, 0x4018u, 0x2014u, 0x4u, 0x8u, 0x10u, 0x100cu,
         0x4018u, 0x2014u, 0x4u, 0x8u, 0x10u, 0x45u, 0x89u, 0x10c0u, 0x40u, 0x80u, 0x45u, 0x89u, 0x10c0u,
         0x40u, 0x80u, 0x45u, 0x89u, 0x10c0u, 0x40u, 0x80u, 0x111u, 0x4180u, 0x100u, 0x111u, 0x4180u, 0x100u,
@@ -814,6 +892,93 @@ struct triangle_triangle {
       m[78] = ::meet::fma(l16, l43, l17 * l42);
       m[79] = ::meet::fma(l12, l43, l17 * l44);
       m[80] = ::meet::fma(l12, l42, l16 * l44);
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 57, step_count = 321;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 18, 10, 1}, {subtract, 19, 11, 2}, {subtract, 20, 13, 10}, {subtract, 21, 14, 11},
+        {multiply, 22, 18, 21}, {negate, 23, 19, 0}, {take_sign, 15, 23, 0}, {multiply, 24, 23, 20},
+        {add, 24, 24, 22}, {take_sign, 0, 24, 0}, {subtract, 22, 13, 1}, {subtract, 24, 14, 2},
+        {subtract, 25, 16, 13}, {subtract, 26, 17, 14}, {multiply, 27, 22, 26}, {negate, 28, 24, 0},
+        {take_sign, 16, 28, 0}, {multiply, 29, 28, 25}, {add, 29, 29, 27}, {take_sign, 1, 29, 0},
+        {subtract, 27, 16, 10}, {subtract, 29, 17, 11}, {multiply, 30, 18, 29}, {multiply, 31, 23, 27},
+        {add, 31, 31, 30}, {take_sign, 2, 31, 0}, {subtract, 30, 9, 0}, {negate, 31, 30, 0},
+        {take_sign, 3, 31, 0}, {subtract, 32, 12, 0}, {negate, 33, 32, 0}, {take_sign, 4, 33, 0},
+        {subtract, 34, 15, 0}, {negate, 35, 34, 0}, {take_sign, 5, 35, 0}, {subtract, 34, 12, 9},
+        {multiply, 36, 21, 30}, {multiply, 37, 23, 34}, {add, 37, 37, 36}, {take_sign, 6, 37, 0},
+        {subtract, 36, 15, 12}, {multiply, 37, 26, 32}, {multiply, 38, 28, 36}, {add, 38, 38, 37},
+        {take_sign, 7, 38, 0}, {subtract, 28, 15, 9}, {multiply, 37, 29, 30}, {multiply, 38, 23, 28},
+        {add, 38, 38, 37}, {take_sign, 8, 38, 0}, {negate, 23, 18, 0}, {take_sign, 9, 23, 0},
+        {negate, 37, 22, 0}, {take_sign, 10, 37, 0}, {subtract, 38, 16, 1}, {negate, 39, 38, 0},
+        {take_sign, 11, 39, 0}, {multiply, 40, 20, 30}, {multiply, 41, 23, 34}, {add, 41, 41, 40},
+        {take_sign, 12, 41, 0}, {multiply, 40, 25, 32}, {multiply, 32, 37, 36}, {add, 32, 32, 40},
+        {take_sign, 13, 32, 0}, {multiply, 32, 27, 30}, {multiply, 30, 23, 28}, {add, 30, 30, 32},
+        {take_sign, 14, 30, 0}, {subtract, 30, 17, 2}, {negate, 32, 30, 0}, {take_sign, 17, 32, 0},
+        {subtract, 32, 4, 1}, {subtract, 40, 5, 2}, {multiply, 41, 19, 32}, {multiply, 42, 23, 40},
+        {add, 42, 42, 41}, {take_sign, 18, 42, 0}, {multiply, 41, 24, 32}, {multiply, 42, 37, 40},
+        {add, 42, 42, 41}, {take_sign, 19, 42, 0}, {subtract, 41, 10, 4}, {subtract, 42, 11, 5},
+        {multiply, 43, 21, 41}, {negate, 44, 42, 0}, {take_sign, 31, 44, 0}, {negate, 44, 20, 0},
+        {multiply, 45, 44, 42}, {add, 45, 45, 43}, {take_sign, 20, 45, 0}, {subtract, 43, 9, 3},
+        {negate, 45, 43, 0}, {take_sign, 21, 45, 0}, {subtract, 46, 12, 3}, {negate, 47, 46, 0},
+        {take_sign, 22, 47, 0}, {subtract, 48, 3, 0}, {multiply, 49, 19, 48}, {multiply, 50, 31, 40},
+        {add, 50, 50, 49}, {take_sign, 23, 50, 0}, {multiply, 49, 24, 48}, {multiply, 50, 33, 40},
+        {add, 50, 50, 49}, {take_sign, 24, 50, 0}, {multiply, 49, 21, 43}, {negate, 50, 34, 0},
+        {multiply, 34, 50, 42}, {add, 34, 34, 49}, {take_sign, 25, 34, 0}, {negate, 34, 41, 0},
+        {take_sign, 26, 34, 0}, {subtract, 49, 13, 4}, {negate, 51, 49, 0}, {take_sign, 27, 51, 0},
+        {multiply, 52, 18, 48}, {multiply, 53, 31, 32}, {add, 53, 53, 52}, {take_sign, 28, 53, 0},
+        {multiply, 52, 22, 48}, {multiply, 53, 33, 32}, {add, 53, 53, 52}, {take_sign, 29, 53, 0},
+        {multiply, 52, 20, 43}, {multiply, 53, 50, 41}, {add, 53, 53, 52}, {take_sign, 30, 53, 0},
+        {subtract, 52, 14, 5}, {negate, 53, 52, 0}, {take_sign, 32, 53, 0}, {multiply, 53, 30, 32},
+        {multiply, 54, 39, 40}, {add, 54, 54, 53}, {take_sign, 33, 54, 0}, {multiply, 53, 26, 49},
+        {negate, 54, 25, 0}, {multiply, 55, 54, 52}, {add, 55, 55, 53}, {take_sign, 34, 55, 0},
+        {subtract, 53, 15, 3}, {negate, 55, 53, 0}, {take_sign, 35, 55, 0}, {multiply, 53, 30, 48},
+        {multiply, 56, 35, 40}, {add, 56, 56, 53}, {take_sign, 36, 56, 0}, {multiply, 40, 26, 46},
+        {negate, 53, 36, 0}, {multiply, 36, 53, 52}, {add, 36, 36, 40}, {take_sign, 37, 36, 0},
+        {subtract, 36, 16, 4}, {negate, 40, 36, 0}, {take_sign, 38, 40, 0}, {multiply, 56, 38, 48},
+        {multiply, 48, 35, 32}, {add, 48, 48, 56}, {take_sign, 39, 48, 0}, {multiply, 32, 25, 46},
+        {multiply, 46, 53, 49}, {add, 46, 46, 32}, {take_sign, 40, 46, 0}, {subtract, 32, 17, 5},
+        {negate, 46, 32, 0}, {take_sign, 41, 46, 0}, {multiply, 46, 29, 41}, {negate, 48, 27, 0},
+        {multiply, 56, 48, 42}, {add, 56, 56, 46}, {take_sign, 42, 56, 0}, {multiply, 46, 29, 43},
+        {negate, 56, 28, 0}, {multiply, 28, 56, 42}, {add, 28, 28, 46}, {take_sign, 43, 28, 0},
+        {multiply, 28, 27, 43}, {multiply, 43, 56, 41}, {add, 43, 43, 28}, {take_sign, 44, 43, 0},
+        {subtract, 28, 7, 4}, {subtract, 4, 8, 5}, {multiply, 5, 42, 28}, {multiply, 43, 34, 4},
+        {add, 43, 43, 5}, {take_sign, 45, 43, 0}, {multiply, 5, 52, 28}, {multiply, 34, 51, 4},
+        {add, 34, 34, 5}, {take_sign, 46, 34, 0}, {subtract, 5, 10, 7}, {subtract, 10, 11, 8},
+        {multiply, 11, 21, 5}, {negate, 34, 10, 0}, {take_sign, 58, 34, 0}, {multiply, 34, 44, 10},
+        {add, 34, 34, 11}, {take_sign, 47, 34, 0}, {subtract, 11, 9, 6}, {negate, 9, 11, 0},
+        {take_sign, 48, 9, 0}, {subtract, 9, 12, 6}, {negate, 12, 9, 0}, {take_sign, 49, 12, 0},
+        {subtract, 12, 6, 3}, {multiply, 3, 42, 12}, {multiply, 34, 45, 4}, {add, 34, 34, 3},
+        {take_sign, 50, 34, 0}, {multiply, 3, 52, 12}, {multiply, 34, 47, 4}, {add, 34, 34, 3},
+        {take_sign, 51, 34, 0}, {multiply, 3, 21, 11}, {multiply, 21, 50, 10}, {add, 21, 21, 3},
+        {take_sign, 52, 21, 0}, {negate, 3, 5, 0}, {take_sign, 53, 3, 0}, {subtract, 3, 13, 7},
+        {negate, 13, 3, 0}, {take_sign, 54, 13, 0}, {multiply, 13, 41, 12}, {multiply, 21, 45, 28},
+        {add, 21, 21, 13}, {take_sign, 55, 21, 0}, {multiply, 13, 49, 12}, {multiply, 21, 47, 28},
+        {add, 21, 21, 13}, {take_sign, 56, 21, 0}, {multiply, 13, 20, 11}, {multiply, 20, 50, 5},
+        {add, 20, 20, 13}, {take_sign, 57, 20, 0}, {subtract, 13, 14, 8}, {negate, 14, 13, 0},
+        {take_sign, 59, 14, 0}, {multiply, 14, 32, 28}, {multiply, 20, 40, 4}, {add, 20, 20, 14},
+        {take_sign, 60, 20, 0}, {multiply, 14, 26, 3}, {multiply, 20, 54, 13}, {add, 20, 20, 14},
+        {take_sign, 61, 20, 0}, {subtract, 14, 15, 6}, {negate, 15, 14, 0}, {take_sign, 62, 15, 0},
+        {multiply, 14, 32, 12}, {multiply, 15, 55, 4}, {add, 15, 15, 14}, {take_sign, 63, 15, 0},
+        {multiply, 4, 26, 9}, {multiply, 14, 53, 13}, {add, 14, 14, 4}, {take_sign, 64, 14, 0},
+        {subtract, 4, 16, 7}, {negate, 13, 4, 0}, {take_sign, 65, 13, 0}, {multiply, 4, 36, 12},
+        {multiply, 12, 55, 28}, {add, 12, 12, 4}, {take_sign, 66, 12, 0}, {multiply, 4, 25, 9},
+        {multiply, 9, 53, 3}, {add, 9, 9, 4}, {take_sign, 67, 9, 0}, {subtract, 3, 17, 8}, {negate, 4, 3, 0},
+        {take_sign, 68, 4, 0}, {multiply, 3, 29, 5}, {multiply, 4, 48, 10}, {add, 4, 4, 3},
+        {take_sign, 69, 4, 0}, {multiply, 3, 29, 11}, {multiply, 4, 56, 10}, {add, 4, 4, 3},
+        {take_sign, 70, 4, 0}, {multiply, 3, 27, 11}, {multiply, 4, 56, 5}, {add, 4, 4, 3},
+        {take_sign, 71, 4, 0}, {subtract, 3, 7, 1}, {subtract, 1, 8, 2}, {multiply, 2, 19, 3},
+        {multiply, 4, 23, 1}, {add, 4, 4, 2}, {take_sign, 72, 4, 0}, {multiply, 2, 24, 3},
+        {multiply, 4, 37, 1}, {add, 4, 4, 2}, {take_sign, 73, 4, 0}, {subtract, 2, 6, 0},
+        {multiply, 0, 19, 2}, {multiply, 4, 31, 1}, {add, 4, 4, 0}, {take_sign, 74, 4, 0},
+        {multiply, 0, 24, 2}, {multiply, 4, 33, 1}, {add, 4, 4, 0}, {take_sign, 75, 4, 0},
+        {multiply, 0, 18, 2}, {multiply, 4, 31, 3}, {add, 4, 4, 0}, {take_sign, 76, 4, 0},
+        {multiply, 0, 22, 2}, {multiply, 4, 33, 3}, {add, 4, 4, 0}, {take_sign, 77, 4, 0},
+        {multiply, 0, 30, 3}, {multiply, 4, 39, 1}, {add, 4, 4, 0}, {take_sign, 78, 4, 0},
+        {multiply, 0, 30, 2}, {multiply, 4, 35, 1}, {add, 4, 4, 0}, {take_sign, 79, 4, 0},
+        {multiply, 0, 38, 2}, {multiply, 1, 35, 3}, {add, 1, 1, 0}, {take_sign, 80, 1, 0}};
+      return all[i];
     }
   };
 

@@ -116,14 +116,21 @@ template <class V, class E> MEET_HD inline sign_set within(const V &v, const E &
   return {static_cast<std::uint8_t>(x > error ? 4 : x < -error ? 1 : 7)};
 }
 
-// Signs with the bound K M of arithmetic A.
+template <class Stage> MEET_HD inline bool all_known(const sign_set *s) {
+  int unsure = 0;
+  for (int i = 0; i < Stage::atoms; ++i)
+    unsure |= s[i].bits == 7;
+  return !unsure;
+}
+
+// Signs with the bound K M of arithmetic A. get() says whether every sign of the stage is known.
 template <class P, class A> struct bounded_signs {
   using V = typename A::value;
   using M = typename A::magnitude;
   const float *row_a, *row_b;
   MEET_HD bounded_signs(const float *a, const float *b) : row_a(a), row_b(b) {}
 
-  template <class Stage> MEET_HD void get(sign_set *all) const {
+  template <class Stage> MEET_HD bool get(sign_set *all) const {
     const rows_in<P, V> rows(row_a, row_b);
     V v[Stage::atoms];
     stage_values<Stage>(rows.a, rows.b, v);
@@ -141,15 +148,14 @@ template <class P, class A> struct bounded_signs {
       s[i] = m[i] == M(0) ? sign_set::of(sign::zero) : within(v[i], A::factor(Stage::factor(i)) * m[i]);
       unsure |= s[i].bits == 7;
     }
-    if (unsure)
-      settle<Stage>(v, m, s);
+    return !unsure || settle<Stage>(v, m, s);
   }
 
 private:
   // Zeros that no bound can tell from small numbers: by equal points, and by the grid. A homogeneous polynomial of
   // degree k with integer coefficients is a multiple of g^k where its inputs are multiples of g: what is less than
   // g^k is zero.
-  template <class Stage> MEET_NOINLINE MEET_HD void settle(const V *v, const M *m, sign_set *s) const {
+  template <class Stage> MEET_NOINLINE MEET_HD bool settle(const V *v, const M *m, sign_set *s) const {
     if constexpr (P::coincidences > 0) {
       const std::uint32_t equal = P::coincident(row_a, row_b);
       for (int i = 0; i < Stage::atoms; ++i)
@@ -163,6 +169,7 @@ private:
             magnitude_of(v[i]) + A::factor(Stage::factor(i)) * m[i] < std::ldexp(0.5, low * Stage::degree_of(i)))
           s[i] = sign_set::of(sign::zero);
     }
+    return all_known<Stage>(s);
   }
 };
 
@@ -182,24 +189,35 @@ MEET_HD inline float power_above(float x) {
   return x;
 }
 
+// The least power of two that is above x >= 0; infinite and NaN stay.
+MEET_HD inline float power_over(float x) {
+  std::uint32_t b;
+  std::memcpy(&b, &x, sizeof b);
+  if (b < 0x7f800000)
+    b = (b & 0x7f800000) + 0x800000;
+  std::memcpy(&x, &b, sizeof b);
+  return x;
+}
+
 enum class box_form : std::uint8_t { per_object, whole_box };
 
-// Signs in fp32 inside a box of side D, a power of two: every difference of two coordinates and every length of the
-// pair is at most D. per_object also takes the objects' own extents; whole_box takes D for them ("static").
+// Signs in fp32 inside a box of side D, a power of two: every difference of two coordinates, every length and every
+// coordinate that stands alone (P::axis) is at most D, exactly. per_object also takes the objects' own extents; whole_box takes D for them ("static").
 // Stage::box_lowest <= log2 D <= Stage::box_highest must hold for every stage: see box_holds().
 template <class P, box_form F> struct boxed_signs {
   rows_in<P, float> rows;
   float d;
   MEET_HD boxed_signs(const float *a, const float *b, float side) : rows(a, b), d(side) {}
 
-  template <class Stage> MEET_HD void get(sign_set *all) const {
+  template <class Stage> MEET_HD bool get(sign_set *all) const {
     float v[Stage::atoms];
     stage_values<Stage>(rows.a, rows.b, v);
     float alpha = d, beta = d;
     if constexpr (F == box_form::per_object) {
       const float least = power_of_two(Stage::box_lowest, 0.0F);
-      alpha = power_above(Stage::extent_a(rows.a)), beta = power_above(Stage::extent_b(rows.b));
-      alpha = alpha < least ? least : alpha, beta = beta < least ? least : beta;
+      // Over the computed leaves, not at them: a difference of a little more than a power of two is rounded to it.
+      alpha = power_over(Stage::extent_a(rows.a)), beta = power_over(Stage::extent_b(rows.b));
+      alpha = alpha < least ? least : alpha > d ? d : alpha, beta = beta < least ? least : beta > d ? d : beta;
     }
     sign_set *s = all + Stage::first;
     int unsure = 0;
@@ -214,7 +232,9 @@ template <class P, box_form F> struct boxed_signs {
         for (int i = 0; i < Stage::atoms; ++i)
           if (Stage::zero_if(i) & equal)
             s[i] = sign_set::of(sign::zero);
+        return all_known<Stage>(s);
       }
+    return !unsure;
   }
 
 private:
@@ -239,6 +259,12 @@ template <class P> MEET_HD inline bool box_holds(float side) {
   return holds(typename P::reject_stage()) && holds(typename P::common_stage()) && holds(typename P::rare_stage());
 }
 
+// Sets of one sign each as those signs.
+template <class Stage> MEET_HD inline void known_signs(const sign_set *sets, sign *s) {
+  for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
+    s[i] = static_cast<sign>((sets[i].bits >> 2) - (sets[i].bits & 1));
+}
+
 // ---- exact -----------------------------------------------------------------------------------------------------
 
 MEET_HD inline grid join(grid x, grid y) {
@@ -254,16 +280,14 @@ template <class P> struct integer_signs {
       : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))) {}
 
   template <class Stage> MEET_HD void get(sign *s) const {
-    constexpr int most = Stage::degree * 277 + Stage::growth; // float32 spans 277 bits: 2^-149 to 2^128
     const int need = Stage::degree * common.bits() + Stage::growth;
+#if !defined(__CUDA_ARCH__)
     if (need <= 62)
-      run<Stage, std::int64_t>(s);
-    else if (need <= 126)
-      run<Stage, int128>(s);
-    else if (need <= 254)
-      run<Stage, wide<4>>(s);
-    else
-      run<Stage, wide<most / 64 + 1>>(s);
+      return run<Stage, std::int64_t>(s);
+    if (need <= 126)
+      return run<Stage, int128>(s);
+#endif
+    run_limbs<Stage>(need, s);
   }
 
 private:
@@ -274,6 +298,21 @@ private:
     for (int i = 0; i < P::inputs_b; ++i)
       to_integer(b[i], common.low, ib[i]);
     stage_signs<Stage>(ia, ib, s);
+  }
+
+  template <class Stage> MEET_NOINLINE MEET_HD void run_limbs(int need, sign *s) const {
+    constexpr int most = (Stage::degree * 277 + Stage::growth) / 64 + 1; // float32 spans 277 bits: 2^-149 to 2^128
+    std::uint64_t place[Stage::places][most];
+    const int limbs = need / 64 + 1; // and a bit for the sign
+    MEET_ROLLED
+    for (int i = 0; i < P::inputs_a; ++i)
+      to_limbs(a[i], common.low, limbs, place[i]);
+    MEET_ROLLED
+    for (int i = 0; i < P::inputs_b; ++i)
+      to_limbs(b[i], common.low, limbs, place[P::inputs_a + i]);
+    MEET_ROLLED
+    for (int i = 0; i < Stage::step_count; ++i)
+      take_step<most>(Stage::step_at(i), limbs, place, s + Stage::first);
   }
 };
 
@@ -299,14 +338,10 @@ template <class P> struct exact_signs {
     }
     if (standard) {
       sign_set sets[P::atoms];
-      bounded_signs<P, in_fp64x2>(a, b).template get<Stage>(sets);
-      bool sure = true;
-      for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i) {
-        sure = sure && sets[i].bits != 7;
-        s[i] = static_cast<sign>((sets[i].bits == 4) - (sets[i].bits == 1));
-      }
-      if (sure)
+      if (bounded_signs<P, in_fp64x2>(a, b).template get<Stage>(sets)) {
+        known_signs<Stage>(sets, s);
         return;
+      }
     }
     integer_signs<P>(a, b).template get<Stage>(s);
   }
@@ -358,29 +393,43 @@ template <class P, class Signs> MEET_HD inline bool decide(const Signs &signs) {
 }
 
 // The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure. A reject stage
-// that is unsure is no reason to stop, since the decision is right without it.
+// that is unsure is no reason to stop, since the decision is right without it. While every sign is known the logic
+// of signs is taken, which is several times faster than that of sets.
 template <class P, class Signs> MEET_HD inline answer decide_sets(const Signs &signs) {
-  sign_set s[P::atoms + 1];
+  sign_set sets[P::atoms + 1];
+  sign s[P::atoms + 1];
+  bool known = true;
   if constexpr (P::reject_stage::atoms > 0) {
-    signs.template get<typename P::reject_stage>(s);
-    if (!can_be_false(P::rejected(s)))
+    known = signs.template get<typename P::reject_stage>(sets);
+    if (known) {
+      known_signs<typename P::reject_stage>(sets, s);
+      if (P::rejected(s))
+        return answer::no;
+    } else if (!can_be_false(P::rejected(sets))) {
       return answer::no;
+    }
   }
-  if constexpr (P::common_stage::atoms > 0)
-    signs.template get<typename P::common_stage>(s);
+  if constexpr (P::common_stage::atoms > 0) {
+    known = signs.template get<typename P::common_stage>(sets) && known;
+    if (known)
+      known_signs<typename P::common_stage>(sets, s);
+  }
   if constexpr (P::rare_stage::atoms > 0) {
-    const auto rare = P::needs_rare(s);
+    const truth rare = known ? to_truth(P::needs_rare(s)) : to_truth(P::needs_rare(sets));
     if (can_be_true(rare)) {
       if (can_be_false(rare)) { // perhaps: the next rung will know
         for (int i = 0; i < P::rare_stage::atoms; ++i)
-          s[P::rare_stage::first + i] = sign_set::all();
+          sets[P::rare_stage::first + i] = sign_set::all();
+        known = false;
       } else {
-        signs.template get<typename P::rare_stage>(s);
+        known = signs.template get<typename P::rare_stage>(sets) && known;
+        if (known)
+          known_signs<typename P::rare_stage>(sets, s);
       }
-      return to_answer(P::whole(s));
+      return known ? to_answer(P::whole(s)) : to_answer(P::whole(sets));
     }
   }
-  return to_answer(P::usual(s));
+  return known ? to_answer(P::usual(s)) : to_answer(P::usual(sets));
 }
 
 // One rung of `certified`: no and yes are proved.
@@ -388,7 +437,8 @@ template <class P, class A> MEET_HD inline answer certify(const float *row_a, co
   return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
 }
 
-// All rungs of `certified` for one pair: never wrong, for any finite operands, flags and control word.
+// All rungs of `certified` for one pair: never wrong, for any finite operands, any control word, and any flags that
+// self_test() accepts.
 template <class P> MEET_HD inline bool decide_certified(const float *row_a, const float *row_b) {
   if (standard_environment()) {
     answer x = certify<P, in_fp32>(row_a, row_b);

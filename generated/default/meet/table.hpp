@@ -48,8 +48,8 @@ struct predicate_info {
   // The bounded rungs of `certified`, fp32 first, to be run on what the one before left unsure, decide[exact] last:
   // no and yes are proved. Null without `certified`.
   decide_function certify[bounded_rungs];
-  // The first of them in a box of side D: a power of two from box_least to box_most that no difference of coordinates
-  // and no length of the elements exceeds. Bounds are D's own (whole_box) or also by each object's extents.
+  // The first of them in a box of side D: a power of two from box_least to box_most that no difference of coordinates,
+  // no coordinate and no length of the elements exceeds. Bounds are D's own (whole_box) or also by each object's extents.
   void (*certify_in_box)(float side, bool whole_box, const float *a, const float *b, const index_pair *pairs,
                          std::size_t n, answer *out);
   float box_least, box_most;

@@ -13,6 +13,9 @@ namespace cuda {
 // the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.
 // Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), which may
 // answer unsure. An unknown rung gives cudaErrorInvalidValue.
+// Bits of meet::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds assume. Once a
+// process is enough, before the first certified answer is relied upon.
+cudaError_t self_test(unsigned *faults, cudaStream_t stream);
 struct segment_segment {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,

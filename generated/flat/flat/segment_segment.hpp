@@ -118,8 +118,8 @@ struct segment_segment {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) {
-      constexpr ::meet::factors all[] = {
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) {
+      static constexpr ::meet::factors all[] = {
         {0xe01p-33f, 0xe01p-62, 0xa01p-111}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
@@ -132,8 +132,8 @@ struct segment_segment {
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) {
-      constexpr ::meet::box_factor all[] = {
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) {
+      static constexpr ::meet::box_factor all[] = {
         {0x841p-31f, 1, 1, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1},
         {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
         {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
@@ -142,14 +142,14 @@ struct segment_segment {
         {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}};
       return all[i];
     }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) {
-      constexpr int all[] = {
+    MEET_HD static int degree_of([[maybe_unused]] int i) {
+      static constexpr int all[] = {
         3, 2, 2, 2, 2, 1, 1, 1, 1, 2, 2, 2, 2, 1, 1, 1, 1, 2, 2, 2, 2, 1, 1, 1, 1};
       return all[i];
     }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0x3fu, 0xbu, 0x15u, 0x26u, 0x38u, 0x2u, 0x4u, 0x8u, 0x10u, 0xbu, 0x15u, 0x26u, 0x38u, 0x2u, 0x4u,
         0x8u, 0x10u, 0xbu, 0x15u, 0x26u, 0x38u, 0x2u, 0x4u, 0x8u, 0x10u};
       return all[i];
@@ -214,6 +214,40 @@ struct segment_segment {
       m[22] = l10;
       m[23] = l12;
       m[24] = l17;
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 26, step_count = 110;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 12, 10, 7}, {subtract, 13, 5, 2}, {subtract, 14, 11, 8}, {subtract, 15, 4, 1},
+        {multiply, 16, 14, 15}, {negate, 17, 12, 0}, {multiply, 18, 17, 13}, {add, 18, 18, 16},
+        {subtract, 16, 3, 0}, {subtract, 19, 9, 6}, {multiply, 20, 13, 19}, {negate, 21, 14, 0},
+        {multiply, 22, 21, 16}, {add, 22, 22, 20}, {multiply, 20, 12, 16}, {negate, 21, 15, 0},
+        {multiply, 23, 21, 19}, {add, 23, 23, 20}, {subtract, 20, 6, 0}, {multiply, 24, 18, 20},
+        {subtract, 18, 7, 1}, {multiply, 25, 22, 18}, {add, 25, 25, 24}, {subtract, 22, 8, 2},
+        {multiply, 24, 23, 22}, {add, 24, 24, 25}, {take_sign, 0, 24, 0}, {multiply, 23, 15, 22},
+        {negate, 24, 13, 0}, {multiply, 13, 24, 18}, {add, 13, 13, 23}, {take_sign, 1, 13, 0},
+        {subtract, 13, 10, 1}, {subtract, 1, 11, 2}, {multiply, 2, 15, 1}, {multiply, 15, 24, 13},
+        {add, 15, 15, 2}, {take_sign, 2, 15, 0}, {multiply, 2, 14, 18}, {negate, 15, 22, 0},
+        {take_sign, 21, 15, 0}, {multiply, 15, 17, 22}, {add, 15, 15, 2}, {take_sign, 3, 15, 0},
+        {subtract, 2, 7, 4}, {subtract, 7, 8, 5}, {multiply, 8, 14, 2}, {negate, 15, 7, 0},
+        {take_sign, 23, 15, 0}, {multiply, 15, 17, 7}, {add, 15, 15, 8}, {take_sign, 4, 15, 0},
+        {negate, 8, 20, 0}, {take_sign, 5, 8, 0}, {subtract, 8, 9, 0}, {negate, 0, 8, 0},
+        {take_sign, 6, 0, 0}, {subtract, 0, 6, 3}, {negate, 6, 0, 0}, {take_sign, 7, 6, 0},
+        {subtract, 6, 9, 3}, {negate, 3, 6, 0}, {take_sign, 8, 3, 0}, {multiply, 3, 16, 22},
+        {multiply, 6, 24, 20}, {add, 6, 6, 3}, {take_sign, 9, 6, 0}, {multiply, 3, 16, 1},
+        {multiply, 6, 24, 8}, {add, 6, 6, 3}, {take_sign, 10, 6, 0}, {multiply, 3, 14, 20},
+        {negate, 6, 19, 0}, {multiply, 9, 6, 22}, {add, 9, 9, 3}, {take_sign, 11, 9, 0}, {multiply, 3, 14, 0},
+        {multiply, 9, 6, 7}, {add, 9, 9, 3}, {take_sign, 12, 9, 0}, {negate, 3, 18, 0}, {take_sign, 13, 3, 0},
+        {negate, 3, 13, 0}, {take_sign, 14, 3, 0}, {negate, 3, 2, 0}, {take_sign, 15, 3, 0},
+        {subtract, 3, 10, 4}, {negate, 4, 3, 0}, {take_sign, 16, 4, 0}, {multiply, 3, 16, 18},
+        {multiply, 4, 21, 20}, {add, 4, 4, 3}, {take_sign, 17, 4, 0}, {multiply, 3, 16, 13},
+        {multiply, 4, 21, 8}, {add, 4, 4, 3}, {take_sign, 18, 4, 0}, {multiply, 3, 12, 20},
+        {multiply, 4, 6, 18}, {add, 4, 4, 3}, {take_sign, 19, 4, 0}, {multiply, 3, 12, 0},
+        {multiply, 0, 6, 2}, {add, 0, 0, 3}, {take_sign, 20, 0, 0}, {negate, 0, 1, 0}, {take_sign, 22, 0, 0},
+        {subtract, 0, 11, 5}, {negate, 1, 0, 0}, {take_sign, 24, 1, 0}};
+      return all[i];
     }
   };
   using rare_stage = ::meet::no_stage;

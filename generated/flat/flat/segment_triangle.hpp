@@ -83,14 +83,14 @@ struct segment_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
         0xa01p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 0, 2, 1}; }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) { return 3; }
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 0, 2, 1}; }
+    MEET_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0x38eu, 0x3f0u};
       return all[i];
     }
@@ -127,6 +127,22 @@ struct segment_triangle {
       const T t2 = ::meet::fma(l3, l5, l0 * l4);
       m[0] = ::meet::fma(t2, l8, ::meet::fma(t1, l7, t0 * l6));
       m[1] = ::meet::fma(t2, l11, ::meet::fma(t1, l10, t0 * l9));
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 18, step_count = 38;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 15, 13, 7}, {subtract, 13, 11, 8}, {subtract, 11, 14, 8}, {subtract, 14, 10, 7},
+        {multiply, 10, 11, 14}, {negate, 16, 15, 0}, {multiply, 17, 16, 13}, {add, 17, 17, 10},
+        {subtract, 10, 9, 6}, {subtract, 9, 12, 6}, {multiply, 12, 13, 9}, {negate, 13, 11, 0},
+        {multiply, 11, 13, 10}, {add, 11, 11, 12}, {multiply, 12, 15, 10}, {negate, 10, 14, 0},
+        {multiply, 13, 10, 9}, {add, 13, 13, 12}, {subtract, 9, 6, 0}, {multiply, 0, 17, 9},
+        {subtract, 9, 7, 1}, {multiply, 1, 11, 9}, {add, 1, 1, 0}, {subtract, 0, 8, 2}, {multiply, 2, 13, 0},
+        {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}, {subtract, 0, 6, 3}, {multiply, 1, 17, 0},
+        {subtract, 0, 7, 4}, {multiply, 2, 11, 0}, {add, 2, 2, 1}, {subtract, 0, 8, 5}, {multiply, 1, 13, 0},
+        {add, 1, 1, 2}, {negate, 0, 1, 0}, {take_sign, 1, 0, 0}};
+      return all[i];
     }
   };
   // The usual case: signs 2 to 4, degree 3.
@@ -198,14 +214,14 @@ struct segment_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
         0xa01p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) { return 3; }
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
+    MEET_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0xb7u, 0x26du, 0x15bu};
       return all[i];
     }
@@ -255,6 +271,30 @@ struct segment_triangle {
       m[0] = ::meet::fma(::meet::fma(l3, l5, l0 * l4), l8, t0);
       m[1] = ::meet::fma(::meet::fma(l3, l11, l4 * l9), l14, t1);
       m[2] = ::meet::fma(l8, ::meet::fma(l3, l17, l4 * l15), t2);
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 27, step_count = 68;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 15, 10, 7}, {subtract, 16, 5, 2}, {subtract, 5, 11, 8}, {subtract, 17, 4, 1},
+        {multiply, 4, 5, 17}, {negate, 18, 15, 0}, {multiply, 19, 18, 16}, {add, 19, 19, 4},
+        {subtract, 4, 3, 0}, {subtract, 3, 9, 6}, {multiply, 18, 16, 3}, {negate, 20, 5, 0},
+        {multiply, 5, 20, 4}, {add, 5, 5, 18}, {multiply, 18, 15, 4}, {negate, 15, 17, 0},
+        {multiply, 20, 15, 3}, {add, 20, 20, 18}, {subtract, 3, 6, 0}, {multiply, 18, 19, 3},
+        {subtract, 19, 7, 1}, {multiply, 21, 5, 19}, {add, 21, 21, 18}, {subtract, 5, 8, 2},
+        {multiply, 18, 20, 5}, {add, 18, 18, 21}, {take_sign, 0, 18, 0}, {subtract, 18, 13, 10},
+        {subtract, 20, 14, 11}, {multiply, 21, 17, 20}, {negate, 22, 16, 0}, {multiply, 23, 22, 18},
+        {add, 23, 23, 21}, {subtract, 21, 12, 9}, {multiply, 24, 16, 21}, {negate, 25, 4, 0},
+        {multiply, 26, 25, 20}, {add, 26, 26, 24}, {multiply, 20, 4, 18}, {multiply, 18, 15, 21},
+        {add, 18, 18, 20}, {subtract, 20, 9, 0}, {multiply, 0, 23, 20}, {subtract, 9, 10, 1},
+        {multiply, 1, 26, 9}, {add, 1, 1, 0}, {subtract, 0, 11, 2}, {multiply, 2, 18, 0}, {add, 2, 2, 1},
+        {take_sign, 1, 2, 0}, {subtract, 0, 13, 7}, {subtract, 1, 14, 8}, {multiply, 2, 17, 1},
+        {multiply, 7, 22, 0}, {add, 7, 7, 2}, {subtract, 2, 12, 6}, {multiply, 6, 16, 2},
+        {multiply, 8, 25, 1}, {add, 8, 8, 6}, {multiply, 1, 4, 0}, {multiply, 0, 15, 2}, {add, 0, 0, 1},
+        {multiply, 1, 3, 7}, {multiply, 2, 19, 8}, {add, 2, 2, 1}, {multiply, 1, 5, 0}, {add, 1, 1, 2},
+        {take_sign, 2, 1, 0}};
+      return all[i];
     }
   };
   // The rare case: signs 5 to 49, degree 2.
@@ -382,8 +422,8 @@ struct segment_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 58;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEET_HD static constexpr ::meet::factors factor([[maybe_unused]] int i) {
-      constexpr ::meet::factors all[] = {
+    MEET_HD static ::meet::factors factor([[maybe_unused]] int i) {
+      static constexpr ::meet::factors all[] = {
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
@@ -404,8 +444,8 @@ struct segment_triangle {
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEET_HD static constexpr ::meet::box_factor box([[maybe_unused]] int i) {
-      constexpr ::meet::box_factor all[] = {
+    MEET_HD static ::meet::box_factor box([[maybe_unused]] int i) {
+      static constexpr ::meet::box_factor all[] = {
         {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
         {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1},
         {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
@@ -418,15 +458,15 @@ struct segment_triangle {
         {0xa01p-34f, 0, 1, 1}};
       return all[i];
     }
-    MEET_HD static constexpr int degree_of([[maybe_unused]] int i) {
-      constexpr int all[] = {
+    MEET_HD static int degree_of([[maybe_unused]] int i) {
+      static constexpr int all[] = {
         2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2,
         2, 1, 2, 2, 1, 2, 2, 1, 2, 2, 2};
       return all[i];
     }
     // The coincidences of points that make the sign zero.
-    MEET_HD static constexpr unsigned zero_if([[maybe_unused]] int i) {
-      constexpr unsigned all[] = {
+    MEET_HD static unsigned zero_if([[maybe_unused]] int i) {
+      static constexpr unsigned all[] = {
         0x86u, 0x20cu, 0x10au, 0x2u, 0x4u, 0x8u, 0x86u, 0x20cu, 0x10au, 0x2u, 0x4u, 0x8u, 0x86u, 0x20cu,
         0x10au, 0x2u, 0x4u, 0x8u, 0x13u, 0x25u, 0xb0u, 0x10u, 0x20u, 0x13u, 0x25u, 0xb0u, 0x10u, 0x20u, 0x13u,
         0x25u, 0xb0u, 0x10u, 0x20u, 0x49u, 0x260u, 0x40u, 0x49u, 0x260u, 0x40u, 0x49u, 0x260u, 0x40u, 0x150u,
@@ -530,6 +570,58 @@ struct segment_triangle {
       m[42] = ::meet::fma(l8, l21, l9 * l20);
       m[43] = ::meet::fma(l15, l21, l9 * l22);
       m[44] = ::meet::fma(l15, l20, l8 * l22);
+    }
+    // The same program for integers of any width, a step an entry.
+    static constexpr int places = 39, step_count = 180;
+    MEET_HD static ::meet::step step_at(int i) {
+      using enum ::meet::step_kind;
+      static constexpr ::meet::step all[] = {
+        {subtract, 15, 7, 1}, {subtract, 16, 8, 2}, {subtract, 17, 10, 7}, {subtract, 18, 11, 8},
+        {multiply, 19, 15, 18}, {negate, 20, 16, 0}, {take_sign, 15, 20, 0}, {multiply, 21, 20, 17},
+        {add, 21, 21, 19}, {take_sign, 0, 21, 0}, {subtract, 19, 10, 1}, {subtract, 21, 11, 2},
+        {subtract, 22, 13, 10}, {subtract, 23, 14, 11}, {multiply, 24, 19, 23}, {negate, 25, 21, 0},
+        {take_sign, 16, 25, 0}, {multiply, 26, 25, 22}, {add, 26, 26, 24}, {take_sign, 1, 26, 0},
+        {subtract, 24, 13, 7}, {subtract, 26, 14, 8}, {multiply, 27, 15, 26}, {multiply, 28, 20, 24},
+        {add, 28, 28, 27}, {take_sign, 2, 28, 0}, {subtract, 27, 6, 0}, {negate, 28, 27, 0},
+        {take_sign, 3, 28, 0}, {subtract, 29, 9, 0}, {negate, 30, 29, 0}, {take_sign, 4, 30, 0},
+        {subtract, 31, 12, 0}, {negate, 32, 31, 0}, {take_sign, 5, 32, 0}, {subtract, 31, 9, 6},
+        {multiply, 33, 18, 27}, {multiply, 34, 20, 31}, {add, 34, 34, 33}, {take_sign, 6, 34, 0},
+        {subtract, 33, 12, 9}, {multiply, 34, 23, 29}, {multiply, 35, 25, 33}, {add, 35, 35, 34},
+        {take_sign, 7, 35, 0}, {subtract, 25, 12, 6}, {multiply, 34, 26, 27}, {multiply, 35, 20, 25},
+        {add, 35, 35, 34}, {take_sign, 8, 35, 0}, {negate, 20, 15, 0}, {take_sign, 9, 20, 0},
+        {negate, 34, 19, 0}, {take_sign, 10, 34, 0}, {subtract, 35, 13, 1}, {negate, 36, 35, 0},
+        {take_sign, 11, 36, 0}, {multiply, 37, 17, 27}, {multiply, 38, 20, 31}, {add, 38, 38, 37},
+        {take_sign, 12, 38, 0}, {multiply, 37, 22, 29}, {multiply, 29, 34, 33}, {add, 29, 29, 37},
+        {take_sign, 13, 29, 0}, {multiply, 29, 24, 27}, {multiply, 27, 20, 25}, {add, 27, 27, 29},
+        {take_sign, 14, 27, 0}, {subtract, 27, 14, 2}, {negate, 29, 27, 0}, {take_sign, 17, 29, 0},
+        {subtract, 29, 4, 1}, {subtract, 1, 5, 2}, {multiply, 2, 16, 29}, {multiply, 37, 20, 1},
+        {add, 37, 37, 2}, {take_sign, 18, 37, 0}, {multiply, 2, 21, 29}, {multiply, 20, 34, 1},
+        {add, 20, 20, 2}, {take_sign, 19, 20, 0}, {subtract, 2, 7, 4}, {subtract, 7, 8, 5},
+        {multiply, 8, 18, 2}, {negate, 20, 7, 0}, {take_sign, 31, 20, 0}, {negate, 20, 17, 0},
+        {multiply, 34, 20, 7}, {add, 34, 34, 8}, {take_sign, 20, 34, 0}, {subtract, 8, 6, 3},
+        {negate, 6, 8, 0}, {take_sign, 21, 6, 0}, {subtract, 6, 9, 3}, {negate, 9, 6, 0},
+        {take_sign, 22, 9, 0}, {subtract, 9, 3, 0}, {multiply, 0, 16, 9}, {multiply, 16, 28, 1},
+        {add, 16, 16, 0}, {take_sign, 23, 16, 0}, {multiply, 0, 21, 9}, {multiply, 16, 30, 1},
+        {add, 16, 16, 0}, {take_sign, 24, 16, 0}, {multiply, 0, 18, 8}, {negate, 16, 31, 0},
+        {multiply, 18, 16, 7}, {add, 18, 18, 0}, {take_sign, 25, 18, 0}, {negate, 0, 2, 0},
+        {take_sign, 26, 0, 0}, {subtract, 0, 10, 4}, {negate, 10, 0, 0}, {take_sign, 27, 10, 0},
+        {multiply, 10, 15, 9}, {multiply, 15, 28, 29}, {add, 15, 15, 10}, {take_sign, 28, 15, 0},
+        {multiply, 10, 19, 9}, {multiply, 15, 30, 29}, {add, 15, 15, 10}, {take_sign, 29, 15, 0},
+        {multiply, 10, 17, 8}, {multiply, 15, 16, 2}, {add, 15, 15, 10}, {take_sign, 30, 15, 0},
+        {subtract, 10, 11, 5}, {negate, 11, 10, 0}, {take_sign, 32, 11, 0}, {multiply, 11, 27, 29},
+        {multiply, 15, 36, 1}, {add, 15, 15, 11}, {take_sign, 33, 15, 0}, {multiply, 11, 23, 0},
+        {negate, 15, 22, 0}, {multiply, 16, 15, 10}, {add, 16, 16, 11}, {take_sign, 34, 16, 0},
+        {subtract, 11, 12, 3}, {negate, 3, 11, 0}, {take_sign, 35, 3, 0}, {multiply, 3, 27, 9},
+        {multiply, 11, 32, 1}, {add, 11, 11, 3}, {take_sign, 36, 11, 0}, {multiply, 1, 23, 6},
+        {negate, 3, 33, 0}, {multiply, 11, 3, 10}, {add, 11, 11, 1}, {take_sign, 37, 11, 0},
+        {subtract, 1, 13, 4}, {negate, 4, 1, 0}, {take_sign, 38, 4, 0}, {multiply, 1, 35, 9},
+        {multiply, 4, 32, 29}, {add, 4, 4, 1}, {take_sign, 39, 4, 0}, {multiply, 1, 22, 6},
+        {multiply, 4, 3, 0}, {add, 4, 4, 1}, {take_sign, 40, 4, 0}, {subtract, 0, 14, 5}, {negate, 1, 0, 0},
+        {take_sign, 41, 1, 0}, {multiply, 0, 26, 2}, {negate, 1, 24, 0}, {multiply, 3, 1, 7}, {add, 3, 3, 0},
+        {take_sign, 42, 3, 0}, {multiply, 0, 26, 8}, {negate, 1, 25, 0}, {multiply, 3, 1, 7}, {add, 3, 3, 0},
+        {take_sign, 43, 3, 0}, {multiply, 0, 24, 8}, {multiply, 3, 1, 2}, {add, 3, 3, 0},
+        {take_sign, 44, 3, 0}};
+      return all[i];
     }
   };
 

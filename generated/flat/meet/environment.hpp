@@ -24,11 +24,17 @@
 #define MEET_HD
 #endif
 
-// Wide integers are the rare path: kept out of line and rolled up, they cost little time and save much code.
-#define MEET_NOINLINE __attribute__((noinline))
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16 && !defined(__CUDA_ARCH__)
+#error "meet: intermediate results are wider than their type; compile with -msse2 -mfpmath=sse"
+#endif
+
+// The rare paths are kept out of line, and rolled up on the device: they cost little time and save much code. On the
+// device nothing is called out of line (see integers.hpp).
 #if defined(__CUDA_ARCH__)
+#define MEET_NOINLINE
 #define MEET_ROLLED _Pragma("unroll 1")
 #else
+#define MEET_NOINLINE __attribute__((noinline))
 #define MEET_ROLLED
 #endif
 
@@ -65,10 +71,22 @@ MEET_HD inline float opaque(float x) {
 #endif
 }
 
+// Whether sums stay in their order here. clang's -fassociative-math defines no macro that says so.
+MEET_HD inline bool keeps_order() {
+#if defined(__clang__) && !defined(__CUDA_ARCH__)
+  const float x = opaque(1.0F), big = opaque(0x1p30F);
+  return (x + big) - big == 0;
+#else
+  return true;
+#endif
+}
+
 // Whether this thread rounds to nearest and keeps subnormals. A library linked with -ffast-math can have set
 // flush-to-zero for the whole process; certified answers are then taken from the integers alone. On the device the
 // flags of the compilation decide: see self_test().
 MEET_HD inline bool standard_environment() {
+  if (!keeps_order())
+    return false;
 #if defined(__CUDA_ARCH__)
   return true;
 #elif defined(__SSE2__)

@@ -67,6 +67,7 @@ MEET_HD constexpr truth either(truth a, truth b) {
 }
 MEET_HD constexpr truth negate(truth a) { return {static_cast<std::uint8_t>((a.bits & 1) << 1 | a.bits >> 1)}; }
 // A branch that is always taken is a plain bool beside truths.
+MEET_HD constexpr truth to_truth(truth a) { return a; }
 MEET_HD constexpr truth to_truth(bool a) { return {static_cast<std::uint8_t>(a ? 2 : 1)}; }
 MEET_HD constexpr truth both(truth a, bool b) { return both(a, to_truth(b)); }
 MEET_HD constexpr truth both(bool a, truth b) { return both(to_truth(a), b); }

@@ -8,6 +8,7 @@
 #define MEET_SUPPORT_VERSION 2
 
 #include <meet/rungs.hpp>
+#include <meet/self_test.hpp>
 #include <meet/table.hpp>
 
 #endif

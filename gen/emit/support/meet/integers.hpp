@@ -15,66 +15,6 @@ namespace meet {
 __extension__ typedef __int128 int128;
 __extension__ typedef unsigned __int128 uint128;
 
-// A two's complement integer of 64*W bits, least significant limb first. Arithmetic is modulo 2^(64 W); the
-// caller's proof says that values fit.
-template <int W> struct wide {
-  std::uint64_t limb[W];
-
-  wide() = default;
-  MEET_HD constexpr explicit wide(std::int64_t v) : limb() {
-    limb[0] = static_cast<std::uint64_t>(v);
-    MEET_ROLLED
-    for (int i = 1; i < W; ++i)
-      limb[i] = v < 0 ? ~std::uint64_t{0} : 0;
-  }
-  MEET_NOINLINE MEET_HD friend constexpr wide operator+(const wide &a, const wide &b) {
-    wide r(0);
-    uint128 carry = 0;
-    MEET_ROLLED
-    for (int i = 0; i < W; ++i) {
-      carry += static_cast<uint128>(a.limb[i]) + b.limb[i];
-      r.limb[i] = static_cast<std::uint64_t>(carry);
-      carry >>= 64;
-    }
-    return r;
-  }
-  MEET_HD friend constexpr wide operator-(const wide &a) { return wide(0) - a; }
-  MEET_NOINLINE MEET_HD friend constexpr wide operator-(const wide &a, const wide &b) {
-    wide r(0);
-    std::uint64_t borrow = 0;
-    MEET_ROLLED
-    for (int i = 0; i < W; ++i) {
-      const std::uint64_t d = a.limb[i] - b.limb[i];
-      const std::uint64_t next = (a.limb[i] < b.limb[i]) | static_cast<std::uint64_t>(d < borrow);
-      r.limb[i] = d - borrow;
-      borrow = next;
-    }
-    return r;
-  }
-  MEET_NOINLINE MEET_HD friend constexpr wide operator*(const wide &a, const wide &b) {
-    wide r(0);
-    MEET_ROLLED
-    for (int i = 0; i < W; ++i) {
-      uint128 carry = 0;
-      MEET_ROLLED
-      for (int j = 0; i + j < W; ++j) {
-        carry += static_cast<uint128>(a.limb[i]) * b.limb[j] + r.limb[i + j];
-        r.limb[i + j] = static_cast<std::uint64_t>(carry);
-        carry >>= 64;
-      }
-    }
-    return r;
-  }
-};
-template <int W> MEET_HD constexpr sign sign_of(const wide<W> &v) {
-  if (v.limb[W - 1] >> 63)
-    return sign::negative;
-  std::uint64_t any = 0;
-  for (int i = 0; i < W; ++i)
-    any |= v.limb[i];
-  return any ? sign::positive : sign::zero;
-}
-
 // ---- float32 as integers -------------------------------------------------------------------------------------
 
 // m * 2^e = |v|, m < 2^24. v finite.
@@ -137,21 +77,111 @@ MEET_HD inline void to_integer(float v, int low, int128 &out) {
   const int128 m = d.m == 0 ? 0 : s >= 0 ? static_cast<int128>(d.m) << s : static_cast<int128>(d.m >> -s);
   out = d.negative ? -m : m;
 }
-template <int W> MEET_NOINLINE MEET_HD inline void to_integer(float v, int low, wide<W> &out) {
+
+// ---- integers of any width -----------------------------------------------------------------------------------
+//
+// n limbs, least significant first, two's complement, modulo 2^(64 n): the caller's proof says that values fit. No
+// templates over widths and, on the device, no calls: ptxas 13.0 miscompiles large kernels that call functions with
+// many limbs in flight, and straight-line code in wide integers would be far larger than all the rest.
+
+// v / 2^low, for a grid that holds v.
+MEET_HD inline void to_limbs(float v, int low, int n, std::uint64_t *out) {
   const decoded d = decode(v);
-  out = wide<W>(0);
+  MEET_ROLLED
+  for (int i = 0; i < n; ++i)
+    out[i] = 0;
   if (d.m == 0)
     return;
   const int s = d.e - low;
   if (s < 0) {
-    out.limb[0] = d.m >> -s;
+    out[0] = d.m >> -s;
   } else {
-    out.limb[s / 64] = static_cast<std::uint64_t>(d.m) << s % 64;
-    if (s % 64 > 40 && s / 64 + 1 < W)
-      out.limb[s / 64 + 1] = static_cast<std::uint64_t>(d.m) >> (64 - s % 64);
+    out[s / 64] = static_cast<std::uint64_t>(d.m) << s % 64;
+    if (s % 64 > 40 && s / 64 + 1 < n)
+      out[s / 64 + 1] = static_cast<std::uint64_t>(d.m) >> (64 - s % 64);
   }
-  if (d.negative)
-    out = -out;
+  if (!d.negative)
+    return;
+  std::uint64_t carry = 1;
+  MEET_ROLLED
+  for (int i = 0; i < n; ++i) {
+    out[i] = ~out[i] + carry;
+    carry = carry && out[i] == 0;
+  }
+}
+
+// One step of a stage's program; r, a and b are places.
+enum class step_kind : std::uint16_t {
+  constant,   // r = a + 2^16 b
+  raise,      // r += 2^32 (a + 2^16 b)
+  negate,     // r = -a
+  add,        // r = a + b
+  subtract,   // r = a - b
+  multiply,   // r = a b; r is neither
+  take_sign   // the sign number r is that of a
+};
+struct step {
+  step_kind kind;
+  std::uint16_t r, a, b;
+};
+
+template <int Limbs> MEET_HD inline void take_step(const step &t, int n, std::uint64_t (*place)[Limbs], sign *s) {
+  const std::uint64_t *a = place[t.a], *b = place[t.b];
+  if (t.kind == step_kind::take_sign) {
+    std::uint64_t any = 0;
+    MEET_ROLLED
+    for (int i = 0; i < n; ++i)
+      any |= a[i];
+    s[t.r] = a[n - 1] >> 63 ? sign::negative : any ? sign::positive : sign::zero;
+    return;
+  }
+  std::uint64_t *r = place[t.r];
+  switch (t.kind) {
+  case step_kind::constant:
+    MEET_ROLLED
+    for (int i = 0; i < n; ++i)
+      r[i] = i ? 0 : t.a + (std::uint64_t{t.b} << 16);
+    break;
+  case step_kind::raise:
+    r[0] += (t.a + (std::uint64_t{t.b} << 16)) << 32;
+    break;
+  case step_kind::add: {
+    uint128 carry = 0;
+    MEET_ROLLED
+    for (int i = 0; i < n; ++i) {
+      carry += static_cast<uint128>(a[i]) + b[i];
+      r[i] = static_cast<std::uint64_t>(carry);
+      carry >>= 64;
+    }
+    break;
+  }
+  case step_kind::multiply:
+    MEET_ROLLED
+    for (int i = 0; i < n; ++i)
+      r[i] = 0;
+    MEET_ROLLED
+    for (int i = 0; i < n; ++i) {
+      uint128 carry = 0;
+      MEET_ROLLED
+      for (int j = 0; i + j < n; ++j) {
+        carry += static_cast<uint128>(a[i]) * b[j] + r[i + j];
+        r[i + j] = static_cast<std::uint64_t>(carry);
+        carry >>= 64;
+      }
+    }
+    break;
+  default: { // negate, subtract
+    std::uint64_t borrow = 0;
+    MEET_ROLLED
+    for (int i = 0; i < n; ++i) {
+      const std::uint64_t from = t.kind == step_kind::negate ? 0 : a[i], what = t.kind == step_kind::negate ? a[i] : b[i];
+      const std::uint64_t d = from - what;
+      const std::uint64_t next = (from < what) | static_cast<std::uint64_t>(d < borrow);
+      r[i] = d - borrow;
+      borrow = next;
+    }
+  }
+  }
 }
 
 // The neighbours of v, for boxes that must enclose: a rounded sum is at most one step from the true one.

@@ -1,0 +1,53 @@
+# The checked-in headers under a user's flags: no library, no CMake, and nothing that is certified may be wrong. Where
+# flags break the arithmetic itself, they are refused, or noticed by self_test().
+include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
+fresh_room(flags)
+set(headers "-I${SOURCE}/generated/default")
+set(program "${ROOM}/flags/hostile.cpp")
+set(strict -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+set(sound "standard 1, faults 0:" " 0 certified wrong, 0 hits wrong" "0 transforms inexact" "3 modes noticed, 0 hits wrong")
+
+find_program(GXX g++)
+find_program(CLANGXX clang++)
+set(compilers "")
+foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
+  list(APPEND compilers "${compiler}")
+endforeach()
+if(NOT compilers)
+  fail("no compiler was tried")
+endif()
+
+foreach(compiler IN LISTS compilers)
+  # Harmless flags, contraction among them: the transforms stand behind barriers, and the bounds hold with or without it.
+  foreach(flags IN ITEMS "-O3;-march=native" "-O3;-march=native;-ffp-contract=fast")
+    run("${compiler}" -std=c++20 ${flags} ${strict} "${headers}" "${program}" -o "${ROOM}/hostile")
+    run("${ROOM}/hostile" modes)
+    expect(${sound})
+  endforeach()
+  # The self-test alone, for every level.
+  foreach(flags IN ITEMS "-O0" "-O1" "-O2" "-O3" "-O2;-march=native;-ffp-contract=fast" "-O2;-ffp-contract=off")
+    run("${compiler}" -std=c++20 ${flags} ${strict} "${headers}" "${ROOM}/flags/self.cpp" -o "${ROOM}/self")
+    run("${ROOM}/self")
+    expect("faults 0: the arithmetic is as the error bounds assume")
+  endforeach()
+  # Refused.
+  foreach(flags IN ITEMS "-ffast-math" "-Ofast" "-ffinite-math-only" "-O2;-ffast-math;-march=native")
+    run_to_fail("${compiler}" -std=c++20 ${flags} "${headers}" -fsyntax-only "${ROOM}/flags/self.cpp")
+    expect("compile without it")
+  endforeach()
+  # Refused where the compiler says so by a macro (gcc); else compiled, and noticed.
+  foreach(flags IN ITEMS "-O2;-fassociative-math;-fno-signed-zeros;-fno-trapping-math" "-O2;-funsafe-math-optimizations")
+    _run("${compiler};-std=c++20;${flags};${headers};${ROOM}/flags/self.cpp;-o;${ROOM}/self")
+    if(RESULT EQUAL 0)
+      run_to_fail("${ROOM}/self")
+      expect("reassociation")
+    else()
+      expect("compile without it")
+    endif()
+  endforeach()
+  # One object of the program is linked with -ffast-math: subnormals are flushed in all of it. Hits are right all the same.
+  run("${compiler}" -std=c++20 -O2 "${headers}" -c "${program}" -o "${ROOM}/hostile.o")
+  run("${compiler}" -ffast-math "${ROOM}/hostile.o" -o "${ROOM}/hostile")
+  run("${ROOM}/hostile" modes)
+  expect("standard 0," "subnormal numbers are flushed to zero" " 0 certified wrong, 0 hits wrong" "3 modes noticed, 0 hits wrong")
+endforeach()
