@@ -1,0 +1,152 @@
+#include "tests/extremes/campaign.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <fmt/format.h>
+#include <mutex>
+#include <thread>
+
+namespace meetc::extremes_test {
+namespace {
+
+constexpr std::uint64_t chunk = 4096;
+
+// Cases [first, last) of a cell; each chunk has random numbers of its own, so threads change nothing.
+void run_chunk(cell &c, std::uint64_t seed, std::uint64_t cases, std::mutex &lock) {
+  random_numbers random(seed);
+  counts found;
+  std::string wrong;
+  for (std::uint64_t i = 0; i < cases; ++i) {
+    const pair_of_rows p = c.from->make(c.of->a, c.of->b, random);
+    const outcome o = check_case(*c.of, p, random);
+    ++found.cases;
+    found.hits += o.hit;
+    found.boxed += o.boxed;
+    for (std::size_t r = 0; r < bounded; ++r)
+      found.unsure[r] += o.unsure >> r & 1;
+    for (std::size_t r = 0; r < rungs; ++r)
+      found.wrong[r] += o.wrong >> r & 1;
+    if (o.wrong && wrong.empty())
+      wrong = fmt::format("{} on {}, rungs {:#x}: {}", c.of->name, c.from->name, o.wrong, text(p));
+  }
+  const std::scoped_lock guard(lock);
+  c.found += found;
+  if (c.first_wrong.empty())
+    c.first_wrong = wrong;
+}
+
+std::uint64_t mixed(std::uint64_t z) { // splitmix64
+  z += 0x9e3779b97f4a7c15;
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+  z = (z ^ z >> 27) * 0x94d049bb133111eb;
+  return z ^ z >> 31;
+}
+
+std::string line(std::string_view family, std::string_view subject, const counts &n) {
+  std::string out = fmt::format("{:<16} {:<22} {:>11} {:>11} |", family, subject, n.cases, n.hits);
+  for (std::size_t r = 0; r < per_object; ++r)
+    out += fmt::format(" {:>10}", n.unsure[r]);
+  out += fmt::format(" | {:>11} {:>11} {:>11} |", n.boxed, n.unsure[per_object], n.unsure[whole_box]);
+  for (const std::uint64_t w : n.wrong)
+    out += fmt::format(" {}", w);
+  return out + "\n";
+}
+
+} // namespace
+
+std::uint64_t counts::all_wrong() const {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t w : wrong)
+    sum += w;
+  return sum;
+}
+
+counts &counts::operator+=(const counts &o) {
+  cases += o.cases, hits += o.hits, boxed += o.boxed;
+  for (std::size_t r = 0; r < bounded; ++r)
+    unsure[r] += o.unsure[r];
+  for (std::size_t r = 0; r < rungs; ++r)
+    wrong[r] += o.wrong[r];
+  return *this;
+}
+
+std::vector<cell> all_cells() {
+  std::vector<cell> out;
+  for (const family &f : families())
+    for (const subject &s : subjects())
+      if (f.applies(s.a, s.b))
+        out.push_back({&f, &s, {}, {}});
+  return out;
+}
+
+outcome check_case(const subject &s, const pair_of_rows &p, random_numbers &random) {
+  const float side = box_side(s.a, p.a, s.b, p.b) * static_cast<float>(1 << random.integer(0, 2));
+  return s.check(p.a.data(), p.b.data(), side);
+}
+
+void run(std::vector<cell> &cells, std::uint64_t cases, std::uint64_t seed, unsigned threads,
+         const std::function<void(std::uint64_t, std::uint64_t)> &report) {
+  const std::uint64_t each = (cases + cells.size() - 1) / cells.size(), rounds = (each + chunk - 1) / chunk;
+  std::atomic<std::uint64_t> next = 0, done = 0;
+  std::mutex lock;
+  const auto work = [&] {
+    for (;;) {
+      const std::uint64_t job = next++;
+      if (job >= rounds * cells.size())
+        return;
+      const std::uint64_t round = job / cells.size(), size = std::min(chunk, each - round * chunk);
+      run_chunk(cells[job % cells.size()], mixed(mixed(seed) + job), size, lock);
+      done += size;
+    }
+  };
+  std::vector<std::jthread> pool;
+  for (unsigned i = 0; i < threads; ++i)
+    pool.emplace_back(work);
+  for (auto last = std::chrono::steady_clock::now(); done < each * cells.size();) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (const auto now = std::chrono::steady_clock::now(); now - last > std::chrono::seconds(20)) {
+      const std::scoped_lock guard(lock);
+      report(done, wrong_in(cells));
+      last = now;
+    }
+  }
+}
+
+std::string table(const std::vector<cell> &cells) {
+  std::string out =
+      fmt::format("{:<16} {:<22} {:>11} {:>11} | {:>10} {:>10} {:>10} | {:>11} {:>11} {:>11} | {}\n",
+                  "family", "predicate", "cases", "hits", "fp32", "fp64", "fp64x2", "in a box", "per object",
+                  "whole box", "wrong: fp32 fp64 fp64x2 per_object whole_box exact certified");
+  for (const cell &c : cells)
+    out += line(c.from->name, c.of->name, c.found);
+  counts all;
+  for (const family &f : families()) {
+    counts sum;
+    for (const cell &c : cells)
+      if (c.from == &f)
+        sum += c.found;
+    out += line(f.name, "(all)", sum);
+    all += sum;
+  }
+  for (const subject &s : subjects()) {
+    counts sum;
+    for (const cell &c : cells)
+      if (c.of == &s)
+        sum += c.found;
+    out += line("(all)", s.name, sum);
+  }
+  out += line("(all)", "(all)", all);
+  for (const cell &c : cells)
+    if (!c.first_wrong.empty())
+      out += "wrong: " + c.first_wrong + "\n";
+  return out;
+}
+
+std::uint64_t wrong_in(const std::vector<cell> &cells) {
+  std::uint64_t sum = 0;
+  for (const cell &c : cells)
+    sum += c.found.all_wrong();
+  return sum;
+}
+
+} // namespace meetc::extremes_test

@@ -1,0 +1,72 @@
+// The hostile families: each gives a pair of rows for any two shapes that it applies to. Every row is finite
+// and every radius >= 0.
+//
+//   determinant_one  corners on integers whose orient3d determinants are -1, 0, 1 beside terms of 2^57 and
+//   more kettner          points around a line on a grid of one unit in the last place, embedded in planes of
+//   space near_coplanar    corners on 2^-20 Z^3, the other's on sixteenths of them, 2^-24 off tangent spheres
+//   that touch corners, edges, faces and spheres exactly, and one ulp beside scale            all of these at
+//   any power of two, subnormals, huge beside tiny, any bit pattern permuted         corners and operands in
+//   another order degenerate       shared corners and edges, duplicates, coplanar, collinear, flat and needle
+//   triangles mesh             a mesh against itself, as it is and moved by one ulp far              all of
+//   these at 1e4, 1e6, 1e7, rounded to float32
+#ifndef MEETC_TESTS_EXTREMES_FAMILIES_HPP
+#define MEETC_TESTS_EXTREMES_FAMILIES_HPP
+
+#include "tests/extremes/subjects.hpp"
+
+namespace meetc::extremes_test {
+
+struct family {
+  const char *name;
+  bool (*applies)(shape a, shape b);
+  pair_of_rows (*make)(shape a, shape b, random_numbers &random);
+};
+std::span<const family> families();
+const family &family_named(const char *name);
+
+// ---- makers ---------------------------------------------------------------------------------------------
+
+pair_of_rows determinant_one(shape a, shape b, random_numbers &random);
+pair_of_rows kettner(shape a, shape b, random_numbers &random);
+pair_of_rows near_coplanar(shape a, shape b, random_numbers &random);
+pair_of_rows tangent(shape a, shape b, random_numbers &random);
+pair_of_rows any_scale(shape a, shape b, random_numbers &random);
+pair_of_rows permuted(shape a, shape b, random_numbers &random);
+pair_of_rows degenerate(shape a, shape b, random_numbers &random);
+pair_of_rows mesh_on_itself(shape a, shape b, random_numbers &random);
+pair_of_rows far(shape a, shape b, random_numbers &random);
+
+// One of those above that keep their own scale and place.
+pair_of_rows any_at_home(shape a, shape b, random_numbers &random);
+
+// ---- parts of makers ------------------------------------------------------------------------------------
+
+using generated_test::padded;
+using generated_test::points_of;
+constexpr std::size_t corners(shape s) {
+  return static_cast<std::size_t>(points_of(s));
+}
+
+// A point of Kettner's grid, moved to where its numbers are float32: version 0 is (1/2 + i 2^-24, 1/2 + j
+// 2^-24) on the line through (12, 12) and (24, 24) where i = j; 1 has steps of 2^-53 and 2 of 2^-100, with
+// the line moved by (-1/2, -1/2).
+struct kettner_line {
+  float step, base, q, r;
+};
+inline constexpr kettner_line kettner_lines[] = {
+    {0x1p-24F, 0.5F, 12, 24}, {0x1p-53F, 0, 11.5F, 23.5F}, {0x1p-100F, 0, 11.5F, 23.5F}};
+
+// Rows of a matrix of integers.
+struct integer_rows {
+  long v[3][3];
+};
+// Determinant 1, although its terms are of 2^57: naive fp32 and naive fp64 both get it wrong.
+inline constexpr integer_rows known_rows = {
+    {{36569, 5957284, 600211}, {-10110, 2276334, 232673}, {39676, 6450463, 649889}}};
+
+// The faces of the built-in mesh, 9 numbers each.
+std::span<const row> mesh_faces();
+
+} // namespace meetc::extremes_test
+
+#endif
