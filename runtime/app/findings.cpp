@@ -10,27 +10,30 @@ namespace meet::app {
 
 namespace {
 
-// Corners a, b, c on the grid 2^low: whether (b - a) x (c - a) is zero.
-template <class I> bool collinear(const float *row, int low) {
-  I p[9];
-  for (int i = 0; i < 9; ++i)
-    to_integer(row[i], low, p[i]);
-  bool zero = true;
-  for (int k = 0; k < 3; ++k) {
-    const int l = (k + 1) % 3;
-    const I cross = (p[3 + k] - p[k]) * (p[6 + l] - p[l]) - (p[3 + l] - p[l]) * (p[6 + k] - p[k]);
-    zero = zero && sign_of(cross) == sign::zero;
-  }
-  return zero;
-}
-
+// Whether the corners are on one line: the cross product of two edges, in integers as wide as it takes.
 bool zero_area(const float *row) {
   const grid g = grid_of(row, 9);
-  // Differences take a bit more, the difference of two products another one, and the sign the last.
-  const int need = 2 * (g.bits() + 1) + 2;
-  return need <= 64    ? collinear<std::int64_t>(row, g.low)
-         : need <= 128 ? collinear<int128>(row, g.low)
-                       : collinear<wide<9>>(row, g.low);
+  // Differences take a bit more, the difference of two products another one.
+  const int limbs = (2 * (g.bits() + 1) + 1) / 64 + 1;
+  std::uint64_t place[13][9];
+  for (int i = 0; i < 9; ++i)
+    to_limbs(row[i], g.low, limbs, place[i]);
+  bool zero = true;
+  for (std::uint16_t k = 0; k < 3; ++k) {
+    using enum step_kind;
+    const auto l = static_cast<std::uint16_t>((k + 1) % 3);
+    const auto of = [](int corner, std::uint16_t axis) {
+      return static_cast<std::uint16_t>(3 * corner + axis);
+    };
+    const step cross[] = {{subtract, 9, of(1, k), k}, {subtract, 10, of(2, l), l}, {multiply, 11, 9, 10},
+                          {subtract, 9, of(1, l), l}, {subtract, 10, of(2, k), k}, {multiply, 12, 9, 10},
+                          {subtract, 11, 11, 12},     {take_sign, 0, 11, 0}};
+    sign s = sign::zero;
+    for (const step &t : cross)
+      take_step(t, limbs, place, &s);
+    zero = zero && s == sign::zero;
+  }
+  return zero;
 }
 
 void widen(box &b, const float lo[3], const float hi[3]) {
