@@ -51,8 +51,8 @@ if(TARGET meet_core)
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   install(EXPORT meetc_runtime_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
-  install(FILES "${PROJECT_SOURCE_DIR}/gen/emit/support/meet/support.hpp"
-    DESTINATION "${MEETC_INSTALL_HEADERS}/meet" COMPONENT meetc_runtime)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/gen/emit/support/meet"
+    DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/core"
     DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp")
 endif()
