@@ -328,6 +328,7 @@ std::vector<file> cpp_files(const unit &u) {
   out.push_back({space + '/' + space + ".hpp",
                  banner(u.scene, "Everything that the scene asks for.") + open_header(u.scene, "file_all", headers) +
                      close_header(u.scene)});
+  out.push_back({space + "/shapes.hpp", shapes_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
   if (std::find(u.scene.backends.begin(), u.scene.backends.end(), "cuda") != u.scene.backends.end() && predicates) {

@@ -11,6 +11,11 @@ std::string close_header(const spec::scene &s);
 std::string predicate_text(const unit &u, std::size_t kernel);
 std::string sign_text(const unit &u, std::size_t kernel);
 
+std::vector<const dag::kernel *> predicates_of(const unit &u);
+// The kinds that predicates take.
+std::vector<const spec::kind *> element_kinds(const unit &u);
+std::string shapes_header(const unit &u);
+
 // The table of kinds and predicates through which a runtime knows this namespace.
 std::string runtime_header(const unit &u);
 std::string runtime_source(const unit &u);
