@@ -118,7 +118,7 @@ function(meetc_add_kernels target)
   set(generate ${meetc} generate "${scene}" --out "${folder}" --namespace "${space}")
   if(cuda)
     list(APPEND sources "${folder}/${space}/${space}_cuda.cu")
-    list(APPEND headers "${folder}/${space}/${space}_cuda.hpp")
+    list(APPEND headers "${folder}/${space}/${space}_cuda.hpp" "${folder}/${space}/ball_form.hpp")
     list(APPEND generate --require-backend cuda)
   endif()
 

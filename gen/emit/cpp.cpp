@@ -303,6 +303,10 @@ bool unit::asks(const char *rung) const {
   return std::find(scene.rungs.begin(), scene.rungs.end(), rung) != scene.rungs.end();
 }
 
+bool unit::has_backend(const char *backend) const {
+  return std::find(scene.backends.begin(), scene.backends.end(), backend) != scene.backends.end();
+}
+
 std::string cpp_text(const unit &u, std::size_t kernel) {
   const dag::kernel &k = u.kernels[kernel];
   std::string out = banner(u.scene, k.asked.text);
@@ -331,7 +335,10 @@ std::vector<file> cpp_files(const unit &u) {
   out.push_back({space + "/shapes.hpp", shapes_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
-  if (std::find(u.scene.backends.begin(), u.scene.backends.end(), "cuda") != u.scene.backends.end() && predicates) {
+  const bool cuda = u.has_backend("cuda");
+  if (cuda)
+    out.push_back({space + "/ball_form.hpp", ball_form_header(u)});
+  if (cuda && predicates) {
     out.push_back({space + '/' + space + "_cuda.hpp", cuda_header(u)});
     out.push_back({space + '/' + space + "_cuda.cu", cuda_source(u)});
   }

@@ -24,6 +24,9 @@ std::string runtime_source(const unit &u);
 std::string cuda_header(const unit &u);
 std::string cuda_source(const unit &u);
 
+// Touching balls as a matrix product, for scenes with a CUDA backend.
+std::string ball_form_header(const unit &u);
+
 // The headers of meet/, as the generator was built with them.
 std::vector<file> support_headers();
 

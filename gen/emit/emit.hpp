@@ -22,6 +22,7 @@ struct unit {
   std::vector<std::optional<bound::kernel_bounds>> bounds;
 
   bool asks(const char *rung) const;
+  bool has_backend(const char *backend) const;
 };
 
 // Headers, the runtime table and the CUDA launchers, as the scene's backends ask. Sorted by path.

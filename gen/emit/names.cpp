@@ -18,7 +18,7 @@ std::string identifier(const std::string &name) {
       "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union",
       "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "T", "S", "blade",
       "to_row", "hit", "plain", "usual", "whole", "rejected", "needs_rare", "atoms", "inputs_a", "inputs_b", "value",
-      "reject_stage", "common_stage", "rare_stage", "catalogue", "NULL", "NAN", "INFINITY", "EOF", "errno", "assert",
+      "reject_stage", "common_stage", "rare_stage", "catalogue", "ball_form", "NULL", "NAN", "INFINITY", "EOF", "errno", "assert",
       "stdin", "stdout", "stderr", "main", "std", "cuda", "predicates", "kinds", "linux", "unix"};
   // Leading underscores, double underscores and a trailing one are reserved or ours.
   std::string out;
