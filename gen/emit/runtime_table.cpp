@@ -8,6 +8,7 @@
 #include <set>
 
 namespace meetc::emit {
+
 std::vector<const dag::kernel *> predicates_of(const unit &u) {
   std::vector<const dag::kernel *> out;
   for (const dag::kernel &k : u.kernels)

@@ -57,13 +57,6 @@ template <std::size_t N> std::array<double, N> numbers(const char *option, std::
   return out;
 }
 
-void check_device(const std::string &device) {
-  if (device == "cuda")
-    throw failure("--device cuda: this build decides pairs on the CPU; use --device cpu", no_device);
-  if (device != "auto" && device != "cpu")
-    throw failure(fmt::format("--device {}: unknown; known: auto, cpu, cuda", io::quote(device)));
-}
-
 int threads_named(const std::string &text) {
   std::int64_t n = 0;
   if (!io::parse_integer(text, n) || n < 0 || n > max_threads)
@@ -103,7 +96,7 @@ void add_collide(CLI::App &app, arguments &to) {
        "goes on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the sign "
        "of what rounding leaves")
       ->type_name("fp32|fp64|fp64x2|exact|certified");
-  c.add_option("--device", to.device, "Where pairs are decided; auto is the default")
+  c.add_option("--device", to.device, "Where pairs are decided; auto, the default, is the CPU")
       ->type_name("auto|cpu|cuda");
   c.add_option(io::scale_option, to.scale, "Multiply B by s first: coordinates and radii")->type_name("s");
   c.add_option(io::matrix_option, to.matrix,
@@ -150,7 +143,7 @@ std::string obey(arguments &args) {
   if (args.demo_command->parsed())
     return demo(all, args.demo_folder, 0);
   collide_request &q = args.collide;
-  check_device(args.device);
+  q.where = place_named(args.device);
   q.precision = precision_named(args.precision);
   if (args.threads)
     q.threads = threads_named(*args.threads);

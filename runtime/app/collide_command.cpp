@@ -86,6 +86,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
   h.any = q.any;
   h.keep = q.pairs.has_value();
   h.threads = q.threads;
+  h.where = q.where;
   auto progress = std::make_unique<progress_line>("collide");
   h.progress = [&progress](double fraction) { (*progress)(fraction); };
   const answers found = collide_sets(a, b, h);

@@ -3,6 +3,7 @@
 #define MEET_APP_COLLIDE_COMMAND_HPP
 
 #include "io/transform.hpp"
+#include "app/device_pairs.hpp"
 #include "meet/support.hpp"
 
 #include <filesystem>
@@ -19,6 +20,7 @@ struct collide_request {
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs, colour, image;
   int threads = 0;
+  place where = place::cpu;
 };
 
 // Writes the files that are asked for and returns what goes to standard output. A set that leaves the scene's

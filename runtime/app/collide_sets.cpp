@@ -63,14 +63,26 @@ void count_only(const ordered &o, const how &h, answers &out) {
   out.rungs = total.rungs;
 }
 
+result on_device(const ordered &o, const how &h, const collide_options &options, answers &out) {
+  device_pairs d = pairs_on_device(o.first, o.second, *h.by.predicate, h.precision, options);
+  out.device = std::move(d.device);
+  out.model = std::move(d.model);
+  out.device_seconds = d.device_seconds;
+  out.start_seconds = d.start_seconds;
+  return std::move(d.found);
+}
+
 void list_pairs(const ordered &o, const how &h, answers &out) {
   collide_options options;
+  options.mode = h.any ? collide_mode::any : collide_mode::list;
   options.threads = h.threads;
   options.box = h.box;
   options.progress = h.progress;
   options.owner_a = o.first_set.owner;
   options.owner_b = o.second_set.owner;
-  result r = ::meet::collide(o.first, o.second, *h.by.predicate, h.precision, options);
+  result r = h.where == place::cuda
+                 ? on_device(o, h, options, out)
+                 : ::meet::collide(o.first, o.second, *h.by.predicate, h.precision, options);
   out.pairs = r.count;
   out.candidates = r.candidates;
   out.rungs = r.rungs;
@@ -106,7 +118,7 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const h
   out.b.hit.assign(b.items, 0);
   const ordered o = h.by.swapped ? ordered{ready_b, ready_a, b, a, out.b, out.a}
                                  : ordered{ready_a, ready_b, a, b, out.a, out.b};
-  if (h.any || (!h.keep && a.owner.empty() && b.owner.empty()))
+  if (h.where == place::cpu && (h.any || (!h.keep && a.owner.empty() && b.owner.empty())))
     count_only(o, h, out);
   else
     list_pairs(o, h, out);

@@ -4,6 +4,7 @@
 #define MEET_APP_COLLIDE_SETS_HPP
 
 #include "app/choose.hpp"
+#include "app/device_pairs.hpp"
 #include "core/box.hpp"
 #include "core/collide.hpp"
 #include "io/element_set.hpp"
@@ -25,6 +26,8 @@ struct answers {
   rung_report rungs;            // of `certified`
   side_answer a, b;
   double prepare_seconds = 0, collide_seconds = 0;
+  std::string device, model;                    // of place::cuda, as device_pairs has them
+  double device_seconds = 0, start_seconds = 0; // likewise
 };
 
 struct how {
@@ -34,6 +37,7 @@ struct how {
   bool any = false;  // stop at the first pair
   bool keep = false; // the list of pairs; without it, and without polygons, memory does not grow with them
   int threads = 0;   // 0: all cores
+  place where = place::cpu;
   std::function<void(double fraction)> progress = {};
 };
 

@@ -117,6 +117,9 @@ std::string summary(const collide_report &r) {
     out += rungs_line(f);
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
                      f.collide_seconds);
+  if (r.asked.where == place::cuda)
+    out += fmt::format("on {}: {:.3f} s to start and upload, {:.6f} s of kernels; the filter assumes: {}\n", f.device,
+                       f.start_seconds, f.device_seconds, f.model);
   for (const std::string &note : r.notes)
     out += note + "\n";
   for (const std::string &file : r.written)
@@ -143,14 +146,17 @@ std::string json(const collide_report &r) {
   const auto side = [](const io::element_set &set) {
     return fmt::format(R"({{"kind":"{}","elements":{}}})", set.kind->name, set.items);
   };
+  const bool on_device = r.asked.where == place::cuda;
   return fmt::format(
       R"({{"a":{},"b":{},"pairs":{},"touched_a":{},"touched_b":{},"precision":"{}",)"
-      R"("device":"cpu","unsure":{{{}}},"seconds":{{"read":{:.6f},"prepare":{:.6f},"collide":{:.6f}}},)"
-      R"("predicate":"{}","mode":"{}"}})"
+      R"("device":"{}","unsure":{{{}}},"seconds":{{"read":{:.6f},"prepare":{:.6f},"collide":{:.6f}{}}},)"
+      R"("predicate":"{}","mode":"{}"{}}})"
       "\n",
-      side(r.a), side(r.b), f.pairs, f.a.touched, f.b.touched, name_of(r.asked.precision), unsure_json(r),
-      r.read_seconds, f.prepare_seconds, f.collide_seconds, r.asked.by.predicate->name,
-      r.asked.by.predicate->mode);
+      side(r.a), side(r.b), f.pairs, f.a.touched, f.b.touched, name_of(r.asked.precision),
+      on_device ? "cuda" : "cpu", unsure_json(r), r.read_seconds, f.prepare_seconds, f.collide_seconds,
+      on_device ? fmt::format(R"(,"start":{:.6f},"device":{:.6f})", f.start_seconds, f.device_seconds) : "",
+      r.asked.by.predicate->name, r.asked.by.predicate->mode,
+      on_device ? fmt::format(R"(,"device_name":"{}","model":"{}")", f.device, f.model) : "");
 }
 
 } // namespace meet::app

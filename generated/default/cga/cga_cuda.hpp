@@ -3,11 +3,14 @@
 #ifndef MEETC_cga_cuda_HPP
 #define MEETC_cga_cuda_HPP
 
-#include <cuda_runtime_api.h>
+#include <meet/cuda_table.hpp>
 #include <meet/support.hpp>
 
 namespace cga {
 namespace cuda {
+
+// What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.
+const ::meet::cuda::catalogue &catalogue();
 
 // Decides n pairs of rows on the device: a, b, pairs and out are device pointers, rows are packed floats in
 // the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.
@@ -19,82 +22,82 @@ cudaError_t self_test(unsigned *faults, cudaStream_t stream);
 struct segment_segment {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct point_triangle {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct segment_triangle {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct triangle_triangle {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct sphere_sphere {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct ball_ball {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct ball_segment {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct sphere_segment {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct ball_triangle {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 struct sphere_triangle {
   static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                            std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
   static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
       const ::meet::index_pair *pairs,
-                             std::size_t n, ::meet::answer *out, cudaStream_t stream);
+    std::size_t n, ::meet::answer *out, cudaStream_t stream);
 };
 
 } // namespace cuda

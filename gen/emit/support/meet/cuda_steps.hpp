@@ -121,6 +121,7 @@ __global__ void __launch_bounds__(set_threads) columns_kernel(const float *rows,
     for (int k = 0; k < matrix_columns; k += 8)
       *reinterpret_cast<uint4 *>(to + matrix_place(i, k)) = *reinterpret_cast<const uint4 *>(out + k);
   } else {
+    static_assert((Form::products + 1) * sizeof(float) == float_bytes);
     float out[Form::products + 1];
     to_floats<Form, First>(ball, where, out);
     for (int k = 0; k <= Form::products; ++k)

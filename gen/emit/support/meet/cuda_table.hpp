@@ -25,12 +25,13 @@ struct extent {
   unsigned long long low[3], high[3];
 };
 
-// A set in place: rows of floats, and what the filter reads, for matrix_padded(elements) elements; as X or as Y.
+// A set in place: rows of floats, and what the filter reads, as X or as Y.
 struct operand {
   const float *rows;
   std::uint32_t elements;
-  const void *columns; // 32 bytes an element for a matrix unit, 20 for float32
+  const void *columns; // half_bytes or float_bytes an element, for matrix_padded(elements) of them
 };
+inline constexpr std::size_t half_bytes = 2 * matrix_columns, float_bytes = 20;
 
 // What finds the pairs whose enclosing balls may touch.
 enum class filter : std::uint8_t {

@@ -117,6 +117,8 @@ template <class Form> MEET_HD inline double with_margin(const double *f) {
 // The columns of an object of X (First) or Y. An object astride the frame's border meets everything, one apart nothing.
 template <class Form, bool First> MEET_HD inline void to_columns(const double *object, placing where, std::uint16_t *out) {
   static_assert(3 * Form::products + 4 <= matrix_columns, "the form needs more columns than one matrix step has");
+  static_assert(Form::largest_input == matrix_reach && Form::additive_unit == matrix_constant,
+                "the form's margins are proved for another scaling");
   for (int k = 0; k < matrix_columns; ++k)
     out[k] = 0;
   constexpr int own = 3 * Form::products + (First ? 0 : 2), other = 3 * Form::products + (First ? 2 : 0);

@@ -1,0 +1,318 @@
+// The other stages of an all-pairs query: enclosing balls and columns of a set, and decisions on lists of pairs.
+//
+// A Shape says where a kind's points and its radius lie in a row. Each decision step reads one list and appends to
+// others, so that the next step finds its pairs side by side. How long a list is, only the device knows: kernels are
+// launched for the whole device and walk the list in strides. Included by nvcc alone.
+#ifndef MEET_CUDA_STEPS_HPP
+#define MEET_CUDA_STEPS_HPP
+
+#include <meet/cuda_filter.hpp>
+
+namespace meet::cuda {
+
+// ---- enclosing balls --------------------------------------------------------------------------------------------
+
+template <class Shape> MEET_HD inline double hull_point(const float *row, int point, int axis) {
+  const int at = Shape::place(point, axis);
+  return at < 0 ? 0 : static_cast<double>(row[at]);
+}
+
+// A ball x, y, z, r that holds the element, in fp64: r is rounded up, by more than it can be off. The centre starts in
+// the middle of the hull's box and walks towards the farthest point (Badoiu and Clarkson, "Smaller core-sets for
+// balls", 2003); any centre gives a right ball.
+template <class Shape> MEET_HD inline void enclosing_ball(const float *row, double ball[4]) {
+  for (int k = 0; k < 3; ++k) {
+    double lo = hull_point<Shape>(row, 0, k), hi = lo;
+    for (int p = 1; p < Shape::hull; ++p) {
+      const double v = hull_point<Shape>(row, p, k);
+      lo = v < lo ? v : lo, hi = hi < v ? v : hi;
+    }
+    ball[k] = lo / 2 + hi / 2;
+  }
+  double farthest = 0;
+  constexpr int steps = Shape::hull > 2 ? 8 : 0;
+  for (int step = 0; step <= steps; ++step) {
+    int which = 0;
+    farthest = 0;
+    for (int p = 0; p < Shape::hull; ++p) {
+      double d = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double x = hull_point<Shape>(row, p, k) - ball[k];
+        d += x * x;
+      }
+      which = d > farthest ? p : which;
+      farthest = d > farthest ? d : farthest;
+    }
+    if (step < steps)
+      for (int k = 0; k < 3; ++k)
+        ball[k] += (hull_point<Shape>(row, which, k) - ball[k]) * (1.0 / (step + 2));
+  }
+  ball[3] = std::sqrt(farthest) * (1 + 0x1p-48);
+  if constexpr (Shape::pad >= 0)
+    ball[3] = (ball[3] + static_cast<double>(row[Shape::pad])) * (1 + 0x1p-50);
+}
+
+// Bits in the order of the numbers, and back.
+MEET_HD inline unsigned long long ordered(double x) {
+  unsigned long long b;
+  std::memcpy(&b, &x, sizeof b);
+  return b >> 63 ? ~b : b | 1ULL << 63;
+}
+MEET_HD inline double from_ordered(unsigned long long b) {
+  b = b >> 63 ? b & ~(1ULL << 63) : ~b;
+  double x;
+  std::memcpy(&x, &b, sizeof x);
+  return x;
+}
+
+inline constexpr int set_threads = 128;
+inline unsigned blocks_for(std::size_t n) { return static_cast<unsigned>((n + set_threads - 1) / set_threads); }
+
+static __global__ void clear_extent_kernel(extent *around) {
+  around->low[threadIdx.x] = ~0ULL;
+  around->high[threadIdx.x] = 0;
+}
+inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
+  clear_extent_kernel<<<1, 3, 0, stream>>>(around);
+  return cudaGetLastError();
+}
+
+template <class Shape> __global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows, unsigned n, extent *around) {
+  double lo[3], hi[3];
+  for (int k = 0; k < 3; ++k)
+    lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
+  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads) {
+    double ball[4];
+    enclosing_ball<Shape>(rows + i * std::size_t{Shape::fields}, ball);
+    for (int k = 0; k < 3; ++k)
+      lo[k] = fmin(lo[k], ball[k] - ball[3]), hi[k] = fmax(hi[k], ball[k] + ball[3]);
+  }
+  for (int k = 0; k < 3; ++k) {
+    for (int d = 16; d > 0; d /= 2)
+      lo[k] = fmin(lo[k], __shfl_xor_sync(~0U, lo[k], d)), hi[k] = fmax(hi[k], __shfl_xor_sync(~0U, hi[k], d));
+    if (threadIdx.x % 32 == 0 && lo[k] <= hi[k])
+      atomicMin(&around->low[k], ordered(lo[k])), atomicMax(&around->high[k], ordered(hi[k]));
+  }
+}
+template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
+  if (n == 0)
+    return cudaSuccess;
+  const unsigned blocks = blocks_for(n);
+  enclose_kernel<Shape><<<blocks < 1024 ? blocks : 1024, set_threads, 0, stream>>>(rows, n, around);
+  return cudaGetLastError();
+}
+
+// Writes the padding too, which meets nothing.
+template <class Shape, class Form, bool First, bool Halves>
+__global__ void __launch_bounds__(set_threads) columns_kernel(const float *rows, unsigned n, const extent *around, void *columns) {
+  const unsigned i = blockIdx.x * set_threads + threadIdx.x; // the grid is as long as the padded array
+  double lo[3], hi[3], ball[4] = {0, 0, 0, 0};
+  for (int k = 0; k < 3; ++k)
+    lo[k] = from_ordered(around->low[k]), hi[k] = from_ordered(around->high[k]);
+  placing where = placing::apart;
+  if (i < n) {
+    enclosing_ball<Shape>(rows + i * std::size_t{Shape::fields}, ball);
+    where = place_ball(frame_of(lo, hi), ball);
+  }
+  if constexpr (Halves) {
+    alignas(16) std::uint16_t out[matrix_columns];
+    to_columns<Form, First>(ball, where, out);
+    auto *to = static_cast<std::uint16_t *>(columns);
+    for (int k = 0; k < matrix_columns; k += 8)
+      *reinterpret_cast<uint4 *>(to + matrix_place(i, k)) = *reinterpret_cast<const uint4 *>(out + k);
+  } else {
+    static_assert((Form::products + 1) * sizeof(float) == float_bytes);
+    float out[Form::products + 1];
+    to_floats<Form, First>(ball, where, out);
+    for (int k = 0; k <= Form::products; ++k)
+      static_cast<float *>(columns)[i * std::size_t{Form::products + 1} + k] = out[k];
+  }
+}
+template <class Shape, class Form>
+cudaError_t columns(filter by, bool first, const float *rows, std::uint32_t n, const extent *around, void *out,
+                    cudaStream_t stream) {
+  const unsigned blocks = blocks_for(matrix_padded(n));
+  if (n == 0)
+    return cudaSuccess;
+  if (by != filter::float32 && first)
+    columns_kernel<Shape, Form, true, true><<<blocks, set_threads, 0, stream>>>(rows, n, around, out);
+  else if (by != filter::float32)
+    columns_kernel<Shape, Form, false, true><<<blocks, set_threads, 0, stream>>>(rows, n, around, out);
+  else if (first)
+    columns_kernel<Shape, Form, true, false><<<blocks, set_threads, 0, stream>>>(rows, n, around, out);
+  else
+    columns_kernel<Shape, Form, false, false><<<blocks, set_threads, 0, stream>>>(rows, n, around, out);
+  return cudaGetLastError();
+}
+
+// ---- decisions ----------------------------------------------------------------------------------------------------
+
+inline constexpr int step_threads = 128, step_blocks = 1056; // 8 for each of 132 multiprocessors
+
+// Where answers go: an array, one answer a pair, or two lists.
+struct sink {
+  answer *answers; // null: the lists
+  pair_list yes, unsure;
+};
+
+// in.count may be null: then in.capacity pairs are there.
+template <class P, class Of>
+__global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, const float *b, pair_list in, sink to) {
+  const unsigned long long n = in.count && *in.count < in.capacity ? *in.count : in.capacity;
+  const unsigned long long stride = gridDim.x * std::size_t{step_threads};
+  // A warp stays whole: each lane has a pair or none.
+  for (unsigned long long at = blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32; at < n; at += stride) {
+    const unsigned long long i = at + threadIdx.x % 32;
+    index_pair p{0, 0};
+    answer x = answer::no;
+    if (i < n) {
+      p = in.pairs[i];
+      x = Of::of(a + std::size_t{p.a} * P::inputs_a, b + std::size_t{p.b} * P::inputs_b);
+      if (to.answers)
+        to.answers[i] = x;
+    }
+    if (to.answers)
+      continue;
+    if (__any_sync(~0U, x == answer::yes)) {
+      const unsigned long long place = places(x == answer::yes, to.yes.count);
+      if (x == answer::yes)
+        write(to.yes, place, p.a, p.b);
+    }
+    if (__any_sync(~0U, x == answer::unsure)) {
+      const unsigned long long place = places(x == answer::unsure, to.unsure.count);
+      if (x == answer::unsure)
+        write(to.unsure, place, p.a, p.b);
+    }
+  }
+}
+
+template <class A, class B> MEET_HD inline bool boxes_touch(const float *a, const float *b) {
+  float low_a[3], high_a[3], low_b[3], high_b[3];
+  A::box(a, low_a, high_a);
+  B::box(b, low_b, high_b);
+  bool touch = true;
+  for (int k = 0; k < 3; ++k)
+    touch &= low_a[k] <= high_b[k] && low_b[k] <= high_a[k];
+  return touch;
+}
+
+template <class P, class A, class B, bool Reject>
+__global__ void __launch_bounds__(step_threads)
+    near_kernel(const float *a, const float *b, pair_list in, pair_list kept, unsigned long long *touching) {
+  const unsigned long long n = *in.count < in.capacity ? *in.count : in.capacity;
+  const unsigned long long stride = gridDim.x * std::size_t{step_threads};
+  unsigned long long touched = 0;
+  for (unsigned long long at = blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32; at < n; at += stride) {
+    const unsigned long long i = at + threadIdx.x % 32;
+    index_pair p{0, 0};
+    bool keep = false;
+    if (i < n) {
+      p = in.pairs[i];
+      const float *x = a + std::size_t{p.a} * P::inputs_a, *y = b + std::size_t{p.b} * P::inputs_b;
+      keep = boxes_touch<A, B>(x, y);
+      touched += keep;
+      if constexpr (Reject && P::reject_stage::atoms > 0)
+        if (keep && standard_environment()) {
+          sign_set s[P::atoms + 1];
+          bounded_signs<P, in_fp32>(x, y).template get<typename P::reject_stage>(s);
+          keep = can_be_false(P::rejected(s));
+        }
+    }
+    if (__any_sync(~0U, keep)) {
+      const unsigned long long to = places(keep, kept.count);
+      if (keep)
+        write(kept, to, p.a, p.b);
+    }
+  }
+  for (int d = 16; d > 0; d /= 2)
+    touched += __shfl_xor_sync(~0U, touched, d);
+  if (threadIdx.x % 32 == 0 && touched > 0)
+    atomicAdd(touching, touched);
+}
+
+template <class P, class T> struct plain_step {
+  __device__ static answer of(const float *a, const float *b) { return to_answer(decide<P>(plain_signs<P, T>(a, b))); }
+};
+template <class P> struct exact_step {
+  __device__ static answer of(const float *a, const float *b) { return to_answer(decide<P>(exact_signs<P>(a, b))); }
+};
+template <class P, class A> struct certify_step {
+  __device__ static answer of(const float *a, const float *b) {
+    return standard_environment() ? certify<P, A>(a, b) : answer::unsure;
+  }
+};
+
+template <class P> struct certified_step {
+  __device__ static answer of(const float *a, const float *b) { return to_answer(decide_certified<P>(a, b)); }
+};
+
+template <class P, class Of>
+cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out,
+                        cudaStream_t stream) {
+  if (n == 0)
+    return cudaSuccess;
+  const std::size_t blocks = (n + step_threads - 1) / step_threads;
+  decide_kernel<P, Of><<<blocks < 0x7fffffff ? static_cast<unsigned>(blocks) : 0x7fffffff, step_threads, 0, stream>>>(
+      a, b, {const_cast<index_pair *>(pairs), nullptr, n}, {out, {}, {}}); // read alone
+  return cudaGetLastError();
+}
+template <class P, class Of>
+cudaError_t decide_list(const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+                        cudaStream_t stream) {
+  decide_kernel<P, Of><<<step_blocks, step_threads, 0, stream>>>(a.rows, b.rows, in, {nullptr, yes, unsure});
+  return cudaGetLastError();
+}
+
+// Rungs that the scene asks for, as bits: 1 << rung.
+template <class P, class A, class B, unsigned Rungs>
+cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+                cudaStream_t stream) {
+  constexpr auto asks = [](rung r) { return (Rungs >> static_cast<int>(r) & 1) != 0; };
+  constexpr bool certified = asks(rung::certified);
+  const auto near = [&](auto reject) {
+    near_kernel<P, A, B, decltype(reject)::value>
+        <<<step_blocks, step_threads, 0, stream>>>(a.rows, b.rows, in, yes, unsure.count);
+    return cudaGetLastError();
+  };
+  switch (which) {
+  case step::near_boxes:
+    return near(std::false_type());
+  case step::near_reject:
+    if constexpr (certified)
+      return near(std::true_type());
+    break;
+  case step::plain_fp32:
+    if constexpr (asks(rung::fp32))
+      return decide_list<P, plain_step<P, float>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::plain_fp64:
+    if constexpr (asks(rung::fp64))
+      return decide_list<P, plain_step<P, double>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::plain_fp64x2:
+    if constexpr (asks(rung::fp64x2))
+      return decide_list<P, plain_step<P, double_double>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::exact:
+    if constexpr (asks(rung::exact) || certified)
+      return decide_list<P, exact_step<P>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::certify_fp32:
+    if constexpr (certified)
+      return decide_list<P, certify_step<P, in_fp32>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::certify_fp64:
+    if constexpr (certified)
+      return decide_list<P, certify_step<P, in_fp64>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::certify_fp64x2:
+    if constexpr (certified)
+      return decide_list<P, certify_step<P, in_fp64x2>>(a, b, in, yes, unsure, stream);
+    break;
+  }
+  return cudaErrorInvalidValue;
+}
+
+} // namespace meet::cuda
+
+#endif

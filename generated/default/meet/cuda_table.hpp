@@ -1,0 +1,101 @@
+// What generated CUDA code offers to a host: plain data and launchers, no shapes.
+//
+// Every launcher enqueues its work on the stream; it allocates nothing, waits for nothing and throws nothing. All
+// pointers are device memory unless said otherwise. An element's place in its array is its slot.
+#ifndef MEET_CUDA_TABLE_HPP
+#define MEET_CUDA_TABLE_HPP
+
+#include <meet/matrix.hpp>
+#include <meet/table.hpp>
+
+#include <cuda_runtime_api.h>
+
+namespace meet::cuda {
+
+// A list that kernels append to, in any order. *count is the true number, also above the capacity; then some of the
+// pairs are written and the call is to be repeated with more room.
+struct pair_list {
+  index_pair *pairs;
+  unsigned long long *count;
+  unsigned long long capacity;
+};
+
+// The cube around all balls of a set, as the order-keeping bits of its corners: lowest, then highest.
+struct extent {
+  unsigned long long low[3], high[3];
+};
+
+// A set in place: rows of floats, and what the filter reads, as X or as Y.
+struct operand {
+  const float *rows;
+  std::uint32_t elements;
+  const void *columns; // half_bytes or float_bytes an element, for matrix_padded(elements) of them
+};
+inline constexpr std::size_t half_bytes = 2 * matrix_columns, float_bytes = 20;
+
+// What finds the pairs whose enclosing balls may touch.
+enum class filter : std::uint8_t {
+  float32, // the form in float32; needs no assumption but IEEE arithmetic
+  mma,     // mma.sync, any device of capability 8.0 or more
+  wgmma,   // wgmma, a device of capability 9.0 with code for sm_90a
+};
+
+// What the start-up probe found, in device memory.
+struct probe_result {
+  unsigned mma_faults, wgmma_faults; // cases in which the unit left the model of matrix.hpp
+  unsigned has_wgmma;                // the device runs code for sm_90a
+  unsigned arithmetic_faults;        // bits of arithmetic_fault
+  unsigned cases;                    // that were tried, of each unit
+};
+
+// One kind of element.
+struct kind_launchers {
+  const char *name;
+  int fields;
+  // Widens *around, which clear_extent() has emptied, by the elements' enclosing balls.
+  cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
+  // The filter's columns of all elements in the frame of *around: as X (first) or Y.
+  cudaError_t (*columns)(filter by, bool first, const float *rows, std::uint32_t elements, const extent *around,
+                         void *columns, cudaStream_t stream);
+};
+
+// A part of the product of two sets; the ends of X's slots are multiples of matrix_block, or its end, and so are Y's.
+struct part {
+  std::uint32_t first_a, end_a, first_b, end_b;
+};
+
+// What a decision step runs on a list of candidates.
+enum class step : std::uint8_t {
+  near_boxes,  // keeps the pairs whose closed boxes touch
+  near_reject, // ... and that the reject stage, certified in fp32, does not rule out
+  plain_fp32, plain_fp64, plain_fp64x2, exact,
+  certify_fp32, certify_fp64, certify_fp64x2,
+};
+
+struct predicate_launchers {
+  const char *name;
+  int kind_a, kind_b; // places in the catalogue's kinds
+  // Reads min(*in.count, in.capacity) pairs of slots. near_*: what is kept goes to `yes`, and the number of pairs with
+  // touching boxes is added to *unsure.count. Else hits go to `yes` and what certify_* cannot tell to `unsure`.
+  // cudaErrorInvalidValue where the scene does not ask for the rung.
+  cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+                     cudaStream_t stream);
+};
+
+struct catalogue {
+  const char *space;
+  const kind_launchers *kinds;
+  int kind_count;
+  const predicate_launchers *predicates;
+  int predicate_count;
+  cudaError_t (*clear_extent)(extent *around, cudaStream_t stream);
+  // Appends the pairs of slots in the part whose enclosing balls may touch. Stops early, and may leave pairs out of the
+  // count, once the list is full.
+  cudaError_t (*candidates)(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream);
+  // Refutes the model of the matrix units, or does not; checks the arithmetic that the bounds assume.
+  cudaError_t (*probe)(probe_result *out, cudaStream_t stream);
+};
+
+} // namespace meet::cuda
+
+#endif

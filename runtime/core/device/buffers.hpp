@@ -1,0 +1,33 @@
+// core/device/buffers.hpp: what queries on one device share, so that the second allocates nothing.
+#ifndef MEET_CORE_DEVICE_BUFFERS_HPP
+#define MEET_CORE_DEVICE_BUFFERS_HPP
+
+#include "core/device/memory.hpp"
+
+#include <cstdint>
+
+namespace meet {
+
+// The lists of a query, by what they count.
+enum class counter : std::uint8_t { candidates, kept, touching, hits, unsure_fp32, unsure_fp64, unsure_fp64x2, unused };
+inline constexpr int counters = 8;
+
+struct device_buffers {
+  device_memory<index_pair> first, second, hits; // candidates and unsure pairs in turns; hits
+  device_memory<unsigned long long> counts;
+  device_memory<std::uint64_t> keys, more_keys; // hits as sortable numbers
+  device_memory<std::byte> sort_space;
+  cudaEvent_t events[2] = {nullptr, nullptr};
+  unsigned long long *seen = nullptr; // the counts, in memory that the device can write to
+
+  ~device_buffers() {
+    for (const cudaEvent_t e : events)
+      if (e)
+        cudaEventDestroy(e);
+    cudaFreeHost(seen);
+  }
+};
+
+} // namespace meet
+
+#endif

@@ -1,0 +1,343 @@
+#include "core/device/collide.hpp"
+
+#include "core/device/buffers.hpp"
+#include "core/device/kernels.hpp"
+#include "core/pair_sort.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cstring>
+
+namespace meet {
+namespace {
+
+constexpr std::size_t least_capacity = std::size_t{matrix_block} * matrix_block, first_capacity = std::size_t{1} << 22;
+
+void require(bool holds, const char *what) {
+  if (!holds)
+    throw std::invalid_argument(what);
+}
+
+const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const predicate_info &p) {
+  for (int i = 0; i < all.predicate_count; ++i)
+    if (std::strcmp(all.predicates[i].name, p.name) == 0)
+      return all.predicates[i];
+  throw device_error(std::string("no CUDA kernels were generated for ") + p.name);
+}
+
+// The decision steps of a rung after the first, which looks at boxes and, for `certified`, at the reject stage.
+struct device_ladder {
+  cuda::step first = cuda::step::near_boxes;
+  std::vector<cuda::step> steps;
+
+  device_ladder(const predicate_info &p, rung precision) {
+    const bool known = p.decide[static_cast<int>(precision)] != nullptr;
+    require(known, text(status::no_such_rung));
+    switch (precision) {
+    case rung::fp32:
+      steps = {cuda::step::plain_fp32};
+      break;
+    case rung::fp64:
+      steps = {cuda::step::plain_fp64};
+      break;
+    case rung::fp64x2:
+      steps = {cuda::step::plain_fp64x2};
+      break;
+    case rung::exact:
+      steps = {cuda::step::exact};
+      break;
+    case rung::certified:
+      first = cuda::step::near_reject;
+      steps = {cuda::step::certify_fp32, cuda::step::certify_fp64, cuda::step::certify_fp64x2, cuda::step::exact};
+      break;
+    }
+  }
+};
+
+class query {
+public:
+  query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision, const device_options &options)
+      : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), ladder_(p, precision),
+        options_(options), keep_(options.mode == collide_mode::list ||
+                                 (options.mode == collide_mode::count && owned())) {}
+
+  device_result run() {
+    result_.filter = options_.filter.value_or(on_.best_filter());
+    require(on_.offers(result_.filter), "this device does not offer the filter that was asked for");
+    if (owned())
+      upload_owners();
+    start_clock();
+    if (a_.elements() > 0 && b_.elements() > 0) {
+      const device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
+      x_ = a_.as(result_.filter, true, frame);
+      y_ = b_.as(result_.filter, false, frame);
+      take_room();
+      go_through({0, a_.elements(), 0, b_.elements()});
+    }
+    if (options_.mode == collide_mode::any)
+      result_.count = result_.count > 0;
+    if (keep_)
+      finish();
+    stop_clock();
+    return std::move(result_);
+  }
+
+private:
+  bool owned() const { return !options_.owner_a.empty() || !options_.owner_b.empty(); }
+
+  void upload_owners() {
+    const auto upload = [this](std::span<const std::uint32_t> from, const device_set &of,
+                               device_memory<std::uint32_t> &to) {
+      require(from.empty() || from.size() == of.elements(), "an owner map needs one item an element");
+      if (from.empty())
+        return;
+      to.reserve(from.size(), "an owner map");
+      check(cudaMemcpyAsync(to.data(), from.data(), from.size_bytes(), cudaMemcpyHostToDevice, on_.stream()),
+            "uploading owners");
+    };
+    upload(options_.owner_a, a_, owner_a_);
+    upload(options_.owner_b, b_, owner_b_);
+  }
+
+  void start_clock() {
+    for (cudaEvent_t &e : buffers_.events)
+      if (!e)
+        check(cudaEventCreate(&e), "making an event");
+    if (!buffers_.seen)
+      check(cudaMallocHost(reinterpret_cast<void **>(&buffers_.seen), counters * sizeof *buffers_.seen),
+            "allocating host memory");
+    check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock");
+  }
+  void stop_clock() {
+    check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock");
+    check(cudaEventSynchronize(buffers_.events[1]), "colliding");
+    float ms = 0;
+    check(cudaEventElapsedTime(&ms, buffers_.events[0], buffers_.events[1]), "reading a clock");
+    result_.device_seconds = static_cast<double>(ms) / 1000 - download_seconds_;
+  }
+
+  // Room for so many pairs a list, and for as many as there is already.
+  void take_room() {
+    capacity_ = std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, first_capacity),
+                           options_.list_capacity);
+    buffers_.counts.reserve(counters, "counters");
+    buffers_.first.reserve(capacity_, "a list of candidates");
+    buffers_.second.reserve(capacity_, "a list of candidates");
+    if (keep_)
+      buffers_.hits.reserve(capacity_, "a list of hits");
+  }
+  // More room, where there is and may be more.
+  bool take_more_room() {
+    const std::size_t more = std::min(capacity_ * 8, options_.list_capacity);
+    if (more == capacity_ || !buffers_.first.grow(more, 0, on_.stream()) ||
+        !buffers_.second.grow(more, 0, on_.stream()) || (keep_ && !buffers_.hits.grow(more, 0, on_.stream())))
+      return false;
+    capacity_ = more;
+    return true;
+  }
+
+  cuda::pair_list list(const device_memory<index_pair> &pairs, counter c) const {
+    return {pairs.data(), buffers_.counts.data() + static_cast<int>(c), std::min(pairs.capacity(), capacity_)};
+  }
+  cuda::pair_list count_only(counter c) const { return {nullptr, buffers_.counts.data() + static_cast<int>(c), 0}; }
+  unsigned long long seen(counter c) const { return buffers_.seen[static_cast<int>(c)]; }
+
+  static std::uint64_t area(const cuda::part &p) {
+    return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b);
+  }
+  // Halves of the longer side, cut between blocks.
+  static std::pair<cuda::part, cuda::part> halves(const cuda::part &p) {
+    const auto middle = [](std::uint32_t from, std::uint32_t to) {
+      const std::uint32_t blocks = (to - from + matrix_block - 1) / matrix_block;
+      return from + blocks / 2 * matrix_block;
+    };
+    cuda::part x = p, y = p;
+    if (p.end_a - p.first_a > p.end_b - p.first_b)
+      x.end_a = y.first_a = middle(p.first_a, p.end_a);
+    else
+      x.end_b = y.first_b = middle(p.first_b, p.end_b);
+    return {x, y};
+  }
+
+  void go_through(const cuda::part &whole) {
+    std::vector<cuda::part> left{whole};
+    std::uint64_t most = ~std::uint64_t{0}, done = 0; // pairs of a part that is worth a try; pairs gone through
+    while (!left.empty()) {
+      const cuda::part p = left.back();
+      left.pop_back();
+      if (area(p) > most && area(p) > capacity_) {
+        const auto [x, y] = halves(p);
+        left.push_back(y), left.push_back(x);
+        continue;
+      }
+      try_part(p);
+      if (seen(counter::candidates) > capacity_) {
+        left.push_back(p);
+        if (!take_more_room())
+          most = area(p) / 4;
+        continue;
+      }
+      if (most != ~std::uint64_t{0} && seen(counter::candidates) < capacity_ / 8)
+        most *= 2;
+      take_part();
+      done += area(p);
+      if (options_.progress)
+        options_.progress(static_cast<double>(done) / static_cast<double>(area(whole)));
+      if (options_.mode == collide_mode::any && result_.count > 0)
+        return;
+    }
+  }
+
+  void try_part(const cuda::part &p) {
+    const cudaStream_t stream = on_.stream();
+    check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream), "clearing counters");
+    check(on_.kernels().candidates(result_.filter, x_, y_, p, list(buffers_.first, counter::candidates), stream),
+          "starting the filter");
+    const cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
+    const auto step = [&](cuda::step which, const cuda::pair_list &in, const cuda::pair_list &yes,
+                          const cuda::pair_list &unsure) {
+      check(predicate_.run(which, x_, y_, in, yes, unsure, stream), "starting a decision step");
+    };
+    step(ladder_.first, list(buffers_.first, counter::candidates), list(buffers_.second, counter::kept),
+         count_only(counter::touching));
+    cuda::pair_list in = list(buffers_.second, counter::kept);
+    static constexpr counter unsure[] = {counter::unsure_fp32, counter::unsure_fp64, counter::unsure_fp64x2,
+                                         counter::unused};
+    for (std::size_t s = 0; s < ladder_.steps.size(); ++s) {
+      const cuda::pair_list out = list(s % 2 == 0 ? buffers_.first : buffers_.second, unsure[s]);
+      step(ladder_.steps[s], in, hits, out);
+      in = out;
+    }
+    check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
+                          cudaMemcpyDeviceToHost, stream),
+          "reading counters");
+    check(cudaStreamSynchronize(stream), "colliding");
+    ++result_.parts;
+  }
+
+  // The results of a part whose lists held everything.
+  void take_part() {
+    result_.near_balls += seen(counter::candidates);
+    result_.candidates += seen(counter::touching);
+    result_.count += seen(counter::hits);
+    result_.rungs.unsure[0] += seen(counter::unsure_fp32);
+    result_.rungs.unsure[1] += seen(counter::unsure_fp64);
+    result_.rungs.unsure[2] += seen(counter::unsure_fp64x2);
+    const std::size_t n = seen(counter::hits);
+    if (!keep_ || n == 0)
+      return;
+    if (!buffers_.keys.grow(std::max(keys_ + n, std::min(2 * keys_, keys_ + (std::size_t{1} << 28))), keys_, on_.stream()) &&
+        !buffers_.keys.grow(keys_ + n, keys_, on_.stream())) {
+      spill();
+      buffers_.keys.reserve(n, "a list of hits");
+    }
+    check(to_keys(buffers_.hits.data(), n, a_.order(), owner_a_.data(), b_.order(), owner_b_.data(),
+                  buffers_.keys.data() + keys_, on_.stream()),
+          "starting a kernel");
+    keys_ += n;
+  }
+
+  // Takes the keys off the device, as they are.
+  void spill() {
+    std::vector<std::uint64_t> keys(keys_);
+    check(cudaMemcpyAsync(keys.data(), buffers_.keys.data(), keys_ * sizeof(std::uint64_t), cudaMemcpyDeviceToHost,
+                          on_.stream()),
+          "downloading pairs");
+    check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
+    for (const std::uint64_t k : keys)
+      spilled_.push_back({static_cast<std::uint32_t>(k >> 32), static_cast<std::uint32_t>(k)});
+    keys_ = 0;
+  }
+
+  // Sorts the keys on the device, each once where there are owners; false where it lacks the memory.
+  bool sort_on_device() {
+    const int bits = 32 + std::bit_width(largest_item());
+    std::size_t sort_bytes = 0, repeat_bytes = 0;
+    check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
+    if (owned())
+      check(drop_repeats(nullptr, repeat_bytes, nullptr, nullptr, nullptr, keys_, on_.stream()), "planning to sort");
+    std::size_t bytes = std::max(sort_bytes, repeat_bytes);
+    if (!buffers_.more_keys.grow(keys_, 0, on_.stream()) || !buffers_.sort_space.grow(bytes, 0, on_.stream()))
+      return false;
+    check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_, bits,
+                    on_.stream()),
+          "sorting pairs");
+    std::swap(buffers_.keys, buffers_.more_keys);
+    if (owned()) {
+      check(drop_repeats(buffers_.sort_space.data(), repeat_bytes, buffers_.keys.data(), buffers_.more_keys.data(),
+                         buffers_.counts.data(), keys_, on_.stream()),
+            "dropping repeats");
+      unsigned long long kept = 0;
+      check(cudaMemcpyAsync(&kept, buffers_.counts.data(), sizeof kept, cudaMemcpyDeviceToHost, on_.stream()),
+            "dropping repeats");
+      check(cudaStreamSynchronize(on_.stream()), "dropping repeats");
+      keys_ = kept;
+      std::swap(buffers_.keys, buffers_.more_keys);
+    }
+    return true;
+  }
+
+  std::uint32_t largest_item() const {
+    const auto owners = options_.owner_a;
+    return owners.empty() ? a_.elements() : *std::max_element(owners.begin(), owners.end());
+  }
+
+  void finish() {
+    std::vector<index_pair> &pairs = result_.pairs;
+    if (spilled_.empty() && (keys_ == 0 || sort_on_device())) {
+      check(to_pairs(buffers_.keys.data(), keys_, on_.stream()), "starting a kernel");
+      result_.count = keys_;
+      if (options_.mode == collide_mode::count)
+        return;
+      check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
+      const auto start = std::chrono::steady_clock::now();
+      pairs.resize(keys_);
+      check(cudaMemcpy(pairs.data(), buffers_.keys.data(), keys_ * sizeof(index_pair), cudaMemcpyDeviceToHost),
+            "downloading pairs");
+      download_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      return;
+    }
+    spill();
+    pairs = std::move(spilled_);
+    std::vector<index_pair> scratch;
+    sort_pairs(pairs.data(), pairs.size(), scratch);
+    if (owned())
+      meet::drop_repeats(pairs);
+    result_.count = pairs.size();
+    if (options_.mode == collide_mode::count)
+      std::vector<index_pair>().swap(pairs);
+  }
+
+  device &on_;
+  device_buffers &buffers_;
+  device_set &a_, &b_;
+  const cuda::predicate_launchers &predicate_;
+  device_ladder ladder_;
+  const device_options &options_;
+  bool keep_;
+  cuda::operand x_{}, y_{};
+  device_memory<std::uint32_t> owner_a_, owner_b_;
+  std::size_t capacity_ = 0, keys_ = 0;
+  std::vector<index_pair> spilled_;
+  double download_seconds_ = 0;
+  device_result result_;
+};
+
+} // namespace
+
+device_result collide(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
+                      const device_options &options) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto same = [](const kind_info &x, const kind_info &y) {
+    return x.fields == y.fields && std::strcmp(x.name, y.name) == 0;
+  };
+  require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b),
+          "the predicate is for other kinds of element");
+  require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
+  device_result r = query(on, a, b, predicate, precision, options).run();
+  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return r;
+}
+
+} // namespace meet

@@ -1,0 +1,67 @@
+// core/device/device.hpp: one CUDA device, found, checked and probed.
+//
+// Nothing here starts CUDA before a device is made. Errors are device_error, one line that says what was asked and
+// what can be done.
+#ifndef MEET_CORE_DEVICE_DEVICE_HPP
+#define MEET_CORE_DEVICE_DEVICE_HPP
+
+#include "meet/cuda_table.hpp"
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace meet {
+
+class device_error : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+struct device_facts {
+  std::string name;
+  int major = 0, minor = 0; // compute capability; 8.0 is the least
+  int multiprocessors = 0;
+  std::size_t bytes = 0;
+};
+
+struct device_buffers;
+
+// The current CUDA device, with a stream and buffers that queries share: one query at a time. Sets that were uploaded
+// to it must not outlive it.
+class device {
+public:
+  // Throws device_error: there is none, it is too old, its driver is, or its arithmetic is not as the bounds assume.
+  explicit device(const cuda::catalogue &kernels);
+  ~device();
+  device(const device &) = delete;
+  device &operator=(const device &) = delete;
+
+  const cuda::catalogue &kernels() const { return kernels_; }
+  const device_facts &facts() const { return facts_; }
+  const cuda::probe_result &probe() const { return probe_; }
+
+  // The fastest filter whose model the probe did not refute.
+  cuda::filter best_filter() const;
+  bool offers(cuda::filter f) const;
+
+  cudaStream_t stream() const { return stream_; }
+  device_buffers &buffers() { return *buffers_; }
+
+private:
+  const cuda::catalogue &kernels_;
+  device_facts facts_;
+  cuda::probe_result probe_{};
+  cudaStream_t stream_ = nullptr;
+  std::unique_ptr<device_buffers> buffers_;
+};
+
+// What is assumed where the filter is used: "mma-f16-f32", "wgmma-f16-f32", or "none" in float32.
+const char *model_of(cuda::filter f);
+
+// Throws device_error with the call and what CUDA says of it.
+void check(cudaError_t e, const char *what);
+
+} // namespace meet
+
+#endif

@@ -1,0 +1,70 @@
+// core/device/memory.hpp: device memory that frees itself and grows.
+#ifndef MEET_CORE_DEVICE_MEMORY_HPP
+#define MEET_CORE_DEVICE_MEMORY_HPP
+
+#include "core/device/device.hpp"
+
+#include <utility>
+
+namespace meet {
+
+// Throws device_error with the sizes where there is too little.
+void *allocate_on_device(std::size_t bytes, const char *what_for);
+// Null where there is too little.
+void *try_allocate_on_device(std::size_t bytes);
+
+// Uninitialised memory for objects of a trivial type.
+template <class T> class device_memory {
+public:
+  device_memory() = default;
+  device_memory(device_memory &&other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), capacity_(std::exchange(other.capacity_, 0)) {}
+  device_memory &operator=(device_memory &&other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(capacity_, other.capacity_);
+    return *this;
+  }
+  ~device_memory() { release(); }
+
+  T *data() const { return data_; }
+  std::size_t capacity() const { return capacity_; }
+
+  void release() {
+    cudaFree(data_); // a fault here has been reported where it arose
+    data_ = nullptr;
+    capacity_ = 0;
+  }
+
+  // Room for n; what it held is lost where it had less.
+  T *reserve(std::size_t n, const char *what_for) {
+    if (n > capacity_) {
+      release();
+      data_ = static_cast<T *>(allocate_on_device(n * sizeof(T), what_for));
+      capacity_ = n;
+    }
+    return data_;
+  }
+
+  // Room for n, keeping the first `used`; false where there is too little memory, and nothing has changed.
+  bool grow(std::size_t n, std::size_t used, cudaStream_t stream) {
+    if (n <= capacity_)
+      return true;
+    auto *more = static_cast<T *>(try_allocate_on_device(n * sizeof(T)));
+    if (!more)
+      return false;
+    device_memory old(std::exchange(data_, more), std::exchange(capacity_, n));
+    if (used > 0)
+      check(cudaMemcpyAsync(data_, old.data_, used * sizeof(T), cudaMemcpyDeviceToDevice, stream), "growing a list");
+    check(cudaStreamSynchronize(stream), "growing a list"); // before the old one is freed
+    return true;
+  }
+
+private:
+  device_memory(T *data, std::size_t capacity) : data_(data), capacity_(capacity) {}
+  T *data_ = nullptr;
+  std::size_t capacity_ = 0;
+};
+
+} // namespace meet
+
+#endif

@@ -1,0 +1,100 @@
+#include "core/device/set.hpp"
+
+#include "core/device/kernels.hpp"
+#include "core/element_set.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace meet {
+namespace {
+
+std::uint64_t next_version() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_info &kind) {
+  for (int k = 0; k < all.kind_count; ++k)
+    if (std::strcmp(all.kinds[k].name, kind.name) == 0 && all.kinds[k].fields == kind.fields)
+      return all.kinds[k];
+  throw device_error(std::string("no CUDA kernels were generated for the kind ") + kind.name);
+}
+
+} // namespace
+
+device_set::device_set(device &on, const prepared &set)
+    : on_(&on), kind_(&set.kind()), launchers_(&launchers_of(on.kernels(), set.kind())),
+      elements_(static_cast<std::uint32_t>(set.elements())) {
+  const std::size_t floats = std::size_t{elements_} * static_cast<std::size_t>(kind_->fields);
+  rows_.reserve(floats, "a set's elements");
+  order_.reserve(elements_, "a set's order");
+  around_.reserve(1, "a set's extent");
+  check(cudaMemcpyAsync(rows_.data(), set.set().rows, floats * sizeof(float), cudaMemcpyHostToDevice, on.stream()),
+        "uploading a set");
+  check(cudaMemcpyAsync(order_.data(), set.set().order, elements_ * sizeof(std::uint32_t), cudaMemcpyHostToDevice,
+                        on.stream()),
+        "uploading a set");
+  enclose();
+  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller's memory is his own again
+}
+
+void device_set::enclose() {
+  check(on_->kernels().clear_extent(around_.data(), on_->stream()), "starting a kernel");
+  check(launchers_->enclose(rows(), elements_, around_.data(), on_->stream()), "starting a kernel");
+  version_ = next_version();
+}
+
+void device_set::move(const pose &at) {
+  if (at.identity()) {
+    if (std::exchange(moved_, false))
+      enclose();
+    return;
+  }
+  if (!can_move(*kind_))
+    throw std::invalid_argument(text(status::cannot_move));
+  if (!(at.length_scale >= 0))
+    throw std::invalid_argument("a pose's length scale is negative or not a number");
+  const auto fields = static_cast<std::size_t>(kind_->fields);
+  device_memory<float> to;
+  device_memory<unsigned> bad;
+  to.reserve(elements_ * fields, "a set under a pose");
+  bad.reserve(1, "a set under a pose");
+  check(move_rows(*kind_, at, rows_.data(), elements_, to.data(), bad.data(), on_->stream()), "starting a kernel");
+  unsigned slot = 0;
+  check(cudaMemcpyAsync(&slot, bad.data(), sizeof slot, cudaMemcpyDeviceToHost, on_->stream()), "moving a set");
+  check(cudaStreamSynchronize(on_->stream()), "moving a set");
+  if (slot != none_bad) {
+    std::vector<float> row(fields);
+    fault f{fault_kind::moved, 0, 0, 0, 0, nullptr};
+    std::uint32_t element = 0;
+    check(cudaMemcpy(row.data(), to.data() + slot * fields, fields * sizeof(float), cudaMemcpyDeviceToHost), "moving a set");
+    check(cudaMemcpy(&element, order_.data() + slot, sizeof element, cudaMemcpyDeviceToHost), "moving a set");
+    while (std::isfinite(row[static_cast<std::size_t>(f.field)]))
+      ++f.field;
+    f.element = element;
+    f.value = row[static_cast<std::size_t>(f.field)];
+    throw input_error(f, *kind_);
+  }
+  moved_rows_ = std::move(to);
+  moved_ = true;
+  enclose();
+}
+
+cuda::operand device_set::as(cuda::filter by, bool first, const device_set &frame) {
+  const made want{by == cuda::filter::float32, frame.version_, version_};
+  device_memory<std::byte> &columns = columns_[first];
+  if (want != have_[first]) {
+    const std::size_t bytes = matrix_padded(elements_) * (want.floats ? cuda::float_bytes : cuda::half_bytes);
+    have_[first] = {};
+    columns.reserve(bytes, "the filter's columns");
+    check(launchers_->columns(by, first, rows(), elements_, frame.around(), columns.data(), on_->stream()),
+          "starting a kernel");
+    have_[first] = want;
+  }
+  return {rows(), elements_, columns.data()};
+}
+
+} // namespace meet

@@ -1,0 +1,56 @@
+// core/device/set.hpp: a prepared set on a device.
+//
+// Uploaded once, posed and collided often. Slots are those of the prepared set, so neighbours in space lie side by side.
+#ifndef MEET_CORE_DEVICE_SET_HPP
+#define MEET_CORE_DEVICE_SET_HPP
+
+#include "core/collide.hpp"
+#include "core/device/memory.hpp"
+
+namespace meet {
+
+class device_set {
+public:
+  // Throws device_error, also where the catalogue lacks the kind.
+  device_set(device &on, const prepared &set);
+
+  const kind_info &kind() const { return *kind_; }
+  std::uint32_t elements() const { return elements_; }
+
+  // Takes the set under this pose from now on; from where it was uploaded, not from its last pose. The arithmetic is
+  // that of core/view.hpp, bit for bit. Throws input_error where a number leaves float32, std::invalid_argument where
+  // the kind cannot be moved, device_error. The set is then as it was before.
+  void move(const pose &at);
+
+  const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }
+  const std::uint32_t *order() const { return order_.data(); }
+  // Around all enclosing balls, device memory.
+  const cuda::extent *around() const { return around_.data(); }
+
+  // What the filter reads, in the frame of `frame`, which is this set or the other: made where it is not there yet.
+  cuda::operand as(cuda::filter by, bool first, const device_set &frame);
+
+private:
+  struct made { // what columns hold
+    bool floats = false;
+    std::uint64_t frame = 0, own = 0; // versions
+    bool operator==(const made &) const = default;
+  };
+  void enclose();
+
+  device *on_;
+  const kind_info *kind_;
+  const cuda::kind_launchers *launchers_;
+  std::uint32_t elements_ = 0;
+  bool moved_ = false;
+  std::uint64_t version_ = 0; // of rows(): unlike any other set's
+  device_memory<float> rows_, moved_rows_;
+  device_memory<std::uint32_t> order_;
+  device_memory<cuda::extent> around_;
+  device_memory<std::byte> columns_[2]; // as Y, as X
+  made have_[2];
+};
+
+} // namespace meet
+
+#endif
