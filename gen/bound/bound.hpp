@@ -42,7 +42,7 @@ struct arithmetic {
   bool fuses;            // a*b + c is rounded once
   bool monotonic;        // rounding keeps the sign: the last one is not counted
 };
-// A product is taken as relative down to lowest^degree; see leaf_floor().
+// Products are taken to round relatively: the floors of stage_bounds keep them above the subnormals.
 inline constexpr arithmetic fp32{"fp32", 24, 24, true, true, true};
 inline constexpr arithmetic fp64{"fp64", 53, 53, true, true, true};
 // Double-double: every operation is within 2^-102 of its result (meet/double_double.hpp); M is in fp64.
@@ -57,11 +57,12 @@ struct roundings {
 rational factor(const arithmetic &a, const roundings &r);
 // The least float with `bits` significant bits that is not below q >= 0.
 rational rounded_up(const rational &q, int bits);
+rational power_of_two(int exponent);
 
-// One sign in the box form. Its value divided by c = value covers every D in [2^lowest, 2^highest].
+// One sign in the box form: |v^ - v| <= c alpha^a beta^b D^pair for every D in [2^box_lowest, 2^box_highest].
 struct box_bound {
-  rational value;          // c, a float32
-  int a = 0, b = 0, pair = 0; // the powers of alpha, beta, D; they sum to the degree
+  rational value;             // c, a float32
+  int a = 0, b = 0, pair = 0; // the powers; they sum to the degree
 };
 
 struct stage_bounds {
@@ -113,6 +114,14 @@ std::optional<leaf> leaf_at(const dag::program &p, dag::node_id id);
 
 // A product with a power of two, which rounds nothing.
 bool scales_exactly(const dag::program &p, dag::node_id id);
+
+// The node whose rounding is the last on the way to a value, and what the value is of it, in magnitude: a power of
+// two. An input or a constant where nothing rounds.
+struct last_rounding {
+  dag::node_id node;
+  rational scale;
+};
+last_rounding last_rounding_of(const dag::program &p, dag::node_id id);
 
 // The largest extents of an object's leaves: those of residency `of`.
 std::vector<leaf> leaves_of(const stage_bounds &s, poly::residency of);

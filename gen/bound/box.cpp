@@ -14,12 +14,6 @@ using dag::node_id;
 using dag::op;
 using poly::residency;
 
-rational power_of_two(int exponent) {
-  mpz_class z = 1;
-  z <<= std::abs(exponent);
-  return exponent >= 0 ? rational(z) : rational(mpz_class(1), z);
-}
-
 // The least k with w <= 2^k, w > 0.
 int ceil_log2(const rational &w) {
   int k = static_cast<int>(mpz_sizeinbase(w.get_num().get_mpz_t(), 2)) -
@@ -53,12 +47,28 @@ void take_scale_of_sum(box_node &out, const box_node &x, const box_node &y) {
 
 bool scales_exactly(const dag::program &p, node_id id) {
   const node &n = p.nodes.at(id);
-  const auto power_of_two = [&](node_id factor) {
+  const auto is_power_of_two = [&](node_id factor) {
     if (p.nodes.at(factor).kind != op::constant || p.nodes.value(factor).get_den() != 1)
       return false;
     return mpz_popcount(mpz_class(abs(p.nodes.value(factor).get_num())).get_mpz_t()) == 1;
   };
-  return n.kind == op::multiply && (power_of_two(n.a) || power_of_two(n.b));
+  return n.kind == op::multiply && (is_power_of_two(n.a) || is_power_of_two(n.b));
+}
+
+last_rounding last_rounding_of(const dag::program &p, node_id id) {
+  rational scale = 1;
+  for (;;) {
+    const node &n = p.nodes.at(id);
+    if (n.kind == op::negate) {
+      id = n.a;
+    } else if (scales_exactly(p, id)) {
+      const bool first = p.nodes.at(n.a).kind == op::constant;
+      scale *= abs(p.nodes.value(first ? n.a : n.b));
+      id = first ? n.b : n.a;
+    } else {
+      return {id, scale};
+    }
+  }
 }
 
 std::vector<box_node> box_nodes(const dag::program &p, int precision, int lowest_exponent) {

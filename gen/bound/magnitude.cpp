@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 
 namespace meetc::bound {
 namespace {
@@ -22,12 +21,6 @@ rational power(rational base, int exponent) {
   for (int i = 0; i < exponent; ++i)
     out *= base;
   return out;
-}
-
-rational power_of_two(int exponent) {
-  mpz_class z = 1;
-  z <<= std::abs(exponent);
-  return exponent >= 0 ? rational(z) : rational(mpz_class(1), z);
 }
 
 int bits_of(const rational &integer) { return static_cast<int>(mpz_sizeinbase(integer.get_num().get_mpz_t(), 2)); }
@@ -90,18 +83,9 @@ std::vector<roundings> count_roundings(const dag::program &p, const arithmetic &
   return out;
 }
 
-// The node that a result's sign is taken of: through what rounds nothing.
 bool last_operation_rounds(const dag::program &p, node_id id) {
-  for (;;) {
-    const node &n = p.nodes.at(id);
-    if (n.kind == op::negate) {
-      id = n.a;
-    } else if (scales_exactly(p, id)) {
-      id = p.nodes.at(n.a).kind == op::constant ? n.b : n.a;
-    } else {
-      return n.kind != op::input && n.kind != op::constant;
-    }
-  }
+  const op kind = p.nodes.at(last_rounding_of(p, id).node).kind;
+  return kind != op::input && kind != op::constant;
 }
 
 std::vector<roundings> of_results(const dag::program &p, const arithmetic &a) {
@@ -241,13 +225,19 @@ std::vector<leaf> leaves_of(const stage_bounds &s, poly::residency of) {
   return out;
 }
 
+rational power_of_two(int exponent) {
+  mpz_class z = 1;
+  z <<= std::abs(exponent);
+  return exponent >= 0 ? rational(z) : rational(mpz_class(1), z);
+}
+
 rational rounded_up(const rational &q, int bits) {
   if (q == 0)
     return 0;
-  // 2^e <= q * 2^-? : scale so that the quotient has `bits` bits, and round up.
+  // 2^(size - 1) < q < 2^(size + 1): shifted by less than size - bits, q needs more than `bits` bits.
   const int size = static_cast<int>(mpz_sizeinbase(q.get_num().get_mpz_t(), 2)) -
                    static_cast<int>(mpz_sizeinbase(q.get_den().get_mpz_t(), 2));
-  for (int shift = size - bits - 1;; ++shift) {
+  for (int shift = size - bits;; ++shift) {
     const rational scaled = q / power_of_two(shift);
     mpz_class up;
     mpz_cdiv_q(up.get_mpz_t(), scaled.get_num().get_mpz_t(), scaled.get_den().get_mpz_t());

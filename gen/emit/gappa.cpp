@@ -201,23 +201,6 @@ std::string meaning(const dag::kernel &k, const script &s, int atom) {
   }
   return out;
 }
-
-// The node that rounds last on the way to a result, and what it is multiplied by after.
-std::pair<node_id, dag::rational> last_rounding(const dag::program &p, node_id id) {
-  dag::rational scale = 1;
-  for (;;) {
-    const node &n = p.nodes.at(id);
-    if (n.kind == op::negate) {
-      id = n.a;
-    } else if (bound::scales_exactly(p, id)) {
-      const bool first = p.nodes.at(n.a).kind == op::constant;
-      scale *= abs(p.nodes.value(first ? n.a : n.b));
-      id = first ? n.b : n.a;
-    } else {
-      return {id, scale};
-    }
-  }
-}
 } // namespace
 
 std::vector<bounded_stage> bounded_stages(const unit &u, std::size_t i) {
@@ -246,7 +229,7 @@ std::vector<file> proof_files(const unit &u) {
         const bound::box_bound &bound = stage.bounds.box[sign];
         if (bound.value == 0) // a leaf: the sign of its only rounding
           continue;
-        const auto [root, scale] = last_rounding(p, p.results[sign]);
+        const auto [root, scale] = bound::last_rounding_of(p, p.results[sign]);
         const script s(p, boxes, root, bound.value / scale);
         const auto [at, fresh] = known.try_emplace(s.text(), proofs.size());
         if (fresh)

@@ -2,6 +2,7 @@
 #ifndef MEET_TESTS_APP_FIXTURE_HPP
 #define MEET_TESTS_APP_FIXTURE_HPP
 
+#include "../folder.hpp"
 #include "catch.hpp"
 
 #include "app/meshes.hpp"
@@ -26,33 +27,14 @@ namespace fixture {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// A folder that goes with the process.
-inline const fs::path &folder() {
-  struct guard {
-    fs::path path = fs::temp_directory_path() / ("meet-test-app-" + std::to_string(::getpid()));
-    guard() { fs::create_directories(path); }
-    ~guard() {
-      std::error_code ignored;
-      fs::remove_all(path, ignored);
-    }
-  };
-  static const guard g;
-  return g.path;
-}
+using test_files::folder, test_files::get;
 
 inline std::string at(const std::string &name) {
   return (folder() / name).string();
 }
 
 inline std::string put(const std::string &name, std::string_view content) {
-  std::ofstream(folder() / name, std::ios::binary)
-      .write(content.data(), static_cast<std::streamsize>(content.size()));
-  return at(name);
-}
-
-inline std::string get(const fs::path &path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return test_files::put(name, content).string();
 }
 
 inline std::string put_mesh(const std::string &name, const meet::app::mesh &m) {

@@ -1,43 +1,19 @@
 // What `meet` says where a set leaves the scene's box. The shipped scene has none, so its catalogue is given
 // one here.
+#include "../folder.hpp"
 #include "catch.hpp"
 
 #include "app/collide_command.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <unistd.h>
 
 namespace {
 
+using test_files::folder, test_files::get, test_files::put;
 namespace fs = std::filesystem;
-
-const fs::path &folder() {
-  struct guard {
-    fs::path path = fs::temp_directory_path() / ("meet-test-certified-" + std::to_string(::getpid()));
-    guard() { fs::create_directories(path); }
-    ~guard() {
-      std::error_code ignored;
-      fs::remove_all(path, ignored);
-    }
-  };
-  static const guard g;
-  return g.path;
-}
-
-std::string get(const fs::path &path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-fs::path put(const char *name, const char *rows) {
-  std::ofstream(folder() / name) << rows;
-  return folder() / name;
-}
 
 // What the command says on standard error; its answer must hold `pairs`.
 std::string said(float box, const fs::path &a, const fs::path &b, const char *pairs,

@@ -3,10 +3,11 @@
 #include "gen/verify/dense_evaluator.hpp"
 #include "gen/verify/verify.hpp"
 #include "tests/compiler/catch.hpp"
-#include "tests/compiler/fixture.hpp"
+#include "tests/compiler/error_fixture.hpp"
 #include "tests/oracle/random.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 using namespace meetc;
@@ -172,26 +173,10 @@ const std::vector<other> others{
 compilation compile_other(const temporary_folder &folder, const other &o) {
   folder.write("a.toml", o.algebra);
   folder.write("words.toml", read(source_folder() / "algebra_spec" / "predicates" / "words.toml"));
-  std::string scene = "[scene]\nalgebra = 'a.toml'\nnamespace = 'other'\nkernels = [\n";
-  for (const std::string &k : o.kernels)
-    scene += fmt::format("'{}',\n", k);
-  folder.write("s.toml", scene + "]\n");
+  folder.write("s.toml", small_scene(fmt::format("'{}'", fmt::join(o.kernels, "', '"))));
   compilation c = load((folder.path() / "s.toml").string());
   compile_all(c);
   return c;
-}
-
-rational evaluate(const nlohmann::json &polynomial, const std::map<std::string, rational> &at) {
-  rational sum = 0;
-  for (const auto &term : polynomial) {
-    rational product(term.at(0).get<std::string>());
-    product.canonicalize();
-    for (const auto &[name, exponent] : term.at(1).items())
-      for (int i = 0; i < exponent.get<int>(); ++i)
-        product *= at.at(name);
-    sum += product;
-  }
-  return sum;
 }
 
 } // namespace

@@ -124,19 +124,6 @@ void name_coefficients(const std::string &operand, const multivector &m, values 
     out[operand + '.' + blade_name(mask)] = m[mask];
 }
 
-rational evaluate(const json &polynomial, const values &at) {
-  rational sum = 0;
-  for (const json &term : polynomial) {
-    rational product(term.at(0).get<std::string>());
-    product.canonicalize();
-    for (const auto &[name, exponent] : term.at(1).items())
-      for (int i = 0; i < exponent.get<int>(); ++i)
-        product *= at.at(name);
-    sum += product;
-  }
-  return sum;
-}
-
 const std::map<std::string, int> grades{
     {"point", 1},  {"direction", 1}, {"point_pair", 2}, {"flat_point", 2}, {"line", 3},
     {"circle", 3}, {"plane", 4},     {"sphere", 4},     {"segment", 3},    {"triangle", 4}};

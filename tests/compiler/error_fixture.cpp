@@ -48,6 +48,12 @@ of  = ['S: sphere', 'T: sphere']
 hit = 'sign(norm2(meet(S, T))) >= 0'
 )";
 
+std::string edited(std::string text, const std::string &from, const std::string &to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
 std::string small_scene(const std::string &kernels) {
   return fmt::format("[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = [{}]\n", kernels);
 }
@@ -113,15 +119,10 @@ void check_error(const temporary_folder &folder, const std::string &scene, const
 }
 
 void check_broken(std::span<const broken> rows) {
-  const std::string base = small_algebra;
   for (const broken &row : rows) {
     INFO("'" << row.from << "' to '" << row.to << "', kernels " << row.kernels);
-    const std::size_t at = base.find(row.from);
-    REQUIRE(at != std::string::npos);
-    std::string text = base;
-    text.replace(at, std::string_view(row.from).size(), row.to);
     const temporary_folder folder;
-    folder.write("a.toml", text);
+    folder.write("a.toml", edited(small_algebra, row.from, row.to));
     folder.write("s.toml", small_scene(row.kernels));
     check_error(folder, "s.toml", row);
   }

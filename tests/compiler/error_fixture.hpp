@@ -10,6 +10,8 @@ namespace meetc::compiler_test {
 
 // A small algebra that works, a.toml; every broken spec is it with one piece of text replaced.
 extern const char *const small_algebra;
+// A text with the first `from` in it made `to`; the test fails where there is none.
+std::string edited(std::string text, const std::string &from, const std::string &to);
 
 // s.toml, the scene for it; `kernels` as the array holds them, quotes included.
 std::string small_scene(const std::string &kernels);

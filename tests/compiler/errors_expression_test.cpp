@@ -94,12 +94,7 @@ TEST_CASE("names that nothing has, and calls with too many or too few arguments"
 }
 
 TEST_CASE("columns are right after UTF-8, under a byte order mark and in CRLF files") {
-  const std::string base = small_algebra;
-  const auto with = [&](const std::string &from, const std::string &to) {
-    std::string text = base;
-    text.replace(text.find(from), from.size(), to);
-    return text;
-  };
+  const auto with = [](const std::string &from, const std::string &to) { return edited(small_algebra, from, to); };
   const auto fails = [](const std::string &text, const broken &want) {
     const temporary_folder folder;
     folder.write("a.toml", text);
@@ -118,11 +113,8 @@ TEST_CASE("columns are right after UTF-8, under a byte order mark and in CRLF fi
   fails(crlf(wrong), unknown);
   const broken later{"", "", "a.toml:20:18", "unknown name 'q'", "q", ""};
   fails("# Zwölf Boxkämpfer, \xe2\x88\xa5x\xe2\x88\xa5\xc2\xb2 \xf0\x9f\x98\x80\n" + wrong, later);
-  std::string commented = wrong; // on the line before, and behind the expression itself
-  commented.replace(commented.find("store = ['c: point', 'r: real']"), 31,
-                    "store = ['c: point', 'r: real'] # Größe ü");
-  commented.replace(commented.find("- q*r*n)'"), 9, "- q*r*n)' # é");
-  fails(commented, unknown);
+  const std::string stored = "store = ['c: point', 'r: real']"; // on the line before, and behind the expression itself
+  fails(edited(edited(wrong, stored, stored + " # Größe ü"), "- q*r*n)'", "- q*r*n)' # é"), unknown);
   // A string with UTF-8 earlier on the same line.
   fails(with("null ", "import = ['é.toml']\nnull "),
         {"", "", "a.toml:4:11", "cannot find 'é.toml'", "'é.toml'", ""});

@@ -96,11 +96,6 @@ const scene_row scenes[] = {
      "'touch/touch.hpp' would be written twice", ""},
 };
 
-std::string replaced(const std::string &from, const std::string &to) {
-  std::string text = small_algebra;
-  text.replace(text.find(from), from.size(), to);
-  return text;
-}
 } // namespace
 
 TEST_CASE("kernels that a scene cannot have") {
@@ -131,14 +126,14 @@ TEST_CASE("files that are not there, or no files") {
   check_error(folder, ".", {"", "", "", ".: is a folder, not a file", "", ""});
   folder.write("a.toml", "");
   check_error(folder, "s.toml", {"", "", "a.toml:1:1", "a.toml declares no [algebra]", "", ""});
-  folder.write("a.toml", replaced("r*r*n", std::string("r*\xff", 3)));
+  folder.write("a.toml", edited(small_algebra, "r*r*n", std::string("r*\xff", 3)));
   check_error(folder, "s.toml", {"", "", "a.toml:19:19", "invalid utf-8", "*", ""});
 }
 
 TEST_CASE("imports: missing, a folder, of another algebra, of a scene, of a broken file, and in a circle") {
   const auto fails = [](const std::string &import, const std::string &imported, const broken &want) {
     const temporary_folder folder;
-    folder.write("a.toml", replaced("null ", "import = ['" + import + "']\nnull "));
+    folder.write("a.toml", edited(small_algebra, "null ", "import = ['" + import + "']\nnull "));
     folder.write("b.toml", imported);
     folder.write("s.toml", small_scene("'touch'"));
     check_error(folder, "s.toml", want);
@@ -152,7 +147,7 @@ TEST_CASE("imports: missing, a folder, of another algebra, of a scene, of a brok
   fails("b.toml", "[functions]\n'norm2(x)' = 'x'\n",
         {"", "", "b.toml:2:1", "function 'norm2' is already declared at a.toml:32:1", "'norm2(x)'", ""});
   const temporary_folder folder; // a circle ends, and what it brings is there once
-  folder.write("a.toml", replaced("null ", "import = ['b.toml', './b.toml']\nnull "));
+  folder.write("a.toml", edited(small_algebra, "null ", "import = ['b.toml', './b.toml']\nnull "));
   folder.write("b.toml", "import = ['c.toml', 'b.toml']\n[functions]\n'b(x)' = 'c(x)'\n");
   folder.write("c.toml", "import = ['b.toml', 'a.toml']\n[functions]\n'c(x)' = 'norm2(x)'\n");
   folder.write("s.toml", small_scene("'b(sphere)'"));

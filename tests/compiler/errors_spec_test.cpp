@@ -158,11 +158,9 @@ TEST_CASE("hulls, pads and rules") {
 }
 
 TEST_CASE("equal fractions make a symmetric metric") {
-  std::string text = small_algebra;
-  text.replace(text.find(squares), std::string_view(squares).size(),
-               "metric = [[1,'1/2',0,0,0],['2/4',1,0,0,0],[0,0,1,0,0],[0,0,0,1,'-0'],[0,0,0,0,'-7/7']]");
+  const char *const metric = "metric = [[1,'1/2',0,0,0],['2/4',1,0,0,0],[0,0,1,0,0],[0,0,0,1,'-0'],[0,0,0,0,'-7/7']]";
   const temporary_folder folder;
-  folder.write("a.toml", text);
+  folder.write("a.toml", edited(small_algebra, squares, metric));
   folder.write("s.toml", small_scene("'norm2(meet(sphere, sphere))'"));
   CHECK(run_meetc("verify s.toml --cases 40", folder.path()).code == 0);
 }

@@ -7,6 +7,7 @@
 #include "gen/oracle/dense.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,21 @@ private:
 // The metric of an algebra as the oracle takes it, and the declared vectors as rows of the identity.
 oracle::matrix declared_metric(const decide::model &m);
 oracle::matrix identity(std::size_t n);
+
+// A polynomial of `--emit=json`: [coefficient, {name: exponent, ...}] by term.
+template <class Json>
+oracle::rational evaluate(const Json &polynomial, const std::map<std::string, oracle::rational> &at) {
+  oracle::rational sum = 0;
+  for (const Json &term : polynomial) {
+    oracle::rational product(term.at(0).template get<std::string>());
+    product.canonicalize();
+    for (const auto &[name, exponent] : term.at(1).items())
+      for (int i = 0; i < exponent.template get<int>(); ++i)
+        product *= at.at(name);
+    sum += product;
+  }
+  return sum;
+}
 
 dag::kernel compile_text(const compilation &c, const std::string &request);
 dag::kernel compile_expression(const compilation &c, const std::string &expression,

@@ -36,12 +36,6 @@ std::map<std::string, std::string> generated_from(const std::string &algebra, bo
   return out;
 }
 
-std::string edited(std::string text, const std::string &from, const std::string &to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
 } // namespace
 
 TEST_CASE("kinds, functions, constants and lets keep the order of the file") {

@@ -16,6 +16,16 @@ inline void check(cudaError_t e, const char *what) {
     throw std::runtime_error(std::string(what) + ": " + cudaGetErrorString(e));
 }
 
+// Whether there is no device; says so, for ctest to skip the test.
+inline bool no_device() {
+  int devices = 0;
+  if (cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0)
+    return false;
+  std::printf("skipped: no CUDA device\n");
+  return true;
+}
+inline constexpr int skipped = 77;
+
 // Device memory that frees itself.
 template <class T> class buffer {
 public:

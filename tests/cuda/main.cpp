@@ -4,11 +4,8 @@
 #include <exception>
 
 int main() {
-  int devices = 0;
-  if (cudaGetDeviceCount(&devices) != cudaSuccess || devices == 0) {
-    std::printf("skipped: no CUDA device\n");
-    return 77;
-  }
+  if (cuda_test::no_device())
+    return cuda_test::skipped;
   try {
     const long differences = cuda_test::sound_arithmetic() + cuda_test::same_decisions() + cuda_test::same_signs() +
                              cuda_test::same_formulas();

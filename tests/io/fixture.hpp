@@ -2,6 +2,7 @@
 #ifndef MEET_TESTS_IO_FIXTURE_HPP
 #define MEET_TESTS_IO_FIXTURE_HPP
 
+#include "../folder.hpp"
 #include "catch.hpp"
 
 #include "io/endian.hpp"
@@ -37,30 +38,7 @@ inline constexpr meet::kind_info sphere{"sphere", "x,y,z,r", 4, ball, 0, nullptr
 inline constexpr meet::kind_info half_space{"half_space", "nx,ny,nz,d", 4, plane, 0, nullptr, nullptr};
 inline constexpr const meet::kind_info *kinds[] = {&triangle, &segment, &sphere, &half_space};
 
-// A folder that goes with the process.
-inline const fs::path &folder() {
-  struct guard {
-    fs::path path = fs::temp_directory_path() / ("meet-test-io-" + std::to_string(::getpid()));
-    guard() { fs::create_directories(path); }
-    ~guard() {
-      std::error_code ignored;
-      fs::remove_all(path, ignored);
-    }
-  };
-  static const guard g;
-  return g.path;
-}
-
-inline fs::path put(const std::string &name, std::string_view content) {
-  const fs::path path = folder() / name;
-  std::ofstream(path, std::ios::binary).write(content.data(), static_cast<std::streamsize>(content.size()));
-  return path;
-}
-
-inline std::string get(const fs::path &path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using test_files::folder, test_files::get, test_files::put;
 
 inline meet::io::element_set read(const std::string &name, std::string_view content,
                                   const meet::io::transform &move = {}) {

@@ -87,16 +87,11 @@ struct in_fp64x2 {
   template <class Stage> MEET_HD static constexpr int floor() { return Stage::floor_fp64; }
 };
 
-MEET_HD constexpr float power_of_two(int e, float) {
-  float r = 1;
+// 2^e in the type T, e <= 0.
+template <class T> MEET_HD constexpr T power_of_two(int e, T) {
+  T r = 1;
   for (; e < 0; ++e)
-    r *= 0.5F;
-  return r;
-}
-MEET_HD constexpr double power_of_two(int e, double) {
-  double r = 1;
-  for (; e < 0; ++e)
-    r *= 0.5;
+    r *= T(0.5);
   return r;
 }
 
@@ -121,6 +116,17 @@ template <class Stage> MEET_HD inline bool all_known(const sign_set *s) {
   for (int i = 0; i < Stage::atoms; ++i)
     unsure |= s[i].bits == 7;
   return !unsure;
+}
+
+// Equal points make some polynomials vanish: their signs are zero, which no bound can tell from small numbers.
+template <class P, class Stage>
+MEET_HD inline void zero_by_equal_points(const float *row_a, const float *row_b, sign_set *s) {
+  if constexpr (P::coincidences > 0) {
+    const std::uint32_t equal = P::coincident(row_a, row_b);
+    for (int i = 0; i < Stage::atoms; ++i)
+      if (Stage::zero_if(i) & equal)
+        s[i] = sign_set::of(sign::zero);
+  }
 }
 
 // Signs with the bound K M of arithmetic A. get() says whether every sign of the stage is known.
@@ -152,16 +158,10 @@ template <class P, class A> struct bounded_signs {
   }
 
 private:
-  // Zeros that no bound can tell from small numbers: by equal points, and by the grid. A homogeneous polynomial of
-  // degree k with integer coefficients is a multiple of g^k where its inputs are multiples of g: what is less than
-  // g^k is zero.
+  // Zeros by equal points, and by the grid: a homogeneous polynomial of degree k with integer coefficients is a
+  // multiple of g^k where its inputs are multiples of g, so what is less than g^k is zero.
   template <class Stage> MEET_NOINLINE MEET_HD bool settle(const V *v, const M *m, sign_set *s) const {
-    if constexpr (P::coincidences > 0) {
-      const std::uint32_t equal = P::coincident(row_a, row_b);
-      for (int i = 0; i < Stage::atoms; ++i)
-        if (Stage::zero_if(i) & equal)
-          s[i] = sign_set::of(sign::zero);
-    }
+    zero_by_equal_points<P, Stage>(row_a, row_b, s);
     if constexpr (!std::is_same_v<M, float>) {
       const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
       for (int i = 0; i < Stage::atoms; ++i)
@@ -202,8 +202,9 @@ MEET_HD inline float power_over(float x) {
 enum class box_form : std::uint8_t { per_object, whole_box };
 
 // Signs in fp32 inside a box of side D, a power of two: every difference of two coordinates, every length and every
-// coordinate that stands alone (P::axis) is at most D, exactly. per_object also takes the objects' own extents; whole_box takes D for them ("static").
-// Stage::box_lowest <= log2 D <= Stage::box_highest must hold for every stage: see box_holds().
+// coordinate that stands alone (P::axis) is at most D, exactly. per_object also takes the objects' own extents, found
+// anew for each pair; whole_box ("static") takes D for them. Stage::box_lowest <= log2 D <= Stage::box_highest must
+// hold for every stage: see box_holds().
 template <class P, box_form F> struct boxed_signs {
   rows_in<P, float> rows;
   float d;
@@ -228,10 +229,7 @@ template <class P, box_form F> struct boxed_signs {
     }
     if constexpr (P::coincidences > 0)
       if (unsure) {
-        const std::uint32_t equal = P::coincident(rows.a, rows.b);
-        for (int i = 0; i < Stage::atoms; ++i)
-          if (Stage::zero_if(i) & equal)
-            s[i] = sign_set::of(sign::zero);
+        zero_by_equal_points<P, Stage>(rows.a, rows.b, s);
         return all_known<Stage>(s);
       }
     return !unsure;
@@ -347,13 +345,15 @@ template <class P> struct exact_signs {
   }
 
 private:
-  // e with every |difference| that the predicate forms < 2^e: by axis, from the least and the largest number.
+  // An e with |d| < 2^e for every difference d that the predicate forms and for every number that stands alone. On an
+  // axis no difference exceeds the largest number less the least; numbers of no axis count twice, since they may
+  // stand in differences with each other. -1000: all of them are zero.
   MEET_HD static int spread(const float *row_a, const float *row_b) {
     double low[4] = {0, 0, 0, 0}, high[4] = {0, 0, 0, 0};
     bool seen[4] = {false, false, false, false};
     const auto take = [&](double v, int axis) {
       const int k = axis < 0 || axis > 2 ? 3 : axis;
-      if (k == 3) // stands alone, or in a difference with its like
+      if (k == 3) // as a range from -2 |v| to 0
         v = v < 0 ? 2 * v : -2 * v;
       low[k] = seen[k] && low[k] < v ? low[k] : v;
       high[k] = k == 3 ? 0 : seen[k] && high[k] > v ? high[k] : v;

@@ -45,11 +45,12 @@ struct predicate_info {
   // By rung; rows have a->fields and b->fields floats. Null where the scene does not ask for the rung. None answers
   // unsure.
   decide_function decide[rung_count];
-  // The bounded rungs of `certified`, fp32 first, to be run on what the one before left unsure, decide[exact] last:
-  // no and yes are proved. Null without `certified`.
+  // The bounded rungs of `certified`, fp32 first, to be run on what the one before left unsure: no and yes are proved.
+  // decide[exact] is run last, so a table made by hand must fill it too: with any of the four missing the runtime has
+  // no `certified`. Null without `certified`.
   decide_function certify[bounded_rungs];
   // The first of them in a box of side D: a power of two from box_least to box_most that no difference of coordinates,
-  // no coordinate and no length of the elements exceeds. Bounds are D's own (whole_box) or also by each object's extents.
+  // no coordinate and no length of the elements exceeds. Bounds take each object's own extents, or D alone (whole_box).
   void (*certify_in_box)(float side, bool whole_box, const float *a, const float *b, const index_pair *pairs,
                          std::size_t n, answer *out);
   float box_least, box_most;
