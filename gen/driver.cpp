@@ -55,6 +55,10 @@ std::vector<emit::file> emit_all(compilation &c) {
   if (u.asks("certified")) {
     std::vector<emit::file> proofs = emit::proof_files(u);
     std::move(proofs.begin(), proofs.end(), std::back_inserter(files));
+    if (u.has_backend("cuda")) {
+      std::vector<emit::file> filter = emit::filter_proofs(u);
+      std::move(filter.begin(), filter.end(), std::back_inserter(files));
+    }
     std::sort(files.begin(), files.end(), [](const auto &a, const auto &b) { return a.path < b.path; });
   }
   for (std::size_t i = 1; i < files.size(); ++i) // sorted by path

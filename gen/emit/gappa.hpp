@@ -20,6 +20,9 @@ std::string powers_text(const bound::box_bound &b);
 // all signs that are the same but for the names of their leaves. Sorted by path.
 std::vector<file> proof_files(const unit &u);
 
+// The margins of the matrix filter of balls, for scenes with a CUDA backend.
+std::vector<file> filter_proofs(const unit &u);
+
 // The bounds of a kernel's signs as a table.
 std::string bounds_table(const unit &u, std::size_t kernel);
 
