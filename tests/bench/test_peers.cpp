@@ -58,11 +58,12 @@ struct named {
   on_triangles test;
 };
 const std::vector<named> &triangle_tests() {
-  static const std::vector<named> all{{"Moeller float, epsilon 1e-6", moller<float>(meet::peers::moller_epsilon)},
-                                      {"Moeller float, epsilon 0", moller<float>(0)},
-                                      {"Moeller double, epsilon 0", moller<double>(0)},
-                                      {"Guigue-Devillers float", guigue_devillers<float>()},
-                                      {"Guigue-Devillers double", guigue_devillers<double>()}};
+  static const std::vector<named> all{
+      {"Moeller float, epsilon 1e-6", moller<float>(meet::peers::moller_epsilon)},
+      {"Moeller float, epsilon 0", moller<float>(0)},
+      {"Moeller double, epsilon 0", moller<double>(0)},
+      {"Guigue-Devillers float", guigue_devillers<float>()},
+      {"Guigue-Devillers double", guigue_devillers<double>()}};
   return all;
 }
 
@@ -73,7 +74,8 @@ double determinant(const float *a, const float *b, const float *c, const float *
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)
       m[i][k] = static_cast<double>(rows[i][k]) - p[k];
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
@@ -117,7 +119,8 @@ bool has_area(const triangle &t) {
   return n.x != 0 || n.y != 0 || n.z != 0;
 }
 
-// Below it a rounded determinant of numbers up to 1 might have the wrong sign, or fall under Moeller's epsilon.
+// Below it a rounded determinant of numbers up to 1 might have the wrong sign, or fall under Moeller's
+// epsilon.
 constexpr double clear = 1e-3;
 
 } // namespace
@@ -247,7 +250,8 @@ TEST_CASE("a scene shrunk exactly: how often the classic tests are wrong is told
       wrong[i] += triangle_tests()[i].test(a, b) != truth;
   }
   for (std::size_t i = 0; i < wrong.size(); ++i)
-    WARN(fmt::format("{} random pairs, shrunk by 2^20: {} wrong: {}", pairs, triangle_tests()[i].name, wrong[i]));
+    WARN(fmt::format("{} random pairs, shrunk by 2^20: {} wrong: {}", pairs, triangle_tests()[i].name,
+                     wrong[i]));
 }
 
 TEST_CASE("degenerate families: how often the classic tests are wrong is told; ours keep their answers") {

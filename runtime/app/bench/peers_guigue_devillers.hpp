@@ -73,8 +73,7 @@ MEET_HD inline bool from_beyond_edge(const flat<T> &p1, const flat<T> &q1, const
                                      const flat<T> &p2, const flat<T> &r2) {
   if (area(r2, p2, q1) >= 0)
     return area(p1, p2, q1) >= 0 ? area(p1, q1, r2) >= 0 : area(q1, r1, p2) >= 0 && area(r1, p1, p2) >= 0;
-  return area(r2, p2, r1) >= 0 && area(p1, p2, r1) >= 0 &&
-         (area(p1, r1, r2) >= 0 || area(q1, r1, r2) >= 0);
+  return area(r2, p2, r1) >= 0 && area(p1, p2, r1) >= 0 && (area(p1, r1, r2) >= 0 || area(q1, r1, r2) >= 0);
 }
 
 // The same where a.p lies beyond both edges that meet in the corner r of b: the region R2.
@@ -83,8 +82,7 @@ MEET_HD inline bool from_beyond_corner(const flat<T> &p1, const flat<T> &q1, con
                                        const flat<T> &p2, const flat<T> &q2, const flat<T> &r2) {
   if (area(r2, p2, q1) >= 0) {
     if (area(r2, q2, q1) <= 0)
-      return area(p1, p2, q1) > 0 ? area(p1, q2, q1) <= 0
-                                  : area(p1, p2, r1) >= 0 && area(q1, r1, p2) >= 0;
+      return area(p1, p2, q1) > 0 ? area(p1, q2, q1) <= 0 : area(p1, p2, r1) >= 0 && area(q1, r1, p2) >= 0;
     return area(p1, q2, q1) <= 0 && area(r2, q2, r1) <= 0 && area(q1, r1, q2) >= 0;
   }
   if (area(r2, p2, r1) < 0)

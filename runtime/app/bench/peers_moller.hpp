@@ -40,9 +40,7 @@ template <class T> struct distances {
   MEET_HD bool in_plane() const { return d0 == 0 && d1 == 0 && d2 == 0; }
 };
 
-template <class T> struct interval {
-  T low, high;
-};
+template <class T> struct interval { T low, high; };
 // Where the two edges of the corner `a`, which is alone on its side, cross the plane. p: places along the
 // line's axis.
 template <class T> MEET_HD inline interval<T> crossings(T pa, T pb, T pc, T da, T db, T dc) {

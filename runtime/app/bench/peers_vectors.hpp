@@ -6,9 +6,7 @@
 
 namespace meet::peers {
 
-template <class T> struct vec {
-  T x, y, z;
-};
+template <class T> struct vec { T x, y, z; };
 template <class T> MEET_HD inline vec<T> operator-(const vec<T> &a, const vec<T> &b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
@@ -37,9 +35,7 @@ template <class T> MEET_HD inline T along(const vec<T> &v, int axis) {
 }
 
 // A point of the plane that is left when an axis is dropped; the order keeps orientation.
-template <class T> struct flat {
-  T x, y;
-};
+template <class T> struct flat { T x, y; };
 template <class T> MEET_HD inline flat<T> dropped(const vec<T> &v, int axis) {
   return {axis == 0 ? v.y : axis == 1 ? v.z : v.x, axis == 0 ? v.z : axis == 1 ? v.x : v.y};
 }
