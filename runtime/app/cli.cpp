@@ -1,11 +1,12 @@
 #include "app/cli.hpp"
 
+#include "app/bench/options.hpp"
 #include "app/choose.hpp"
 #include "app/collide_command.hpp"
 #include "app/demo_command.hpp"
 #include "app/failure.hpp"
 #include "app/inspect_command.hpp"
-#include "core/threads.hpp"
+#include "app/option_values.hpp"
 #include "io/number.hpp"
 #include "io/text.hpp"
 
@@ -57,18 +58,12 @@ template <std::size_t N> std::array<double, N> numbers(const char *option, std::
   return out;
 }
 
-int threads_named(const std::string &text) {
-  std::int64_t n = 0;
-  if (!io::parse_integer(text, n) || n < 0 || n > max_threads)
-    throw failure(fmt::format("--threads: {} is not a number from 0 to {}", io::quote(text), max_threads));
-  return static_cast<int>(n);
-}
-
 // What CLI11 fills; strings where its own conversion says less than ours.
 struct arguments {
   collide_request collide;
   inspect_request inspect;
   std::filesystem::path demo_folder = "meet-demo";
+  bench_arguments bench;
   std::string precision = "certified", device = "auto";
   std::optional<std::string> translate, scale, matrix, threads;
   CLI::App *collide_command = nullptr, *inspect_command = nullptr, *demo_command = nullptr;
@@ -142,6 +137,8 @@ std::string obey(arguments &args) {
     return inspect(all, args.inspect);
   if (args.demo_command->parsed())
     return demo(all, args.demo_folder, 0);
+  if (args.bench.command->parsed())
+    return bench(all, args.bench);
   collide_request &q = args.collide;
   q.where = place_named(args.device);
   q.precision = precision_named(args.precision);
@@ -186,14 +183,22 @@ bool contains(const std::string &text, const char *part) {
 // CLI11's words, or better ones, in one line.
 std::string in_one_line(const CLI::Error &e, const arguments &args, int argc, char **argv) {
   const CLI::App *command = nullptr;
-  for (const CLI::App *c : {args.collide_command, args.inspect_command, args.demo_command})
+  for (const CLI::App *c :
+       {args.collide_command, args.inspect_command, args.demo_command, args.bench.command})
     if (argc > 1 && c->get_name() == argv[1])
       command = c;
-  const std::string more = fmt::format("meet {}--help says more", command ? command->get_name() + " " : "");
+  std::string name = command ? command->get_name() + " " : "";
+  if (command == args.bench.command && argc > 2 && args.bench.paper_command->get_name() == argv[2])
+    name += args.bench.paper_command->get_name() + " ";
+  else if (command == args.bench.command)
+    return fmt::format("meet bench: {}; known: paper (meet bench --help says more)",
+                       argc < 3 ? "what to measure is needed" : "unknown " + io::quote(argv[2]));
+  const std::string more = fmt::format("meet {}--help says more", name);
   if (!command && (argc < 2 || argv[1][0] == '-'))
-    return fmt::format("a command is needed first: collide, inspect or demo ({})", more);
+    return fmt::format("a command is needed first: collide, inspect, demo or bench ({})", more);
   if (!command)
-    return fmt::format("unknown command {}; known: collide, inspect, demo ({})", io::quote(argv[1]), more);
+    return fmt::format("unknown command {}; known: collide, inspect, demo, bench ({})", io::quote(argv[1]),
+                       more);
   std::string what = e.what();
   const std::string option = what.substr(0, what.find(':'));
   if (contains(what, "At Most 1 required"))
@@ -218,6 +223,7 @@ int run(int argc, char **argv) {
     add_collide(app, args);
     add_inspect(app, args);
     add_demo(app, args);
+    add_bench(app, args.bench);
     try {
       app.parse(argc, argv);
     } catch (const CLI::CallForHelp &) {

@@ -9,8 +9,6 @@ namespace meet::app {
 
 namespace {
 
-constexpr int width = 1600, height = 900;
-
 io::rgb bytes(colour c) {
   return {c.r, c.g, c.b};
 }
@@ -23,8 +21,8 @@ struct kept {
 
 shape shape_of(const painted &side, kept &keep) {
   const io::element_set &set = side.set;
-  keep.hit.resize(set.elements);
-  for (std::size_t i = 0; i < set.elements; ++i)
+  keep.hit.resize(side.hit.empty() ? 0 : set.elements);
+  for (std::size_t i = 0; i < keep.hit.size(); ++i)
     keep.hit[i] = side.hit[set.owner_of(i)];
   shape s;
   s.rows = set.data;
@@ -62,12 +60,17 @@ void write_coloured(const std::filesystem::path &path, const painted &side) {
   io::write_ply(path, side.set, colours);
 }
 
-void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const view &from) {
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const view &from,
+                   int width, int height) {
   std::vector<kept> keep(sides.size());
   std::vector<shape> shapes;
   for (std::size_t i = 0; i < sides.size(); ++i)
     shapes.push_back(shape_of(sides[i], keep[i]));
-  const std::vector<std::uint8_t> png = encode_png(render_panels(shapes, from, width, height));
+  write_png(path, render_panels(shapes, from, width, height));
+}
+
+void write_png(const std::filesystem::path &path, const image &picture) {
+  const std::vector<std::uint8_t> png = encode_png(picture);
   io::atomic_file file(path);
   file.write({reinterpret_cast<const char *>(png.data()), png.size()});
   file.commit();

@@ -15,7 +15,7 @@ namespace meet::app {
 // What is painted of one side.
 struct painted {
   const io::element_set &set;
-  const std::vector<std::uint8_t> &hit; // one an item
+  const std::vector<std::uint8_t> &hit; // one an item; empty: hits are not shown
   std::string name;
   colour base, hit_colour;
 };
@@ -29,7 +29,9 @@ void write_coloured(const std::filesystem::path &path, const painted &side);
 
 // A PNG of the sides together and each alone. Throws io::error.
 void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides,
-                   const view &from = {});
+                   const view &from = {}, int width = 1600, int height = 900);
+
+void write_png(const std::filesystem::path &path, const image &picture);
 
 } // namespace meet::app
 

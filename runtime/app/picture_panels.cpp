@@ -44,7 +44,7 @@ std::string describe(const shape &s) {
   const char *const kinds[] = {"triangle", "sphere", "segment"};
   const std::size_t n = elements(s), h = hits(s);
   return (s.name.empty() ? "" : s.name + ": ") + grouped(n) + " " + kinds[static_cast<int>(s.what)] +
-         (n == 1 ? ", " : "s, ") + grouped(h) + " hit";
+         (n == 1 ? "" : "s") + (s.hit.empty() ? "" : ", " + grouped(h) + " hit");
 }
 
 struct canvas {
@@ -65,9 +65,10 @@ struct canvas {
       draw_text(picture, x + (i % 3 - 1) * scale, y + (i / 3 - 1) * scale, words, scale, {247, 248, 248});
     draw_text(picture, x, y, words, scale, palette::ink);
   }
-  // A square of the shape's colour and one of its hits' colour, then words.
+  // A square of the shape's colour and one of its hits' colour, where hits are shown; then words.
   void key(int x, int y, const shape &s, std::string_view words) {
-    for (const colour c : {s.base, s.hit_colour}) {
+    for (int square = 0; square < (s.hit.empty() ? 1 : 2); ++square) {
+      const colour c = square == 0 ? s.base : s.hit_colour;
       for (int v = 0; v < 7 * scale; ++v)
         for (int u = 0; u < 7 * scale; ++u)
           if (x + u < picture.width && y + v < picture.height) {

@@ -1,0 +1,29 @@
+// app/bench/options.hpp: the command line of `meet bench` and its subcommands.
+#ifndef MEET_APP_BENCH_OPTIONS_HPP
+#define MEET_APP_BENCH_OPTIONS_HPP
+
+#include "app/bench/paper_command.hpp"
+
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace meet::app {
+
+struct bench_arguments {
+  paper_request paper;
+  std::optional<std::string> threads;
+  CLI::App *command = nullptr, *paper_command = nullptr;
+};
+
+void add_bench(CLI::App &app, bench_arguments &to);
+
+// What the subcommand that was parsed prints.
+std::string bench(const catalogue &all, bench_arguments &args);
+
+} // namespace meet::app
+
+#endif

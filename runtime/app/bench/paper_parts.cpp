@@ -1,0 +1,69 @@
+#include "app/bench/paper_parts.hpp"
+
+#include "app/failure.hpp"
+#include "app/report.hpp"
+#include "app/sets.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace meet::app {
+
+search search_pairs(const paper_context &c, const io::element_set &a, const io::element_set &b, bool keep) {
+  search s;
+  how h;
+  h.by = choose(c.all, *a.kind, *b.kind, {}, {});
+  h.box = c.all.box;
+  h.keep = keep;
+  h.threads = c.threads;
+  s.found = collide_sets(a, b, h);
+
+  std::optional<prepared> ready_a, ready_b;
+  const auto make_ready = [&] {
+    ready_a.emplace(prepare(a, 1));
+    ready_b.emplace(prepare(b, 1));
+  };
+  make_ready();
+  collide_options options;
+  options.mode = collide_mode::count;
+  options.threads = 1;
+  options.box = c.all.box;
+  const auto find = [&](rung precision) {
+    const prepared &first = h.by.swapped ? *ready_b : *ready_a, &second = h.by.swapped ? *ready_a : *ready_b;
+    ::meet::collide(first, second, *h.by.predicate, precision, options);
+  };
+  const std::vector<double> times =
+      c.by.measure({make_ready, [&] { find(rung::certified); }, [&] { find(rung::fp32); }}, c.runs);
+  s.time = times[0] + times[1];
+  s.certified_over_fp32 = times[1] / times[2];
+  return s;
+}
+
+std::vector<column> device_columns() {
+  return {
+      {"gpu_ms", "GPU|ms"}, {"gpu_ms_with_transfers", "with|transfers"}, {"core_over_gpu", "one core|/ GPU"}};
+}
+
+device_cells ask_device(const paper_context &c, const io::element_set &a, const io::element_set &b,
+                        std::uint64_t pairs, double one_core) {
+  if (!c.device)
+    return {{missing("no device"), missing("no device"), missing("no device")}, 0};
+  const device_time t = c.device->time({a, b, choose(c.all, *a.kind, *b.kind, {}, {})}, c.runs);
+  if (t.pairs != pairs)
+    throw failure(fmt::format("{}: {} pairs found on the device, {} on the CPU, of {} and {}",
+                              c.device->name(), grouped(t.pairs), grouped(pairs), counted(a), counted(b)),
+                  no_device);
+  return {{of_milliseconds(t.seconds), of_milliseconds(t.seconds_with_transfers),
+           of_ratio(c.by.seconds(one_core) / t.seconds_with_transfers)},
+          t.seconds_with_transfers / c.by.seconds(1)};
+}
+
+decide_function decide_by(const choice &by, rung precision) {
+  const decide_function f = by.predicate->decide[static_cast<int>(precision)];
+  if (!f)
+    throw failure(fmt::format("{} was not generated for {}", by.predicate->name, name_of(precision)));
+  return f;
+}
+
+} // namespace meet::app
