@@ -2,6 +2,7 @@
 #ifndef MEET_APP_BENCH_OPTIONS_HPP
 #define MEET_APP_BENCH_OPTIONS_HPP
 
+#include "app/bench/gpu_command.hpp"
 #include "app/bench/paper_command.hpp"
 
 #include <optional>
@@ -15,8 +16,9 @@ namespace meet::app {
 
 struct bench_arguments {
   paper_request paper;
+  gpu_request gpu;
   std::optional<std::string> threads;
-  CLI::App *command = nullptr, *paper_command = nullptr;
+  CLI::App *command = nullptr, *paper_command = nullptr, *gpu_command = nullptr;
 };
 
 void add_bench(CLI::App &app, bench_arguments &to);
