@@ -23,7 +23,8 @@ bool may_be_contained(const collide_report &r) {
 std::string predicate_in_words(const how &h) {
   const predicate_info &p = *h.by.predicate;
   const std::string mode = *p.mode ? fmt::format(" ({})", p.mode) : "";
-  return fmt::format("{}{}, {}, on the CPU", p.name, mode, name_of(h.precision));
+  return fmt::format("{}{}, {}, on the {}", p.name, mode, name_of(h.precision),
+                     h.where == place::cuda ? "CUDA device" : "CPU");
 }
 
 std::string file_lines(const collide_report &r) {

@@ -155,34 +155,53 @@ struct sink {
   pair_list yes, unsure;
 };
 
+// Pairs a lane takes at once from a long list: their rows are on their way together, and counters are asked less often.
+// From a short one it takes one, so that all lanes have work.
+inline constexpr int step_pairs = 4;
+
+// The share of a list that a warp takes at a time, and where it begins.
+struct walk {
+  unsigned long long n, at, stride;
+  unsigned each; // pairs a lane
+  __device__ explicit walk(const pair_list &l) : n(l.count && *l.count < l.capacity ? *l.count : l.capacity) {
+    const unsigned long long lanes = gridDim.x * std::size_t{step_threads};
+    each = n >= lanes * step_pairs ? step_pairs : 1;
+    at = (blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32) * each;
+    stride = lanes * each;
+  }
+  // The place of this lane's pair k, from n on where there is none.
+  __device__ unsigned long long place(unsigned k) const {
+    return k < each ? at + threadIdx.x % 32 + 32 * k : n;
+  }
+};
+
 // in.count may be null: then in.capacity pairs are there.
 template <class P, class Of>
 __global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, const float *b, pair_list in, sink to) {
-  const unsigned long long n = in.count && *in.count < in.capacity ? *in.count : in.capacity;
-  const unsigned long long stride = gridDim.x * std::size_t{step_threads};
-  // A warp stays whole: each lane has a pair or none.
-  for (unsigned long long at = blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32; at < n; at += stride) {
-    const unsigned long long i = at + threadIdx.x % 32;
-    index_pair p{0, 0};
-    answer x = answer::no;
-    if (i < n) {
-      p = in.pairs[i];
-      x = Of::of(a + std::size_t{p.a} * P::inputs_a, b + std::size_t{p.b} * P::inputs_b);
+  // A warp stays whole: each lane has pairs or none.
+  for (walk w(in); w.at < w.n; w.at += w.stride) {
+    index_pair p[step_pairs] = {};
+    unsigned yes = 0, unsure = 0;
+    MEET_ROLLED
+    for (int k = 0; k < step_pairs; ++k) {
+      const unsigned long long i = w.place(k);
+      if (i >= w.n)
+        break;
+      const index_pair q = in.pairs[i];
+      const answer x = Of::of(a + std::size_t{q.a} * P::inputs_a, b + std::size_t{q.b} * P::inputs_b);
+      yes |= (x == answer::yes) << k;
+      unsure |= (x == answer::unsure) << k;
       if (to.answers)
         to.answers[i] = x;
     }
     if (to.answers)
       continue;
-    if (__any_sync(~0U, x == answer::yes)) {
-      const unsigned long long place = places(x == answer::yes, to.yes.count);
-      if (x == answer::yes)
-        write(to.yes, place, p.a, p.b);
-    }
-    if (__any_sync(~0U, x == answer::unsure)) {
-      const unsigned long long place = places(x == answer::unsure, to.unsure.count);
-      if (x == answer::unsure)
-        write(to.unsure, place, p.a, p.b);
-    }
+#pragma unroll
+    for (int k = 0; k < step_pairs; ++k)
+      if ((yes | unsure) >> k & 1)
+        p[k] = in.pairs[w.place(k)];
+    append(yes, p, to.yes);
+    append(unsure, p, to.unsure);
   }
 }
 
@@ -199,30 +218,32 @@ template <class A, class B> MEET_HD inline bool boxes_touch(const float *a, cons
 template <class P, class A, class B, bool Reject>
 __global__ void __launch_bounds__(step_threads)
     near_kernel(const float *a, const float *b, pair_list in, pair_list kept, unsigned long long *touching) {
-  const unsigned long long n = *in.count < in.capacity ? *in.count : in.capacity;
-  const unsigned long long stride = gridDim.x * std::size_t{step_threads};
   unsigned long long touched = 0;
-  for (unsigned long long at = blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32; at < n; at += stride) {
-    const unsigned long long i = at + threadIdx.x % 32;
-    index_pair p{0, 0};
-    bool keep = false;
-    if (i < n) {
-      p = in.pairs[i];
-      const float *x = a + std::size_t{p.a} * P::inputs_a, *y = b + std::size_t{p.b} * P::inputs_b;
-      keep = boxes_touch<A, B>(x, y);
-      touched += keep;
-      if constexpr (Reject && P::reject_stage::atoms > 0)
-        if (keep && standard_environment()) {
+  for (walk w(in); w.at < w.n; w.at += w.stride) {
+    index_pair p[step_pairs] = {};
+    unsigned keep = 0;
+#pragma unroll
+    for (int k = 0; k < step_pairs; ++k) {
+      const unsigned long long i = w.place(k);
+      if (i < w.n)
+        p[k] = in.pairs[i];
+      const bool touch = i < w.n && boxes_touch<A, B>(a + std::size_t{p[k].a} * P::inputs_a, b + std::size_t{p[k].b} * P::inputs_b);
+      keep |= touch << k;
+    }
+    touched += __popc(keep);
+    if constexpr (Reject && P::reject_stage::atoms > 0)
+      if (standard_environment()) {
+        MEET_ROLLED
+        for (unsigned left = keep; left; left &= left - 1) {
+          const int k = __ffs(left) - 1;
+          const index_pair q = in.pairs[w.place(k)];
           sign_set s[P::atoms + 1];
-          bounded_signs<P, in_fp32>(x, y).template get<typename P::reject_stage>(s);
-          keep = can_be_false(P::rejected(s));
+          bounded_signs<P, in_fp32>(a + std::size_t{q.a} * P::inputs_a, b + std::size_t{q.b} * P::inputs_b)
+              .template get<typename P::reject_stage>(s);
+          keep &= ~(static_cast<unsigned>(!can_be_false(P::rejected(s))) << k);
         }
-    }
-    if (__any_sync(~0U, keep)) {
-      const unsigned long long to = places(keep, kept.count);
-      if (keep)
-        write(kept, to, p.a, p.b);
-    }
+      }
+    append(keep, p, kept);
   }
   for (int d = 16; d > 0; d /= 2)
     touched += __shfl_xor_sync(~0U, touched, d);
@@ -251,7 +272,7 @@ cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs,
                         cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  const std::size_t blocks = (n + step_threads - 1) / step_threads;
+  const std::size_t blocks = (n + step_threads * step_pairs - 1) / (step_threads * step_pairs);
   decide_kernel<P, Of><<<blocks < 0x7fffffff ? static_cast<unsigned>(blocks) : 0x7fffffff, step_threads, 0, stream>>>(
       a, b, {const_cast<index_pair *>(pairs), nullptr, n}, {out, {}, {}}); // read alone
   return cudaGetLastError();

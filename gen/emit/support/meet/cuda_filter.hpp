@@ -32,6 +32,33 @@ __device__ inline unsigned long long places(unsigned n, unsigned long long *coun
   return __shfl_sync(~0U, at, 31) + up_to - n;
 }
 
+// Appends the pairs of this warp's lanes that are marked, up to Each of them a lane; bit k of `marks` is pair k. One
+// addition for all: many lists have one counter, and it takes one at a time.
+template <int Each>
+__device__ inline void append(unsigned marks, const index_pair (&pairs)[Each], const pair_list &to) {
+  const unsigned lane = threadIdx.x % 32;
+  unsigned total = 0;
+  unsigned lanes[Each];
+#pragma unroll
+  for (int k = 0; k < Each; ++k) {
+    lanes[k] = __ballot_sync(~0U, marks >> k & 1);
+    total += __popc(lanes[k]);
+  }
+  if (total == 0)
+    return;
+  unsigned long long at = 0;
+  if (lane == 0)
+    at = atomicAdd(to.count, static_cast<unsigned long long>(total));
+  at = __shfl_sync(~0U, at, 0);
+#pragma unroll
+  for (int k = 0; k < Each; ++k) {
+    const unsigned long long place = at + __popc(lanes[k] & ((1U << lane) - 1));
+    if ((marks >> k & 1) && place < to.capacity)
+      to.pairs[place] = pairs[k];
+    at += __popc(lanes[k]);
+  }
+}
+
 __device__ inline void write(const pair_list &to, unsigned long long at, std::uint32_t a, std::uint32_t b) {
   if (at < to.capacity)
     to.pairs[at] = {a, b};
