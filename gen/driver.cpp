@@ -176,6 +176,11 @@ std::string bounds_text(const emit::unit &u, bool as_proofs) {
 
 int show(const show_options &o) {
   compilation c = load(o.scene);
+  if (o.emit == "separate" && o.words.empty() && o.expression.empty()) {
+    compile_all(c);
+    fmt::print("{}", emit::separate_table(*c.model, c.kernels));
+    return 0;
+  }
   const dag::request r = requested(c, o);
   if (o.emit == "spec") {
     fmt::print("{}", spec_text(*c.model, r));
@@ -191,6 +196,8 @@ int show(const show_options &o) {
     fmt::print("{}", emit::latex(*c.model, k));
   else if (o.emit == "poly")
     fmt::print("{}", emit::poly_text(*c.model, k));
+  else if (o.emit == "separate")
+    fmt::print("{}", emit::separate_text(*c.model, k));
   else if (o.emit == "dag" || o.emit == "schedule")
     fmt::print("{}", emit::dag_text(k, o.emit == "schedule"));
   else if (o.emit == "cuda" && k.is_predicate && !k.is_sign)

@@ -34,12 +34,13 @@ int main(int argc, char **argv) {
   show_options s;
   CLI::App *show_command = app.add_subcommand("show", "Print one kernel at any stage of the compiler");
   show_command->add_option("scene", s.scene, "Scene file (.toml)")->required();
-  show_command->add_option("what", s.words, "A predicate, or a function and its kinds: meet sphere line");
+  show_command->add_option("what", s.words, "A predicate, or a function and its kinds: meet sphere line; with --emit=separate also nothing,\n"
+                                               "for a table of the scene");
   show_command->add_option("-e,--expression", s.expression, "An expression instead, with --with for its operands");
   show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
   show_command->add_option("--emit", s.emit, "Stage to print")
       ->capture_default_str()
-      ->check(CLI::IsMember({"spec", "poly", "dag", "schedule", "bounds", "gappa", "json", "latex", "cpp", "cuda"}));
+      ->check(CLI::IsMember({"spec", "poly", "separate", "dag", "schedule", "bounds", "gappa", "json", "latex", "cpp", "cuda"}));
 
   try {
     app.parse(argc, argv);

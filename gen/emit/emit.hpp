@@ -31,6 +31,9 @@ std::vector<file> cpp_files(const unit &u);
 std::string json(const decide::model &m, const dag::kernel &k);
 std::string latex(const decide::model &m, const dag::kernel &k);
 std::string poly_text(const decide::model &m, const dag::kernel &k);
+// What a kernel of two operands computes as sums of products f(X) g(Y), and the numbers of them for many kernels.
+std::string separate_text(const decide::model &m, const dag::kernel &k);
+std::string separate_table(const decide::model &m, const std::vector<dag::kernel> &kernels);
 // The graph, one node a line; `schedule` in the order and with the names in which it is emitted.
 std::string dag_text(const dag::kernel &k, bool schedule);
 // A kernel's own header.

@@ -2,6 +2,7 @@
 #include "gen/emit/body.hpp"
 #include "gen/emit/emit.hpp"
 #include "gen/emit/names.hpp"
+#include "gen/poly/separate.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -146,6 +147,16 @@ std::string json_poly(const poly::poly &p) {
   return '[' + join(terms, ", ") + ']';
 }
 
+// The least sum of products f(X) g(Y).
+std::string json_separation(const poly::poly &p, int first_of_y) {
+  const poly::separation s = poly::separate(p, first_of_y);
+  std::vector<std::string> products;
+  for (const poly::product &k : s.products)
+    products.push_back(fmt::format("[{}, {}]", json_poly(k.f), json_poly(k.g)));
+  return fmt::format("{{\"products\": [{}], \"of_x\": {}, \"of_y\": {}}}", join(products, ", "), json_poly(s.of_x),
+                     json_poly(s.of_y));
+}
+
 std::string latex_name(const std::string &name) {
   std::string out;
   for (const char c : name)
@@ -206,24 +217,41 @@ std::string json(const decide::model &m, const dag::kernel &k) {
     operands.push_back(fmt::format("\"{}\": \"{}\"", k.asked.names[i], k.asked.kinds[i]->name));
   std::string out = fmt::format("{{\n  \"kernel\": \"{}\",\n  \"operands\": {{{}}},\n", k.asked.text, join(operands, ", "));
   if (k.is_predicate) {
-    std::vector<std::string> stages;
+    std::vector<std::string> stages, separated;
     static const char *const names[] = {"reject", "common", "rare"};
     const dag::stage *const all[] = {&k.decision.reject, &k.decision.common, &k.decision.rare};
     for (std::size_t s = 0; s < 3; ++s) {
-      std::vector<std::string> atoms;
-      for (const int a : all[s]->atoms)
-        atoms.push_back("      " + json_poly(k.decision.signs.atoms()[static_cast<std::size_t>(a)]));
-      stages.push_back(fmt::format("    \"{}\": [{}{}{}]", names[s], atoms.empty() ? "" : "\n", join(atoms, ",\n"),
-                                   atoms.empty() ? "" : "\n    "));
+      std::vector<std::string> atoms, sums;
+      for (const int a : all[s]->atoms) {
+        const poly::poly &atom = k.decision.signs.atoms()[static_cast<std::size_t>(a)];
+        atoms.push_back("      " + json_poly(atom));
+        sums.push_back("      " + json_separation(atom, k.decision.inputs_a));
+      }
+      const auto list = [&](const std::vector<std::string> &lines) {
+        return fmt::format("    \"{}\": [{}{}{}]", names[s], lines.empty() ? "" : "\n", join(lines, ",\n"),
+                           lines.empty() ? "" : "\n    ");
+      };
+      stages.push_back(list(atoms));
+      separated.push_back(list(sums));
     }
-    return out + fmt::format("  \"atoms\": {{\n{}\n  }}\n}}\n", join(stages, ",\n"));
+    return out + fmt::format("  \"atoms\": {{\n{}\n  }},\n  \"separate\": {{\n{}\n  }}\n}}\n", join(stages, ",\n"),
+                             join(separated, ",\n"));
   }
   const declared_formula f = in_declared_basis(m, k.asked);
   std::vector<std::string> blades;
   for (std::size_t i = 0; i < f.blades.size(); ++i)
     blades.push_back(fmt::format("    \"{}\": {}", m.declared().name(f.blades[i]), json_poly(f.values[i])));
-  return out + fmt::format("  \"blades\": {{{}{}{}}},\n  \"norm2\": {}\n}}\n", blades.empty() ? "" : "\n",
-                           join(blades, ",\n"), blades.empty() ? "" : "\n  ", json_poly(f.norm2));
+  std::string separated;
+  if (k.asked.kinds.size() == 2) {
+    const auto first_of_y = static_cast<int>(dag::support(m, *k.asked.kinds[0], true).size());
+    std::vector<std::string> sums;
+    for (std::size_t i = 0; i < f.blades.size(); ++i)
+      sums.push_back(fmt::format("    \"{}\": {}", m.declared().name(f.blades[i]), json_separation(f.values[i], first_of_y)));
+    sums.push_back(fmt::format("    \"norm2\": {}", json_separation(f.norm2, first_of_y)));
+    separated = fmt::format(",\n  \"separate\": {{\n{}\n  }}", join(sums, ",\n"));
+  }
+  return out + fmt::format("  \"blades\": {{{}{}{}}},\n  \"norm2\": {}{}\n}}\n", blades.empty() ? "" : "\n",
+                           join(blades, ",\n"), blades.empty() ? "" : "\n  ", json_poly(f.norm2), separated);
 }
 
 std::string latex(const decide::model &m, const dag::kernel &k) {

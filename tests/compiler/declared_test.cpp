@@ -149,7 +149,7 @@ void check_pair(const std::string &text, const std::string &x, const std::string
   std::vector<std::string> top;
   for (const auto &[key, value] : j.items())
     top.push_back(key);
-  CHECK(top == std::vector<std::string>{"kernel", "operands", "blades", "norm2"});
+  CHECK(top == std::vector<std::string>{"kernel", "operands", "blades", "norm2", "separate"});
   static const std::vector<std::string> order = declared_order();
   std::vector<std::string> variables;
   for (const char *operand : {"X.", "Y."})
@@ -234,7 +234,7 @@ TEST_CASE("each stage can be shown of every kernel") {
     CHECK_FALSE(emit::dag_text(*k, false).empty());
   }
   const std::string scene = '\'' + default_scene_path().string() + '\'';
-  for (const char *stage : {"spec", "poly", "dag", "schedule", "json", "latex", "cpp"})
+  for (const char *stage : {"spec", "poly", "separate", "dag", "schedule", "json", "latex", "cpp"})
     for (const char *what : {"meet sphere line", "segment_triangle", "side triangle point",
                              "-e 'norm2(meet(S, L))' --with 'S: sphere, L: line'"}) {
       INFO(stage << ' ' << what);

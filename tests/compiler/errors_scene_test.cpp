@@ -176,6 +176,7 @@ TEST_CASE("command lines that must fail") {
       {"show s.toml", "show what?"},
       {"show s.toml meet sphere spere", "no kind 'spere'"},
       {"show s.toml meet sphere sphere --emit=assembly", "--emit"},
+      {"show s.toml -e 'norm2(S)' --with 'S: sphere' --emit=separate", "'norm2(S)' has 1"},
       {"show s.toml meet 'sphere)('", "the command line:1:"},
       {"show s.toml -e 'norm2(S)' --with 'S sphere'", "expected 'name: kind'"},
       {"show s.toml -e 'norm2(S)' --with 'S: spere'", "no kind 'spere'"},

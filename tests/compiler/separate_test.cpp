@@ -9,6 +9,9 @@
 
 #include <cstdint>
 #include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 using namespace meetc;
 using namespace meetc::compiler_test;
@@ -119,6 +122,33 @@ polynomial balls(const poly::ring &r) {
   return p - (v(3) + v(7)) * (v(3) + v(7));
 }
 
+// Polynomials as JSON has them, by their variables with exponents.
+using terms = std::map<std::map<std::string, int>, mpq_class>;
+terms read_terms(const nlohmann::json &list) {
+  terms out;
+  for (const auto &t : list) {
+    mpq_class c(t.at(0).get<std::string>());
+    c.canonicalize();
+    out[t.at(1).get<std::map<std::string, int>>()] += c;
+  }
+  return out;
+}
+terms sum_of(const nlohmann::json &separation) {
+  terms out = read_terms(separation.at("of_x"));
+  for (const auto &[variables, c] : read_terms(separation.at("of_y")))
+    out[variables] += c;
+  for (const auto &product : separation.at("products"))
+    for (const auto &[f, a] : read_terms(product.at(0)))
+      for (const auto &[g, b] : read_terms(product.at(1))) {
+        std::map<std::string, int> both = f;
+        for (const auto &[name, exponent] : g)
+          both[name] += exponent;
+        out[both] += a * b;
+      }
+  std::erase_if(out, [](const auto &t) { return t.second == 0; });
+  return out;
+}
+
 } // namespace
 
 TEST_CASE("random polynomials are separated exactly, into as few terms as there can be") {
@@ -223,5 +253,64 @@ TEST_CASE("every shipped formula is separated on blades, and every meet is bilin
           CHECK(product.g.total_degree() == 1);
         }
     }
+  }
+}
+
+TEST_CASE("JSON has the sums of what it has as polynomials") {
+  const decide::model &m = *default_scene().model;
+  std::size_t seen = 0;
+  for (const dag::kernel &k : default_scene().kernels) {
+    INFO(k.asked.text);
+    const auto all = nlohmann::json::parse(emit::json(m, k));
+    const auto compare = [&](const nlohmann::json &written, const nlohmann::json &separation) {
+      CHECK(read_terms(written) == sum_of(separation));
+      ++seen;
+    };
+    if (k.is_predicate) {
+      for (const auto &[stage, atoms] : all.at("atoms").items()) {
+        REQUIRE(all.at("separate").at(stage).size() == atoms.size());
+        for (std::size_t i = 0; i < atoms.size(); ++i)
+          compare(atoms[i], all.at("separate").at(stage)[i]);
+      }
+      continue;
+    }
+    for (const auto &[blade, written] : all.at("blades").items())
+      compare(written, all.at("separate").at(blade));
+    compare(all.at("norm2"), all.at("separate").at("norm2"));
+  }
+  CHECK(seen > 250);
+}
+
+TEST_CASE("the table has every kernel of the scene, and counts every sign and value") {
+  const std::string scene = '\'' + default_scene_path().string() + '\'';
+  const outcome o = run_meetc(fmt::format("show {} --emit=separate", scene), source_folder());
+  REQUIRE(o.code == 0);
+  std::map<std::string, int> counted;
+  std::istringstream lines(o.out);
+  std::string kernel, row;
+  std::getline(lines, row);
+  const std::size_t column = row.find("  of");
+  REQUIRE(column != std::string::npos);
+  while (std::getline(lines, row) && row.rfind("columns:", 0) != 0) {
+    if (row[0] != ' ')
+      kernel = row.substr(0, row.find_last_not_of(' ', column - 1) + 1);
+    std::istringstream cells(row.substr(column));
+    std::string of;
+    int count = 0, terms = 0, products = 0, additive = 0, columns = 0, steps = 0;
+    REQUIRE(cells >> of >> count >> terms >> products >> additive >> columns >> steps);
+    counted[kernel] += count;
+    CHECK(terms == products + additive);
+    CHECK(columns == 3 * products + 2 * additive);
+    CHECK((16 * (steps - 1) < columns && columns <= 16 * steps));
+    if (kernel == "ball_ball")
+      CHECK((terms == 6 && columns == 16 && steps == 1));
+  }
+  CHECK(counted.size() == default_scene().kernels.size());
+  for (const dag::kernel &k : default_scene().kernels) {
+    INFO(k.asked.text);
+    const auto &p = k.decision;
+    CHECK(counted[k.asked.text] ==
+          static_cast<int>(k.is_predicate ? p.reject.atoms.size() + p.common.atoms.size() + p.rare.atoms.size()
+                                          : k.value.polynomials.size()));
   }
 }
