@@ -52,6 +52,52 @@ template <class Shape> MEET_HD inline void enclosing_ball(const float *row, doub
     ball[3] = (ball[3] + static_cast<double>(row[Shape::pad])) * (1 + 0x1p-50);
 }
 
+// A ball that holds the element's box, however that is rounded.
+template <class Shape> MEET_HD inline void ball_of_box(const float *row, double ball[4]) {
+  float lo[3], hi[3];
+  Shape::box(row, lo, hi);
+  double square = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double l = static_cast<double>(lo[k]), h = static_cast<double>(hi[k]);
+    ball[k] = l / 2 + h / 2;
+    const double half = h / 2 - l / 2;
+    square += half * half;
+  }
+  ball[3] = std::sqrt(square) * (1 + 0x1p-48);
+}
+
+// The ball of an object: what `c` says of each of its elements.
+template <class Shape> MEET_HD inline void object_ball(cover c, const float *rows, std::uint32_t first, std::uint32_t end, double ball[4]) {
+  const auto one = [&](std::uint32_t i, double out[4]) {
+    const float *row = rows + i * std::size_t{Shape::fields};
+    if (c == cover::box)
+      ball_of_box<Shape>(row, out);
+    else
+      enclosing_ball<Shape>(row, out);
+  };
+  if (end == first + 1)
+    return one(first, ball);
+  double lo[3], hi[3], each[4];
+  for (int k = 0; k < 3; ++k)
+    lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
+  for (std::uint32_t i = first; i < end; ++i) {
+    one(i, each);
+    for (int k = 0; k < 3; ++k)
+      lo[k] = std::fmin(lo[k], each[k] - each[3]), hi[k] = std::fmax(hi[k], each[k] + each[3]);
+  }
+  double reach = 0;
+  for (int k = 0; k < 3; ++k)
+    ball[k] = lo[k] / 2 + hi[k] / 2;
+  for (std::uint32_t i = first; i < end; ++i) {
+    one(i, each);
+    double square = 0;
+    for (int k = 0; k < 3; ++k)
+      square += (each[k] - ball[k]) * (each[k] - ball[k]);
+    reach = std::fmax(reach, std::sqrt(square) * (1 + 0x1p-48) + each[3]);
+  }
+  ball[3] = reach * (1 + 0x1p-50);
+}
+
 // Bits in the order of the numbers, and back.
 MEET_HD inline unsigned long long ordered(double x) {
   unsigned long long b;
@@ -83,7 +129,7 @@ template <class Shape> __global__ void __launch_bounds__(set_threads) enclose_ke
     lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
   for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads) {
     double ball[4];
-    enclosing_ball<Shape>(rows + i * std::size_t{Shape::fields}, ball);
+    ball_of_box<Shape>(rows + i * std::size_t{Shape::fields}, ball);
     for (int k = 0; k < 3; ++k)
       lo[k] = fmin(lo[k], ball[k] - ball[3]), hi[k] = fmax(hi[k], ball[k] + ball[3]);
   }
@@ -104,14 +150,16 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
 
 // Writes the padding too, which meets nothing.
 template <class Shape, class Form, bool First, bool Halves>
-__global__ void __launch_bounds__(set_threads) columns_kernel(const float *rows, unsigned n, const extent *around, void *columns) {
+__global__ void __launch_bounds__(set_threads)
+    columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
   const unsigned i = blockIdx.x * set_threads + threadIdx.x; // the grid is as long as the padded array
+  const std::uint32_t size = size_of(g);
   double lo[3], hi[3], ball[4] = {0, 0, 0, 0};
   for (int k = 0; k < 3; ++k)
     lo[k] = from_ordered(around->low[k]), hi[k] = from_ordered(around->high[k]);
   placing where = placing::apart;
-  if (i < n) {
-    enclosing_ball<Shape>(rows + i * std::size_t{Shape::fields}, ball);
+  if (i < (n + size - 1) / size) {
+    object_ball<Shape>(c, rows, i * size, n - i * size < size ? n : i * size + size, ball);
     where = place_ball(frame_of(lo, hi), ball);
   }
   if constexpr (Halves) {
@@ -129,19 +177,19 @@ __global__ void __launch_bounds__(set_threads) columns_kernel(const float *rows,
   }
 }
 template <class Shape, class Form>
-cudaError_t columns(filter by, bool first, const float *rows, std::uint32_t n, const extent *around, void *out,
-                    cudaStream_t stream) {
-  const unsigned blocks = blocks_for(matrix_padded(n));
+cudaError_t columns(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t n, const extent *around,
+                    void *out, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
+  const unsigned blocks = blocks_for(matrix_padded(operand{rows, n, g, nullptr}.objects()));
   if (by != filter::float32 && first)
-    columns_kernel<Shape, Form, true, true><<<blocks, set_threads, 0, stream>>>(rows, n, around, out);
+    columns_kernel<Shape, Form, true, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
   else if (by != filter::float32)
-    columns_kernel<Shape, Form, false, true><<<blocks, set_threads, 0, stream>>>(rows, n, around, out);
+    columns_kernel<Shape, Form, false, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
   else if (first)
-    columns_kernel<Shape, Form, true, false><<<blocks, set_threads, 0, stream>>>(rows, n, around, out);
+    columns_kernel<Shape, Form, true, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
   else
-    columns_kernel<Shape, Form, false, false><<<blocks, set_threads, 0, stream>>>(rows, n, around, out);
+    columns_kernel<Shape, Form, false, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
   return cudaGetLastError();
 }
 
@@ -163,7 +211,9 @@ inline constexpr int step_pairs = 4;
 struct walk {
   unsigned long long n, at, stride;
   unsigned each; // pairs a lane
-  __device__ explicit walk(const pair_list &l) : n(l.count && *l.count < l.capacity ? *l.count : l.capacity) {
+  // `times`: an entry of the list stands for so many.
+  __device__ explicit walk(const pair_list &l, unsigned times = 1)
+      : n((l.count && *l.count < l.capacity ? *l.count : l.capacity) * times) {
     const unsigned long long lanes = gridDim.x * std::size_t{step_threads};
     each = n >= lanes * step_pairs ? step_pairs : 1;
     at = (blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32) * each;
@@ -215,19 +265,32 @@ template <class A, class B> MEET_HD inline bool boxes_touch(const float *a, cons
   return touch;
 }
 
+// Pair i of a list of pairs of objects, taken apart into pairs of slots; false where a group has no such slot.
+__device__ inline bool slots_of(const index_pair *objects, unsigned long long i, const operand &a, const operand &b, index_pair &p) {
+  if (a.by == grouping::single) {
+    p = objects[i];
+    return true;
+  }
+  const index_pair q = objects[i / (group_size * group_size)];
+  const auto within = static_cast<std::uint32_t>(i % (group_size * group_size));
+  const index_pair slots{q.a * group_size + within / group_size, q.b * group_size + within % group_size};
+  const bool there = slots.a < a.elements && slots.b < b.elements;
+  p = there ? slots : index_pair{0, 0};
+  return there;
+}
+
 template <class P, class A, class B, bool Reject>
 __global__ void __launch_bounds__(step_threads)
-    near_kernel(const float *a, const float *b, pair_list in, pair_list kept, unsigned long long *touching) {
+    near_kernel(operand a, operand b, pair_list in, pair_list kept, unsigned long long *touching) {
   unsigned long long touched = 0;
-  for (walk w(in); w.at < w.n; w.at += w.stride) {
+  for (walk w(in, a.by == grouping::group ? group_size * group_size : 1); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
     unsigned keep = 0;
 #pragma unroll
     for (int k = 0; k < step_pairs; ++k) {
       const unsigned long long i = w.place(k);
-      if (i < w.n)
-        p[k] = in.pairs[i];
-      const bool touch = i < w.n && boxes_touch<A, B>(a + std::size_t{p[k].a} * P::inputs_a, b + std::size_t{p[k].b} * P::inputs_b);
+      const bool there = i < w.n && slots_of(in.pairs, i, a, b, p[k]);
+      const bool touch = there && boxes_touch<A, B>(a.rows + std::size_t{p[k].a} * P::inputs_a, b.rows + std::size_t{p[k].b} * P::inputs_b);
       keep |= touch << k;
     }
     touched += __popc(keep);
@@ -236,9 +299,10 @@ __global__ void __launch_bounds__(step_threads)
         MEET_ROLLED
         for (unsigned left = keep; left; left &= left - 1) {
           const int k = __ffs(left) - 1;
-          const index_pair q = in.pairs[w.place(k)];
+          index_pair q;
+          slots_of(in.pairs, w.place(k), a, b, q);
           sign_set s[P::atoms + 1];
-          bounded_signs<P, in_fp32>(a + std::size_t{q.a} * P::inputs_a, b + std::size_t{q.b} * P::inputs_b)
+          bounded_signs<P, in_fp32>(a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b)
               .template get<typename P::reject_stage>(s);
           keep &= ~(static_cast<unsigned>(!can_be_false(P::rejected(s))) << k);
         }
@@ -292,7 +356,7 @@ cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pa
   constexpr bool certified = asks(rung::certified);
   const auto near = [&](auto reject) {
     near_kernel<P, A, B, decltype(reject)::value>
-        <<<step_blocks, step_threads, 0, stream>>>(a.rows, b.rows, in, yes, unsure.count);
+        <<<step_blocks, step_threads, 0, stream>>>(a, b, in, yes, unsure.count);
     return cudaGetLastError();
   };
   switch (which) {

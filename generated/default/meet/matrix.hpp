@@ -22,7 +22,7 @@
 namespace meet {
 
 inline constexpr int matrix_columns = 16;
-// Objects come in tiles of 8 and arrays are padded to whole blocks.
+// Objects come in tiles of 8, and arrays have room for a whole block behind any of them.
 inline constexpr int matrix_block = 512;
 
 // Where column k of object i lies, in halves: two rows of eight 16-byte pieces a tile, as the matrix units read them.
@@ -30,7 +30,7 @@ MEET_HD constexpr std::size_t matrix_place(std::size_t i, int k) {
   return i / 8 * 128 + static_cast<std::size_t>(k / 8) * 64 + i % 8 * 8 + static_cast<std::size_t>(k % 8);
 }
 MEET_HD constexpr std::size_t matrix_padded(std::size_t objects) {
-  return (objects + matrix_block - 1) / matrix_block * matrix_block;
+  return (objects + 2 * matrix_block - 1) / matrix_block * matrix_block;
 }
 
 // The nearest half to x as its bits, ties to even; 0 below the normal range, 2^-14. |x| <= 65504.

@@ -25,11 +25,24 @@ struct extent {
   unsigned long long low[3], high[3];
 };
 
+// What the filter takes as one object: an element, or a group of neighbouring slots. Groups are few, so that far fewer
+// pairs are looked at; pairs of groups that may touch are then taken apart.
+enum class grouping : std::uint8_t { single, group };
+inline constexpr std::uint32_t group_size = 8;
+constexpr std::uint32_t size_of(grouping g) { return g == grouping::group ? group_size : 1; }
+
+// What an object's ball encloses: the elements, or their boxes too. Where it is the boxes, the filter lets every pair
+// through whose boxes touch.
+enum class cover : std::uint8_t { element, box };
+
 // A set in place: rows of floats, and what the filter reads, as X or as Y.
 struct operand {
   const float *rows;
   std::uint32_t elements;
-  const void *columns; // half_bytes or float_bytes an element, for matrix_padded(elements) of them
+  grouping by;
+  const void *columns; // half_bytes or float_bytes an object, for matrix_padded(objects) of them
+
+  std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
 };
 inline constexpr std::size_t half_bytes = 2 * matrix_columns, float_bytes = 20;
 
@@ -52,17 +65,18 @@ struct probe_result {
 struct kind_launchers {
   const char *name;
   int fields;
-  // Widens *around, which clear_extent() has emptied, by the elements' enclosing balls.
+  // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
-  // The filter's columns of all elements in the frame of *around: as X (first) or Y.
-  cudaError_t (*columns)(filter by, bool first, const float *rows, std::uint32_t elements, const extent *around,
-                         void *columns, cudaStream_t stream);
+  // The filter's columns of all objects in the frame of *around: as X (first) or Y.
+  cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
+                         const extent *around, void *columns, cudaStream_t stream);
 };
 
-// A part of the product of two sets; the ends of X's slots are multiples of matrix_block, or its end, and so are Y's.
+// A part of the product of two sets' objects; first_a and first_b are multiples of part_step.
 struct part {
   std::uint32_t first_a, end_a, first_b, end_b;
 };
+inline constexpr std::uint32_t part_step = 64;
 
 // What a decision step runs on a list of candidates.
 enum class step : std::uint8_t {
@@ -75,8 +89,8 @@ enum class step : std::uint8_t {
 struct predicate_launchers {
   const char *name;
   int kind_a, kind_b; // places in the catalogue's kinds
-  // Reads min(*in.count, in.capacity) pairs of slots. near_*: what is kept goes to `yes`, and the number of pairs with
-  // touching boxes is added to *unsure.count. Else hits go to `yes` and what certify_* cannot tell to `unsure`.
+  // Reads min(*in.count, in.capacity) pairs. near_*: they are of objects, are taken apart into pairs of slots, what is
+  // kept goes to `yes`, and the number of pairs with touching boxes is added to *unsure.count. Else: of slots; hits go to `yes` and what certify_* cannot tell to `unsure`.
   // cudaErrorInvalidValue where the scene does not ask for the rung.
   cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                      cudaStream_t stream);
@@ -89,7 +103,7 @@ struct catalogue {
   const predicate_launchers *predicates;
   int predicate_count;
   cudaError_t (*clear_extent)(extent *around, cudaStream_t stream);
-  // Appends the pairs of slots in the part whose enclosing balls may touch. Stops early, and may leave pairs out of the
+  // Appends the pairs of objects in the part whose enclosing balls may touch. Both operands are grouped alike. Stops early, and may leave pairs out of the
   // count, once the list is full.
   cudaError_t (*candidates)(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream);
   // Refutes the model of the matrix units, or does not; checks the arithmetic that the bounds assume.

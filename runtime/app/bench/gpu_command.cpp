@@ -104,17 +104,19 @@ public:
         continue;
       const filtered r = filter_alone(f, on_a, on_b);
       const double limit = pairs_a_clock(on_.facts()) * on_.facts().multiprocessors * r.hertz;
-      add(fmt::format("filter alone, {}", name_of(f)), r.found, r.seconds, f == cuda::filter::float32 ? 0 : limit, 0);
+      add(fmt::format("filter alone, {}, every pair", name_of(f)), r.found, r.seconds, f == cuda::filter::float32 ? 0 : limit, 0);
       if (f != cuda::filter::float32)
         t.notes.push_back(fmt::format("{}: clock {:.0f} MHz in the run, so the limit is {:.1f} Tpairs/s.", name_of(f),
                                       r.hertz / 1e6, limit / 1e12));
       if (f == on_.best_filter()) {
-        const whole_query plain = query(f, rung::fp32, a, b, on_a, on_b, p);
-        add("query, plain fp32", plain.found, plain.seconds, limit, plain.with_transfers);
+        const whole_query plain = query(f, cuda::grouping::single, rung::fp32, a, b, on_a, on_b, p);
+        add("query, plain fp32, every pair", plain.found, plain.seconds, limit, plain.with_transfers);
       }
-      const whole_query certified = query(f, rung::certified, a, b, on_a, on_b, p);
-      add(fmt::format("query, certified, {}", name_of(f)), certified.found, certified.seconds,
+      const whole_query certified = query(f, cuda::grouping::single, rung::certified, a, b, on_a, on_b, p);
+      add(fmt::format("query, certified, {}, every pair", name_of(f)), certified.found, certified.seconds,
           f == cuda::filter::float32 ? 0 : limit, certified.with_transfers);
+      const whole_query grouped = query(f, cuda::grouping::group, rung::certified, a, b, on_a, on_b, p);
+      add(fmt::format("query, certified, {}, groups", name_of(f)), grouped.found, grouped.seconds, 0, grouped.with_transfers);
     }
     return t;
   }
@@ -136,6 +138,7 @@ public:
       const auto time = [&](rung precision) {
         device_options o;
         o.mode = collide_mode::count;
+        o.by = cuda::grouping::single;
         std::vector<double> seconds;
         for (int i = 0; i <= runs; ++i) {
           const device_result r = ::meet::collide(on_, on_a, on_b, p, precision, o);
@@ -180,7 +183,10 @@ private:
   };
   filtered filter_alone(cuda::filter f, device_set &a, device_set &b) {
     const device_set &frame = b.elements() < a.elements() ? a : b;
-    const cuda::operand x = a.as(f, true, frame), y = b.as(f, false, frame);
+    const auto as = [&](device_set &s, bool first) {
+      return s.as(f, cuda::grouping::single, cuda::cover::element, first, frame);
+    };
+    const cuda::operand x = as(a, true), y = as(b, false);
     list_.reserve(std::size_t{1} << 26, "a list of candidates");
     counts_.reserve(1, "a counter");
     const auto once = [&] {
@@ -197,10 +203,11 @@ private:
     std::uint64_t found;
     double seconds, with_transfers;
   };
-  whole_query query(cuda::filter f, rung precision, const prepared &a, const prepared &b, device_set &on_a, device_set &on_b,
+  whole_query query(cuda::filter f, cuda::grouping by, rung precision, const prepared &a, const prepared &b, device_set &on_a, device_set &on_b,
                     const predicate_info &p) {
     device_options o;
     o.filter = f;
+    o.by = by;
     std::vector<double> seconds, whole;
     std::uint64_t found = 0;
     for (int i = 0; i <= runs; ++i) {
@@ -228,7 +235,8 @@ private:
 
 constexpr const char *rules =
     "A filter alone lists pairs whose enclosing balls may touch; a query is the whole: columns where the sets are new, "
-    "filter, boxes, rungs, sorted pairs. With transfers: from the host's memory to the pairs in it, with the extent and the "
+    "filter, boxes, rungs, sorted pairs. It looks at every pair of elements, or of groups of 8 neighbours, which it takes "
+    "apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's memory to the pairs in it, with the extent and the "
     "columns of both sets.";
 
 } // namespace

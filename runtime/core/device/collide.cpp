@@ -12,7 +12,9 @@
 namespace meet {
 namespace {
 
-constexpr std::size_t least_capacity = std::size_t{matrix_block} * matrix_block, first_capacity = std::size_t{1} << 22;
+// The smallest part, of groups taken apart, fills no list.
+constexpr std::size_t least_capacity = std::size_t{cuda::part_step} * cuda::part_step * cuda::group_size * cuda::group_size;
+constexpr std::size_t first_capacity = std::size_t{1} << 22;
 
 void require(bool holds, const char *what) {
   if (!holds)
@@ -30,8 +32,10 @@ const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const 
 struct device_ladder {
   cuda::step first = cuda::step::near_boxes;
   std::vector<cuda::step> steps;
+  bool plain;
 
-  device_ladder(const predicate_info &p, rung precision) {
+  device_ladder(const predicate_info &p, rung precision)
+      : plain(precision != rung::exact && precision != rung::certified) {
     const bool known = p.decide[static_cast<int>(precision)] != nullptr;
     require(known, text(status::no_such_rung));
     switch (precision) {
@@ -70,10 +74,11 @@ public:
     start_clock();
     if (a_.elements() > 0 && b_.elements() > 0) {
       const device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
-      x_ = a_.as(result_.filter, true, frame);
-      y_ = b_.as(result_.filter, false, frame);
+      const cuda::cover c = ladder_.plain ? cuda::cover::box : cuda::cover::element;
+      x_ = a_.as(result_.filter, options_.by, c, true, frame);
+      y_ = b_.as(result_.filter, options_.by, c, false, frame);
       take_room();
-      go_through({0, a_.elements(), 0, b_.elements()});
+      go_through({0, x_.objects(), 0, y_.objects()});
     }
     if (options_.mode == collide_mode::any)
       result_.count = result_.count > 0;
@@ -143,14 +148,23 @@ private:
   cuda::pair_list count_only(counter c) const { return {nullptr, buffers_.counts.data() + static_cast<int>(c), 0}; }
   unsigned long long seen(counter c) const { return buffers_.seen[static_cast<int>(c)]; }
 
+  bool overflowed() const {
+    return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_;
+  }
+  // Pairs of objects that no list is too short for.
+  std::uint64_t always_fits() const {
+    const std::uint64_t size = cuda::size_of(options_.by);
+    return capacity_ / (size * size);
+  }
+
   static std::uint64_t area(const cuda::part &p) {
     return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b);
   }
-  // Halves of the longer side, cut between blocks.
+  // Halves of the longer side, cut between whole blocks where it has several.
   static std::pair<cuda::part, cuda::part> halves(const cuda::part &p) {
     const auto middle = [](std::uint32_t from, std::uint32_t to) {
-      const std::uint32_t blocks = (to - from + matrix_block - 1) / matrix_block;
-      return from + blocks / 2 * matrix_block;
+      const std::uint32_t unit = to - from > matrix_block ? matrix_block : cuda::part_step;
+      return from + (to - from + unit - 1) / unit / 2 * unit;
     };
     cuda::part x = p, y = p;
     if (p.end_a - p.first_a > p.end_b - p.first_b)
@@ -166,19 +180,19 @@ private:
     while (!left.empty()) {
       const cuda::part p = left.back();
       left.pop_back();
-      if (area(p) > most && area(p) > capacity_) {
+      if (area(p) > most && area(p) > always_fits()) {
         const auto [x, y] = halves(p);
         left.push_back(y), left.push_back(x);
         continue;
       }
       try_part(p);
-      if (seen(counter::candidates) > capacity_) {
+      if (overflowed()) {
         left.push_back(p);
         if (!take_more_room())
           most = area(p) / 4;
         continue;
       }
-      if (most != ~std::uint64_t{0} && seen(counter::candidates) < capacity_ / 8)
+      if (most != ~std::uint64_t{0} && seen(counter::candidates) < capacity_ / 8 && seen(counter::kept) < capacity_ / 8)
         most *= 2;
       take_part();
       done += area(p);

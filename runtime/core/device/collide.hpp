@@ -1,8 +1,11 @@
 // core/device/collide.hpp: all touching pairs of two sets, on a CUDA device; the answers of core/collide.hpp.
 //
-// Every pair is looked at: first by the filter, a matrix product whose signs tell which enclosing balls may touch; then,
-// from list to list, by boxes and the reject stage, and by the rungs. The product is cut into parts where a list would
-// overflow, so that memory is bounded at any number of candidates; nothing is lost.
+// First the filter looks at every pair of groups of neighbours, or of elements: a matrix product whose signs tell which
+// enclosing balls may touch. Then, from list to list, come boxes and the reject stage, and the rungs. The product is cut
+// into parts where a list would overflow, so that memory is bounded at any number of candidates; nothing is lost.
+// result::candidates counts pairs whose boxes and balls touch: fewer than on the CPU where a ball rules out more, and so
+// can rungs.unsure be; for the plain rungs, which can say yes where nothing touches, balls are around boxes, and both
+// decide the same pairs.
 #ifndef MEET_CORE_DEVICE_COLLIDE_HPP
 #define MEET_CORE_DEVICE_COLLIDE_HPP
 
@@ -17,13 +20,14 @@ struct device_options {
   // Element -> item, of each side; empty: the element itself. Pairs are then of items, each once.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   std::optional<cuda::filter> filter = {}; // nothing: the device's best
+  cuda::grouping by = cuda::grouping::group;
   std::size_t list_capacity = std::size_t{1} << 25; // pairs that a list may hold; at least 2^18
   std::function<void(double fraction)> progress = {};
 };
 
 struct device_result : result {
   cuda::filter filter = cuda::filter::float32;
-  std::uint64_t near_balls = 0;  // candidates that the filter let through
+  std::uint64_t near_balls = 0;  // pairs of objects that the filter let through
   std::uint64_t parts = 0;       // in which the product was gone through
   double device_seconds = 0;     // from the first kernel to the last, without transfers
 };

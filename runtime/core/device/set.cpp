@@ -83,18 +83,20 @@ void device_set::move(const pose &at) {
   enclose();
 }
 
-cuda::operand device_set::as(cuda::filter by, bool first, const device_set &frame) {
-  const made want{by == cuda::filter::float32, frame.version_, version_};
+cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cuda::cover c, bool first, const device_set &frame) {
+  const made want{by == cuda::filter::float32, g, c, frame.version_, version_};
+  cuda::operand out{rows(), elements_, g, nullptr};
   device_memory<std::byte> &columns = columns_[first];
   if (want != have_[first]) {
-    const std::size_t bytes = matrix_padded(elements_) * (want.floats ? cuda::float_bytes : cuda::half_bytes);
+    const std::size_t bytes = matrix_padded(out.objects()) * (want.floats ? cuda::float_bytes : cuda::half_bytes);
     have_[first] = {};
     columns.reserve(bytes, "the filter's columns");
-    check(launchers_->columns(by, first, rows(), elements_, frame.around(), columns.data(), on_->stream()),
+    check(launchers_->columns(by, g, c, first, rows(), elements_, frame.around(), columns.data(), on_->stream()),
           "starting a kernel");
     have_[first] = want;
   }
-  return {rows(), elements_, columns.data()};
+  out.columns = columns.data();
+  return out;
 }
 
 } // namespace meet

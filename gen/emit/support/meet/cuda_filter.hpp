@@ -64,6 +64,25 @@ __device__ inline void write(const pair_list &to, unsigned long long at, std::ui
     to.pairs[at] = {a, b};
 }
 
+// Drops the bits of pairs beyond the part: kernels go through whole tiles. pair(i) is the pair of bit i.
+template <class Pair> __device__ inline unsigned within(const part &of, unsigned bits, Pair &&pair) {
+  unsigned kept = bits;
+  for (unsigned left = bits; left; left &= left - 1) {
+    const index_pair p = pair(__ffs(left) - 1);
+    if (p.a >= of.end_a || p.b >= of.end_b)
+      kept &= ~(left & (~left + 1));
+  }
+  return kept;
+}
+// Appends the pairs of the bits; the whole warp calls it.
+template <class Pair> __device__ inline void append_bits(const part &of, unsigned bits, const pair_list &to, Pair &&pair) {
+  bits = within(of, bits, pair);
+  for (unsigned long long at = places(__popc(bits), to.count); bits; bits &= bits - 1, ++at) {
+    const index_pair p = pair(__ffs(bits) - 1);
+    write(to, at, p.a, p.b);
+  }
+}
+
 // The same for all lanes of the warp.
 __device__ inline bool full(const pair_list &l) {
   return __shfl_sync(~0U, *static_cast<volatile unsigned long long *>(l.count), 0) > l.capacity;
@@ -102,20 +121,20 @@ inline constexpr int mma_warps = 4;
 // Rows tiles of 16 X a warp, Steps tiles of 8 Y between two looks at the signs. All sizes in tiles of 8.
 template <int Rows, int Steps>
 __global__ void __launch_bounds__(mma_warps * 32)
-    mma_kernel(const uint2 *a, const uint2 *b, unsigned first_a, unsigned tiles_a, unsigned first_b, unsigned end_b,
-               unsigned chunk, pair_list out) {
-  const unsigned lane = threadIdx.x % 32, row = (blockIdx.x * mma_warps + threadIdx.x / 32) * 2 * Rows;
-  if (row >= tiles_a)
+    mma_kernel(const uint2 *a, const uint2 *b, part of, unsigned chunk, pair_list out) {
+  const unsigned lane = threadIdx.x % 32;
+  const unsigned row = of.first_a / 8 + (blockIdx.x * mma_warps + threadIdx.x / 32) * 2 * Rows;
+  if (row * 8 >= of.end_a)
     return;
   const unsigned piece = mma_piece();
   unsigned x[Rows][4];
 #pragma unroll
   for (unsigned r = 0; r < Rows; ++r) {
-    const uint2 *from = a + (first_a + row + 2 * r) * std::size_t{32} + piece;
+    const uint2 *from = a + (row + 2 * r) * std::size_t{32} + piece;
     const uint2 low = from[0], high = from[32];
     x[r][0] = low.x, x[r][1] = high.x, x[r][2] = low.y, x[r][3] = high.y;
   }
-  const unsigned begin = first_b + blockIdx.y * chunk, end = min(end_b, begin + chunk);
+  const unsigned begin = of.first_b / 8 + blockIdx.y * chunk, end = min((of.end_b + 7) / 8, begin + chunk);
   const uint2 *from = b + begin * std::size_t{32} + piece;
   uint2 y[Steps];
 #pragma unroll
@@ -145,14 +164,10 @@ __global__ void __launch_bounds__(mma_warps * 32)
 #pragma unroll
         for (unsigned r = 0; r < Rows; ++r)
           bits |= sign_bits(multiply(x[r], y[s])) << 4 * r;
-        if (!__any_sync(~0U, bits != 0))
-          continue;
-        unsigned long long at = places(__popc(bits), out.count);
-        for (; bits; bits &= bits - 1, ++at) {
-          const unsigned i = __ffs(bits) - 1;
-          write(out, at, (first_a + row) * 8 + i / 4 * 16 + lane / 4 + i / 2 % 2 * 8,
-                (tile + s) * 8 + lane % 4 * 2 + i % 2);
-        }
+        if (__any_sync(~0U, bits != 0))
+          append_bits(of, bits, out, [&](unsigned i) {
+            return index_pair{row * 8 + i / 4 * 16 + lane / 4 + i / 2 % 2 * 8, (tile + s) * 8 + lane % 4 * 2 + i % 2};
+          });
       }
     }
 #pragma unroll
@@ -195,20 +210,19 @@ static_assert(matrix_block == 64 * wgmma_rows);
 
 // A block is a warpgroup. Tiles of 64 Y come through shared memory, two at a time in flight.
 static __global__ void __launch_bounds__(128)
-    wgmma_kernel([[maybe_unused]] const unsigned *a, [[maybe_unused]] const uint4 *b, [[maybe_unused]] unsigned first_a,
-                 [[maybe_unused]] unsigned first_b, [[maybe_unused]] unsigned end_b, [[maybe_unused]] unsigned chunk,
-                 [[maybe_unused]] pair_list out) {
+    wgmma_kernel([[maybe_unused]] const unsigned *a, [[maybe_unused]] const uint4 *b, [[maybe_unused]] part of,
+                 [[maybe_unused]] unsigned chunk, [[maybe_unused]] pair_list out) {
 #if MEET_HAS_WGMMA
   __shared__ __align__(128) uint4 tiles[2][128];
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32, g = lane / 4, t = lane % 4;
-  const unsigned row = first_a + blockIdx.x * 8 * wgmma_rows; // of tiles of 8
+  const unsigned row = of.first_a / 8 + blockIdx.x * 8 * wgmma_rows; // of tiles of 8
   unsigned x[wgmma_rows][4];
 #pragma unroll
   for (unsigned r = 0; r < wgmma_rows; ++r) {
     const unsigned *from = a + (row + r * 8 + warp * 2) * std::size_t{64} + g * 4 + t;
     x[r][0] = from[0], x[r][1] = from[64], x[r][2] = from[32], x[r][3] = from[96];
   }
-  const unsigned begin = first_b + blockIdx.y * chunk, end = min(end_b, begin + chunk); // of tiles of 64
+  const unsigned begin = of.first_b / 64 + blockIdx.y * chunk, end = min((of.end_b + 63) / 64, begin + chunk); // of 64
   const auto fetch = [&](unsigned tile, unsigned to) {
     const auto at = static_cast<unsigned>(__cvta_generic_to_shared(&tiles[to][threadIdx.x]));
     asm volatile("cp.async.cg.shared.global [%0], [%1], 16;\ncp.async.commit_group;" ::"r"(at),
@@ -261,13 +275,10 @@ static __global__ void __launch_bounds__(128)
 #pragma unroll
       for (unsigned s = 0; s < 8; ++s)
         bits |= sign_bits(multiply(again, uint2{from[s * 64], from[s * 64 + 32]})) << 4 * s;
-      if (!__any_sync(~0U, bits != 0))
-        continue;
-      unsigned long long at = places(__popc(bits), out.count);
-      for (; bits; bits &= bits - 1, ++at) {
-        const unsigned i = __ffs(bits) - 1;
-        write(out, at, row * 8 + r * 64 + warp * 16 + g + i / 2 % 2 * 8, tile * 64 + i / 4 * 8 + t * 2 + i % 2);
-      }
+      if (__any_sync(~0U, bits != 0))
+        append_bits(of, bits, out, [&](unsigned i) {
+          return index_pair{row * 8 + r * 64 + warp * 16 + g + i / 2 % 2 * 8, tile * 64 + i / 4 * 8 + t * 2 + i % 2};
+        });
     }
   }
 #endif
@@ -280,16 +291,15 @@ inline constexpr int float_threads = 128, float_group = 8;
 // An X a thread; eight Y between two looks at the signs.
 template <class Form>
 __global__ void __launch_bounds__(float_threads)
-    float_kernel(const float *a, const float *b, unsigned first_a, unsigned first_b, unsigned end_b, unsigned chunk,
-                 pair_list out) {
+    float_kernel(const float *a, const float *b, part of, unsigned chunk, pair_list out) {
   constexpr int n = Form::products + 1;
   __shared__ float y[float_threads * n];
-  const unsigned i = first_a + blockIdx.x * float_threads + threadIdx.x;
+  const unsigned i = of.first_a + blockIdx.x * float_threads + threadIdx.x;
   float x[n];
 #pragma unroll
   for (int k = 0; k < n; ++k)
     x[k] = a[i * std::size_t{n} + k];
-  const unsigned begin = first_b + blockIdx.y * chunk, end = min(end_b, begin + chunk);
+  const unsigned begin = of.first_b + blockIdx.y * chunk, end = min(of.end_b, begin + chunk);
   for (unsigned at = begin; at < end; at += float_threads) {
     __syncthreads();
     for (unsigned k = threadIdx.x; k < float_threads * n; k += float_threads)
@@ -306,9 +316,7 @@ __global__ void __launch_bounds__(float_threads)
 #pragma unroll
       for (unsigned k = 0; k < float_group; ++k)
         bits |= __float_as_uint(bilinear<Form>(x, y + (j + k) * n)) >> 31 << k;
-      unsigned long long to = places(__popc(bits), out.count);
-      for (; bits; bits &= bits - 1, ++to)
-        write(out, to, i, at + j + __ffs(bits) - 1);
+      append_bits(of, bits, out, [&](unsigned k) { return index_pair{i, at + j + k}; });
     }
   }
 }
@@ -328,14 +336,12 @@ inline unsigned chunk_of(unsigned blocks_a, unsigned tiles, unsigned whole, unsi
 }
 
 template <int Rows, int Steps>
-cudaError_t launch_mma(const operand &a, const operand &b, const part &of, unsigned end_a, unsigned end_b, pair_list out,
-                       cudaStream_t stream) {
-  const unsigned tiles_a = end_a / 8 - of.first_a / 8;
-  const unsigned blocks = (tiles_a + mma_warps * 2 * Rows - 1) / (mma_warps * 2 * Rows);
-  const unsigned tiles = end_b / 8 - of.first_b / 8, chunk = chunk_of(blocks, tiles, Steps, 512);
+cudaError_t launch_mma(const operand &a, const operand &b, const part &of, pair_list out, cudaStream_t stream) {
+  constexpr unsigned rows = mma_warps * 16 * Rows;
+  const unsigned blocks = (of.end_a - of.first_a + rows - 1) / rows;
+  const unsigned tiles = (of.end_b - of.first_b + 7) / 8, chunk = chunk_of(blocks, tiles, Steps, 512);
   mma_kernel<Rows, Steps><<<dim3(blocks, (tiles + chunk - 1) / chunk), mma_warps * 32, 0, stream>>>(
-      static_cast<const uint2 *>(a.columns), static_cast<const uint2 *>(b.columns), of.first_a / 8, tiles_a,
-      of.first_b / 8, end_b / 8, chunk, out);
+      static_cast<const uint2 *>(a.columns), static_cast<const uint2 *>(b.columns), of, chunk, out);
   return cudaGetLastError();
 }
 
@@ -343,34 +349,30 @@ template <class Form>
 cudaError_t candidates(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream) {
   if (of.first_a >= of.end_a || of.first_b >= of.end_b)
     return cudaSuccess;
-  const auto padded = [](std::uint32_t n) { return static_cast<unsigned>(matrix_padded(n)); };
-  const unsigned end_a = padded(of.end_a), end_b = padded(of.end_b);
-  const unsigned blocks = (end_a - of.first_a) / matrix_block;
-  switch (by) {
-  case filter::mma:
-    // A few X are not worth a whole block's registers.
-    if (of.end_a - of.first_a <= 64)
-      return launch_mma<1, 4>(a, b, of, (of.end_a + 15) / 16 * 16, end_b, out, stream);
-    return launch_mma<8, 4>(a, b, of, end_a, end_b, out, stream);
-  case filter::wgmma: {
-    if (of.end_a - of.first_a <= 64)
-      return launch_mma<1, 4>(a, b, of, (of.end_a + 15) / 16 * 16, end_b, out, stream);
-    const unsigned tiles = end_b / 64 - of.first_b / 64, chunk = chunk_of(blocks, tiles, 1, 256);
-    wgmma_kernel<<<dim3(blocks, (tiles + chunk - 1) / chunk), 128, 0, stream>>>(
-        static_cast<const unsigned *>(a.columns), static_cast<const uint4 *>(b.columns), of.first_a / 8,
-        of.first_b / 64, end_b / 64, chunk, out);
+  if (of.first_a % part_step != 0 || of.first_b % part_step != 0 || of.end_a > a.objects() || of.end_b > b.objects())
+    return cudaErrorInvalidValue;
+  const unsigned rows = of.end_a - of.first_a;
+  if (by == filter::float32) {
+    const unsigned blocks = (rows + float_threads - 1) / float_threads, n = of.end_b - of.first_b;
+    const unsigned chunk = chunk_of(blocks, n, float_threads, 1 << 14);
+    float_kernel<Form><<<dim3(blocks, (n + chunk - 1) / chunk), float_threads, 0, stream>>>(
+        static_cast<const float *>(a.columns), static_cast<const float *>(b.columns), of, chunk, out);
     return cudaGetLastError();
   }
-  case filter::float32: {
-    const unsigned rows = (end_a - of.first_a) / float_threads, n = end_b - of.first_b;
-    const unsigned chunk = chunk_of(rows, n, float_threads, 1 << 14);
-    float_kernel<Form><<<dim3(rows, (n + chunk - 1) / chunk), float_threads, 0, stream>>>(
-        static_cast<const float *>(a.columns), static_cast<const float *>(b.columns), of.first_a, of.first_b, end_b,
-        chunk, out);
-    return cudaGetLastError();
-  }
-  }
-  return cudaErrorInvalidValue;
+  if (by != filter::mma && by != filter::wgmma)
+    return cudaErrorInvalidValue;
+  // A few X are not worth a whole block's registers.
+  if (rows <= 16)
+    return launch_mma<1, 4>(a, b, of, out, stream);
+  if (rows < matrix_block)
+    return launch_mma<4, 4>(a, b, of, out, stream);
+  if (by == filter::mma)
+    return launch_mma<8, 4>(a, b, of, out, stream);
+  const unsigned blocks = (rows + matrix_block - 1) / matrix_block;
+  const unsigned tiles = (of.end_b - of.first_b + 63) / 64, chunk = chunk_of(blocks, tiles, 1, 256);
+  wgmma_kernel<<<dim3(blocks, (tiles + chunk - 1) / chunk), 128, 0, stream>>>(
+      static_cast<const unsigned *>(a.columns), static_cast<const uint4 *>(b.columns), of, chunk, out);
+  return cudaGetLastError();
 }
 
 } // namespace meet::cuda
