@@ -116,6 +116,10 @@ TEST_CASE("a device's row: milliseconds and a ratio; another count than the CPU'
   CHECK(cells.cells[1].text == "4");
   CHECK(cells.cells[2].text == "50.0"); // 0.2 s over 4 ms
   CHECK(cells.time == Approx(0.004 / by.seconds(1)));
+  table t;
+  add_claim(c, {cells.core_over_gpu, 2000}, t);
+  REQUIRE(t.notes.size() == 1);
+  CHECK(t.notes[0].find("50.0 to 2,000.") != std::string::npos);
   c.device = &wrong;
   try {
     ask_device(c, balls, balls, 42, 1);
@@ -126,6 +130,8 @@ TEST_CASE("a device's row: milliseconds and a ratio; another count than the CPU'
   }
   c.device = nullptr;
   CHECK(ask_device(c, balls, balls, 42, 1).cells[0].text == "no device");
+  add_claim(c, {0}, t);
+  CHECK(t.notes.size() == 1);
   CHECK(bench_device_named("cpu") == nullptr);
   CHECK_THROWS_AS(bench_device_named("tpu"), failure);
 }
