@@ -61,6 +61,9 @@ TEST_CASE("the farthest row is named, and rows that say nothing are left out") {
   const power_fit fit = fit_power(sizes, counts, 0.5, 0.1);
   CHECK(fit.worst == Approx(-0.2));
   CHECK(fit.worst_size == Approx(1.4e6));
+  CHECK(in_words(fit).find("farthest from it is the row of 1,400,000, 20 % below") != std::string::npos);
+  CHECK(in_words(fit_power(sizes, powers(0), 0, 0.1)).find("exponent 0.000, the law's 0 ") == 0);
+  CHECK(in_words(fit_power(sizes, powers(0), 0, 0.1)).find("no row is off it by 1 %") != std::string::npos);
   counts[2] = 0;
   CHECK(fit_power(sizes, counts, 0.5, 0.1).holds);
   CHECK(std::isnan(fit_power({1, 2}, {0, 5}, 0.5, 0.1).exponent));

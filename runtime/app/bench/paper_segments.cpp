@@ -85,7 +85,8 @@ void add_segments(const paper_context &c, paper_result &to) {
           "{:.1f}, where its text says three orders of magnitude.",
           printed_cpu, printed_gpu, printed_cpu / printed_gpu),
       "Each row cuts every triangle of the one before into four: the same surface, so hits stay but where a "
-      "segment meets a new edge or a middle is rounded."};
+      "segment meets a new edge or a middle is rounded.",
+      "one core / search: the search makes both sets ready first, which one segment does not repay."};
   const frame f = frame_of(c.bodies.bunny());
   const io::element_set one = of_rows(c.all, "segment", placed(f, {-1.1F, -1.2F, -0.9F, 1.1F, 1.2F, 0.9F}));
   const io::element_set cloud = of_rows(c.all, "segment", placed(f, segment_cloud(many, 5, 0.5)));
