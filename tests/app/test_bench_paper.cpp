@@ -204,6 +204,10 @@ TEST_CASE("bench paper: what is wrong is said in one line, and nothing is writte
   fs::create_directories(at("bare"));
   CHECK(with({"--data", "nowhere", "-o", "unmade"}) == "--data nowhere: is not a folder");
   CHECK(has(with({"--data", "bare", "-o", "unmade"}), "bare/bunny_1k.ply: "));
+  put("bare/bunny_1k.ply",
+      "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n");
+  CHECK(with({"--data", "bare", "-o", "unmade"}) == "bare/bunny_1k.ply: holds no triangles");
   put_mesh("bare/bunny_1k.ply", meet::app::torus(25, 20));
   CHECK(with({"--data", "bare", "-o", "unmade"}) == "--data bare: holds no armadillo_*.ply");
   put_mesh("bare/armadillo_big.ply", meet::app::knot(400, 200));
