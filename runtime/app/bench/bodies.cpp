@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <utility>
 
@@ -58,10 +59,9 @@ paper_bodies::paper_bodies(const catalogue &all, const std::optional<fs::path> &
     bunny_name_ = "ring";
     armadillo_name_ = "knot";
     pose_ = moved(0.75, 0.25, 0.25, 0.125);
-    for (const auto &[segments, rings] : {std::pair(100, 25), {200, 50}, {400, 125}, {588, 294}})
-      given_.push_back({static_cast<std::size_t>(2 * segments * rings), {}, [segments, rings] {
-                          return knot(segments, rings);
-                        }});
+    constexpr std::array<std::array<int, 2>, 4> knots{{{100, 25}, {200, 50}, {400, 125}, {588, 294}}};
+    for (const std::array<int, 2> &k : knots)
+      given_.push_back({static_cast<std::size_t>(2 * k[0] * k[1]), {}, [k] { return knot(k[0], k[1]); }});
   }
   std::erase_if(given_, [this](const size &s) { return s.triangles > most_; });
   if (given_.empty())
@@ -75,6 +75,8 @@ void paper_bodies::read_folder(const fs::path &folder) {
     throw failure(fmt::format("--data {}: is not a folder", folder.string()));
   const std::vector<const kind_info *> kinds = kinds_of(all_);
   bunny_ = as_triangles(io::read(folder / "bunny_1k.ply", kinds));
+  if (bunny_.elements == 0)
+    throw failure(fmt::format("{}: holds no triangles", (folder / "bunny_1k.ply").string()));
   bunny_name_ = "Bunny";
   armadillo_name_ = "Armadillo";
   pose_ = moved(0.0013, 0, 0.08, 0.02);

@@ -17,6 +17,7 @@ struct device_job {
   const io::element_set &a, &b;
   choice by;
   rung precision = rung::certified;
+  bool blind = true; // every pair is decided or filtered, as the paper does it; no hierarchy is walked
 };
 
 struct device_time {

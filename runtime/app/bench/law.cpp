@@ -53,11 +53,14 @@ power_fit fit_power(const std::vector<double> &sizes, const std::vector<double> 
 std::string in_words(const power_fit &fit) {
   if (std::isnan(fit.exponent))
     return "too few rows with hits to fit an exponent";
-  return fmt::format("exponent {:.3f}, the law's {} ± {:.3f}: the law {}; farthest from it is the row of {}, "
-                     "{:.0f} % {}",
-                     fit.exponent, fit.law, fit.tolerance, fit.holds ? "holds" : "does not hold",
-                     grouped(static_cast<std::uint64_t>(std::llround(fit.worst_size))),
-                     std::abs(100 * fit.worst), fit.worst < 0 ? "below" : "above");
+  const std::string row = grouped(static_cast<std::uint64_t>(std::llround(fit.worst_size)));
+  const std::string farthest =
+      std::abs(fit.worst) < 0.01 ? "no row is off it by 1 %"
+                                 : fmt::format("farthest from it is the row of {}, {:.0f} % {}", row,
+                                               std::abs(100 * fit.worst), fit.worst < 0 ? "below" : "above");
+  const double exponent = std::abs(fit.exponent) < 5e-4 ? 0 : fit.exponent; // no "-0.000"
+  return fmt::format("exponent {:.3f}, the law's {} ± {:.3f}: the law {}; {}", exponent, fit.law,
+                     fit.tolerance, fit.holds ? "holds" : "does not hold", farthest);
 }
 
 std::string as_json(const power_fit &fit) {

@@ -76,11 +76,13 @@ search search_pairs(const paper_context &c, const io::element_set &a, const io::
 // device. Throws failure where the device's count is not `pairs`.
 struct device_cells {
   std::vector<cell> cells;
-  double time = 0;
+  double time = 0, core_over_gpu = 0;
 };
 device_cells ask_device(const paper_context &c, const io::element_set &a, const io::element_set &b,
                         std::uint64_t pairs, double one_core);
 std::vector<column> device_columns();
+// The paper's claim beside the ratios of a table's rows; nothing without a device.
+void add_claim(const paper_context &c, const std::vector<double> &core_over_gpu, table &to);
 
 decide_function decide_by(const choice &by, rung precision);
 

@@ -4,6 +4,8 @@
 
 #include <meet/support.hpp>
 
+#include <cstddef>
+
 namespace meet::peers {
 
 template <class T> struct vec { T x, y, z; };
@@ -21,7 +23,8 @@ template <class T> MEET_HD inline T magnitude(T x) {
 }
 // Point i of a row.
 template <class T> MEET_HD inline vec<T> corner(const T *row, int i) {
-  return {row[3 * i], row[3 * i + 1], row[3 * i + 2]};
+  const T *const at = row + std::ptrdiff_t{3} * i;
+  return {at[0], at[1], at[2]};
 }
 
 // The axis 0, 1, 2 along which v is longest.
