@@ -188,10 +188,14 @@ std::string in_one_line(const CLI::Error &e, const arguments &args, int argc, ch
     if (argc > 1 && c->get_name() == argv[1])
       command = c;
   std::string name = command ? command->get_name() + " " : "";
-  if (command == args.bench.command && argc > 2 && args.bench.paper_command->get_name() == argv[2])
-    name += args.bench.paper_command->get_name() + " ";
+  const CLI::App *part = nullptr;
+  for (const CLI::App *c : {args.bench.paper_command, args.bench.gpu_command})
+    if (command == args.bench.command && argc > 2 && c->get_name() == argv[2])
+      part = c;
+  if (part)
+    name += part->get_name() + " ";
   else if (command == args.bench.command)
-    return fmt::format("meet bench: {}; known: paper (meet bench --help says more)",
+    return fmt::format("meet bench: {}; known: paper, gpu (meet bench --help says more)",
                        argc < 3 ? "what to measure is needed" : "unknown " + io::quote(argv[2]));
   const std::string more = fmt::format("meet {}--help says more", name);
   if (!command && (argc < 2 || argv[1][0] == '-'))

@@ -29,7 +29,7 @@ struct extent {
 // pairs are looked at; pairs of groups that may touch are then taken apart.
 enum class grouping : std::uint8_t { single, group };
 inline constexpr std::uint32_t group_size = 8;
-constexpr std::uint32_t size_of(grouping g) { return g == grouping::group ? group_size : 1; }
+MEET_HD constexpr std::uint32_t size_of(grouping g) { return g == grouping::group ? group_size : 1; }
 
 // What an object's ball encloses: the elements, or their boxes too. Where it is the boxes, the filter lets every pair
 // through whose boxes touch.
@@ -42,7 +42,7 @@ struct operand {
   grouping by;
   const void *columns; // half_bytes or float_bytes an object, for matrix_padded(objects) of them
 
-  std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
+  MEET_HD constexpr std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
 };
 inline constexpr std::size_t half_bytes = 2 * matrix_columns, float_bytes = 20;
 
@@ -51,11 +51,14 @@ enum class filter : std::uint8_t {
   float32, // the form in float32; needs no assumption but IEEE arithmetic
   mma,     // mma.sync, any device of capability 8.0 or more
   wgmma,   // wgmma, a device of capability 9.0 with code for sm_90a
+  // wgmma with results in half precision: faster still. Assumes of the unit that it adds as for float32 and rounds once,
+  // at the end, where the vendor promises half precision alone. Never chosen unasked.
+  wgmma_half,
 };
 
 // What the start-up probe found, in device memory.
 struct probe_result {
-  unsigned mma_faults, wgmma_faults; // cases in which the unit left the model of matrix.hpp
+  unsigned mma_faults, wgmma_faults, wgmma_half_faults; // cases in which the unit left the model of matrix.hpp
   unsigned has_wgmma;                // the device runs code for sm_90a
   unsigned arithmetic_faults;        // bits of arithmetic_fault
   unsigned cases;                    // that were tried, of each unit

@@ -33,6 +33,7 @@ public:
       device_set on_a(on_, a), on_b(on_, b);
       device_options o;
       o.mode = collide_mode::count;
+      o.by = job.blind ? cuda::grouping::single : cuda::grouping::group;
       device_time out;
       std::vector<double> alone, whole;
       for (int i = 0; i <= runs; ++i) {

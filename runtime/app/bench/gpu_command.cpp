@@ -44,7 +44,17 @@ const predicate_info &predicate_named(const catalogue &all, const std::string &n
 }
 
 const char *name_of(cuda::filter f) {
-  return f == cuda::filter::wgmma ? "wgmma" : f == cuda::filter::mma ? "mma.sync" : "float32";
+  switch (f) {
+  case cuda::filter::float32:
+    break;
+  case cuda::filter::mma:
+    return "mma.sync";
+  case cuda::filter::wgmma:
+    return "wgmma";
+  case cuda::filter::wgmma_half:
+    return "wgmma to fp16";
+  }
+  return "float32";
 }
 
 std::vector<peer> peers_of(const std::string &predicate) {
@@ -71,8 +81,8 @@ public:
     const device_facts &f = on_.facts();
     const cuda::probe_result &p = on_.probe();
     return fmt::format("{}, compute capability {}.{}, {} multiprocessors. The start-up probe tried {} sums: mma.sync left "
-                       "the model in {}, wgmma in {}{}. Times are medians of {} warm runs.",
-                       f.name, f.major, f.minor, f.multiprocessors, grouped(p.cases), p.mma_faults, p.wgmma_faults,
+                       "the model in {}, wgmma in {}, with results in fp16 in {}{}. Times are medians of {} warm runs.",
+                       f.name, f.major, f.minor, f.multiprocessors, grouped(p.cases), p.mma_faults, p.wgmma_faults, p.wgmma_half_faults,
                        p.has_wgmma ? "" : " (this device has none)", runs);
   }
 
@@ -99,7 +109,7 @@ public:
       const auto [found, seconds] = count(by, on_a, on_b);
       add(name_of(by), found, seconds, 0, 0);
     }
-    for (const cuda::filter f : {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma}) {
+    for (const cuda::filter f : {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma, cuda::filter::wgmma_half}) {
       if (!on_.offers(f))
         continue;
       const filtered r = filter_alone(f, on_a, on_b);
@@ -139,6 +149,7 @@ public:
         device_options o;
         o.mode = collide_mode::count;
         o.by = cuda::grouping::single;
+        o.balls = cuda::cover::element; // the same filter for both
         std::vector<double> seconds;
         for (int i = 0; i <= runs; ++i) {
           const device_result r = ::meet::collide(on_, on_a, on_b, p, precision, o);
@@ -208,6 +219,7 @@ private:
     device_options o;
     o.filter = f;
     o.by = by;
+    o.balls = cuda::cover::element;
     std::vector<double> seconds, whole;
     std::uint64_t found = 0;
     for (int i = 0; i <= runs; ++i) {

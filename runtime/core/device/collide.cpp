@@ -74,7 +74,7 @@ public:
     start_clock();
     if (a_.elements() > 0 && b_.elements() > 0) {
       const device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
-      const cuda::cover c = ladder_.plain ? cuda::cover::box : cuda::cover::element;
+      const cuda::cover c = options_.balls.value_or(ladder_.plain ? cuda::cover::box : cuda::cover::element);
       x_ = a_.as(result_.filter, options_.by, c, true, frame);
       y_ = b_.as(result_.filter, options_.by, c, false, frame);
       take_room();

@@ -91,6 +91,8 @@ bool device::offers(cuda::filter f) const {
     return mma;
   case cuda::filter::wgmma: // goes through hits again by mma.sync
     return mma && probe_.has_wgmma && probe_.wgmma_faults == 0;
+  case cuda::filter::wgmma_half:
+    return mma && probe_.has_wgmma && probe_.wgmma_half_faults == 0;
   }
   return false;
 }
@@ -103,7 +105,17 @@ cuda::filter device::best_filter() const {
 }
 
 const char *model_of(cuda::filter f) {
-  return f == cuda::filter::wgmma ? "wgmma-f16-f32" : f == cuda::filter::mma ? "mma-f16-f32" : "none";
+  switch (f) {
+  case cuda::filter::float32:
+    break;
+  case cuda::filter::mma:
+    return "mma-f16-f32";
+  case cuda::filter::wgmma:
+    return "wgmma-f16-f32";
+  case cuda::filter::wgmma_half:
+    return "wgmma-f16-f16";
+  }
+  return "none";
 }
 
 } // namespace meet

@@ -41,7 +41,7 @@ public:
   const device_facts &facts() const { return facts_; }
   const cuda::probe_result &probe() const { return probe_; }
 
-  // The fastest filter whose model the probe did not refute.
+  // The fastest filter whose model the probe did not refute; wgmma_half is for those who ask for it.
   cuda::filter best_filter() const;
   bool offers(cuda::filter f) const;
 
@@ -56,7 +56,7 @@ private:
   std::unique_ptr<device_buffers> buffers_;
 };
 
-// What is assumed where the filter is used: "mma-f16-f32", "wgmma-f16-f32", or "none" in float32.
+// What is assumed where the filter is used: "mma-f16-f32", "wgmma-f16-f32", "wgmma-f16-f16", or "none".
 const char *model_of(cuda::filter f);
 
 // Throws device_error with the call and what CUDA says of it.

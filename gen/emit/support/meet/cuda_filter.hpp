@@ -193,6 +193,18 @@ __device__ inline void multiply(float (&d)[32], const unsigned (&a)[4], unsigned
                  "+f"(d[29]), "+f"(d[30]), "+f"(d[31])
                : "r"(a[0]), "r"(a[1]), "r"(a[2]), "r"(a[3]), "l"(y));
 }
+// The same with results in half precision, two a register: half as many to look at.
+__device__ inline void multiply(unsigned (&d)[16], const unsigned (&a)[4], unsigned long long y) {
+  asm volatile("{\n.reg .pred add;\nsetp.ne.b32 add, 0, 0;\n"
+               "wgmma.mma_async.sync.aligned.m64n64k16.f16.f16.f16 "
+               "{%0,%1,%2,%3,%4,%5,%6,%7,%8,%9,%10,%11,%12,%13,%14,%15}, {%16,%17,%18,%19}, %20, add, 1, 1, 0;\n}"
+               : "+r"(d[0]), "+r"(d[1]), "+r"(d[2]), "+r"(d[3]), "+r"(d[4]), "+r"(d[5]), "+r"(d[6]), "+r"(d[7]),
+                 "+r"(d[8]), "+r"(d[9]), "+r"(d[10]), "+r"(d[11]), "+r"(d[12]), "+r"(d[13]), "+r"(d[14]),
+                 "+r"(d[15])
+               : "r"(a[0]), "r"(a[1]), "r"(a[2]), "r"(a[3]), "l"(y));
+}
+__device__ inline unsigned bits_of(float x) { return __float_as_uint(x); }
+__device__ inline unsigned bits_of(unsigned x) { return x; }
 __device__ inline void wgmma_begin() { asm volatile("wgmma.fence.sync.aligned;" ::: "memory"); }
 __device__ inline void wgmma_commit() { asm volatile("wgmma.commit_group.sync.aligned;" ::: "memory"); }
 template <int Behind> __device__ inline void wgmma_wait() {
@@ -208,8 +220,10 @@ __device__ inline unsigned long long wgmma_operand(const void *shared) {
 inline constexpr int wgmma_rows = 8; // times 64 X a block
 static_assert(matrix_block == 64 * wgmma_rows);
 
-// A block is a warpgroup. Tiles of 64 Y come through shared memory, two at a time in flight.
-static __global__ void __launch_bounds__(128)
+// A block is a warpgroup. Tiles of 64 Y come through shared memory, two at a time in flight. Half: results in half
+// precision.
+template <bool Half>
+__global__ void __launch_bounds__(128)
     wgmma_kernel([[maybe_unused]] const unsigned *a, [[maybe_unused]] const uint4 *b, [[maybe_unused]] part of,
                  [[maybe_unused]] unsigned chunk, [[maybe_unused]] pair_list out) {
 #if MEET_HAS_WGMMA
@@ -237,7 +251,8 @@ static __global__ void __launch_bounds__(128)
       fetch(tile + 1, now ^ 1);
     const unsigned long long y = wgmma_operand(tiles[now]);
     unsigned rows = 0; // those with a sign set, as bits
-    float d[2][32];
+    constexpr unsigned results = Half ? 16 : 32; // registers
+    std::conditional_t<Half, unsigned, float> d[2][results];
     wgmma_begin();
     multiply(d[0], x[0], y);
     wgmma_commit();
@@ -253,11 +268,11 @@ static __global__ void __launch_bounds__(128)
       }
       unsigned even = 0, odd = 0;
 #pragma unroll
-      for (unsigned i = 0; i < 32; i += 4) {
-        even = or3(even, __float_as_uint(d[r % 2][i]), __float_as_uint(d[r % 2][i + 1]));
-        odd = or3(odd, __float_as_uint(d[r % 2][i + 2]), __float_as_uint(d[r % 2][i + 3]));
+      for (unsigned i = 0; i < results; i += 4) {
+        even = or3(even, bits_of(d[r % 2][i]), bits_of(d[r % 2][i + 1]));
+        odd = or3(odd, bits_of(d[r % 2][i + 2]), bits_of(d[r % 2][i + 3]));
       }
-      rows |= static_cast<int>(even | odd) < 0 ? 1U << r : 0;
+      rows |= ((even | odd) & (Half ? 0x80008000U : 0x80000000U)) != 0 ? 1U << r : 0;
     }
     rows = __reduce_or_sync(~0U, rows);
     if (rows && full(out))
@@ -359,7 +374,7 @@ cudaError_t candidates(filter by, const operand &a, const operand &b, part of, p
         static_cast<const float *>(a.columns), static_cast<const float *>(b.columns), of, chunk, out);
     return cudaGetLastError();
   }
-  if (by != filter::mma && by != filter::wgmma)
+  if (by != filter::mma && by != filter::wgmma && by != filter::wgmma_half)
     return cudaErrorInvalidValue;
   // A few X are not worth a whole block's registers.
   if (rows <= 16)
@@ -370,8 +385,13 @@ cudaError_t candidates(filter by, const operand &a, const operand &b, part of, p
     return launch_mma<8, 4>(a, b, of, out, stream);
   const unsigned blocks = (rows + matrix_block - 1) / matrix_block;
   const unsigned tiles = (of.end_b - of.first_b + 63) / 64, chunk = chunk_of(blocks, tiles, 1, 256);
-  wgmma_kernel<<<dim3(blocks, (tiles + chunk - 1) / chunk), 128, 0, stream>>>(
-      static_cast<const unsigned *>(a.columns), static_cast<const uint4 *>(b.columns), of, chunk, out);
+  const dim3 grid(blocks, (tiles + chunk - 1) / chunk);
+  const auto *x = static_cast<const unsigned *>(a.columns);
+  const auto *y = static_cast<const uint4 *>(b.columns);
+  if (by == filter::wgmma)
+    wgmma_kernel<false><<<grid, 128, 0, stream>>>(x, y, of, chunk, out);
+  else
+    wgmma_kernel<true><<<grid, 128, 0, stream>>>(x, y, of, chunk, out);
   return cudaGetLastError();
 }
 
