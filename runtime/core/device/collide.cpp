@@ -179,7 +179,7 @@ private:
         continue;
       }
       if (most != ~std::uint64_t{0} && seen(counter::candidates) < capacity_ / 8)
-        most *= 2;
+        most = most < ~std::uint64_t{0} / 2 ? most * 2 : ~std::uint64_t{0};
       take_part();
       done += area(p);
       if (options_.progress)
