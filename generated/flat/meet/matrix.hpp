@@ -124,7 +124,9 @@ template <class Form, bool First> MEET_HD inline void to_columns(const double *o
   constexpr int own = 3 * Form::products + (First ? 0 : 2), other = 3 * Form::products + (First ? 2 : 0);
   out[other] = out[other + 1] = to_half(matrix_constant);
   if (where != placing::inside) {
-    out[own] = where == placing::apart ? 0x7bff : 0xfbff; // 65504, more than any sum inside
+    // 65504 and -32768, each more than any term inside: 3 2^21 / 2^8 at most. Of the two the first wins, so that padding,
+    // which is apart, never comes out.
+    out[own] = where == placing::apart ? 0x7bff : 0xf800;
     return;
   }
   double f[Form::products + 1];
@@ -150,7 +152,7 @@ template <class Form, bool First> MEET_HD inline void to_columns(const double *o
 template <class Form, bool First> MEET_HD inline void to_floats(const double *object, placing where, float *out) {
   for (int k = 0; k < Form::products; ++k)
     out[k] = 0;
-  out[Form::products] = where == placing::apart ? 0x1p24F : -0x1p24F;
+  out[Form::products] = where == placing::apart ? 0x1p24F : -0x1p23F; // as in to_columns()
   if (where != placing::inside)
     return;
   double f[Form::products + 1];
@@ -166,7 +168,7 @@ template <class Form, bool First> MEET_HD inline void to_floats(const double *ob
   const double size = std::fabs(f[Form::products]);
   out[Form::products] = static_cast<float>(f[Form::products] - (0x1p-20 * (squares / 2 + size) + 0x1p-10));
 }
-// Negative or zero where F <= 0.
+// Negative where F <= 0.
 template <class Form> MEET_HD inline float bilinear(const float *x, const float *y) {
   float sum = x[Form::products] + y[Form::products];
   for (int k = 0; k < Form::products; ++k)

@@ -149,7 +149,7 @@ public:
         device_options o;
         o.mode = collide_mode::count;
         o.by = cuda::grouping::single;
-        o.balls = cuda::cover::element; // the same filter for both
+        o.balls = cover::element; // the same filter for both
         std::vector<double> seconds;
         for (int i = 0; i <= runs; ++i) {
           const device_result r = ::meet::collide(on_, on_a, on_b, p, precision, o);
@@ -195,7 +195,7 @@ private:
   filtered filter_alone(cuda::filter f, device_set &a, device_set &b) {
     const device_set &frame = b.elements() < a.elements() ? a : b;
     const auto as = [&](device_set &s, bool first) {
-      return s.as(f, cuda::grouping::single, cuda::cover::element, first, frame);
+      return s.as(f, cuda::grouping::single, cover::element, first, frame);
     };
     const cuda::operand x = as(a, true), y = as(b, false);
     list_.reserve(std::size_t{1} << 26, "a list of candidates");
@@ -219,7 +219,7 @@ private:
     device_options o;
     o.filter = f;
     o.by = by;
-    o.balls = cuda::cover::element;
+    o.balls = cover::element;
     std::vector<double> seconds, whole;
     std::uint64_t found = 0;
     for (int i = 0; i <= runs; ++i) {

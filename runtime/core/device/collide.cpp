@@ -74,7 +74,7 @@ public:
     start_clock();
     if (a_.elements() > 0 && b_.elements() > 0) {
       const device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
-      const cuda::cover c = options_.balls.value_or(ladder_.plain ? cuda::cover::box : cuda::cover::element);
+      const cover c = options_.balls.value_or(ladder_.plain ? cover::box : cover::element);
       x_ = a_.as(result_.filter, options_.by, c, true, frame);
       y_ = b_.as(result_.filter, options_.by, c, false, frame);
       take_room();
@@ -193,7 +193,7 @@ private:
         continue;
       }
       if (most != ~std::uint64_t{0} && seen(counter::candidates) < capacity_ / 8 && seen(counter::kept) < capacity_ / 8)
-        most *= 2;
+        most = most < ~std::uint64_t{0} / 2 ? most * 2 : ~std::uint64_t{0};
       take_part();
       done += area(p);
       if (options_.progress)

@@ -21,7 +21,7 @@ struct device_options {
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   std::optional<cuda::filter> filter = {}; // nothing: the device's best
   cuda::grouping by = cuda::grouping::group;
-  std::optional<cuda::cover> balls = {}; // nothing: around boxes for the plain rungs, see above; else around elements
+  std::optional<cover> balls = {}; // nothing: around boxes for the plain rungs, see above; else around elements
   std::size_t list_capacity = std::size_t{1} << 25; // pairs that a list may hold; at least 2^18
   std::function<void(double fraction)> progress = {};
 };

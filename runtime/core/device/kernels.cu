@@ -23,7 +23,8 @@ __device__ float moved(const double *m, double x, double y, double z) {
   return __double2float_rn(sum);
 }
 
-__global__ void move_kernel(roles r, pose at, const float *rows, unsigned n, float *to, unsigned *bad) {
+__global__ void move_kernel(roles r, pose at, const float *rows, const std::uint32_t *order, unsigned n, float *to,
+                            unsigned long long *bad) {
   for (unsigned i = blockIdx.x * threads + threadIdx.x; i < n; i += gridDim.x * threads) {
     const float *row = rows + i * static_cast<std::size_t>(r.fields);
     float *out = to + i * static_cast<std::size_t>(r.fields);
@@ -43,7 +44,7 @@ __global__ void move_kernel(roles r, pose at, const float *rows, unsigned n, flo
     for (int f = 0; f < r.fields; ++f)
       finite = finite && isfinite(out[f]);
     if (!finite)
-      atomicMin(bad, i);
+      atomicMin(bad, static_cast<unsigned long long>(order[i]) << 32 | i);
   }
 }
 
@@ -64,8 +65,8 @@ __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n) {
 
 } // namespace
 
-cudaError_t move_rows(const kind_info &kind, const pose &at, const float *rows, std::uint32_t elements, float *to,
-                      unsigned *bad, cudaStream_t stream) {
+cudaError_t move_rows(const kind_info &kind, const pose &at, const float *rows, const std::uint32_t *order,
+                      std::uint32_t elements, float *to, unsigned long long *bad, cudaStream_t stream) {
   if (kind.fields > most_fields)
     return cudaErrorInvalidValue;
   roles r{kind.fields, {}};
@@ -74,7 +75,7 @@ cudaError_t move_rows(const kind_info &kind, const pose &at, const float *rows, 
   const cudaError_t e = cudaMemsetAsync(bad, 0xff, sizeof *bad, stream);
   if (e != cudaSuccess || elements == 0)
     return e;
-  move_kernel<<<blocks_for(elements), threads, 0, stream>>>(r, at, rows, elements, to, bad);
+  move_kernel<<<blocks_for(elements), threads, 0, stream>>>(r, at, rows, order, elements, to, bad);
   return cudaGetLastError();
 }
 

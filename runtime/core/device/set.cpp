@@ -59,22 +59,20 @@ void device_set::move(const pose &at) {
     throw std::invalid_argument("a pose's length scale is negative or not a number");
   const auto fields = static_cast<std::size_t>(kind_->fields);
   device_memory<float> to;
-  device_memory<unsigned> bad;
+  device_memory<unsigned long long> bad;
   to.reserve(elements_ * fields, "a set under a pose");
   bad.reserve(1, "a set under a pose");
-  check(move_rows(*kind_, at, rows_.data(), elements_, to.data(), bad.data(), on_->stream()), "starting a kernel");
-  unsigned slot = 0;
-  check(cudaMemcpyAsync(&slot, bad.data(), sizeof slot, cudaMemcpyDeviceToHost, on_->stream()), "moving a set");
+  check(move_rows(*kind_, at, rows_.data(), order_.data(), elements_, to.data(), bad.data(), on_->stream()), "starting a kernel");
+  unsigned long long first = 0;
+  check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, on_->stream()), "moving a set");
   check(cudaStreamSynchronize(on_->stream()), "moving a set");
-  if (slot != none_bad) {
+  if (first != none_bad) {
+    const auto slot = static_cast<std::size_t>(first & 0xffffffff);
     std::vector<float> row(fields);
-    fault f{fault_kind::moved, 0, 0, 0, 0, nullptr};
-    std::uint32_t element = 0;
+    fault f{fault_kind::moved, static_cast<std::size_t>(first >> 32), 0, 0, 0, nullptr};
     check(cudaMemcpy(row.data(), to.data() + slot * fields, fields * sizeof(float), cudaMemcpyDeviceToHost), "moving a set");
-    check(cudaMemcpy(&element, order_.data() + slot, sizeof element, cudaMemcpyDeviceToHost), "moving a set");
     while (std::isfinite(row[static_cast<std::size_t>(f.field)]))
       ++f.field;
-    f.element = element;
     f.value = row[static_cast<std::size_t>(f.field)];
     throw input_error(f, *kind_);
   }
@@ -83,7 +81,7 @@ void device_set::move(const pose &at) {
   enclose();
 }
 
-cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cuda::cover c, bool first, const device_set &frame) {
+cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame) {
   const made want{by == cuda::filter::float32, g, c, frame.version_, version_};
   cuda::operand out{rows(), elements_, g, nullptr};
   device_memory<std::byte> &columns = columns_[first];

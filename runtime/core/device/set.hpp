@@ -28,13 +28,13 @@ public:
   const cuda::extent *around() const { return around_.data(); }
 
   // What the filter reads, in the frame of `frame`, which is this set or the other: made where it is not there yet.
-  cuda::operand as(cuda::filter by, cuda::grouping g, cuda::cover c, bool first, const device_set &frame);
+  cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame);
 
 private:
   struct made { // what columns hold
     bool floats = false;
     cuda::grouping by = cuda::grouping::single;
-    cuda::cover of = cuda::cover::element;
+    cover of = cover::element;
     std::uint64_t frame = 0, own = 0; // versions
     bool operator==(const made &) const = default;
   };
