@@ -13,52 +13,6 @@ namespace meet::cuda {
 
 // ---- a set ------------------------------------------------------------------------------------------------------
 
-// A ball that holds the element's box, however that is rounded.
-template <class Shape> MEET_HD inline void ball_of_box(const float *row, double ball[4]) {
-  float lo[3], hi[3];
-  Shape::box(row, lo, hi);
-  double square = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double l = static_cast<double>(lo[k]), h = static_cast<double>(hi[k]);
-    ball[k] = l / 2 + h / 2;
-    const double half = h / 2 - l / 2;
-    square += half * half;
-  }
-  ball[3] = std::sqrt(square) * (1 + 0x1p-48);
-}
-
-// The ball of an object: what `c` says of each of its elements.
-template <class Shape> MEET_HD inline void object_ball(cover c, const float *rows, std::uint32_t first, std::uint32_t end, double ball[4]) {
-  const auto one = [&](std::uint32_t i, double out[4]) {
-    const float *row = rows + i * std::size_t{Shape::fields};
-    if (c == cover::box)
-      ball_of_box<Shape>(row, out);
-    else
-      enclosing_ball<Shape>(row, out);
-  };
-  if (end == first + 1)
-    return one(first, ball);
-  double lo[3], hi[3], each[4];
-  for (int k = 0; k < 3; ++k)
-    lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
-  for (std::uint32_t i = first; i < end; ++i) {
-    one(i, each);
-    for (int k = 0; k < 3; ++k)
-      lo[k] = std::fmin(lo[k], each[k] - each[3]), hi[k] = std::fmax(hi[k], each[k] + each[3]);
-  }
-  double reach = 0;
-  for (int k = 0; k < 3; ++k)
-    ball[k] = lo[k] / 2 + hi[k] / 2;
-  for (std::uint32_t i = first; i < end; ++i) {
-    one(i, each);
-    double square = 0;
-    for (int k = 0; k < 3; ++k)
-      square += (each[k] - ball[k]) * (each[k] - ball[k]);
-    reach = std::fmax(reach, std::sqrt(square) * (1 + 0x1p-48) + each[3]);
-  }
-  ball[3] = reach * (1 + 0x1p-50);
-}
-
 // Bits in the order of the numbers, and back.
 MEET_HD inline unsigned long long ordered(double x) {
   unsigned long long b;

@@ -5,6 +5,7 @@
 #ifndef MEET_CUDA_TABLE_HPP
 #define MEET_CUDA_TABLE_HPP
 
+#include <meet/enclosing.hpp>
 #include <meet/matrix.hpp>
 #include <meet/table.hpp>
 
@@ -30,10 +31,6 @@ struct extent {
 enum class grouping : std::uint8_t { single, group };
 inline constexpr std::uint32_t group_size = 8;
 MEET_HD constexpr std::uint32_t size_of(grouping g) { return g == grouping::group ? group_size : 1; }
-
-// What an object's ball encloses: the elements, or their boxes too. Where it is the boxes, the filter lets every pair
-// through whose boxes touch.
-enum class cover : std::uint8_t { element, box };
 
 // A set in place: rows of floats, and what the filter reads, as X or as Y.
 struct operand {
@@ -70,7 +67,8 @@ struct kind_launchers {
   int fields;
   // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
-  // The filter's columns of all objects in the frame of *around: as X (first) or Y.
+  // The filter's columns of all objects in the frame of *around: as X (first) or Y. With balls around boxes the filter
+  // lets every pair through whose boxes touch.
   cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
                          const extent *around, void *columns, cudaStream_t stream);
 };

@@ -24,6 +24,10 @@ struct moller_fp32 {
     return peers::moller(a, b, static_cast<float>(peers::moller_epsilon));
   }
 };
+struct moller_0_fp32 {
+  static constexpr int fields_a = 9, fields_b = 9, rows = 1;
+  __device__ static bool hit(const float *a, const float *b) { return peers::moller(a, b, 0.0F); }
+};
 struct guigue_devillers_fp32 {
   static constexpr int fields_a = 9, fields_b = 9, rows = 1;
   __device__ static bool hit(const float *a, const float *b) { return peers::guigue_devillers(a, b); }
@@ -122,6 +126,8 @@ cudaError_t count_pairs(peer by, const float *a, std::size_t n, const float *b, 
     return launch<balls_fp64>(a, n, b, m, count, stream);
   case peer::moller_fp32:
     return launch<moller_fp32>(a, n, b, m, count, stream);
+  case peer::moller_0_fp32:
+    return launch<moller_0_fp32>(a, n, b, m, count, stream);
   case peer::guigue_devillers_fp32:
     return launch<guigue_devillers_fp32>(a, n, b, m, count, stream);
   case peer::moller_trumbore_fp32:
