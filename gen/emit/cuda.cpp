@@ -43,7 +43,7 @@ std::string catalogue_text(const unit &u) {
   std::string rungs, out = "namespace {\n\nusing form = ball_form;\n\nconst ::meet::cuda::kind_launchers all_kinds[] = {\n";
   for (const spec::kind *k : kinds) {
     const std::string shape = identifier(k->name) + "_shape";
-    out += fmt::format("  {{\"{0}\", {1}::fields, ::meet::cuda::enclose<{1}>, ::meet::cuda::columns<{1}, form>}},\n", k->name,
+    out += fmt::format("  {{\"{0}\", {1}::fields, ::meet::cuda::place<{1}>, ::meet::cuda::enclose<{1}>, ::meet::cuda::columns<{1}, form>}},\n", k->name,
                        shape);
   }
   for (const char *r : {"fp32", "fp64", "fp64x2", "exact", "certified"})
@@ -57,8 +57,10 @@ std::string catalogue_text(const unit &u) {
       return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
     };
     const auto shape = [&](std::size_t i) { return identifier(k->asked.kinds[i]->name) + "_shape"; };
-    out += fmt::format("  {{\"{}\", {}, {}, ::meet::cuda::run<::{}::{}, {}, {}, rungs>}},\n", k->asked.asked->name, place(0),
-                       place(1), identifier(u.scene.space), identifier(k->asked.asked->name), shape(0), shape(1));
+    out += fmt::format("  {{\"{0}\", {1}, {2}, ::meet::cuda::run<::{3}::{4}, {5}, {6}, rungs>, ::meet::cuda::pairs<::{3}::{4}, "
+                       "{5}, {6}, form, rungs>, ::meet::cuda::query_workspace<{5}, {6}>}},\n",
+                       k->asked.asked->name, place(0), place(1), identifier(u.scene.space), identifier(k->asked.asked->name),
+                       shape(0), shape(1));
     ++count;
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst ::meet::cuda::catalogue &catalogue() {{\n"
@@ -103,7 +105,7 @@ std::string cuda_source(const unit &u) {
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n", space);
   for (const dag::kernel *k : predicates_of(u))
     out += fmt::format("#include <{}/{}.hpp>\n", space, k->asked.name());
-  out += "#include <meet/cuda_probe.hpp>\n#include <meet/cuda_steps.hpp>\n\nnamespace {\n\n";
+  out += "#include <meet/cuda_probe.hpp>\n#include <meet/cuda_query.hpp>\n\nnamespace {\n\n";
   out += rungs_function("decide_by", plain_cases(u));
   if (u.asks("certified"))
     out += rungs_function("certify_by", {{"fp32", "certify_step<P, ::meet::in_fp32>"},

@@ -45,14 +45,27 @@ std::string csv_names(const decide::kind_layout &layout) {
   return join(names, ",");
 }
 
-std::string shape_text(const dag::enclosure &e, const std::string &name, std::size_t fields) {
+// What each stored number is, for moving it.
+std::vector<std::string> roles_of(const unit &u, const spec::kind &k, const dag::enclosure &e) {
+  std::vector<std::string> roles;
+  int i = 0;
+  for (const decide::stored_real &r : u.model.layout(k).reals) {
+    static const char *const axes[] = {"x", "y", "z"};
+    roles.push_back(fmt::format("::meet::role::{}", r.position && r.axis < 3 ? axes[r.axis] : i == e.pad ? "length" : "other"));
+    ++i;
+  }
+  return roles;
+}
+
+std::string shape_text(const dag::enclosure &e, const std::string &name, const std::vector<std::string> &roles) {
+  const std::size_t fields = roles.size();
   std::string places, box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::string lo, hi;
     for (const std::vector<int> &point : e.hull) {
       const std::string value = axis < point.size() ? fmt::format("row[{}]", point[axis]) : "0.0f";
-      lo = lo.empty() ? value : fmt::format("::meet::least({}, {})", lo, value);
-      hi = hi.empty() ? value : fmt::format("::meet::most({}, {})", hi, value);
+      lo = lo.empty() ? value : fmt::format("::meet::least_of({}, {})", lo, value);
+      hi = hi.empty() ? value : fmt::format("::meet::most_of({}, {})", hi, value);
     }
     if (e.pad >= 0) {
       // One rounding, then one step outwards: never too small.
@@ -67,8 +80,10 @@ std::string shape_text(const dag::enclosure &e, const std::string &name, std::si
   return fmt::format("struct {}_shape {{\n  static constexpr int fields = {}, hull = {}, pad = {};\n"
                      "  MEET_HD static constexpr int place(int point, int axis) {{\n"
                      "    constexpr int all[] = {{{}}};\n    return all[3 * point + axis];\n  }}\n"
+                     "  MEET_HD static constexpr ::meet::role role_of(int field) {{\n"
+                     "    constexpr ::meet::role all[] = {{{}}};\n    return all[field];\n  }}\n"
                      "  MEET_HD static void box(const float *row, float lo[3], float hi[3]) {{\n{}  }}\n}};\n\n",
-                     name, fields, e.hull.size(), e.pad, places, box);
+                     name, fields, e.hull.size(), e.pad, places, join(roles, ", "), box);
 }
 
 dag::enclosure bounded(const unit &u, const spec::kind &k) {
@@ -88,14 +103,7 @@ std::string kind_entry(const unit &u, const spec::kind &k, const dag::enclosure 
 
 std::string kind_functions(const unit &u, const spec::kind &k, const dag::enclosure &e) {
   const std::string name = identifier(k.name);
-  std::vector<std::string> roles;
-  int i = 0;
-  for (const decide::stored_real &r : u.model.layout(k).reals) {
-    static const char *const axes[] = {"x", "y", "z"};
-    roles.push_back(fmt::format("::meet::role::{}", r.position && r.axis < 3 ? axes[r.axis] : i == e.pad ? "length" : "other"));
-    ++i;
-  }
-  std::string out = fmt::format("const ::meet::role {}_roles[] = {{{}}};\n", name, join(roles, ", "));
+  std::string out = fmt::format("const ::meet::role {}_roles[] = {{{}}};\n", name, join(roles_of(u, k, e), ", "));
   if (e.rule_input >= 0)
     out += fmt::format("const char *{}_fault(const float *row) {{ return row[{}] {} ? nullptr : \"{}\"; }}\n", name,
                        e.rule_input, e.rule, e.rule_text);
@@ -114,8 +122,10 @@ std::string shapes_header(const unit &u) {
                     open_header(u.scene, "file_shapes") +
                     "// place(): where the row holds a coordinate of a point of the hull; -1: it is 0. pad: where it holds the\n"
                     "// radius around the hull; -1: there is none. box(): never too small, where subnormals are not flushed.\n\n";
-  for (const spec::kind *k : element_kinds(u))
-    out += shape_text(bounded(u, *k), identifier(k->name), u.model.layout(*k).reals.size());
+  for (const spec::kind *k : element_kinds(u)) {
+    const dag::enclosure e = bounded(u, *k);
+    out += shape_text(e, identifier(k->name), roles_of(u, *k, e));
+  }
   out.pop_back();
   return out + close_header(u.scene);
 }

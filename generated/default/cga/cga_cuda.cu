@@ -14,7 +14,7 @@
 #include <cga/ball_triangle.hpp>
 #include <cga/sphere_triangle.hpp>
 #include <meet/cuda_probe.hpp>
-#include <meet/cuda_steps.hpp>
+#include <meet/cuda_query.hpp>
 
 namespace {
 
@@ -65,31 +65,49 @@ namespace {
 using form = ball_form;
 
 const ::meet::cuda::kind_launchers all_kinds[] = {
-  {"point", point_shape::fields, ::meet::cuda::enclose<point_shape>, ::meet::cuda::columns<point_shape,
-      form>},
-  {"sphere", sphere_shape::fields, ::meet::cuda::enclose<sphere_shape>, ::meet::cuda::columns<sphere_shape,
-      form>},
-  {"segment", segment_shape::fields, ::meet::cuda::enclose<segment_shape>,
+  {"point", point_shape::fields, ::meet::cuda::place<point_shape>, ::meet::cuda::enclose<point_shape>,
+      ::meet::cuda::columns<point_shape, form>},
+  {"sphere", sphere_shape::fields, ::meet::cuda::place<sphere_shape>, ::meet::cuda::enclose<sphere_shape>,
+      ::meet::cuda::columns<sphere_shape, form>},
+  {"segment", segment_shape::fields, ::meet::cuda::place<segment_shape>, ::meet::cuda::enclose<segment_shape>,
       ::meet::cuda::columns<segment_shape, form>},
-  {"triangle", triangle_shape::fields, ::meet::cuda::enclose<triangle_shape>,
-      ::meet::cuda::columns<triangle_shape, form>},
+  {"triangle", triangle_shape::fields, ::meet::cuda::place<triangle_shape>,
+      ::meet::cuda::enclose<triangle_shape>, ::meet::cuda::columns<triangle_shape, form>},
 };
 
 constexpr unsigned rungs = 1U << static_cast<int>(::meet::rung::fp32) | 1U << static_cast<int>(::meet::rung::fp64) | 1U << static_cast<int>(::meet::rung::fp64x2) | 1U << static_cast<int>(::meet::rung::exact) | 1U << static_cast<int>(::meet::rung::certified);
 
 const ::meet::cuda::predicate_launchers all_predicates[] = {
-  {"segment_segment", 2, 2, ::meet::cuda::run<::cga::segment_segment, segment_shape, segment_shape, rungs>},
-  {"point_triangle", 0, 3, ::meet::cuda::run<::cga::point_triangle, point_shape, triangle_shape, rungs>},
-  {"segment_triangle", 2, 3, ::meet::cuda::run<::cga::segment_triangle, segment_shape, triangle_shape,
-      rungs>},
+  {"segment_segment", 2, 2, ::meet::cuda::run<::cga::segment_segment, segment_shape, segment_shape, rungs>,
+      ::meet::cuda::pairs<::cga::segment_segment, segment_shape, segment_shape, form, rungs>,
+      ::meet::cuda::query_workspace<segment_shape, segment_shape>},
+  {"point_triangle", 0, 3, ::meet::cuda::run<::cga::point_triangle, point_shape, triangle_shape, rungs>,
+      ::meet::cuda::pairs<::cga::point_triangle, point_shape, triangle_shape, form, rungs>,
+      ::meet::cuda::query_workspace<point_shape, triangle_shape>},
+  {"segment_triangle", 2, 3, ::meet::cuda::run<::cga::segment_triangle, segment_shape, triangle_shape, rungs>,
+      ::meet::cuda::pairs<::cga::segment_triangle, segment_shape, triangle_shape, form, rungs>,
+      ::meet::cuda::query_workspace<segment_shape, triangle_shape>},
   {"triangle_triangle", 3, 3, ::meet::cuda::run<::cga::triangle_triangle, triangle_shape, triangle_shape,
-      rungs>},
-  {"sphere_sphere", 1, 1, ::meet::cuda::run<::cga::sphere_sphere, sphere_shape, sphere_shape, rungs>},
-  {"ball_ball", 1, 1, ::meet::cuda::run<::cga::ball_ball, sphere_shape, sphere_shape, rungs>},
-  {"ball_segment", 1, 2, ::meet::cuda::run<::cga::ball_segment, sphere_shape, segment_shape, rungs>},
-  {"sphere_segment", 1, 2, ::meet::cuda::run<::cga::sphere_segment, sphere_shape, segment_shape, rungs>},
-  {"ball_triangle", 1, 3, ::meet::cuda::run<::cga::ball_triangle, sphere_shape, triangle_shape, rungs>},
-  {"sphere_triangle", 1, 3, ::meet::cuda::run<::cga::sphere_triangle, sphere_shape, triangle_shape, rungs>},
+      rungs>, ::meet::cuda::pairs<::cga::triangle_triangle, triangle_shape, triangle_shape, form, rungs>,
+      ::meet::cuda::query_workspace<triangle_shape, triangle_shape>},
+  {"sphere_sphere", 1, 1, ::meet::cuda::run<::cga::sphere_sphere, sphere_shape, sphere_shape, rungs>,
+      ::meet::cuda::pairs<::cga::sphere_sphere, sphere_shape, sphere_shape, form, rungs>,
+      ::meet::cuda::query_workspace<sphere_shape, sphere_shape>},
+  {"ball_ball", 1, 1, ::meet::cuda::run<::cga::ball_ball, sphere_shape, sphere_shape, rungs>,
+      ::meet::cuda::pairs<::cga::ball_ball, sphere_shape, sphere_shape, form, rungs>,
+      ::meet::cuda::query_workspace<sphere_shape, sphere_shape>},
+  {"ball_segment", 1, 2, ::meet::cuda::run<::cga::ball_segment, sphere_shape, segment_shape, rungs>,
+      ::meet::cuda::pairs<::cga::ball_segment, sphere_shape, segment_shape, form, rungs>,
+      ::meet::cuda::query_workspace<sphere_shape, segment_shape>},
+  {"sphere_segment", 1, 2, ::meet::cuda::run<::cga::sphere_segment, sphere_shape, segment_shape, rungs>,
+      ::meet::cuda::pairs<::cga::sphere_segment, sphere_shape, segment_shape, form, rungs>,
+      ::meet::cuda::query_workspace<sphere_shape, segment_shape>},
+  {"ball_triangle", 1, 3, ::meet::cuda::run<::cga::ball_triangle, sphere_shape, triangle_shape, rungs>,
+      ::meet::cuda::pairs<::cga::ball_triangle, sphere_shape, triangle_shape, form, rungs>,
+      ::meet::cuda::query_workspace<sphere_shape, triangle_shape>},
+  {"sphere_triangle", 1, 3, ::meet::cuda::run<::cga::sphere_triangle, sphere_shape, triangle_shape, rungs>,
+      ::meet::cuda::pairs<::cga::sphere_triangle, sphere_shape, triangle_shape, form, rungs>,
+      ::meet::cuda::query_workspace<sphere_shape, triangle_shape>},
 };
 
 } // namespace

@@ -18,6 +18,10 @@ struct point_shape {
     constexpr int all[] = {0, 1, 2};
     return all[3 * point + axis];
   }
+  MEET_HD static constexpr ::meet::role role_of(int field) {
+    constexpr ::meet::role all[] = {::meet::role::x, ::meet::role::y, ::meet::role::z};
+    return all[field];
+  }
   MEET_HD static void box(const float *row, float lo[3], float hi[3]) {
     lo[0] = row[0];
     hi[0] = row[0];
@@ -33,6 +37,10 @@ struct sphere_shape {
   MEET_HD static constexpr int place(int point, int axis) {
     constexpr int all[] = {0, 1, 2};
     return all[3 * point + axis];
+  }
+  MEET_HD static constexpr ::meet::role role_of(int field) {
+    constexpr ::meet::role all[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::length};
+    return all[field];
   }
   MEET_HD static void box(const float *row, float lo[3], float hi[3]) {
     lo[0] = ::meet::step_down(row[0] - row[3]);
@@ -50,13 +58,18 @@ struct segment_shape {
     constexpr int all[] = {0, 1, 2, 3, 4, 5};
     return all[3 * point + axis];
   }
+  MEET_HD static constexpr ::meet::role role_of(int field) {
+    constexpr ::meet::role all[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
+        ::meet::role::y, ::meet::role::z};
+    return all[field];
+  }
   MEET_HD static void box(const float *row, float lo[3], float hi[3]) {
-    lo[0] = ::meet::least(row[0], row[3]);
-    hi[0] = ::meet::most(row[0], row[3]);
-    lo[1] = ::meet::least(row[1], row[4]);
-    hi[1] = ::meet::most(row[1], row[4]);
-    lo[2] = ::meet::least(row[2], row[5]);
-    hi[2] = ::meet::most(row[2], row[5]);
+    lo[0] = ::meet::least_of(row[0], row[3]);
+    hi[0] = ::meet::most_of(row[0], row[3]);
+    lo[1] = ::meet::least_of(row[1], row[4]);
+    hi[1] = ::meet::most_of(row[1], row[4]);
+    lo[2] = ::meet::least_of(row[2], row[5]);
+    hi[2] = ::meet::most_of(row[2], row[5]);
   }
 };
 
@@ -66,13 +79,18 @@ struct triangle_shape {
     constexpr int all[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     return all[3 * point + axis];
   }
+  MEET_HD static constexpr ::meet::role role_of(int field) {
+    constexpr ::meet::role all[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
+        ::meet::role::y, ::meet::role::z, ::meet::role::x, ::meet::role::y, ::meet::role::z};
+    return all[field];
+  }
   MEET_HD static void box(const float *row, float lo[3], float hi[3]) {
-    lo[0] = ::meet::least(::meet::least(row[0], row[3]), row[6]);
-    hi[0] = ::meet::most(::meet::most(row[0], row[3]), row[6]);
-    lo[1] = ::meet::least(::meet::least(row[1], row[4]), row[7]);
-    hi[1] = ::meet::most(::meet::most(row[1], row[4]), row[7]);
-    lo[2] = ::meet::least(::meet::least(row[2], row[5]), row[8]);
-    hi[2] = ::meet::most(::meet::most(row[2], row[5]), row[8]);
+    lo[0] = ::meet::least_of(::meet::least_of(row[0], row[3]), row[6]);
+    hi[0] = ::meet::most_of(::meet::most_of(row[0], row[3]), row[6]);
+    lo[1] = ::meet::least_of(::meet::least_of(row[1], row[4]), row[7]);
+    hi[1] = ::meet::most_of(::meet::most_of(row[1], row[4]), row[7]);
+    lo[2] = ::meet::least_of(::meet::least_of(row[2], row[5]), row[8]);
+    hi[2] = ::meet::most_of(::meet::most_of(row[2], row[5]), row[8]);
   }
 };
 

@@ -8,7 +8,7 @@
 #include <flat/segment_triangle.hpp>
 #include <flat/triangle_triangle.hpp>
 #include <meet/cuda_probe.hpp>
-#include <meet/cuda_steps.hpp>
+#include <meet/cuda_query.hpp>
 
 namespace {
 
@@ -59,23 +59,29 @@ namespace {
 using form = ball_form;
 
 const ::meet::cuda::kind_launchers all_kinds[] = {
-  {"point", point_shape::fields, ::meet::cuda::enclose<point_shape>, ::meet::cuda::columns<point_shape,
-      form>},
-  {"segment", segment_shape::fields, ::meet::cuda::enclose<segment_shape>,
+  {"point", point_shape::fields, ::meet::cuda::place<point_shape>, ::meet::cuda::enclose<point_shape>,
+      ::meet::cuda::columns<point_shape, form>},
+  {"segment", segment_shape::fields, ::meet::cuda::place<segment_shape>, ::meet::cuda::enclose<segment_shape>,
       ::meet::cuda::columns<segment_shape, form>},
-  {"triangle", triangle_shape::fields, ::meet::cuda::enclose<triangle_shape>,
-      ::meet::cuda::columns<triangle_shape, form>},
+  {"triangle", triangle_shape::fields, ::meet::cuda::place<triangle_shape>,
+      ::meet::cuda::enclose<triangle_shape>, ::meet::cuda::columns<triangle_shape, form>},
 };
 
 constexpr unsigned rungs = 1U << static_cast<int>(::meet::rung::fp32) | 1U << static_cast<int>(::meet::rung::fp64) | 1U << static_cast<int>(::meet::rung::fp64x2) | 1U << static_cast<int>(::meet::rung::exact) | 1U << static_cast<int>(::meet::rung::certified);
 
 const ::meet::cuda::predicate_launchers all_predicates[] = {
-  {"segment_segment", 1, 1, ::meet::cuda::run<::flat::segment_segment, segment_shape, segment_shape, rungs>},
-  {"point_triangle", 0, 2, ::meet::cuda::run<::flat::point_triangle, point_shape, triangle_shape, rungs>},
+  {"segment_segment", 1, 1, ::meet::cuda::run<::flat::segment_segment, segment_shape, segment_shape, rungs>,
+      ::meet::cuda::pairs<::flat::segment_segment, segment_shape, segment_shape, form, rungs>,
+      ::meet::cuda::query_workspace<segment_shape, segment_shape>},
+  {"point_triangle", 0, 2, ::meet::cuda::run<::flat::point_triangle, point_shape, triangle_shape, rungs>,
+      ::meet::cuda::pairs<::flat::point_triangle, point_shape, triangle_shape, form, rungs>,
+      ::meet::cuda::query_workspace<point_shape, triangle_shape>},
   {"segment_triangle", 1, 2, ::meet::cuda::run<::flat::segment_triangle, segment_shape, triangle_shape,
-      rungs>},
+      rungs>, ::meet::cuda::pairs<::flat::segment_triangle, segment_shape, triangle_shape, form, rungs>,
+      ::meet::cuda::query_workspace<segment_shape, triangle_shape>},
   {"triangle_triangle", 2, 2, ::meet::cuda::run<::flat::triangle_triangle, triangle_shape, triangle_shape,
-      rungs>},
+      rungs>, ::meet::cuda::pairs<::flat::triangle_triangle, triangle_shape, triangle_shape, form, rungs>,
+      ::meet::cuda::query_workspace<triangle_shape, triangle_shape>},
 };
 
 } // namespace

@@ -198,8 +198,8 @@ MEET_HD inline float step_up(float v) {
   return v;
 }
 MEET_HD inline float step_down(float v) { return -step_up(-v); }
-MEET_HD inline float least(float a, float b) { return b < a ? b : a; }
-MEET_HD inline float most(float a, float b) { return a < b ? b : a; }
+MEET_HD inline float least_of(float a, float b) { return b < a ? b : a; }
+MEET_HD inline float most_of(float a, float b) { return a < b ? b : a; }
 
 } // namespace meet
 

@@ -267,18 +267,23 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     outputs.expect(*q.folder / "gpu.md", true);
   try {
     gpu_bench bench(all, q);
-    const std::vector<gpu_scene> scenes = gpu_scenes(all, q.data, q.quick);
+    std::vector<gpu_scene> scenes = gpu_scenes(all, q.data, q.quick);
+    if (q.only)
+      std::erase_if(scenes, [&q](const gpu_scene &s) { return s.name.find(*q.only) == std::string::npos; });
+    if (scenes.empty())
+      throw failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
     auto progress = std::make_unique<progress_line>("bench gpu");
     std::vector<table> tables;
     for (const gpu_scene &s : scenes) {
       tables.push_back(bench.measure(s));
       (*progress)(static_cast<double>(tables.size()) / static_cast<double>(scenes.size() + 1));
     }
-    tables.push_back(bench.measure_tangent());
+    if (!q.only)
+      tables.push_back(bench.measure_tangent());
     progress.reset();
     std::string text = fmt::format("{}\n{}\n", bench.device_in_words(), rules), json_tables;
-    std::string markdown = fmt::format("# Measured on a GPU\n\nWritten by `meet bench gpu{}{} -o DIR`.\n\n{}\n\n{}\n", q.quick ? " --quick" : "",
-                           q.data ? " --data FOLDER" : "", bench.device_in_words(), rules);
+    std::string markdown = fmt::format("# Measured on a GPU\n\nWritten by `meet bench gpu{}{}{} -o DIR`.\n\n{}\n\n{}\n", q.quick ? " --quick" : "",
+                           q.data ? " --data FOLDER" : "", q.only ? " --only TEXT" : "", bench.device_in_words(), rules);
     for (const table &t : tables) {
       text += fmt::format("\n{}", as_text(t));
       markdown += fmt::format("\n{}", as_markdown(t));

@@ -13,6 +13,7 @@ namespace meet::app {
 struct gpu_request {
   std::optional<std::filesystem::path> folder; // for gpu.md
   std::optional<std::filesystem::path> data;   // of meshes; without it built-in bodies serve
+  std::optional<std::string> only;             // part of the names of the scenes to measure
   bool json = false, quick = false;
 };
 

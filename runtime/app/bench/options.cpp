@@ -36,6 +36,7 @@ void add_gpu(CLI::App &bench, bench_arguments &to) {
                "A folder with bunny_69k.ply and armadillo_345k.ply (with --quick the 5k ones); without it built-in "
                "bodies of about the same sizes serve")
       ->type_name("DIR");
+  c.add_option("--only", to.gpu.only, "Measure the scenes alone whose names hold this")->type_name("TEXT");
   c.add_flag("--quick", to.gpu.quick, "Small sets, to see that it runs")->disable_flag_override();
   c.add_flag("--json", to.gpu.json, "Print one JSON object instead of the tables")->disable_flag_override();
 }

@@ -2,18 +2,11 @@
 #ifndef MEET_CORE_DEVICE_KERNELS_HPP
 #define MEET_CORE_DEVICE_KERNELS_HPP
 
-#include "core/view.hpp"
+#include "meet/table.hpp"
 
 #include <cuda_runtime_api.h>
 
 namespace meet {
-
-inline constexpr unsigned long long none_bad = ~0ULL;
-
-// The rows under a pose, as core/view.hpp says. *bad: the first element in the caller's order with a number that is not
-// finite, times 2^32, plus its slot; or none_bad.
-cudaError_t move_rows(const kind_info &kind, const pose &at, const float *rows, const std::uint32_t *order,
-                      std::uint32_t elements, float *to, unsigned long long *bad, cudaStream_t stream);
 
 // Pairs of slots become keys, item_a 2^32 + item_b, whose order is that of the pairs. owner_x null: an element is its
 // own item.

@@ -1,8 +1,8 @@
 #include "core/device/set.hpp"
 
-#include "core/device/kernels.hpp"
 #include "core/element_set.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -62,11 +62,15 @@ void device_set::move(const pose &at) {
   device_memory<unsigned long long> bad;
   to.reserve(elements_ * fields, "a set under a pose");
   bad.reserve(1, "a set under a pose");
-  check(move_rows(*kind_, at, rows_.data(), order_.data(), elements_, to.data(), bad.data(), on_->stream()), "starting a kernel");
+  cuda::placement placed{{}, at.length_scale, false};
+  std::copy_n(at.m, 12, placed.m);
+  check(launchers_->place({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, placed, order_.data(), to.data(),
+                          bad.data(), on_->stream()),
+        "starting a kernel");
   unsigned long long first = 0;
   check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, on_->stream()), "moving a set");
   check(cudaStreamSynchronize(on_->stream()), "moving a set");
-  if (first != none_bad) {
+  if (first != ~0ULL) {
     const auto slot = static_cast<std::size_t>(first & 0xffffffff);
     std::vector<float> row(fields);
     fault f{fault_kind::moved, static_cast<std::size_t>(first >> 32), 0, 0, 0, nullptr};

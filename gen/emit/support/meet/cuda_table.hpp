@@ -61,10 +61,53 @@ struct probe_result {
   unsigned cases;                    // that were tried, of each unit
 };
 
+// Elements where the caller has them, in device memory. With `index`, each is so many indices into `vertices` points
+// x, y, z; without, a row of the kind's floats, and `vertices` is not looked at.
+struct view {
+  const float *data;
+  std::size_t stride_bytes; // of a point or row; a multiple of 4 is not needed
+  const std::uint32_t *index;
+  std::uint32_t vertices, elements;
+};
+
+// Row-major 3x4: a point becomes ((m0*x + m1*y) + m2*z) + m3 in fp64, in this order, without fma, rounded once to float32;
+// lengths are multiplied by length_scale. The identity passes every bit through.
+struct placement {
+  double m[12];
+  double length_scale;
+  bool identity;
+};
+
+// A query in the caller's memory. All pointers are device memory.
+struct query_result {
+  unsigned long long count;            // the true number of touching pairs, also where it exceeds the capacity
+  unsigned long long candidates, kept; // above list_capacity: the workspace is too small, and count is too low
+  // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus its place; ~0
+  // where all are good. Where one is not, the rest means nothing.
+  unsigned long long bad_a, bad_b;
+};
+struct query {
+  rung precision;
+  filter by;
+  view a;
+  placement at_a;
+  view b;
+  placement at_b;
+  index_pair *pairs; // in any order; null: only count
+  unsigned long long capacity;
+  query_result *result;
+  void *workspace; // 256-byte aligned
+  std::size_t bytes;
+  unsigned long long list_capacity; // candidates that there is room for between two stages
+};
+
 // One kind of element.
 struct kind_launchers {
   const char *name;
   int fields;
+  // Packed rows under the placement; *bad as in query_result, of order[i] for element i (null: i).
+  cudaError_t (*place)(const view &v, const placement &at, const std::uint32_t *order, float *rows, unsigned long long *bad,
+                       cudaStream_t stream);
   // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
   // The filter's columns of all objects in the frame of *around: as X (first) or Y. With balls around boxes the filter
@@ -73,11 +116,11 @@ struct kind_launchers {
                          const extent *around, void *columns, cudaStream_t stream);
 };
 
+inline constexpr std::uint32_t part_step = 64;
 // A part of the product of two sets' objects; first_a and first_b are multiples of part_step.
 struct part {
   std::uint32_t first_a, end_a, first_b, end_b;
 };
-inline constexpr std::uint32_t part_step = 64;
 
 // What a decision step runs on a list of candidates.
 enum class step : std::uint8_t {
@@ -95,6 +138,9 @@ struct predicate_launchers {
   // cudaErrorInvalidValue where the scene does not ask for the rung.
   cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                      cudaStream_t stream);
+  // A whole query, and the bytes that it needs.
+  cudaError_t (*pairs)(const query &q, cudaStream_t stream);
+  std::size_t (*workspace)(std::uint32_t elements_a, std::uint32_t elements_b, unsigned long long list_capacity);
 };
 
 struct catalogue {
