@@ -18,6 +18,9 @@ endif()
 if(TARGET meet_io)
   add_library(meet::io ALIAS meet_io)
 endif()
+if(TARGET meet_device)
+  add_library(meet::device ALIAS meet_device)
+endif()
 # Where a project that has meetc as a subfolder finds the algebras; the package says it in its config file.
 set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folder of the algebras that come with meetc")
 
@@ -68,6 +71,16 @@ if(TARGET meet_io)
   set(headers atomic_file.hpp element_set.hpp error.hpp read.hpp transform.hpp write.hpp)
   list(TRANSFORM headers PREPEND "${PROJECT_SOURCE_DIR}/runtime/io/")
   install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/io" COMPONENT meetc_runtime)
+endif()
+
+# Likewise, so that the runtime is found where CUDA is not.
+if(TARGET meet_device)
+  set_target_properties(meet_device PROPERTIES EXPORT_NAME device)
+  install(TARGETS meet_device EXPORT meetc_device_targets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
+    INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
+  install(EXPORT meetc_device_targets NAMESPACE meet::
+    DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
 endif()
 
 if(TARGET meet)

@@ -222,7 +222,7 @@ TEST_CASE("bench paper: what is wrong is said in one line, and nothing is writte
   CHECK(has(with({"--threads", "-1"}), "is not a number from 0 to 256"));
   CHECK(has(with({"extra"}), "not expected: extra (meet bench paper --help says more)"));
   CHECK(complaint({"bench"}) ==
-        "meet bench: what to measure is needed; known: paper (meet bench --help says more)");
-  CHECK(has(complaint({"bench", "frob"}), "meet bench: unknown 'frob'; known: paper"));
+        "meet bench: what to measure is needed; known: paper, gpu (meet bench --help says more)");
+  CHECK(has(complaint({"bench", "frob"}), "meet bench: unknown 'frob'; known: paper, gpu"));
   CHECK(run({"bench", "paper", "--help"}).code == 0);
 }

@@ -2,6 +2,7 @@
 #include "fixture.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 using namespace fixture;
 
@@ -58,6 +59,22 @@ TEST_CASE("help says what there is, and only that") {
   CHECK(run({"--version"}).out.rfind("meet ", 0) == 0);
 }
 
+TEST_CASE("no device: one line, exit code 3, and nothing is written") {
+  put_files();
+  ::setenv("CUDA_VISIBLE_DEVICES", "", 1); // where there is one, it is hidden
+  const std::string why =
+      collide_complaint({"ball.ply", "ring.ply", "--device", "cuda", "--pairs", "p.csv", "--image", "p.png"}, 3);
+  CHECK((why == "there is no CUDA device here; the CPU decides the same pairs (--device cpu)" ||
+         why == "--device cuda: this build has no CUDA kernels (no nvcc was found); use --device cpu"));
+  for (const char *const file : {"p.csv", "p.png"})
+    CHECK_FALSE(fs::exists(at(file)));
+  const std::string bench = complaint({"bench", "gpu", "-o", "measured"}, 3);
+  ::unsetenv("CUDA_VISIBLE_DEVICES");
+  CHECK((has(bench, "there is no CUDA device here") || has(bench, "this build has no CUDA kernels")));
+  CHECK_FALSE(fs::exists(at("measured")));
+  CHECK(has(complaint({"bench", "gpu", "--only"}), "its value is missing"));
+}
+
 TEST_CASE("values of options") {
   put_files();
   const auto with = [](const std::string &option, const std::string &value, int code = 2) {
@@ -65,8 +82,6 @@ TEST_CASE("values of options") {
   };
   for (const char *const p : {"fp16", "Certified", "FP32", ""})
     CHECK(has(with("--precision", p), "not in this build; known: fp32, fp64, fp64x2, exact, certified"));
-  CHECK(with("--device", "cuda", 3) ==
-        "--device cuda: this build decides pairs on the CPU; use --device cpu");
   CHECK(with("--device", "tpu") == "--device 'tpu': unknown; known: auto, cpu, cuda");
   CHECK(with("--mode", "hollow") == "--mode 'hollow': unknown; known: solid, surface");
   for (const char *const n : {"-1", "257", "two", "1.5", ""})

@@ -7,7 +7,7 @@ configure("${ROOM}/cuda" "-DCMAKE_PREFIX_PATH=${PREFIX}" "-DCMAKE_CUDA_COMPILER=
   -DCMAKE_CUDA_FLAGS=-Werror=all-warnings -DCMAKE_CUDA_STANDARD=17 -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
 build("${ROOM}/cuda")
 run("${ROOM}/cuda-build/app")
-expect("launcher 0, hit 1")
+expect("launcher 0, hit 1" "device: ")
 file(READ "${ROOM}/cuda-build/compile_commands.json" OUTPUT)
 expect("--fmad=false" "sm_80")
 expect_none("sm_90" "std=c++17")

@@ -1,6 +1,6 @@
 // The start-up probe: does a matrix unit add as matrix.hpp assumes?
 //
-// Half a million rows by columns of halves, whose exact sums fp64 holds, go through mma.sync and, where the device
+// Sixteen million rows by columns of halves, whose exact sums fp64 holds, go through mma.sync and, where the device
 // has it, wgmma. A result that is off by more than 17 2^-23 of the products' magnitudes refutes the model, and the filter
 // is then the one in float32. Passing proves nothing: the model stays an assumption. Cases: spread exponents; one large
 // addend over small ones at every distance (what is lost in aligning); pairs that cancel but for their last bits (what

@@ -8,32 +8,41 @@ namespace {
 
 constexpr const char *on_the_cpu = "; the CPU decides the same pairs (--device cpu)";
 
+std::string version(int v) {
+  return std::to_string(v / 1000) + "." + std::to_string(v % 1000 / 10);
+}
+
 device_facts find() {
-  int count = 0;
-  const cudaError_t e = cudaGetDeviceCount(&count);
-  if (e == cudaErrorInsufficientDriver) {
-    int driver = 0;
-    cudaDriverGetVersion(&driver);
-    if (driver > 0)
-      throw device_error("the CUDA driver is for CUDA " + std::to_string(driver / 1000) + "." +
-                         std::to_string(driver % 1000 / 10) + " and this build needs " +
-                         std::to_string(CUDART_VERSION / 1000) + "." + std::to_string(CUDART_VERSION % 1000 / 10) +
-                         on_the_cpu);
+  int count = 0, driver = 0, which = 0;
+  device_facts found;
+  const cudaError_t looking = cudaGetDeviceCount(&count);
+  cudaDriverGetVersion(&driver);
+  if (looking == cudaSuccess && count > 0) {
+    cudaDeviceProp p{};
+    check(cudaGetDevice(&which), "choosing a CUDA device");
+    check(cudaGetDeviceProperties(&p, which), "asking the CUDA device what it is");
+    found = {p.name, p.major, p.minor, p.multiProcessorCount, p.totalGlobalMem};
   }
-  if (e == cudaErrorInsufficientDriver || e == cudaErrorNoDevice || (e == cudaSuccess && count == 0))
-    throw device_error(std::string("there is no CUDA device here") + on_the_cpu);
-  check(e, "looking for a CUDA device");
-  int which = 0;
-  cudaDeviceProp p{};
-  check(cudaGetDevice(&which), "choosing a CUDA device");
-  check(cudaGetDeviceProperties(&p, which), "asking the CUDA device what it is");
-  if (p.major < 8)
-    throw device_error(std::string("the CUDA device ") + p.name + " has compute capability " + std::to_string(p.major) +
-                       "." + std::to_string(p.minor) + " and 8.0 is needed" + on_the_cpu);
-  return {p.name, p.major, p.minor, p.multiProcessorCount, p.totalGlobalMem};
+  if (const std::string why = refusal(looking, count, driver, found); !why.empty())
+    throw device_error(why);
+  return found;
 }
 
 } // namespace
+
+std::string refusal(cudaError_t looking, int count, int driver, const device_facts &found) {
+  if (looking == cudaErrorInsufficientDriver && driver > 0)
+    return "the CUDA driver is for CUDA " + version(driver) + " and this build needs " + version(CUDART_VERSION) +
+           on_the_cpu;
+  if (looking == cudaErrorInsufficientDriver || looking == cudaErrorNoDevice || (looking == cudaSuccess && count == 0))
+    return std::string("there is no CUDA device here") + on_the_cpu;
+  if (looking != cudaSuccess)
+    return std::string("CUDA: looking for a device: ") + cudaGetErrorString(looking) + on_the_cpu;
+  if (found.major < 8)
+    return "the CUDA device " + found.name + " has compute capability " + std::to_string(found.major) + "." +
+           std::to_string(found.minor) + " and 8.0 is needed" + on_the_cpu;
+  return "";
+}
 
 void check(cudaError_t e, const char *what) {
   if (e == cudaSuccess)

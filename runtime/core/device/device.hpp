@@ -25,6 +25,10 @@ struct device_facts {
   std::size_t bytes = 0;
 };
 
+// Why what was found cannot be used, in one line; empty where it can. `driver`: the CUDA version that the driver is for,
+// 0 where there is none; `found`: the device, where `count` says that there is one.
+std::string refusal(cudaError_t looking, int count, int driver, const device_facts &found);
+
 struct device_buffers;
 
 // The current CUDA device, with a stream and buffers that queries share: one query at a time. Sets that were uploaded
