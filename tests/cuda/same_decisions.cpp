@@ -1,39 +1,12 @@
 // Every predicate and rung: the launcher's answers against the CPU table's.
 #include "cuda_test.hpp"
+#include "launchers.hpp"
 
-#include <cga/cga_cuda.hpp>
 #include <cga/cga_runtime.hpp>
 #include <cmath>
-#include <cstring>
 
 namespace cuda_test {
 namespace {
-
-using launcher = cudaError_t (*)(meet::rung, const float *, const float *, const meet::index_pair *,
-                                 std::size_t, meet::answer *, cudaStream_t);
-
-struct launchers {
-  const char *name;
-  launcher decide, certify;
-};
-
-const launchers &launchers_of(const char *name) {
-  static const launchers all[] = {
-      {"segment_segment", cga::cuda::segment_segment::decide, cga::cuda::segment_segment::certify},
-      {"point_triangle", cga::cuda::point_triangle::decide, cga::cuda::point_triangle::certify},
-      {"segment_triangle", cga::cuda::segment_triangle::decide, cga::cuda::segment_triangle::certify},
-      {"triangle_triangle", cga::cuda::triangle_triangle::decide, cga::cuda::triangle_triangle::certify},
-      {"sphere_sphere", cga::cuda::sphere_sphere::decide, cga::cuda::sphere_sphere::certify},
-      {"ball_ball", cga::cuda::ball_ball::decide, cga::cuda::ball_ball::certify},
-      {"ball_segment", cga::cuda::ball_segment::decide, cga::cuda::ball_segment::certify},
-      {"sphere_segment", cga::cuda::sphere_segment::decide, cga::cuda::sphere_segment::certify},
-      {"ball_triangle", cga::cuda::ball_triangle::decide, cga::cuda::ball_triangle::certify},
-      {"sphere_triangle", cga::cuda::sphere_triangle::decide, cga::cuda::sphere_triangle::certify}};
-  for (const auto &row : all)
-    if (std::strcmp(row.name, name) == 0)
-      return row;
-  throw std::runtime_error(std::string("no launcher for ") + name);
-}
 
 std::vector<float> rows(const meet::kind_info &kind, std::size_t n, std::mt19937_64 &random) {
   std::vector<float> out;

@@ -112,6 +112,7 @@ static __global__ void __launch_bounds__(128) probe_kernel(probe_result *out) {
     multiply(d, x, wgmma_operand(y));
     wgmma_commit();
     wgmma_wait<0>();
+    settle(d);
 #pragma unroll
     for (unsigned i = 0; i < 32; ++i)
       wgmma_faults += !keeps_model(round, row + i / 2 % 2 * 8, i / 4 * 8 + t * 2 + i % 2, d[i]);

@@ -210,6 +210,12 @@ __device__ inline void wgmma_commit() { asm volatile("wgmma.commit_group.sync.al
 template <int Behind> __device__ inline void wgmma_wait() {
   asm volatile("wgmma.wait_group.sync.aligned %0;" ::"n"(Behind) : "memory");
 }
+// Results are there only after the wait, which names no register: without this the compiler may read them before it.
+__device__ inline void settle(float (&d)[32]) {
+#pragma unroll
+  for (int i = 0; i < 32; ++i)
+    asm volatile("" : "+f"(d[i])::"memory");
+}
 // No swizzle: pieces of 128 bytes, the next 8 columns 128 bytes on, the next 8 objects 256 bytes on.
 __device__ inline unsigned long long wgmma_operand(const void *shared) {
   const auto at = static_cast<unsigned>(__cvta_generic_to_shared(shared));
@@ -266,6 +272,7 @@ __global__ void __launch_bounds__(128)
       } else {
         wgmma_wait<0>();
       }
+      settle(d[r % 2]);
       unsigned even = 0, odd = 0;
 #pragma unroll
       for (unsigned i = 0; i < results; i += 4) {
