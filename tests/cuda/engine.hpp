@@ -54,11 +54,8 @@ struct range {
 struct expectation {
   range near_balls, candidates, unsure[meet::bounded_rungs];
 };
-// Of `certified`, from the host's own columns, pair by pair.
+// Of `certified`, element by element, from the host's own columns, pair by pair.
 expectation expect(const meet::predicate_info &p, const meet::prepared &a, const meet::prepared &b, meet::cuda::filter by);
-
-// Whether the elements' enclosing balls touch, so that no filter may part them. False where rounding leaves it open.
-bool balls_touch(const meet::kind_info &a, const float *x, const meet::kind_info &b, const float *y);
 
 // ---- comparing ----------------------------------------------------------------------------------------------------
 
@@ -82,6 +79,8 @@ public:
 
   meet::device &on() const { return on_; }
   const std::vector<meet::cuda::filter> &filters() const { return filters_; }
+  // Filters by elements and by groups, as the options ask.
+  std::vector<std::pair<meet::cuda::filter, meet::cuda::grouping>> ways(const options &o = {}) const;
 
   // Every rung of `rungs` by every filter against the CPU; differences are counted under the scene's name and printed.
   void same(const std::string &scene, const meet::predicate_info &p, const meet::prepared &a, const meet::prepared &b,

@@ -19,35 +19,35 @@ using namespace meet;
 using form = cga::ball_form;
 using ball = std::array<double, 4>;
 
-template <class Shape> ball enclosing(const float *row) {
+template <class Shape> ball enclosing(const float *row, cover c) {
   ball out;
-  enclosing_ball<Shape>(row, out.data());
+  object_ball<Shape>(c, row, 0, 1, out.data());
   return out;
 }
-ball enclosing(const kind_info &kind, const float *row) {
+ball enclosing(const kind_info &kind, const float *row, cover c) {
   const std::string_view name = kind.name;
   if (name == "point")
-    return enclosing<cga::point_shape>(row);
+    return enclosing<cga::point_shape>(row, c);
   if (name == "sphere")
-    return enclosing<cga::sphere_shape>(row);
+    return enclosing<cga::sphere_shape>(row, c);
   if (name == "segment")
-    return enclosing<cga::segment_shape>(row);
+    return enclosing<cga::segment_shape>(row, c);
   if (name == "triangle")
-    return enclosing<cga::triangle_shape>(row);
+    return enclosing<cga::triangle_shape>(row, c);
   throw std::runtime_error("a kind without a shape: " + std::string(name));
 }
 
-std::vector<ball> balls_of(const prepared &p) {
+std::vector<ball> balls_of(const prepared &p, cover c) {
   std::vector<ball> out;
   const auto fields = static_cast<std::size_t>(p.kind().fields);
   for (std::size_t i = 0; i < p.elements(); ++i)
-    out.push_back(enclosing(p.kind(), p.set().rows + i * fields));
+    out.push_back(enclosing(p.kind(), p.set().rows + i * fields, c));
   return out;
 }
 
-matrix_frame frame_around(const std::vector<ball> &balls) {
+matrix_frame frame_around(const prepared &p) {
   double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for (const ball &b : balls)
+  for (const ball &b : balls_of(p, cover::box))
     for (std::size_t k = 0; k < 3; ++k)
       lo[k] = std::fmin(lo[k], b[k] - b[3]), hi[k] = std::fmax(hi[k], b[k] + b[3]);
   return frame_of(lo, hi);
@@ -100,20 +100,12 @@ std::vector<box> boxes_of(const prepared &p) {
 
 } // namespace
 
-bool balls_touch(const kind_info &a, const float *x, const kind_info &b, const float *y) {
-  const ball p = enclosing(a, x), q = enclosing(b, y);
-  double d2 = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    d2 += (p[k] - q[k]) * (p[k] - q[k]);
-  return d2 <= (p[3] + q[3]) * (p[3] + q[3]) * (1 - 1e-12);
-}
-
 expectation expect(const predicate_info &p, const prepared &a, const prepared &b, cuda::filter by) {
-  const std::vector<ball> balls_a = balls_of(a), balls_b = balls_of(b);
+  const std::vector<ball> balls_a = balls_of(a, cover::element), balls_b = balls_of(b, cover::element);
   expectation out;
   if (balls_a.empty() || balls_b.empty())
     return out;
-  const matrix_frame frame = frame_around(balls_b.size() < balls_a.size() ? balls_a : balls_b);
+  const matrix_frame frame = frame_around(balls_b.size() < balls_a.size() ? a : b);
   const std::vector<columns> x = columns_of<true>(balls_a, frame), y = columns_of<false>(balls_b, frame);
   const std::vector<box> boxes_a = boxes_of(a), boxes_b = boxes_of(b);
   std::vector<index_pair> pairs;

@@ -134,9 +134,10 @@ void all_hits(comparison &with, const settings &s) {
     answer hit;
     p.decide[static_cast<int>(rung::exact)](x.rows.data(), y.rows.data(), &first, 1, &hit);
     device_set a(with.on(), ready(x)), b(with.on(), ready(y));
-    for (const cuda::filter f : with.filters()) {
+    for (const auto &[f, by] : with.ways()) {
       device_options o;
       o.filter = f;
+      o.by = by;
       o.list_capacity = least_lists;
       const device_result r = collide(with.on(), a, b, p, rung::certified, o);
       with.add(scene, p, r);
@@ -144,7 +145,8 @@ void all_hits(comparison &with, const settings &s) {
       for (std::size_t i = 0; right && i < r.pairs.size(); ++i)
         right = r.pairs[i].a == i / n && r.pairs[i].b == i % n;
       with.require(scene, right, std::string(p.name) + ", " + name_of(f) + ": not every pair once");
-      with.require(scene, r.near_balls == std::uint64_t{n} * n, std::string(p.name) + ": the filter lost or repeated pairs");
+      const std::uint64_t objects = n / cuda::size_of(by);
+      with.require(scene, r.near_balls == objects * objects, std::string(p.name) + ": the filter lost or repeated pairs");
       with.require(scene, r.parts > 34, "the product was not cut");
     }
   });

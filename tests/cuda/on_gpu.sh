@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # Tests and times what was built, on a machine with a GPU; leaves logs and tables in OUT.
 #   on_gpu.sh BUILD OUT [DATA]
-# DATA: a folder of meshes; without it built-in bodies serve. `./dev gpu` builds first and copies the tables into
+# DATA: a folder of meshes; without it built-in bodies serve. PARTS in the environment, some of "tests sanitizer bench
+# paper counters", does those alone. `./dev gpu` builds first and copies the tables into
 # docs/gpu.md. compute-sanitizer and ncu are used where they are found.
 set -uo pipefail
 build=${1:?the build folder is needed}
 out=${2:?a folder for the results is needed}
 data=${3:-}
+parts=" ${PARTS:-tests sanitizer bench paper counters} "
 mkdir -p "$out"
 meet="$build/runtime/app/meet"
 failed=0
@@ -29,12 +31,19 @@ step() {
   fi
 }
 
-for test in test_cuda test_cuda_fast_math test_cuda_pairs test_cuda_extremes; do
-  step $test "$build/tests/cuda/$test"
-done
-[ -n "$data" ] && step test_cuda_data "$build/tests/cuda/test_cuda_pairs" --data "$data"
+does() { [[ $parts == *" $1 "* ]]; }
 
-if command -v compute-sanitizer >/dev/null; then
+if does tests; then
+  for test in test_cuda test_cuda_fast_math test_cuda_pairs test_cuda_extremes; do
+    step $test "$build/tests/cuda/$test"
+  done
+  [ -z "$data" ] || step test_cuda_data "$build/tests/cuda/test_cuda_pairs" --data "$data"
+
+fi
+
+if ! does sanitizer; then
+  :
+elif command -v compute-sanitizer >/dev/null; then
   for tool in memcheck racecheck initcheck synccheck; do
     step "sanitizer_$tool" compute-sanitizer --tool $tool --error-exitcode 1 "$build/tests/cuda/test_cuda_pairs" --small
   done
@@ -42,11 +51,13 @@ else
   echo "skipped  compute-sanitizer: not found"
 fi
 
-step bench_gpu "$meet" bench gpu -o "$out" ${data:+--data "$data"}
-step bench_paper "$meet" bench paper --device cuda -o "$out/paper" ${data:+--data "$data"}
+! does bench || step bench_gpu "$meet" bench gpu -o "$out" ${data:+--data "$data"}
+! does paper || step bench_paper "$meet" bench paper --device cuda -o "$out/paper" ${data:+--data "$data"}
 
 # What the matrix units and the logic units are busy with, in the filter of balls x balls.
-if command -v ncu >/dev/null; then
+if ! does counters; then
+  :
+elif command -v ncu >/dev/null; then
   metrics=sm__pipe_tensor_cycles_active.avg.pct_of_peak_sustained_active
   metrics+=,sm__inst_executed_pipe_alu.avg.pct_of_peak_sustained_active
   metrics+=,smsp__issue_active.avg.pct_of_peak_sustained_active

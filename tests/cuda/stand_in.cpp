@@ -91,26 +91,6 @@ cudaError_t cudaEventElapsedTime(float *ms, cudaEvent_t, cudaEvent_t) {
 
 namespace meet {
 
-cudaError_t move_rows(const kind_info &kind, const pose &at, const float *rows, const std::uint32_t *order,
-                      std::uint32_t elements, float *to, unsigned long long *bad, cudaStream_t) {
-  *bad = none_bad;
-  for (std::uint32_t i = 0; i < elements; ++i) {
-    const float *row = rows + i * static_cast<std::size_t>(kind.fields);
-    float *out = to + i * static_cast<std::size_t>(kind.fields);
-    for (int f = 0; f < kind.fields; ++f)
-      if (kind.roles[f] == role::length)
-        out[f] = static_cast<float>(static_cast<double>(row[f]) * at.length_scale);
-      else if (kind.roles[f] == role::x)
-        for (int k = 0; k < 3; ++k) {
-          const double *m = at.m + 4 * k;
-          const double x = row[f], y = row[f + 1], z = row[f + 2];
-          out[f + k] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
-        }
-    if (!std::all_of(out, out + kind.fields, [](float v) { return std::isfinite(v); }))
-      *bad = std::min(*bad, static_cast<unsigned long long>(order[i]) << 32 | i);
-  }
-  return cudaSuccess;
-}
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
                     const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys, cudaStream_t) {
   for (std::size_t i = 0; i < n; ++i) {
@@ -172,10 +152,32 @@ cudaError_t clear_extent(extent *around, cudaStream_t) {
     around->low[k] = ~0ULL, around->high[k] = 0;
   return cudaSuccess;
 }
+template <class Shape>
+cudaError_t place(const cuda::view &v, const cuda::placement &at, const std::uint32_t *order, float *to,
+                  unsigned long long *bad, cudaStream_t) {
+  constexpr int fields = Shape::fields;
+  *bad = ~0ULL;
+  for (std::uint32_t i = 0; i < v.elements; ++i) {
+    const float *row = v.data + i * std::size_t{fields};
+    float *out = to + i * std::size_t{fields};
+    for (int f = 0; f < fields; ++f)
+      if (Shape::role_of(f) == role::length)
+        out[f] = static_cast<float>(static_cast<double>(row[f]) * at.length_scale);
+      else if (Shape::role_of(f) == role::x)
+        for (int k = 0; k < 3; ++k) {
+          const double *m = at.m + 4 * k;
+          const double x = row[f], y = row[f + 1], z = row[f + 2];
+          out[f + k] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
+        }
+    if (!std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }))
+      *bad = std::min(*bad, static_cast<unsigned long long>(order[i]) << 32 | i);
+  }
+  return cudaSuccess;
+}
 template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t) {
   for (std::uint32_t i = 0; i < n; ++i) {
     double ball[4];
-    enclosing_ball<Shape>(rows + i * std::size_t{Shape::fields}, ball);
+    ball_of_box<Shape>(rows + i * std::size_t{Shape::fields}, ball);
     for (int k = 0; k < 3; ++k) {
       around->low[k] = std::min<unsigned long long>(around->low[k], ordered(ball[k] - ball[3]));
       around->high[k] = std::max<unsigned long long>(around->high[k], ordered(ball[k] + ball[3]));
@@ -184,15 +186,18 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
   return cudaSuccess;
 }
 template <class Shape>
-cudaError_t columns(cuda::filter by, bool first, const float *rows, std::uint32_t n, const extent *around, void *out, cudaStream_t) {
+cudaError_t columns(cuda::filter by, cuda::grouping g, cover c, bool first, const float *rows, std::uint32_t n,
+                    const extent *around, void *out, cudaStream_t) {
   double lo[3], hi[3];
   for (int k = 0; k < 3; ++k)
     lo[k] = from_ordered(around->low[k]), hi[k] = from_ordered(around->high[k]);
-  for (std::size_t i = 0; i < matrix_padded(n); ++i) {
+  const std::uint32_t objects = operand{rows, n, g, nullptr}.objects(), size = cuda::size_of(g);
+  for (std::size_t i = 0; i < matrix_padded(objects); ++i) {
     double ball[4] = {0, 0, 0, 0};
     placing where = placing::apart;
-    if (i < n) {
-      enclosing_ball<Shape>(rows + i * std::size_t{Shape::fields}, ball);
+    if (i < objects) {
+      const auto begin = static_cast<std::uint32_t>(i) * size;
+      object_ball<Shape>(c, rows, begin, std::min(n, begin + size), ball);
       where = place_ball(frame_of(lo, hi), ball);
     }
     if (by == cuda::filter::float32) {
@@ -223,11 +228,13 @@ bool negative(cuda::filter by, const double *x, const double *y) {
 }
 
 cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda::part of, pair_list out, cudaStream_t) {
-  const auto end_a = static_cast<std::uint32_t>(matrix_padded(of.end_a)), end_b = static_cast<std::uint32_t>(matrix_padded(of.end_b));
-  if (of.first_a % matrix_block != 0 || of.first_b % matrix_block != 0)
+  // Where the part ends with the set, its padding is looked at, too.
+  const auto end_of = [](std::uint32_t end, const operand &o) {
+    return end == o.objects() ? static_cast<std::uint32_t>(matrix_padded(end)) : end;
+  };
+  if (of.first_a % cuda::part_step != 0 || of.first_b % cuda::part_step != 0 || of.end_a > a.objects() || of.end_b > b.objects())
     return cudaErrorInvalidValue;
-  if ((of.end_a % matrix_block != 0 && of.end_a != a.elements) || (of.end_b % matrix_block != 0 && of.end_b != b.elements))
-    return cudaErrorInvalidValue;
+  const std::uint32_t end_a = end_of(of.end_a, a), end_b = end_of(of.end_b, b);
   const auto halves_of = [](const operand &o, std::uint32_t first, std::uint32_t end) {
     std::vector<double> v;
     for (std::uint32_t i = first; i < end; ++i)
@@ -245,7 +252,7 @@ cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda
               ? std::signbit(bilinear<form>(static_cast<const float *>(a.columns) + i * std::size_t{form::products + 1},
                                             static_cast<const float *>(b.columns) + j * std::size_t{form::products + 1}))
               : negative(by, &x[(i - of.first_a) * std::size_t{matrix_columns}], &y[(j - of.first_b) * std::size_t{matrix_columns}]);
-      if (keep && (i >= a.elements || j >= b.elements))
+      if (keep && (i >= a.objects() || j >= b.objects()))
         return cudaErrorIllegalAddress; // padding
       if (keep)
         append(out, {i, j});
@@ -260,9 +267,18 @@ template <int Which>
 cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure, cudaStream_t) {
   const predicate_info &p = cga::catalogue().predicates[Which];
   const auto fa = static_cast<std::size_t>(p.a->fields), fb = static_cast<std::size_t>(p.b->fields);
-  const std::size_t n = static_cast<std::size_t>(std::min(*in.count, in.capacity));
-  std::vector<answer> answers(n);
   const bool near = which == cuda::step::near_boxes || which == cuda::step::near_reject;
+  std::vector<index_pair> taken_apart;
+  for (std::size_t i = 0; i < std::min(*in.count, in.capacity); ++i) {
+    const index_pair q = in.pairs[i];
+    const std::uint32_t size = near ? cuda::size_of(a.by) : 1;
+    for (std::uint32_t x = q.a * size; x < std::min(a.elements, (q.a + 1) * size); ++x)
+      for (std::uint32_t y = q.b * size; y < std::min(b.elements, (q.b + 1) * size); ++y)
+        taken_apart.push_back({x, y});
+  }
+  const std::size_t n = taken_apart.size();
+  in.pairs = taken_apart.data();
+  std::vector<answer> answers(n);
   if (!near) {
     const int at = static_cast<int>(which) - static_cast<int>(cuda::step::plain_fp32);
     const decide_function decide = which >= cuda::step::certify_fp32
@@ -293,14 +309,14 @@ cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list 
 }
 
 cudaError_t probe(cuda::probe_result *out, cudaStream_t) {
-  *out = {0, 0, 1, 0, 1};
+  *out = {0, 0, 0, 1, 0, 1};
   return cudaSuccess;
 }
 
-const cuda::kind_launchers kinds[] = {{"point", 3, enclose<cga::point_shape>, columns<cga::point_shape>},
-                                      {"sphere", 4, enclose<cga::sphere_shape>, columns<cga::sphere_shape>},
-                                      {"segment", 6, enclose<cga::segment_shape>, columns<cga::segment_shape>},
-                                      {"triangle", 9, enclose<cga::triangle_shape>, columns<cga::triangle_shape>}};
+const cuda::kind_launchers kinds[] = {{"point", 3, place<cga::point_shape>, enclose<cga::point_shape>, columns<cga::point_shape>},
+                                      {"sphere", 4, place<cga::sphere_shape>, enclose<cga::sphere_shape>, columns<cga::sphere_shape>},
+                                      {"segment", 6, place<cga::segment_shape>, enclose<cga::segment_shape>, columns<cga::segment_shape>},
+                                      {"triangle", 9, place<cga::triangle_shape>, enclose<cga::triangle_shape>, columns<cga::triangle_shape>}};
 
 } // namespace
 
@@ -311,7 +327,7 @@ const ::meet::cuda::catalogue &catalogue() {
   const ::meet::catalogue &all = ::cga::catalogue();
   const auto place_of = [&](const kind_info *k) { return static_cast<int>(k - all.kinds); };
   const auto add = [&](int i, auto launch) {
-    predicates.push_back({all.predicates[i].name, place_of(all.predicates[i].a), place_of(all.predicates[i].b), launch});
+    predicates.push_back({all.predicates[i].name, place_of(all.predicates[i].a), place_of(all.predicates[i].b), launch, nullptr, nullptr});
   };
   if (predicates.empty()) {
     add(0, run<0>), add(1, run<1>), add(2, run<2>), add(3, run<3>), add(4, run<4>);

@@ -216,6 +216,11 @@ __device__ inline void settle(float (&d)[32]) {
   for (int i = 0; i < 32; ++i)
     asm volatile("" : "+f"(d[i])::"memory");
 }
+__device__ inline void settle(unsigned (&d)[16]) {
+#pragma unroll
+  for (int i = 0; i < 16; ++i)
+    asm volatile("" : "+r"(d[i])::"memory");
+}
 // No swizzle: pieces of 128 bytes, the next 8 columns 128 bytes on, the next 8 objects 256 bytes on.
 __device__ inline unsigned long long wgmma_operand(const void *shared) {
   const auto at = static_cast<unsigned>(__cvta_generic_to_shared(shared));

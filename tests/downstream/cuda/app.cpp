@@ -1,16 +1,9 @@
-// Asks for no pair, so that no device is needed; then for a device, which is there or is not.
+// Asks for no pair, so that no device is needed.
 #include <cell/cell.hpp>
 #include <cell/cell_cuda.hpp>
-#include <core/device/collide.hpp>
 #include <cstdio>
 
 int main() {
   const cudaError_t none = cell::cuda::ball_ball::decide(meet::rung::exact, nullptr, nullptr, nullptr, 0, nullptr, nullptr);
   std::printf("launcher %d, hit %d\n", static_cast<int>(none), cell::ball_ball::hit({{0, 0, 0}, 1}, {{2, 0, 0}, 1}));
-  try {
-    const meet::device on(cell::cuda::catalogue());
-    std::printf("device: ready\n");
-  } catch (const meet::device_error &e) {
-    std::printf("device: %s\n", e.what());
-  }
 }

@@ -121,6 +121,7 @@ static __global__ void __launch_bounds__(128) probe_kernel(probe_result *out) {
     multiply(h, x, wgmma_operand(y));
     wgmma_commit();
     wgmma_wait<0>();
+    settle(h);
 #pragma unroll
     for (unsigned i = 0; i < 32; ++i)
       wgmma_half_faults += !keeps_half_model(round, row + i / 2 % 2 * 8, i / 4 * 8 + t * 2 + i % 2,

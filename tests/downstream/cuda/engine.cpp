@@ -1,0 +1,13 @@
+// Asks for a device, which is there or is not.
+#include <cell/cell_cuda.hpp>
+#include <core/device/collide.hpp>
+#include <cstdio>
+
+int main() {
+  try {
+    const meet::device on(cell::cuda::catalogue());
+    std::printf("device: ready\n");
+  } catch (const meet::device_error &e) {
+    std::printf("device: %s\n", e.what());
+  }
+}
