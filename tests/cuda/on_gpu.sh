@@ -45,7 +45,9 @@ if ! does sanitizer; then
   :
 elif command -v compute-sanitizer >/dev/null; then
   for tool in memcheck racecheck initcheck synccheck; do
-    step "sanitizer_$tool" compute-sanitizer --tool $tool --error-exitcode 1 "$build/tests/cuda/test_cuda_pairs" --small
+    # Under these tools the start-up probe alone would take minutes; a tool that hangs is no finding.
+    step "sanitizer_$tool" timeout 150 compute-sanitizer --tool $tool --kernel-name-exclude kernel_substring=probe_kernel \
+      --error-exitcode 1 "$build/tests/cuda/test_cuda_pairs" --small
   done
 else
   echo "skipped  compute-sanitizer: not found"
