@@ -32,6 +32,7 @@ bool read(int argc, char **argv, cuda_test::settings &s) {
 
 int main(int argc, char **argv) {
   using namespace cuda_test;
+  std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12); // what was found is seen also where the run is cut off
   settings s;
   if (!read(argc, argv, s)) {
     std::fputs("usage: test_cuda_pairs [--small] [--seed N] [--data FOLDER]\n", stderr);

@@ -2,6 +2,7 @@
 #include "engine.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <functional>
 
@@ -41,7 +42,7 @@ template <class Error> bool throws(const std::function<void()> &f) {
 // Around every size of tile, block and part.
 void sizes(comparison &with, const settings &s) {
   engine random(s.seed);
-  const std::vector<std::size_t> all = s.small ? std::vector<std::size_t>{1, 65, 130}
+  const std::vector<std::size_t> all = s.small ? std::vector<std::size_t>{0, 1, 65, 130}
                                                : std::vector<std::size_t>{0,  1,  2,   15,  16,  17,  63,
                                                                           64, 65, 511, 512, 513, 3000};
   each_predicate([&](const predicate_info &p) {
@@ -288,16 +289,20 @@ void refusals(comparison &with, const settings &s) {
 } // namespace
 
 void pair_scenes(comparison &with, const settings &s) {
-  sizes(with, s);
-  rungs(with, s);
-  families(with, s);
-  scales(with, s);
-  all_hits(with, s);
-  cut_parts(with, s);
-  owners(with, s);
-  again(with, s);
-  long_sets(with, s);
-  refusals(with, s);
+  const auto scene = [&](const char *name, void (*run)(comparison &, const settings &)) {
+    std::printf("%s ...\n", name);
+    run(with, s);
+  };
+  scene("sizes", sizes);
+  scene("rungs", rungs);
+  scene("families", families);
+  scene("scales", scales);
+  scene("all hits", all_hits);
+  scene("parts", cut_parts);
+  scene("owners", owners);
+  scene("asked again", again);
+  scene("long sets", long_sets);
+  scene("refusals", refusals);
 }
 
 } // namespace cuda_test
