@@ -134,7 +134,7 @@ std::string paper_bodies::in_words() const {
   std::string files;
   for (const size &s : given_)
     files += ", " + s.file.filename().string();
-  return fmt::format("The meshes of {}: bunny_1k.ply{}.", given_.front().file.parent_path().string(), files);
+  return fmt::format("The meshes of {}: bunny_1k.ply{}.", given_.front().file.parent_path().filename().string(), files);
 }
 
 io::element_set paper_bodies::finer_bunny(int times) const {
