@@ -340,7 +340,7 @@ std::vector<file> cpp_files(const unit &u) {
     out.push_back({space + "/ball_form.hpp", ball_form_header(u)});
   if (cuda && predicates) {
     out.push_back({space + '/' + space + "_cuda.hpp", cuda_header(u)});
-    out.push_back({space + '/' + space + "_cuda.cu", cuda_source(u)});
+    out.push_back({space + '/' + space + "_cuda.cu", cuda_text(u)});
   }
   for (std::size_t i = copied; i < out.size(); ++i) // the headers of meet/ are copied byte for byte
     out[i].text = broken_lines(out[i].text);

@@ -22,7 +22,6 @@ std::string runtime_source(const unit &u);
 
 // Launchers of the predicates on a CUDA device.
 std::string cuda_header(const unit &u);
-std::string cuda_source(const unit &u);
 
 // Touching balls as a matrix product, for scenes with a CUDA backend.
 std::string ball_form_header(const unit &u);

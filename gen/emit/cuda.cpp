@@ -97,9 +97,7 @@ std::string cuda_header(const unit &u) {
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
-std::string cuda_text(const unit &u) { return cuda_source(u); }
-
-std::string cuda_source(const unit &u) {
+std::string cuda_text(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "Launchers on a CUDA device.");
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n", space);

@@ -1,5 +1,6 @@
 #include "app/report.hpp"
 
+#include "app/bench/table.hpp"
 #include "app/paint.hpp"
 
 #include <fmt/format.h>
@@ -157,7 +158,7 @@ std::string json(const collide_report &r) {
       on_device ? "cuda" : "cpu", unsure_json(r), r.read_seconds, f.prepare_seconds, f.collide_seconds,
       on_device ? fmt::format(R"(,"start":{:.6f},"device":{:.6f})", f.start_seconds, f.device_seconds) : "",
       r.asked.by.predicate->name, r.asked.by.predicate->mode,
-      on_device ? fmt::format(R"(,"device_name":"{}","model":"{}")", f.device, f.model) : "");
+      on_device ? fmt::format(R"(,"device_name":{},"model":"{}")", json_string(f.device), f.model) : "");
 }
 
 } // namespace meet::app

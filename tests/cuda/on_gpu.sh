@@ -24,10 +24,13 @@ step() {
     local rc=$?
     if [ $rc -eq 77 ]; then
       echo "skipped  $name: $(tail -n 1 "$out/$name.log")"
+      failed=1
+    elif [ $rc -eq 124 ]; then # of timeout: a tool that hangs is no finding
+      echo "no end   $name ($((SECONDS - start)) s)"
     else
       echo "FAILED   $name (exit $rc): $(tail -n 1 "$out/$name.log")"
+      failed=1
     fi
-    failed=1
   fi
 }
 
@@ -45,7 +48,7 @@ if ! does sanitizer; then
   :
 elif command -v compute-sanitizer >/dev/null; then
   for tool in memcheck racecheck initcheck synccheck; do
-    # Under these tools the start-up probe alone would take minutes; a tool that hangs is no finding.
+    # Under these tools the start-up probe alone would take minutes.
     step "sanitizer_$tool" timeout 150 compute-sanitizer --tool $tool --kernel-name-exclude kernel_substring=probe_kernel \
       --error-exitcode 1 "$build/tests/cuda/test_cuda_pairs" --small
   done

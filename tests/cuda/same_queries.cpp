@@ -153,6 +153,42 @@ long same_queries() {
     check(launch.pairs(q, nullptr), "query");
     expect(result.read()[0].bad_a >> 32 == 7, info.name, "a bad element is not named");
   }
+  // Enough groups for the large kernels of every filter that there is.
+  const buffer<meet::cuda::probe_result> probed(1);
+  check(launchers.probe(probed.data(), nullptr), "probe");
+  const bool has_wgmma = probed.read()[0].has_wgmma != 0;
+  for (int p = 0; p < launchers.predicate_count; ++p) {
+    const meet::predicate_info &info = all.predicates[p];
+    if (std::strcmp(info.name, "ball_ball") != 0)
+      continue;
+    operand_data a, b;
+    for (operand_data *const d : {&a, &b}) {
+      d->elements = 5003, d->stride = 4;
+      for (std::uint32_t i = 0; i < 4 * d->elements; ++i)
+        d->data.push_back(static_cast<float>(random() % 4096) / (i % 4 == 3 ? 16384.0f : 64.0f));
+    }
+    const meet::prepared ready_a = meet::prepare(on_cpu(a), *info.a), ready_b = meet::prepare(on_cpu(b), *info.b);
+    const meet::result want = meet::collide(ready_a, ready_b, info, meet::rung::certified);
+    const on_device da(a), db(b);
+    constexpr unsigned long long list = 5008ULL * 5008;
+    const std::size_t bytes = launchers.predicates[p].workspace(a.elements, b.elements, list);
+    const buffer<char> space(bytes);
+    const buffer<meet::index_pair> out(want.count + 1);
+    using meet::cuda::filter;
+    for (const filter by : {filter::float32, filter::mma, filter::wgmma, filter::wgmma_half}) {
+      meet::cuda::query q{meet::rung::certified, by,         da.v,           as_placement({}), db.v, as_placement({}), out.data(),
+                          want.count + 1,        result.data(), space.data(), bytes,            list};
+      check(launchers.predicates[p].pairs(q, nullptr), "query");
+      check(cudaDeviceSynchronize(), info.name);
+      const meet::cuda::query_result r = result.read()[0];
+      const bool there = has_wgmma || by == filter::float32 || by == filter::mma;
+      expect(there ? r.count == want.count && sorted(out.read().data(), r.count) == sorted(want.pairs.data(), want.pairs.size())
+                   : r.candidates > list,
+             info.name, there ? "other pairs of many groups" : "a missing filter is not told");
+      ++queries;
+      hits += static_cast<long>(want.count);
+    }
+  }
   std::printf("%ld whole queries, %ld touching pairs: %ld differences\n", queries, hits, differences);
   if (hits < 1000)
     throw std::runtime_error("too few pairs touch for this test to mean anything");

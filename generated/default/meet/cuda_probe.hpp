@@ -37,7 +37,7 @@ __device__ inline std::uint16_t probe_value(bool first, unsigned round, unsigned
     const bool large = k == round / 5 % 16;
     const int distance = static_cast<int>(i % 8) + static_cast<int>(round / 80 % 2) * 7;
     return first ? half_of(large ? 0 : r >> 31, large ? 7 : 0, large ? 0 : r)
-                 : half_of(0, large ? 7 : -(distance < 7 ? distance : 7), round % 2 ? 0 : r >> 3);
+                 : half_of(0, large ? 7 : -distance, round % 2 ? 0 : r >> 3);
   }
   case 2: { // two and two cancel, but for their last bits
     const unsigned twin = mixed(mixed(round * 977 + 5) + i * 31 + k / 2 * 131 + first);

@@ -93,7 +93,7 @@ struct query_memory {
   void *columns_a, *columns_b;
   extent *around;
   index_pair *first, *second;
-  unsigned long long *counts; // of the unsure: fp32, fp64, fp64x2; and one that nothing is added to
+  unsigned long long *counts; // unsure in fp32, fp64, fp64x2 and exact (none); pairs with touching boxes
 
   template <class A, class B> static query_memory of(cutter &from, std::uint32_t a, std::uint32_t b, unsigned long long list) {
     const auto columns = [&](std::uint32_t n) {
@@ -105,7 +105,7 @@ struct query_memory {
     m.columns_a = columns(a), m.columns_b = columns(b);
     m.around = from.take<extent>(1);
     m.first = from.take<index_pair>(list), m.second = from.take<index_pair>(list);
-    m.counts = from.take<unsigned long long>(4);
+    m.counts = from.take<unsigned long long>(5);
     return m;
   }
 };
@@ -116,39 +116,21 @@ template <class A, class B> std::size_t query_workspace(std::uint32_t a, std::ui
   return measure.used();
 }
 
-// The steps after the first of a rung; their number.
-inline int steps_of(rung precision, step (&steps)[4]) {
-  switch (precision) {
-  case rung::fp32:
-    return steps[0] = step::plain_fp32, 1;
-  case rung::fp64:
-    return steps[0] = step::plain_fp64, 1;
-  case rung::fp64x2:
-    return steps[0] = step::plain_fp64x2, 1;
-  case rung::exact:
-    return steps[0] = step::exact, 1;
-  case rung::certified:
-    steps[0] = step::certify_fp32, steps[1] = step::certify_fp64, steps[2] = step::certify_fp64x2, steps[3] = step::exact;
-    return 4;
-  }
-  return 0;
-}
-
 template <class P, class A, class B, class Form, unsigned Rungs> cudaError_t pairs(const query &q, cudaStream_t stream) {
   cutter from(q.workspace, q.bytes);
   const query_memory m = query_memory::of<A, B>(from, q.a.elements, q.b.elements, q.list_capacity);
-  if (!from.fits() || !q.workspace || reinterpret_cast<std::uintptr_t>(q.workspace) % 256 != 0 || !q.result)
+  const ladder_steps steps = steps_of(q.precision);
+  if (steps.count == 0 || !from.fits() || !q.workspace || reinterpret_cast<std::uintptr_t>(q.workspace) % 256 != 0 || !q.result)
     return cudaErrorInvalidValue;
   cudaError_t e = cudaMemsetAsync(q.result, 0, sizeof *q.result, stream);
   const auto then = [&e](auto &&enqueue) { e = e == cudaSuccess ? enqueue() : e; };
-  then([&] { return cudaMemsetAsync(m.counts, 0, 4 * sizeof *m.counts, stream); });
+  then([&] { return cudaMemsetAsync(m.counts, 0, 5 * sizeof *m.counts, stream); });
   then([&] { return place<A>(q.a, q.at_a, nullptr, m.rows_a, &q.result->bad_a, stream); });
   then([&] { return place<B>(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
   if (q.a.elements == 0 || q.b.elements == 0)
     return e;
   // Bad elements can be anything: what follows is finished all the same, and means nothing then.
-  const bool plain = q.precision != rung::exact && q.precision != rung::certified;
-  const cover c = plain ? cover::box : cover::element;
+  const cover c = balls_for(q.precision);
   const bool frame_of_a = q.b.elements < q.a.elements;
   then([&] { return clear_extent(m.around, stream); });
   then([&] {
@@ -163,15 +145,11 @@ template <class P, class A, class B, class Form, unsigned Rungs> cudaError_t pai
   const auto take = [&](step which, const pair_list &in, const pair_list &yes, const pair_list &unsure) {
     then([&] { return run<P, A, B, Rungs>(which, x, y, in, yes, unsure, stream); });
   };
-  take(q.precision == rung::certified ? step::near_reject : step::near_boxes, near, kept, {nullptr, m.counts + 3, 0});
-  step steps[4];
-  const int count = steps_of(q.precision, steps);
-  if (count == 0)
-    return cudaErrorInvalidValue;
+  take(first_step(q.precision), near, kept, {nullptr, m.counts + 4, 0});
   pair_list in = kept;
-  for (int s = 0; s < count; ++s) {
-    const pair_list unsure{s % 2 == 0 ? m.first : m.second, m.counts + (s < 3 ? s : 3), q.list_capacity};
-    take(steps[s], in, hits, unsure);
+  for (int s = 0; s < steps.count; ++s) {
+    const pair_list unsure{s % 2 == 0 ? m.first : m.second, m.counts + s, q.list_capacity};
+    take(steps.of[s], in, hits, unsure);
     in = unsure;
   }
   return e;

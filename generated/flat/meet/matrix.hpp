@@ -90,7 +90,7 @@ MEET_HD inline matrix_frame frame_of(const double lo[3], const double hi[3]) {
   return f;
 }
 
-// A ball x, y, z, r in the frame. Inside: within reach in every number. Ahead of use: such balls alone obey the bound.
+// A ball x, y, z, r, taken into the frame. Inside: within reach in every number; the bound is proved for such balls alone.
 enum class placing : std::uint8_t { inside, apart, astride };
 MEET_HD inline placing place_ball(const matrix_frame &frame, double ball[4]) {
   bool inside = true, apart = false;

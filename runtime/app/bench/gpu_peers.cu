@@ -32,9 +32,10 @@ struct guigue_devillers_fp32 {
   static constexpr int fields_a = 9, fields_b = 9, rows = 1;
   __device__ static bool hit(const float *a, const float *b) { return peers::guigue_devillers(a, b); }
 };
-struct moller_trumbore_fp32 {
+// His epsilon of 1e-6 would call every triangle of a fine mesh degenerate.
+struct moller_trumbore_0_fp32 {
   static constexpr int fields_a = 6, fields_b = 9, rows = 2;
-  __device__ static bool hit(const float *a, const float *b) { return peers::moller_trumbore(a, b, 1e-6F); }
+  __device__ static bool hit(const float *a, const float *b) { return peers::moller_trumbore(a, b, 0.0F); }
 };
 
 // A thread holds some rows of a; rows of b come through shared memory.
@@ -130,8 +131,8 @@ cudaError_t count_pairs(peer by, const float *a, std::size_t n, const float *b, 
     return launch<moller_0_fp32>(a, n, b, m, count, stream);
   case peer::guigue_devillers_fp32:
     return launch<guigue_devillers_fp32>(a, n, b, m, count, stream);
-  case peer::moller_trumbore_fp32:
-    return launch<moller_trumbore_fp32>(a, n, b, m, count, stream);
+  case peer::moller_trumbore_0_fp32:
+    return launch<moller_trumbore_0_fp32>(a, n, b, m, count, stream);
   }
   return cudaErrorInvalidValue;
 }

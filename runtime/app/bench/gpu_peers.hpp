@@ -8,7 +8,7 @@
 namespace meet::app {
 
 // Each as in peers.hpp, on packed rows in device memory.
-enum class peer { balls_fp32, balls_fp64, moller_fp32, moller_0_fp32, guigue_devillers_fp32, moller_trumbore_fp32 };
+enum class peer { balls_fp32, balls_fp64, moller_fp32, moller_0_fp32, guigue_devillers_fp32, moller_trumbore_0_fp32 };
 constexpr const char *name_of(peer p) {
   switch (p) {
   case peer::balls_fp32:
@@ -21,8 +21,8 @@ constexpr const char *name_of(peer p) {
     return "Möller, epsilon 0, fp32";
   case peer::guigue_devillers_fp32:
     return "Guigue-Devillers, fp32";
-  case peer::moller_trumbore_fp32:
-    return "Möller-Trumbore, fp32";
+  case peer::moller_trumbore_0_fp32:
+    return "Möller-Trumbore, epsilon 0, fp32";
   }
   return "";
 }

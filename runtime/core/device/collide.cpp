@@ -28,41 +28,10 @@ const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const 
   throw device_error(std::string("no CUDA kernels were generated for ") + p.name);
 }
 
-// The decision steps of a rung after the first, which looks at boxes and, for `certified`, at the reject stage.
-struct device_ladder {
-  cuda::step first = cuda::step::near_boxes;
-  std::vector<cuda::step> steps;
-  bool plain;
-
-  device_ladder(const predicate_info &p, rung precision)
-      : plain(precision != rung::exact && precision != rung::certified) {
-    const bool known = p.decide[static_cast<int>(precision)] != nullptr;
-    require(known, text(status::no_such_rung));
-    switch (precision) {
-    case rung::fp32:
-      steps = {cuda::step::plain_fp32};
-      break;
-    case rung::fp64:
-      steps = {cuda::step::plain_fp64};
-      break;
-    case rung::fp64x2:
-      steps = {cuda::step::plain_fp64x2};
-      break;
-    case rung::exact:
-      steps = {cuda::step::exact};
-      break;
-    case rung::certified:
-      first = cuda::step::near_reject;
-      steps = {cuda::step::certify_fp32, cuda::step::certify_fp64, cuda::step::certify_fp64x2, cuda::step::exact};
-      break;
-    }
-  }
-};
-
 class query {
 public:
   query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision, const device_options &options)
-      : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), ladder_(p, precision),
+      : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
         options_(options), keep_(options.mode == collide_mode::list ||
                                  (options.mode == collide_mode::count && owned())) {}
 
@@ -74,7 +43,7 @@ public:
     start_clock();
     if (a_.elements() > 0 && b_.elements() > 0) {
       const device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
-      const cover c = options_.balls.value_or(ladder_.plain ? cover::box : cover::element);
+      const cover c = options_.balls.value_or(cuda::balls_for(precision_));
       x_ = a_.as(result_.filter, options_.by, c, true, frame);
       y_ = b_.as(result_.filter, options_.by, c, false, frame);
       take_room();
@@ -213,14 +182,15 @@ private:
                           const cuda::pair_list &unsure) {
       check(predicate_.run(which, x_, y_, in, yes, unsure, stream), "starting a decision step");
     };
-    step(ladder_.first, list(buffers_.first, counter::candidates), list(buffers_.second, counter::kept),
+    step(cuda::first_step(precision_), list(buffers_.first, counter::candidates), list(buffers_.second, counter::kept),
          count_only(counter::touching));
     cuda::pair_list in = list(buffers_.second, counter::kept);
     static constexpr counter unsure[] = {counter::unsure_fp32, counter::unsure_fp64, counter::unsure_fp64x2,
                                          counter::unused};
-    for (std::size_t s = 0; s < ladder_.steps.size(); ++s) {
+    const cuda::ladder_steps steps = cuda::steps_of(precision_);
+    for (int s = 0; s < steps.count; ++s) {
       const cuda::pair_list out = list(s % 2 == 0 ? buffers_.first : buffers_.second, unsure[s]);
-      step(ladder_.steps[s], in, hits, out);
+      step(steps.of[s], in, hits, out);
       in = out;
     }
     check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
@@ -266,6 +236,8 @@ private:
 
   // Sorts the keys on the device, each once where there are owners; false where it lacks the memory.
   bool sort_on_device() {
+    if (owned() && keys_ > 0x7fffffff) // older CUB drops repeats of no more
+      return false;
     const int bits = 32 + std::bit_width(largest_item());
     std::size_t sort_bytes = 0, repeat_bytes = 0;
     check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
@@ -327,7 +299,7 @@ private:
   device_buffers &buffers_;
   device_set &a_, &b_;
   const cuda::predicate_launchers &predicate_;
-  device_ladder ladder_;
+  rung precision_;
   const device_options &options_;
   bool keep_;
   cuda::operand x_{}, y_{};
@@ -348,6 +320,7 @@ device_result collide(device &on, device_set &a, device_set &b, const predicate_
   };
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b),
           "the predicate is for other kinds of element");
+  require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
   require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
   device_result r = query(on, a, b, predicate, precision, options).run();
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -30,7 +30,9 @@ struct device_result : result {
   cuda::filter filter = cuda::filter::float32;
   std::uint64_t near_balls = 0;  // pairs of objects that the filter let through
   std::uint64_t parts = 0;       // in which the product was gone through
-  double device_seconds = 0;     // from the first kernel to the last, without transfers
+  // From the first kernel to the last, with what is allocated between them; without uploading sets and downloading pairs,
+  // where the device had the memory to sort them.
+  double device_seconds = 0;
 };
 
 // Throws as collide() on the CPU, and device_error.

@@ -13,8 +13,8 @@
 
 namespace meet::cuda {
 
-// A list that kernels append to, in any order. *count is the true number, also above the capacity; then some of the
-// pairs are written and the call is to be repeated with more room.
+// A list that kernels append to, in any order. *count is the true number, also above the capacity (of candidates() a
+// number above it); then some of the pairs are written and the call is to be repeated with more room.
 struct pair_list {
   index_pair *pairs;
   unsigned long long *count;
@@ -81,14 +81,15 @@ struct placement {
 // A query in the caller's memory. All pointers are device memory.
 struct query_result {
   unsigned long long count;            // the true number of touching pairs, also where it exceeds the capacity
-  unsigned long long candidates, kept; // above list_capacity: the workspace is too small, and count is too low
+  // Above list_capacity: the workspace is too small, count is too low, and how much room is needed is not known.
+  unsigned long long candidates, kept;
   // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus its place; ~0
   // where all are good. Where one is not, the rest means nothing.
   unsigned long long bad_a, bad_b;
 };
 struct query {
   rung precision;
-  filter by;
+  filter by; // one that probe() did not refute
   view a;
   placement at_a;
   view b;
@@ -129,6 +130,33 @@ enum class step : std::uint8_t {
   plain_fp32, plain_fp64, plain_fp64x2, exact,
   certify_fp32, certify_fp64, certify_fp64x2,
 };
+
+// What a rung takes after the first step (near_reject for `certified`, else near_boxes): each step what the one before
+// left unsure. count 0: no such rung.
+struct ladder_steps {
+  step of[4];
+  int count;
+};
+constexpr ladder_steps steps_of(rung precision) {
+  switch (precision) {
+  case rung::fp32:
+    return {{step::plain_fp32}, 1};
+  case rung::fp64:
+    return {{step::plain_fp64}, 1};
+  case rung::fp64x2:
+    return {{step::plain_fp64x2}, 1};
+  case rung::exact:
+    return {{step::exact}, 1};
+  case rung::certified:
+    return {{step::certify_fp32, step::certify_fp64, step::certify_fp64x2, step::exact}, 4};
+  }
+  return {{}, 0};
+}
+constexpr step first_step(rung precision) { return precision == rung::certified ? step::near_reject : step::near_boxes; }
+// Plain rungs can say yes where nothing touches; with balls around boxes they are asked about what the CPU asks about.
+constexpr cover balls_for(rung precision) {
+  return precision == rung::certified || precision == rung::exact ? cover::element : cover::box;
+}
 
 struct predicate_launchers {
   const char *name;
