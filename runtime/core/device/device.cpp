@@ -68,7 +68,7 @@ void *allocate_on_device(std::size_t bytes, const char *what_for) {
     return data;
   std::size_t free = 0, all = 0;
   cudaMemGetInfo(&free, &all);
-  throw device_error("not enough device memory: " + std::to_string(bytes >> 20) + " MiB asked for " + what_for + ", " +
+  throw device_error("not enough device memory: " + std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB asked for " + what_for + ", " +
                      std::to_string(free >> 20) + " MiB free" + on_the_cpu);
 }
 
