@@ -37,7 +37,7 @@ std::string lookup(const char *type, const char *name, const std::vector<std::st
 }
 
 std::string extent_text(const char *object, const std::vector<leaf> &leaves, int inputs_a) {
-  const std::string head = fmt::format("    MEET_HD static float extent_{0}([[maybe_unused]] const float *{0}) {{\n", object);
+  const std::string head = fmt::format("    MEET_HD MEET_INLINE static float extent_{0}([[maybe_unused]] const float *{0}) {{\n", object);
   std::string most = "0.0f";
   std::string out = head;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -96,7 +96,7 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const dag::stage &s,
   names.result = [](std::size_t i, const std::string &v) { return fmt::format("m[{}] = {};", i, v); };
   text += body(b.magnitudes, names, "      ");
   out += fmt::format("    // The values on magnitudes of leaves, with every subtraction an addition.\n"
-                     "    template <class T, class Leaf>\n    MEET_HD static void magnitudes([[maybe_unused]] const T *a, "
+                     "    template <class T, class Leaf>\n    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, "
                      "[[maybe_unused]] const T *b, const Leaf &leaf, T *m) {{\n{}    }}\n",
                      text);
   return out;

@@ -74,6 +74,24 @@ std::set<const spec::kind *> blades_of(const unit &u) {
   return out;
 }
 
+// What predicates take for granted of an operand: finite numbers, and the kind's `where`.
+std::string valid_text(const unit &u, const spec::kind &k) {
+  const std::vector<decide::stored_real> reals = u.model.layout(k).reals;
+  std::string holds;
+  for (const decide::stored_real &r : reals)
+    holds += fmt::format("{}::meet::is_finite(k.{})", holds.empty() ? "" : " &&\n      ", path_identifier(r.path));
+  std::string rule;
+  if (k.rule) {
+    const dag::enclosure e = dag::enclosing(u.model, k);
+    const std::string path = path_identifier(reals[static_cast<std::size_t>(e.rule_input)].path);
+    holds += " &&\n      " + rule_test(e, "k." + path);
+    rule = fmt::format(" and {}", e.rule_text);
+  }
+  return fmt::format("// Whether all numbers are finite{}, on their bits: what predicates take for granted.\n"
+                     "template <class T> MEET_HD inline bool valid(const {}<T> &k) {{\n  return {};\n}}\n",
+                     rule, identifier(k.name), holds);
+}
+
 std::string struct_text(const unit &u, const spec::kind &k) {
   const std::string name = identifier(k.name);
   std::string out = fmt::format("// {}: as it is stored, {} numbers.\ntemplate <class T = float> struct {} {{\n", k.name,
@@ -96,7 +114,7 @@ std::string struct_text(const unit &u, const spec::kind &k) {
   int i = 0;
   for (const decide::stored_real &r : u.model.layout(k).reals)
     out += fmt::format("  out[{}] = k.{};\n", i++, path_identifier(r.path));
-  return out + "}\n\n";
+  return out + "}\n" + valid_text(u, k) + "\n";
 }
 
 std::string blade_struct(const unit &u, const spec::kind &k) {
@@ -266,7 +284,7 @@ std::string open_header(const spec::scene &s, const std::string &name, const std
                                 space, name, space.size());
   for (const std::string &i : includes)
     out += fmt::format("#include <{}/{}>\n", space, i);
-  return out + fmt::format("\nstatic_assert(MEET_SUPPORT_VERSION == 2, \"meet/support.hpp is of another version; "
+  return out + fmt::format("\nstatic_assert(MEET_SUPPORT_VERSION == 3, \"meet/support.hpp is of another version; "
                            "regenerate\");\n\nnamespace {} {{\n\n",
                            space);
 }

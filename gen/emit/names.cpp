@@ -17,7 +17,7 @@ std::string identifier(const std::string &name) {
       "requires", "return", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "struct",
       "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "union",
       "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "T", "S", "blade",
-      "to_row", "hit", "plain", "usual", "whole", "rejected", "needs_rare", "atoms", "inputs_a", "inputs_b", "value",
+      "to_row", "valid", "hit", "plain", "usual", "whole", "rejected", "needs_rare", "atoms", "inputs_a", "inputs_b", "value",
       "reject_stage", "common_stage", "rare_stage", "catalogue", "ball_form", "NULL", "NAN", "INFINITY", "EOF", "errno", "assert",
       "stdin", "stdout", "stderr", "main", "std", "cuda", "predicates", "kinds", "linux", "unix"};
   // Leading underscores, double underscores and a trailing one are reserved or ours.
@@ -50,6 +50,10 @@ std::string kernel_function(const dag::request &r) {
   // A function named like an operand would be hidden by it.
   const bool hidden = std::find(r.names.begin(), r.names.end(), r.function) != r.names.end();
   return identifier(r.function) + (hidden ? "_" : "");
+}
+
+std::string rule_test(const dag::enclosure &e, const std::string &number) {
+  return (e.rule == "> 0" ? "::meet::is_positive(" : "::meet::not_negative(") + number + ")";
 }
 
 } // namespace meetc::emit

@@ -14,5 +14,7 @@ std::string path_identifier(const std::string &path);
 std::string blade_field(const algebra::metric &m, algebra::blade b);
 // A function's or struct's name for a kernel.
 std::string kernel_function(const dag::request &r);
+// Whether a number obeys a kind's rule, as C++ on its bits.
+std::string rule_test(const dag::enclosure &e, const std::string &number);
 
 } // namespace meetc::emit

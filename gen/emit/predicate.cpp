@@ -31,15 +31,15 @@ std::string stage_text(const dag::predicate &p, const dag::stage &st, const boun
                      "    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
                      "    static constexpr int degree = {}, growth = {};\n",
                      name, first, st.atoms.size(), text.fields_a, text.fields_b, st.degree, st.growth);
-  out += fmt::format("    template <class T>\n    MEET_HD static void object_a([[maybe_unused]] const T *a, "
+  out += fmt::format("    template <class T>\n    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, "
                      "[[maybe_unused]] T *f) {{\n{}    }}\n",
                      text.object_a);
-  out += fmt::format("    template <class T>\n    MEET_HD static void object_b([[maybe_unused]] const T *b, "
+  out += fmt::format("    template <class T>\n    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, "
                      "[[maybe_unused]] T *f) {{\n{}    }}\n",
                      text.object_b);
   out += fmt::format("    // The values, whose signs are wanted; W holds those of degree 3 and more.\n"
-                     "    template <class T, class W = T>\n    MEET_HD static void pair([[maybe_unused]] const T *a, "
-                     "[[maybe_unused]] const T *fa,\n                             [[maybe_unused]] const T *b, "
+                     "    template <class T, class W = T>\n    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, "
+                     "[[maybe_unused]] const T *fa,\n        [[maybe_unused]] const T *b, "
                      "[[maybe_unused]] const T *fb, W *v) {{\n{}    }}\n",
                      text.pair);
   if (b)
@@ -131,6 +131,12 @@ std::string commented(const std::string &label, const std::string &text) {
   }
   return out + '\n';
 }
+
+constexpr const char *certified_comment =
+    "Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.";
+constexpr const char *exact_comment = "Right for any valid operands, see valid().";
+constexpr const char *plain_comment =
+    "By the sign of the value computed in T (float, double); says nothing about how wrong it can be.";
 } // namespace
 
 std::string sign_text(const unit &u, std::size_t kernel) {
@@ -157,22 +163,20 @@ std::string sign_text(const unit &u, std::size_t kernel) {
   out += fmt::format("  template <class S> MEET_HD static constexpr S value([[maybe_unused]] const S *s) {{ return {}; "
                      "}}\n}};\n",
                      product);
-  const auto function = [&](const char *comment, const char *head, const char *suffix, const std::string &value) {
-    return fmt::format("// {}\n{}MEET_HD inline ::meet::sign {}{}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
-                       "  float row_a[{}], row_b[{}];\n  to_row(operand_a, row_a);\n  to_row(operand_b, row_b);\n"
-                       "  return {};\n}}\n",
-                       comment, head, kernel_function(k.asked), suffix, a, b, p.inputs_a, p.inputs_b, value);
+  const auto function = [&](const char *comment, const char *head, const char *suffix, const std::string &body) {
+    out += fmt::format("// {}\n{}MEET_HD inline ::meet::sign {}{}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
+                       "{}}}\n",
+                       comment, head, kernel_function(k.asked), suffix, a, b, body);
   };
   if (u.asks("certified"))
-    out += function("Right for any finite operands; the cheapest rung that proves its answer gives it.", "", "",
-                    fmt::format("::meet::decide_certified_sign<{}_sign>(row_a, row_b)", name));
+    function(certified_comment, "", "", fmt::format("  return ::meet::sign_certified<{}_sign>(operand_a, operand_b);\n", name));
   else if (u.asks("exact"))
-    out += function("Right for any finite operands.", "", "",
-                    fmt::format("::meet::decide_sign<{0}_sign>(::meet::exact_signs<{0}_sign>(row_a, row_b))", name));
+    function(exact_comment, "", "", fmt::format("  return ::meet::sign_exact<{}_sign>(operand_a, operand_b);\n", name));
   if (u.asks("fp32") || u.asks("fp64") || u.asks("fp64x2"))
-    out += function("The sign of the value computed in T (float, double); says nothing about how wrong it can be.",
-                    "template <class T> ", "_plain",
-                    fmt::format("::meet::decide_sign<{0}_sign>(::meet::plain_signs<{0}_sign, T>(row_a, row_b))", name));
+    function(plain_comment, "template <class T> ", "_plain",
+             fmt::format("  const ::meet::rows_of<{0}_sign, {1}<float>, {2}<float>> rows(operand_a, operand_b);\n"
+                         "  return ::meet::decide_sign<{0}_sign>(::meet::plain_signs<{0}_sign, T>(rows.a, rows.b));\n",
+                         name, a, b));
   return out;
 }
 
@@ -203,25 +207,25 @@ std::string predicate_text(const unit &u, std::size_t kernel) {
   out += truth_function(p, slot, "usual", {p.usual});
   out += truth_function(p, slot, "whole", {p.truths.hit});
   const auto method = [&](const char *comment, const char *head, const char *type, const char *function,
-                          const std::string &value) {
-    return fmt::format("\n  // {}\n  {}MEET_HD static {} {}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
-                       "    float row_a[inputs_a], row_b[inputs_b];\n    to_row(operand_a, row_a);\n"
-                       "    to_row(operand_b, row_b);\n    return {};\n  }}\n",
-                       comment, head, type, function, a, b, value);
+                          const std::string &body) {
+    out += fmt::format("\n  // {}\n  {}MEET_HD static {} {}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
+                       "{}  }}\n",
+                       comment, head, type, function, a, b, body);
   };
   if (u.asks("certified")) {
-    out += method("Right for any finite operands; the cheapest rung that proves its answer gives it.", "", "bool", "hit",
-                  fmt::format("::meet::decide_certified<{}>(row_a, row_b)", name));
-    out += method("The first rung alone, in fp32: no and yes are proved, where standard_environment() holds.", "",
-                  "::meet::answer", "filter", fmt::format("::meet::certify<{}, ::meet::in_fp32>(row_a, row_b)", name));
+    method(certified_comment, "", "bool", "hit",
+           fmt::format("    return ::meet::hit_certified<{}>(operand_a, operand_b);\n", name));
+    method("The first rung alone, in fp32: no and yes are proved for valid operands.", "", "::meet::answer", "filter",
+           fmt::format("    return ::meet::filter_fp32<{}>(operand_a, operand_b);\n", name));
   } else if (u.asks("exact")) {
-    out += method("Right for any finite operands.", "", "bool", "hit",
-                  fmt::format("::meet::decide<{0}>(::meet::exact_signs<{0}>(row_a, row_b))", name));
+    method(exact_comment, "", "bool", "hit",
+           fmt::format("    return ::meet::hit_exact<{}>(operand_a, operand_b);\n", name));
   }
   if (u.asks("fp32") || u.asks("fp64") || u.asks("fp64x2"))
-    out += method("By the signs of values computed in T (float, double); says nothing about how wrong it can be.",
-                  "template <class T> ", "bool", "plain",
-                  fmt::format("::meet::decide<{0}>(::meet::plain_signs<{0}, T>(row_a, row_b))", name));
+    method(plain_comment, "template <class T> ", "bool", "plain",
+           fmt::format("    const ::meet::rows_of<{0}, {1}<float>, {2}<float>> rows(operand_a, operand_b);\n"
+                       "    return ::meet::decide<{0}>(::meet::plain_signs<{0}, T>(rows.a, rows.b));\n",
+                       name, a, b));
   return out + "};\n";
 }
 

@@ -105,8 +105,8 @@ std::string kind_functions(const unit &u, const spec::kind &k, const dag::enclos
   const std::string name = identifier(k.name);
   std::string out = fmt::format("const ::meet::role {}_roles[] = {{{}}};\n", name, join(roles_of(u, k, e), ", "));
   if (e.rule_input >= 0)
-    out += fmt::format("const char *{}_fault(const float *row) {{ return row[{}] {} ? nullptr : \"{}\"; }}\n", name,
-                       e.rule_input, e.rule, e.rule_text);
+    out += fmt::format("const char *{}_fault(const float *row) {{ return {} ? nullptr : \"{}\"; }}\n", name,
+                       rule_test(e, fmt::format("row[{}]", e.rule_input)), e.rule_text);
   return out + "\n";
 }
 

@@ -6,7 +6,7 @@
 #include <meet/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -34,15 +34,15 @@ struct ball_ball {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 2, growth = 5;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
       const T t2 = b[2] - a[2];
@@ -62,18 +62,18 @@ struct ball_ball {
     MEET_HD static int degree_of([[maybe_unused]] int i) { return 2; }
     // The coincidences of points that make the sign zero.
     MEET_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[3]);
       return m0;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       const float m0 = ::meet::larger(0.0f, b[3]);
       return m0;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(b[0] - a[0]);
       const T l1 = leaf(b[1] - a[1]);
       const T l2 = leaf(b[2] - a[2]);
@@ -111,29 +111,21 @@ struct ball_ball {
     return b0;
   }
 
-  // Right for any finite operands; the cheapest rung that proves its answer gives it.
+  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEET_HD static bool hit(const sphere<float> &operand_a, const sphere<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::decide_certified<ball_ball>(row_a, row_b);
+    return ::meet::hit_certified<ball_ball>(operand_a, operand_b);
   }
 
-  // The first rung alone, in fp32: no and yes are proved, where standard_environment() holds.
+  // The first rung alone, in fp32: no and yes are proved for valid operands.
   MEET_HD static ::meet::answer filter(const sphere<float> &operand_a, const sphere<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::certify<ball_ball, ::meet::in_fp32>(row_a, row_b);
+    return ::meet::filter_fp32<ball_ball>(operand_a, operand_b);
   }
 
-  // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
+  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEET_HD static bool plain(const sphere<float> &operand_a,
       const sphere<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::decide<ball_ball>(::meet::plain_signs<ball_ball, T>(row_a, row_b));
+    const ::meet::rows_of<ball_ball, sphere<float>, sphere<float>> rows(operand_a, operand_b);
+    return ::meet::decide<ball_ball>(::meet::plain_signs<ball_ball, T>(rows.a, rows.b));
   }
 };
 

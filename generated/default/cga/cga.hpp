@@ -47,7 +47,7 @@
 #include <cga/triangle_triangle.hpp>
 #include <cga/twist_segment_segment.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace cga {
 

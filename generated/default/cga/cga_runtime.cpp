@@ -19,7 +19,7 @@ namespace {
 const ::meet::role point_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z};
 
 const ::meet::role sphere_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::length};
-const char *sphere_fault(const float *row) { return row[3] >= 0 ? nullptr : "r >= 0"; }
+const char *sphere_fault(const float *row) { return ::meet::not_negative(row[3]) ? nullptr : "r >= 0"; }
 
 const ::meet::role segment_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
     ::meet::role::y, ::meet::role::z};

@@ -5,7 +5,7 @@
 
 #include <meet/support.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -18,6 +18,12 @@ template <class T> MEET_HD inline void to_row(const point<T> &k, T *out) {
   out[1] = k.y;
   out[2] = k.z;
 }
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const point<T> &k) {
+  return ::meet::is_finite(k.x) &&
+      ::meet::is_finite(k.y) &&
+      ::meet::is_finite(k.z);
+}
 
 // direction: as it is stored, 3 numbers.
 template <class T = float> struct direction {
@@ -27,6 +33,12 @@ template <class T> MEET_HD inline void to_row(const direction<T> &k, T *out) {
   out[0] = k.x;
   out[1] = k.y;
   out[2] = k.z;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const direction<T> &k) {
+  return ::meet::is_finite(k.x) &&
+      ::meet::is_finite(k.y) &&
+      ::meet::is_finite(k.z);
 }
 
 // point_pair: as it is stored, 6 numbers.
@@ -41,6 +53,15 @@ template <class T> MEET_HD inline void to_row(const point_pair<T> &k, T *out) {
   out[4] = k.q.y;
   out[5] = k.q.z;
 }
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const point_pair<T> &k) {
+  return ::meet::is_finite(k.p.x) &&
+      ::meet::is_finite(k.p.y) &&
+      ::meet::is_finite(k.p.z) &&
+      ::meet::is_finite(k.q.x) &&
+      ::meet::is_finite(k.q.y) &&
+      ::meet::is_finite(k.q.z);
+}
 
 // flat_point: as it is stored, 3 numbers.
 template <class T = float> struct flat_point {
@@ -50,6 +71,12 @@ template <class T> MEET_HD inline void to_row(const flat_point<T> &k, T *out) {
   out[0] = k.p.x;
   out[1] = k.p.y;
   out[2] = k.p.z;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const flat_point<T> &k) {
+  return ::meet::is_finite(k.p.x) &&
+      ::meet::is_finite(k.p.y) &&
+      ::meet::is_finite(k.p.z);
 }
 
 // line: as it is stored, 6 numbers.
@@ -63,6 +90,15 @@ template <class T> MEET_HD inline void to_row(const line<T> &k, T *out) {
   out[3] = k.q.x;
   out[4] = k.q.y;
   out[5] = k.q.z;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const line<T> &k) {
+  return ::meet::is_finite(k.p.x) &&
+      ::meet::is_finite(k.p.y) &&
+      ::meet::is_finite(k.p.z) &&
+      ::meet::is_finite(k.q.x) &&
+      ::meet::is_finite(k.q.y) &&
+      ::meet::is_finite(k.q.z);
 }
 
 // circle: as it is stored, 7 numbers.
@@ -80,6 +116,16 @@ template <class T> MEET_HD inline void to_row(const circle<T> &k, T *out) {
   out[5] = k.N.z;
   out[6] = k.r;
 }
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const circle<T> &k) {
+  return ::meet::is_finite(k.c.x) &&
+      ::meet::is_finite(k.c.y) &&
+      ::meet::is_finite(k.c.z) &&
+      ::meet::is_finite(k.N.x) &&
+      ::meet::is_finite(k.N.y) &&
+      ::meet::is_finite(k.N.z) &&
+      ::meet::is_finite(k.r);
+}
 
 // plane: as it is stored, 4 numbers.
 template <class T = float> struct plane {
@@ -91,6 +137,13 @@ template <class T> MEET_HD inline void to_row(const plane<T> &k, T *out) {
   out[1] = k.N.y;
   out[2] = k.N.z;
   out[3] = k.d;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const plane<T> &k) {
+  return ::meet::is_finite(k.N.x) &&
+      ::meet::is_finite(k.N.y) &&
+      ::meet::is_finite(k.N.z) &&
+      ::meet::is_finite(k.d);
 }
 
 // sphere: as it is stored, 4 numbers.
@@ -104,6 +157,14 @@ template <class T> MEET_HD inline void to_row(const sphere<T> &k, T *out) {
   out[2] = k.c.z;
   out[3] = k.r;
 }
+// Whether all numbers are finite and r >= 0, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const sphere<T> &k) {
+  return ::meet::is_finite(k.c.x) &&
+      ::meet::is_finite(k.c.y) &&
+      ::meet::is_finite(k.c.z) &&
+      ::meet::is_finite(k.r) &&
+      ::meet::not_negative(k.r);
+}
 
 // segment: as it is stored, 6 numbers.
 template <class T = float> struct segment {
@@ -116,6 +177,15 @@ template <class T> MEET_HD inline void to_row(const segment<T> &k, T *out) {
   out[3] = k.q.x;
   out[4] = k.q.y;
   out[5] = k.q.z;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const segment<T> &k) {
+  return ::meet::is_finite(k.p.x) &&
+      ::meet::is_finite(k.p.y) &&
+      ::meet::is_finite(k.p.z) &&
+      ::meet::is_finite(k.q.x) &&
+      ::meet::is_finite(k.q.y) &&
+      ::meet::is_finite(k.q.z);
 }
 
 // triangle: as it is stored, 9 numbers.
@@ -132,6 +202,18 @@ template <class T> MEET_HD inline void to_row(const triangle<T> &k, T *out) {
   out[6] = k.c.x;
   out[7] = k.c.y;
   out[8] = k.c.z;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const triangle<T> &k) {
+  return ::meet::is_finite(k.a.x) &&
+      ::meet::is_finite(k.a.y) &&
+      ::meet::is_finite(k.a.z) &&
+      ::meet::is_finite(k.b.x) &&
+      ::meet::is_finite(k.b.y) &&
+      ::meet::is_finite(k.b.z) &&
+      ::meet::is_finite(k.c.x) &&
+      ::meet::is_finite(k.c.y) &&
+      ::meet::is_finite(k.c.z);
 }
 
 // The blade of a point: coefficients on e1, e2, e3, n, nb.

@@ -6,7 +6,7 @@
 #include <meet/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace cga {
 

@@ -6,7 +6,7 @@
 #include <meet/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -30,17 +30,17 @@ struct side_sphere_point_sign {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 2, growth = 5;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
       const T t0 = a[3] * a[3];
       f[0] = t0;
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
       const T t2 = b[2] - a[2];
@@ -59,17 +59,17 @@ struct side_sphere_point_sign {
     MEET_HD static int degree_of([[maybe_unused]] int i) { return 2; }
     // The coincidences of points that make the sign zero.
     MEET_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[3]);
       return m0;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       return 0.0f;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(b[0] - a[0]);
       const T l1 = leaf(b[1] - a[1]);
       const T l2 = leaf(b[2] - a[2]);
@@ -89,21 +89,16 @@ struct side_sphere_point_sign {
   };
   template <class S> MEET_HD static constexpr S value([[maybe_unused]] const S *s) { return -(s[0]); }
 };
-// Right for any finite operands; the cheapest rung that proves its answer gives it.
+// Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
 MEET_HD inline ::meet::sign side(const sphere<float> &operand_a, const point<float> &operand_b) {
-  float row_a[4], row_b[3];
-  to_row(operand_a, row_a);
-  to_row(operand_b, row_b);
-  return ::meet::decide_certified_sign<side_sphere_point_sign>(row_a, row_b);
+  return ::meet::sign_certified<side_sphere_point_sign>(operand_a, operand_b);
 }
-// The sign of the value computed in T (float, double); says nothing about how wrong it can be.
+// By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
 template <class T> MEET_HD inline ::meet::sign side_plain(const sphere<float> &operand_a,
     const point<float> &operand_b) {
-  float row_a[4], row_b[3];
-  to_row(operand_a, row_a);
-  to_row(operand_b, row_b);
-  return ::meet::decide_sign<side_sphere_point_sign>(::meet::plain_signs<side_sphere_point_sign, T>(row_a,
-      row_b));
+  const ::meet::rows_of<side_sphere_point_sign, sphere<float>, point<float>> rows(operand_a, operand_b);
+  return ::meet::decide_sign<side_sphere_point_sign>(::meet::plain_signs<side_sphere_point_sign, T>(rows.a,
+      rows.b));
 }
 
 } // namespace cga

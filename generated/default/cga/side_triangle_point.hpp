@@ -6,7 +6,7 @@
 #include <meet/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -37,7 +37,7 @@ struct side_triangle_point_sign {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 3, growth = 6;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
       const T t0 = a[7] - a[1];
       const T t1 = a[5] - a[2];
       const T t2 = a[8] - a[2];
@@ -52,12 +52,12 @@ struct side_triangle_point_sign {
       f[2] = t8;
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const W t0 = ::meet::fma(fa[2], b[2] - a[2], ::meet::fma(fa[1], b[1] - a[1], ::meet::times<W>(fa[0],
           b[0] - a[0])));
       v[0] = -t0;
@@ -75,7 +75,7 @@ struct side_triangle_point_sign {
     MEET_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
     MEET_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x3fu; }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[7] - a[1]);
       const float m1 = ::meet::larger(m0, a[5] - a[2]);
       const float m2 = ::meet::larger(m1, a[8] - a[2]);
@@ -84,13 +84,13 @@ struct side_triangle_point_sign {
       const float m5 = ::meet::larger(m4, a[6] - a[0]);
       return m5;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       return 0.0f;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(a[7] - a[1]);
       const T l1 = leaf(a[5] - a[2]);
       const T l2 = leaf(a[8] - a[2]);
@@ -119,21 +119,16 @@ struct side_triangle_point_sign {
   };
   template <class S> MEET_HD static constexpr S value([[maybe_unused]] const S *s) { return -(s[0]); }
 };
-// Right for any finite operands; the cheapest rung that proves its answer gives it.
+// Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
 MEET_HD inline ::meet::sign side(const triangle<float> &operand_a, const point<float> &operand_b) {
-  float row_a[9], row_b[3];
-  to_row(operand_a, row_a);
-  to_row(operand_b, row_b);
-  return ::meet::decide_certified_sign<side_triangle_point_sign>(row_a, row_b);
+  return ::meet::sign_certified<side_triangle_point_sign>(operand_a, operand_b);
 }
-// The sign of the value computed in T (float, double); says nothing about how wrong it can be.
+// By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
 template <class T> MEET_HD inline ::meet::sign side_plain(const triangle<float> &operand_a,
     const point<float> &operand_b) {
-  float row_a[9], row_b[3];
-  to_row(operand_a, row_a);
-  to_row(operand_b, row_b);
-  return ::meet::decide_sign<side_triangle_point_sign>(::meet::plain_signs<side_triangle_point_sign, T>(row_a,
-      row_b));
+  const ::meet::rows_of<side_triangle_point_sign, triangle<float>, point<float>> rows(operand_a, operand_b);
+  return ::meet::decide_sign<side_triangle_point_sign>(::meet::plain_signs<side_triangle_point_sign,
+      T>(rows.a, rows.b));
 }
 
 } // namespace cga

@@ -6,7 +6,7 @@
 #include <meet/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -37,7 +37,7 @@ struct twist_segment_segment_sign {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 3, growth = 6;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
       const T t0 = a[5] - a[2];
       const T t1 = a[4] - a[1];
       const T t2 = a[3] - a[0];
@@ -48,7 +48,7 @@ struct twist_segment_segment_sign {
       f[3] = t3;
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
       const T t0 = b[4] - b[1];
       const T t1 = b[5] - b[2];
       const T t2 = -t0;
@@ -62,8 +62,8 @@ struct twist_segment_segment_sign {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const W t0 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), b[1] - a[1],
           ::meet::times<W>(::meet::fma(fb[2], fa[0], fb[1] * fa[1]), b[0] - a[0]));
       v[0] = ::meet::fma(::meet::fma(fa[3], fb[3], fb[0] * fa[2]), b[2] - a[2], t0);
@@ -81,13 +81,13 @@ struct twist_segment_segment_sign {
     MEET_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
     MEET_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x3fu; }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[5] - a[2]);
       const float m1 = ::meet::larger(m0, a[4] - a[1]);
       const float m2 = ::meet::larger(m1, a[3] - a[0]);
       return m2;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       const float m0 = ::meet::larger(0.0f, b[4] - b[1]);
       const float m1 = ::meet::larger(m0, b[5] - b[2]);
       const float m2 = ::meet::larger(m1, b[3] - b[0]);
@@ -95,8 +95,8 @@ struct twist_segment_segment_sign {
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(b[4] - b[1]);
       const T l1 = leaf(a[5] - a[2]);
       const T l2 = leaf(b[5] - b[2]);
@@ -125,21 +125,17 @@ struct twist_segment_segment_sign {
   };
   template <class S> MEET_HD static constexpr S value([[maybe_unused]] const S *s) { return s[0]; }
 };
-// Right for any finite operands; the cheapest rung that proves its answer gives it.
+// Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
 MEET_HD inline ::meet::sign twist(const segment<float> &operand_a, const segment<float> &operand_b) {
-  float row_a[6], row_b[6];
-  to_row(operand_a, row_a);
-  to_row(operand_b, row_b);
-  return ::meet::decide_certified_sign<twist_segment_segment_sign>(row_a, row_b);
+  return ::meet::sign_certified<twist_segment_segment_sign>(operand_a, operand_b);
 }
-// The sign of the value computed in T (float, double); says nothing about how wrong it can be.
+// By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
 template <class T> MEET_HD inline ::meet::sign twist_plain(const segment<float> &operand_a,
     const segment<float> &operand_b) {
-  float row_a[6], row_b[6];
-  to_row(operand_a, row_a);
-  to_row(operand_b, row_b);
+  const ::meet::rows_of<twist_segment_segment_sign, segment<float>, segment<float>> rows(operand_a,
+      operand_b);
   return ::meet::decide_sign<twist_segment_segment_sign>(::meet::plain_signs<twist_segment_segment_sign,
-      T>(row_a, row_b));
+      T>(rows.a, rows.b));
 }
 
 } // namespace cga

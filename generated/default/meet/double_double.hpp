@@ -84,7 +84,7 @@ MEET_HD inline double_double operator*(const double_double &x, double y) {
 }
 MEET_HD inline double_double operator*(double x, const double_double &y) { return y * x; }
 
-MEET_HD inline sign sign_of(const double_double &v) {
+MEET_HD MEET_INLINE sign sign_of(const double_double &v) {
   return static_cast<sign>(static_cast<int>(v.hi > 0) - static_cast<int>(v.hi < 0));
 }
 
@@ -92,30 +92,32 @@ MEET_HD inline sign sign_of(const double_double &v) {
 //
 // T holds the values of degree 1 and 2, W those above; they differ only where T is double and W double_double.
 
-template <class T> MEET_HD constexpr sign sign_of(const T &v) {
+template <class T> MEET_HD MEET_INLINE constexpr sign sign_of(const T &v) {
   return static_cast<sign>(static_cast<int>(v > T(0)) - static_cast<int>(v < T(0)));
 }
 
-template <class W, class A, class B> MEET_HD constexpr W times(const A &a, const B &b) {
+template <class W, class A, class B> MEET_HD MEET_INLINE constexpr W times(const A &a, const B &b) {
   if constexpr (std::is_same_v<W, double_double> && std::is_same_v<A, double> && std::is_same_v<B, double>)
     return two_product(a, b);
   else
     return W(a * b);
 }
 
-MEET_HD inline float fma(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
-MEET_HD inline double fma(double a, double b, double c) { return __builtin_fma(a, b, c); }
-template <class A, class B, class C> MEET_HD constexpr C fma(const A &a, const B &b, const C &c) {
+MEET_HD MEET_INLINE float fma(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+MEET_HD MEET_INLINE double fma(double a, double b, double c) { return __builtin_fma(a, b, c); }
+template <class A, class B, class C> MEET_HD MEET_INLINE constexpr C fma(const A &a, const B &b, const C &c) {
   return times<C>(a, b) + c;
 }
 
-MEET_HD inline float magnitude_of(float v) { return __builtin_fabsf(v); }
-MEET_HD inline double magnitude_of(double v) { return __builtin_fabs(v); }
+MEET_HD MEET_INLINE float magnitude_of(float v) { return __builtin_fabsf(v); }
+MEET_HD MEET_INLINE double magnitude_of(double v) { return __builtin_fabs(v); }
 // Of a double-double, its high word's: within 2^-53 of the whole.
-MEET_HD inline double magnitude_of(const double_double &v) { return __builtin_fabs(v.hi); }
-MEET_HD inline float leading(float v) { return v; }
-MEET_HD inline double leading(double v) { return v; }
-MEET_HD inline double leading(const double_double &v) { return v.hi; }
+MEET_HD MEET_INLINE double magnitude_of(const double_double &v) { return __builtin_fabs(v.hi); }
+MEET_HD MEET_INLINE float leading(float v) { return v; }
+MEET_HD MEET_INLINE double leading(double v) { return v; }
+MEET_HD MEET_INLINE double leading(const double_double &v) { return v.hi; }
+MEET_HD MEET_INLINE float largest_finite(float) { return 0x1.fffffep127F; }
+MEET_HD MEET_INLINE double largest_finite(double) { return 0x1.fffffffffffffp1023; }
 
 } // namespace meet
 

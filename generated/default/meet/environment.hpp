@@ -1,10 +1,13 @@
 // What the arithmetic of generated code takes for granted of compiler and machine, and how it is checked.
 //
-// Bounds assume IEEE 754 binary32 and binary64, round to nearest, gradual underflow, and that a sum is not
-// reassociated. They do not mind whether a product and a sum are contracted to a fused multiply-add. Error-free
-// transforms do mind: they stand behind opaque(), which no compiler looks through.
+// Bounds assume IEEE 754 binary32 and binary64, round to nearest, gradual underflow, an fma() that rounds once, NaN and
+// infinities that are kept, and sums that are not reassociated. They do not mind whether a product and a sum are
+// contracted to a fused multiply-add. Error-free transforms do mind: they stand behind opaque(), which no compiler looks
+// through. docs/numerics.md lists each assumption with the place that checks it.
 #ifndef MEET_ENVIRONMENT_HPP
 #define MEET_ENVIRONMENT_HPP
+
+#include <meet/control_word.hpp>
 
 #include <cstdint>
 
@@ -30,11 +33,17 @@
 
 // The rare paths are kept out of line, and rolled up on the device: they cost little time and save much code. On the
 // device nothing is called out of line (see integers.hpp).
+//
+// MEET_INLINE marks arithmetic that a bound is claimed for, and what checks the compiler: both must be compiled as one
+// function, by one set of flags. A linker that finds two copies of an inline function keeps either, and the other may
+// have been compiled under `#pragma GCC optimize("Ofast")`.
 #if defined(__CUDA_ARCH__)
 #define MEET_NOINLINE
+#define MEET_INLINE inline
 #define MEET_ROLLED _Pragma("unroll 1")
 #else
 #define MEET_NOINLINE __attribute__((noinline))
+#define MEET_INLINE __attribute__((always_inline)) inline
 #define MEET_ROLLED
 #endif
 
@@ -42,7 +51,7 @@ namespace meet {
 
 // The value x, of which the compiler knows nothing: what is computed from it is neither contracted nor reassociated
 // with what it came from.
-template <class T> MEET_HD inline T opaque(T x) {
+template <class T> MEET_HD MEET_INLINE T opaque(T x) {
 #if defined(__CUDA_ARCH__)
   return x; // device code uses the intrinsics that are never contracted instead
 #elif (defined(__GNUC__) || defined(__clang__)) && defined(__SSE2__)
@@ -57,15 +66,61 @@ template <class T> MEET_HD inline T opaque(T x) {
 #endif
 }
 
-// Whether sums stay in their order here. clang's -fassociative-math defines no macro that says so.
-MEET_HD inline bool keeps_order() {
-#if defined(__clang__) && !defined(__CUDA_ARCH__)
-  const float x = opaque(1.0F), big = opaque(0x1p30F);
-  return (x + big) - big == 0;
+// ---- the compiler ----------------------------------------------------------------------------------------------
+
+// Whether this function is compiled as the bounds assume. Flags are refused above where they define a macro; those that
+// come by a pragma or an attribute define none, nor do clang's -fno-honor-nans and -fassociative-math. But a compiler
+// that may do so reduces the expressions below to constants, and one that may not cannot: nothing is left of them where
+// all is well. What no optimiser touches (-O0) is computed as it is written.
+MEET_HD MEET_INLINE bool compiled_as_written() {
+#if defined(__CUDA_ARCH__)
+  return true; // standard_environment() looks at what the flags do there
 #else
-  return true;
+  // No bool is const: the initialiser of a constant is evaluated before any optimiser has seen it.
+  constexpr float big = 0x1p30F;
+  float x = opaque(1.0F);
+  bool nan_is_lost = __builtin_constant_p(x == x) || __builtin_constant_p(x - x);
+  bool infinity_is_lost = __builtin_constant_p(x == __builtin_inff()) || __builtin_constant_p(x < __builtin_inff());
+  bool reassociated = __builtin_constant_p((x + big) - x) || __builtin_constant_p((x + big) - big == x) ||
+                      __builtin_constant_p(x * 3 * 5 == x * 15) || __builtin_constant_p(x + big + big == x + 2 * big);
+  return !(nan_is_lost | infinity_is_lost | reassociated);
 #endif
 }
+
+#if !defined(__FMA__) && !defined(__FMA4__) && !defined(__aarch64__) && !defined(__CUDA_ARCH__)
+// Whether the C library's fma() and fmaf() round once, looked at in a standard environment: where the processor's own
+// instruction is not compiled in, they are calls. Each case is lost by a way of rounding twice: through the type itself,
+// through double, through the 64 bits of the x87.
+MEET_NOINLINE inline bool library_fma_rounds_once() {
+  const float a = opaque(1 + 0x1p-12F); // a a = 1 + 2^-11 + 2^-24, half way between two floats
+  const bool single = __builtin_fmaf(a, a, opaque(0x1p-60F)) == 1 + 0x1p-11F + 0x1p-23F &&
+                      __builtin_fmaf(a, a, opaque(-0x1p-60F)) == 1 + 0x1p-11F &&
+                      __builtin_fmaf(a, a, opaque(-1 - 0x1p-11F)) == 0x1p-24F;
+  const double b = opaque(1 + 0x1p-52), c = opaque(1 + 0x1p-27); // c c = 1 + 2^-26 + 2^-54, a quarter of a unit beyond
+  return single && __builtin_fma(b, b, opaque(-1 - 0x1p-51)) == 0x1p-104 &&
+         __builtin_fma(c, c, opaque(-1 - 0x1p-26)) == 0x1p-54 &&
+         __builtin_fma(c, opaque(1 - 0x1p-27), opaque(-1.0)) == -0x1p-54 &&
+         __builtin_fma(opaque(1 + 0x1p-30), opaque(1 + 0x1p-23), opaque(0x1p-120)) == 1 + 0x1p-23 + 0x1p-30 + 0x1p-52;
+}
+inline int library_fma = 0; // 0: not looked at, 1: it rounds once, 2: it does not
+MEET_NOINLINE inline bool look_at_library_fma() {
+  const bool once = library_fma_rounds_once();
+  __atomic_store_n(&library_fma, once ? 1 : 2, __ATOMIC_RELAXED);
+  return once;
+}
+#endif
+
+// Whether fma() rounds once; where it is a call, found out once a process (more often if threads begin together).
+MEET_HD MEET_INLINE bool fma_rounds_once() {
+#if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDA_ARCH__)
+  return true; // an instruction
+#else
+  const int known = __atomic_load_n(&library_fma, __ATOMIC_RELAXED);
+  return known == 1 || (known == 0 && look_at_library_fma());
+#endif
+}
+
+// ---- the thread ------------------------------------------------------------------------------------------------
 
 #if defined(__CUDA_ARCH__)
 // The float with these bits, of which the front end knows nothing: it folds as if subnormals were always kept.
@@ -75,24 +130,36 @@ __device__ inline float float_of(std::uint32_t bits) {
 }
 #endif
 
-// Whether this thread rounds to nearest and keeps subnormals. A library linked with -ffast-math can have set
+// Whether what is computed here, now, is what the bounds assume. A library linked with -ffast-math can have set
 // flush-to-zero for the whole process; certified answers are then taken from the integers alone. On the device the
 // flags of the compilation decide: -ftz=true and --use_fast_math define no macro, but they mark each operation. ptxas
 // knows the marks and folds the difference to what the device would compute, so it costs nothing.
-MEET_HD inline bool standard_environment() {
-  if (!keeps_order())
-    return false;
+//
+// The control word comes first: before it is known, not even a probe may compute.
+MEET_HD MEET_INLINE bool standard_environment() {
 #if defined(__CUDA_ARCH__)
   return float_of(2) - float_of(1) > 0; // subnormals
-#elif defined(__SSE2__)
-  return (__builtin_ia32_stmxcsr() & 0xe040) == 0; // rounding control, flush-to-zero, denormals-are-zero
-#elif defined(__aarch64__)
-  std::uint64_t word;
-  __asm__ volatile("mrs %0, fpcr" : "=r"(word));
-  return (word & 0x3c00000) == 0; // RMode, FZ, DN
 #else
-  return true;
+  return standard_control_word() && compiled_as_written() && fma_rounds_once();
 #endif
+}
+
+// p again, for use after a check of the environment: what is read through it is read, and computed with, after the check.
+// Compilers move arithmetic across changes of the control word, of which they know nothing.
+template <class T> MEET_HD MEET_INLINE const T *after_check(const T *p) {
+#if !defined(__CUDA_ARCH__)
+  __asm__ volatile("" : "+r"(p) : : "memory");
+#endif
+  return p;
+}
+// The answer, computed before what follows the call.
+template <class T> MEET_HD MEET_INLINE T before_return(T answer) {
+#if !defined(__CUDA_ARCH__)
+  int word = static_cast<int>(answer);
+  __asm__ volatile("" : "+r"(word));
+  answer = static_cast<T>(word);
+#endif
+  return answer;
 }
 
 } // namespace meet

@@ -9,6 +9,7 @@
 
 #include <meet/double_double.hpp>
 #include <meet/integers.hpp>
+#include <meet/valid.hpp>
 
 #include <cmath>
 
@@ -19,7 +20,7 @@ struct no_stage {
 };
 
 // The stage's values for rows of T; those of degree 3 and more in W.
-template <class Stage, class T, class W> MEET_HD inline void stage_values(const T *a, const T *b, W *v) {
+template <class Stage, class T, class W> MEET_HD MEET_INLINE void stage_values(const T *a, const T *b, W *v) {
   T fields_a[Stage::fields_a + 1], fields_b[Stage::fields_b + 1];
   fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare places, for stages that store nothing
   Stage::object_a(a, fields_a);
@@ -27,7 +28,7 @@ template <class Stage, class T, class W> MEET_HD inline void stage_values(const 
   Stage::template pair<T, W>(a, fields_a, b, fields_b, v);
 }
 
-template <class Stage, class T, class W = T> MEET_HD inline void stage_signs(const T *a, const T *b, sign *s) {
+template <class Stage, class T, class W = T> MEET_HD MEET_INLINE void stage_signs(const T *a, const T *b, sign *s) {
   W v[Stage::atoms];
   stage_values<Stage>(a, b, v);
   for (int i = 0; i < Stage::atoms; ++i)
@@ -37,7 +38,7 @@ template <class Stage, class T, class W = T> MEET_HD inline void stage_signs(con
 // The rows of a pair in another number type.
 template <class P, class T> struct rows_in {
   T a[P::inputs_a], b[P::inputs_b];
-  MEET_HD rows_in(const float *row_a, const float *row_b) {
+  MEET_HD MEET_INLINE rows_in(const float *row_a, const float *row_b) {
     for (int i = 0; i < P::inputs_a; ++i)
       a[i] = static_cast<T>(row_a[i]);
     for (int i = 0; i < P::inputs_b; ++i)
@@ -88,7 +89,7 @@ struct in_fp64x2 {
 };
 
 // 2^e in the type T, e <= 0.
-template <class T> MEET_HD constexpr T power_of_two(int e, T) {
+template <class T> MEET_HD MEET_INLINE constexpr T power_of_two(int e, T) {
   T r = 1;
   for (; e < 0; ++e)
     r *= T(0.5);
@@ -99,16 +100,19 @@ template <class T> MEET_HD constexpr T power_of_two(int e, T) {
 // magnitude of zero proves a value of zero.
 template <class M> struct leaf_magnitude {
   M floor;
-  MEET_HD M operator()(M difference) const {
+  MEET_HD MEET_INLINE M operator()(M difference) const {
     const M m = magnitude_of(difference);
     return m == M(0) ? M(0) : m > floor ? m : m != m ? m : floor;
   }
 };
 
-// The signs that v can have when it is within `error` of the truth. NaN: any. E = inf: any.
-template <class V, class E> MEET_HD inline sign_set within(const V &v, const E &error) {
-  const auto x = leading(v);
-  return {static_cast<std::uint8_t>(x > error ? 4 : x < -error ? 1 : 7)};
+// The signs that v can have when it is within `error` of the truth. NaN: any. A value that is not finite: any, since what
+// overflowed on the way to it need not have overflowed on the way to its bound, where a compiler has contracted one of the
+// two programs and not the other.
+template <class V, class E> MEET_HD MEET_INLINE sign_set within(const V &v, const E &error) {
+  const auto x = leading(v), size = magnitude_of(x);
+  const bool known = (size > error) & (size <= largest_finite(x));
+  return {static_cast<std::uint8_t>(!known ? 7 : x > 0 ? 4 : 1)};
 }
 
 template <class Stage> MEET_HD inline bool all_known(const sign_set *s) {
@@ -116,6 +120,13 @@ template <class Stage> MEET_HD inline bool all_known(const sign_set *s) {
   for (int i = 0; i < Stage::atoms; ++i)
     unsure |= s[i].bits == 7;
   return !unsure;
+}
+
+// No sign of the stage is known; false.
+template <class Stage> MEET_HD inline bool nothing_known(sign_set *all) {
+  for (int i = 0; i < Stage::atoms; ++i)
+    all[Stage::first + i] = sign_set::all();
+  return false;
 }
 
 // Equal points make some polynomials vanish: their signs are zero, which no bound can tell from small numbers.
@@ -136,7 +147,9 @@ template <class P, class A> struct bounded_signs {
   const float *row_a, *row_b;
   MEET_HD bounded_signs(const float *a, const float *b) : row_a(a), row_b(b) {}
 
-  template <class Stage> MEET_HD bool get(sign_set *all) const {
+  template <class Stage> MEET_HD MEET_INLINE bool get(sign_set *all) const {
+    if (!compiled_as_written())
+      return nothing_known<Stage>(all);
     const rows_in<P, V> rows(row_a, row_b);
     V v[Stage::atoms];
     stage_values<Stage>(rows.a, rows.b, v);
@@ -154,7 +167,10 @@ template <class P, class A> struct bounded_signs {
       s[i] = m[i] == M(0) ? sign_set::of(sign::zero) : within(v[i], A::factor(Stage::factor(i)) * m[i]);
       unsure |= s[i].bits == 7;
     }
-    return !unsure || settle<Stage>(v, m, s);
+    if constexpr (P::coincidences > 0 || !std::is_same_v<M, float>)
+      return !unsure || settle<Stage>(v, m, s);
+    else
+      return !unsure;
   }
 
 private:
@@ -162,6 +178,8 @@ private:
   // multiple of g^k where its inputs are multiples of g, so what is less than g^k is zero.
   template <class Stage> MEET_NOINLINE MEET_HD bool settle(const V *v, const M *m, sign_set *s) const {
     zero_by_equal_points<P, Stage>(row_a, row_b, s);
+    if (!compiled_as_written())
+      return all_known<Stage>(s);
     if constexpr (!std::is_same_v<M, float>) {
       const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
       for (int i = 0; i < Stage::atoms; ++i)
@@ -174,7 +192,7 @@ private:
 };
 
 // The larger of m and |x|; NaN when x is.
-MEET_HD inline float larger(float m, float x) {
+MEET_HD MEET_INLINE float larger(float m, float x) {
   const float a = magnitude_of(x);
   return a <= m ? m : a;
 }
@@ -211,6 +229,8 @@ template <class P, box_form F> struct boxed_signs {
   MEET_HD boxed_signs(const float *a, const float *b, float side) : rows(a, b), d(side) {}
 
   template <class Stage> MEET_HD bool get(sign_set *all) const {
+    if (!compiled_as_written())
+      return nothing_known<Stage>(all);
     float v[Stage::atoms];
     stage_values<Stage>(rows.a, rows.b, v);
     float alpha = d, beta = d;
@@ -236,7 +256,7 @@ template <class P, box_form F> struct boxed_signs {
   }
 
 private:
-  MEET_HD static constexpr float power(float x, int n) {
+  MEET_HD MEET_INLINE static constexpr float power(float x, int n) {
     float r = 1;
     for (int i = 0; i < n; ++i)
       r *= x;
@@ -257,10 +277,14 @@ template <class P> MEET_HD inline bool box_holds(float side) {
   return holds(typename P::reject_stage()) && holds(typename P::common_stage()) && holds(typename P::rare_stage());
 }
 
+MEET_HD inline bool is_known(sign_set s) { return s.bits == 1 || s.bits == 2 || s.bits == 4; }
+// The sign of a set of one.
+MEET_HD inline sign known_sign(sign_set s) { return static_cast<sign>((s.bits >> 2) - (s.bits & 1)); }
+
 // Sets of one sign each as those signs.
 template <class Stage> MEET_HD inline void known_signs(const sign_set *sets, sign *s) {
   for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
-    s[i] = static_cast<sign>((sets[i].bits >> 2) - (sets[i].bits & 1));
+    s[i] = known_sign(sets[i]);
 }
 
 // ---- exact -----------------------------------------------------------------------------------------------------
@@ -315,26 +339,32 @@ private:
 };
 
 // The exact rung. Where the differences are short on their common grid, values up to degree 2 are exact in fp64 and
-// the rest in double-double, without a branch; elsewhere double-double with its bound; what is left, in integers.
+// the rest in double-double, without a branch; elsewhere double-double with its bound; what is left, in integers. Where the
+// environment is not the standard one, in integers alone.
 template <class P> struct exact_signs {
   const float *a, *b;
   grid common;
-  int bits; // of the differences, on the grid
   bool standard;
+  int bits; // of the differences, on the grid; where `standard`
   MEET_HD exact_signs(const float *row_a, const float *row_b)
       : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
-        bits(spread(row_a, row_b) - common.low), standard(standard_environment()) {}
+        standard(standard_environment()), bits(0) {
+    if (standard) {
+      a = after_check(a), b = after_check(b);
+      bits = spread(a, b) - common.low;
+    }
+  }
 
   template <class Stage> MEET_HD void get(sign *s) const {
-    if (standard && bits <= Stage::window) {
-      const rows_in<P, double> rows(a, b);
-      if constexpr (Stage::mixed)
-        stage_signs<Stage, double, double_double>(rows.a, rows.b, s);
-      else
-        stage_signs<Stage, double>(rows.a, rows.b, s);
-      return;
-    }
-    if (standard) {
+    if (standard && compiled_as_written()) {
+      if (bits <= Stage::window) {
+        const rows_in<P, double> rows(a, b);
+        if constexpr (Stage::mixed)
+          stage_signs<Stage, double, double_double>(rows.a, rows.b, s);
+        else
+          stage_signs<Stage, double>(rows.a, rows.b, s);
+        return;
+      }
       sign_set sets[P::atoms];
       if (bounded_signs<P, in_fp64x2>(a, b).template get<Stage>(sets)) {
         known_signs<Stage>(sets, s);
@@ -395,7 +425,7 @@ template <class P, class Signs> MEET_HD inline bool decide(const Signs &signs) {
 // The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure. A reject stage
 // that is unsure is no reason to stop, since the decision is right without it. While every sign is known the logic
 // of signs is taken, which is several times faster than that of sets.
-template <class P, class Signs> MEET_HD inline answer decide_sets(const Signs &signs) {
+template <class P, class Signs> MEET_HD MEET_INLINE answer decide_sets(const Signs &signs) {
   sign_set sets[P::atoms + 1];
   sign s[P::atoms + 1];
   bool known = true;
@@ -432,22 +462,29 @@ template <class P, class Signs> MEET_HD inline answer decide_sets(const Signs &s
   return known ? to_answer(P::usual(s)) : to_answer(P::usual(sets));
 }
 
-// One rung of `certified`: no and yes are proved.
-template <class P, class A> MEET_HD inline answer certify(const float *row_a, const float *row_b) {
+// One rung of `certified` where the environment is known to be the standard one: no and yes are proved.
+template <class P, class A> MEET_HD MEET_INLINE answer certify_here(const float *row_a, const float *row_b) {
   return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
 }
+// The same anywhere: unsure in any other environment.
+template <class P, class A> MEET_HD inline answer certify(const float *row_a, const float *row_b) {
+  if (!standard_environment())
+    return answer::unsure;
+  return before_return(certify_here<P, A>(after_check(row_a), after_check(row_b)));
+}
 
-// All rungs of `certified` for one pair: never wrong, for any finite operands, any control word, and any flags that
-// self_test() accepts.
+// The rungs of `certified` after fp32, in the standard environment. What few pairs need stays out of line.
+template <class P> MEET_NOINLINE MEET_HD inline bool decide_after_fp32(const float *row_a, const float *row_b) {
+  const answer x = certify_here<P, in_fp64>(row_a, row_b);
+  return x == answer::unsure ? decide<P>(exact_signs<P>(row_a, row_b)) : x == answer::yes;
+}
+// All rungs of `certified` for one pair: never wrong, for any valid operands, in any environment.
 template <class P> MEET_HD inline bool decide_certified(const float *row_a, const float *row_b) {
-  if (standard_environment()) {
-    answer x = certify<P, in_fp32>(row_a, row_b);
-    if (x == answer::unsure)
-      x = certify<P, in_fp64>(row_a, row_b);
-    if (x != answer::unsure)
-      return x == answer::yes;
-  }
-  return decide<P>(exact_signs<P>(row_a, row_b));
+  if (!standard_environment())
+    return decide<P>(integer_signs<P>(row_a, row_b));
+  row_a = after_check(row_a), row_b = after_check(row_b);
+  const answer x = certify_here<P, in_fp32>(row_a, row_b);
+  return before_return(x == answer::unsure ? decide_after_fp32<P>(row_a, row_b) : x == answer::yes);
 }
 
 // One sign, for kernels that are nothing else.
@@ -457,19 +494,78 @@ template <class P, class Signs> MEET_HD inline sign decide_sign(const Signs &sig
     signs.template get<typename P::common_stage>(s);
   return P::value(s);
 }
-template <class P, class A> MEET_HD inline sign_set certify_sign(const float *row_a, const float *row_b) {
+template <class P, class A> MEET_HD MEET_INLINE sign_set certify_sign_here(const float *row_a, const float *row_b) {
   sign_set s[P::atoms + 1];
   if constexpr (P::common_stage::atoms > 0)
     bounded_signs<P, A>(row_a, row_b).template get<typename P::common_stage>(s);
   return P::value(s);
 }
+template <class P, class A> MEET_HD inline sign_set certify_sign(const float *row_a, const float *row_b) {
+  if (!standard_environment())
+    return sign_set::all();
+  return {before_return(certify_sign_here<P, A>(after_check(row_a), after_check(row_b)).bits)};
+}
 template <class P> MEET_HD inline sign decide_certified_sign(const float *row_a, const float *row_b) {
-  if (standard_environment()) {
-    const sign_set s = certify_sign<P, in_fp32>(row_a, row_b);
-    if (s.bits == 1 || s.bits == 2 || s.bits == 4)
-      return static_cast<sign>((s.bits == 4) - (s.bits == 1));
-  }
-  return decide_sign<P>(exact_signs<P>(row_a, row_b));
+  if (!standard_environment())
+    return decide_sign<P>(integer_signs<P>(row_a, row_b));
+  row_a = after_check(row_a), row_b = after_check(row_b);
+  const sign_set s = certify_sign_here<P, in_fp32>(row_a, row_b);
+  return before_return(is_known(s) ? known_sign(s) : decide_sign<P>(exact_signs<P>(row_a, row_b)));
+}
+
+// ---- for operands as they are stored ---------------------------------------------------------------------------
+//
+// What emitted entry points call. to_row() is the operands' own. It reads them after the check, and once more for what
+// few pairs need, so that the rows of the others can stay in registers.
+
+template <class P, class A, class B> struct rows_of {
+  float a[P::inputs_a], b[P::inputs_b];
+  MEET_HD MEET_INLINE rows_of(const A &x, const B &y) { to_row(x, a), to_row(y, b); }
+};
+// f(row_a, row_b) of rows that are read here, out of line.
+template <class P, class A, class B, class F> MEET_NOINLINE MEET_HD inline auto rarely(const A &x, const B &y, F &&f) {
+  const rows_of<P, A, B> rows(x, y);
+  return f(rows.a, rows.b);
+}
+
+template <class P, class A, class B> MEET_HD inline bool hit_certified(const A &x, const B &y) {
+  if (!standard_environment())
+    return rarely<P>(x, y, [](const float *a, const float *b) { return decide<P>(integer_signs<P>(a, b)); });
+  const A &p = *after_check(&x);
+  const B &q = *after_check(&y);
+  const rows_of<P, A, B> rows(p, q);
+  const answer by_fp32 = certify_here<P, in_fp32>(rows.a, rows.b);
+  if (by_fp32 != answer::unsure)
+    return before_return(by_fp32 == answer::yes);
+  return before_return(rarely<P>(*after_check(&p), *after_check(&q),
+                                 [](const float *a, const float *b) { return decide_after_fp32<P>(a, b); }));
+}
+template <class P, class A, class B> MEET_HD inline bool hit_exact(const A &x, const B &y) {
+  return before_return(
+      rarely<P>(x, y, [](const float *a, const float *b) { return decide<P>(exact_signs<P>(a, b)); }));
+}
+template <class P, class A, class B> MEET_HD inline answer filter_fp32(const A &x, const B &y) {
+  if (!standard_environment())
+    return answer::unsure;
+  const rows_of<P, A, B> rows(*after_check(&x), *after_check(&y));
+  return before_return(certify_here<P, in_fp32>(rows.a, rows.b));
+}
+template <class P, class A, class B> MEET_HD inline sign sign_certified(const A &x, const B &y) {
+  if (!standard_environment())
+    return rarely<P>(x, y, [](const float *a, const float *b) { return decide_sign<P>(integer_signs<P>(a, b)); });
+  const A &p = *after_check(&x);
+  const B &q = *after_check(&y);
+  const rows_of<P, A, B> rows(p, q);
+  const sign_set by_fp32 = certify_sign_here<P, in_fp32>(rows.a, rows.b);
+  if (is_known(by_fp32))
+    return before_return(known_sign(by_fp32));
+  return before_return(
+      rarely<P>(*after_check(&p), *after_check(&q),
+                [](const float *a, const float *b) { return decide_sign<P>(exact_signs<P>(a, b)); }));
+}
+template <class P, class A, class B> MEET_HD inline sign sign_exact(const A &x, const B &y) {
+  return before_return(
+      rarely<P>(x, y, [](const float *a, const float *b) { return decide_sign<P>(exact_signs<P>(a, b)); }));
 }
 
 } // namespace meet

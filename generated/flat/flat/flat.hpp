@@ -10,7 +10,7 @@
 #include <flat/segment_triangle.hpp>
 #include <flat/triangle_triangle.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace flat {
 

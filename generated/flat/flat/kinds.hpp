@@ -5,7 +5,7 @@
 
 #include <meet/support.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace flat {
 
@@ -17,6 +17,12 @@ template <class T> MEET_HD inline void to_row(const point<T> &k, T *out) {
   out[0] = k.x;
   out[1] = k.y;
   out[2] = k.z;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const point<T> &k) {
+  return ::meet::is_finite(k.x) &&
+      ::meet::is_finite(k.y) &&
+      ::meet::is_finite(k.z);
 }
 
 // segment: as it is stored, 6 numbers.
@@ -30,6 +36,15 @@ template <class T> MEET_HD inline void to_row(const segment<T> &k, T *out) {
   out[3] = k.q.x;
   out[4] = k.q.y;
   out[5] = k.q.z;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const segment<T> &k) {
+  return ::meet::is_finite(k.p.x) &&
+      ::meet::is_finite(k.p.y) &&
+      ::meet::is_finite(k.p.z) &&
+      ::meet::is_finite(k.q.x) &&
+      ::meet::is_finite(k.q.y) &&
+      ::meet::is_finite(k.q.z);
 }
 
 // triangle: as it is stored, 9 numbers.
@@ -46,6 +61,18 @@ template <class T> MEET_HD inline void to_row(const triangle<T> &k, T *out) {
   out[6] = k.c.x;
   out[7] = k.c.y;
   out[8] = k.c.z;
+}
+// Whether all numbers are finite, on their bits: what predicates take for granted.
+template <class T> MEET_HD inline bool valid(const triangle<T> &k) {
+  return ::meet::is_finite(k.a.x) &&
+      ::meet::is_finite(k.a.y) &&
+      ::meet::is_finite(k.a.z) &&
+      ::meet::is_finite(k.b.x) &&
+      ::meet::is_finite(k.b.y) &&
+      ::meet::is_finite(k.b.z) &&
+      ::meet::is_finite(k.c.x) &&
+      ::meet::is_finite(k.c.y) &&
+      ::meet::is_finite(k.c.z);
 }
 
 

@@ -6,7 +6,7 @@
 #include <meet/support.hpp>
 #include <flat/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace flat {
 
@@ -43,10 +43,10 @@ struct point_triangle {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 3, growth = 6;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
       const T t0 = b[7] - b[1];
       const T t1 = b[5] - b[2];
       const T t2 = b[8] - b[2];
@@ -80,8 +80,8 @@ struct point_triangle {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
       const T t2 = b[2] - a[2];
@@ -147,10 +147,10 @@ struct point_triangle {
         0x1u, 0x2u, 0x4u};
       return all[i];
     }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       return 0.0f;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       const float m0 = ::meet::larger(0.0f, b[7] - b[1]);
       const float m1 = ::meet::larger(m0, b[5] - b[2]);
       const float m2 = ::meet::larger(m1, b[8] - b[2]);
@@ -164,8 +164,8 @@ struct point_triangle {
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(b[7] - b[1]);
       const T l1 = leaf(b[5] - b[2]);
       const T l2 = leaf(b[8] - b[2]);
@@ -361,29 +361,21 @@ struct point_triangle {
     return b53;
   }
 
-  // Right for any finite operands; the cheapest rung that proves its answer gives it.
+  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEET_HD static bool hit(const point<float> &operand_a, const triangle<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::decide_certified<point_triangle>(row_a, row_b);
+    return ::meet::hit_certified<point_triangle>(operand_a, operand_b);
   }
 
-  // The first rung alone, in fp32: no and yes are proved, where standard_environment() holds.
+  // The first rung alone, in fp32: no and yes are proved for valid operands.
   MEET_HD static ::meet::answer filter(const point<float> &operand_a, const triangle<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::certify<point_triangle, ::meet::in_fp32>(row_a, row_b);
+    return ::meet::filter_fp32<point_triangle>(operand_a, operand_b);
   }
 
-  // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
+  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEET_HD static bool plain(const point<float> &operand_a,
       const triangle<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::decide<point_triangle>(::meet::plain_signs<point_triangle, T>(row_a, row_b));
+    const ::meet::rows_of<point_triangle, point<float>, triangle<float>> rows(operand_a, operand_b);
+    return ::meet::decide<point_triangle>(::meet::plain_signs<point_triangle, T>(rows.a, rows.b));
   }
 };
 

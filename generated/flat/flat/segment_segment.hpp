@@ -6,7 +6,7 @@
 #include <meet/support.hpp>
 #include <flat/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace flat {
 
@@ -44,7 +44,7 @@ struct segment_segment {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 3, growth = 6;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
       const T t0 = a[5] - a[2];
       const T t1 = a[4] - a[1];
       const T t2 = a[3] - a[0];
@@ -57,7 +57,7 @@ struct segment_segment {
       f[4] = t4;
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
       const T t0 = b[4] - b[1];
       const T t1 = b[5] - b[2];
       const T t2 = -t0;
@@ -73,8 +73,8 @@ struct segment_segment {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
       const W t2 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), t1,
@@ -154,13 +154,13 @@ struct segment_segment {
         0x8u, 0x10u, 0xbu, 0x15u, 0x26u, 0x38u, 0x2u, 0x4u, 0x8u, 0x10u};
       return all[i];
     }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[5] - a[2]);
       const float m1 = ::meet::larger(m0, a[4] - a[1]);
       const float m2 = ::meet::larger(m1, a[3] - a[0]);
       return m2;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       const float m0 = ::meet::larger(0.0f, b[4] - b[1]);
       const float m1 = ::meet::larger(m0, b[5] - b[2]);
       const float m2 = ::meet::larger(m1, b[3] - b[0]);
@@ -168,8 +168,8 @@ struct segment_segment {
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(b[4] - b[1]);
       const T l1 = leaf(a[5] - a[2]);
       const T l2 = leaf(b[5] - b[2]);
@@ -350,29 +350,21 @@ struct segment_segment {
     return b39;
   }
 
-  // Right for any finite operands; the cheapest rung that proves its answer gives it.
+  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEET_HD static bool hit(const segment<float> &operand_a, const segment<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::decide_certified<segment_segment>(row_a, row_b);
+    return ::meet::hit_certified<segment_segment>(operand_a, operand_b);
   }
 
-  // The first rung alone, in fp32: no and yes are proved, where standard_environment() holds.
+  // The first rung alone, in fp32: no and yes are proved for valid operands.
   MEET_HD static ::meet::answer filter(const segment<float> &operand_a, const segment<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::certify<segment_segment, ::meet::in_fp32>(row_a, row_b);
+    return ::meet::filter_fp32<segment_segment>(operand_a, operand_b);
   }
 
-  // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
+  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEET_HD static bool plain(const segment<float> &operand_a,
       const segment<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::decide<segment_segment>(::meet::plain_signs<segment_segment, T>(row_a, row_b));
+    const ::meet::rows_of<segment_segment, segment<float>, segment<float>> rows(operand_a, operand_b);
+    return ::meet::decide<segment_segment>(::meet::plain_signs<segment_segment, T>(rows.a, rows.b));
   }
 };
 

@@ -6,7 +6,7 @@
 #include <meet/support.hpp>
 #include <flat/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 2, "meet/support.hpp is of another version; regenerate");
+static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
 
 namespace flat {
 
@@ -52,7 +52,7 @@ struct triangle_triangle {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 3, growth = 6;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
       const T t0 = a[7] - a[1];
       const T t1 = a[5] - a[2];
       const T t2 = a[8] - a[2];
@@ -67,7 +67,7 @@ struct triangle_triangle {
       f[2] = t8;
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
       const T t0 = b[7] - b[1];
       const T t1 = b[5] - b[2];
       const T t2 = b[8] - b[2];
@@ -83,8 +83,8 @@ struct triangle_triangle {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
       const T t2 = b[2] - a[2];
@@ -127,7 +127,7 @@ struct triangle_triangle {
         0x701cu, 0x71c0u, 0x7e00u, 0x267u, 0x4abu, 0x933u};
       return all[i];
     }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[7] - a[1]);
       const float m1 = ::meet::larger(m0, a[5] - a[2]);
       const float m2 = ::meet::larger(m1, a[8] - a[2]);
@@ -136,7 +136,7 @@ struct triangle_triangle {
       const float m5 = ::meet::larger(m4, a[6] - a[0]);
       return m5;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       const float m0 = ::meet::larger(0.0f, b[7] - b[1]);
       const float m1 = ::meet::larger(m0, b[5] - b[2]);
       const float m2 = ::meet::larger(m1, b[8] - b[2]);
@@ -147,8 +147,8 @@ struct triangle_triangle {
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(b[7] - b[1]);
       const T l1 = leaf(b[5] - b[2]);
       const T l2 = leaf(b[8] - b[2]);
@@ -226,7 +226,7 @@ struct triangle_triangle {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 3, growth = 6;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
       const T t0 = a[5] - a[2];
       const T t1 = a[4] - a[1];
       const T t2 = a[3] - a[0];
@@ -253,7 +253,7 @@ struct triangle_triangle {
       f[11] = t11;
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
       const T t0 = b[4] - b[1];
       const T t1 = b[5] - b[2];
       const T t2 = -t0;
@@ -293,8 +293,8 @@ struct triangle_triangle {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
       const W t2 = ::meet::fma(::meet::fma(fb[4], fa[2], fa[0] * fb[3]), t1,
@@ -349,7 +349,7 @@ struct triangle_triangle {
         0x10cdu, 0x4199u, 0x2155u, 0x16e0u, 0x4da0u, 0x2b60u, 0x160eu, 0x4c1au, 0x2a16u};
       return all[i];
     }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[5] - a[2]);
       const float m1 = ::meet::larger(m0, a[4] - a[1]);
       const float m2 = ::meet::larger(m1, a[3] - a[0]);
@@ -361,7 +361,7 @@ struct triangle_triangle {
       const float m8 = ::meet::larger(m7, a[6] - a[0]);
       return m8;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       const float m0 = ::meet::larger(0.0f, b[4] - b[1]);
       const float m1 = ::meet::larger(m0, b[5] - b[2]);
       const float m2 = ::meet::larger(m1, b[3] - b[0]);
@@ -375,8 +375,8 @@ struct triangle_triangle {
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(b[4] - b[1]);
       const T l1 = leaf(a[5] - a[2]);
       const T l2 = leaf(b[5] - b[2]);
@@ -483,7 +483,7 @@ struct triangle_triangle {
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
     static constexpr int degree = 2, growth = 3;
     template <class T>
-    MEET_HD static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
       const T t0 = a[4] - a[1];
       const T t1 = a[5] - a[2];
       const T t2 = a[3] - a[0];
@@ -504,7 +504,7 @@ struct triangle_triangle {
       f[8] = t8;
     }
     template <class T>
-    MEET_HD static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    MEET_HD MEET_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
       const T t0 = b[4] - b[1];
       const T t1 = b[5] - b[2];
       const T t2 = b[7] - b[4];
@@ -538,8 +538,8 @@ struct triangle_triangle {
     }
     // The values, whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEET_HD static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-                             [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
+    MEET_HD MEET_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
+        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[1] - a[1];
       const T t1 = b[2] - a[2];
       const T t2 = -t1;
@@ -738,7 +738,7 @@ struct triangle_triangle {
         0x40au, 0x206u, 0x40au, 0x812u, 0x812u, 0x812u};
       return all[i];
     }
-    MEET_HD static float extent_a([[maybe_unused]] const float *a) {
+    MEET_HD MEET_INLINE static float extent_a([[maybe_unused]] const float *a) {
       const float m0 = ::meet::larger(0.0f, a[4] - a[1]);
       const float m1 = ::meet::larger(m0, a[5] - a[2]);
       const float m2 = ::meet::larger(m1, a[3] - a[0]);
@@ -750,7 +750,7 @@ struct triangle_triangle {
       const float m8 = ::meet::larger(m7, a[6] - a[0]);
       return m8;
     }
-    MEET_HD static float extent_b([[maybe_unused]] const float *b) {
+    MEET_HD MEET_INLINE static float extent_b([[maybe_unused]] const float *b) {
       const float m0 = ::meet::larger(0.0f, b[4] - b[1]);
       const float m1 = ::meet::larger(m0, b[5] - b[2]);
       const float m2 = ::meet::larger(m1, b[7] - b[4]);
@@ -764,8 +764,8 @@ struct triangle_triangle {
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
     template <class T, class Leaf>
-    MEET_HD static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b, const Leaf &leaf,
-        T *m) {
+    MEET_HD MEET_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
+        const Leaf &leaf, T *m) {
       const T l0 = leaf(b[1] - a[1]);
       const T l1 = leaf(b[2] - a[2]);
       const T l2 = leaf(b[4] - b[1]);
@@ -1584,29 +1584,21 @@ struct triangle_triangle {
     return b481;
   }
 
-  // Right for any finite operands; the cheapest rung that proves its answer gives it.
+  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEET_HD static bool hit(const triangle<float> &operand_a, const triangle<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::decide_certified<triangle_triangle>(row_a, row_b);
+    return ::meet::hit_certified<triangle_triangle>(operand_a, operand_b);
   }
 
-  // The first rung alone, in fp32: no and yes are proved, where standard_environment() holds.
+  // The first rung alone, in fp32: no and yes are proved for valid operands.
   MEET_HD static ::meet::answer filter(const triangle<float> &operand_a, const triangle<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::certify<triangle_triangle, ::meet::in_fp32>(row_a, row_b);
+    return ::meet::filter_fp32<triangle_triangle>(operand_a, operand_b);
   }
 
-  // By the signs of values computed in T (float, double); says nothing about how wrong it can be.
+  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEET_HD static bool plain(const triangle<float> &operand_a,
       const triangle<float> &operand_b) {
-    float row_a[inputs_a], row_b[inputs_b];
-    to_row(operand_a, row_a);
-    to_row(operand_b, row_b);
-    return ::meet::decide<triangle_triangle>(::meet::plain_signs<triangle_triangle, T>(row_a, row_b));
+    const ::meet::rows_of<triangle_triangle, triangle<float>, triangle<float>> rows(operand_a, operand_b);
+    return ::meet::decide<triangle_triangle>(::meet::plain_signs<triangle_triangle, T>(rows.a, rows.b));
   }
 };
 

@@ -5,7 +5,7 @@
 #ifndef MEET_SUPPORT_HPP
 #define MEET_SUPPORT_HPP
 
-#define MEET_SUPPORT_VERSION 2
+#define MEET_SUPPORT_VERSION 3
 
 #include <meet/rungs.hpp>
 #include <meet/self_test.hpp>
