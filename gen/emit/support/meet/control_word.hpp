@@ -19,18 +19,28 @@ constexpr bool standard_mxcsr(std::uint32_t word) { return (word & 0xffc0) == 0x
 // and 15), round to nearest (RMode, 22 and 23), no flush-to-zero (FZ, 24), no default NaN (DN, 25).
 constexpr bool standard_fpcr(std::uint64_t word) { return (word & 0x3c09f03) == 0; }
 
-// Whether this thread's word is one of those. On a processor that is not known here: no, so that integers answer.
-inline bool standard_control_word() {
+// The same of the exceptions alone: whether all of them are masked.
+constexpr bool masks_mxcsr(std::uint32_t word) { return (word & 0x1f80) == 0x1f80; }
+constexpr bool masks_fpcr(std::uint64_t word) { return (word & 0x9f00) == 0; }
+
+// This thread's word, and whether it is one of those. On a processor that is not known here it is not, so that integers
+// answer.
 #if defined(__SSE2__)
-  return standard_mxcsr(__builtin_ia32_stmxcsr());
+inline std::uint32_t control_word() { return __builtin_ia32_stmxcsr(); }
+inline bool standard_control_word() { return standard_mxcsr(control_word()); }
+inline bool exceptions_are_masked() { return masks_mxcsr(control_word()); }
 #elif defined(__aarch64__)
+inline std::uint64_t control_word() {
   std::uint64_t word;
   __asm__ volatile("mrs %0, fpcr" : "=r"(word));
-  return standard_fpcr(word);
-#else
-  return false;
-#endif
+  return word;
 }
+inline bool standard_control_word() { return standard_fpcr(control_word()); }
+inline bool exceptions_are_masked() { return masks_fpcr(control_word()); }
+#else
+inline bool standard_control_word() { return false; }
+inline bool exceptions_are_masked() { return true; }
+#endif
 
 } // namespace meet
 

@@ -71,21 +71,32 @@ template <class T> MEET_HD MEET_INLINE T opaque(T x) {
 // Whether this function is compiled as the bounds assume. Flags are refused above where they define a macro; those that
 // come by a pragma or an attribute define none, nor do clang's -fno-honor-nans and -fassociative-math. But a compiler
 // that may do so reduces the expressions below to constants, and one that may not cannot: nothing is left of them where
-// all is well. What no optimiser touches (-O0) is computed as it is written.
-MEET_HD MEET_INLINE bool compiled_as_written() {
+// all is well. What no optimiser touches (-O0) is computed as it is written. On the device standard_environment() looks
+// at what the flags do.
+//
+// No bool here is const: the initialiser of a constant is evaluated before any optimiser has seen it.
+MEET_HD MEET_INLINE bool keeps_nan_and_infinity() {
 #if defined(__CUDA_ARCH__)
-  return true; // standard_environment() looks at what the flags do there
+  return true;
 #else
-  // No bool is const: the initialiser of a constant is evaluated before any optimiser has seen it.
-  constexpr float big = 0x1p30F;
   float x = opaque(1.0F);
   bool nan_is_lost = __builtin_constant_p(x == x) || __builtin_constant_p(x - x);
   bool infinity_is_lost = __builtin_constant_p(x == __builtin_inff()) || __builtin_constant_p(x < __builtin_inff());
-  bool reassociated = __builtin_constant_p((x + big) - x) || __builtin_constant_p((x + big) - big == x) ||
-                      __builtin_constant_p(x * 3 * 5 == x * 15) || __builtin_constant_p(x + big + big == x + 2 * big);
-  return !(nan_is_lost | infinity_is_lost | reassociated);
+  return !nan_is_lost && !infinity_is_lost;
 #endif
 }
+MEET_HD MEET_INLINE bool keeps_order_of_sums() {
+#if defined(__CUDA_ARCH__)
+  return true;
+#else
+  constexpr float big = 0x1p30F;
+  float x = opaque(1.0F);
+  bool reassociated = __builtin_constant_p((x + big) - x) || __builtin_constant_p((x + big) - big == x) ||
+                      __builtin_constant_p(x * 3 * 5 == x * 15) || __builtin_constant_p(x + big + big == x + 2 * big);
+  return !reassociated;
+#endif
+}
+MEET_HD MEET_INLINE bool compiled_as_written() { return keeps_nan_and_infinity() && keeps_order_of_sums(); }
 
 #if !defined(__FMA__) && !defined(__FMA4__) && !defined(__aarch64__) && !defined(__CUDA_ARCH__)
 // Whether the C library's fma() and fmaf() round once, looked at in a standard environment: where the processor's own

@@ -1,0 +1,47 @@
+// How many answers of this translation unit are wrong. MIXED_CALLER: an attribute of the functions that ask.
+#pragma once
+#include "rows.hpp"
+
+#include <cga/cga.hpp>
+
+#ifndef MIXED_CALLER
+#define MIXED_CALLER
+#endif
+
+namespace {
+
+template <class P> MIXED_CALLER long wrong_of(std::size_t n) {
+  std::vector<float> a, b;
+  make_rows(P::inputs_a, P::inputs_b, n, a, b);
+  long wrong = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const float *x = a.data() + i * P::inputs_a, *y = b.data() + i * P::inputs_b;
+    const bool truth = meet::decide<P>(meet::integer_signs<P>(x, y));
+    wrong += meet::decide_certified<P>(x, y) != truth;
+    wrong += meet::decide<P>(meet::exact_signs<P>(x, y)) != truth;
+    wrong += meet::certify<P, meet::in_fp32>(x, y) == (truth ? meet::answer::no : meet::answer::yes);
+    wrong += meet::certify<P, meet::in_fp64>(x, y) == (truth ? meet::answer::no : meet::answer::yes);
+    wrong += meet::certify<P, meet::in_fp64x2>(x, y) == (truth ? meet::answer::no : meet::answer::yes);
+  }
+  return wrong;
+}
+
+// The corner of a triangle that is so large that products of differences overflow.
+MIXED_CALLER long wrong_of_large() {
+  long wrong = 0;
+  for (const float h : {0x1p103F, 0x1.8p103F, 0x1p104F, 0x1p110F, 0x1p126F}) {
+    const cga::point<float> p{0, 0, 0};
+    const cga::triangle<float> t{{h, -h, -h}, {-h, h, 0}, {h, -h, h}};
+    wrong += !cga::point_triangle::hit(p, t);
+    wrong += !cga::segment_triangle::hit({p, p}, t);
+    wrong += cga::point_triangle::filter(p, t) == meet::answer::no;
+  }
+  return wrong;
+}
+
+MIXED_CALLER long wrong_of_all(std::size_t n) {
+  return wrong_of<cga::point_triangle>(n) + wrong_of<cga::segment_triangle>(n) + wrong_of<cga::ball_segment>(n) +
+         wrong_of_large();
+}
+
+} // namespace
