@@ -30,8 +30,9 @@ struct cell {
 // Those where the family applies, family by family.
 std::vector<cell> all_cells();
 
-// Who says what is true. By the signs: the predicate's own decision on integer signs, which finds any wrong sign but
-// no wrong decision. By geometry: hulls and radii alone (geometry.hpp), which finds both, at some ten times the cost.
+// Who says what is true. By the signs: the predicate's own decision on integer signs, which finds any wrong
+// sign but no wrong decision. By geometry: hulls and radii alone (geometry.hpp), which finds both, at about
+// twice the cost.
 enum class judge : std::uint8_t { signs, geometry };
 
 // One case: the pair in a box as tight as can be, or up to 4 times wider.
@@ -42,8 +43,8 @@ struct plan {
   unsigned threads = 1;
   judge by = judge::signs;
 };
-// Runs them, and reports what is done and wrong from time to time. The counts depend on the cases, the seed and the
-// judge, and on nothing else.
+// Runs them, and reports what is done and wrong from time to time. The counts depend on the cases, the seed
+// and the judge, and on nothing else.
 using reporter = std::function<void(std::uint64_t done, std::uint64_t wrong)>;
 void run(std::vector<cell> &cells, const plan &what, const reporter &report = {});
 

@@ -1,9 +1,9 @@
 // One pair of rows, one predicate, every rung: what each says, held against the integers.
 //
-// True signs are integer_signs: pure integers, no rounding anywhere. The true answer is the decision on them, or
-// one that is known from elsewhere, and then the decision on them is held against it, too. Every bounded rung is
-// checked twice: each set of signs, stage by stage, must contain the true sign, and the answer must be unsure or
-// true. So a wrong sign shows even where the decision does not look at it.
+// True signs are integer_signs: pure integers, no rounding anywhere. The true answer is the decision on them,
+// or one that is known from elsewhere, and then the decision on them is held against it, too. Every bounded
+// rung is checked twice: each set of signs, stage by stage, must contain the true sign, and the answer must
+// be unsure or true. So a wrong sign shows even where the decision does not look at it.
 #ifndef MEETC_TESTS_EXTREMES_CHECK_HPP
 #define MEETC_TESTS_EXTREMES_CHECK_HPP
 
@@ -122,8 +122,8 @@ void check_bounded(const Signs &signs, const meet::sign *truth, int want, rung r
   out.wrong |= right ? 0 : bit(r);
 }
 
-// side: of a box that holds the pair, a power of two; 0: none. known: the true answer, where it is known other
-// than by the signs, or none. Hit: the predicate's public entry point.
+// side: of a box that holds the pair, a power of two; 0: none. known: the true answer, where it is known
+// other than by the signs, or none. Hit: the predicate's public entry point.
 template <class P, class Hit>
 outcome check(const float *a, const float *b, float side, const int *known, Hit &&hit) {
   outcome out;

@@ -1,5 +1,5 @@
-// The hostile families: each gives a pair of rows for any two shapes that it applies to. Every row is finite and every
-// radius >= 0. What a family is about stands beside its maker below.
+// The hostile families: each gives a pair of rows for any two shapes that it applies to. Every row is finite
+// and every radius >= 0. What a family is about stands beside its maker below.
 #ifndef MEETC_TESTS_EXTREMES_FAMILIES_HPP
 #define MEETC_TESTS_EXTREMES_FAMILIES_HPP
 
@@ -29,11 +29,10 @@ pair_of_rows near_coplanar(shape a, shape b, random_numbers &random);
 // Spheres that touch corners, edges, faces and spheres exactly, and one ulp beside.
 pair_of_rows tangent(shape a, shape b, random_numbers &random);
 
-// All of the above and below that any_at_home gives, at any power of two; subnormals, huge beside tiny, any bit
-// pattern.
+// What any_at_home gives, at any power of two; subnormals, huge beside tiny, any bit pattern.
 pair_of_rows any_scale(shape a, shape b, random_numbers &random);
 
-// The same with corners and operands in another order.
+// What any_at_home gives, corners and operands in another order.
 pair_of_rows permuted(shape a, shape b, random_numbers &random);
 
 // Shared corners and edges, duplicates, coplanar, collinear, flat and needle triangles.
@@ -45,16 +44,20 @@ pair_of_rows mesh_on_itself(shape a, shape b, random_numbers &random);
 // What any_at_home gives, at 1e4, 1e6, 1e7, rounded to float32.
 pair_of_rows far(shape a, shape b, random_numbers &random);
 
-// A power of two for each axis of what any_at_home and placed give: planes and lines stay, angles and spheres do not.
+// A power of two for each axis of what any_at_home and placed give: planes and lines stay, angles and spheres
+// do not.
 pair_of_rows axis_magnitudes(shape a, shape b, random_numbers &random);
 
-// Every number is 0, a subnormal, the least normal, a small integer, a power of two, or FLT_MAX, or beside one; of
-// either sign.
+// Every number is 0, a subnormal, the least normal, a small integer, a power of two, or FLT_MAX, or beside
+// one; of either sign.
 pair_of_rows palette(shape a, shape b, random_numbers &random);
 
-// A point placed exactly in a corner, an edge or the face of both bodies; half of them as they are, half with one
-// number moved by one ulp.
+// A point placed exactly in a corner, an edge or the face of both bodies; half of them as they are, half with
+// one number moved by one ulp.
 pair_of_rows placed(shape a, shape b, random_numbers &random);
+
+// What placed gives before it moves anything: closed sets that share that point, and lone signs that are 0.
+pair_of_rows placed_exactly(shape a, shape b, random_numbers &random);
 
 // Coordinates and radii within a factor of a few of FLT_MAX: differences overflow in float32.
 pair_of_rows near_overflow(shape a, shape b, random_numbers &random);

@@ -1,5 +1,5 @@
-// The long mode in short: every family for every predicate on every rung, and nothing certified is wrong, by the signs
-// nor by geometry.
+// The long mode in short: every family for every predicate on every rung, and nothing certified is wrong, by
+// the signs nor by geometry.
 #include "tests/extremes/campaign.hpp"
 #include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
@@ -51,10 +51,11 @@ TEST_CASE("extremes: the table says what was judged, by whom, and where cases ar
   const std::string text = table(cells, judge::geometry);
   INFO(text.substr(0, 300));
   CHECK(text.find("judge: geometry") == 0);
-  CHECK(text.find(fmt::format("{} families, {} predicates, {} cells that apply, at least {} cases a cell; cells with "
-                              "fewer than 10000 cases: {}\n",
-                              families().size(), subjects().size(), cells.size(), cells[3].found.cases,
-                              cells.size() - 2)) != std::string::npos);
+  CHECK(text.find(fmt::format(
+            "{} families, {} predicates, {} cells that apply, at least {} cases a cell; cells with "
+            "fewer than 10000 cases: {}\n",
+            families().size(), subjects().size(), cells.size(), cells[3].found.cases, cells.size() - 2)) !=
+        std::string::npos);
   CHECK(table(cells, judge::signs).find("judge: signs") == 0);
 }
 
@@ -65,5 +66,21 @@ TEST_CASE("extremes: geometry agrees with every rung and with the decision on si
     INFO(c.first_wrong);
     CHECK(c.found.all_wrong() == 0);
     CHECK(c.found.cases >= static_cast<std::uint64_t>(effort(500)));
+  }
+}
+
+TEST_CASE("extremes: what contradicts the geometry is counted, and only by that judge") {
+  // Spheres that are said to be solid: their predicate takes them for surfaces, so nested ones are wrong.
+  subject solid = subject_named("sphere_sphere");
+  solid.surface = false;
+  for (const judge by : {judge::signs, judge::geometry}) {
+    std::vector<cell> cells = {{&family_named("tangent"), &solid, {}, {}}};
+    run(cells, {2000, 9, 2, by});
+    const bool geometric = by == judge::geometry;
+    const counts &found = cells.front().found;
+    CHECK((wrong_in(cells) > 0) == geometric);
+    for (const rung r : {fp32, fp64, fp64x2, exact_rung, certified, on_signs})
+      CHECK((found.wrong[r] > 0) == geometric);
+    CHECK((table(cells, by).find("wrong: sphere_sphere on tangent") != std::string::npos) == geometric);
   }
 }

@@ -1,5 +1,6 @@
-// The judges judged: the integers' signs by GMP's rationals, and the answers by signs and by geometry by a third way,
-// which shares nothing with either. (Signs and geometry are held against each other in the campaign.)
+// The judges judged: the integers' signs by GMP's rationals, and the answers by signs and by geometry by a
+// third way, which shares nothing with either. (Signs and geometry are held against each other in the
+// campaign.)
 #include "tests/extremes/families.hpp"
 #include "tests/extremes/geometry.hpp"
 #include "tests/generated/catch.hpp"
