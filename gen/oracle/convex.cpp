@@ -1,107 +1,249 @@
 #include "gen/oracle/convex.hpp"
 
+#include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
 namespace meetc::oracle {
 namespace {
 
-point minus(const point &a, const point &b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+using integer = mpz_class;
+using vec = std::array<integer, 3>;
+using corners = std::vector<vec>;
+
+// ---- arithmetic that keeps its memory: nearly all of the time goes here -----------------------------------
+
+void subtract(vec &out, const vec &a, const vec &b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    mpz_sub(out[k].get_mpz_t(), a[k].get_mpz_t(), b[k].get_mpz_t());
 }
-rational dot(const point &a, const point &b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+void dot(integer &out, const vec &a, const vec &b) {
+  mpz_mul(out.get_mpz_t(), a[0].get_mpz_t(), b[0].get_mpz_t());
+  for (std::size_t k = 1; k < 3; ++k)
+    mpz_addmul(out.get_mpz_t(), a[k].get_mpz_t(), b[k].get_mpz_t());
 }
+
+// Solves g t = h d for integers t and d > 0, by elimination without fractions (E. H. Bareiss, 1968): every
+// division leaves no rest, because what is divided are minors of g. g is a Gram matrix, so no pivot is
+// negative, and one that is 0 says that g is singular. At most 3 by 3.
+struct regular_system {
+  integer g[3][4]; // h in column n
+  integer t[3], d;
+
+  // False where g is singular.
+  bool eliminate(std::size_t n) {
+    for (std::size_t k = 0; k < n; ++k) {
+      if (g[k][k] == 0)
+        return false;
+      for (std::size_t i = k + 1; i < n; ++i)
+        for (std::size_t j = k + 1; j <= n; ++j) {
+          mpz_ptr x = g[i][j].get_mpz_t();
+          mpz_mul(x, x, g[k][k].get_mpz_t());
+          mpz_submul(x, g[i][k].get_mpz_t(), g[k][j].get_mpz_t());
+          if (k > 0)
+            mpz_divexact(x, x, g[k - 1][k - 1].get_mpz_t());
+        }
+    }
+    d = n == 0 ? integer(1) : g[n - 1][n - 1];
+    return true;
+  }
+  // Finds t, from the last to the first; false as soon as one is negative.
+  bool solve_nonnegative(std::size_t n) {
+    for (std::size_t i = n; i-- > 0;) {
+      mpz_ptr x = t[i].get_mpz_t();
+      mpz_mul(x, d.get_mpz_t(), g[i][n].get_mpz_t());
+      for (std::size_t j = i + 1; j < n; ++j)
+        mpz_submul(x, g[i][j].get_mpz_t(), t[j].get_mpz_t());
+      mpz_divexact(x, x, g[i][i].get_mpz_t());
+      if (sgn(t[i]) < 0)
+        return false;
+    }
+    return true;
+  }
+};
+
+// ---- the programme ----------------------------------------------------------------------------------------
+
+// The nearest points of two hulls of integer points.
+class programme {
+public:
+  programme(const corners &a, const corners &b) : a_(a), b_(b) {}
+
+  // The square of the distance, as numerator and positive denominator.
+  //
+  // Why every subset of corners is enough, and singular ones may be skipped: the nearest points' weights form
+  // a polytope (their difference w is unique). At a corner of that polytope the corners of a and b in use
+  // have independent directions, so their programme is regular, and its only stationary point is this one.
+  // More than three directions of space are dependent.
+  void solve(integer &numerator, integer &denominator) {
+    for (unsigned i = 1; i < 1U << a_.size(); ++i)
+      for (unsigned j = 1; j < 1U << b_.size(); ++j)
+        if (stationary(i, j) && optimal()) {
+          dot(numerator, w_, w_);
+          denominator = system_.d * system_.d;
+          return;
+        }
+    throw std::logic_error("two hulls without a distance"); // excluded by the argument above
+  }
+
+private:
+  const corners &a_, &b_;
+  vec directions_[3], first_, w_;
+  regular_system system_;
+  integer square_, least_, most_, x_;
+
+  // w / d = x - y, with x and y the nearest points of the flats through these corners of a and of b: a
+  // stationary point of |x - y|². False when x and y are not unique, or when one lies outside its hull.
+  bool stationary(unsigned in_a, unsigned in_b) {
+    const vec *start_a = nullptr, *start_b = nullptr;
+    std::size_t n = 0, of_a = 0;
+    for (std::size_t i = 0; i < a_.size(); ++i)
+      if (in_a >> i & 1) {
+        if (!start_a)
+          start_a = &a_[i];
+        else if (n == 3)
+          return false;
+        else
+          subtract(directions_[n++], a_[i], *start_a);
+      }
+    of_a = n;
+    for (std::size_t i = 0; i < b_.size(); ++i)
+      if (in_b >> i & 1) {
+        if (!start_b)
+          start_b = &b_[i];
+        else if (n == 3)
+          return false;
+        else
+          subtract(directions_[n++], *start_b, b_[i]);
+      }
+    subtract(first_, *start_a, *start_b);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        dot(system_.g[i][j], directions_[i], directions_[j]);
+        system_.g[j][i] = system_.g[i][j];
+      }
+      dot(system_.g[i][n], directions_[i], first_);
+      mpz_neg(system_.g[i][n].get_mpz_t(), system_.g[i][n].get_mpz_t());
+    }
+    if (!system_.eliminate(n) || !system_.solve_nonnegative(n) || !first_weight_feasible(0, of_a) ||
+        !first_weight_feasible(of_a, n))
+      return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      mpz_mul(w_[k].get_mpz_t(), system_.d.get_mpz_t(), first_[k].get_mpz_t());
+      for (std::size_t i = 0; i < n; ++i)
+        mpz_addmul(w_[k].get_mpz_t(), system_.t[i].get_mpz_t(), directions_[i][k].get_mpz_t());
+    }
+    return true;
+  }
+
+  // The weights of the points of one side must not be negative; the first point's is what is left to 1.
+  bool first_weight_feasible(std::size_t begin, std::size_t end) {
+    x_ = system_.d;
+    for (std::size_t i = begin; i < end; ++i)
+      x_ -= system_.t[i];
+    return x_ >= 0;
+  }
+
+  // The optimality conditions of the whole programme: w is a difference of points of the hulls, and no
+  // difference of corners lies further back along w. Then |w| is the distance: the slab between two planes
+  // across w parts the hulls.
+  bool optimal() {
+    dot(square_, w_, w_);
+    if (square_ == 0)
+      return true;
+    extreme(least_, a_, -1);
+    extreme(most_, b_, 1);
+    least_ -= most_;
+    least_ *= system_.d;
+    return least_ >= square_;
+  }
+  // The greatest (sign 1) or least (-1) product of w with a corner.
+  void extreme(integer &out, const corners &points, int sign) {
+    dot(out, w_, points[0]);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      dot(x_, w_, points[i]);
+      if (sign * cmp(x_, out) > 0)
+        mpz_swap(out.get_mpz_t(), x_.get_mpz_t());
+    }
+  }
+};
+
+// ---- from rationals to integers ---------------------------------------------------------------------------
+
+// All coordinates and pads times one common factor; then the points moved so that one of them is 0.
+struct on_integers {
+  corners a, b;
+  integer pad_a, pad_b;
+  rational factor;
+
+  on_integers(const hull &x, const rational &pad_x, const hull &y, const rational &pad_y) {
+    integer common = 1;
+    const auto widen = [&](const rational &q) {
+      mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), q.get_den_mpz_t());
+    };
+    for (const hull *h : {&x, &y})
+      for (const point &p : *h)
+        std::for_each(p.begin(), p.end(), widen);
+    widen(pad_x);
+    widen(pad_y);
+    integer rest;
+    const auto scaled = [&](integer &out, const rational &q) {
+      mpz_divexact(rest.get_mpz_t(), common.get_mpz_t(), q.get_den_mpz_t());
+      mpz_mul(out.get_mpz_t(), rest.get_mpz_t(), q.get_num_mpz_t());
+    };
+    for (auto [to, from] : {std::pair(&a, &x), std::pair(&b, &y)}) {
+      to->resize(from->size());
+      for (std::size_t i = 0; i < from->size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+          scaled((*to)[i][k], (*from)[i][k]);
+    }
+    scaled(pad_a, pad_x);
+    scaled(pad_b, pad_y);
+    const vec origin = a[0];
+    for (corners *c : {&a, &b})
+      for (vec &p : *c)
+        subtract(p, p, origin);
+    // Common powers of two cost time and change nothing.
+    mp_bitcnt_t low = ~mp_bitcnt_t{0};
+    each([&](const integer &c) { low = sgn(c) == 0 ? low : std::min(low, mpz_scan1(c.get_mpz_t(), 0)); });
+    if (low == ~mp_bitcnt_t{0})
+      low = 0;
+    each([&](integer &c) { mpz_tdiv_q_2exp(c.get_mpz_t(), c.get_mpz_t(), low); });
+    factor = rational(common) >> low;
+  }
+
+private:
+  template <class F> void each(F &&f) {
+    for (corners *c : {&a, &b})
+      for (vec &p : *c)
+        std::for_each(p.begin(), p.end(), f);
+    f(pad_a);
+    f(pad_b);
+  }
+};
 
 void require_points(const hull &a) {
   if (a.empty())
     throw std::invalid_argument("the hull of no point");
 }
+void require_few_points(const hull &a, const hull &b) {
+  require_points(a);
+  require_points(b);
+  if (a.size() > 16 || b.size() > 16)
+    throw std::invalid_argument("the oracle tries every subset of corners: 16 points are too many already");
+}
 
-// Solves g t = h by elimination; nothing when g is singular. g is a Gram matrix, at most 3 by 3 when regular.
-std::optional<std::vector<rational>> solve(std::vector<std::vector<rational>> g, std::vector<rational> h) {
-  const std::size_t n = h.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    while (pivot < n && g[pivot][k] == 0)
-      ++pivot;
-    if (pivot == n)
-      return std::nullopt;
-    std::swap(g[k], g[pivot]);
-    std::swap(h[k], h[pivot]);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == k || g[i][k] == 0)
-        continue;
-      const rational f = g[i][k] / g[k][k];
-      for (std::size_t j = k; j < n; ++j)
-        g[i][j] -= f * g[k][j];
-      h[i] -= f * h[k];
-    }
+// Of integer points.
+integer greatest_square(const vec &p, const corners &a) {
+  integer most, square;
+  vec d;
+  for (const vec &q : a) {
+    subtract(d, p, q);
+    dot(square, d, d);
+    most = std::max(most, square);
   }
-  for (std::size_t k = 0; k < n; ++k)
-    h[k] /= g[k][k];
-  return h;
-}
-
-hull subset(const hull &a, unsigned mask) {
-  hull s;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (mask >> i & 1)
-      s.push_back(a[i]);
-  return s;
-}
-
-// The weights of the points of one side must not be negative; the first point's is what is left to 1.
-bool weights_feasible(const std::vector<rational> &t, std::size_t begin, std::size_t end) {
-  rational first = 1;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (t[i] < 0)
-      return false;
-    first -= t[i];
-  }
-  return first >= 0;
-}
-
-// w = x - y, with x and y the nearest points of the flats through the points of a and of b: a stationary
-// point of |x - y|². Nothing when x and y are not unique, or when one lies outside its hull.
-std::optional<point> stationary(const hull &a, const hull &b) {
-  std::vector<point> directions;
-  for (std::size_t i = 1; i < a.size(); ++i)
-    directions.push_back(minus(a[i], a[0]));
-  for (std::size_t i = 1; i < b.size(); ++i)
-    directions.push_back(minus(b[0], b[i]));
-  const std::size_t n = directions.size();
-  if (n > 3)
-    return std::nullopt; // more than three directions of space are dependent
-  point w = minus(a[0], b[0]);
-  std::vector<std::vector<rational>> gram(n, std::vector<rational>(n));
-  std::vector<rational> right(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j)
-      gram[i][j] = dot(directions[i], directions[j]);
-    right[i] = -dot(directions[i], w);
-  }
-  const auto t = solve(std::move(gram), std::move(right));
-  if (!t || !weights_feasible(*t, 0, a.size() - 1) || !weights_feasible(*t, a.size() - 1, n))
-    return std::nullopt;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      w[k] += (*t)[i] * directions[i][k];
-  return w;
-}
-
-// The optimality conditions of the whole programme: w is a difference of points of the hulls, and no
-// difference of corners lies further back along w. Then |w| is the distance: the slab between two planes
-// across w parts the hulls.
-bool optimal(const point &w, const hull &a, const hull &b) {
-  const rational square = dot(w, w);
-  for (const point &p : a)
-    for (const point &q : b)
-      if (dot(w, minus(p, q)) < square)
-        return false;
-  return true;
+  return most;
 }
 
 } // namespace
@@ -110,31 +252,23 @@ point at(const rational &x, const rational &y, const rational &z) {
   return {x, y, z};
 }
 
-// Why every subset of corners is enough, and singular ones may be skipped: the nearest points' weights form a
-// polytope (their difference w is unique). At a corner of that polytope the corners of a and b in use have
-// independent directions, so their programme is regular, and its only stationary point is this one.
 rational squared_distance(const hull &a, const hull &b) {
-  require_points(a);
-  require_points(b);
-  if (a.size() > 16 || b.size() > 16)
-    throw std::invalid_argument("the oracle tries every subset of corners: 16 points are too many already");
-  for (unsigned i = 1; i < 1U << a.size(); ++i)
-    for (unsigned j = 1; j < 1U << b.size(); ++j) {
-      const auto w = stationary(subset(a, i), subset(b, j));
-      if (w && optimal(*w, a, b))
-        return dot(*w, *w);
-    }
-  throw std::logic_error("two hulls without a distance"); // excluded by the argument above
+  require_few_points(a, b);
+  const on_integers in(a, 0, b, 0);
+  rational square;
+  programme(in.a, in.b).solve(square.get_num(), square.get_den());
+  square.canonicalize();
+  return square / (in.factor * in.factor);
 }
 
 rational max_squared_distance(const point &p, const hull &a) {
   require_points(a);
   rational most = 0;
   for (const point &q : a) {
-    const point d = minus(p, q);
-    const rational square = dot(d, d);
-    if (square > most)
-      most = square;
+    rational square = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      square += (p[k] - q[k]) * (p[k] - q[k]);
+    most = std::max(most, square);
   }
   return most;
 }
@@ -145,15 +279,18 @@ bool touches(const hull &a, const rational &pad_a, const hull &b, const rational
   const bool surfaces = mode == touch_mode::surface;
   if (surfaces && ((pad_a > 0 && a.size() != 1) || (pad_b > 0 && b.size() != 1)))
     throw std::invalid_argument("the surface of a padded hull is defined for one point only");
-  const rational square = squared_distance(a, b), sum = pad_a + pad_b, difference = pad_a - pad_b;
-  if (square > sum * sum)
+  require_few_points(a, b);
+  const on_integers in(a, pad_a, b, pad_b);
+  integer square, unit; // the square of the distance is square / unit
+  programme(in.a, in.b).solve(square, unit);
+  const integer sum = in.pad_a + in.pad_b, difference = in.pad_a - in.pad_b;
+  if (square > sum * sum * unit)
     return false; // apart, in either mode
   if (!surfaces || sum == 0)
     return true;
   if (pad_a > 0 && pad_b > 0)
-    return difference * difference <= square;
-  const point &centre = pad_a > 0 ? a[0] : b[0];
-  return sum * sum <= max_squared_distance(centre, pad_a > 0 ? b : a);
+    return difference * difference * unit <= square;
+  return sum * sum <= (pad_a > 0 ? greatest_square(in.a[0], in.b) : greatest_square(in.b[0], in.a));
 }
 
 } // namespace meetc::oracle

@@ -1,24 +1,25 @@
 #include "tests/extremes/campaign.hpp"
 
+#include "tests/extremes/geometry.hpp"
+
 #include <atomic>
 #include <chrono>
 #include <fmt/format.h>
 #include <mutex>
+#include <set>
 #include <thread>
 
 namespace meetc::extremes_test {
 namespace {
 
-constexpr std::uint64_t chunk = 4096;
-
 // Cases [first, last) of a cell; each chunk has random numbers of its own, so threads change nothing.
-void run_chunk(cell &c, std::uint64_t seed, std::uint64_t cases, std::mutex &lock) {
+void run_chunk(cell &c, std::uint64_t seed, std::uint64_t cases, judge by, std::mutex &lock) {
   random_numbers random(seed);
   counts found;
   std::string wrong;
   for (std::uint64_t i = 0; i < cases; ++i) {
     const pair_of_rows p = c.from->make(c.of->a, c.of->b, random);
-    const outcome o = check_case(*c.of, p, random);
+    const outcome o = check_case(*c.of, p, random, by);
     ++found.cases;
     found.hits += o.hit;
     found.boxed += o.boxed;
@@ -42,14 +43,33 @@ std::uint64_t mixed(std::uint64_t z) { // splitmix64
   return z ^ z >> 31;
 }
 
-std::string line(std::string_view family, std::string_view subject, const counts &n) {
+std::string line(std::string_view family, std::string_view subject, const counts &n, judge by) {
   std::string out = fmt::format("{:<16} {:<22} {:>11} {:>11} |", family, subject, n.cases, n.hits);
   for (std::size_t r = 0; r < per_object; ++r)
     out += fmt::format(" {:>10}", n.unsure[r]);
   out += fmt::format(" | {:>11} {:>11} {:>11} |", n.boxed, n.unsure[per_object], n.unsure[whole_box]);
-  for (const std::uint64_t w : n.wrong)
-    out += fmt::format(" {}", w);
-  return out + "\n";
+  for (std::size_t r = 0; r < on_signs; ++r)
+    out += fmt::format(" {}", n.wrong[r]);
+  return out + (by == judge::signs ? " -\n" : fmt::format(" {}\n", n.wrong[on_signs]));
+}
+
+// Counted, so that no text elsewhere needs to be believed.
+std::string heading(const std::vector<cell> &cells, judge by) {
+  std::uint64_t least = cells.empty() ? 0 : cells.front().found.cases, few = 0;
+  std::set<const family *> of_families;
+  std::set<const subject *> of_subjects;
+  for (const cell &c : cells) {
+    least = std::min(least, c.found.cases);
+    few += c.found.cases < enough_cases;
+    of_families.insert(c.from);
+    of_subjects.insert(c.of);
+  }
+  return fmt::format(
+      "judge: {}\n{} families, {} predicates, {} cells that apply, at least {} cases a cell; cells "
+      "with fewer than {} cases: {}\n",
+      by == judge::signs ? "signs (the predicate's decision on integer signs)"
+                         : "geometry (exact distances of hulls and radii alone)",
+      of_families.size(), of_subjects.size(), cells.size(), least, enough_cases, few);
 }
 
 } // namespace
@@ -79,14 +99,19 @@ std::vector<cell> all_cells() {
   return out;
 }
 
-outcome check_case(const subject &s, const pair_of_rows &p, random_numbers &random) {
+outcome check_case(const subject &s, const pair_of_rows &p, random_numbers &random, judge by) {
   const float side = box_side(s.a, p.a, s.b, p.b) * static_cast<float>(1 << random.integer(0, 2));
-  return s.check(p.a.data(), p.b.data(), side);
+  if (by == judge::signs)
+    return s.check(p.a.data(), p.b.data(), side, nullptr);
+  const int known = truth_by_geometry(s, p);
+  return s.check(p.a.data(), p.b.data(), side, &known);
 }
 
-void run(std::vector<cell> &cells, std::uint64_t cases, std::uint64_t seed, unsigned threads,
-         const std::function<void(std::uint64_t, std::uint64_t)> &report) {
-  const std::uint64_t each = (cases + cells.size() - 1) / cells.size(), rounds = (each + chunk - 1) / chunk;
+void run(std::vector<cell> &cells, const plan &what, const reporter &report) {
+  // A judge that is slow gets fewer cases at a time, or the last ones keep one thread busy alone.
+  const std::uint64_t chunk = what.by == judge::signs ? 4096 : 512;
+  const std::uint64_t each = (what.cases + cells.size() - 1) / cells.size(),
+                      rounds = (each + chunk - 1) / chunk;
   std::atomic<std::uint64_t> next = 0, done = 0;
   std::mutex lock;
   const auto work = [&] {
@@ -95,16 +120,16 @@ void run(std::vector<cell> &cells, std::uint64_t cases, std::uint64_t seed, unsi
       if (job >= rounds * cells.size())
         return;
       const std::uint64_t round = job / cells.size(), size = std::min(chunk, each - round * chunk);
-      run_chunk(cells[job % cells.size()], mixed(mixed(seed) + job), size, lock);
+      run_chunk(cells[job % cells.size()], mixed(mixed(what.seed) + job), size, what.by, lock);
       done += size;
     }
   };
   std::vector<std::jthread> pool;
-  for (unsigned i = 0; i < threads; ++i)
+  for (unsigned i = 0; i < what.threads; ++i)
     pool.emplace_back(work);
   for (auto last = std::chrono::steady_clock::now(); done < each * cells.size();) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    if (const auto now = std::chrono::steady_clock::now(); now - last > std::chrono::seconds(20)) {
+    if (const auto now = std::chrono::steady_clock::now(); report && now - last > std::chrono::seconds(20)) {
       const std::scoped_lock guard(lock);
       report(done, wrong_in(cells));
       last = now;
@@ -112,20 +137,21 @@ void run(std::vector<cell> &cells, std::uint64_t cases, std::uint64_t seed, unsi
   }
 }
 
-std::string table(const std::vector<cell> &cells) {
-  std::string out =
+std::string table(const std::vector<cell> &cells, judge by) {
+  std::string out = heading(cells, by);
+  out +=
       fmt::format("{:<16} {:<22} {:>11} {:>11} | {:>10} {:>10} {:>10} | {:>11} {:>11} {:>11} | {}\n",
                   "family", "predicate", "cases", "hits", "fp32", "fp64", "fp64x2", "in a box", "per object",
-                  "whole box", "wrong: fp32 fp64 fp64x2 per_object whole_box exact certified");
+                  "whole box", "wrong: fp32 fp64 fp64x2 per_object whole_box exact certified signs");
   for (const cell &c : cells)
-    out += line(c.from->name, c.of->name, c.found);
+    out += line(c.from->name, c.of->name, c.found, by);
   counts all;
   for (const family &f : families()) {
     counts sum;
     for (const cell &c : cells)
       if (c.from == &f)
         sum += c.found;
-    out += line(f.name, "(all)", sum);
+    out += line(f.name, "(all)", sum, by);
     all += sum;
   }
   for (const subject &s : subjects()) {
@@ -133,9 +159,9 @@ std::string table(const std::vector<cell> &cells) {
     for (const cell &c : cells)
       if (c.of == &s)
         sum += c.found;
-    out += line("(all)", s.name, sum);
+    out += line("(all)", s.name, sum, by);
   }
-  out += line("(all)", "(all)", all);
+  out += line("(all)", "(all)", all, by);
   for (const cell &c : cells)
     if (!c.first_wrong.empty())
       out += "wrong: " + c.first_wrong + "\n";

@@ -1,4 +1,4 @@
-// Many cases of every family for every subject, counted.
+// Many cases of every family for every subject, judged and counted.
 #ifndef MEETC_TESTS_EXTREMES_CAMPAIGN_HPP
 #define MEETC_TESTS_EXTREMES_CAMPAIGN_HPP
 
@@ -30,16 +30,29 @@ struct cell {
 // Those where the family applies, family by family.
 std::vector<cell> all_cells();
 
+// Who says what is true. By the signs: the predicate's own decision on integer signs, which finds any wrong
+// sign but no wrong decision. By geometry: hulls and radii alone (geometry.hpp), which finds both, at about
+// twice the cost.
+enum class judge : std::uint8_t { signs, geometry };
+
 // One case: the pair in a box as tight as can be, or up to 4 times wider.
-outcome check_case(const subject &s, const pair_of_rows &p, random_numbers &random);
+outcome check_case(const subject &s, const pair_of_rows &p, random_numbers &random, judge by = judge::signs);
 
-// Runs `cases` in all, as many of each cell as of any other, and reports what is done and wrong from time to
-// time. The counts depend on the seed and on nothing else.
-void run(std::vector<cell> &cells, std::uint64_t cases, std::uint64_t seed, unsigned threads,
-         const std::function<void(std::uint64_t done, std::uint64_t wrong)> &report);
+struct plan {
+  std::uint64_t cases, seed; // in all, as many of each cell as of any other
+  unsigned threads = 1;
+  judge by = judge::signs;
+};
+// Runs them, and reports what is done and wrong from time to time. The counts depend on the cases, the seed
+// and the judge, and on nothing else.
+using reporter = std::function<void(std::uint64_t done, std::uint64_t wrong)>;
+void run(std::vector<cell> &cells, const plan &what, const reporter &report = {});
 
-// A line a cell, then sums by family and by subject.
-std::string table(const std::vector<cell> &cells);
+// Fewer cases than these say little about a cell.
+inline constexpr std::uint64_t enough_cases = 10000;
+
+// What was judged by whom, a line a cell, then sums by family and by subject.
+std::string table(const std::vector<cell> &cells, judge by);
 std::uint64_t wrong_in(const std::vector<cell> &cells);
 
 } // namespace meetc::extremes_test

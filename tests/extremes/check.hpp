@@ -1,8 +1,9 @@
 // One pair of rows, one predicate, every rung: what each says, held against the integers.
 //
-// The truth is integer_signs: pure integers, no rounding anywhere. Every bounded rung is checked twice: each
-// set of signs, stage by stage, must contain the true sign, and the answer must be unsure or true. So a wrong
-// sign shows even where the decision does not look at it.
+// True signs are integer_signs: pure integers, no rounding anywhere. The true answer is the decision on them,
+// or one that is known from elsewhere, and then the decision on them is held against it, too. Every bounded
+// rung is checked twice: each set of signs, stage by stage, must contain the true sign, and the answer must
+// be unsure or true. So a wrong sign shows even where the decision does not look at it.
 #ifndef MEETC_TESTS_EXTREMES_CHECK_HPP
 #define MEETC_TESTS_EXTREMES_CHECK_HPP
 
@@ -12,8 +13,8 @@
 
 namespace meetc::extremes_test {
 
-// Those that can be unsure come first.
-enum rung { fp32, fp64, fp64x2, per_object, whole_box, exact_rung, certified, rungs };
+// Those that can be unsure come first; last, no rung, the decision on the true signs.
+enum rung { fp32, fp64, fp64x2, per_object, whole_box, exact_rung, certified, on_signs, rungs };
 inline constexpr int bounded = 5;
 constexpr unsigned bit(int r) {
   return 1U << r;
@@ -121,12 +122,14 @@ void check_bounded(const Signs &signs, const meet::sign *truth, int want, rung r
   out.wrong |= right ? 0 : bit(r);
 }
 
-// side: of a box that holds the pair, a power of two; 0: none. Hit: the predicate's public entry point.
-template <class P, class Hit> outcome check(const float *a, const float *b, float side, Hit &&hit) {
+// side: of a box that holds the pair, a power of two; 0: none. known: the true answer, where it is known
+// other than by the signs, or none. Hit: the predicate's public entry point.
+template <class P, class Hit>
+outcome check(const float *a, const float *b, float side, const int *known, Hit &&hit) {
   outcome out;
   meet::sign truth[P::atoms];
   all_signs<P>(meet::integer_signs<P>(a, b), truth);
-  const int want = answer_of<P>(truth);
+  const int by_signs = answer_of<P>(truth), want = known ? *known : by_signs;
   out.hit = want != 0;
   check_bounded<P>(meet::bounded_signs<P, meet::in_fp32>(a, b), truth, want, fp32, out);
   check_bounded<P>(meet::bounded_signs<P, meet::in_fp64>(a, b), truth, want, fp64, out);
@@ -143,7 +146,8 @@ template <class P, class Hit> outcome check(const float *a, const float *b, floa
     check_bounded<P>(meet::boxed_signs<P, box_form::per_object>(a, b, side), truth, want, per_object, out);
     check_bounded<P>(meet::boxed_signs<P, box_form::whole_box>(a, b, side), truth, want, whole_box, out);
   }
-  out.wrong |= (exact ? 0 : bit(exact_rung)) | (right ? 0 : bit(certified));
+  out.wrong |=
+      (exact ? 0 : bit(exact_rung)) | (right ? 0 : bit(certified)) | (by_signs == want ? 0 : bit(on_signs));
   return out;
 }
 

@@ -1,14 +1,5 @@
 // The hostile families: each gives a pair of rows for any two shapes that it applies to. Every row is finite
-// and every radius >= 0.
-//
-//   determinant_one  corners on integers whose orient3d determinants are -1, 0, 1 beside terms of 2^57 and
-//   more kettner          points around a line on a grid of one unit in the last place, embedded in planes of
-//   space near_coplanar    corners on 2^-20 Z^3, the other's on sixteenths of them, 2^-24 off tangent spheres
-//   that touch corners, edges, faces and spheres exactly, and one ulp beside scale            all of these at
-//   any power of two, subnormals, huge beside tiny, any bit pattern permuted         corners and operands in
-//   another order degenerate       shared corners and edges, duplicates, coplanar, collinear, flat and needle
-//   triangles mesh             a mesh against itself, as it is and moved by one ulp far              all of
-//   these at 1e4, 1e6, 1e7, rounded to float32
+// and every radius >= 0. What a family is about stands beside its maker below.
 #ifndef MEETC_TESTS_EXTREMES_FAMILIES_HPP
 #define MEETC_TESTS_EXTREMES_FAMILIES_HPP
 
@@ -26,21 +17,63 @@ const family &family_named(const char *name);
 
 // ---- makers ---------------------------------------------------------------------------------------------
 
+// Corners on integers whose orient3d determinants are -1, 0, 1 beside terms of 2^57 and more.
 pair_of_rows determinant_one(shape a, shape b, random_numbers &random);
+
+// Points around a line on a grid of one unit in the last place, embedded in planes of space.
 pair_of_rows kettner(shape a, shape b, random_numbers &random);
+
+// Corners on 2^-20 Z^3, the other's on sixteenths of them, 2^-24 off.
 pair_of_rows near_coplanar(shape a, shape b, random_numbers &random);
+
+// Spheres that touch corners, edges, faces and spheres exactly, and one ulp beside.
 pair_of_rows tangent(shape a, shape b, random_numbers &random);
+
+// What any_at_home gives, at any power of two; subnormals, huge beside tiny, any bit pattern.
 pair_of_rows any_scale(shape a, shape b, random_numbers &random);
+
+// What any_at_home gives, corners and operands in another order.
 pair_of_rows permuted(shape a, shape b, random_numbers &random);
+
+// Shared corners and edges, duplicates, coplanar, collinear, flat and needle triangles.
 pair_of_rows degenerate(shape a, shape b, random_numbers &random);
+
+// A mesh against itself, as it is and moved by one ulp.
 pair_of_rows mesh_on_itself(shape a, shape b, random_numbers &random);
+
+// What any_at_home gives, at 1e4, 1e6, 1e7, rounded to float32.
 pair_of_rows far(shape a, shape b, random_numbers &random);
+
+// A power of two for each axis of what any_at_home and placed give: planes and lines stay, angles and spheres
+// do not.
+pair_of_rows axis_magnitudes(shape a, shape b, random_numbers &random);
+
+// Every number is 0, a subnormal, the least normal, a small integer, a power of two, or FLT_MAX, or beside
+// one; of either sign.
+pair_of_rows palette(shape a, shape b, random_numbers &random);
+
+// A point placed exactly in a corner, an edge or the face of both bodies; half of them as they are, half with
+// one number moved by one ulp.
+pair_of_rows placed(shape a, shape b, random_numbers &random);
+
+// What placed gives before it moves anything: closed sets that share that point, and lone signs that are 0.
+pair_of_rows placed_exactly(shape a, shape b, random_numbers &random);
+
+// Coordinates and radii within a factor of a few of FLT_MAX: differences overflow in float32.
+pair_of_rows near_overflow(shape a, shape b, random_numbers &random);
+
+// All points within a few ulps of one, at any exponent.
+pair_of_rows cluster(shape a, shape b, random_numbers &random);
+
+// Neighbours that share a corner or an edge bit for bit, coplanar but for one coordinate, moved by one ulp.
+pair_of_rows bent(shape a, shape b, random_numbers &random);
 
 // One of those above that keep their own scale and place.
 pair_of_rows any_at_home(shape a, shape b, random_numbers &random);
 
 // ---- parts of makers ------------------------------------------------------------------------------------
 
+using generated_test::graze;
 using generated_test::padded;
 using generated_test::points_of;
 constexpr std::size_t corners(shape s) {

@@ -1,4 +1,5 @@
-// The long mode: extremes [--cases N] [--seed N] [--threads T]. Exits 1 where any rung was wrong.
+// The long mode: extremes [--judge signs|geometry] [--cases N] [--seed N] [--threads T]. Exits 1 where
+// anything was wrong.
 #include "tests/extremes/campaign.hpp"
 
 #include <charconv>
@@ -10,7 +11,8 @@ using namespace meetc::extremes_test;
 
 namespace {
 
-constexpr const char *usage = "usage: extremes [--cases N] [--seed N] [--threads T]\n";
+constexpr const char *usage =
+    "usage: extremes [--judge signs|geometry] [--cases N] [--seed N] [--threads T]\n";
 
 bool number(const char *text, std::uint64_t &out) {
   const char *end = text + std::strlen(text);
@@ -22,8 +24,13 @@ bool number(const char *text, std::uint64_t &out) {
 
 int main(int argc, char **argv) {
   std::uint64_t cases = 1'000'000, seed = 1, threads = 1;
+  judge by = judge::signs;
   for (int i = 1; i < argc; i += 2) {
-    const std::string_view name = argv[i];
+    const std::string_view name = argv[i], given = i + 1 < argc ? argv[i + 1] : "";
+    if (name == "--judge" && (given == "signs" || given == "geometry")) {
+      by = given == "signs" ? judge::signs : judge::geometry;
+      continue;
+    }
     std::uint64_t *const value = name == "--cases"     ? &cases
                                  : name == "--seed"    ? &seed
                                  : name == "--threads" ? &threads
@@ -35,9 +42,9 @@ int main(int argc, char **argv) {
     }
   }
   std::vector<cell> cells = all_cells();
-  run(cells, cases, seed, static_cast<unsigned>(threads), [&](std::uint64_t done, std::uint64_t wrong) {
+  run(cells, {cases, seed, static_cast<unsigned>(threads), by}, [&](std::uint64_t done, std::uint64_t wrong) {
     fmt::print(stderr, "{} of {} cases, {} wrong\n", done, cases, wrong);
   });
-  fmt::print("{}", table(cells));
+  fmt::print("{}", table(cells, by));
   return wrong_in(cells) ? 1 : 0;
 }

@@ -57,6 +57,12 @@ const family all[] = {
     {"degenerate", always, degenerate},
     {"mesh", always, mesh_on_itself},
     {"far", always, far},
+    {"axis_magnitudes", always, axis_magnitudes},
+    {"palette", always, palette},
+    {"placed", always, placed},
+    {"near_overflow", always, near_overflow},
+    {"cluster", always, cluster},
+    {"bent", always, bent},
 };
 
 } // namespace

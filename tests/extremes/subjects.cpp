@@ -56,7 +56,9 @@ template <class P, answer_function Hit> subject make(const char *name, shape a, 
           b,
           surface,
           lone_sign<P>,
-          [](const float *x, const float *y, float side) { return check<P>(x, y, side, Hit); },
+          [](const float *x, const float *y, float side, const int *known) {
+            return check<P>(x, y, side, known, Hit);
+          },
           truth_of<P>,
           Hit,
           [](const float *x, const float *y) { return decided<P>(meet::exact_signs<P>(x, y)); },

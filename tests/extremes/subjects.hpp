@@ -21,7 +21,7 @@ struct subject {
   shape a, b;
   bool surface; // spheres count as surfaces, else as solids
   bool sign;    // one sign, not a decision
-  outcome (*check)(const float *a, const float *b, float side);
+  outcome (*check)(const float *a, const float *b, float side, const int *known);
   int (*truth)(const float *a, const float *b);   // by the integers
   int (*hit)(const float *a, const float *b);     // the public entry point
   int (*decided)(const float *a, const float *b); // the exact rung

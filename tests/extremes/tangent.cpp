@@ -1,38 +1,15 @@
 // Spheres that touch: with a corner, an edge, a face or another sphere exactly in one point, or one ulp
 // beside.
 #include "tests/extremes/families.hpp"
+#include "tests/extremes/frames.hpp"
 
 #include <cmath>
 
 namespace meetc::extremes_test {
 namespace {
 
-using vec = std::array<long, 3>;
+using vec = integer_point;
 constexpr float unit = 0x1p-6F;
-
-// Three orthogonal integer vectors of one integer length: the rotation of a quaternion of integers.
-struct frame {
-  vec x, y, z;
-  long length;
-};
-frame any_frame(int most, random_numbers &random) {
-  long w = 1, x = 0, y = 0, z = 0; // the axes themselves
-  if (!random.one_in(4))
-    do
-      for (long *c : {&w, &x, &y, &z})
-        *c = random.integer(-most, most);
-    while (w * w + x * x + y * y + z * z == 0);
-  return {{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)},
-          {2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},
-          {2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z},
-          w * w + x * x + y * y + z * z};
-}
-vec in(const frame &f, long i, long j, long k) {
-  vec out;
-  for (std::size_t c = 0; c < 3; ++c)
-    out[c] = i * f.x[c] + j * f.y[c] + k * f.z[c];
-  return out;
-}
 
 void append(row &r, const vec &p, float size) {
   for (const long c : p)

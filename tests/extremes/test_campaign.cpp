@@ -1,15 +1,18 @@
-// The long mode in short: every family for every predicate on every rung, and nothing certified is wrong.
+// The long mode in short: every family for every predicate on every rung, and nothing certified is wrong, by
+// the signs nor by geometry.
 #include "tests/extremes/campaign.hpp"
 #include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
+
+#include <fmt/format.h>
 
 using namespace meetc::extremes_test;
 using meetc::generated_test::effort;
 
 TEST_CASE("extremes: no rung certifies anything wrong") {
   std::vector<cell> cells = all_cells();
-  CHECK(cells.size() == 100);
-  run(cells, static_cast<std::uint64_t>(effort(500000)), 1, 1, [](std::uint64_t, std::uint64_t) {});
+  CHECK(cells.size() == 178);
+  run(cells, {static_cast<std::uint64_t>(effort(500000)), 1});
   for (const cell &c : cells) {
     INFO(c.first_wrong);
     CHECK(c.found.all_wrong() == 0);
@@ -23,7 +26,7 @@ TEST_CASE("extremes: no rung certifies anything wrong") {
     INFO(f.name);
     CHECK(sum.hits > sum.cases / 20);
     CHECK(sum.hits < sum.cases - sum.cases / 20);
-    CHECK(sum.boxed > sum.cases / 8);
+    CHECK((sum.boxed > sum.cases / 8 || f.make == near_overflow)); // whose boxes float32 has not
     for (const std::uint64_t unsure : sum.unsure)
       CHECK(unsure > 0);
     CHECK(sum.unsure[fp32] > sum.unsure[fp64]);
@@ -32,8 +35,52 @@ TEST_CASE("extremes: no rung certifies anything wrong") {
 }
 
 TEST_CASE("extremes: the counts depend on the seed and not on the threads") {
-  std::vector<cell> one = all_cells(), two = all_cells();
-  run(one, 10000, 7, 1, [](std::uint64_t, std::uint64_t) {});
-  run(two, 10000, 7, 2, [](std::uint64_t, std::uint64_t) {});
-  CHECK(table(one) == table(two));
+  for (const judge by : {judge::signs, judge::geometry}) {
+    std::vector<cell> one = all_cells(), two = all_cells();
+    run(one, {20000, 7, 1, by});
+    run(two, {20000, 7, 2, by});
+    CHECK(table(one, by) == table(two, by));
+  }
+}
+
+TEST_CASE("extremes: the table says what was judged, by whom, and where cases are few") {
+  std::vector<cell> cells = all_cells();
+  run(cells, {20000, 8, 2, judge::geometry});
+  for (std::size_t i = 0; i < 3; ++i)
+    cells[i].found.cases = enough_cases - 1 + i;
+  const std::string text = table(cells, judge::geometry);
+  INFO(text.substr(0, 300));
+  CHECK(text.find("judge: geometry") == 0);
+  CHECK(text.find(fmt::format(
+            "{} families, {} predicates, {} cells that apply, at least {} cases a cell; cells with "
+            "fewer than 10000 cases: {}\n",
+            families().size(), subjects().size(), cells.size(), cells[3].found.cases, cells.size() - 2)) !=
+        std::string::npos);
+  CHECK(table(cells, judge::signs).find("judge: signs") == 0);
+}
+
+TEST_CASE("extremes: geometry agrees with every rung and with the decision on signs") {
+  std::vector<cell> cells = all_cells();
+  run(cells, {static_cast<std::uint64_t>(effort(100000)), 2, 2, judge::geometry});
+  for (const cell &c : cells) {
+    INFO(c.first_wrong);
+    CHECK(c.found.all_wrong() == 0);
+    CHECK(c.found.cases >= static_cast<std::uint64_t>(effort(500)));
+  }
+}
+
+TEST_CASE("extremes: what contradicts the geometry is counted, and only by that judge") {
+  // Spheres that are said to be solid: their predicate takes them for surfaces, so nested ones are wrong.
+  subject solid = subject_named("sphere_sphere");
+  solid.surface = false;
+  for (const judge by : {judge::signs, judge::geometry}) {
+    std::vector<cell> cells = {{&family_named("tangent"), &solid, {}, {}}};
+    run(cells, {2000, 9, 2, by});
+    const bool geometric = by == judge::geometry;
+    const counts &found = cells.front().found;
+    CHECK((wrong_in(cells) > 0) == geometric);
+    for (const rung r : {fp32, fp64, fp64x2, exact_rung, certified, on_signs})
+      CHECK((found.wrong[r] > 0) == geometric);
+    CHECK((table(cells, by).find("wrong: sphere_sphere on tangent") != std::string::npos) == geometric);
+  }
 }

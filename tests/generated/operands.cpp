@@ -163,20 +163,8 @@ pair_of_rows flat(shape a, shape b, random_numbers &random) {
 // is beyond float, and at degree 6 beyond double.
 pair_of_rows grazing(shape a, shape b, random_numbers &random) {
   pair_of_rows p = random.one_in(2) ? ordinary(a, b, random) : computed_on(a, b, random);
-  if (!padded(a))
-    return p;
-  const oracle::hull x = hull_of(a, p.a), y = hull_of(b, p.b);
-  const bool far = random.one_in(3);
-  const double d =
-      std::sqrt((far ? oracle::max_squared_distance(x[0], y) : oracle::squared_distance(x, y)).get_d());
-  if (padded(b)) { // outside or inside tangency
-    p.b[3] = static_cast<float>(d * random.integer(0, 8) / 8);
-    p.a[3] = std::abs(stepped(
-        static_cast<float>(far ? d + static_cast<double>(p.b[3]) : std::abs(d - static_cast<double>(p.b[3]))),
-        random.integer(-1, 1)));
-  } else {
-    p.a[3] = std::abs(stepped(static_cast<float>(d), random.integer(-1, 1)));
-  }
+  if (padded(a))
+    graze(a, b, p, random);
   return p;
 }
 
@@ -276,6 +264,22 @@ row moved(shape kind, const row &r, const float t[3]) {
   for (std::size_t i = 0; i < 3 * static_cast<std::size_t>(points_of(kind)); ++i)
     out[i] = std::clamp(r[i] + t[i % 3], -most, most);
   return out;
+}
+
+void graze(shape a, shape b, pair_of_rows &p, random_numbers &random) {
+  const auto rounded = [](double d) { return static_cast<float>(std::min(d, static_cast<double>(most))); };
+  const oracle::hull x = hull_of(a, p.a), y = hull_of(b, p.b);
+  const bool far = random.one_in(3);
+  const double d =
+      std::sqrt((far ? oracle::max_squared_distance(x[0], y) : oracle::squared_distance(x, y)).get_d());
+  if (padded(b)) { // outside or inside tangency
+    p.b[3] = rounded(d * random.integer(0, 8) / 8);
+    p.a[3] = std::abs(stepped(
+        rounded(far ? d + static_cast<double>(p.b[3]) : std::abs(d - static_cast<double>(p.b[3]))),
+        random.integer(-1, 1)));
+  } else {
+    p.a[3] = std::abs(stepped(rounded(d), random.integer(-1, 1)));
+  }
 }
 
 float stepped(float f, int steps) {

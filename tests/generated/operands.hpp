@@ -25,6 +25,9 @@ std::span<const family> families();
 row scaled(const row &r, int k);
 // The row's points moved by t along each axis, rounded to float32.
 row moved(shape kind, const row &r, const float t[3]);
+// Gives a, a sphere, and b where it is one, radii at which the two just touch, or are a step beside that: at
+// the nearest or at the farthest point, as a double says it.
+void graze(shape a, shape b, pair_of_rows &p, random_numbers &random);
 // f, or a neighbour some steps away, finite.
 float stepped(float f, int steps);
 
