@@ -1,4 +1,4 @@
-#include "tests/decisions_round/claim.hpp"
+#include "tests/decisions_round/facts.hpp"
 
 #include <algorithm>
 
@@ -50,12 +50,25 @@ std::string refusal(const claim &c) {
 std::vector<claim> claims_of(const emitted &e, const decision &d) {
   if (e.value)
     return side_claims();
-  if (e.second == other::sphere)
-    return sphere_claims(d, e.surface);
-  std::vector<claim> out = corner_claims(d);
-  append(out, e.second == other::segment ? segment_claims(d) : triangle_claims(d));
-  if (e.surface)
+  std::vector<std::string> known = {"touch"};
+  std::vector<claim> out;
+  if (e.second == other::sphere) {
+    out = sphere_claims(d, e.surface);
+  } else if (e.second == other::segment) {
+    known = {"corner a", "corner b", "edge ab"};
+    out = corner_claims(d);
+    append(out, segment_claims(d));
+  } else {
+    known = {"corner a", "corner b", "corner c", "edge ab", "edge bc", "edge ac", "face", "reversed face"};
+    out = corner_claims(d);
+    append(out, triangle_claims(d));
+  }
+  if (e.surface && e.second != other::sphere)
     append(out, far_claims(d, e.second == other::triangle));
+  // A hit by a way that no claim above is about.
+  for (const way &w : d.near)
+    if (std::find(known.begin(), known.end(), w.name) == known.end())
+      out.push_back({w.name + " hit, which touches nothing that is known", with(d, w, {}), {}, {}});
   return out;
 }
 

@@ -5,6 +5,8 @@
 
 #include "tests/decisions_round/gram.hpp"
 
+#include <cstdint>
+
 namespace meetc::decisions_round {
 
 // A test of the sign of a product of atoms; the mask as in meet::in: 1 negative, 2 zero, 4 positive.

@@ -36,10 +36,6 @@ struct emitted {
   bool (*whole)(const meet::sign *signs);
   // A lone sign's value; null for a predicate.
   meet::sign (*value)(const meet::sign *signs);
-
-  bool hit(const std::vector<rational> &row_a, const std::vector<rational> &row_b) const {
-    return decide(signs(row_a, row_b).data());
-  }
 };
 
 const std::vector<emitted> &emitted_predicates(); // six predicates and the lone sign side(sphere, point)

@@ -7,6 +7,8 @@
 namespace meetc::decisions_round {
 namespace {
 
+constexpr int not_positive = 3;
+
 way &way_of(decision &d, const std::string &name) {
   for (way &w : d.near)
     if (w.name == name)
@@ -58,6 +60,9 @@ std::vector<mutant> mutants() {
   add("ball_segment", "the line for the segment", [](D d) { drop_literal(d, "edge ab", "ab between"); });
   add("ball_segment", "between includes the ends",
       [](D d) { turn_equality(literal_of(d, "edge ab", "ab between")); });
+  add("ball_segment", "the line hits too", [](D d) {
+    d.near.push_back({"line", {{"line close", {2}, not_positive}}});
+  });
   add("ball_segment", "one end alone bounds the segment", [](D d) {
     literal_of(d, "edge ab", "ab between").atoms = {3}; // w.d > 0
   });
