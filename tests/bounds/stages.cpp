@@ -13,8 +13,11 @@ template <class P, class Stage> struct runner {
     for (int i = 0; i < P::inputs_a + P::inputs_b; ++i)
       (i < P::inputs_a ? a[i] : b[i - P::inputs_a]) =
           tiny::of(std::ldexp(static_cast<double>(s.numbers[static_cast<std::size_t>(i)]), s.scale));
+    tiny::contracting = tiny::format.contract_values;
     meet::stage_values<Stage>(a, b, v);
+    tiny::contracting = tiny::format.contract_magnitudes;
     Stage::magnitudes(a, b, meet::leaf_magnitude<tiny>{tiny::of(floor)}, m);
+    tiny::contracting = false;
   }
   template <class I> static void rows(const sample &s, I *a, I *b) {
     for (int i = 0; i < P::inputs_a + P::inputs_b; ++i)

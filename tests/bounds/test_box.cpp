@@ -60,8 +60,9 @@ double bound_of(const box_node &n, double c, const extents &e) {
 
 // |v^ - v| / bound at its worst. Only powers of two scale the bound, so that doubles tell above from below 1
 // but for the last bits of c; those are left to the rounding up.
-double worst(const stage_case &c, int i, int precision, rule by, int starts, int steps, std::uint64_t seed) {
-  tiny::format = {precision, -900};
+double worst(const stage_case &c, int i, int precision, rule by, int starts, int steps, std::uint64_t seed,
+             bool contracted = false) {
+  tiny::format = {precision, -900, contracted};
   const std::vector<box_node> nodes = meetc::bound::box_nodes(c.from->code, precision, -900);
   const box_node &n = nodes[static_cast<std::size_t>(c.from->code.results[static_cast<std::size_t>(i)])];
   const double bound = n.unrounded_error.get_d() * (1 + 0x1p-50);
@@ -86,6 +87,7 @@ TEST_CASE("box form: no sign's bound is beaten, static or per object") {
         const double exact = worst(c, i, precision, rule::exact, 3, effort(700), seed);
         CHECK(exact <= 1);
         CHECK(worst(c, i, precision, rule::computed, 2, effort(500), seed) <= 1);
+        CHECK(worst(c, i, precision, rule::computed, 2, effort(500), seed, true) <= 1);
         top = std::max(top, exact);
       }
       if (c.box(i).c == 0)

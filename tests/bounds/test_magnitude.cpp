@@ -5,6 +5,8 @@
 #include "tests/bounds/search.hpp"
 #include "tests/generated/effort.hpp"
 
+#include <limits>
+
 using namespace meetc::bounds_test;
 using meetc::generated_test::effort;
 
@@ -99,6 +101,56 @@ TEST_CASE("magnitude form: no sign's bound is beaten on thousands of hostile inp
       CHECK(right);
     }
   }
+}
+
+// A compiler may contract products and sums of one program and not of the other: each loses roundings and gains none.
+TEST_CASE("magnitude form: holds however compilers contract products and sums") {
+  int values = 0, magnitudes = 0; // that contraction changed
+  for (const int precision : precisions)
+    for (const stage_case &c : all_stages()) {
+      INFO(c.name << ", " << precision << " bits");
+      tiny::format = {precision, -900};
+      std::vector<claims> of_sign;
+      for (int i = 0; i < c.signs; ++i)
+        of_sign.emplace_back(c, i, precision);
+      random_numbers random(static_cast<std::uint64_t>(precision) + 50);
+      bool near = true, large = true, right = true;
+      for (int n = 0; n < effort(300); ++n) {
+        const sample x = any_sample(c, range_of(c, precision), random);
+        tiny::format = {precision, -900};
+        const run_of_stage written(c, x, 0);
+        for (const auto &[of_values, of_magnitudes] : {std::pair(true, false), {false, true}, {true, true}}) {
+          tiny::format = {precision, -900, of_values, of_magnitudes};
+          const run_of_stage r(c, x, 0);
+          for (int i = 0; i < c.signs; ++i) {
+            const claims &s = of_sign[static_cast<std::size_t>(i)];
+            near = near && s.value_is_near(r, i);
+            right = right && s.sign_is_right(r, i);
+            if (n % 16 == 0)
+              large = large && s.magnitude_is_large(r, i);
+            values += r.value(i).value() != written.value(i).value();
+            magnitudes += r.computed_magnitude(i).value() != written.computed_magnitude(i).value();
+          }
+        }
+      }
+      CHECK(near);
+      CHECK(large);
+      CHECK(right);
+    }
+  tiny::format = {};
+  CHECK(values > 0);
+  CHECK(magnitudes > 0);
+}
+
+// Where the two programs are contracted differently, one can overflow without the other.
+TEST_CASE("magnitude form: a value that is not finite proves nothing, whatever its magnitude") {
+  constexpr float inf = std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::max();
+  for (const float error : {0.0F, 1.0F, most, inf, std::numeric_limits<float>::quiet_NaN()})
+    for (const float v : {inf, -inf, std::numeric_limits<float>::quiet_NaN()})
+      CHECK(meet::within(v, error).bits == 7);
+  CHECK(meet::within(most, 0x1.fffffcp127F).bits == 4);
+  CHECK(meet::within(-most, 0x1.fffffcp127F).bits == 1);
+  CHECK(meet::within(most, most).bits == 7);
 }
 
 TEST_CASE("magnitude form: climbing does not beat it, and shows that a quarter of it would not do") {

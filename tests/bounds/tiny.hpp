@@ -23,6 +23,9 @@ namespace meetc::bounds_test {
 struct tiny_format {
   int precision = 8;
   int lowest = -900; // values are multiples of 2^lowest: gradual underflow
+  // Whether a sum takes a product unrounded, as a compiler may have it that contracts the two to a fused multiply-add:
+  // in the programs of values, and in those of magnitudes.
+  bool contract_values = false, contract_magnitudes = false;
 };
 
 // A sum of two doubles, exactly.
@@ -37,6 +40,7 @@ inline exact_sum sum_of(double a, double b) {
 class tiny {
 public:
   inline static tiny_format format;
+  inline static bool contracting = false; // the program that runs now
 
   tiny() = default;
   explicit tiny(int k) : tiny(rounded({static_cast<double>(k), 0})) {}
@@ -47,10 +51,23 @@ public:
   double value() const { return value_; }
   exact_sum unrounded() const { return unrounded_; } // the exact result of the last operation
 
-  friend tiny operator+(tiny a, tiny b) { return rounded(sum_of(a.value_, b.value_)); }
-  friend tiny operator-(tiny a, tiny b) { return rounded(sum_of(a.value_, -b.value_)); }
-  friend tiny operator*(tiny a, tiny b) { return rounded({a.value_ * b.value_, 0}); }
-  friend tiny operator-(tiny a) { return tiny(-a.value_, {-a.unrounded_.high, -a.unrounded_.low}); }
+  // Of two products one is taken unrounded: an fma() has but one.
+  friend tiny operator+(tiny a, tiny b) {
+    if (contracting && a.product_)
+      return rounded(sum_of(a.unrounded_.high, b.value_));
+    return rounded(sum_of(a.value_, contracting && b.product_ ? b.unrounded_.high : b.value_));
+  }
+  friend tiny operator-(tiny a, tiny b) { return a + -b; }
+  friend tiny operator*(tiny a, tiny b) {
+    tiny r = rounded({a.value_ * b.value_, 0});
+    r.product_ = true;
+    return r;
+  }
+  friend tiny operator-(tiny a) {
+    tiny r(-a.value_, {-a.unrounded_.high, -a.unrounded_.low});
+    r.product_ = a.product_;
+    return r;
+  }
   friend bool operator<(tiny a, tiny b) { return a.value_ < b.value_; }
   friend bool operator>(tiny a, tiny b) { return a.value_ > b.value_; }
   friend bool operator==(tiny a, tiny b) { return a.value_ == b.value_; }
@@ -60,6 +77,7 @@ public:
 private:
   double value_;
   exact_sum unrounded_;
+  bool product_ = false; // of two numbers, perhaps negated
   tiny(double v, exact_sum u) : value_(v), unrounded_(u) {}
 
   static double nearest(const exact_sum &x) {

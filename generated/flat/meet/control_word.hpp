@@ -16,8 +16,8 @@ namespace meet {
 constexpr bool standard_mxcsr(std::uint32_t word) { return (word & 0xffc0) == 0x1f80; }
 
 // FPCR: no flush of inputs (FIZ, bit 0), no alternate handling (AH, 1), no trap (IOE, DZE, OFE, UFE, IXE, IDE: 8 to 12
-// and 15), round to nearest (RMode, 22 and 23), no flush-to-zero (FZ, 24), no default NaN (DN, 25).
-constexpr bool standard_fpcr(std::uint64_t word) { return (word & 0x3c09f03) == 0; }
+// and 15), round to nearest (RMode, 22 and 23), no flush-to-zero (FZ, 24). A default NaN (DN, 25) is a NaN like another.
+constexpr bool standard_fpcr(std::uint64_t word) { return (word & 0x1c09f03) == 0; }
 
 // The same of the exceptions alone: whether all of them are masked.
 constexpr bool masks_mxcsr(std::uint32_t word) { return (word & 0x1f80) == 0x1f80; }

@@ -1,0 +1,28 @@
+# What the scripts about flags share: the checked-in headers, compilers, and the hostile program.
+include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
+fresh_room(flags)
+set(headers "-I${SOURCE}/generated/default")
+set(hostile "${ROOM}/flags/hostile.cpp")
+set(strict -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+set(right " 0 certified wrong, 0 hits wrong")
+
+find_program(GXX g++)
+find_program(CLANGXX clang++)
+if(NOT GXX AND NOT CLANGXX)
+  fail("no compiler was tried")
+endif()
+
+# compile(COMPILER PROGRAM FLAGS ... SOURCES ...): COMPILER -std=c++20 ... -o PROGRAM, in the room.
+macro(compile compiler program)
+  run("${compiler}" -std=c++20 "${headers}" ${ARGN} -o "${ROOM}/${program}")
+endmacro()
+# run_hostile(COMPILER [flag ...]): builds the hostile program and runs it; what it says is in OUTPUT.
+macro(run_hostile compiler)
+  compile("${compiler}" hostile ${strict} "${hostile}" ${ARGN})
+  run("${ROOM}/hostile" words)
+endmacro()
+# Puts a pragma before all that a program includes; by ${under_pragma}.
+function(write_pragma text)
+  file(WRITE "${ROOM}/pragma.hpp" "#pragma ${text}\n")
+endfunction()
+set(under_pragma -include "${ROOM}/pragma.hpp")

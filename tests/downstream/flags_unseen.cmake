@@ -1,0 +1,26 @@
+# Flags that define no macro, so that nothing is refused: pragmas, and clang's own. Each call notices them.
+include("${CMAKE_CURRENT_LIST_DIR}/flags_steps.cmake")
+
+# `Ofast` stands for all that -ffast-math allows.
+if(GXX)
+  foreach(options IN ITEMS "Ofast" "finite-math-only" "associative-math,no-signed-zeros,no-trapping-math")
+    write_pragma("GCC optimize(\"${options}\")")
+    run_hostile("${GXX}" -O2 ${under_pragma})
+    expect("standard 0," "${right}" "0 certified wrong, 0 hits wrong")
+  endforeach()
+endif()
+if(CLANGXX)
+  foreach(text IN ITEMS "clang fp reassociate(on)" "float_control(precise, off)")
+    write_pragma("${text}")
+    run_hostile("${CLANGXX}" -O2 ${under_pragma})
+    expect("standard 0," "${right}" "0 certified wrong, 0 hits wrong")
+  endforeach()
+  foreach(flag IN ITEMS -fno-honor-nans -fno-honor-infinities)
+    run_hostile("${CLANGXX}" -O2 ${flag})
+    expect("standard 0," "comparisons with NaN or infinities are wrong" "${right}" "0 certified wrong, 0 hits wrong")
+  endforeach()
+  # All is inlined, and differences of the program's own are there to be used again.
+  compile("${CLANGXX}" switched -O3 -mllvm -inline-threshold=100000 "${ROOM}/flags/switched.cpp")
+  run("${ROOM}/switched")
+  expect("0 wrong beside changes of the control word")
+endif()
