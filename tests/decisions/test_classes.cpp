@@ -76,7 +76,7 @@ TEST_CASE("classes: they are all the sign vectors that contradict no identity") 
     }
 }
 
-// Order types as they are tabulated: in general position, and with collinear or coplanar points too.
+// In general position in the plane these are the known order types (OEIS A006247).
 TEST_CASE("classes: up to labels they are the known order types") {
   CHECK(types_of(3, 2).general == 1);
   CHECK(types_of(4, 2).general == 2);
