@@ -56,6 +56,7 @@ refused() {
 
 # quarters FILE: the changes (of sed) that make its claim false: each takes a quarter of a bound or of what it rests on.
 quarters() {
+  local part m e
   case $(basename "$1" .gappa) in
   ball_filter)
     for part in square additive linear absolute; do
@@ -170,7 +171,7 @@ mapfile -t scripts < <(
   for f in "$generated"/*/*/proofs/*.gappa; do
     [ -e "$f" ] || continue
     echo "$([ "$check" = prove ] && echo "$f" || grep -v '^#' "$f" | sha1sum | cut -d' ' -f1) $f"
-  done | sort -u -k1,1 | cut -d' ' -f2-
+  done | sort -u -k1,1 | cut -d' ' -f2- | xargs -r -d '\n' ls -S # the longest first, for the cores to end together
 )
 [ ${#scripts[@]} -gt 0 ] || {
   echo "FAILED: no scripts under $generated" >&2

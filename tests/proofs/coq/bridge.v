@@ -31,6 +31,8 @@ Ltac value :=
   cbv -[IZR Rmult Rinv Ropp Rplus Rminus Rle Rlt Rabs not]; lra.
 Ltac number x m e :=
   lazymatch eval cbv in (halved 200 m e) with
+  | (m, Zneg ?f) => change x with (normal m (Zneg f)) (* the next two cases alone would do, but slowly *)
+  | (m, Z0) => replace x with (IZR m) by exact (eq_sym (Rmult_1_r (IZR m)))
   | (?n, Zneg ?f) => replace x with (normal n (Zneg f)) by value
   | (?n, ?f) => let k := eval cbv in (n * 2 ^ f)%Z in replace x with (IZR k) by value
   end.

@@ -42,11 +42,11 @@ function variable(name) {
   variables = variables " " name
 }
 # What a bound is of: X, |X|, or |X -/ Y|, a relative error.
-function measured(text,    at) {
+function measured(text,    at, of) {
   gsub(/^ +| +$/, "", text)
   if (text ~ /^\|/) return "Rabs (" measured(substr(text, 2, length(text) - 2)) ")"
   if (at = index(text, " -/ "))
-    return "(" expression(substr(text, 1, at - 1)) " - " expression(substr(text, at + 4)) ") / " expression(substr(text, at + 4))
+    return "(" expression(substr(text, 1, at - 1)) " - " (of = expression(substr(text, at + 4))) ") / " of
   return expression(text)
 }
 # A bound: a number with its sign.

@@ -5,8 +5,8 @@
 # axioms of Coq's real numbers and on nothing else: what Gappa leaves open would be told as one more. In the proofs of
 # signs, Gappa's two theorems of rounding are replaced by those of all finer formats (roundings.v).
 #
-# What is false must be refused: a claim with a quarter of a bound does not follow from the proof of the script, Gappa
-# writes no proof of it, and a forgery, Gappa's proof with the quarter written in its bound's place, is no proof.
+# What is false must be refused: of a claim with a quarter of a bound Gappa writes no proof, the proof of the script is
+# not taken for one, and a forgery, the proof of the script with the quarter in its bound's place, is no proof.
 
 coq_limit=300 # seconds a file
 coq_axioms=" ClassicalDedekindReals.sig_not_dec ClassicalDedekindReals.sig_forall_dec \
@@ -95,11 +95,11 @@ one_coq() {
     ! coq_module <<<"${others[-1]}" >/dev/null || bad "$1: Gappa writes a proof with $change"
   done
   said=$(coq_file "$module" "$text" "${others[@]}" | coq_run "$folder") || bad "$1: Coq refuses it: $said"
+  [[ $said == Axioms:* ]] || bad "$1: Coq says no axioms but $said"
   for axiom in $(tail -n +2 <<<"$said" | grep -oE '^[^ :]+'); do
     [[ $coq_axioms == *" $axiom "* ]] || bad "$1: its proof assumes $axiom"
     echo "assumed: $axiom"
   done
-  [[ $said == Axioms:* ]] || bad "$1: Coq says no axioms but $said"
   echo accepted
   for change in "${changes[@]}"; do echo "another claim refused"; done
 

@@ -1,5 +1,5 @@
 (* Roundings that Gappa's library for Coq has no theorems of: to every format that is finer than the one that Gappa
-   proves with, and down. Coq.sh puts them where Gappa's proofs name others. *)
+   proves with, and down. coq.sh puts them where Gappa's proofs name others. *)
 Require Import Reals Lra Lia Bool.
 Require Import Gappa.Gappa_library.
 From Gappa Require Import Gappa_dyadic Gappa_float Gappa_round.
@@ -67,7 +67,8 @@ Definition alike (f : float2) :=
 
 Lemma fine_of_alike (f : float2) : alike f = true -> fine f = coarse f.
 Proof.
-  unfold alike. intros is. apply orb_prop in is. destruct is as [is | is]; [apply orb_prop in is; destruct is as [is | is] |].
+  unfold alike. intros is.
+  apply orb_prop in is. destruct is as [is | is]; [apply orb_prop in is; destruct is as [is | is] |].
   - apply Feq2_correct in is. rewrite is.
     replace (float2R (Float2 0 0)) with 0 by (unfold float2R, F2R; simpl; ring).
     rewrite !round_0; auto with typeclass_instances.
