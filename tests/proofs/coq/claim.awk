@@ -1,6 +1,7 @@
 # claim.awk: a Gappa script as a proposition of Coq, `name`: its definitions and its claim in the real numbers and
-# Flocq's roundings alone. A rule after the claim is a hint to Gappa and no part of it. `rnd` is the rounding of the
-# signs' scripts, which are meant for every format that is finer too (gen/emit/gappa.cpp), and so says the proposition.
+# Flocq's roundings alone. A rule after the claim is a hint to Gappa and no part of it. The signs' scripts are meant for
+# every finer format too, another for each rounding (gen/emit/gappa.cpp), and so says the proposition: `rnd i` is the
+# script's rounding number i, to a format with the least exponent `least i`.
 # Limits: what the emitter writes, not all of Gappa's language.
 function rounding(direction) {
   if (direction == "ne") return "ZnearestE"
@@ -19,6 +20,7 @@ function expression(text,    out, token, depth, before, open) {
       token = "(" substr(token, 1, index(token, "b") - 1) " * bpow radix2 (" substr(token, index(token, "b") + 1) "))"
     else if (token ~ /^[a-zA-Z_]/ && !(token in defined))
       variable(token)
+    if (token == "rnd") token = token " " roundings++ "%nat "
     if ((token ~ /^[-+)]$/) && open[depth]) {
       out = out ")"
       open[depth] = 0
@@ -81,8 +83,13 @@ END {
     gsub(/[ @]/, "", side[1])
     if (statement[i] ~ /@/) {
       split(side[2], format, /[<,> ]+/)
-      least = side[1] == "rnd" ? "least" : "(" format[3] ")"
-      if (side[1] == "rnd") formats = "forall least : Z, (least <= " format[3] ")%Z ->\n  "
+      least = "(" format[3] ")"
+      if (side[1] == "rnd") {
+        formats = "forall least : nat -> Z, (forall i, least i <= " format[3] ")%Z ->\n  "
+        least = "(least i)"
+        side[1] = "rnd i"
+        defined["rnd"]
+      }
       value = "round radix2 (FLT_exp " least " " format[2] ") " rounding(format[4])
     } else
       value = expression(side[2])

@@ -3,7 +3,8 @@
 # For each script a file for Coq is written: the script's claim in plain real numbers (claim.awk), Gappa's proof
 # (-Bcoq), and the theorem that the claim follows (bridge.v). Coq must accept it, and the theorem may rest on the
 # axioms of Coq's real numbers and on nothing else: what Gappa leaves open would be told as one more. In the proofs of
-# signs, Gappa's two theorems of rounding are replaced by those of all finer formats (roundings.v).
+# signs, Gappa's two theorems of rounding are replaced by those of all finer formats (roundings.v): each rounding has a
+# format of its own.
 #
 # What is false must be refused: of a claim with a quarter of a bound Gappa writes no proof, the proof of the script is
 # not taken for one, and a forgery, the proof of the script with the quarter in its bound's place, is no proof.
@@ -29,25 +30,23 @@ coq_least() { sed -nE 's/^@rnd = float<24, (-[0-9]+), ne>;$/\1/p'; }
 
 # Gappa's proof of the script on stdin, as a module.
 coq_module() {
-  local text least proof
+  local text least proof name n=0 formats=()
   text=$(cat)
   least=$(coq_least <<<"$text")
   proof=$(timeout "$limit" "$gappa" -Bcoq <<<"$text" 2>/dev/null) || return 1
+  if [ -n "$least" ]; then
+    formats=(-e "/^Section /a Variable least : nat -> Z. Hypothesis finer : (forall i, least i <= $least)%Z."
+      -e "s/refine \(float_absolute_wide_ne _ _ /refine (finer_absolute _ ($least) _ (finer _) /"
+      -e "s/refine \(float_round_ne _ _ /refine (finer_round _ ($least) _ (finer _) /")
+    for name in $(sed -nE 's/^([a-z0-9]+) = rnd\(.*/\1/p' <<<"$text"); do
+      formats+=(-e "s/^(Notation _$name := .*rounding_float rndNE \(24\)%positive) \($least\)%Z/\1 (least $((n++))%nat)/")
+    done
+  fi
   echo "Module gappa."
-  sed -E 's/^Require Import/Import/
-    s/refine \(UNKNOWN_float_(absolute_wide|relative)_dn\) ; finalize/down/' <<<"$proof" |
-    if [ -n "$least" ]; then
-      sed -E "/^Section /a Variable least : Z. Hypothesis finer : (least <= $least)%Z.
-        s/^(Notation .*rounding_float rndNE \(24\)%positive) \($least\)%Z/\1 least/
-        s/refine \(float_absolute_wide_ne _ _ /refine (finer_absolute _ ($least) _ finer /
-        s/refine \(float_round_ne _ _ /refine (finer_round _ ($least) _ finer /"
-    else
-      cat
-    fi
+  sed -E -e 's/^Require Import/Import/' \
+    -e 's/refine \(UNKNOWN_float_(absolute_wide|relative)_dn\) ; finalize/down/' "${formats[@]}" <<<"$proof"
   echo "End gappa."
 }
-
-
 
 # coq_file MODULE SCRIPT OTHER...: the whole file. The first script's claim is a theorem; the others' do not follow.
 coq_file() {
@@ -62,7 +61,7 @@ coq_file() {
   echo "End script. Require Import roundings bridge."
   echo "$module"
   # What Gappa supposes of the numbers is a contradiction.
-  echo "Lemma last ${least:+(least : Z) (finer : (least <= $least)%Z)} ($numbers: R) :"
+  echo "Lemma last ${least:+(least : nat -> Z) (finer : (forall i, least i <= $least)%Z)} ($numbers: R) :"
   echo "  gappa.s1 ${least:+least} $numbers -> False."
   echo "Proof. without_rule (gappa.l1 ${least:+least finer} $numbers). Qed."
   proof="by_gappa (last ${least:+least finer} $numbers)."
