@@ -69,6 +69,7 @@ const std::map<std::string, emitted_stage> &emitted_stages() {
 struct subject {
   std::string path;
   script proof;
+  std::vector<cover> covered;
   const dag::predicate *predicate;
   const dag::stage *stage;
   emitted_stage code;
@@ -104,7 +105,7 @@ const std::vector<subject> &subjects() {
     compile_all(c);
     for (const emit::file &f : emit_all(c))
       if (f.path.find("/proofs/") != std::string::npos && f.text.find("|v - e|") != std::string::npos) // of a sign
-        out.push_back({f.path, parse(f.text), nullptr, nullptr, {}});
+        out.push_back({f.path, parse(f.text), covers(f.text), nullptr, nullptr, {}});
     for (subject &s : out) {
       for (const dag::kernel &k : scene().kernels)
         if (k.is_predicate && k.asked.name() == s.proof.kernel)
@@ -141,6 +142,20 @@ float computed_by_code(const subject &s, const std::vector<float> &row) {
   std::vector<float> v(static_cast<std::size_t>(s.code.signs));
   s.code.values(row.data(), v.data());
   return v[s.proof.sign];
+}
+
+// alpha beta^2 D, as the scripts write it.
+std::string powers(const meet::box_factor &box) {
+  std::string out;
+  for (const auto &[name, power] :
+       {std::pair{"alpha", box.a}, std::pair{"beta", box.b}, std::pair{"D", box.pair}})
+    if (power) {
+      out += out.empty() ? "" : " ";
+      out += name;
+      if (power > 1)
+        out += '^' + std::to_string(power);
+    }
+  return out;
 }
 
 } // namespace
@@ -183,6 +198,31 @@ TEST_CASE("proofs: the bound is the one that the code tests with") {
     INFO(s.path);
     CHECK(s.proof.bound == rational(s.code.box(static_cast<int>(s.proof.sign)).c));
   }
+}
+
+TEST_CASE("proofs: every bound that the code tests with has its script") {
+  // What the scripts say that they are of: "kernel stage: sign" with the powers, and the bound.
+  std::map<std::string, std::pair<std::string, rational>> said;
+  for (const subject &s : subjects())
+    for (const cover &c : s.covered)
+      for (const std::size_t sign : c.signs) {
+        INFO(s.path << ": " << c.stage << ' ' << sign);
+        CHECK(said.try_emplace(c.stage + ' ' + std::to_string(sign), c.powers, s.proof.bound).second);
+      }
+  std::size_t bounds = 0;
+  for (const auto &[stage, code] : emitted_stages())
+    for (int sign = 0; sign < code.signs; ++sign) {
+      const meet::box_factor box = code.box(sign);
+      if (box.c == 0) // a leaf
+        continue;
+      ++bounds;
+      INFO(stage << ' ' << sign);
+      const auto at = said.find(stage + ' ' + std::to_string(sign));
+      REQUIRE(at != said.end());
+      CHECK(at->second.first == powers(box));
+      CHECK(at->second.second == rational(box.c));
+    }
+  CHECK(bounds == said.size());
 }
 
 TEST_CASE("proofs: a script without one of its roundings is not the emitted code") {

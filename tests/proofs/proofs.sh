@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# proofs.sh CHECK GAPPA GENERATED: runs Gappa on every GENERATED/*/*/proofs/*.gappa, on all cores.
+# proofs.sh CHECK GAPPA GENERATED [COQC]: runs Gappa on every GENERATED/*/*/proofs/*.gappa, on all cores.
 #   prove      every script is proved
 #   theorems   of rounding, each proof uses only what also holds in finer formats (gen/emit/gappa.cpp)
 #   quarter    with a quarter of its bound, no script is proved
 #   roundings  every rounding counts: without it the bound that Gappa finds is less, with one more it is more than the
 #              script's
+#   coq        Coq accepts each proof, and refuses what is false (coq/coq.sh)
 # Two scripts are not of signs: half_parts, and ball_filter, whose errors are variables. There `quarter` divides each
 # part of the margin by 4, and `roundings` doubles each error, widens what else counts, and spoils the rule.
 set -euo pipefail
@@ -15,6 +16,16 @@ set -euo pipefail
 check=$1 gappa=$2 generated=$3
 limit=120 # seconds a proof
 export check gappa limit
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+if [ "$check" = coq ]; then
+  . "$(dirname "$0")/coq/coq.sh"
+  coq_start "${4:-}" "$folder" || {
+    [ $? = 77 ] || exit 1
+    echo "SKIPPED: coqc, Flocq or Gappa's library was not found (Debian: apt install coq libcoq-flocq libcoq-gappa)"
+    exit 77
+  }
+fi
 
 # The least c that Gappa finds for the script on stdin: "|v - e| in [0, 33b-25 {9.83477e-07, 2^(-19.9556)}]".
 best() {
@@ -43,19 +54,32 @@ refused() {
   }
 }
 
+# quarters FILE: the changes (of sed) that make its claim false: each takes a quarter of a bound or of what it rests on.
+quarters() {
+  local part m e
+  case $(basename "$1" .gappa) in
+  ball_filter)
+    for part in square additive linear absolute; do
+      echo "s/^($part = [0-9]+)b/\1b-2 * 1b/"
+    done
+    ;;
+  half_parts) # the relative errors, and the precisions that they come from
+    printf '%s\n' 's/<= 1b-11 /<= 1b-13 /' 's/<= 1b-10 /<= 1b-12 /' 's/<11, -24, ne>/<9, -24, ne>/' \
+      's/<11, -24, dn>/<9, -24, dn>/'
+    ;;
+  *) # of a sign: in Gappa 33b-25 is 33 * 2^-25
+    sed -nE 's/.*\|v - e\| <= ([0-9]+)b-([0-9]+) .*/\1 \2/p' "$1" | while read -r m e; do
+      echo "s/(v - e.) <= ${m}b-$e /\1 <= ${m}b-$((e + 2)) /"
+    done
+    ;;
+  esac
+}
+
 # one_filter FILE: the same for the scripts that are not of signs.
 one_filter() {
   local text change said changes=()
   text=$(grep -v '^#' "$1")
   case $check:$(basename "$1" .gappa) in
-  quarter:ball_filter)
-    for change in square additive linear absolute; do
-      changes+=("s/^($change = [0-9]+)b/\1b-2 * 1b/")
-    done
-    ;;
-  quarter:half_parts) # the relative errors, and the precisions that they come from
-    changes=('s/<= 1b-11 /<= 1b-13 /' 's/<= 1b-10 /<= 1b-12 /' 's/<11, -24, ne>/<9, -24, ne>/' 's/<11, -24, dn>/<9, -24, dn>/')
-    ;;
   roundings:ball_filter)
     for change in 'e[xy][0-3]' 'i[xy][0-3]' 't[xy][0-3]' 'p[0-3]' 'p[xy]' 'z[xy]'; do
       changes+=("s/\\|($change)\\| <= 1b/|\\1| <= 2b/; s/\\|($change)\\| <= 17b/|\\1| <= 34b/")
@@ -84,13 +108,13 @@ one_filter() {
 
 # one FILE: prints a line for each check that went well. 255 stops xargs.
 one() {
-  local text line n said least bound changed
+  local text line n least bound changed changes
   text=$(grep -v '^#' "$1")
   bad() {
     echo "FAILED: $1" >&2
     exit 255
   }
-  if [ "$check" != prove ] && [[ $text != *"|v - e|"* ]]; then
+  if [[ $check != @(prove|quarter|coq) ]] && [[ $text != *"|v - e|"* ]]; then
     one_filter "$1"
     return
   fi
@@ -113,13 +137,14 @@ one() {
     echo "$used"
     ;;
   quarter)
-    # In Gappa 33b-25 is 33 * 2^-25.
-    [[ $text =~ ^(.*\|v\ -\ e\|\ \<=\ [0-9]+b-)([0-9]+)(.*)$ ]] || bad "$1: no bound to change"
-    changed=${BASH_REMATCH[1]}$((BASH_REMATCH[2] + 2))${BASH_REMATCH[3]}
-    said=$(timeout "$limit" "$gappa" <<<"$changed" 2>&1) && bad "$1 is proved with a quarter of its bound too"
-    [[ $said == *"some properties were not satisfied"* ]] || bad "$1: $said"
-    echo refused
+    mapfile -t changes < <(quarters "$1")
+    [ ${#changes[@]} -gt 0 ] || bad "$1: no bound to change"
+    for line in "${changes[@]}"; do
+      sed -E "$line" <<<"$text" | refused "$1" "$line" || exit 255
+      echo refused
+    done
     ;;
+  coq) one_coq "$1" ;;
   roundings)
     least=$(best <<<"$text")
     bound=$(sed -nE 's/.*\|v - e\| <= ([0-9]+)b-([0-9]+) \}$/\1 \2/p' <<<"$text" | awk '{printf "%.9g", $1 / 2 ^ $2}')
@@ -139,21 +164,20 @@ one() {
   *) bad "no check '$check'" ;;
   esac
 }
-export -f one one_filter refused best is
+export -f one one_filter quarters refused best is
 
 # The same script may lie in several folders; once is enough but for `prove`.
 mapfile -t scripts < <(
   for f in "$generated"/*/*/proofs/*.gappa; do
     [ -e "$f" ] || continue
     echo "$([ "$check" = prove ] && echo "$f" || grep -v '^#' "$f" | sha1sum | cut -d' ' -f1) $f"
-  done | sort -u -k1,1 | cut -d' ' -f2-
+  done | sort -u -k1,1 | cut -d' ' -f2- | xargs -r -d '\n' ls -S # the longest first, for the cores to end together
 )
 [ ${#scripts[@]} -gt 0 ] || {
   echo "FAILED: no scripts under $generated" >&2
   exit 1
 }
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+log=$folder/log
 status=0
 printf '%s\0' "${scripts[@]}" | xargs -0 -P "$(nproc)" -n 1 bash -c 'set -euo pipefail; one "$1"' one >"$log" || status=1
 sort "$log" | uniq -c

@@ -145,4 +145,31 @@ script parse(const std::string &text) {
   return out;
 }
 
+std::vector<cover> covers(const std::string &text) {
+  const std::string before = "in their box form:", after = "# The first of them";
+  const std::size_t from = text.find(before), to = text.find(after);
+  if (from == std::string::npos || to == std::string::npos)
+    throw std::runtime_error("no signs in:\n" + text);
+  // A long line goes on in another that is indented more.
+  std::string said = text.substr(from + before.size(), to - from - before.size());
+  const std::string on = "\n#       ";
+  for (std::size_t at; (at = said.find(on)) != std::string::npos;)
+    said.erase(at, on.size() - 1);
+  std::vector<cover> out;
+  std::istringstream in(said);
+  for (std::string l; std::getline(in, l);) { // #   kernel stage: 0 1; c beta D
+    if (l.empty())
+      continue;
+    const std::size_t colon = l.find(':'), semicolon = l.find("; c ");
+    if (l.rfind("#   ", 0) != 0 || colon == std::string::npos || semicolon == std::string::npos)
+      throw std::runtime_error("not understood: " + l);
+    cover c{l.substr(4, colon - 4), {}, l.substr(semicolon + 4)};
+    std::istringstream signs(l.substr(colon + 1, semicolon - colon - 1));
+    for (std::size_t sign; signs >> sign;)
+      c.signs.push_back(sign);
+    out.push_back(c);
+  }
+  return out;
+}
+
 } // namespace meetc::proofs_test

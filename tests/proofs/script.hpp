@@ -35,6 +35,14 @@ struct script {
 // Throws std::runtime_error where it does not understand.
 script parse(const std::string &text);
 
+// Signs that a script says to be of.
+struct cover {
+  std::string stage; // "ball_triangle common"
+  std::vector<std::size_t> signs;
+  std::string powers; // of c: "beta^3 D"
+};
+std::vector<cover> covers(const std::string &text);
+
 } // namespace meetc::proofs_test
 
 #endif
