@@ -503,7 +503,7 @@ template <class P, class A> MEET_HD MEET_INLINE sign_set certify_sign_here(const
 template <class P, class A> MEET_HD inline sign_set certify_sign(const float *row_a, const float *row_b) {
   if (!standard_environment())
     return sign_set::all();
-  return {before_return(certify_sign_here<P, A>(after_check(row_a), after_check(row_b)).bits)};
+  return sign_set{before_return(certify_sign_here<P, A>(after_check(row_a), after_check(row_b)).bits)};
 }
 template <class P> MEET_HD inline sign decide_certified_sign(const float *row_a, const float *row_b) {
   if (!standard_environment())
