@@ -238,11 +238,11 @@ ball enclosing(const sphere &s) {
 }
 
 meet::matrix_frame frame_around(const std::vector<ball> &balls) {
-  double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  meet::interval around[3];
   for (const ball &b : balls)
     for (std::size_t k = 0; k < 3; ++k)
-      lo[k] = std::fmin(lo[k], b[k] - b[3]), hi[k] = std::fmax(hi[k], b[k] + b[3]);
-  return meet::frame_of(lo, hi);
+      around[k] = meet::joined(around[k], {b[k] - b[3], b[k] + b[3]});
+  return meet::frame_of(around);
 }
 
 bool touch(const sphere &a, const sphere &b) { return share_a_point(a, b); }

@@ -4,7 +4,7 @@
 
 #include <cga/ball_form.hpp>
 #include <cga/shapes.hpp>
-#include <meet/enclosing.hpp>
+#include <meet/frame.hpp>
 #include <meet/matrix.hpp>
 
 #include <array>

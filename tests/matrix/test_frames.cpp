@@ -61,8 +61,8 @@ TEST_CASE("the frame's own balls lie inside, with every number within reach") {
 
 TEST_CASE("a frame of no size, of the least and of the largest") {
   const auto at = [](double x, double half) {
-    const double lo[3] = {x - half, x, x}, hi[3] = {x + half, x, x};
-    return meet::frame_of(lo, hi);
+    const meet::interval around[3] = {{x - half, x + half}, {x, x}, {x, x}};
+    return meet::frame_of(around);
   };
   CHECK(at(5, 0).scale == 1);
   CHECK(at(5, 0).origin[1] == 5);
@@ -101,8 +101,8 @@ TEST_CASE("what is apart touches nothing in the frame") {
 }
 
 TEST_CASE("a ball that only just reaches the frame's cube is not apart, one well beyond is") {
-  const double lo[3] = {-1, -1, -1}, hi[3] = {1, 1, 1};
-  const meet::matrix_frame frame = meet::frame_of(lo, hi); // the cube is as wide as [-2, 2]
+  const meet::interval around[3] = {{-1, 1}, {-1, 1}, {-1, 1}};
+  const meet::matrix_frame frame = meet::frame_of(around); // the cube is as wide as [-2, 2]
   const auto place = [&](double x, double r) {
     double b[4] = {0, x, 0, r};
     return place_ball(frame, b);

@@ -21,11 +21,6 @@ struct pair_list {
   unsigned long long capacity;
 };
 
-// The cube around all balls of a set, as the order-keeping bits of its corners: lowest, then highest.
-struct extent {
-  unsigned long long low[3], high[3];
-};
-
 // What the filter takes as one object: an element, or a group of neighbouring slots. Groups are few, so that far fewer
 // pairs are looked at; pairs of groups that may touch are then taken apart.
 enum class grouping : std::uint8_t { single, group };

@@ -13,7 +13,7 @@
 #ifndef MEET_MATRIX_HPP
 #define MEET_MATRIX_HPP
 
-#include <meet/environment.hpp>
+#include <meet/frame.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -64,45 +64,7 @@ MEET_HD inline std::uint16_t to_half_below(double x) {
   return static_cast<std::uint16_t>(h & 0x8000 ? h + 1 : h == 0x0400 ? 0 : h - 1);
 }
 
-// The cube in which forms are evaluated: coordinates are moved by -origin and multiplied by scale, a power of two, so
-// that they lie in [-2^11, 2^11].
-struct matrix_frame {
-  double origin[3], scale;
-};
-inline constexpr double matrix_reach = 2048;
 inline constexpr double matrix_constant = 256; // what additive columns are multiplied by
-
-// The frame of a box that has finite corners.
-MEET_HD inline matrix_frame frame_of(const double lo[3], const double hi[3]) {
-  matrix_frame f{};
-  double half = 0;
-  for (int k = 0; k < 3; ++k) {
-    f.origin[k] = lo[k] / 2 + hi[k] / 2;
-    const double h = hi[k] / 2 - lo[k] / 2;
-    half = h > half ? h : half;
-  }
-  std::uint64_t b;
-  std::memcpy(&b, &half, sizeof b);
-  const int e = static_cast<int>(b >> 52) - 1022;          // half < 2^e
-  b = static_cast<std::uint64_t>(1023 + 11 - e) << 52;     // a finite half is below 2^129
-  std::memcpy(&f.scale, &b, sizeof f.scale);
-  f.scale = half > 0 ? f.scale : 1;
-  return f;
-}
-
-// A ball x, y, z, r, taken into the frame. Inside: within reach in every number; the bound is proved for such balls alone.
-enum class placing : std::uint8_t { inside, apart, astride };
-MEET_HD inline placing place_ball(const matrix_frame &frame, double ball[4]) {
-  bool inside = true, apart = false;
-  for (int k = 0; k < 4; ++k) {
-    ball[k] = (k < 3 ? ball[k] - frame.origin[k] : ball[k]) * frame.scale;
-    inside &= std::fabs(ball[k]) <= matrix_reach;
-  }
-  // The slack is far more than these lines round.
-  for (int k = 0; k < 3; ++k)
-    apart |= std::fabs(ball[k]) - ball[3] > matrix_reach + 1 + 1e-9 * (std::fabs(ball[k]) + ball[3]);
-  return inside ? placing::inside : apart ? placing::apart : placing::astride;
-}
 
 // The additive term of an object with features f (Form::products factors, then the term), its margin taken off.
 template <class Form> MEET_HD inline double with_margin(const double *f) {
