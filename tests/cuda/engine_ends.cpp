@@ -1,8 +1,8 @@
-// The ends of float32: radii and coordinates of FLT_MAX, boxes that overflow, subnormals. Each scene by every filter,
-// grouping, rung and predicate, against the CPU's query and against the decision of every pair without any box.
+// The ends of float32: radii and coordinates of FLT_MAX, boxes that overflow, subnormals. Each scene by every
+// filter, grouping, rung and predicate, against the CPU's query and against the decision of every pair
+// without any box.
 #include "engine.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +17,6 @@ constexpr float most = std::numeric_limits<float>::max(), least = std::numeric_l
 class scenes {
 public:
   scenes(comparison &with, const settings &s) : with_(with), random_(s.seed + 30), small_(s.small) {}
-  ~scenes() = default;
 
   void run() {
     const catalogue &all = cga::catalogue();
@@ -35,7 +34,8 @@ private:
     rows_of out{&kind, {}};
     for (std::size_t i = 0; i < n * static_cast<std::size_t>(kind.fields); ++i) {
       const float v = palette[random_() % palette.size()];
-      out.rows.push_back(kind.roles[i % static_cast<std::size_t>(kind.fields)] == role::length ? std::fabs(v) : v);
+      out.rows.push_back(kind.roles[i % static_cast<std::size_t>(kind.fields)] == role::length ? std::fabs(v)
+                                                                                               : v);
     }
     return out;
   }
@@ -51,40 +51,43 @@ private:
   }
 
   std::uint64_t same(const std::string &scene, const predicate_info &p, const rows_of &x, const rows_of &y,
-                     std::size_t capacity = options().list_capacity) {
+                     std::span<const rung> rungs = all_rungs) {
     const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
     options o;
     o.expectations = true;
-    o.list_capacity = capacity;
-    with_.same(scene, p, a, b, all_rungs, o);
-    return all_pairs_agree(scene, p, x, y, collide(a, b, p, rung::exact));
+    with_.same(scene, p, a, b, rungs, o);
+    return all_pairs_agree(scene, p, x, y, collide(a, b, p, rung::certified));
   }
 
   // Every pair, with no box and no filter before it.
-  std::uint64_t all_pairs_agree(const std::string &scene, const predicate_info &p, const rows_of &x, const rows_of &y,
-                                const result &have) {
+  std::uint64_t all_pairs_agree(const std::string &scene, const predicate_info &p, const rows_of &x,
+                                const rows_of &y, const result &have) {
     std::vector<index_pair> pairs, hits;
     for (std::uint32_t i = 0; i < x.size(); ++i)
       for (std::uint32_t j = 0; j < y.size(); ++j)
         pairs.push_back({i, j});
     std::vector<answer> answers(pairs.size());
-    p.decide[static_cast<int>(rung::certified)](x.rows.data(), y.rows.data(), pairs.data(), pairs.size(), answers.data());
+    p.decide[static_cast<int>(rung::certified)](x.rows.data(), y.rows.data(), pairs.data(), pairs.size(),
+                                                answers.data());
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (answers[i] == answer::yes)
         hits.push_back(pairs[i]);
     bool equal = hits.size() == have.pairs.size();
     for (std::size_t i = 0; equal && i < hits.size(); ++i)
       equal = hits[i].a == have.pairs[i].a && hits[i].b == have.pairs[i].b;
-    with_.require(scene, equal, std::string(p.name) + ": the CPU's query is not what the pairs say one by one");
+    with_.require(scene, equal,
+                  std::string(p.name) + ": the CPU's query is not what the pairs say one by one");
     return hits.size();
   }
 
-  // Small elements about 0 and one whose box is infinite make the frame; what lies far beyond the small ones touches it.
+  // Small elements about 0 and one whose box is infinite make the frame; what lies far beyond the small ones
+  // touches it.
   void beside_one_that_overflows(const predicate_info &p) {
     const std::string scene = "beside one that overflows";
     for (const bool first : {true, false})
       for (const double far : {1e6, 1e30, 3e38}) {
-        rows_of x = ordinary(*p.a, first ? 20 : 1, first ? 0 : far), y = ordinary(*p.b, first ? 1 : 20, first ? far : 0);
+        rows_of x = ordinary(*p.a, first ? 20 : 1, first ? 0 : far),
+                y = ordinary(*p.b, first ? 1 : 20, first ? far : 0);
         add_huge(first ? x : y);
         same(scene, p, x, y);
       }
@@ -92,9 +95,11 @@ private:
       return;
     rows_of a{p.a, {1e6F, 0, 0, 1}}, b{p.b, {}};
     for (int i = 0; i < 20; ++i)
-      b.rows.insert(b.rows.end(), {static_cast<float>(i % 5) * 0.3F, static_cast<float>(i / 5) * 0.3F, 0, 0.1F});
+      b.rows.insert(b.rows.end(),
+                    {static_cast<float>(i % 5) * 0.3F, static_cast<float>(i / 5) * 0.3F, 0, 0.1F});
     b.rows.insert(b.rows.end(), {0, 0, 0, 3.4028235e38F});
-    with_.require(scene, same(scene, p, a, b) == 1, "a sphere at 1e6 lies within the one of radius FLT_MAX, and no other");
+    with_.require(scene, same(scene, p, a, b) == 1,
+                  "a sphere at 1e6 lies within the one of radius FLT_MAX, and no other");
   }
 
   void palettes(const predicate_info &p) {
@@ -112,23 +117,31 @@ private:
         {"subnormals", {0, least, -least, 3 * least, 0x1p-127F, -0x1p-127F, 0x1.fffffcp-127F, 0x1p-126F}},
         {"FLT_MAX and subnormals", {most, least, 0, -least, -most, 0x1p-126F}},
     };
+    std::uint64_t hits = 0, pairs = 0;
     for (const palette &t : all)
-      for (const auto &[m, n] : {std::pair<std::size_t, std::size_t>{1, 9}, {9, 1}, {40, 33}, {33, 40}}) {
-        const std::size_t times = small_ ? 1 : 4;
-        touching_ += same(t.name, p, drawn(*p.a, m * times, t.numbers), drawn(*p.b, n * times, t.numbers));
+      for (const auto &[m, n] : {std::pair<std::size_t, std::size_t>{1, 9}, {9, 1}, {18, 13}, {13, 18}}) {
+        const std::size_t times = small_ ? 1 : 8;
+        // fp32 has balls around boxes, certified around the elements.
+        static constexpr rung few_rungs[] = {rung::fp32, rung::certified};
+        const std::span<const rung> rungs = small_ ? std::span<const rung>(few_rungs) : all_rungs;
+        hits += same(t.name, p, drawn(*p.a, m * times, t.numbers), drawn(*p.b, n * times, t.numbers), rungs);
+        pairs += m * n * times * times;
         // Some of them among ordinary ones, in groups with them and not.
         rows_of x = drawn(*p.a, m, t.numbers), y = ordinary(*p.b, 4 * n);
-        const rows_of more = ordinary(*p.a, 3 * m), few = drawn(*p.b, 1 + n / 20, t.numbers);
+        const rows_of more = ordinary(*p.a, 3 * m), few = drawn(*p.b, 2, t.numbers);
         x.rows.insert(x.rows.end(), more.rows.begin(), more.rows.end());
         y.rows.insert(y.rows.end(), few.rows.begin(), few.rows.end());
-        same(std::string(t.name) + ", mixed", p, x, y);
+        same(std::string(t.name) + ", mixed", p, x, y, rungs);
       }
+    with_.require("palettes", hits > 0 && hits < pairs,
+                  std::string(p.name) + ": all pairs touch, or none does");
   }
 
-  // An element whose box overflows is looked at with every other, and costs nothing more: the frame is that of the rest.
+  // An element whose box overflows is looked at with every other, and costs nothing more: the frame is that
+  // of the rest.
   void one_among_many(const predicate_info &p) {
     const std::string scene = "one among many";
-    const std::size_t n = small_ ? 2000 : 20000, m = small_ ? 300 : 3000;
+    const std::size_t n = small_ ? 2000 : 20000, m = small_ ? 100 : 1000;
     for (const bool owner_first : {true, false}) {
       rows_of x = ordinary(*p.a, owner_first ? n : m), y = ordinary(*p.b, owner_first ? m : n, 0.5);
       const std::uint64_t before = near_balls(p, x, y);
@@ -141,7 +154,8 @@ private:
         continue;
       const rung certified[] = {rung::certified};
       with_.same(scene, p, prepare(view_of(x), *p.a), prepare(view_of(y), *p.b), certified);
-      with_.require(scene, near_balls(p, x, y) == before + looked_at, std::string(p.name) + ": the frame is not that of the rest");
+      with_.require(scene, near_balls(p, x, y) == before + looked_at,
+                    std::string(p.name) + ": the frame is not that of the rest");
     }
   }
   std::uint64_t near_balls(const predicate_info &p, const rows_of &x, const rows_of &y) {
@@ -152,31 +166,40 @@ private:
     return collide(with_.on(), a, b, p, rung::certified, o).near_balls;
   }
 
-  // A pose takes ordinary elements to the end of float32, where boxes of some overflow, and back.
+  // A pose takes elements to the end of float32, where the box of one overflows, on all sides or on one, and
+  // back. That one makes the frame together with small ones about 0; what touches it alone lies far from
+  // those.
   void posed(const predicate_info &p) {
-    const std::size_t n = small_ ? 60 : 600;
-    const auto set = [&](const kind_info &kind, std::size_t count) {
-      return random_rows(kind, count, {kind.fields <= 4 ? 1.2 : 1.0, 0.2, 1, 0}, random_);
+    const auto about = [&](const kind_info &kind, std::size_t n, double offset) {
+      return random_rows(kind, n, {0.01, 0.01, 1, offset}, random_);
     };
-    const rows_of x = set(*p.a, n), y = set(*p.b, n / 2 + 1);
-    const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
-    device_set da(with_.on(), a), db(with_.on(), b);
-    for (const double scale : {2.8e38, 1e-44, 1.0}) {
-      pose at;
-      at.m[0] = at.m[5] = at.m[10] = at.length_scale = scale;
-      da.move(at);
-      const prepared there = prepare(view_of(x), *p.a, at);
-      with_.same("a pose to the end, one set", p, there, da, b, db, all_rungs);
-      db.move(at);
-      with_.same("a pose to the end, both", p, there, da, prepare(view_of(y), *p.b, at), db, all_rungs);
-      db.move({});
-    }
+    static constexpr float wide[] = {0, 0, 0, 1}, aside[] = {0.2F, 0, 0, 0.9F},
+                           across[] = {1, 1, 0, -1, -1, 0, -1, 1, 1};
+    for (const float *sphere : {wide, aside})
+      for (const bool first : {true, false}) {
+        rows_of x = about(*p.a, first ? 20 : 7, first ? 0 : 0.5),
+                y = about(*p.b, first ? 7 : 20, first ? 0.5 : 0);
+        rows_of &owner = first ? x : y;
+        const float *const row = owner.kind->fields == 4 ? sphere : across;
+        owner.rows.insert(owner.rows.end(), row, row + owner.kind->fields);
+        const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
+        device_set da(with_.on(), a), db(with_.on(), b);
+        for (const double scale : {static_cast<double>(most), 1e-44, 1.0}) {
+          pose at;
+          at.m[0] = at.m[5] = at.m[10] = at.length_scale = scale;
+          da.move(at), db.move(at);
+          const prepared a_there = prepare(view_of(x), *p.a, at), b_there = prepare(view_of(y), *p.b, at);
+          with_.same("a pose to the end", p, a_there, da, b_there, db, all_rungs);
+          (first ? db : da).move({}); // the owner of the frame stays there
+          with_.same("a pose of one to the end", p, first ? a_there : a, da, first ? b : b_there, db,
+                     all_rungs);
+        }
+      }
   }
 
   comparison &with_;
   engine random_;
   bool small_;
-  std::uint64_t touching_ = 0;
 };
 
 } // namespace

@@ -191,7 +191,7 @@ cudaError_t columns(cuda::filter by, cuda::grouping g, cover c, bool first, cons
   const std::uint32_t objects = operand{rows, n, g, nullptr}.objects(), size = cuda::size_of(g);
   for (std::size_t i = 0; i < matrix_padded(objects); ++i) {
     double ball[4] = {0, 0, 0, 0};
-    placing where = placing::apart;
+    placing where = placing::nowhere;
     if (i < objects) {
       const auto begin = static_cast<std::uint32_t>(i) * size;
       where = place_object<Shape>(frame_of(*around), c, rows, begin, std::min(n - begin, size) + begin, ball);
@@ -223,11 +223,26 @@ bool negative(cuda::filter by, const double *x, const double *y) {
   return by == cuda::filter::mma ? sum + off < 0 : sum - off < 0;
 }
 
+// Whether all the padding is as the first of it.
+bool padded_alike(cuda::filter by, const operand &o) {
+  const std::size_t first = o.objects();
+  bool alike = true;
+  for (std::size_t i = first + 1; i < matrix_padded(first); ++i)
+    if (by == cuda::filter::float32)
+      alike = alike && std::memcmp(static_cast<const float *>(o.columns) + first * (form::products + 1),
+                                   static_cast<const float *>(o.columns) + i * (form::products + 1), cuda::float_bytes) == 0;
+    else
+      for (int k = 0; k < matrix_columns; ++k)
+        alike = alike && static_cast<const std::uint16_t *>(o.columns)[matrix_place(first, k)] ==
+                             static_cast<const std::uint16_t *>(o.columns)[matrix_place(i, k)];
+  return alike;
+}
+
 cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda::part of, pair_list out, cudaStream_t) {
   // Where the part ends with the set, its padding is looked at, too.
-  const auto end_of = [](std::uint32_t end, const operand &o) {
-    return end == o.objects() ? static_cast<std::uint32_t>(matrix_padded(end)) : end;
-  };
+  const auto end_of = [](std::uint32_t end, const operand &o) { return end == o.objects() ? end + 1 : end; };
+  if (!padded_alike(by, a) || !padded_alike(by, b))
+    return cudaErrorIllegalAddress;
   if (of.first_a % cuda::part_step != 0 || of.first_b % cuda::part_step != 0 || of.end_a > a.objects() || of.end_b > b.objects())
     return cudaErrorInvalidValue;
   const std::uint32_t end_a = end_of(of.end_a, a), end_b = end_of(of.end_b, b);

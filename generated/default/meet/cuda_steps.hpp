@@ -44,14 +44,14 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
   return cudaGetLastError();
 }
 
-// Writes the padding too, which meets nothing.
+// Writes the padding, too.
 template <class Shape, class Form, bool First, bool Halves>
 __global__ void __launch_bounds__(set_threads)
     columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
   const unsigned i = blockIdx.x * set_threads + threadIdx.x; // the grid is as long as the padded array
   const std::uint32_t size = size_of(g);
   double ball[4] = {0, 0, 0, 0};
-  placing where = placing::apart;
+  placing where = placing::nowhere;
   if (i < (n + size - 1) / size)
     where = place_object<Shape>(frame_of(*around), c, rows, i * size, n - i * size < size ? n : i * size + size, ball);
   if constexpr (Halves) {

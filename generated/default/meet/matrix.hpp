@@ -76,7 +76,23 @@ template <class Form> MEET_HD inline double with_margin(const double *f) {
                  Form::margin_absolute);
 }
 
-// The columns of an object of X (First) or Y. An object astride the frame's border meets everything, one apart nothing.
+// The additive term of an object that is not inside; it has no other. Of one that is, the form's own lies between
+// -2.01 2^20 and 6.01 2^20, since inputs are at most 2^11, so the sum of two is negative just where `placing` says that
+// they meet. No rounding comes near it.
+MEET_HD constexpr double term_outside(placing where) {
+  switch (where) {
+  case placing::nowhere:
+    return 24 * 0x1p20;
+  case placing::apart:
+    return 12 * 0x1p20;
+  case placing::astride:
+    return -8 * 0x1p20;
+  default:
+    return -16 * 0x1p20; // everywhere
+  }
+}
+
+// The columns of an object of X (First) or Y.
 template <class Form, bool First> MEET_HD inline void to_columns(const double *object, placing where, std::uint16_t *out) {
   static_assert(3 * Form::products + 4 <= matrix_columns, "the form needs more columns than one matrix step has");
   static_assert(Form::largest_input == matrix_reach && Form::additive_unit == matrix_constant,
@@ -86,9 +102,7 @@ template <class Form, bool First> MEET_HD inline void to_columns(const double *o
   constexpr int own = 3 * Form::products + (First ? 0 : 2), other = 3 * Form::products + (First ? 2 : 0);
   out[other] = out[other + 1] = to_half(matrix_constant);
   if (where != placing::inside) {
-    // 65504 and -32768, each more than any term inside: 3 2^21 / 2^8 at most. Of the two the first wins, so that padding,
-    // which is apart, never comes out.
-    out[own] = where == placing::apart ? 0x7bff : 0xf800;
+    out[own] = out[own + 1] = to_half(term_outside(where) / (2 * matrix_constant));
     return;
   }
   double f[Form::products + 1];
@@ -114,9 +128,10 @@ template <class Form, bool First> MEET_HD inline void to_columns(const double *o
 template <class Form, bool First> MEET_HD inline void to_floats(const double *object, placing where, float *out) {
   for (int k = 0; k < Form::products; ++k)
     out[k] = 0;
-  out[Form::products] = where == placing::apart ? 0x1p24F : -0x1p23F; // as in to_columns()
-  if (where != placing::inside)
+  if (where != placing::inside) {
+    out[Form::products] = static_cast<float>(term_outside(where));
     return;
+  }
   double f[Form::products + 1];
   if constexpr (First)
     Form::features_a(object, f);

@@ -104,7 +104,7 @@ struct kind_launchers {
   // Packed rows under the placement; *bad as in query_result, of order[i] for element i (null: i).
   cudaError_t (*place)(const view &v, const placement &at, const std::uint32_t *order, float *rows, unsigned long long *bad,
                        cudaStream_t stream);
-  // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes.
+  // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes, those that are finite.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
   // The filter's columns of all objects in the frame of *around: as X (first) or Y. With balls around boxes the filter
   // lets every pair through whose boxes touch.
