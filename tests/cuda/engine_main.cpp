@@ -1,4 +1,5 @@
-// Whole queries on the device against the CPU's:  test_cuda_pairs [--small] [--seed N] [--data FOLDER]
+// Whole queries on the device against the CPU's:
+//   test_cuda_pairs [--small] [--seed N] [--part pairs|poses|ends] [--data FOLDER]
 #include "engine.hpp"
 
 #include "cuda_test.hpp"
@@ -22,10 +23,12 @@ bool read(int argc, char **argv, cuda_test::settings &s) {
       s.seed = std::strtoull(argv[++i], nullptr, 10);
     else if (std::strcmp(argv[i], "--data") == 0)
       s.data = argv[++i];
+    else if (std::strcmp(argv[i], "--part") == 0)
+      s.part = argv[++i];
     else
       return false;
   }
-  return true;
+  return s.part.empty() || s.part == "pairs" || s.part == "poses" || s.part == "ends";
 }
 
 } // namespace
@@ -35,7 +38,7 @@ int main(int argc, char **argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12); // what was found is seen also where the run is cut off
   settings s;
   if (!read(argc, argv, s)) {
-    std::fputs("usage: test_cuda_pairs [--small] [--seed N] [--data FOLDER]\n", stderr);
+    std::fputs("usage: test_cuda_pairs [--small] [--seed N] [--part pairs|poses|ends] [--data FOLDER]\n", stderr);
     return 2;
   }
   if (no_device())
@@ -48,8 +51,11 @@ int main(int argc, char **argv) {
                 probe.has_wgmma ? "there" : "not there", probe.wgmma_faults, name_of(on.best_filter()));
     comparison with(on);
     if (s.data.empty()) {
-      pair_scenes(with, s);
-      pose_scenes(with, s);
+      const auto scenes = [&](const char *part, void (*run)(comparison &, const settings &)) {
+        if (s.part.empty() || s.part == part)
+          run(with, s);
+      };
+      scenes("pairs", pair_scenes), scenes("poses", pose_scenes), scenes("ends", end_scenes);
     } else {
       mesh_scenes(with, s);
     }

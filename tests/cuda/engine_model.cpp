@@ -5,10 +5,9 @@
 
 #include <cga/ball_form.hpp>
 #include <cga/shapes.hpp>
-#include <meet/enclosing.hpp>
+#include <meet/frame.hpp>
 #include <meet/matrix.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -17,58 +16,47 @@ namespace {
 
 using namespace meet;
 using form = cga::ball_form;
-using ball = std::array<double, 4>;
-
-template <class Shape> ball enclosing(const float *row, cover c) {
-  ball out;
-  object_ball<Shape>(c, row, 0, 1, out.data());
-  return out;
-}
-ball enclosing(const kind_info &kind, const float *row, cover c) {
+// f(Shape()), where Shape is that of the kind.
+template <class F> auto of_shape(const kind_info &kind, F &&f) {
   const std::string_view name = kind.name;
   if (name == "point")
-    return enclosing<cga::point_shape>(row, c);
+    return f(cga::point_shape());
   if (name == "sphere")
-    return enclosing<cga::sphere_shape>(row, c);
+    return f(cga::sphere_shape());
   if (name == "segment")
-    return enclosing<cga::segment_shape>(row, c);
+    return f(cga::segment_shape());
   if (name == "triangle")
-    return enclosing<cga::triangle_shape>(row, c);
+    return f(cga::triangle_shape());
   throw std::runtime_error("a kind without a shape: " + std::string(name));
 }
 
-std::vector<ball> balls_of(const prepared &p, cover c) {
-  std::vector<ball> out;
-  const auto fields = static_cast<std::size_t>(p.kind().fields);
-  for (std::size_t i = 0; i < p.elements(); ++i)
-    out.push_back(enclosing(p.kind(), p.set().rows + i * fields, c));
-  return out;
-}
-
 matrix_frame frame_around(const prepared &p) {
-  double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for (const ball &b : balls_of(p, cover::box))
-    for (std::size_t k = 0; k < 3; ++k)
-      lo[k] = std::fmin(lo[k], b[k] - b[3]), hi[k] = std::fmax(hi[k], b[k] + b[3]);
-  return frame_of(lo, hi);
+  return of_shape(p.kind(), [&]<class Shape>(Shape) {
+    interval around[3];
+    for (std::size_t i = 0; i < p.elements(); ++i)
+      widen<Shape>(around, p.set().rows + i * std::size_t{Shape::fields});
+    return frame_of(around);
+  });
 }
 
 struct columns {
   double halves[matrix_columns];
   float floats[form::products + 1];
 };
-template <bool First> std::vector<columns> columns_of(const std::vector<ball> &balls, const matrix_frame &frame) {
-  std::vector<columns> out(balls.size());
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    ball b = balls[i];
-    const placing where = place_ball(frame, b.data());
-    std::uint16_t halves[matrix_columns];
-    to_columns<form, First>(b.data(), where, halves);
-    for (int k = 0; k < matrix_columns; ++k)
-      out[i].halves[k] = from_half(halves[k]);
-    to_floats<form, First>(b.data(), where, out[i].floats);
-  }
-  return out;
+template <bool First> std::vector<columns> columns_of(const prepared &p, const matrix_frame &frame) {
+  return of_shape(p.kind(), [&]<class Shape>(Shape) {
+    std::vector<columns> out(p.elements());
+    for (std::uint32_t i = 0; i < out.size(); ++i) {
+      double ball[4];
+      const placing where = place_object<Shape>(frame, cover::element, p.set().rows, i, i + 1, ball);
+      std::uint16_t halves[matrix_columns];
+      to_columns<form, First>(ball, where, halves);
+      for (int k = 0; k < matrix_columns; ++k)
+        out[i].halves[k] = from_half(halves[k]);
+      to_floats<form, First>(ball, where, out[i].floats);
+    }
+    return out;
+  });
 }
 
 struct verdict {
@@ -101,12 +89,11 @@ std::vector<box> boxes_of(const prepared &p) {
 } // namespace
 
 expectation expect(const predicate_info &p, const prepared &a, const prepared &b, cuda::filter by) {
-  const std::vector<ball> balls_a = balls_of(a, cover::element), balls_b = balls_of(b, cover::element);
   expectation out;
-  if (balls_a.empty() || balls_b.empty())
+  if (a.elements() == 0 || b.elements() == 0)
     return out;
-  const matrix_frame frame = frame_around(balls_b.size() < balls_a.size() ? a : b);
-  const std::vector<columns> x = columns_of<true>(balls_a, frame), y = columns_of<false>(balls_b, frame);
+  const matrix_frame frame = frame_around(b.elements() < a.elements() ? a : b);
+  const std::vector<columns> x = columns_of<true>(a, frame), y = columns_of<false>(b, frame);
   const std::vector<box> boxes_a = boxes_of(a), boxes_b = boxes_of(b);
   std::vector<index_pair> pairs;
   std::vector<bool> sure; // that the filter lets it through

@@ -1,14 +1,17 @@
 // A stand-in for the device, on the host: memory is memory, and the launchers are loops. So what the engine itself does
-// (parts, lists, owners, poses, frames) is tested by the same scenes where there is no device. Two of its filters are
-// the worst and the best that the assumed matrix unit may be: one lets go what it may, one keeps what it may.
+// (parts, lists, owners, poses, frames) is tested by the same scenes where there is no device. Extents, frames, columns
+// and the first step are computed by the functions that the kernels call, in the order of the kernels' joins. Two of its
+// filters are the worst and the best that the assumed matrix unit may be: one lets go what it may, one keeps what it may.
 #include "core/device/kernels.hpp"
 
 #include <cga/ball_form.hpp>
+#include <cga/cga.hpp>
 #include <cga/cga_cuda.hpp>
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
-#include <meet/enclosing.hpp>
+#include <meet/frame.hpp>
 #include <meet/matrix.hpp>
+#include <meet/near.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -130,26 +133,13 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
 namespace {
 
 using namespace meet;
-using cuda::extent;
 using cuda::operand;
 using cuda::pair_list;
 using form = cga::ball_form;
 
-std::uint64_t ordered(double x) {
-  std::uint64_t b;
-  std::memcpy(&b, &x, sizeof b);
-  return b >> 63 ? ~b : b | std::uint64_t{1} << 63;
-}
-double from_ordered(std::uint64_t b) {
-  b = b >> 63 ? b & ~(std::uint64_t{1} << 63) : ~b;
-  double x;
-  std::memcpy(&x, &b, sizeof x);
-  return x;
-}
-
 cudaError_t clear_extent(extent *around, cudaStream_t) {
   for (int k = 0; k < 3; ++k)
-    around->low[k] = ~0ULL, around->high[k] = 0;
+    clear(*around, k);
   return cudaSuccess;
 }
 template <class Shape>
@@ -174,13 +164,23 @@ cudaError_t place(const cuda::view &v, const cuda::placement &at, const std::uin
   }
   return cudaSuccess;
 }
+// As on the device: lanes go through the set in strides, a warp joins what its lanes have found, and the bits of that are
+// joined with those of other warps.
 template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t) {
-  for (std::uint32_t i = 0; i < n; ++i) {
-    double ball[4];
-    ball_of_box<Shape>(rows + i * std::size_t{Shape::fields}, ball);
+  constexpr std::uint32_t warps = 16, width = 32;
+  for (std::uint32_t warp = 0; warp < warps; ++warp) {
+    interval lanes[width][3];
+    for (std::uint32_t lane = 0; lane < width; ++lane)
+      for (std::size_t i = warp * width + lane; i < n; i += warps * width)
+        widen<Shape>(lanes[lane], rows + i * std::size_t{Shape::fields});
     for (int k = 0; k < 3; ++k) {
-      around->low[k] = std::min<unsigned long long>(around->low[k], ordered(ball[k] - ball[3]));
-      around->high[k] = std::max<unsigned long long>(around->high[k], ordered(ball[k] + ball[3]));
+      for (std::uint32_t d = width / 2; d > 0; d /= 2)
+        for (std::uint32_t lane = 0; lane < d; ++lane) // what becomes of the others, lane 0 does not see
+          lanes[lane][k] = joined(lanes[lane][k], lanes[lane + d][k]);
+      if (!(lanes[0][k].lo <= lanes[0][k].hi))
+        continue;
+      around->low[k] = std::min(around->low[k], ordered(lanes[0][k].lo));
+      around->high[k] = std::max(around->high[k], ordered(lanes[0][k].hi));
     }
   }
   return cudaSuccess;
@@ -188,17 +188,13 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
 template <class Shape>
 cudaError_t columns(cuda::filter by, cuda::grouping g, cover c, bool first, const float *rows, std::uint32_t n,
                     const extent *around, void *out, cudaStream_t) {
-  double lo[3], hi[3];
-  for (int k = 0; k < 3; ++k)
-    lo[k] = from_ordered(around->low[k]), hi[k] = from_ordered(around->high[k]);
   const std::uint32_t objects = operand{rows, n, g, nullptr}.objects(), size = cuda::size_of(g);
   for (std::size_t i = 0; i < matrix_padded(objects); ++i) {
     double ball[4] = {0, 0, 0, 0};
-    placing where = placing::apart;
+    placing where = placing::nowhere;
     if (i < objects) {
       const auto begin = static_cast<std::uint32_t>(i) * size;
-      object_ball<Shape>(c, rows, begin, std::min(n, begin + size), ball);
-      where = place_ball(frame_of(lo, hi), ball);
+      where = place_object<Shape>(frame_of(*around), c, rows, begin, std::min(n - begin, size) + begin, ball);
     }
     if (by == cuda::filter::float32) {
       float *const to = static_cast<float *>(out) + i * (form::products + 1);
@@ -227,11 +223,26 @@ bool negative(cuda::filter by, const double *x, const double *y) {
   return by == cuda::filter::mma ? sum + off < 0 : sum - off < 0;
 }
 
+// Whether all the padding is as the first of it.
+bool padded_alike(cuda::filter by, const operand &o) {
+  const std::size_t first = o.objects();
+  bool alike = true;
+  for (std::size_t i = first + 1; i < matrix_padded(first); ++i)
+    if (by == cuda::filter::float32)
+      alike = alike && std::memcmp(static_cast<const float *>(o.columns) + first * (form::products + 1),
+                                   static_cast<const float *>(o.columns) + i * (form::products + 1), cuda::float_bytes) == 0;
+    else
+      for (int k = 0; k < matrix_columns; ++k)
+        alike = alike && static_cast<const std::uint16_t *>(o.columns)[matrix_place(first, k)] ==
+                             static_cast<const std::uint16_t *>(o.columns)[matrix_place(i, k)];
+  return alike;
+}
+
 cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda::part of, pair_list out, cudaStream_t) {
   // Where the part ends with the set, its padding is looked at, too.
-  const auto end_of = [](std::uint32_t end, const operand &o) {
-    return end == o.objects() ? static_cast<std::uint32_t>(matrix_padded(end)) : end;
-  };
+  const auto end_of = [](std::uint32_t end, const operand &o) { return end == o.objects() ? end + 1 : end; };
+  if (!padded_alike(by, a) || !padded_alike(by, b))
+    return cudaErrorIllegalAddress;
   if (of.first_a % cuda::part_step != 0 || of.first_b % cuda::part_step != 0 || of.end_a > a.objects() || of.end_b > b.objects())
     return cudaErrorInvalidValue;
   const std::uint32_t end_a = end_of(of.end_a, a), end_b = end_of(of.end_b, b);
@@ -263,48 +274,40 @@ cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda
   return cudaSuccess;
 }
 
-template <int Which>
+// The predicate at this place of the catalogue, as the kernels have it.
+template <class P, class A, class B, int Which>
 cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure, cudaStream_t) {
   const predicate_info &p = cga::catalogue().predicates[Which];
-  const auto fa = static_cast<std::size_t>(p.a->fields), fb = static_cast<std::size_t>(p.b->fields);
-  const bool near = which == cuda::step::near_boxes || which == cuda::step::near_reject;
-  std::vector<index_pair> taken_apart;
-  for (std::size_t i = 0; i < std::min(*in.count, in.capacity); ++i) {
-    const index_pair q = in.pairs[i];
-    const std::uint32_t size = near ? cuda::size_of(a.by) : 1;
-    for (std::uint32_t x = q.a * size; x < std::min(a.elements, (q.a + 1) * size); ++x)
-      for (std::uint32_t y = q.b * size; y < std::min(b.elements, (q.b + 1) * size); ++y)
-        taken_apart.push_back({x, y});
+  const std::size_t n = std::min(*in.count, in.capacity);
+  if (which == cuda::step::near_boxes || which == cuda::step::near_reject) {
+    const std::uint32_t size = cuda::size_of(a.by);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::uint32_t k = 0; k < size * size; ++k) {
+        const index_pair slots{in.pairs[i].a * size + k / size, in.pairs[i].b * size + k % size};
+        if (slots.a >= a.elements || slots.b >= b.elements)
+          continue;
+        const float *const row_a = a.rows + slots.a * std::size_t{A::fields}, *const row_b = b.rows + slots.b * std::size_t{B::fields};
+        if (!boxes_touch<A, B>(row_a, row_b))
+          continue;
+        ++*unsure.count;
+        if constexpr (P::reject_stage::atoms > 0)
+          if (which == cuda::step::near_reject && standard_environment() && surely_rejected<P>(row_a, row_b))
+            continue;
+        append(yes, slots);
+      }
+    return cudaSuccess;
   }
-  const std::size_t n = taken_apart.size();
-  in.pairs = taken_apart.data();
   std::vector<answer> answers(n);
-  if (!near) {
-    const int at = static_cast<int>(which) - static_cast<int>(cuda::step::plain_fp32);
-    const decide_function decide = which >= cuda::step::certify_fp32
-                                       ? p.certify[static_cast<int>(which) - static_cast<int>(cuda::step::certify_fp32)]
-                                       : p.decide[at];
-    decide(a.rows, b.rows, in.pairs, n, answers.data());
-  } else if (which == cuda::step::near_reject) {
-    p.certify[0](a.rows, b.rows, in.pairs, n, answers.data()); // no: as if the reject stage had said so
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (near) {
-      float lo_a[3], hi_a[3], lo_b[3], hi_b[3];
-      p.a->box(a.rows + in.pairs[i].a * fa, lo_a, hi_a);
-      p.b->box(b.rows + in.pairs[i].b * fb, lo_b, hi_b);
-      bool touch = true;
-      for (int k = 0; k < 3; ++k)
-        touch = touch && lo_a[k] <= hi_b[k] && lo_b[k] <= hi_a[k];
-      *unsure.count += touch;
-      if (touch && (which == cuda::step::near_boxes || answers[i] != answer::no))
-        append(yes, in.pairs[i]);
-    } else if (answers[i] == answer::yes) {
+  const int at = static_cast<int>(which) - static_cast<int>(cuda::step::plain_fp32);
+  const decide_function decide = which >= cuda::step::certify_fp32
+                                     ? p.certify[static_cast<int>(which) - static_cast<int>(cuda::step::certify_fp32)]
+                                     : p.decide[at];
+  decide(a.rows, b.rows, in.pairs, n, answers.data());
+  for (std::size_t i = 0; i < n; ++i)
+    if (answers[i] == answer::yes)
       append(yes, in.pairs[i]);
-    } else if (answers[i] == answer::unsure) {
+    else if (answers[i] == answer::unsure)
       append(unsure, in.pairs[i]);
-    }
-  }
   return cudaSuccess;
 }
 
@@ -330,8 +333,16 @@ const ::meet::cuda::catalogue &catalogue() {
     predicates.push_back({all.predicates[i].name, place_of(all.predicates[i].a), place_of(all.predicates[i].b), launch, nullptr, nullptr});
   };
   if (predicates.empty()) {
-    add(0, run<0>), add(1, run<1>), add(2, run<2>), add(3, run<3>), add(4, run<4>);
-    add(5, run<5>), add(6, run<6>), add(7, run<7>), add(8, run<8>), add(9, run<9>);
+    add(0, run<::cga::segment_segment, segment_shape, segment_shape, 0>);
+    add(1, run<::cga::point_triangle, point_shape, triangle_shape, 1>);
+    add(2, run<::cga::segment_triangle, segment_shape, triangle_shape, 2>);
+    add(3, run<::cga::triangle_triangle, triangle_shape, triangle_shape, 3>);
+    add(4, run<::cga::sphere_sphere, sphere_shape, sphere_shape, 4>);
+    add(5, run<::cga::ball_ball, sphere_shape, sphere_shape, 5>);
+    add(6, run<::cga::ball_segment, sphere_shape, segment_shape, 6>);
+    add(7, run<::cga::sphere_segment, sphere_shape, segment_shape, 7>);
+    add(8, run<::cga::ball_triangle, sphere_shape, triangle_shape, 8>);
+    add(9, run<::cga::sphere_triangle, sphere_shape, triangle_shape, 9>);
   }
   static const ::meet::cuda::catalogue c{"cga",       kinds,        4,     predicates.data(), 10,
                                          clear_extent, candidates, probe};

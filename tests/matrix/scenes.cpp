@@ -231,18 +231,21 @@ std::span<const family> families() {
   return all;
 }
 
-ball enclosing(const sphere &s) {
-  ball out;
-  meet::enclosing_ball<cga::sphere_shape>(s.data(), out.data());
-  return out;
+bool has_finite_box(const sphere &s) {
+  float lo[3], hi[3];
+  cga::sphere_shape::box(s.data(), lo, hi);
+  return std::all_of(lo, lo + 3, [](float x) { return std::isfinite(x); }) &&
+         std::all_of(hi, hi + 3, [](float x) { return std::isfinite(x); });
 }
 
-meet::matrix_frame frame_around(const std::vector<ball> &balls) {
-  double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-  for (const ball &b : balls)
-    for (std::size_t k = 0; k < 3; ++k)
-      lo[k] = std::fmin(lo[k], b[k] - b[3]), hi[k] = std::fmax(hi[k], b[k] + b[3]);
-  return meet::frame_of(lo, hi);
+meet::matrix_frame frame_around(const std::vector<sphere> &set) {
+  meet::interval around[3];
+  for (const sphere &s : set)
+    meet::widen<cga::sphere_shape>(around, s.data());
+  return meet::frame_of(around);
+}
+meet::placing place(const meet::matrix_frame &frame, const sphere &s, meet::cover c, ball &in_frame) {
+  return meet::place_object<cga::sphere_shape>(frame, c, s.data(), 0, 1, in_frame.data());
 }
 
 bool touch(const sphere &a, const sphere &b) { return share_a_point(a, b); }

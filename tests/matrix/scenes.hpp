@@ -4,7 +4,7 @@
 
 #include <cga/ball_form.hpp>
 #include <cga/shapes.hpp>
-#include <meet/enclosing.hpp>
+#include <meet/frame.hpp>
 #include <meet/matrix.hpp>
 
 #include <array>
@@ -29,10 +29,11 @@ struct family {
 };
 std::span<const family> families();
 
-ball enclosing(const sphere &s);
+bool has_finite_box(const sphere &s);
 
-// The frame of a set, as a device makes it.
-meet::matrix_frame frame_around(const std::vector<ball> &balls);
+// The frame of a set, and an element in it, as a device makes them.
+meet::matrix_frame frame_around(const std::vector<sphere> &set);
+meet::placing place(const meet::matrix_frame &frame, const sphere &s, meet::cover c, ball &in_frame);
 
 // Whether closed balls share a point, in rationals.
 bool touch(const sphere &a, const sphere &b);

@@ -21,22 +21,22 @@ struct placed {
   float float_x[form::products + 1], float_y[form::products + 1];
 };
 
-placed place(const meet::matrix_frame &frame, const ball &b) {
-  placed out{b, {}, {}, {}, {}, {}};
-  out.where = place_ball(frame, out.in_frame.data());
-  out.x = columns_of<form, true>(out.in_frame, out.where);
-  out.y = columns_of<form, false>(out.in_frame, out.where);
-  meet::to_floats<form, true>(out.in_frame.data(), out.where, out.float_x);
-  meet::to_floats<form, false>(out.in_frame.data(), out.where, out.float_y);
-  return out;
+placed with_columns(placed p) {
+  p.x = columns_of<form, true>(p.in_frame, p.where);
+  p.y = columns_of<form, false>(p.in_frame, p.where);
+  meet::to_floats<form, true>(p.in_frame.data(), p.where, p.float_x);
+  meet::to_floats<form, false>(p.in_frame.data(), p.where, p.float_y);
+  return p;
+}
+placed put(const meet::matrix_frame &frame, const sphere &s) {
+  placed out{};
+  out.where = place(frame, s, meet::cover::element, out.in_frame);
+  return with_columns(out);
 }
 placed padding() {
-  placed out{{0, 0, 0, 0}, placing::apart, {}, {}, {}, {}};
-  out.x = columns_of<form, true>(out.in_frame, out.where);
-  out.y = columns_of<form, false>(out.in_frame, out.where);
-  meet::to_floats<form, true>(out.in_frame.data(), out.where, out.float_x);
-  meet::to_floats<form, false>(out.in_frame.data(), out.where, out.float_y);
-  return out;
+  placed out{};
+  out.where = placing::nowhere;
+  return with_columns(out);
 }
 
 // The sign bit, which is all that the kernels look at.
@@ -53,10 +53,7 @@ void go_through(const family &f, int scenes, tally &sum) {
   const placed nothing = padding();
   for (int i = 0; i < scenes; ++i) {
     const scene s = f.make(random);
-    std::vector<ball> own;
-    for (const sphere &x : s.owners)
-      own.push_back(enclosing(x));
-    const meet::matrix_frame frame = frame_around(own);
+    const meet::matrix_frame frame = frame_around(s.owners);
     const auto pair = [&](const sphere &a, const placed &p, const sphere &b, const placed &q) {
       // Either may be X.
       const bool negative = multiply(p.x, q.y).always_negative && multiply(q.x, p.y).always_negative;
@@ -75,10 +72,10 @@ void go_through(const family &f, int scenes, tally &sum) {
       }
     };
     std::vector<placed> owners, others;
-    for (const ball &b : own)
-      owners.push_back(place(frame, b));
+    for (const sphere &x : s.owners)
+      owners.push_back(put(frame, x));
     for (const sphere &x : s.others)
-      others.push_back(place(frame, enclosing(x)));
+      others.push_back(put(frame, x));
     for (std::size_t j = 0; j < owners.size(); ++j) {
       for (std::size_t k = 0; k < others.size(); ++k)
         pair(s.owners[j], owners[j], s.others[k], others[k]);
@@ -162,13 +159,20 @@ TEST_CASE("without the absolute margin points at the middle are missed") {
   CHECK_FALSE(surely_kept<no_absolute>(middle, middle));
 }
 
-TEST_CASE("one apart meets nothing and one astride meets all that is not apart") {
+TEST_CASE("who meets whom, of objects that are not both inside") {
+  constexpr placing all[] = {placing::inside, placing::apart, placing::astride, placing::everywhere, placing::nowhere};
+  const auto meets = [](placing x, placing y) {
+    const auto either = [&](placing p) { return x == p || y == p; };
+    if (either(placing::nowhere))
+      return false;
+    return either(placing::everywhere) || !either(placing::apart);
+  };
   const auto at = [](double v) { return ball{v, -v, v, std::fabs(v)}; };
-  for (const placing first : {placing::inside, placing::apart, placing::astride})
-    for (const placing second : {placing::inside, placing::apart, placing::astride}) {
+  for (const placing first : all)
+    for (const placing second : all) {
       if (first == placing::inside && second == placing::inside)
         continue;
-      const bool none = first == placing::apart || second == placing::apart;
+      const bool any = meets(first, second);
       for (const double v : {0.0, 0x1p-14, 100.0, -2048.0, 2048.0}) {
         // With no radius the term is as large as it gets; with the radius alone as small.
         for (ball b : {at(v), ball{v, v, v, 0}, ball{0, 0, 0, std::fabs(v)}}) {
@@ -176,8 +180,8 @@ TEST_CASE("one apart meets nothing and one astride meets all that is not apart")
           float x[form::products + 1], y[form::products + 1];
           meet::to_floats<form, true>(b.data(), first, x);
           meet::to_floats<form, false>(b.data(), second, y);
-          CHECK((none ? r.never_negative : r.always_negative));
-          CHECK(std::signbit(meet::bilinear<form>(x, y)) != none);
+          CHECK((any ? r.always_negative : r.never_negative));
+          CHECK(std::signbit(meet::bilinear<form>(x, y)) == any);
         }
       }
     }

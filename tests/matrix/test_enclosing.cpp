@@ -6,15 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace meetc::matrix_test;
 using meetc::generated_test::effort;
 
 namespace {
 
-template <class Shape> bool holds_all(const float *row) {
-  double ball[4];
-  meet::enclosing_ball<Shape>(row, ball);
+template <class Shape> bool holds(const double ball[4], const float *row) {
   mpq_class left = ball[3];
   if constexpr (Shape::pad >= 0)
     left -= mpq_class(static_cast<double>(row[Shape::pad]));
@@ -30,6 +29,34 @@ template <class Shape> bool holds_all(const float *row) {
       return false;
   }
   return true;
+}
+
+template <class Shape> bool holds_all(const float *row) {
+  double ball[4];
+  meet::enclosing_ball<Shape>(row, ball);
+  return holds<Shape>(ball, row);
+}
+
+// Whether the corners of the element's box lie in the ball.
+template <class Shape> bool holds_box(const double ball[4], const float *row) {
+  float lo[3], hi[3];
+  Shape::box(row, lo, hi);
+  mpq_class d2 = 0;
+  for (int k = 0; k < 3; ++k) {
+    const mpq_class to_low = mpq_class(ball[k]) - mpq_class(static_cast<double>(lo[k])),
+                    to_high = mpq_class(static_cast<double>(hi[k])) - mpq_class(ball[k]);
+    const mpq_class most = to_low < to_high ? to_high : to_low;
+    d2 += most * most;
+  }
+  return d2 <= mpq_class(mpq_class(ball[3]) * ball[3]);
+}
+template <class Shape> bool box_is_finite(const float *row) {
+  float lo[3], hi[3];
+  Shape::box(row, lo, hi);
+  bool finite = true;
+  for (int k = 0; k < 3; ++k)
+    finite = finite && std::isfinite(lo[k]) && std::isfinite(hi[k]);
+  return finite;
 }
 
 constexpr float extremes[] = {0.0F,      -0.0F,      0x1p-149F, -0x1p-149F, 0x1p-126F, 0x1.fffffcp-127F, 1.0F,    -1.0F,
@@ -52,22 +79,57 @@ float number(std::mt19937_64 &random, int family) {
   }
 }
 
+template <class Shape> void make(std::mt19937_64 &random, int family, float *row) {
+  std::generate_n(row, Shape::fields, [&] { return number(random, family); });
+  if constexpr (Shape::hull > 1) // needles and points
+    if (random() % 4 == 0)
+      std::copy_n(row, 3, row + 3);
+  if constexpr (Shape::pad >= 0)
+    row[Shape::pad] = std::fabs(row[Shape::pad]);
+}
+
 template <class Shape> void each_holds(const char *name) {
   std::mt19937_64 random(17);
   long wrong = 0;
   for (int i = 0; i < effort(100000); ++i) {
     float row[Shape::fields];
-    for (float &v : row)
-      v = number(random, i);
-    if constexpr (Shape::hull > 1) // needles and points
-      if (random() % 4 == 0)
-        std::copy_n(row, 3, row + 3);
-    if constexpr (Shape::pad >= 0)
-      row[Shape::pad] = std::fabs(row[Shape::pad]);
+    make<Shape>(random, i, row);
     wrong += !holds_all<Shape>(row);
   }
   INFO(name);
   CHECK(wrong == 0);
+}
+
+// Objects of one element and of up to eight: the ball holds all elements, or their boxes, where all boxes are finite.
+template <class Shape> void objects_hold(const char *name) {
+  std::mt19937_64 random(29);
+  long wrong = 0, refused = 0, wrongly_told = 0;
+  for (int i = 0; i < effort(10000); ++i) {
+    const std::uint32_t n = i % 3 == 0 ? 1 : 1 + static_cast<std::uint32_t>(random() % 8);
+    std::vector<float> rows(n * std::size_t{Shape::fields});
+    bool all_finite = true;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      float *const row = &rows[k * std::size_t{Shape::fields}];
+      make<Shape>(random, random() % 8 ? 1 + i % 4 : 0, row); // few at the ends of float32
+      all_finite = all_finite && box_is_finite<Shape>(row);
+    }
+    wrongly_told += meet::have_finite_boxes<Shape>(rows.data(), 0, n) != all_finite;
+    refused += !all_finite;
+    for (const meet::cover c : {meet::cover::element, meet::cover::box}) {
+      if (!all_finite)
+        break;
+      double ball[4];
+      meet::object_ball<Shape>(c, rows.data(), 0, n, ball);
+      for (std::uint32_t k = 0; k < n; ++k) {
+        const float *const row = &rows[k * std::size_t{Shape::fields}];
+        wrong += c == meet::cover::box ? !holds_box<Shape>(ball, row) : !holds<Shape>(ball, row);
+      }
+    }
+  }
+  INFO(name << ": " << refused << " refused");
+  CHECK(wrong == 0);
+  CHECK(wrongly_told == 0);
+  CHECK((Shape::pad >= 0) == (refused > 0)); // the box of points never overflows
 }
 
 // The radius of the least ball around a triangle: half its longest side where it is obtuse, else its circumradius.
@@ -94,6 +156,13 @@ TEST_CASE("enclosing balls hold their elements, also at the ends of float32") {
   each_holds<cga::sphere_shape>("sphere");
   each_holds<cga::segment_shape>("segment");
   each_holds<cga::triangle_shape>("triangle");
+}
+
+TEST_CASE("an object's ball holds all of its elements or boxes where no box overflows, and which do is told") {
+  objects_hold<cga::point_shape>("point");
+  objects_hold<cga::sphere_shape>("sphere");
+  objects_hold<cga::segment_shape>("segment");
+  objects_hold<cga::triangle_shape>("triangle");
 }
 
 TEST_CASE("a triangle's enclosing ball is a few per cent larger than the least, seldom more") {

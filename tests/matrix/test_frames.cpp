@@ -3,7 +3,9 @@
 #include "tests/generated/effort.hpp"
 #include "tests/matrix/scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace meetc::matrix_test;
 using meet::placing;
@@ -11,58 +13,136 @@ using meetc::generated_test::effort;
 
 namespace {
 
-std::vector<ball> enclosing_all(const std::vector<sphere> &s) {
-  std::vector<ball> out;
-  for (const sphere &x : s)
-    out.push_back(enclosing(x));
-  return out;
+meet::extent extent_of(const std::vector<sphere> &set) {
+  meet::extent e;
+  for (int k = 0; k < 3; ++k)
+    clear(e, k);
+  for (const sphere &s : set) { // each a warp of its own
+    meet::interval around[3];
+    meet::widen<cga::sphere_shape>(around, s.data());
+    for (std::size_t k = 0; k < 3; ++k)
+      if (around[k].lo <= around[k].hi) {
+        e.low[k] = std::min(e.low[k], meet::ordered(around[k].lo));
+        e.high[k] = std::max(e.high[k], meet::ordered(around[k].hi));
+      }
+  }
+  return e;
+}
+bool same(const meet::matrix_frame &x, const meet::matrix_frame &y) {
+  return x.scale == y.scale && std::equal(x.origin, x.origin + 3, y.origin);
 }
 
-// In all axes the radius is lost beside the centre, in fp64: the frame is then narrower than the ball.
-bool vanishing(const ball &b) {
-  bool small = b[3] > 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    small = small && b[3] <= std::fabs(b[k]) * 0x1p-51;
-  return small;
-}
+constexpr float most = std::numeric_limits<float>::max();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
 
-TEST_CASE("the frame's own balls lie inside, with every number within reach") {
+TEST_CASE("the frame's own elements lie inside, with every number within reach, or are everywhere") {
+  long overflowing = 0;
   for (const family &f : families()) {
     std::mt19937_64 random(3);
-    long outside = 0, far_out = 0, wasteful = 0, balls = 0, lost = 0;
+    long outside = 0, far_out = 0, wasteful = 0, elements = 0, wrong_frame = 0;
     for (int i = 0; i < effort(20000); ++i) {
-      const std::vector<ball> own = enclosing_all(f.make(random).owners);
+      const std::vector<sphere> own = f.make(random).owners;
       const meet::matrix_frame frame = frame_around(own);
+      wrong_frame += !same(frame, meet::frame_of(extent_of(own))); // joined in whatever way
       double reach = 0;
-      for (ball b : own) {
-        if (vanishing(b)) {
-          ++lost;
-          reach = HUGE_VAL;
-          continue;
+      for (const sphere &s : own)
+        for (const meet::cover c : {meet::cover::element, meet::cover::box}) {
+          ball b;
+          const placing where = place(frame, s, c, b);
+          if (!has_finite_box(s)) {
+            ++overflowing;
+            outside += where != placing::everywhere;
+            continue;
+          }
+          ++elements;
+          outside += where != placing::inside;
+          for (std::size_t k = 0; k < 4; ++k)
+            far_out += !(std::fabs(b[k]) <= meet::matrix_reach);
+          for (std::size_t k = 0; k < 3; ++k)
+            reach = std::max(reach, std::fabs(b[k]) + b[3]);
         }
-        outside += place_ball(frame, b.data()) != placing::inside;
-        for (std::size_t k = 0; k < 4; ++k)
-          far_out += !(std::fabs(b[k]) <= meet::matrix_reach);
-        for (std::size_t k = 0; k < 3; ++k)
-          reach = std::max(reach, std::fabs(b[k]) + b[3]);
-        ++balls;
-      }
       wasteful += reach > 0 && reach < meet::matrix_reach / 2 * (1 - 1e-9) && frame.scale != 1;
     }
-    INFO(f.name << ": of " << balls << " balls, and " << lost << " whose radius vanishes");
+    INFO(f.name << ": of " << elements);
     CHECK(outside == 0);
     CHECK(far_out == 0);
-    CHECK(wasteful <= balls / 500); // the scale is the largest that will do, but for radii that nearly vanish
-    CHECK(balls > lost);
+    CHECK(wasteful == 0); // the scale is the largest that will do
+    CHECK(wrong_frame == 0);
+    CHECK(elements > effort(1000));
   }
+  CHECK(overflowing > effort(1000));
+}
+
+TEST_CASE("an extent's bits are in the order of its numbers, and lead back to them") {
+  constexpr double inf = HUGE_VAL;
+  const double sorted[] = {-inf,  -0x1.fffffffffffffp1023, -0x1p130, -1, -0x1p-149, -0x1p-1074, -0.0, 0.0, 0x1p-1074, 0x1p-149,
+                           1,     0x1p130,                 0x1.fffffffffffffp1023, inf};
+  for (std::size_t i = 0; i < std::size(sorted); ++i) {
+    const double back = meet::from_ordered(meet::ordered(sorted[i]));
+    CHECK(back == sorted[i]);
+    CHECK(std::signbit(back) == std::signbit(sorted[i]));
+    if (i > 0)
+      CHECK(meet::ordered(sorted[i - 1]) < meet::ordered(sorted[i]));
+  }
+  const meet::extent nothing = extent_of({}); // an empty interval
+  CHECK(meet::from_ordered(nothing.low[0]) == inf);
+  CHECK(meet::from_ordered(nothing.high[0]) == -inf);
+}
+
+TEST_CASE("an element whose box overflows is left out of the frame, and is everywhere in it") {
+  const sphere small{1, 2, 3, 0.5F}, other{-4, 0, 2, 0.25F};
+  const sphere wide{0, 0, 0, most}, right{most, 0, 0, 0}, corner{-most, -most, most, most}, far{0x1p127F, 0, 0, 0x1p127F};
+  const meet::matrix_frame frame = frame_around({small, other});
+  for (const sphere &s : {wide, right, corner, far}) {
+    CAPTURE(s[0], s[3]);
+    REQUIRE_FALSE(has_finite_box(s));
+    CHECK(same(frame_around({small, s, other}), frame));
+    CHECK(same(meet::frame_of(extent_of({s, small, other})), frame));
+    // Alone it has a frame, too, and is everywhere in it.
+    const meet::matrix_frame alone = meet::frame_of(extent_of({s}));
+    CHECK((std::isfinite(alone.origin[0]) && std::isfinite(alone.origin[1]) && std::isfinite(alone.origin[2])));
+    CHECK((alone.scale > 0 && std::isfinite(alone.scale)));
+    for (const meet::matrix_frame &f : {frame, alone})
+      for (const meet::cover c : {meet::cover::element, meet::cover::box}) {
+        ball b;
+        CHECK(place(f, s, c, b) == placing::everywhere);
+        // In a group of eight, at any place.
+        for (std::size_t at = 0; at < 8; ++at) {
+          std::vector<sphere> group(8, small);
+          group[at] = s;
+          CHECK(meet::place_object<cga::sphere_shape>(f, c, group[0].data(), 0, 8, b.data()) == placing::everywhere);
+          group[at] = small;
+          CHECK(meet::place_object<cga::sphere_shape>(f, c, group[0].data(), 0, 8, b.data()) != placing::everywhere);
+        }
+      }
+  }
+}
+
+TEST_CASE("no ball that has a number which is not finite is inside or apart") {
+  const meet::interval around[3] = {{-1, 1}, {-1, 1}, {-1, 1}};
+  const meet::matrix_frame frame = meet::frame_of(around);
+  for (const double bad : {not_a_number, HUGE_VAL, -HUGE_VAL})
+    for (std::size_t k = 0; k < 4; ++k)
+      for (const double rest : {0.0, 1.0, 1e30}) {
+        ball b{rest, rest, rest, 1};
+        b[k] = bad;
+        CHECK(place_ball(frame, b.data()) == placing::everywhere);
+      }
+  for (const double bad : {not_a_number, HUGE_VAL, -HUGE_VAL})
+    for (int k = 0; k < 3; ++k)
+      for (const bool low : {true, false}) {
+        meet::interval some[3] = {{5, 6}, {5, 6}, {5, 6}};
+        (low ? some[k].lo : some[k].hi) = bad;
+        CHECK(same(meet::frame_of(some), {{0, 0, 0}, 1}));
+      }
 }
 
 TEST_CASE("a frame of no size, of the least and of the largest") {
   const auto at = [](double x, double half) {
-    const double lo[3] = {x - half, x, x}, hi[3] = {x + half, x, x};
-    return meet::frame_of(lo, hi);
+    const meet::interval around[3] = {{x - half, x + half}, {x, x}, {x, x}};
+    return meet::frame_of(around);
   };
   CHECK(at(5, 0).scale == 1);
   CHECK(at(5, 0).origin[1] == 5);
@@ -73,23 +153,22 @@ TEST_CASE("a frame of no size, of the least and of the largest") {
 }
 
 TEST_CASE("what is apart touches nothing in the frame") {
-  long all_apart = 0, all_astride = 0;
+  long all_apart = 0, all_astride = 0, all_everywhere = 0;
   for (const family &f : families()) {
     std::mt19937_64 random(5);
     long wrong = 0, apart = 0, astride = 0;
     for (int i = 0; i < effort(20000); ++i) {
       const scene s = f.make(random);
-      const std::vector<ball> own = enclosing_all(s.owners);
-      const meet::matrix_frame frame = frame_around(own);
+      const meet::matrix_frame frame = frame_around(s.owners);
       for (const sphere &x : s.others) {
-        const ball b = enclosing(x);
-        ball placed = b;
-        const placing where = place_ball(frame, placed.data());
+        ball b;
+        const placing where = place(frame, x, meet::cover::element, b);
         apart += where == placing::apart;
         astride += where == placing::astride;
+        all_everywhere += where == placing::everywhere;
         if (where == placing::apart)
-          for (const ball &o : own)
-            wrong += touch(o, b);
+          for (const sphere &o : s.owners)
+            wrong += has_finite_box(o) && touch(o, x);
       }
     }
     INFO(f.name << ": " << apart << " apart, " << astride << " astride");
@@ -98,22 +177,23 @@ TEST_CASE("what is apart touches nothing in the frame") {
   }
   CHECK(all_apart > effort(5000));
   CHECK(all_astride > effort(5000));
+  CHECK(all_everywhere > effort(1000));
 }
 
 TEST_CASE("a ball that only just reaches the frame's cube is not apart, one well beyond is") {
-  const double lo[3] = {-1, -1, -1}, hi[3] = {1, 1, 1};
-  const meet::matrix_frame frame = meet::frame_of(lo, hi); // the cube is as wide as [-2, 2]
-  const auto place = [&](double x, double r) {
+  const meet::interval around[3] = {{-1, 1}, {-1, 1}, {-1, 1}};
+  const meet::matrix_frame frame = meet::frame_of(around); // the cube is as wide as [-2, 2]
+  const auto at = [&](double x, double r) {
     double b[4] = {0, x, 0, r};
     return place_ball(frame, b);
   };
   for (const double r : {0.0, 0x1p-149, 1.0, 1e3, 1e20, 3e38}) {
-    CHECK(place(2 + r, r) != placing::apart);
-    CHECK(place(-2 - r, r) != placing::apart);
-    CHECK(place(1, r) != placing::apart);
+    CHECK(at(2 + r, r) != placing::apart);
+    CHECK(at(-2 - r, r) != placing::apart);
+    CHECK(at(1, r) != placing::apart);
   }
   for (const double r : {0.0, 1.0, 1e3, 1e6})
-    CHECK(place(2.1 + r, r) == placing::apart);
-  CHECK(place(1e30, 1e29) == placing::apart);
-  CHECK(place(1, 3) == placing::astride);
+    CHECK(at(2.1 + r, r) == placing::apart);
+  CHECK(at(1e30, 1e29) == placing::apart);
+  CHECK(at(1, 3) == placing::astride);
 }

@@ -7,31 +7,18 @@
 #define MEET_CUDA_STEPS_HPP
 
 #include <meet/cuda_filter.hpp>
-#include <meet/enclosing.hpp>
+#include <meet/frame.hpp>
+#include <meet/near.hpp>
 
 namespace meet::cuda {
 
 // ---- a set ------------------------------------------------------------------------------------------------------
 
-// Bits in the order of the numbers, and back.
-MEET_HD inline unsigned long long ordered(double x) {
-  unsigned long long b;
-  std::memcpy(&b, &x, sizeof b);
-  return b >> 63 ? ~b : b | 1ULL << 63;
-}
-MEET_HD inline double from_ordered(unsigned long long b) {
-  b = b >> 63 ? b & ~(1ULL << 63) : ~b;
-  double x;
-  std::memcpy(&x, &b, sizeof x);
-  return x;
-}
-
 inline constexpr int set_threads = 128;
 inline unsigned blocks_for(std::size_t n) { return static_cast<unsigned>((n + set_threads - 1) / set_threads); }
 
 static __global__ void clear_extent_kernel(extent *around) {
-  around->low[threadIdx.x] = ~0ULL;
-  around->high[threadIdx.x] = 0;
+  clear(*around, static_cast<int>(threadIdx.x));
 }
 inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
   clear_extent_kernel<<<1, 3, 0, stream>>>(around);
@@ -39,20 +26,14 @@ inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
 }
 
 template <class Shape> __global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows, unsigned n, extent *around) {
-  double lo[3], hi[3];
-  for (int k = 0; k < 3; ++k)
-    lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
-  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads) {
-    double ball[4];
-    ball_of_box<Shape>(rows + i * std::size_t{Shape::fields}, ball);
-    for (int k = 0; k < 3; ++k)
-      lo[k] = fmin(lo[k], ball[k] - ball[3]), hi[k] = fmax(hi[k], ball[k] + ball[3]);
-  }
+  interval mine[3];
+  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads)
+    widen<Shape>(mine, rows + i * std::size_t{Shape::fields});
   for (int k = 0; k < 3; ++k) {
     for (int d = 16; d > 0; d /= 2)
-      lo[k] = fmin(lo[k], __shfl_xor_sync(~0U, lo[k], d)), hi[k] = fmax(hi[k], __shfl_xor_sync(~0U, hi[k], d));
-    if (threadIdx.x % 32 == 0 && lo[k] <= hi[k])
-      atomicMin(&around->low[k], ordered(lo[k])), atomicMax(&around->high[k], ordered(hi[k]));
+      mine[k] = joined(mine[k], {__shfl_xor_sync(~0U, mine[k].lo, d), __shfl_xor_sync(~0U, mine[k].hi, d)});
+    if (threadIdx.x % 32 == 0 && mine[k].lo <= mine[k].hi)
+      atomicMin(&around->low[k], ordered(mine[k].lo)), atomicMax(&around->high[k], ordered(mine[k].hi));
   }
 }
 template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
@@ -63,20 +44,16 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
   return cudaGetLastError();
 }
 
-// Writes the padding too, which meets nothing.
+// Writes the padding, too.
 template <class Shape, class Form, bool First, bool Halves>
 __global__ void __launch_bounds__(set_threads)
     columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
   const unsigned i = blockIdx.x * set_threads + threadIdx.x; // the grid is as long as the padded array
   const std::uint32_t size = size_of(g);
-  double lo[3], hi[3], ball[4] = {0, 0, 0, 0};
-  for (int k = 0; k < 3; ++k)
-    lo[k] = from_ordered(around->low[k]), hi[k] = from_ordered(around->high[k]);
-  placing where = placing::apart;
-  if (i < (n + size - 1) / size) {
-    object_ball<Shape>(c, rows, i * size, n - i * size < size ? n : i * size + size, ball);
-    where = place_ball(frame_of(lo, hi), ball);
-  }
+  double ball[4] = {0, 0, 0, 0};
+  placing where = placing::nowhere;
+  if (i < (n + size - 1) / size)
+    where = place_object<Shape>(frame_of(*around), c, rows, i * size, n - i * size < size ? n : i * size + size, ball);
   if constexpr (Halves) {
     alignas(16) std::uint16_t out[matrix_columns];
     to_columns<Form, First>(ball, where, out);
@@ -170,16 +147,6 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, co
   }
 }
 
-template <class A, class B> MEET_HD inline bool boxes_touch(const float *a, const float *b) {
-  float low_a[3], high_a[3], low_b[3], high_b[3];
-  A::box(a, low_a, high_a);
-  B::box(b, low_b, high_b);
-  bool touch = true;
-  for (int k = 0; k < 3; ++k)
-    touch &= low_a[k] <= high_b[k] && low_b[k] <= high_a[k];
-  return touch;
-}
-
 // Pair i of a list of pairs of objects, taken apart into pairs of slots; false where a group has no such slot.
 __device__ inline bool slots_of(const index_pair *objects, unsigned long long i, const operand &a, const operand &b, index_pair &p) {
   if (a.by == grouping::single) {
@@ -216,10 +183,9 @@ __global__ void __launch_bounds__(step_threads)
           const int k = __ffs(left) - 1;
           index_pair q;
           slots_of(in.pairs, w.place(k), a, b, q);
-          sign_set s[P::atoms + 1];
-          bounded_signs<P, in_fp32>(a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b)
-              .template get<typename P::reject_stage>(s);
-          keep &= ~(static_cast<unsigned>(!can_be_false(P::rejected(s))) << k);
+          const bool rejected =
+              surely_rejected<P>(a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b);
+          keep &= ~(static_cast<unsigned>(rejected) << k);
         }
       }
     append(keep, p, kept);

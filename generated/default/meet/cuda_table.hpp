@@ -21,11 +21,6 @@ struct pair_list {
   unsigned long long capacity;
 };
 
-// The cube around all balls of a set, as the order-keeping bits of its corners: lowest, then highest.
-struct extent {
-  unsigned long long low[3], high[3];
-};
-
 // What the filter takes as one object: an element, or a group of neighbouring slots. Groups are few, so that far fewer
 // pairs are looked at; pairs of groups that may touch are then taken apart.
 enum class grouping : std::uint8_t { single, group };
@@ -109,7 +104,7 @@ struct kind_launchers {
   // Packed rows under the placement; *bad as in query_result, of order[i] for element i (null: i).
   cudaError_t (*place)(const view &v, const placement &at, const std::uint32_t *order, float *rows, unsigned long long *bad,
                        cudaStream_t stream);
-  // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes.
+  // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes, those that are finite.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
   // The filter's columns of all objects in the frame of *around: as X (first) or Y. With balls around boxes the filter
   // lets every pair through whose boxes touch.

@@ -56,7 +56,24 @@ template <class Shape> MEET_HD inline void enclosing_ball(const float *row, doub
 // What an object's ball encloses: the elements, or their boxes too.
 enum class cover : std::uint8_t { element, box };
 
-// A ball that holds the element's box, however that is rounded.
+// False of NaN.
+MEET_HD inline bool is_finite(float x) { return std::fabs(x) < HUGE_VALF; }
+MEET_HD inline bool is_finite(double x) { return std::fabs(x) < HUGE_VAL; }
+
+// Whether the boxes of all these elements are finite. A box rounded outwards can reach beyond float32 where the element's
+// own numbers do not; no ball is made of such a box, and no frame takes it in.
+template <class Shape> MEET_HD inline bool have_finite_boxes(const float *rows, std::uint32_t first, std::uint32_t end) {
+  bool finite = true;
+  for (std::uint32_t i = first; i < end; ++i) {
+    float lo[3], hi[3];
+    Shape::box(rows + i * std::size_t{Shape::fields}, lo, hi);
+    for (int k = 0; k < 3; ++k)
+      finite &= is_finite(lo[k]) & is_finite(hi[k]);
+  }
+  return finite;
+}
+
+// A ball that holds the element's box, however that is rounded. The box is finite.
 template <class Shape> MEET_HD inline void ball_of_box(const float *row, double ball[4]) {
   float lo[3], hi[3];
   Shape::box(row, lo, hi);
@@ -70,8 +87,9 @@ template <class Shape> MEET_HD inline void ball_of_box(const float *row, double 
   ball[3] = std::sqrt(square) * (1 + 0x1p-48);
 }
 
-// The ball of an object: what `c` says of each of its elements.
-template <class Shape> MEET_HD inline void object_ball(cover c, const float *rows, std::uint32_t first, std::uint32_t end, double ball[4]) {
+// The ball of an object: what `c` says of each of its elements. Their boxes are finite.
+template <class Shape>
+MEET_HD inline void object_ball(cover c, const float *rows, std::uint32_t first, std::uint32_t end, double ball[4]) {
   const auto one = [&](std::uint32_t i, double out[4]) {
     const float *row = rows + i * std::size_t{Shape::fields};
     if (c == cover::box)

@@ -13,7 +13,7 @@
 #ifndef MEET_MATRIX_HPP
 #define MEET_MATRIX_HPP
 
-#include <meet/environment.hpp>
+#include <meet/frame.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -64,45 +64,7 @@ MEET_HD inline std::uint16_t to_half_below(double x) {
   return static_cast<std::uint16_t>(h & 0x8000 ? h + 1 : h == 0x0400 ? 0 : h - 1);
 }
 
-// The cube in which forms are evaluated: coordinates are moved by -origin and multiplied by scale, a power of two, so
-// that they lie in [-2^11, 2^11].
-struct matrix_frame {
-  double origin[3], scale;
-};
-inline constexpr double matrix_reach = 2048;
 inline constexpr double matrix_constant = 256; // what additive columns are multiplied by
-
-// The frame of a box that has finite corners.
-MEET_HD inline matrix_frame frame_of(const double lo[3], const double hi[3]) {
-  matrix_frame f{};
-  double half = 0;
-  for (int k = 0; k < 3; ++k) {
-    f.origin[k] = lo[k] / 2 + hi[k] / 2;
-    const double h = hi[k] / 2 - lo[k] / 2;
-    half = h > half ? h : half;
-  }
-  std::uint64_t b;
-  std::memcpy(&b, &half, sizeof b);
-  const int e = static_cast<int>(b >> 52) - 1022;          // half < 2^e
-  b = static_cast<std::uint64_t>(1023 + 11 - e) << 52;     // a finite half is below 2^129
-  std::memcpy(&f.scale, &b, sizeof f.scale);
-  f.scale = half > 0 ? f.scale : 1;
-  return f;
-}
-
-// A ball x, y, z, r, taken into the frame. Inside: within reach in every number; the bound is proved for such balls alone.
-enum class placing : std::uint8_t { inside, apart, astride };
-MEET_HD inline placing place_ball(const matrix_frame &frame, double ball[4]) {
-  bool inside = true, apart = false;
-  for (int k = 0; k < 4; ++k) {
-    ball[k] = (k < 3 ? ball[k] - frame.origin[k] : ball[k]) * frame.scale;
-    inside &= std::fabs(ball[k]) <= matrix_reach;
-  }
-  // The slack is far more than these lines round.
-  for (int k = 0; k < 3; ++k)
-    apart |= std::fabs(ball[k]) - ball[3] > matrix_reach + 1 + 1e-9 * (std::fabs(ball[k]) + ball[3]);
-  return inside ? placing::inside : apart ? placing::apart : placing::astride;
-}
 
 // The additive term of an object with features f (Form::products factors, then the term), its margin taken off.
 template <class Form> MEET_HD inline double with_margin(const double *f) {
@@ -114,7 +76,23 @@ template <class Form> MEET_HD inline double with_margin(const double *f) {
                  Form::margin_absolute);
 }
 
-// The columns of an object of X (First) or Y. An object astride the frame's border meets everything, one apart nothing.
+// The additive term of an object that is not inside; it has no other. Of one that is, the form's own lies between
+// -2.01 2^20 and 6.01 2^20, since inputs are at most 2^11, so the sum of two is negative just where `placing` says that
+// they meet. No rounding comes near it.
+MEET_HD constexpr double term_outside(placing where) {
+  switch (where) {
+  case placing::nowhere:
+    return 24 * 0x1p20;
+  case placing::apart:
+    return 12 * 0x1p20;
+  case placing::astride:
+    return -8 * 0x1p20;
+  default:
+    return -16 * 0x1p20; // everywhere
+  }
+}
+
+// The columns of an object of X (First) or Y.
 template <class Form, bool First> MEET_HD inline void to_columns(const double *object, placing where, std::uint16_t *out) {
   static_assert(3 * Form::products + 4 <= matrix_columns, "the form needs more columns than one matrix step has");
   static_assert(Form::largest_input == matrix_reach && Form::additive_unit == matrix_constant,
@@ -124,9 +102,7 @@ template <class Form, bool First> MEET_HD inline void to_columns(const double *o
   constexpr int own = 3 * Form::products + (First ? 0 : 2), other = 3 * Form::products + (First ? 2 : 0);
   out[other] = out[other + 1] = to_half(matrix_constant);
   if (where != placing::inside) {
-    // 65504 and -32768, each more than any term inside: 3 2^21 / 2^8 at most. Of the two the first wins, so that padding,
-    // which is apart, never comes out.
-    out[own] = where == placing::apart ? 0x7bff : 0xf800;
+    out[own] = out[own + 1] = to_half(term_outside(where) / (2 * matrix_constant));
     return;
   }
   double f[Form::products + 1];
@@ -152,9 +128,10 @@ template <class Form, bool First> MEET_HD inline void to_columns(const double *o
 template <class Form, bool First> MEET_HD inline void to_floats(const double *object, placing where, float *out) {
   for (int k = 0; k < Form::products; ++k)
     out[k] = 0;
-  out[Form::products] = where == placing::apart ? 0x1p24F : -0x1p23F; // as in to_columns()
-  if (where != placing::inside)
+  if (where != placing::inside) {
+    out[Form::products] = static_cast<float>(term_outside(where));
     return;
+  }
   double f[Form::products + 1];
   if constexpr (First)
     Form::features_a(object, f);

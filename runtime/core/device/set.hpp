@@ -24,8 +24,8 @@ public:
 
   const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }
   const std::uint32_t *order() const { return order_.data(); }
-  // Around all enclosing balls, device memory.
-  const cuda::extent *around() const { return around_.data(); }
+  // Around all elements whose boxes are finite, device memory.
+  const extent *around() const { return around_.data(); }
 
   // What the filter reads, in the frame of `frame`, which is this set or the other: made where it is not there yet.
   cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame);
@@ -48,7 +48,7 @@ private:
   std::uint64_t version_ = 0; // of rows(): unlike any other set's
   device_memory<float> rows_, moved_rows_;
   device_memory<std::uint32_t> order_;
-  device_memory<cuda::extent> around_;
+  device_memory<extent> around_;
   device_memory<std::byte> columns_[2]; // as Y, as X
   made have_[2];
 };
