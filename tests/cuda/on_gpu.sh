@@ -41,7 +41,7 @@ if does tests; then
     step $test "$build/tests/cuda/$test"
   done
   [ -z "$data" ] || step test_cuda_data "$build/tests/cuda/test_cuda_pairs" --data "$data"
-
+  step collide_ends "$(dirname "$0")/collide_ends.sh" "$meet"
 fi
 
 if ! does sanitizer; then
