@@ -21,6 +21,8 @@
 #error "meet: -fassociative-math breaks error bounds; compile without it"
 #endif
 
+static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant shortens constants; compile without it");
+
 #if defined(__CUDACC__)
 #define MEET_HD __host__ __device__
 #else
@@ -69,10 +71,10 @@ template <class T> MEET_HD MEET_INLINE T opaque(T x) {
 // ---- the compiler ----------------------------------------------------------------------------------------------
 
 // Whether this function is compiled as the bounds assume. Flags are refused above where they define a macro; those that
-// come by a pragma or an attribute define none, nor do clang's -fno-honor-nans and -fassociative-math. But a compiler
+// come by a pragma or an attribute define none, nor do clang's -fno-honor-nans and -fassociative-math. But an optimiser
 // that may do so reduces the expressions below to constants, and one that may not cannot: nothing is left of them where
-// all is well. What no optimiser touches (-O0) is computed as it is written. On the device standard_environment() looks
-// at what the flags do.
+// all is well. Without an optimiser (-O0) they say nothing; that a compiler then computes what is written is taken on
+// trust. On the device standard_environment() looks at what the flags do.
 //
 // No bool here is const: the initialiser of a constant is evaluated before any optimiser has seen it.
 MEET_HD MEET_INLINE bool keeps_nan_and_infinity() {
@@ -99,16 +101,21 @@ MEET_HD MEET_INLINE bool keeps_order_of_sums() {
 MEET_HD MEET_INLINE bool compiled_as_written() { return keeps_nan_and_infinity() && keeps_order_of_sums(); }
 
 #if !defined(__FMA__) && !defined(__FMA4__) && !defined(__aarch64__) && !defined(__CUDA_ARCH__)
-// Whether the C library's fma() and fmaf() round once, looked at in a standard environment: where the processor's own
+// Whether the C library's fma() and fmaf() round once, on samples, in a standard environment: where the processor's own
 // instruction is not compiled in, they are calls. Each case is lost by a way of rounding twice: through the type itself,
-// through double, through the 64 bits of the x87.
+// through double, through the 64 bits of the x87; and what works near 1 may not do so far from it.
 MEET_NOINLINE inline bool library_fma_rounds_once() {
   const float a = opaque(1 + 0x1p-12F); // a a = 1 + 2^-11 + 2^-24, half way between two floats
-  const bool single = __builtin_fmaf(a, a, opaque(0x1p-60F)) == 1 + 0x1p-11F + 0x1p-23F &&
-                      __builtin_fmaf(a, a, opaque(-0x1p-60F)) == 1 + 0x1p-11F &&
-                      __builtin_fmaf(a, a, opaque(-1 - 0x1p-11F)) == 0x1p-24F;
+  bool single = __builtin_fmaf(a, a, opaque(0x1p-100F)) == 1 + 0x1p-11F + 0x1p-23F &&
+                __builtin_fmaf(a, a, opaque(-0x1p-100F)) == 1 + 0x1p-11F;
+  constexpr float scales[] = {0x1p-50F, 1, 0x1p50F};
+  for (const float s : scales)
+    single = single && __builtin_fmaf(a * s, a * s, opaque(-1 - 0x1p-11F) * s * s) == 0x1p-24F * s * s;
   const double b = opaque(1 + 0x1p-52), c = opaque(1 + 0x1p-27); // c c = 1 + 2^-26 + 2^-54, a quarter of a unit beyond
-  return single && __builtin_fma(b, b, opaque(-1 - 0x1p-51)) == 0x1p-104 &&
+  constexpr double far_scales[] = {0x1p-420, 0x1p-150, 1, 0x1p150, 0x1p420};
+  for (const double s : far_scales)
+    single = single && __builtin_fma(b * s, b * s, opaque(-1 - 0x1p-51) * s * s) == 0x1p-104 * s * s;
+  return single &&
          __builtin_fma(c, c, opaque(-1 - 0x1p-26)) == 0x1p-54 &&
          __builtin_fma(c, opaque(1 - 0x1p-27), opaque(-1.0)) == -0x1p-54 &&
          __builtin_fma(opaque(1 + 0x1p-30), opaque(1 + 0x1p-23), opaque(0x1p-120)) == 1 + 0x1p-23 + 0x1p-30 + 0x1p-52;
@@ -131,6 +138,9 @@ MEET_HD MEET_INLINE bool fma_rounds_once() {
 #endif
 }
 
+// Both, for each function that computes what a bound is claimed for.
+MEET_HD MEET_INLINE bool computes_as_bounded() { return compiled_as_written() && fma_rounds_once(); }
+
 // ---- the thread ------------------------------------------------------------------------------------------------
 
 #if defined(__CUDA_ARCH__)
@@ -151,7 +161,7 @@ MEET_HD MEET_INLINE bool standard_environment() {
 #if defined(__CUDA_ARCH__)
   return float_of(2) - float_of(1) > 0; // subnormals
 #else
-  return standard_control_word() && compiled_as_written() && fma_rounds_once();
+  return standard_control_word() && computes_as_bounded();
 #endif
 }
 

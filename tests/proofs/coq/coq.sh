@@ -17,9 +17,9 @@ FunctionalExtensionality.functional_extensionality_dep Classical_Prop.classic "
 coq_start() {
   [ -x "$1" ] || return 77
   echo "Require Flocq.Core.Core Gappa.Gappa_library." >"$2/installed.v"
-  "$1" "$2/installed.v" >/dev/null 2>&1 || return 77
+  (cd "$2" && "$1" installed.v) >/dev/null 2>&1 || return 77
   cp "$(dirname "${BASH_SOURCE[0]}")"/{claim.awk,roundings.v,bridge.v} "$2"
-  "$1" -Q "$2" "" "$2/roundings.v" && "$1" -Q "$2" "" "$2/bridge.v" || return 1
+  (cd "$2" && "$1" -Q . "" roundings.v && "$1" -Q . "" bridge.v) || return 1 # Coq leaves files where it runs
   coqc=$1 coq_folder=$2
   export coqc coq_folder coq_limit coq_axioms
   export -f one_coq coq_file coq_run coq_module coq_least
@@ -78,7 +78,7 @@ coq_file() {
 # coq_run FOLDER: compiles the file on stdin; what Coq says, on stdout.
 coq_run() {
   cat >"$1/proof.v"
-  timeout "$coq_limit" "$coqc" -Q "$coq_folder" "" "$1/proof.v" 2>&1
+  (cd "$1" && timeout "$coq_limit" "$coqc" -Q "$coq_folder" "" proof.v 2>&1)
 }
 
 # one_coq FILE: prints a line for each check that went well.

@@ -3,6 +3,8 @@
 // Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic",
 // ACM TOMS 44(2), 2017: sums are within 3 u^2 / (1 - 4u), products within 5 u^2 of the true result, u = 2^-53. All
 // operations here are therefore within 2^-102, with room for underflow as long as products stay above 2^-960.
+//
+// All are inlined: a copy that another translation unit calls may know another fma().
 #ifndef MEET_DOUBLE_DOUBLE_HPP
 #define MEET_DOUBLE_DOUBLE_HPP
 
@@ -22,7 +24,7 @@ struct double_double {
 // ---- error-free transforms: exact barring overflow (two_product: and underflow), for any compiler flags --------
 
 // hi + lo = a + b.
-MEET_HD inline double_double two_sum(double a, double b) {
+MEET_HD MEET_INLINE double_double two_sum(double a, double b) {
 #if defined(__CUDA_ARCH__)
   const double s = __dadd_rn(a, b), t = __dsub_rn(s, a);
   return {s, __dadd_rn(__dsub_rn(a, __dsub_rn(s, t)), __dsub_rn(b, t))};
@@ -34,7 +36,7 @@ MEET_HD inline double_double two_sum(double a, double b) {
 }
 
 // The same where |a| >= |b| or a = 0.
-MEET_HD inline double_double fast_two_sum(double a, double b) {
+MEET_HD MEET_INLINE double_double fast_two_sum(double a, double b) {
 #if defined(__CUDA_ARCH__)
   const double s = __dadd_rn(a, b);
   return {s, __dsub_rn(b, __dsub_rn(s, a))};
@@ -45,7 +47,7 @@ MEET_HD inline double_double fast_two_sum(double a, double b) {
 }
 
 // hi + lo = a b.
-MEET_HD inline double_double two_product(double a, double b) {
+MEET_HD MEET_INLINE double_double two_product(double a, double b) {
 #if defined(__CUDA_ARCH__)
   const double p = __dmul_rn(a, b);
   return {p, __fma_rn(a, b, -p)};
@@ -57,32 +59,32 @@ MEET_HD inline double_double two_product(double a, double b) {
 
 // ---- arithmetic ------------------------------------------------------------------------------------------------
 
-MEET_HD inline double_double operator-(const double_double &x) { return {-x.hi, -x.lo}; }
+MEET_HD MEET_INLINE double_double operator-(const double_double &x) { return {-x.hi, -x.lo}; }
 
-MEET_HD inline double_double operator+(const double_double &x, const double_double &y) {
+MEET_HD MEET_INLINE double_double operator+(const double_double &x, const double_double &y) {
   const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
   const double_double v = fast_two_sum(s.hi, opaque(s.lo + t.hi));
   return fast_two_sum(v.hi, opaque(t.lo + v.lo));
 }
-MEET_HD inline double_double operator+(const double_double &x, double y) {
+MEET_HD MEET_INLINE double_double operator+(const double_double &x, double y) {
   const double_double s = two_sum(x.hi, y);
   return fast_two_sum(s.hi, opaque(x.lo + s.lo));
 }
-MEET_HD inline double_double operator+(double x, const double_double &y) { return y + x; }
-MEET_HD inline double_double operator-(const double_double &x, const double_double &y) { return x + -y; }
-MEET_HD inline double_double operator-(const double_double &x, double y) { return x + -y; }
-MEET_HD inline double_double operator-(double x, const double_double &y) { return -y + x; }
+MEET_HD MEET_INLINE double_double operator+(double x, const double_double &y) { return y + x; }
+MEET_HD MEET_INLINE double_double operator-(const double_double &x, const double_double &y) { return x + -y; }
+MEET_HD MEET_INLINE double_double operator-(const double_double &x, double y) { return x + -y; }
+MEET_HD MEET_INLINE double_double operator-(double x, const double_double &y) { return -y + x; }
 
-MEET_HD inline double_double operator*(const double_double &x, const double_double &y) {
+MEET_HD MEET_INLINE double_double operator*(const double_double &x, const double_double &y) {
   const double_double c = two_product(x.hi, y.hi);
   const double low = __builtin_fma(x.lo, y.hi, opaque(x.hi * y.lo));
   return fast_two_sum(c.hi, opaque(c.lo + low));
 }
-MEET_HD inline double_double operator*(const double_double &x, double y) {
+MEET_HD MEET_INLINE double_double operator*(const double_double &x, double y) {
   const double_double c = two_product(x.hi, y);
   return fast_two_sum(c.hi, __builtin_fma(x.lo, y, c.lo));
 }
-MEET_HD inline double_double operator*(double x, const double_double &y) { return y * x; }
+MEET_HD MEET_INLINE double_double operator*(double x, const double_double &y) { return y * x; }
 
 MEET_HD MEET_INLINE sign sign_of(const double_double &v) {
   return static_cast<sign>(static_cast<int>(v.hi > 0) - static_cast<int>(v.hi < 0));

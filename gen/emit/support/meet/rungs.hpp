@@ -148,7 +148,7 @@ template <class P, class A> struct bounded_signs {
   MEET_HD bounded_signs(const float *a, const float *b) : row_a(a), row_b(b) {}
 
   template <class Stage> MEET_HD MEET_INLINE bool get(sign_set *all) const {
-    if (!compiled_as_written())
+    if (!computes_as_bounded())
       return nothing_known<Stage>(all);
     const rows_in<P, V> rows(row_a, row_b);
     V v[Stage::atoms];
@@ -184,7 +184,7 @@ private:
       const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
       for (int i = 0; i < Stage::atoms; ++i)
         if (s[i].bits == 7 &&
-            magnitude_of(v[i]) + A::factor(Stage::factor(i)) * m[i] < std::ldexp(0.5, low * Stage::degree_of(i)))
+            magnitude_of(v[i]) + A::factor(Stage::factor(i)) * m[i] < std::ldexp(M(0.5), low * Stage::degree_of(i)))
           s[i] = sign_set::of(sign::zero);
     }
     return all_known<Stage>(s);
@@ -229,7 +229,7 @@ template <class P, box_form F> struct boxed_signs {
   MEET_HD boxed_signs(const float *a, const float *b, float side) : rows(a, b), d(side) {}
 
   template <class Stage> MEET_HD bool get(sign_set *all) const {
-    if (!compiled_as_written())
+    if (!computes_as_bounded())
       return nothing_known<Stage>(all);
     float v[Stage::atoms];
     stage_values<Stage>(rows.a, rows.b, v);
@@ -323,7 +323,8 @@ private:
   }
 
   template <class Stage> MEET_NOINLINE MEET_HD void run_limbs(int need, sign *s) const {
-    constexpr int most = (Stage::degree * 277 + Stage::growth) / 64 + 1; // float32 spans 277 bits: 2^-149 to 2^128
+    // Finite numbers span 277 bits, 2^-149 to 2^128; the bits of infinity and NaN are read as numbers below 2^129.
+    constexpr int most = (Stage::degree * 278 + Stage::growth) / 64 + 1;
     std::uint64_t place[Stage::places][most];
     const int limbs = need / 64 + 1; // and a bit for the sign
     MEET_ROLLED
@@ -356,7 +357,7 @@ template <class P> struct exact_signs {
   }
 
   template <class Stage> MEET_HD void get(sign *s) const {
-    if (standard && compiled_as_written()) {
+    if (standard && computes_as_bounded()) {
       if (bits <= Stage::window) {
         const rows_in<P, double> rows(a, b);
         if constexpr (Stage::mixed)

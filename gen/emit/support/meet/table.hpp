@@ -100,6 +100,7 @@ void certify_pairs(const float *a, const float *b, const index_pair *pairs, std:
     return unsure_each(n, out);
   decide_each<P>(after_check(a), after_check(b), pairs, n, out,
                  [](const float *x, const float *y) { return certify_here<P, A>(x, y); });
+  after_check(out); // what is stored is computed before the call returns
 }
 template <class P>
 void certify_pairs_in_box(float side, bool whole_box, const float *a, const float *b, const index_pair *pairs,
