@@ -23,21 +23,28 @@ constexpr bool standard_fpcr(std::uint64_t word) { return (word & 0x1c09f03) == 
 constexpr bool masks_mxcsr(std::uint32_t word) { return (word & 0x1f80) == 0x1f80; }
 constexpr bool masks_fpcr(std::uint64_t word) { return (word & 0x9f00) == 0; }
 
-// This thread's word, and whether it is one of those. On a processor that is not known here it is not, so that integers
-// answer.
+// This thread's word, the one that is the standard, and whether the two agree. On a processor that is not known here they
+// do not, so that integers answer.
 #if defined(__SSE2__)
+inline constexpr std::uint32_t plain_control_word = 0x1f80;
 inline std::uint32_t control_word() { return __builtin_ia32_stmxcsr(); }
+inline void set_control_word(std::uint32_t word) { __builtin_ia32_ldmxcsr(word); }
 inline bool standard_control_word() { return standard_mxcsr(control_word()); }
 inline bool exceptions_are_masked() { return masks_mxcsr(control_word()); }
 #elif defined(__aarch64__)
+inline constexpr std::uint64_t plain_control_word = 0;
 inline std::uint64_t control_word() {
   std::uint64_t word;
   __asm__ volatile("mrs %0, fpcr" : "=r"(word));
   return word;
 }
+inline void set_control_word(std::uint64_t word) { __asm__ volatile("msr fpcr, %0" : : "r"(word)); }
 inline bool standard_control_word() { return standard_fpcr(control_word()); }
 inline bool exceptions_are_masked() { return masks_fpcr(control_word()); }
 #else
+inline constexpr std::uint64_t plain_control_word = 0;
+inline std::uint64_t control_word() { return 0; }
+inline void set_control_word(std::uint64_t) {}
 inline bool standard_control_word() { return false; }
 inline bool exceptions_are_masked() { return true; }
 #endif
