@@ -17,7 +17,7 @@ namespace {
 struct tally {
   long cases = 0, certified = 0, wrong = 0, hit_wrong = 0;
 } total;
-bool boxed_rungs_too = true;              // they do not ask the control word
+bool boxed_rungs_too = true;                // they do not ask the control word
 const decltype(plain_word) *word = nullptr; // that hits are taken under
 // While a batch is answered.
 std::unique_ptr<other_word> under_the_word() {
@@ -147,11 +147,13 @@ void check_all() {
   check_signs<cga::twist_segment_segment_sign>();
 }
 
-// The corner of a triangle that is so large that products of differences overflow: NaN must not pass for an answer.
+// The corner of a triangle that is so large that products of differences overflow: NaN must not pass for an
+// answer.
 bool large_triangle_holds() {
   constexpr float h = 0x1p103F;
   const cga::triangle<float> t{{h, -h, -h}, {-h, h, 0}, {h, -h, h}};
-  return cga::point_triangle::hit({0, 0, 0}, t) && cga::point_triangle::filter({0, 0, 0}, t) != meet::answer::no;
+  return cga::point_triangle::hit({0, 0, 0}, t) &&
+         cga::point_triangle::filter({0, 0, 0}, t) != meet::answer::no;
 }
 
 } // namespace
@@ -182,7 +184,7 @@ int main(int argc, char **argv) {
       word = &w;
       check_all();
     }
-    std::printf("words: %d noticed, %d missed, %d lacking; %ld certified wrong, %ld hits wrong\n", noticed, missed, lacking,
-                total.wrong, total.hit_wrong);
+    std::printf("words: %d noticed, %d missed, %d lacking; %ld certified wrong, %ld hits wrong\n", noticed,
+                missed, lacking, total.wrong, total.hit_wrong);
   }
 }

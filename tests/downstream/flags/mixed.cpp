@@ -3,7 +3,9 @@
 
 #include <cstdio>
 
-long wrong_here(std::size_t n) { return wrong_of_all(n); }
+long wrong_here(std::size_t n) {
+  return wrong_of_all(n);
+}
 
 int main() {
   const long here = wrong_here(4000), there = wrong_there(4000);

@@ -40,8 +40,8 @@ MIXED_CALLER long wrong_of_large() {
 }
 
 MIXED_CALLER long wrong_of_all(std::size_t n) {
-  return wrong_of<cga::point_triangle>(n) + wrong_of<cga::segment_triangle>(n) + wrong_of<cga::ball_segment>(n) +
-         wrong_of_large();
+  return wrong_of<cga::point_triangle>(n) + wrong_of<cga::segment_triangle>(n) +
+         wrong_of<cga::ball_segment>(n) + wrong_of_large();
 }
 
 } // namespace

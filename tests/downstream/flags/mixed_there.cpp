@@ -1,4 +1,6 @@
 #include "mixed.hpp"
 #include "mixed_count.hpp"
 
-long wrong_there(std::size_t n) { return wrong_of_all(n); }
+long wrong_there(std::size_t n) {
+  return wrong_of_all(n);
+}

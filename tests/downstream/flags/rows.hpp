@@ -18,9 +18,10 @@ inline float nudged(float x) {
 }
 
 // n pairs of rows: all points of both operands in one plane or line of a grid, or equal, or a tangent pair of
-// spheres; some numbers then moved to a neighbour; at many scales, subnormal numbers and numbers whose products overflow
-// among them. No arithmetic of this function decides what is right.
-inline void make_rows(int inputs_a, int inputs_b, std::size_t n, std::vector<float> &a, std::vector<float> &b) {
+// spheres; some numbers then moved to a neighbour; at many scales, subnormal numbers and numbers whose
+// products overflow among them. No arithmetic of this function decides what is right.
+inline void make_rows(int inputs_a, int inputs_b, std::size_t n, std::vector<float> &a,
+                      std::vector<float> &b) {
   const int inputs = inputs_a + inputs_b;
   for (std::size_t k = 0; k < n; ++k) {
     float row[32];

@@ -1,5 +1,6 @@
-// A user's program that changes the control word beside calls: before a call, after it, and between two calls on the same
-// operands. What is computed under one word must not be used under another, however much a compiler inlines and moves.
+// A user's program that changes the control word beside calls: before a call, after it, and between two calls
+// on the same operands. What is computed under one word must not be used under another, however much a
+// compiler inlines and moves.
 #include "rows.hpp"
 #include "words.hpp"
 
@@ -14,8 +15,8 @@ cga::triangle<float> triangle_of(const float *r) {
   return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
 }
 
-// What the program itself does with its operands: the differences that hit() takes, too. A compiler that inlines hit()
-// would rather not take them twice.
+// What the program itself does with its operands: the differences that hit() takes, too. A compiler that
+// inlines hit() would rather not take them twice.
 volatile float seen;
 void look(const cga::point<float> &p, const cga::point<float> &q) {
   seen = q.x - p.x;
@@ -29,24 +30,29 @@ void look(const cga::sphere<float> &s, const cga::sphere<float> &t) {
 void look(const cga::point<float> &p, const cga::triangle<float> &t) {
   look(t.a, t.b), look(t.a, t.c), look(t.b, t.c), look(p, t.a), look(p, t.b), look(p, t.c);
 }
-void look(const cga::segment<float> &s, const cga::triangle<float> &t) { look(s.p, t), look(s.q, t); }
+void look(const cga::segment<float> &s, const cga::triangle<float> &t) {
+  look(s.p, t), look(s.q, t);
+}
 
 // The answer under the word.
-template <class P, class A, class B> __attribute__((noinline)) bool asked_under(A a, B b, decltype(plain_word) word) {
+template <class P, class A, class B>
+__attribute__((noinline)) bool asked_under(A a, B b, decltype(plain_word) word) {
   set_control_word(word);
   const bool hit = P::hit(a, b);
   set_control_word(plain_word);
   return hit;
 }
 // The answer under the plain word, after the program has looked at the same operands under the other.
-template <class P, class A, class B> __attribute__((noinline)) bool asked_after(A a, B b, decltype(plain_word) word) {
+template <class P, class A, class B>
+__attribute__((noinline)) bool asked_after(A a, B b, decltype(plain_word) word) {
   set_control_word(word);
   look(a, b);
   set_control_word(plain_word);
   return P::hit(a, b);
 }
 // The answer under the plain word, before the program looks at the same operands under the other.
-template <class P, class A, class B> __attribute__((noinline)) bool asked_before(A a, B b, decltype(plain_word) word) {
+template <class P, class A, class B>
+__attribute__((noinline)) bool asked_before(A a, B b, decltype(plain_word) word) {
   const bool hit = P::hit(a, b);
   set_control_word(word);
   look(a, b);
@@ -88,7 +94,9 @@ template <class P, class A, class B> long wrong_of(const A &of_a, const B &of_b,
 int main() {
   const auto sphere_of = [](const float *r) { return cga::sphere<float>{{r[0], r[1], r[2]}, r[3]}; };
   const auto point_of = [](const float *r) { return cga::point<float>{r[0], r[1], r[2]}; };
-  const auto segment_of = [](const float *r) { return cga::segment<float>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}}; };
+  const auto segment_of = [](const float *r) {
+    return cga::segment<float>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
+  };
   long wrong = wrong_of<cga::ball_ball>(sphere_of, sphere_of, 4000);
   wrong += wrong_of<cga::point_triangle>(point_of, triangle_of, 2000);
   wrong += wrong_of<cga::segment_triangle>(segment_of, triangle_of, 2000);
