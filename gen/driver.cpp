@@ -1,5 +1,5 @@
 #include "gen/driver.hpp"
-#include "gen/emit/gappa.hpp"
+#include "gen/target/gappa/gappa.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
@@ -12,20 +12,21 @@ namespace meetc {
 
 compilation load(const std::string &scene_path) {
   compilation c;
-  c.scene = std::make_unique<spec::scene>(spec::load_scene(scene_path));
-  c.model = std::make_unique<decide::model>(c.scene->in);
+  c.scene = std::make_unique<lang::scene>(lang::load_scene(scene_path));
+  c.model = std::make_unique<lower::model>(c.scene->in);
   return c;
 }
 
 namespace {
 // Certified answers end in exact ones.
-bool asks_exact(const spec::scene &s) {
-  return std::any_of(s.rungs.begin(), s.rungs.end(), [](const std::string &r) { return r == "exact" || r == "certified"; });
+bool asks_exact(const lang::scene &s) {
+  return std::any_of(s.rungs.begin(), s.rungs.end(),
+                     [](const std::string &r) { return r == "exact" || r == "certified"; });
 }
 
-emit::unit unit_of(const compilation &c, std::vector<dag::kernel> kernels) {
-  emit::unit u{*c.scene, *c.model, std::move(kernels), {}};
-  for (const dag::kernel &k : u.kernels) {
+target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels) {
+  target::unit u{*c.scene, *c.model, std::move(kernels), {}};
+  for (const lower::kernel &k : u.kernels) {
     u.bounds.emplace_back();
     if (k.is_predicate && asks_exact(*c.scene))
       u.bounds.back() = bound::analyse(k.decision);
@@ -36,36 +37,37 @@ emit::unit unit_of(const compilation &c, std::vector<dag::kernel> kernels) {
 
 void compile_all(compilation &c) {
   std::vector<std::string> names;
-  for (const spec::kernel_request &r : c.scene->kernels) {
-    const dag::request request = dag::resolve(*c.model, r.what);
+  for (const lang::kernel_request &r : c.scene->kernels) {
+    const lower::request request = lower::resolve(*c.model, r.what);
     if (std::find(names.begin(), names.end(), request.name()) != names.end())
       throw spec_error(r.where, fmt::format("'{}' is asked for twice", request.text));
     names.push_back(request.name());
     try {
-      c.kernels.push_back(dag::compile(*c.model, request, asks_exact(*c.scene)));
+      c.kernels.push_back(lower::compile(*c.model, request, asks_exact(*c.scene)));
     } catch (spec_error &e) {
       throw e.add_step("kernel " + request.text, r.where);
     }
   }
 }
 
-std::vector<emit::file> emit_all(compilation &c) {
-  const emit::unit u = unit_of(c, std::move(c.kernels));
-  std::vector<emit::file> files = emit::cpp_files(u);
+std::vector<target::file> emit_all(compilation &c) {
+  const target::unit u = unit_of(c, std::move(c.kernels));
+  std::vector<target::file> files = target::cpp_files(u);
   if (u.asks("certified")) {
-    std::vector<emit::file> proofs = emit::proof_files(u);
+    std::vector<target::file> proofs = target::proof_files(u);
     std::move(proofs.begin(), proofs.end(), std::back_inserter(files));
     if (u.has_backend("cuda")) {
-      std::vector<emit::file> filter = emit::filter_proofs(u);
+      std::vector<target::file> filter = target::filter_proofs(u);
       std::move(filter.begin(), filter.end(), std::back_inserter(files));
     }
     std::sort(files.begin(), files.end(), [](const auto &a, const auto &b) { return a.path < b.path; });
   }
   for (std::size_t i = 1; i < files.size(); ++i) // sorted by path
     if (files[i].path == files[i - 1].path)
-      throw spec_error({}, fmt::format("'{}' would be written twice: a kernel has the name of the namespace or of a file "
-                                       "that every namespace has; rename one",
-                                       files[i].path));
+      throw spec_error({},
+                       fmt::format("'{}' would be written twice: a kernel has the name of the namespace or of a file "
+                                   "that every namespace has; rename one",
+                                   files[i].path));
   return files;
 }
 
@@ -73,16 +75,17 @@ int verify_scene(const verify_options &o) {
   compilation c = load(o.scene);
   compile_all(c);
   long wrong = 0, cases = 0;
-  for (const dag::kernel &k : c.kernels) {
+  for (const lower::kernel &k : c.kernels) {
     const verify::report r = k.is_sign        ? verify::verify_sign(*c.model, k, std::max(1L, o.cases / 10), o.seed)
                              : k.is_predicate ? verify::verify_predicate(*c.model, k, o.cases, o.seed)
-                                            : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 50), o.seed);
+                                              : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 50), o.seed);
     wrong += r.wrong;
     cases += r.cases;
     if (!r.note.empty())
       fmt::print("{:<36} {}\n", k.asked.text, r.note);
     else if (k.is_predicate && !k.is_sign)
-      fmt::print("{:<36} {} wrong of {} ({} hits, {} degenerate)\n", k.asked.text, r.wrong, r.cases, r.hits, r.degenerate);
+      fmt::print("{:<36} {} wrong of {} ({} hits, {} degenerate)\n", k.asked.text, r.wrong, r.cases, r.hits,
+                 r.degenerate);
     else
       fmt::print("{:<36} {} wrong of {}\n", k.asked.text, r.wrong, r.cases);
     if (r.wrong)
@@ -95,7 +98,7 @@ int verify_scene(const verify_options &o) {
 namespace {
 
 // 'S: sphere, L: line' to pairs.
-std::vector<std::pair<std::string, std::string>> parse_operands(const decide::model &m, const std::string &text) {
+std::vector<std::pair<std::string, std::string>> parse_operands(const lower::model &m, const std::string &text) {
   std::vector<std::pair<std::string, std::string>> out;
   const auto trim = [](std::string s) {
     s.erase(0, s.find_first_not_of(" \t"));
@@ -109,8 +112,8 @@ std::vector<std::pair<std::string, std::string>> parse_operands(const decide::mo
     if (colon == std::string::npos)
       throw spec_error({}, fmt::format("--with '{}': expected 'name: kind'", item));
     const std::string name = trim(item.substr(0, colon));
-    const spec::expr_ptr e = name.empty() ? nullptr : spec::parse_expression(name, "--with");
-    if (!e || e->kind != spec::op::name)
+    const lang::expr_ptr e = name.empty() ? nullptr : lang::parse_expression(name, "--with");
+    if (!e || e->kind != lang::op::name)
       throw spec_error({}, fmt::format("--with '{}': '{}' is not a name", item, name));
     const auto &vectors = m.spec().vectors;
     const bool taken = m.spec().find_constant(name) || m.spec().find_kind(name) ||
@@ -124,50 +127,51 @@ std::vector<std::pair<std::string, std::string>> parse_operands(const decide::mo
   return out;
 }
 
-dag::request requested(const compilation &c, const show_options &o) {
+lower::request requested(const compilation &c, const show_options &o) {
   if (!o.expression.empty())
-    return dag::resolve(*c.model, spec::parse_expression(o.expression, "-e"), parse_operands(*c.model, o.with));
+    return lower::resolve(*c.model, lang::parse_expression(o.expression, "-e"), parse_operands(*c.model, o.with));
   if (o.words.empty())
-    throw spec_error({}, "show what? A kernel of the scene, as in 'meet sphere line', or -e 'expression' --with 'X: sphere'");
+    throw spec_error(
+        {}, "show what? A kernel of the scene, as in 'meet sphere line', or -e 'expression' --with 'X: sphere'");
   std::string text = o.words[0];
   if (o.words.size() > 1)
     text += '(' + join({o.words.begin() + 1, o.words.end()}, ", ") + ')';
-  return dag::resolve(*c.model, spec::parse_expression(text, "the command line"));
+  return lower::resolve(*c.model, lang::parse_expression(text, "the command line"));
 }
 
-std::string spec_text(const decide::model &m, const dag::request &r) {
+std::string spec_text(const lower::model &m, const lower::request &r) {
   std::string out;
   for (std::size_t i = 0; i < r.kinds.size(); ++i) {
     std::vector<std::string> fields;
-    for (const spec::field &f : r.kinds[i]->store)
+    for (const lang::field &f : r.kinds[i]->store)
       fields.push_back(f.name + ": " + f.type);
     out += fmt::format("{}: {} stores [{}], blade {}\n", r.names[i], r.kinds[i]->name, join(fields, ", "),
-                       spec::print(*r.kinds[i]->blade));
+                       lang::print(*r.kinds[i]->blade));
   }
   if (r.asked) {
-    for (const spec::named_expr &l : r.asked->lets)
-      out += fmt::format("{} = {}\n", l.name, spec::print(*l.body));
+    for (const lang::named_expr &l : r.asked->lets)
+      out += fmt::format("{} = {}\n", l.name, lang::print(*l.body));
     for (const auto &e : r.asked->reject)
-      out += fmt::format("reject {}\n", spec::print(*e));
-    return out + fmt::format("hit {}\n", spec::print(*r.asked->hit));
+      out += fmt::format("reject {}\n", lang::print(*e));
+    return out + fmt::format("hit {}\n", lang::print(*r.asked->hit));
   }
   out += fmt::format("{}\n", r.text);
-  for (const spec::function &f : m.spec().functions)
+  for (const lang::function &f : m.spec().functions)
     if (r.text.find(f.name + "(") != std::string::npos)
-      out += fmt::format("{}({}) = {}\n", f.name, join(f.params, ", "), spec::print(*f.body));
+      out += fmt::format("{}({}) = {}\n", f.name, join(f.params, ", "), lang::print(*f.body));
   return out;
 }
 
 // The bounds of the unit's one kernel.
-std::string bounds_text(const emit::unit &u, bool as_proofs) {
+std::string bounds_text(const target::unit &u, bool as_proofs) {
   if (!u.kernels.front().is_predicate)
     throw spec_error({}, "only predicates and signs have error bounds; this is a formula");
   if (!u.bounds.front())
     throw spec_error({}, "the scene asks for neither 'exact' nor 'certified', so nothing bounds its errors");
   if (!as_proofs)
-    return emit::bounds_table(u, 0);
+    return target::bounds_table(u, 0);
   std::string out;
-  for (const emit::file &f : emit::proof_files(u))
+  for (const target::file &f : target::proof_files(u))
     out += fmt::format("{}# {}\n{}", out.empty() ? "" : "\n", f.path, f.text);
   return out;
 }
@@ -178,36 +182,37 @@ int show(const show_options &o) {
   compilation c = load(o.scene);
   if (o.emit == "separate" && o.words.empty() && o.expression.empty()) {
     compile_all(c);
-    fmt::print("{}", emit::separate_table(*c.model, c.kernels));
+    fmt::print("{}", target::separate_table(*c.model, c.kernels));
     return 0;
   }
-  const dag::request r = requested(c, o);
+  const lower::request r = requested(c, o);
   if (o.emit == "spec") {
     fmt::print("{}", spec_text(*c.model, r));
     return 0;
   }
-  std::vector<dag::kernel> one;
-  one.push_back(dag::compile(*c.model, r, asks_exact(*c.scene)));
-  const emit::unit u = unit_of(c, std::move(one));
-  const dag::kernel &k = u.kernels.front();
+  std::vector<lower::kernel> one;
+  one.push_back(lower::compile(*c.model, r, asks_exact(*c.scene)));
+  const target::unit u = unit_of(c, std::move(one));
+  const lower::kernel &k = u.kernels.front();
   if (o.emit == "json")
-    fmt::print("{}", emit::json(*c.model, k));
+    fmt::print("{}", target::json(*c.model, k));
   else if (o.emit == "latex")
-    fmt::print("{}", emit::latex(*c.model, k));
+    fmt::print("{}", target::latex(*c.model, k));
   else if (o.emit == "poly")
-    fmt::print("{}", emit::poly_text(*c.model, k));
+    fmt::print("{}", target::poly_text(*c.model, k));
   else if (o.emit == "separate")
-    fmt::print("{}", emit::separate_text(*c.model, k));
+    fmt::print("{}", target::separate_text(*c.model, k));
   else if (o.emit == "dag" || o.emit == "schedule")
-    fmt::print("{}", emit::dag_text(k, o.emit == "schedule"));
+    fmt::print("{}", target::dag_text(k, o.emit == "schedule"));
   else if (o.emit == "cuda" && k.is_predicate && !k.is_sign)
-    fmt::print("{}", emit::cuda_text(u));
+    fmt::print("{}", target::cuda_text(u));
   else if (o.emit == "cuda")
-    throw spec_error({}, "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
+    throw spec_error({},
+                     "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
   else if (o.emit == "gappa" || o.emit == "bounds")
     fmt::print("{}", bounds_text(u, o.emit == "gappa"));
   else
-    fmt::print("{}", emit::cpp_text(u, 0));
+    fmt::print("{}", target::cpp_text(u, 0));
   return 0;
 }
 

@@ -1,6 +1,6 @@
 // The pipeline, one function a command. Text goes to stdout, one clear line or a caret to stderr by the caller.
 #pragma once
-#include "gen/emit/emit.hpp"
+#include "gen/target/target.hpp"
 
 #include <memory>
 #include <optional>
@@ -9,19 +9,20 @@ namespace meetc {
 
 // A scene with its model and its kernels, compiled in the order in which the scene asks.
 struct compilation {
-  std::unique_ptr<spec::scene> scene;
-  std::unique_ptr<decide::model> model;
-  std::vector<dag::kernel> kernels;
+  std::unique_ptr<lang::scene> scene;
+  std::unique_ptr<lower::model> model;
+  std::vector<lower::kernel> kernels;
 };
 
-compilation load(const std::string &scene_path);          // spec and model, nothing compiled
-void compile_all(compilation &c);                         // every kernel of the scene
-std::vector<emit::file> emit_all(compilation &c);         // moves the kernels out
+compilation load(const std::string &scene_path);    // spec and model, nothing compiled
+void compile_all(compilation &c);                   // every kernel of the scene
+std::vector<target::file> emit_all(compilation &c); // moves the kernels out
 
 struct generate_options {
   std::string scene, out, depfile, stamp, space;
   std::vector<std::string> required_backends; // a build that compiles them says so here
   bool check = false, quiet = false;
+  bool kernel_headers = true; // write meetc/ beside what is emitted
 };
 struct verify_options {
   std::string scene;

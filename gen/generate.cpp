@@ -1,6 +1,6 @@
 // Writing files: only what changed, each whole or not at all, nothing when something is in the way.
 #include "gen/driver.hpp"
-#include "gen/emit/names.hpp"
+#include "gen/target/cpp/names.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -45,9 +45,9 @@ struct strays {
   std::vector<fs::path> ours, foreign;
 };
 strays find_strays(const fs::path &from, const fs::path &out, const std::string &space,
-                   const std::vector<emit::file> &files) {
+                   const std::vector<target::file> &files) {
   std::set<std::string> wanted;
-  for (const emit::file &f : files)
+  for (const target::file &f : files)
     wanted.insert(f.path);
   strays found;
   // Names are compared as they are written: a link is neither followed nor removed.
@@ -87,19 +87,19 @@ std::string make_escaped(const std::string &path) {
 
 // A build system computes the names of the files from the namespace that it gives.
 void check_namespace(const std::string &space) {
-  const bool name = !space.empty() && !std::isdigit(static_cast<unsigned char>(space[0])) &&
-                    std::all_of(space.begin(), space.end(),
-                                [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); });
-  if (!name || space == "meet" || emit::identifier(space) != space)
+  const bool name =
+      !space.empty() && !std::isdigit(static_cast<unsigned char>(space[0])) &&
+      std::all_of(space.begin(), space.end(), [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); });
+  if (!name || space == "meetc" || target::identifier(space) != space)
     throw spec_error({}, fmt::format("'{}' cannot be the namespace of generated code: it is no plain identifier, or "
                                      "reserved",
                                      space));
 }
 
-void check_backend(const std::string &path, const spec::scene &scene, const std::vector<emit::file> &files,
+void check_backend(const std::string &path, const lang::scene &scene, const std::vector<target::file> &files,
                    const std::string &backend) {
   const std::string source = scene.space + '/' + scene.space + (backend == "cuda" ? "_cuda.cu" : "_runtime.cpp");
-  if (std::any_of(files.begin(), files.end(), [&](const emit::file &f) { return f.path == source; }))
+  if (std::any_of(files.begin(), files.end(), [&](const target::file &f) { return f.path == source; }))
     return;
   const bool asked = std::find(scene.backends.begin(), scene.backends.end(), backend) != scene.backends.end();
   throw spec_error({}, fmt::format("{}: the build compiles the backend {}, but {}", path, backend,
@@ -116,7 +116,9 @@ int generate(const generate_options &o) {
     c.scene->space = o.space;
   }
   compile_all(c);
-  const std::vector<emit::file> files = emit_all(c);
+  std::vector<target::file> files = emit_all(c);
+  if (!o.kernel_headers)
+    std::erase_if(files, [](const target::file &f) { return f.path.starts_with("meetc/"); });
   for (const std::string &backend : o.required_backends)
     check_backend(o.scene, *c.scene, files, backend);
   fs::path out = fs::path(o.out.empty() ? "." : o.out).lexically_normal();
@@ -125,7 +127,7 @@ int generate(const generate_options &o) {
   std::error_code ignored;
   if (fs::exists(out, ignored) && !fs::is_directory(out, ignored))
     throw spec_error({}, fmt::format("{}: is not a folder", o.out));
-  const std::string space = emit::identifier(c.scene->space);
+  const std::string space = target::identifier(c.scene->space);
   if (o.check) {
     const strays left = find_strays(out, out, space, files);
     int differences = 0;
@@ -133,7 +135,7 @@ int generate(const generate_options &o) {
       fmt::print("{}: {}\n", path, what);
       ++differences;
     };
-    for (const emit::file &f : files) {
+    for (const target::file &f : files) {
       const auto present = read(out / f.path);
       if (!present)
         report((out / f.path).generic_string(), "missing");
@@ -152,14 +154,14 @@ int generate(const generate_options &o) {
     return differences ? 1 : 0;
   }
   // Whatever would stop the writing is found before the first file is written.
-  for (const emit::file &f : files)
+  for (const target::file &f : files)
     if (fs::exists(out / f.path, ignored) && !fs::is_regular_file(out / f.path, ignored))
       throw spec_error({}, fmt::format("{}: is in the way of a file", (out / f.path).generic_string()));
     else if (const fs::path folder = (out / f.path).parent_path();
              fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
       throw spec_error({}, fmt::format("{}: is in the way of a folder", folder.generic_string()));
   std::size_t written = 0;
-  for (const emit::file &f : files)
+  for (const target::file &f : files)
     if (read(out / f.path) != f.text) {
       write(out / f.path, f.text);
       ++written;

@@ -15,32 +15,41 @@ int main(int argc, char **argv) {
   CLI::App *generate_command = app.add_subcommand("generate", "Write the C++ and CUDA source that a scene asks for");
   generate_command->add_option("scene", g.scene, "Scene file (.toml)")->required();
   generate_command->add_option("-o,--out", g.out, "Folder that holds what is emitted, and nothing else")->required();
-  generate_command->add_flag("--check", g.check, "Write nothing; exit 1 if a byte would change or a stray file lies there");
+  generate_command->add_flag("--check", g.check,
+                             "Write nothing; exit 1 if a byte would change or a stray file lies there");
   generate_command->add_option("--namespace", g.space, "Namespace instead of the scene's");
   generate_command->add_option("--require-backend", g.required_backends, "Fail unless the scene emits this backend")
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"cpp", "cuda"}));
   generate_command->add_option("--depfile", g.depfile, "Write the files that were read, for a build system");
   generate_command->add_option("--stamp", g.stamp, "Touch this file when done");
+  generate_command->add_flag(
+      "--kernel-headers,!--no-kernel-headers", g.kernel_headers,
+      "Write the headers in meetc/ that emitted code includes; not where the build has them elsewhere");
   generate_command->add_flag("-q,--quiet", g.quiet, "Say nothing when all is well");
 
   verify_options v;
   CLI::App *verify_command = app.add_subcommand(
       "verify", "Check every kernel of a scene: formulas against the dense product, predicates against exact geometry");
   verify_command->add_option("scene", v.scene, "Scene file (.toml)")->required();
-  verify_command->add_option("--cases", v.cases, "Cases a predicate")->capture_default_str()->check(CLI::Range(1L, 100000000L));
+  verify_command->add_option("--cases", v.cases, "Cases a predicate")
+      ->capture_default_str()
+      ->check(CLI::Range(1L, 100000000L));
   verify_command->add_option("--seed", v.seed, "Seed of the cases")->capture_default_str();
 
   show_options s;
   CLI::App *show_command = app.add_subcommand("show", "Print one kernel at any stage of the compiler");
   show_command->add_option("scene", s.scene, "Scene file (.toml)")->required();
-  show_command->add_option("what", s.words, "A predicate, or a function and its kinds: meet sphere line; with --emit=separate also nothing,\n"
-                                               "for a table of the scene");
+  show_command->add_option(
+      "what", s.words,
+      "A predicate, or a function and its kinds: meet sphere line; with --emit=separate also nothing,\n"
+      "for a table of the scene");
   show_command->add_option("-e,--expression", s.expression, "An expression instead, with --with for its operands");
   show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
   show_command->add_option("--emit", s.emit, "Stage to print")
       ->capture_default_str()
-      ->check(CLI::IsMember({"spec", "poly", "separate", "dag", "schedule", "bounds", "gappa", "json", "latex", "cpp", "cuda"}));
+      ->check(CLI::IsMember(
+          {"spec", "poly", "separate", "dag", "schedule", "bounds", "gappa", "json", "latex", "cpp", "cuda"}));
 
   try {
     app.parse(argc, argv);

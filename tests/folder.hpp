@@ -1,6 +1,6 @@
 // A folder for a test's files, which goes with the process.
-#ifndef MEET_TESTS_FOLDER_HPP
-#define MEET_TESTS_FOLDER_HPP
+#ifndef MEETC_TESTS_FOLDER_HPP
+#define MEETC_TESTS_FOLDER_HPP
 
 #include <filesystem>
 #include <fstream>

@@ -13,7 +13,9 @@ blade_sum collect(const std::map<blade, rational> &sum) {
 }
 } // namespace
 
-int grade(blade b) { return std::popcount(b); }
+int grade(blade b) {
+  return std::popcount(b);
+}
 
 metric::metric(std::vector<std::string> names, std::vector<std::vector<rational>> squares)
     : names_(std::move(names)), squares_(std::move(squares)) {

@@ -78,20 +78,17 @@ multivector<C> product(const metric &m, const multivector<C> &a, const multivect
   return out;
 }
 
-template <class C>
-multivector<C> geometric(const metric &m, const multivector<C> &a, const multivector<C> &b) {
+template <class C> multivector<C> geometric(const metric &m, const multivector<C> &a, const multivector<C> &b) {
   return product(m, a, b, [](blade, blade, blade) { return true; });
 }
 
 // Left contraction: the part of grade (grade b - grade a). On the meets that are defined it agrees with the fat
 // dot and with Hestenes' inner product.
-template <class C>
-multivector<C> inner(const metric &m, const multivector<C> &a, const multivector<C> &b) {
+template <class C> multivector<C> inner(const metric &m, const multivector<C> &a, const multivector<C> &b) {
   return product(m, a, b, [](blade x, blade y, blade z) { return grade(z) == grade(y) - grade(x); });
 }
 
-template <class C>
-multivector<C> outer(const multivector<C> &a, const multivector<C> &b) {
+template <class C> multivector<C> outer(const multivector<C> &a, const multivector<C> &b) {
   multivector<C> out;
   for (const auto &[ba, ca] : a.terms())
     for (const auto &[bb, cb] : b.terms())

@@ -16,16 +16,16 @@
 // bounds cover the whole chain from the float32 input, stored object values included. The last rounding is not
 // counted where rounding is to nearest: it is monotonic and keeps the sign of what it rounds.
 //
-// Limits: stages that are homogeneous with integer constants (dag::magnitudes), round to nearest, gradual
+// Limits: stages that are homogeneous with integer constants (ir::magnitudes), round to nearest, gradual
 // underflow. The emitted thresholds say where they hold; elsewhere a rung answers unsure.
 #pragma once
-#include "gen/dag/kernel.hpp"
+#include "gen/lower/kernel.hpp"
 
 #include <cstdint>
 
 namespace meetc::bound {
 
-using dag::rational;
+using ir::rational;
 
 struct leaf {
   int minuend, subtrahend; // inputs of the program; subtrahend -1: the stored number itself
@@ -36,16 +36,16 @@ struct leaf {
 // How roundings count in one arithmetic.
 struct arithmetic {
   const char *name;
-  int precision;         // u = 2^-precision
-  int significand;       // integers of so many bits are exact
-  bool leaf_rounds;      // a difference of two float32 numbers is rounded
-  bool fuses;            // a*b + c is rounded once
-  bool monotonic;        // rounding keeps the sign: the last one is not counted
+  int precision;    // u = 2^-precision
+  int significand;  // integers of so many bits are exact
+  bool leaf_rounds; // a difference of two float32 numbers is rounded
+  bool fuses;       // a*b + c is rounded once
+  bool monotonic;   // rounding keeps the sign: the last one is not counted
 };
 // Products are taken to round relatively: the floors of stage_bounds keep them above the subnormals.
 inline constexpr arithmetic fp32{"fp32", 24, 24, true, true, true};
 inline constexpr arithmetic fp64{"fp64", 53, 53, true, true, true};
-// Double-double: every operation is within 2^-102 of its result (meet/double_double.hpp); M is in fp64.
+// Double-double: every operation is within 2^-102 of its result (runtime/kernel/meetc/double_double.hpp); M is in fp64.
 inline constexpr arithmetic fp64x2{"fp64x2", 102, 106, false, false, false};
 
 // Roundings on the way to a value (theta) and to its computed magnitude (phi), which is always in fp32 or fp64.
@@ -67,10 +67,10 @@ struct box_bound {
 
 struct stage_bounds {
   std::vector<leaf> leaves;
-  dag::program magnitudes;            // inputs: |leaf| by number; results: M, one a sign
+  ir::program magnitudes;                    // inputs: |leaf| by number; results: M, one a sign
   std::vector<roundings> fp32, fp64, fp64x2; // by sign
-  std::vector<box_bound> box;         // by sign
-  int degree = 0;                     // the highest of any value
+  std::vector<box_bound> box;                // by sign
+  int degree = 0;                            // the highest of any value
   // Leaves below 2^floor count as 2^floor, so that no product of them underflows by more than a rounding.
   int floor_fp32 = 0, floor_fp64 = 0;
   int box_lowest = 0, box_highest = 0; // exponents of D
@@ -86,16 +86,16 @@ struct coincidence {
 };
 
 struct kernel_bounds {
-  stage_bounds reject, common, rare; // those that the predicate has
+  stage_bounds reject, common, rare;     // those that the predicate has
   std::vector<coincidence> coincidences; // at most 32
   // Of each input: its axis where it only ever stands in differences with inputs of the same axis, else -1.
   std::vector<int> axes;
 };
 
-void find_coincidences(const dag::predicate &p, kernel_bounds &out); // coincidences, zero_if and axes
+void find_coincidences(const lower::predicate &p, kernel_bounds &out); // coincidences, zero_if and axes
 
 // Of a predicate's or a sign's stages. They must be exact ones (degree > 0).
-kernel_bounds analyse(const dag::predicate &p);
+kernel_bounds analyse(const lower::predicate &p);
 
 // The box form's exact recurrence for one program, in an arithmetic of `precision` bits: what the Gappa scripts
 // prove and what is rounded up into box_bound. Scaled to alpha = beta = D = 1.
@@ -105,23 +105,23 @@ struct box_node {
   rational unrounded_error; // before the node's own rounding
   int a = 0, b = 0, pair = 0;
 };
-std::vector<box_node> box_nodes(const dag::program &p, int precision, int lowest_exponent);
+std::vector<box_node> box_nodes(const ir::program &p, int precision, int lowest_exponent);
 // The least exponent of a scaled float32 in the box form: the format of the proofs is float<24, this>.
 inline constexpr int box_format_lowest = -47;
 
 // The difference or stored number that a node of a program is, where it is a leaf.
-std::optional<leaf> leaf_at(const dag::program &p, dag::node_id id);
+std::optional<leaf> leaf_at(const ir::program &p, ir::node_id id);
 
 // A product with a power of two, which rounds nothing.
-bool scales_exactly(const dag::program &p, dag::node_id id);
+bool scales_exactly(const ir::program &p, ir::node_id id);
 
 // The node whose rounding is the last on the way to a value, and what the value is of it, in magnitude: a power of
 // two. An input or a constant where nothing rounds.
 struct last_rounding {
-  dag::node_id node;
+  ir::node_id node;
   rational scale;
 };
-last_rounding last_rounding_of(const dag::program &p, dag::node_id id);
+last_rounding last_rounding_of(const ir::program &p, ir::node_id id);
 
 // The largest extents of an object's leaves: those of residency `of`.
 std::vector<leaf> leaves_of(const stage_bounds &s, poly::residency of);

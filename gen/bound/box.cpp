@@ -9,9 +9,9 @@
 
 namespace meetc::bound {
 namespace {
-using dag::node;
-using dag::node_id;
-using dag::op;
+using ir::node;
+using ir::node_id;
+using ir::op;
 using poly::residency;
 
 // The least k with w <= 2^k, w > 0.
@@ -45,7 +45,7 @@ void take_scale_of_sum(box_node &out, const box_node &x, const box_node &y) {
 }
 } // namespace
 
-bool scales_exactly(const dag::program &p, node_id id) {
+bool scales_exactly(const ir::program &p, node_id id) {
   const node &n = p.nodes.at(id);
   const auto is_power_of_two = [&](node_id factor) {
     if (p.nodes.at(factor).kind != op::constant || p.nodes.value(factor).get_den() != 1)
@@ -55,7 +55,7 @@ bool scales_exactly(const dag::program &p, node_id id) {
   return n.kind == op::multiply && (is_power_of_two(n.a) || is_power_of_two(n.b));
 }
 
-last_rounding last_rounding_of(const dag::program &p, node_id id) {
+last_rounding last_rounding_of(const ir::program &p, node_id id) {
   rational scale = 1;
   for (;;) {
     const node &n = p.nodes.at(id);
@@ -71,7 +71,7 @@ last_rounding last_rounding_of(const dag::program &p, node_id id) {
   }
 }
 
-std::vector<box_node> box_nodes(const dag::program &p, int precision, int lowest_exponent) {
+std::vector<box_node> box_nodes(const ir::program &p, int precision, int lowest_exponent) {
   const rounder in{precision, lowest_exponent};
   std::vector<box_node> out(p.nodes.size());
   const auto of = [&](node_id id) -> box_node & { return out[static_cast<std::size_t>(id)]; };
@@ -93,7 +93,7 @@ std::vector<box_node> box_nodes(const dag::program &p, int precision, int lowest
     in.round(r, x.computed + y.computed);
     return r;
   };
-  for (const node_id id : dag::needed(p.nodes, p.results)) {
+  for (const node_id id : ir::needed(p.nodes, p.results)) {
     const node &n = p.nodes.at(id);
     if (const auto l = leaf_at(p, id)) {
       box_node r;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t most = 32; // they are bits of one word
 
 // The positions of both operands: inputs by axis.
-std::vector<std::vector<int>> positions(const dag::predicate &p) {
+std::vector<std::vector<int>> positions(const lower::predicate &p) {
   std::map<std::pair<int, int>, std::vector<int>> groups;
   for (int v = 0; v < p.numbers->size(); ++v)
     if (const poly::stored_number &s = p.local->stored(v); s.position)
@@ -26,43 +26,44 @@ poly::poly with_equal_points(const poly::poly &f, const coincidence &c, const po
   std::vector<poly::poly> images;
   for (int v = 0; v < numbers.size(); ++v) {
     const auto at = std::find(c.y.begin(), c.y.end(), v);
-    images.push_back(poly::poly::variable(numbers, at == c.y.end() ? v : c.x[static_cast<std::size_t>(at - c.y.begin())]));
+    images.push_back(
+        poly::poly::variable(numbers, at == c.y.end() ? v : c.x[static_cast<std::size_t>(at - c.y.begin())]));
   }
   return f.substitute(images, numbers);
 }
 
 // -1 for the inputs that some stage reads outside of a difference along their axis.
-std::vector<int> lone_axes(const dag::predicate &p) {
+std::vector<int> lone_axes(const lower::predicate &p) {
   std::vector<int> axes;
   for (int v = 0; v < p.numbers->size(); ++v) {
     const poly::stored_number &s = p.local->stored(v);
     axes.push_back(s.position ? s.axis : -1);
   }
-  for (const dag::stage *s : {&p.reject, &p.common, &p.rare})
-    for (const dag::node_id id : dag::needed(s->code.nodes, s->code.results)) {
-      const dag::node &n = s->code.nodes.at(id);
-      const auto axis = [&](dag::node_id i) -> int & { return axes[static_cast<std::size_t>(s->code.nodes.at(i).a)]; };
+  for (const lower::stage *s : {&p.reject, &p.common, &p.rare})
+    for (const ir::node_id id : ir::needed(s->code.nodes, s->code.results)) {
+      const ir::node &n = s->code.nodes.at(id);
+      const auto axis = [&](ir::node_id i) -> int & { return axes[static_cast<std::size_t>(s->code.nodes.at(i).a)]; };
       const auto l = leaf_at(s->code, id);
       if (l && l->subtrahend >= 0 && axis(n.a) == axis(n.b))
         continue;
-      for (const dag::node_id operand : {n.a, n.b, n.c})
-        if (n.kind != dag::op::input && n.kind != dag::op::constant && operand >= 0 &&
-            s->code.nodes.at(operand).kind == dag::op::input)
+      for (const ir::node_id operand : {n.a, n.b, n.c})
+        if (n.kind != ir::op::input && n.kind != ir::op::constant && operand >= 0 &&
+            s->code.nodes.at(operand).kind == ir::op::input)
           axis(operand) = -1;
     }
-  for (const dag::stage *s : {&p.reject, &p.common, &p.rare})
-    for (const dag::node_id r : s->code.results)
-      if (s->code.nodes.at(r).kind == dag::op::input)
+  for (const lower::stage *s : {&p.reject, &p.common, &p.rare})
+    for (const ir::node_id r : s->code.results)
+      if (s->code.nodes.at(r).kind == ir::op::input)
         axes[static_cast<std::size_t>(s->code.nodes.at(r).a)] = -1;
   return axes;
 }
 } // namespace
 
-void find_coincidences(const dag::predicate &p, kernel_bounds &out) {
+void find_coincidences(const lower::predicate &p, kernel_bounds &out) {
   out.axes = lone_axes(p);
   const auto points = positions(p);
   const struct {
-    const dag::stage &from;
+    const lower::stage &from;
     stage_bounds &to;
   } stages[] = {{p.reject, out.reject}, {p.common, out.common}, {p.rare, out.rare}};
   for (const auto &s : stages)

@@ -11,9 +11,9 @@
 
 namespace meetc::bound {
 namespace {
-using dag::node;
-using dag::node_id;
-using dag::op;
+using ir::node;
+using ir::node_id;
+using ir::op;
 using poly::residency;
 
 rational power(rational base, int exponent) {
@@ -23,7 +23,9 @@ rational power(rational base, int exponent) {
   return out;
 }
 
-int bits_of(const rational &integer) { return static_cast<int>(mpz_sizeinbase(integer.get_num().get_mpz_t(), 2)); }
+int bits_of(const rational &integer) {
+  return static_cast<int>(mpz_sizeinbase(integer.get_num().get_mpz_t(), 2));
+}
 
 // A constant's own roundings: none where the arithmetic holds it.
 int constant_roundings(const rational &q, int significand) {
@@ -35,7 +37,7 @@ int constant_roundings(const rational &q, int significand) {
 }
 
 // theta and phi of every node; phi counts in fp32 or fp64, where a*b + c is one rounding.
-std::vector<roundings> count_roundings(const dag::program &p, const arithmetic &a) {
+std::vector<roundings> count_roundings(const ir::program &p, const arithmetic &a) {
   std::vector<roundings> out(p.nodes.size());
   const auto of = [&](node_id id) -> roundings & { return out[static_cast<std::size_t>(id)]; };
   const int m_significand = a.precision == 24 ? 24 : 53;
@@ -45,7 +47,7 @@ std::vector<roundings> count_roundings(const dag::program &p, const arithmetic &
   const auto product = [](const roundings &x, const roundings &y) {
     return roundings{x.theta + y.theta, x.phi + y.phi, x.degree + y.degree};
   };
-  for (const node_id id : dag::needed(p.nodes, p.results)) {
+  for (const node_id id : ir::needed(p.nodes, p.results)) {
     const node &n = p.nodes.at(id);
     if (const auto l = leaf_at(p, id)) {
       of(id) = {l->subtrahend >= 0 && a.leaf_rounds ? 1 : 0, 0, 1};
@@ -55,7 +57,8 @@ std::vector<roundings> count_roundings(const dag::program &p, const arithmetic &
     case op::input: // leaf_at
       break;
     case op::constant:
-      of(id) = {constant_roundings(p.nodes.value(id), a.significand), constant_roundings(p.nodes.value(id), m_significand), 0};
+      of(id) = {constant_roundings(p.nodes.value(id), a.significand),
+                constant_roundings(p.nodes.value(id), m_significand), 0};
       break;
     case op::negate:
       of(id) = of(n.a);
@@ -83,12 +86,12 @@ std::vector<roundings> count_roundings(const dag::program &p, const arithmetic &
   return out;
 }
 
-bool last_operation_rounds(const dag::program &p, node_id id) {
+bool last_operation_rounds(const ir::program &p, node_id id) {
   const op kind = p.nodes.at(last_rounding_of(p, id).node).kind;
   return kind != op::input && kind != op::constant;
 }
 
-std::vector<roundings> of_results(const dag::program &p, const arithmetic &a) {
+std::vector<roundings> of_results(const ir::program &p, const arithmetic &a) {
   const std::vector<roundings> all = count_roundings(p, a);
   std::vector<roundings> out;
   for (const node_id r : p.results) {
@@ -100,8 +103,8 @@ std::vector<roundings> of_results(const dag::program &p, const arithmetic &a) {
 }
 
 // The graph on magnitudes, node for node, over leaves.
-void make_magnitudes(const dag::program &p, stage_bounds &out) {
-  const std::vector<node_id> ids = dag::needed(p.nodes, p.results);
+void make_magnitudes(const ir::program &p, stage_bounds &out) {
+  const std::vector<node_id> ids = ir::needed(p.nodes, p.results);
   std::map<leaf, int> number;
   // A leaf that is read only by a difference is not one of its own: differences come first.
   std::vector<char> read(p.nodes.size());
@@ -117,12 +120,13 @@ void make_magnitudes(const dag::program &p, stage_bounds &out) {
   }
   std::vector<residency> where;
   for (const node_id id : ids)
-    if (const auto l = leaf_at(p, id); l && read[static_cast<std::size_t>(id)] && number.try_emplace(*l, out.leaves.size()).second) {
+    if (const auto l = leaf_at(p, id);
+        l && read[static_cast<std::size_t>(id)] && number.try_emplace(*l, out.leaves.size()).second) {
       out.leaves.push_back(*l);
       where.push_back(l->where);
     }
-  out.magnitudes = {dag::arena(where), {}};
-  dag::arena &to = out.magnitudes.nodes;
+  out.magnitudes = {ir::arena(where), {}};
+  ir::arena &to = out.magnitudes.nodes;
   std::map<node_id, node_id> moved;
   for (const node_id id : ids) {
     const node &n = p.nodes.at(id);
@@ -159,11 +163,11 @@ void make_magnitudes(const dag::program &p, stage_bounds &out) {
 
 // The widest differences, in bits on a common grid, for which values of degree 1 and 2 are exact in fp64 and the
 // others in double-double (an integer below 2^100 has an error below 1/2 there, and is an integer).
-int exact_window(const dag::program &p, bool mixed) {
-  const std::vector<dag::magnitude> all = dag::magnitudes(p, true);
+int exact_window(const ir::program &p, bool mixed) {
+  const std::vector<ir::magnitude> all = ir::magnitudes(p, true);
   int window = 53;
-  for (const node_id id : dag::needed(p.nodes, p.results)) {
-    const dag::magnitude &m = all[static_cast<std::size_t>(id)];
+  for (const node_id id : ir::needed(p.nodes, p.results)) {
+    const ir::magnitude &m = all[static_cast<std::size_t>(id)];
     const int room = mixed && m.degree >= 3 ? 100 : 53;
     if (m.degree > 0)
       window = std::min(window, (room - m.growth) / m.degree);
@@ -171,10 +175,10 @@ int exact_window(const dag::program &p, bool mixed) {
   return window;
 }
 
-bool can_be_mixed(const dag::program &p) {
-  const std::vector<dag::magnitude> all = dag::magnitudes(p, true);
+bool can_be_mixed(const ir::program &p) {
+  const std::vector<ir::magnitude> all = ir::magnitudes(p, true);
   bool wide = false;
-  for (const node_id id : dag::needed(p.nodes, p.results))
+  for (const node_id id : ir::needed(p.nodes, p.results))
     if (all[static_cast<std::size_t>(id)].degree >= 3) {
       wide = true;
       if (p.nodes.where(id) != residency::pair)
@@ -183,7 +187,7 @@ bool can_be_mixed(const dag::program &p) {
   return wide;
 }
 
-stage_bounds bounds_of(const dag::stage &s) {
+stage_bounds bounds_of(const lower::stage &s) {
   stage_bounds out;
   if (s.atoms.empty())
     return out;
@@ -208,7 +212,7 @@ stage_bounds bounds_of(const dag::stage &s) {
 }
 } // namespace
 
-std::optional<leaf> leaf_at(const dag::program &p, node_id id) {
+std::optional<leaf> leaf_at(const ir::program &p, node_id id) {
   const node &n = p.nodes.at(id);
   if (n.kind == op::input)
     return leaf{n.a, -1, p.nodes.where(id)};
@@ -256,7 +260,7 @@ rational factor(const arithmetic &a, const roundings &r) {
   return k;
 }
 
-kernel_bounds analyse(const dag::predicate &p) {
+kernel_bounds analyse(const lower::predicate &p) {
   kernel_bounds out;
   out.reject = bounds_of(p.reject);
   out.common = bounds_of(p.common);

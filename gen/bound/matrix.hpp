@@ -41,14 +41,14 @@ struct dyadic {
 };
 
 // What is assumed.
-inline constexpr dyadic matrix_input{1, 11};         // the largest |input|
-inline constexpr dyadic matrix_additive{3, 21};      // |f| for such inputs: (x^2 + y^2 + z^2 - r^2) / 2
-inline constexpr dyadic matrix_part{1, -11};         // half a step of fp16, relative
-inline constexpr dyadic matrix_step{1, -10};         // a step of fp16, relative
-inline constexpr dyadic matrix_flush{1, -14};        // the least part that is not replaced
-inline constexpr dyadic matrix_unit{1, 8};           // what an additive part is multiplied by
-inline constexpr dyadic matrix_accumulate{17, -23};  // the unit's error, of the sum of the products' magnitudes
-inline constexpr dyadic matrix_evaluate{1, -11};     // what is lost before the split, for each object
+inline constexpr dyadic matrix_input{1, 11};        // the largest |input|
+inline constexpr dyadic matrix_additive{3, 21};     // |f| for such inputs: (x^2 + y^2 + z^2 - r^2) / 2
+inline constexpr dyadic matrix_part{1, -11};        // half a step of fp16, relative
+inline constexpr dyadic matrix_step{1, -10};        // a step of fp16, relative
+inline constexpr dyadic matrix_flush{1, -14};       // the least part that is not replaced
+inline constexpr dyadic matrix_unit{1, 8};          // what an additive part is multiplied by
+inline constexpr dyadic matrix_accumulate{17, -23}; // the unit's error, of the sum of the products' magnitudes
+inline constexpr dyadic matrix_evaluate{1, -11};    // what is lost before the split, for each object
 
 // m = square * sum f_k^2 + additive * |f| + linear * sum |f_k| + absolute.
 inline constexpr dyadic margin_square{12, -23};

@@ -71,9 +71,9 @@ function(meetc_add_kernels target)
     message(FATAL_ERROR "${me}: ${arg_KEYWORDS_MISSING_VALUES} has no value")
   endif()
   # The namespace names the files, so it must be one that meetc uses as it stands (meetc refuses the reserved words).
-  if(NOT arg_NAMESPACE MATCHES "^[A-Za-z]([A-Za-z0-9]|_[A-Za-z0-9])*$" OR arg_NAMESPACE MATCHES "^(meet|std|cuda)$")
+  if(NOT arg_NAMESPACE MATCHES "^[A-Za-z]([A-Za-z0-9]|_[A-Za-z0-9])*$" OR arg_NAMESPACE MATCHES "^(meetc|std|cuda)$")
     message(FATAL_ERROR "${me}: '${arg_NAMESPACE}' cannot be the NAMESPACE: letters, digits and single '_' inside, "
-      "not meet, std or cuda")
+      "not meetc, std or cuda")
   endif()
   set(space "${arg_NAMESPACE}")
 
@@ -113,7 +113,7 @@ function(meetc_add_kernels target)
     set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}.generated")
   endif()
   set(sources "${folder}/${space}/${space}_runtime.cpp")
-  set(headers "${folder}/meet/support.hpp" "${folder}/${space}/${space}.hpp" "${folder}/${space}/kinds.hpp"
+  set(headers "${folder}/meetc/support.hpp" "${folder}/${space}/${space}.hpp" "${folder}/${space}/kinds.hpp"
     "${folder}/${space}/${space}_runtime.hpp")
   set(generate ${meetc} generate "${scene}" --out "${folder}" --namespace "${space}")
   if(cuda)
@@ -213,7 +213,7 @@ function(meetc_install_kernels target)
   endif()
   include(GNUInstallDirs)
   if(NOT arg_DESTINATION)
-    # A folder of its own: another package may bring a meet/support.hpp of another version.
+    # A folder of its own: another package may bring a meetc/support.hpp of another version.
     set(arg_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${target}")
   endif()
   set(leave_out "")

@@ -12,6 +12,7 @@ endif()
 if(TARGET meet_core)
   add_library(meet_runtime INTERFACE)
   target_link_libraries(meet_runtime INTERFACE meet_core)
+  add_library(meet::kernel ALIAS meet_kernel)
   add_library(meet::core ALIAS meet_core)
   add_library(meet::runtime ALIAS meet_runtime)
 endif()
@@ -31,7 +32,7 @@ endif()
 
 set(MEETC_INSTALL_CMAKE "${CMAKE_INSTALL_LIBDIR}/cmake/meetc")
 set(MEETC_INSTALL_ALGEBRA "${CMAKE_INSTALL_DATADIR}/meetc/algebra_spec")
-# Not straight into include/: the runtime's folders have short names.
+# One folder for all: the kernels' headers are <meetc/...>, the runtime's are core/... and io/... below it.
 set(MEETC_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/meetc")
 
 set(MEETC_INSTALL_COMPONENTS "")
@@ -49,12 +50,13 @@ if(TARGET meet_core)
   list(APPEND MEETC_INSTALL_COMPONENTS meetc_runtime)
   set_target_properties(meet_core PROPERTIES EXPORT_NAME core)
   set_target_properties(meet_runtime PROPERTIES EXPORT_NAME runtime)
-  install(TARGETS meet_core meet_runtime EXPORT meetc_runtime_targets
+  set_target_properties(meet_kernel PROPERTIES EXPORT_NAME kernel)
+  install(TARGETS meet_core meet_kernel meet_runtime EXPORT meetc_runtime_targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   install(EXPORT meetc_runtime_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/gen/emit/support/meet"
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/kernel/meetc/"
     DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/core"
     DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp")

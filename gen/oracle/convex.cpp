@@ -12,7 +12,7 @@ using integer = mpz_class;
 using vec = std::array<integer, 3>;
 using corners = std::vector<vec>;
 
-// ---- arithmetic that keeps its memory: nearly all of the time goes here -----------------------------------
+// ---- arithmetic that keeps its memory: nearly all of the time goes here ----
 
 void subtract(vec &out, const vec &a, const vec &b) {
   for (std::size_t k = 0; k < 3; ++k)
@@ -63,7 +63,7 @@ struct regular_system {
   }
 };
 
-// ---- the programme ----------------------------------------------------------------------------------------
+// ---- the programme ----
 
 // The nearest points of two hulls of integer points.
 class programme {
@@ -169,7 +169,7 @@ private:
   }
 };
 
-// ---- from rationals to integers ---------------------------------------------------------------------------
+// ---- from rationals to integers ----
 
 // All coordinates and pads times one common factor; then the points moved so that one of them is 0.
 struct on_integers {
@@ -179,9 +179,7 @@ struct on_integers {
 
   on_integers(const hull &x, const rational &pad_x, const hull &y, const rational &pad_y) {
     integer common = 1;
-    const auto widen = [&](const rational &q) {
-      mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), q.get_den_mpz_t());
-    };
+    const auto widen = [&](const rational &q) { mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), q.get_den_mpz_t()); };
     for (const hull *h : {&x, &y})
       for (const point &p : *h)
         std::for_each(p.begin(), p.end(), widen);

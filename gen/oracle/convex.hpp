@@ -41,8 +41,7 @@ enum class touch_mode { solid, surface };
 //   solid:              d <= pad_a + pad_b
 //   two surfaces:       |pad_a - pad_b| <= d <= pad_a + pad_b   (identical: touch; nested: do not)
 //   surface and hull:   least distance of centre and hull <= pad <= greatest
-[[nodiscard]] bool touches(const hull &a, const rational &pad_a, const hull &b, const rational &pad_b,
-                           touch_mode mode);
+[[nodiscard]] bool touches(const hull &a, const rational &pad_a, const hull &b, const rational &pad_b, touch_mode mode);
 
 } // namespace meetc::oracle
 

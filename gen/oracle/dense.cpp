@@ -224,8 +224,7 @@ multivector dense_algebra::pseudoscalar() const {
   return r;
 }
 
-multivector dense_algebra::orthogonal_product(const multivector &a, const multivector &b,
-                                              bool contract) const {
+multivector dense_algebra::orthogonal_product(const multivector &a, const multivector &b, bool contract) const {
   multivector r(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i] == 0)

@@ -69,8 +69,7 @@ private:
   std::vector<multivector> to_,
       from_; // images of blades, declared to orthogonal and back; empty: the same basis
 
-  [[nodiscard]] multivector orthogonal_product(const multivector &a, const multivector &b,
-                                               bool contract) const;
+  [[nodiscard]] multivector orthogonal_product(const multivector &a, const multivector &b, bool contract) const;
   [[nodiscard]] multivector product(const multivector &a, const multivector &b, bool contract) const;
 };
 

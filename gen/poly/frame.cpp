@@ -78,7 +78,8 @@ poly frame::lower(const poly &absolute) const {
     const int origin = used.front();
     int second = -1; // the other operand's origin
     for (const int i : used)
-      if (second < 0 && points_[static_cast<std::size_t>(i)].operand != points_[static_cast<std::size_t>(origin)].operand)
+      if (second < 0 &&
+          points_[static_cast<std::size_t>(i)].operand != points_[static_cast<std::size_t>(origin)].operand)
         second = i;
     const auto component = [&](int i, int j, std::size_t axis) {
       const auto id = static_cast<std::size_t>(difference_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);

@@ -16,8 +16,8 @@ enum class residency { scene = 0, a = 1, b = 2, pair = 3 }; // joins by bitwise 
 
 // One stored number of the two operands, in ring order.
 struct stored_number {
-  int operand;   // 0 or 1
-  int group;     // numbers of a point or a direction share one; -1: a bare number
+  int operand; // 0 or 1
+  int group;   // numbers of a point or a direction share one; -1: a bare number
   int axis;
   bool position; // moved by a translation
 };
@@ -25,7 +25,7 @@ struct stored_number {
 // A variable of the local ring.
 struct local_variable {
   residency where;
-  int vector;        // the vector (difference, direction, position) it is a component of, or -1
+  int vector; // the vector (difference, direction, position) it is a component of, or -1
   int axis;
   int minuend, subtrahend; // base variables; subtrahend -1: the stored number itself
 };

@@ -82,8 +82,8 @@ private:
     }
     for (std::size_t a = 0; a < 3; ++a) {
       const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-      sum = sum + component(at(q.i), a) * (component(at(q.j), b) * component(at(q.k), c) -
-                                           component(at(q.j), c) * component(at(q.k), b));
+      sum = sum + component(at(q.i), a) *
+                      (component(at(q.j), b) * component(at(q.k), c) - component(at(q.j), c) * component(at(q.k), b));
     }
     return sum;
   }
@@ -126,8 +126,7 @@ private:
             if (degrees[i] && degrees[j] && degrees[k]) {
               vector_degrees left = degrees;
               --left[i], --left[j], --left[k];
-              products(left, 0, 0, {id_of(invariant::type::triple, vectors_[i], vectors_[j], vectors_[k])},
-                       candidates);
+              products(left, 0, 0, {id_of(invariant::type::triple, vectors_[i], vectors_[j], vectors_[k])}, candidates);
             }
     }
     if (candidates.size() > 200)
@@ -269,8 +268,8 @@ std::vector<vector_form> vector_forms(const frame &f, const poly &p) {
     if (dot(base, i, j) < 0 || dot(base, i, i) < 0 || dot(base, j, j) < 0)
       return std::nullopt;
     vector_form v = with_symbols(base, {{invariant::type::cross_squared, i, j, -1}});
-    const poly image = symbol(v, dot(v, i, i)) * symbol(v, dot(v, j, j)) -
-                       symbol(v, static_cast<int>(v.invariants.size()) - 1);
+    const poly image =
+        symbol(v, dot(v, i, i)) * symbol(v, dot(v, j, j)) - symbol(v, static_cast<int>(v.invariants.size()) - 1);
     v.form = rewrite(v.form, {{dot(v, i, j), 2}}, image);
     return v;
   };

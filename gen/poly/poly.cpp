@@ -41,7 +41,9 @@ ring::ring(std::vector<std::string> names) : names_(std::move(names)), context_(
   // FLINT wants at least one variable.
   fmpq_mpoly_ctx_init(context_->value, std::max<slong>(1, static_cast<slong>(names_.size())), ORD_DEGLEX);
 }
-ring::~ring() { fmpq_mpoly_ctx_clear(context_->value); }
+ring::~ring() {
+  fmpq_mpoly_ctx_clear(context_->value);
+}
 
 int ring::find(const std::string &name) const {
   const auto it = std::find(names_.begin(), names_.end(), name);
@@ -64,25 +66,32 @@ poly poly::from_terms(const ring &r, const std::vector<term> &terms) {
     std::fill(exponents.begin(), exponents.end(), 0);
     for (const power &f : t.factors)
       exponents[static_cast<std::size_t>(f.variable)] += static_cast<ulong>(f.exponent);
-    fmpq_mpoly_push_term_fmpq_ui(out.p_->value, flint_rational(t.coefficient).value, exponents.data(),
-                                 out.p_->context);
+    fmpq_mpoly_push_term_fmpq_ui(out.p_->value, flint_rational(t.coefficient).value, exponents.data(), out.p_->context);
   }
   fmpq_mpoly_sort_terms(out.p_->value, out.p_->context);
   fmpq_mpoly_combine_like_terms(out.p_->value, out.p_->context);
   return out;
 }
-bool poly::is_zero() const { return fmpq_mpoly_is_zero(p_->value, p_->context) != 0; }
-bool poly::is_constant() const { return fmpq_mpoly_is_fmpq(p_->value, p_->context) != 0; }
+bool poly::is_zero() const {
+  return fmpq_mpoly_is_zero(p_->value, p_->context) != 0;
+}
+bool poly::is_constant() const {
+  return fmpq_mpoly_is_fmpq(p_->value, p_->context) != 0;
+}
 rational poly::constant() const {
   flint_rational q;
   fmpq_mpoly_get_fmpq(q.value, p_->value, p_->context);
   return q.get();
 }
-std::size_t poly::length() const { return static_cast<std::size_t>(fmpq_mpoly_length(p_->value, p_->context)); }
+std::size_t poly::length() const {
+  return static_cast<std::size_t>(fmpq_mpoly_length(p_->value, p_->context));
+}
 int poly::total_degree() const {
   return is_zero() ? 0 : static_cast<int>(fmpq_mpoly_total_degree_si(p_->value, p_->context));
 }
-int poly::degree(int v) const { return is_zero() ? 0 : static_cast<int>(fmpq_mpoly_degree_si(p_->value, v, p_->context)); }
+int poly::degree(int v) const {
+  return is_zero() ? 0 : static_cast<int>(fmpq_mpoly_degree_si(p_->value, v, p_->context));
+}
 
 bool poly::is_homogeneous() const {
   int degree = -1;

@@ -70,8 +70,8 @@ public:
   // Terms in FLINT's canonical order: equal polynomials give equal lists.
   std::vector<term> terms() const;
   std::vector<int> variables() const; // that occur, ascending
-  std::string key() const;  // canonical bytes
-  std::string text() const; // for people
+  std::string key() const;            // canonical bytes
+  std::string text() const;           // for people
 
   // Each variable v replaced by images[v], which may live in another ring.
   poly substitute(const std::vector<poly> &images, const ring &target) const;

@@ -37,8 +37,8 @@ void subtract(row &from, const rational &factor, const row &what) {
 
 // Independent rows of a matrix, and every row as a combination of them.
 struct skeleton {
-  std::vector<std::size_t> kept;  // ascending
-  std::vector<row> combination;   // by row: coefficients by the number of the kept row
+  std::vector<std::size_t> kept; // ascending
+  std::vector<row> combination;  // by row: coefficients by the number of the kept row
 };
 
 skeleton skeleton_of(const matrix &m) {
@@ -74,7 +74,9 @@ skeleton skeleton_of(const matrix &m) {
   return out;
 }
 
-std::size_t rank(const matrix &m) { return skeleton_of(m).kept.size(); }
+std::size_t rank(const matrix &m) {
+  return skeleton_of(m).kept.size();
+}
 
 matrix transposed(const matrix &m, std::size_t columns) {
   matrix out(columns);
@@ -133,8 +135,8 @@ separation separate(const poly &p, int first_of_y) {
   std::vector<std::pair<monomial, monomial>> split;
   std::vector<monomial> xs, ys;
   for (const term &t : terms) {
-    const auto border = std::find_if(t.factors.begin(), t.factors.end(),
-                                     [&](const power &f) { return f.variable >= first_of_y; });
+    const auto border =
+        std::find_if(t.factors.begin(), t.factors.end(), [&](const power &f) { return f.variable >= first_of_y; });
     split.emplace_back(monomial(t.factors.begin(), border), monomial(border, t.factors.end()));
     xs.push_back(split.back().first);
     ys.push_back(split.back().second);

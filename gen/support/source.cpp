@@ -20,11 +20,13 @@ std::size_t location::column() const {
   return start == std::string::npos ? at + 1 : at - start;
 }
 
-std::string location::text() const { return fmt::format("{}:{}:{}", file->path, line(), column()); }
+std::string location::text() const {
+  return fmt::format("{}:{}:{}", file->path, line(), column());
+}
 
 spec_error::spec_error(location where, const std::string &message)
-    : std::runtime_error(where ? where.text() + ": error: " + message : "error: " + message),
-      where_(std::move(where)), message_(message) {}
+    : std::runtime_error(where ? where.text() + ": error: " + message : "error: " + message), where_(std::move(where)),
+      message_(message) {}
 
 spec_error &spec_error::add_step(std::string what, location at) {
   trail_.push_back({std::move(what), std::move(at)});

@@ -4,9 +4,9 @@
 
 namespace meetc::verify {
 namespace {
+using lang::op;
 using oracle::multivector;
 using oracle::rational;
-using spec::op;
 
 rational number(const std::string &text) {
   const auto dot = text.find('.');
@@ -22,25 +22,25 @@ rational number(const std::string &text) {
 }
 } // namespace
 
-dense_evaluator::dense_evaluator(const spec::algebra &a, const oracle::matrix &metric,
+dense_evaluator::dense_evaluator(const lang::algebra &a, const oracle::matrix &metric,
                                  const oracle::matrix &declared_vectors)
     : spec_(a), dense_(metric), declared_vectors_(declared_vectors) {}
 
-dense_value dense_evaluator::operand(const spec::kind &k, const std::vector<rational> &numbers,
+dense_value dense_evaluator::operand(const lang::kind &k, const std::vector<rational> &numbers,
                                      std::size_t &next) const {
   dense_value out;
-  for (const spec::field &f : k.store)
+  for (const lang::field &f : k.store)
     out.members[f.name] = f.type == "real" ? dense_value{dense_.scalar(numbers.at(next++)), {}}
                                            : operand(*spec_.find_kind(f.type), numbers, next);
   out.blade = evaluate(*k.blade, out.members);
   return out;
 }
 
-multivector dense_evaluator::evaluate(const spec::expr &e, const dense_scope &scope) const {
+multivector dense_evaluator::evaluate(const lang::expr &e, const dense_scope &scope) const {
   return value(e, scope).blade;
 }
 
-dense_value dense_evaluator::value(const spec::expr &e, const dense_scope &scope) const {
+dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope) const {
   const auto arg = [&](std::size_t i) { return evaluate(*e.args[i], scope); };
   switch (e.kind) {
   case op::number:
@@ -48,7 +48,7 @@ dense_value dense_evaluator::value(const spec::expr &e, const dense_scope &scope
   case op::name: {
     if (const auto it = scope.find(e.text); it != scope.end())
       return it->second;
-    if (const spec::named_expr *c = spec_.find_constant(e.text))
+    if (const lang::named_expr *c = spec_.find_constant(e.text))
       return value(*c->body, {});
     const auto v = std::find(spec_.vectors.begin(), spec_.vectors.end(), e.text);
     if (v == spec_.vectors.end())
@@ -62,7 +62,7 @@ dense_value dense_evaluator::value(const spec::expr &e, const dense_scope &scope
   case op::call: {
     if (e.text == "sign")
       return {dense_.scalar(sgn(oracle::scalar_part(arg(0)))), {}};
-    const spec::function *f = spec_.find_function(e.text);
+    const lang::function *f = spec_.find_function(e.text);
     if (!f)
       break;
     dense_scope inner;

@@ -1,8 +1,8 @@
 // A second reading of a spec's expressions: numbers, dense multivectors and the oracle's products, on given
 // operands. It shares the syntax tree with the compiler and nothing after it.
 #pragma once
+#include "gen/lang/spec.hpp"
 #include "gen/oracle/dense.hpp"
-#include "gen/spec/spec.hpp"
 
 #include <map>
 
@@ -18,23 +18,23 @@ using dense_scope = std::map<std::string, dense_value>;
 class dense_evaluator {
 public:
   // The metric of the basis of evaluation, and the declared vectors in it, by rows.
-  dense_evaluator(const spec::algebra &a, const oracle::matrix &metric, const oracle::matrix &declared_vectors);
+  dense_evaluator(const lang::algebra &a, const oracle::matrix &metric, const oracle::matrix &declared_vectors);
 
   // A sign is the number -1, 0 or 1. Throws spec_error for truths and lists.
-  oracle::multivector evaluate(const spec::expr &e, const dense_scope &scope) const;
+  oracle::multivector evaluate(const lang::expr &e, const dense_scope &scope) const;
 
   // An operand from its stored numbers, taken from `numbers` in memory order.
-  dense_value operand(const spec::kind &k, const std::vector<oracle::rational> &numbers, std::size_t &next) const;
-  dense_value blade(const spec::expr &body, const dense_scope &scope) const { return {evaluate(body, scope), {}}; }
+  dense_value operand(const lang::kind &k, const std::vector<oracle::rational> &numbers, std::size_t &next) const;
+  dense_value blade(const lang::expr &body, const dense_scope &scope) const { return {evaluate(body, scope), {}}; }
 
   const oracle::dense_algebra &algebra() const { return dense_; }
 
 private:
-  const spec::algebra &spec_;
+  const lang::algebra &spec_;
   oracle::dense_algebra dense_;
   oracle::matrix declared_vectors_;
 
-  dense_value value(const spec::expr &e, const dense_scope &scope) const;
+  dense_value value(const lang::expr &e, const dense_scope &scope) const;
 };
 
 } // namespace meetc::verify

@@ -8,7 +8,7 @@
 namespace meetc::verify {
 namespace {
 
-oracle::matrix working_metric(const decide::model &m) {
+oracle::matrix working_metric(const lower::model &m) {
   const auto n = static_cast<std::size_t>(m.working().vectors());
   oracle::matrix out(n, std::vector<oracle::rational>(n));
   for (std::size_t i = 0; i < n; ++i)
@@ -26,7 +26,7 @@ std::string describe(const std::vector<oracle::rational> &numbers) {
 
 class checker {
 public:
-  checker(const decide::model &m, const dag::kernel &k, unsigned seed)
+  checker(const lower::model &m, const lower::kernel &k, unsigned seed)
       : m_(m), k_(k), dense_(m.spec(), working_metric(m), m.to_working()), random_(seed) {}
 
   report run(long cases) {
@@ -35,15 +35,15 @@ public:
       if (!k_.value.stored_inputs.empty())
         stored();
     }
-    for (const spec::kind *kind : k_.asked.kinds)
-      for (const dag::blade_maker &maker : dag::makers(m_, *kind))
+    for (const lang::kind *kind : k_.asked.kinds)
+      for (const lower::blade_maker &maker : lower::makers(m_, *kind))
         for (long i = 0; i < std::min(cases, 20L); ++i)
           made(*kind, maker);
     return out_;
   }
 
   report run_sign(long cases) {
-    const dag::predicate &p = k_.decision;
+    const lower::predicate &p = k_.decision;
     for (long i = 0; i < cases; ++i) {
       std::vector<oracle::rational> inputs;
       for (std::size_t n = 0; n < p.stored_inputs.size(); ++n)
@@ -53,7 +53,8 @@ public:
       for (std::size_t o = 0; o < k_.asked.kinds.size(); ++o)
         scope[k_.asked.names[o]] = dense_.operand(*k_.asked.kinds[o], inputs, next);
       int sign = p.value.unit;
-      const auto values = p.common.atoms.empty() ? std::vector<oracle::rational>{} : dag::evaluate(p.common.code, inputs);
+      const auto values =
+          p.common.atoms.empty() ? std::vector<oracle::rational>{} : ir::evaluate(p.common.code, inputs);
       for (const auto &[atom, exponent] : p.value.atoms) {
         const auto at = std::find(p.common.atoms.begin(), p.common.atoms.end(), atom) - p.common.atoms.begin();
         const int s = sgn(values[static_cast<std::size_t>(at)]);
@@ -65,8 +66,8 @@ public:
   }
 
 private:
-  const decide::model &m_;
-  const dag::kernel &k_;
+  const lower::model &m_;
+  const lower::kernel &k_;
   dense_evaluator dense_;
   std::mt19937 random_;
   report out_;
@@ -81,7 +82,7 @@ private:
     return out;
   }
 
-  void compare(const oracle::multivector &want, const std::vector<dag::blade> &blades,
+  void compare(const oracle::multivector &want, const std::vector<lower::blade> &blades,
                const std::vector<oracle::rational> &have, const char *what,
                const std::vector<oracle::rational> &inputs) {
     ++out_.cases;
@@ -101,11 +102,11 @@ private:
     std::size_t at = 0;
     for (std::size_t i = 0; i < k_.asked.kinds.size(); ++i) {
       oracle::multivector operand = dense_.algebra().zero();
-      for (const dag::blade b : dag::support(m_, *k_.asked.kinds[i]))
+      for (const lower::blade b : lower::support(m_, *k_.asked.kinds[i]))
         operand[b] = inputs[at++];
       scope[k_.asked.names[i]] = {operand, {}};
     }
-    compare(dense_.evaluate(*k_.asked.body, scope), k_.value.result, dag::evaluate(k_.value.from_blades, inputs),
+    compare(dense_.evaluate(*k_.asked.body, scope), k_.value.result, ir::evaluate(k_.value.from_blades, inputs),
             "blades", inputs);
   }
 
@@ -115,33 +116,33 @@ private:
     std::size_t next = 0;
     for (std::size_t i = 0; i < k_.asked.kinds.size(); ++i)
       scope[k_.asked.names[i]] = dense_.operand(*k_.asked.kinds[i], inputs, next);
-    compare(dense_.evaluate(*k_.asked.body, scope), {0}, dag::evaluate(k_.value.from_stored, inputs), "stored numbers",
+    compare(dense_.evaluate(*k_.asked.body, scope), {0}, ir::evaluate(k_.value.from_stored, inputs), "stored numbers",
             inputs);
   }
 
-  void made(const spec::kind &kind, const dag::blade_maker &maker) {
+  void made(const lang::kind &kind, const lower::blade_maker &maker) {
     const auto inputs = numbers(maker.inputs.size());
-    const spec::expr *body = kind.blade.get();
-    for (const spec::constructor &c : kind.from)
+    const lang::expr *body = kind.blade.get();
+    for (const lang::constructor &c : kind.from)
       if (c.name == maker.name)
         body = c.blade.get();
     dense_scope scope;
     std::size_t next = 0;
-    for (const spec::field &f : maker.of)
+    for (const lang::field &f : maker.of)
       scope[f.name] = f.type == "real" ? dense_value{dense_.algebra().scalar(inputs.at(next++)), {}}
                                        : dense_.operand(*m_.spec().find_kind(f.type), inputs, next);
-    compare(dense_.evaluate(*body, scope), dag::support(m_, kind), dag::evaluate(maker.code, inputs),
+    compare(dense_.evaluate(*body, scope), lower::support(m_, kind), ir::evaluate(maker.code, inputs),
             (kind.name + " " + maker.name).c_str(), inputs);
   }
 };
 
 } // namespace
 
-report verify_formula(const decide::model &m, const dag::kernel &k, long cases, unsigned seed) {
+report verify_formula(const lower::model &m, const lower::kernel &k, long cases, unsigned seed) {
   return checker(m, k, seed).run(cases);
 }
 
-report verify_sign(const decide::model &m, const dag::kernel &k, long cases, unsigned seed) {
+report verify_sign(const lower::model &m, const lower::kernel &k, long cases, unsigned seed) {
   return checker(m, k, seed).run_sign(cases);
 }
 

@@ -27,7 +27,9 @@ struct sample {
 
 // A point of the hull: a corner, the middle of two corners, or somewhere inside.
 oracle::point point_of(lattice &random, const oracle::hull &hull) {
-  const auto corner = [&] { return hull[static_cast<std::size_t>(random.number(0, static_cast<int>(hull.size()) - 1))]; };
+  const auto corner = [&] {
+    return hull[static_cast<std::size_t>(random.number(0, static_cast<int>(hull.size()) - 1))];
+  };
   oracle::point out = corner();
   const int way = random.number(0, 2);
   if (way == 0)
@@ -42,7 +44,7 @@ oracle::point point_of(lattice &random, const oracle::hull &hull) {
 }
 
 // An operand whose corners are on the lattice, or, half of the time, taken from the other operand.
-sample draw(lattice &random, std::size_t reals, const dag::enclosure &e, int size, int flat_axis,
+sample draw(lattice &random, std::size_t reals, const lower::enclosure &e, int size, int flat_axis,
             const oracle::hull *near) {
   sample out;
   for (std::size_t i = 0; i < reals; ++i)
@@ -67,19 +69,21 @@ sample draw(lattice &random, std::size_t reals, const dag::enclosure &e, int siz
   return out;
 }
 
-int sign_of(const oracle::rational &q) { return sgn(q); }
+int sign_of(const oracle::rational &q) {
+  return sgn(q);
+}
 
 } // namespace
 
-report verify_predicate(const decide::model &m, const dag::kernel &k, long cases, unsigned seed) {
+report verify_predicate(const lower::model &m, const lower::kernel &k, long cases, unsigned seed) {
   report out;
-  const dag::enclosure ea = dag::enclosing(m, *k.asked.kinds[0]), eb = dag::enclosing(m, *k.asked.kinds[1]);
+  const lower::enclosure ea = lower::enclosing(m, *k.asked.kinds[0]), eb = lower::enclosing(m, *k.asked.kinds[1]);
   if (ea.hull.empty() || eb.hull.empty()) {
     out.note = "not checked: an operand has no hull";
     return out;
   }
   const auto mode = k.asked.asked->mode == "surface" ? oracle::touch_mode::surface : oracle::touch_mode::solid;
-  const dag::predicate &p = k.decision;
+  const lower::predicate &p = k.decision;
   const auto reals = [&](std::size_t i) { return m.layout(*k.asked.kinds[i]).reals.size(); };
   lattice random(seed);
   for (long i = 0; i < cases; ++i) {
@@ -100,10 +104,10 @@ report verify_predicate(const decide::model &m, const dag::kernel &k, long cases
     row.insert(row.end(), b.row.begin(), b.row.end());
     std::vector<int> signs(p.signs.atoms().size());
     bool zero = false;
-    for (const dag::stage *s : {&p.reject, &p.common, &p.rare}) {
+    for (const lower::stage *s : {&p.reject, &p.common, &p.rare}) {
       if (s->atoms.empty())
         continue;
-      const auto values = dag::evaluate(s->code, row);
+      const auto values = ir::evaluate(s->code, row);
       for (std::size_t v = 0; v < values.size(); ++v) {
         signs[static_cast<std::size_t>(s->atoms[v])] = sign_of(values[v]);
         zero = zero || (s != &p.rare && values[v] == 0);
@@ -111,10 +115,10 @@ report verify_predicate(const decide::model &m, const dag::kernel &k, long cases
     }
     const bool want = oracle::touches(a.hull, a.pad, b.hull, b.pad, mode);
     const bool hit = p.signs.evaluate(p.truths.hit, signs);
-    const bool rejected = std::any_of(p.truths.reject.begin(), p.truths.reject.end(),
-                                      [&](int t) { return p.signs.evaluate(t, signs); });
-    const bool rare = std::any_of(p.conditions.begin(), p.conditions.end(),
-                                  [&](int t) { return p.signs.evaluate(t, signs); });
+    const bool rejected =
+        std::any_of(p.truths.reject.begin(), p.truths.reject.end(), [&](int t) { return p.signs.evaluate(t, signs); });
+    const bool rare =
+        std::any_of(p.conditions.begin(), p.conditions.end(), [&](int t) { return p.signs.evaluate(t, signs); });
     // A reject line may only speed things up, and the usual case stands alone when no condition holds.
     const bool staged = !rejected && (rare ? hit : p.signs.evaluate(p.usual, signs));
     ++out.cases;

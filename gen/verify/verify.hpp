@@ -4,7 +4,7 @@
 //   predicates  against exact convex feasibility of the operands' hulls (gen/oracle/convex.hpp), on small lattices
 //               where about half of the cases are degenerate
 #pragma once
-#include "gen/dag/kernel.hpp"
+#include "gen/lower/kernel.hpp"
 
 namespace meetc::verify {
 
@@ -15,9 +15,9 @@ struct report {
   long degenerate = 0, hits = 0;
 };
 
-report verify_formula(const decide::model &m, const dag::kernel &k, long cases, unsigned seed);
+report verify_formula(const lower::model &m, const lower::kernel &k, long cases, unsigned seed);
 // One sign, against the sign of the dense product.
-report verify_sign(const decide::model &m, const dag::kernel &k, long cases, unsigned seed);
-report verify_predicate(const decide::model &m, const dag::kernel &k, long cases, unsigned seed);
+report verify_sign(const lower::model &m, const lower::kernel &k, long cases, unsigned seed);
+report verify_predicate(const lower::model &m, const lower::kernel &k, long cases, unsigned seed);
 
 } // namespace meetc::verify

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace {
 
@@ -47,11 +47,10 @@ choice choose_by_name(const catalogue &all, const std::vector<choice> &fit, cons
   for (int i = 0; i < all.predicate_count; ++i) {
     const predicate_info &p = all.predicates[i];
     if (p.name == name)
-      throw failure(fmt::format("--predicate {}: it is for {} with {}, but the files hold {}; for these: {}",
-                                name, p.a->name, p.b->name, kinds, names_of(fit)));
+      throw failure(fmt::format("--predicate {}: it is for {} with {}, but the files hold {}; for these: {}", name,
+                                p.a->name, p.b->name, kinds, names_of(fit)));
   }
-  throw failure(
-      fmt::format("--predicate {}: unknown; for {} there is: {}", io::quote(name), kinds, names_of(fit)));
+  throw failure(fmt::format("--predicate {}: unknown; for {} there is: {}", io::quote(name), kinds, names_of(fit)));
 }
 
 } // namespace
@@ -68,8 +67,8 @@ std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind
   return out;
 }
 
-choice choose(const catalogue &all, const kind_info &a, const kind_info &b,
-              const std::optional<std::string> &name, const std::optional<std::string> &mode) {
+choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
+              const std::optional<std::string> &mode) {
   if (mode && *mode != "solid" && *mode != "surface")
     throw failure(fmt::format("--mode {}: unknown; known: solid, surface", io::quote(*mode)));
   const std::string kinds = fmt::format("{} with {}", a.name, b.name);
@@ -102,4 +101,4 @@ rung precision_named(std::string_view name) {
                             join({std::begin(rung_names), std::end(rung_names)})));
 }
 
-} // namespace meet::app
+} // namespace meetc::app

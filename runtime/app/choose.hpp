@@ -2,17 +2,17 @@
 //
 // A predicate is for an ordered pair of kinds; a user gives them in either order. So one that takes them the
 // other way about fits too, and is run swapped.
-#ifndef MEET_APP_CHOOSE_HPP
-#define MEET_APP_CHOOSE_HPP
+#ifndef MEETC_APP_CHOOSE_HPP
+#define MEETC_APP_CHOOSE_HPP
 
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 struct choice {
   const predicate_info *predicate = nullptr;
@@ -24,8 +24,8 @@ std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind
 
 // The one that is asked for; `mode` picks among several and is "solid" where it is not given. Throws failure,
 // which says what there is.
-choice choose(const catalogue &all, const kind_info &a, const kind_info &b,
-              const std::optional<std::string> &name, const std::optional<std::string> &mode);
+choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
+              const std::optional<std::string> &mode);
 
 // "exact" and so on.
 const char *name_of(rung precision);
@@ -33,6 +33,6 @@ const char *name_of(rung precision);
 // Throws failure where this build has no such precision.
 rung precision_named(std::string_view name);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

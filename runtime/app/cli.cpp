@@ -1,12 +1,12 @@
 #include "app/cli.hpp"
 
-#include "app/bench/options.hpp"
 #include "app/choose.hpp"
 #include "app/collide_command.hpp"
 #include "app/demo_command.hpp"
 #include "app/failure.hpp"
 #include "app/inspect_command.hpp"
 #include "app/option_values.hpp"
+#include "bench/options.hpp"
 #include "io/number.hpp"
 #include "io/text.hpp"
 
@@ -21,7 +21,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace {
 
@@ -69,9 +69,8 @@ struct arguments {
   CLI::App *collide_command = nullptr, *inspect_command = nullptr, *demo_command = nullptr;
 };
 
-constexpr const char *files_help =
-    "A mesh (.ply, .obj, .stl), or a .csv whose first line names a kind's numbers: "
-    "x,y,z,r spheres; x0,y0,z0,x1,y1,z1 segments; x,y,z points";
+constexpr const char *files_help = "A mesh (.ply, .obj, .stl), or a .csv whose first line names a kind's numbers: "
+                                   "x,y,z,r spheres; x0,y0,z0,x1,y1,z1 segments; x,y,z points";
 
 void add_collide(CLI::App &app, arguments &to) {
   CLI::App &c = *app.add_subcommand("collide", "Find all touching pairs of the elements of two files");
@@ -81,15 +80,13 @@ void add_collide(CLI::App &app, arguments &to) {
   c.add_option("B", q.b, "The other set; the same file gives every ordered pair (i, j), i = j included")
       ->required()
       ->type_name("FILE");
-  c.add_option("--predicate", q.predicate,
-               "Which predicate decides, where several fit (meet inspect lists them)")
+  c.add_option("--predicate", q.predicate, "Which predicate decides, where several fit (meet inspect lists them)")
       ->type_name("NAME");
   c.add_option("--mode", q.mode, "What a sphere is; solid is the default")->type_name("solid|surface");
-  c.add_option(
-       "--precision", to.precision,
-       "certified, the default, is never wrong: fp32 with proved bounds first, and what that leaves unsure "
-       "goes on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the sign "
-       "of what rounding leaves")
+  c.add_option("--precision", to.precision,
+               "certified, the default, is never wrong: fp32 with proved bounds first, and what that leaves unsure "
+               "goes on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the sign "
+               "of what rounding leaves")
       ->type_name("fp32|fp64|fp64x2|exact|certified");
   c.add_option("--device", to.device, "Where pairs are decided; auto, the default, is the CPU")
       ->type_name("auto|cpu|cuda");
@@ -102,8 +99,7 @@ void add_collide(CLI::App &app, arguments &to) {
              "Only whether anything touches: stops at the first pair found, so that pairs is 0 or 1; "
              "which pair is not told")
       ->disable_flag_override();
-  c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")
-      ->type_name("out.csv");
+  c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")->type_name("out.csv");
   c.add_option("--color,--colour", q.colour,
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
@@ -113,15 +109,13 @@ void add_collide(CLI::App &app, arguments &to) {
 }
 
 void add_inspect(CLI::App &app, arguments &to) {
-  CLI::App &c =
-      *app.add_subcommand("inspect", "Say what two files hold, what is degenerate, and which predicates fit");
+  CLI::App &c = *app.add_subcommand("inspect", "Say what two files hold, what is degenerate, and which predicates fit");
   to.inspect_command = &c;
   c.add_option("A", to.inspect.a, files_help)->required()->type_name("FILE");
   c.add_option("B", to.inspect.b, "The other set")->required()->type_name("FILE");
   c.add_option("--scene", to.inspect.scene, "Write the scene file that these files require, for meetc")
       ->type_name("out.toml");
-  c.add_option("--algebra", to.inspect.algebra,
-               "The algebra that the scene file names (the shipped cga3.toml)")
+  c.add_option("--algebra", to.inspect.algebra, "The algebra that the scene file names (the shipped cga3.toml)")
       ->type_name("PATH");
 }
 
@@ -183,8 +177,7 @@ bool contains(const std::string &text, const char *part) {
 // CLI11's words, or better ones, in one line.
 std::string in_one_line(const CLI::Error &e, const arguments &args, int argc, char **argv) {
   const CLI::App *command = nullptr;
-  for (const CLI::App *c :
-       {args.collide_command, args.inspect_command, args.demo_command, args.bench.command})
+  for (const CLI::App *c : {args.collide_command, args.inspect_command, args.demo_command, args.bench.command})
     if (argc > 1 && c->get_name() == argv[1])
       command = c;
   std::string name = command ? command->get_name() + " " : "";
@@ -201,8 +194,7 @@ std::string in_one_line(const CLI::Error &e, const arguments &args, int argc, ch
   if (!command && (argc < 2 || argv[1][0] == '-'))
     return fmt::format("a command is needed first: collide, inspect, demo or bench ({})", more);
   if (!command)
-    return fmt::format("unknown command {}; known: collide, inspect, demo, bench ({})", io::quote(argv[1]),
-                       more);
+    return fmt::format("unknown command {}; known: collide, inspect, demo, bench ({})", io::quote(argv[1]), more);
   std::string what = e.what();
   const std::string option = what.substr(0, what.find(':'));
   if (contains(what, "At Most 1 required"))
@@ -221,7 +213,7 @@ int run(int argc, char **argv) {
   open_standard_streams();
   try {
     CLI::App app("Which elements of two sets touch: meshes, segments and spheres, exactly.", "meet");
-    app.set_version_flag("--version", "meet " MEET_VERSION);
+    app.set_version_flag("--version", "meet " MEETC_VERSION);
     app.require_subcommand(1);
     arguments args;
     add_collide(app, args);
@@ -233,7 +225,7 @@ int run(int argc, char **argv) {
     } catch (const CLI::CallForHelp &) {
       return print(app.help());
     } catch (const CLI::CallForVersion &) {
-      return print("meet " MEET_VERSION "\n");
+      return print("meet " MEETC_VERSION "\n");
     } catch (const CLI::Error &e) {
       return complain(in_one_line(e, args, argc, argv), bad_input);
     }
@@ -249,4 +241,4 @@ int run(int argc, char **argv) {
   }
 }
 
-} // namespace meet::app
+} // namespace meetc::app

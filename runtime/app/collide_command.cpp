@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 #include <memory>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace fs = std::filesystem;
 
@@ -101,4 +101,4 @@ std::string collide(const catalogue &all, const collide_request &q) {
   return q.json ? json(report) : summary(report);
 }
 
-} // namespace meet::app
+} // namespace meetc::app

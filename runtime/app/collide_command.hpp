@@ -1,16 +1,16 @@
 // app/collide_command.hpp: `meet collide`: which elements of two files touch.
-#ifndef MEET_APP_COLLIDE_COMMAND_HPP
-#define MEET_APP_COLLIDE_COMMAND_HPP
+#ifndef MEETC_APP_COLLIDE_COMMAND_HPP
+#define MEETC_APP_COLLIDE_COMMAND_HPP
 
-#include "io/transform.hpp"
 #include "app/device_pairs.hpp"
-#include "meet/support.hpp"
+#include "io/transform.hpp"
+#include "meetc/support.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 
-namespace meet::app {
+namespace meetc::app {
 
 struct collide_request {
   std::filesystem::path a, b;
@@ -27,6 +27,6 @@ struct collide_request {
 // box is one line of warning on standard error. Throws io::error.
 std::string collide(const catalogue &all, const collide_request &request);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -13,7 +13,7 @@
 #include <memory>
 #include <utility>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace {
 
@@ -80,9 +80,8 @@ void list_pairs(const ordered &o, const how &h, answers &out) {
   options.progress = h.progress;
   options.owner_a = o.first_set.owner;
   options.owner_b = o.second_set.owner;
-  result r = h.where == place::cuda
-                 ? on_device(o, h, options, out)
-                 : ::meet::collide(o.first, o.second, *h.by.predicate, h.precision, options);
+  result r = h.where == place::cuda ? on_device(o, h, options, out)
+                                    : ::meetc::collide(o.first, o.second, *h.by.predicate, h.precision, options);
   out.pairs = r.count;
   out.candidates = r.candidates;
   out.rungs = r.rungs;
@@ -104,8 +103,7 @@ void list_pairs(const ordered &o, const how &h, answers &out) {
 answers collide_sets(const io::element_set &a, const io::element_set &b, const how &h) {
   const predicate_info &predicate = *h.by.predicate;
   if (ladder(predicate, h.precision).count == 0)
-    throw failure(
-        fmt::format("--precision {}: {} was not generated for it", name_of(h.precision), predicate.name));
+    throw failure(fmt::format("--precision {}: {} was not generated for it", name_of(h.precision), predicate.name));
   answers out;
   const auto start = std::chrono::steady_clock::now();
   const prepared ready_a = prepare(a, h.threads), ready_b = prepare(b, h.threads);
@@ -116,8 +114,8 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const h
   const auto then = std::chrono::steady_clock::now();
   out.a.hit.assign(a.items, 0);
   out.b.hit.assign(b.items, 0);
-  const ordered o = h.by.swapped ? ordered{ready_b, ready_a, b, a, out.b, out.a}
-                                 : ordered{ready_a, ready_b, a, b, out.a, out.b};
+  const ordered o =
+      h.by.swapped ? ordered{ready_b, ready_a, b, a, out.b, out.a} : ordered{ready_a, ready_b, a, b, out.a, out.b};
   if (h.where == place::cpu && (h.any || (!h.keep && a.owner.empty() && b.owner.empty())))
     count_only(o, h, out);
   else
@@ -125,8 +123,7 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const h
   if (h.by.swapped)
     std::swap(out.rungs.left_box_a, out.rungs.left_box_b);
   for (side_answer *const side : {&out.a, &out.b})
-    side->touched =
-        h.any ? out.pairs : static_cast<std::uint64_t>(std::count(side->hit.begin(), side->hit.end(), 1));
+    side->touched = h.any ? out.pairs : static_cast<std::uint64_t>(std::count(side->hit.begin(), side->hit.end(), 1));
   out.collide_seconds = seconds_since(then);
   return out;
 }
@@ -149,4 +146,4 @@ bool inside(const box &inner, const box &outer) {
   return in;
 }
 
-} // namespace meet::app
+} // namespace meetc::app

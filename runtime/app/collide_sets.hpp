@@ -1,7 +1,7 @@
 // app/collide_sets.hpp: two sets as read, one predicate, and all that a report or a picture needs of the
 // answer.
-#ifndef MEET_APP_COLLIDE_SETS_HPP
-#define MEET_APP_COLLIDE_SETS_HPP
+#ifndef MEETC_APP_COLLIDE_SETS_HPP
+#define MEETC_APP_COLLIDE_SETS_HPP
 
 #include "app/choose.hpp"
 #include "app/device_pairs.hpp"
@@ -11,7 +11,7 @@
 
 #include <functional>
 
-namespace meet::app {
+namespace meetc::app {
 
 struct side_answer {
   box bounds{};                  // around all elements; lo > hi where there are none
@@ -48,6 +48,6 @@ bool is_empty(const box &b);
 bool disjoint(const box &x, const box &y); // not where one is empty
 bool inside(const box &inner, const box &outer);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

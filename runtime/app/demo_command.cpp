@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace fs = std::filesystem;
 
@@ -75,4 +75,4 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
   return out;
 }
 
-} // namespace meet::app
+} // namespace meetc::app

@@ -1,18 +1,18 @@
 // app/demo_command.hpp: `meet demo`: every kind of answer on built-in bodies, as a table and as pictures.
-#ifndef MEET_APP_DEMO_COMMAND_HPP
-#define MEET_APP_DEMO_COMMAND_HPP
+#ifndef MEETC_APP_DEMO_COMMAND_HPP
+#define MEETC_APP_DEMO_COMMAND_HPP
 
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <filesystem>
 #include <string>
 
-namespace meet::app {
+namespace meetc::app {
 
 // Writes into the folder, which is made where it is missing, and returns what goes to standard output. Throws
 // io::error.
 std::string demo(const catalogue &all, const std::filesystem::path &folder, int threads);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -1,14 +1,14 @@
 // app/demo_scenes.hpp: pairs of sets made from nothing, one of each kind of answer.
-#ifndef MEET_APP_DEMO_SCENES_HPP
-#define MEET_APP_DEMO_SCENES_HPP
+#ifndef MEETC_APP_DEMO_SCENES_HPP
+#define MEETC_APP_DEMO_SCENES_HPP
 
 #include "io/element_set.hpp"
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <string>
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 struct demo_scene {
   std::string name, name_a, name_b;
@@ -18,6 +18,6 @@ struct demo_scene {
 // The same bytes everywhere.
 std::vector<demo_scene> demo_scenes(const catalogue &all);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -4,27 +4,27 @@
 
 #include <fmt/format.h>
 
-#if MEET_WITH_CUDA
+#if MEETC_WITH_CUDA
 #include "cga/cga_cuda.hpp"
 #include "core/device/collide.hpp"
 
 #include <chrono>
 #endif
 
-namespace meet::app {
+namespace meetc::app {
 
 place place_named(std::string_view name) {
   if (name == "cpu" || name == "auto")
     return place::cpu;
   if (name != "cuda")
     throw failure(fmt::format("--device {}: unknown; known: auto, cpu, cuda", io::quote(std::string(name))));
-#if !MEET_WITH_CUDA
+#if !MEETC_WITH_CUDA
   throw failure("--device cuda: this build has no CUDA kernels (no nvcc was found); use --device cpu", no_device);
 #endif
   return place::cuda;
 }
 
-#if MEET_WITH_CUDA
+#if MEETC_WITH_CUDA
 device_pairs pairs_on_device(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                              const collide_options &options) {
   try {
@@ -37,7 +37,7 @@ device_pairs pairs_on_device(const prepared &a, const prepared &b, const predica
     o.owner_a = options.owner_a;
     o.owner_b = options.owner_b;
     o.progress = options.progress;
-    device_result r = ::meet::collide(on, set_a, set_b, predicate, precision, o);
+    device_result r = ::meetc::collide(on, set_a, set_b, predicate, precision, o);
     const std::string model = model_of(r.filter);
     const double kernels = r.device_seconds;
     return {std::move(r), on.facts().name, model, kernels, started.count()};
@@ -46,9 +46,10 @@ device_pairs pairs_on_device(const prepared &a, const prepared &b, const predica
   }
 }
 #else
-device_pairs pairs_on_device(const prepared &, const prepared &, const predicate_info &, rung, const collide_options &) {
+device_pairs pairs_on_device(const prepared &, const prepared &, const predicate_info &, rung,
+                             const collide_options &) {
   throw failure("this build has no CUDA kernels", no_device);
 }
 #endif
 
-} // namespace meet::app
+} // namespace meetc::app

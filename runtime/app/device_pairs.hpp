@@ -1,13 +1,13 @@
 // app/device_pairs.hpp: where pairs are decided, and the pairs of two sets on the CUDA device.
-#ifndef MEET_APP_DEVICE_PAIRS_HPP
-#define MEET_APP_DEVICE_PAIRS_HPP
+#ifndef MEETC_APP_DEVICE_PAIRS_HPP
+#define MEETC_APP_DEVICE_PAIRS_HPP
 
 #include "core/collide.hpp"
 
 #include <string>
 #include <string_view>
 
-namespace meet::app {
+namespace meetc::app {
 
 enum class place : std::uint8_t { cpu, cuda };
 
@@ -17,15 +17,15 @@ place place_named(std::string_view name);
 
 struct device_pairs {
   result found;
-  std::string device, model;  // "NVIDIA H200"; what the filter assumes of it: "wgmma-f16-f32", "none"
-  double device_seconds = 0;  // kernels alone
-  double start_seconds = 0;   // until the device was ready and the sets there
+  std::string device, model; // "NVIDIA H200"; what the filter assumes of it: "wgmma-f16-f32", "none"
+  double device_seconds = 0; // kernels alone
+  double start_seconds = 0;  // until the device was ready and the sets there
 };
 
 // Throws failure, with exit code no_device, where there is no device, or it fails or lacks the memory.
 device_pairs pairs_on_device(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                              const collide_options &options);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -1,10 +1,10 @@
 // app/failure.hpp: why a command ends without a result, in one line.
-#ifndef MEET_APP_FAILURE_HPP
-#define MEET_APP_FAILURE_HPP
+#ifndef MEETC_APP_FAILURE_HPP
+#define MEETC_APP_FAILURE_HPP
 
 #include "io/error.hpp"
 
-namespace meet::app {
+namespace meetc::app {
 
 enum exit_code : int { done = 0, bad_input = 2, no_device = 3 };
 
@@ -18,6 +18,6 @@ private:
   exit_code code_;
 };
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

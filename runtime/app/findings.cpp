@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace {
 
@@ -22,9 +22,7 @@ bool zero_area(const float *row) {
   for (std::uint16_t k = 0; k < 3; ++k) {
     using enum step_kind;
     const auto l = static_cast<std::uint16_t>((k + 1) % 3);
-    const auto of = [](int corner, std::uint16_t axis) {
-      return static_cast<std::uint16_t>(3 * corner + axis);
-    };
+    const auto of = [](int corner, std::uint16_t axis) { return static_cast<std::uint16_t>(3 * corner + axis); };
     const step cross[] = {{subtract, 9, of(1, k), k}, {subtract, 10, of(2, l), l}, {multiply, 11, 9, 10},
                           {subtract, 9, of(1, l), l}, {subtract, 10, of(2, k), k}, {multiply, 12, 9, 10},
                           {subtract, 11, 11, 12},     {take_sign, 0, 11, 0}};
@@ -188,4 +186,4 @@ grid around(const grid &x, const grid &y) {
   return {std::min(x.low, y.low), std::max(x.high, y.high)};
 }
 
-} // namespace meet::app
+} // namespace meetc::app

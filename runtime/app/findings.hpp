@@ -2,15 +2,15 @@
 //
 // All of it is exact: a triangle has zero area when its corners are collinear as the rational numbers that
 // they are, tested in integers on the grid of its own coordinates.
-#ifndef MEET_APP_FINDINGS_HPP
-#define MEET_APP_FINDINGS_HPP
+#ifndef MEETC_APP_FINDINGS_HPP
+#define MEETC_APP_FINDINGS_HPP
 
 #include "core/box.hpp"
 #include "io/element_set.hpp"
 
 #include <optional>
 
-namespace meet::app {
+namespace meetc::app {
 
 struct findings {
   box points{{1, 1, 1}, {-1, -1, -1}}; // around all points (without radii); lo > hi where there are none
@@ -37,6 +37,6 @@ double box_for(const findings &x, const findings &y);
 box around(const box &x, const box &y);
 grid around(const grid &x, const grid &y);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace fs = std::filesystem;
 
@@ -53,8 +53,7 @@ std::string faults_in_words(const io::element_set &set, const findings &f) {
   return out.empty() ? "none" : out;
 }
 
-std::string file_lines(const char *label, const fs::path &path, const io::element_set &set,
-                       const findings &f) {
+std::string file_lines(const char *label, const fs::path &path, const io::element_set &set, const findings &f) {
   const std::string vertices = set.vertices > 0 ? fmt::format(", {} vertices", grouped(set.vertices)) : "";
   return fmt::format("{}  {}\n"
                      "   kind        {}: {}{}\n"
@@ -120,4 +119,4 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   return out + fmt::format("wrote {}\n", q.scene->string());
 }
 
-} // namespace meet::app
+} // namespace meetc::app

@@ -1,12 +1,12 @@
 // app/kinds.hpp: the kinds of a catalogue as the readers take them.
-#ifndef MEET_APP_KINDS_HPP
-#define MEET_APP_KINDS_HPP
+#ifndef MEETC_APP_KINDS_HPP
+#define MEETC_APP_KINDS_HPP
 
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 inline std::vector<const kind_info *> kinds_of(const catalogue &all) {
   std::vector<const kind_info *> out;
@@ -15,6 +15,6 @@ inline std::vector<const kind_info *> kinds_of(const catalogue &all) {
   return out;
 }
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace meet::app {
+namespace meetc::app {
 
 const kind_info &kind_named(const catalogue &all, std::string_view name) {
   for (int i = 0; i < all.kind_count; ++i)
@@ -39,4 +39,4 @@ io::element_set of_rows(const catalogue &all, std::string_view kind, std::vector
   return set;
 }
 
-} // namespace meet::app
+} // namespace meetc::app

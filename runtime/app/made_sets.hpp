@@ -1,16 +1,16 @@
 // app/made_sets.hpp: meshes and rows made in memory as sets of elements, as if read from a file.
-#ifndef MEET_APP_MADE_SETS_HPP
-#define MEET_APP_MADE_SETS_HPP
+#ifndef MEETC_APP_MADE_SETS_HPP
+#define MEETC_APP_MADE_SETS_HPP
 
-#include "app/meshes.hpp"
+#include "bodies/meshes.hpp"
 #include "io/element_set.hpp"
 #include "io/transform.hpp"
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <string_view>
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 // Throws failure where the build has none of that name.
 const kind_info &kind_named(const catalogue &all, std::string_view name);
@@ -19,6 +19,6 @@ const kind_info &kind_named(const catalogue &all, std::string_view name);
 io::element_set of_mesh(const catalogue &all, mesh m, const io::transform &move = {});
 io::element_set of_rows(const catalogue &all, std::string_view kind, std::vector<float> rows);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -1,5 +1,5 @@
 #include "app/cli.hpp"
 
 int main(int argc, char **argv) {
-  return meet::app::run(argc, argv);
+  return meetc::app::run(argc, argv);
 }

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace meet::app {
+namespace meetc::app {
 
 int threads_named(const std::string &text) {
   std::int64_t n = 0;
@@ -16,4 +16,4 @@ int threads_named(const std::string &text) {
   return static_cast<int>(n);
 }
 
-} // namespace meet::app
+} // namespace meetc::app

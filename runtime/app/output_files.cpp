@@ -10,7 +10,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace fs = std::filesystem;
 
@@ -46,8 +46,7 @@ void check_folder(const fs::path &folder) {
   if (!fs::is_directory(at, code))
     throw failure(fmt::format("{}: is not a folder", at.string()));
   if (::access(at.c_str(), W_OK | X_OK) != 0)
-    throw failure(
-        fmt::format("{}: cannot be written: {}", at.string(), std::generic_category().message(errno)));
+    throw failure(fmt::format("{}: cannot be written: {}", at.string(), std::generic_category().message(errno)));
 }
 
 } // namespace
@@ -65,8 +64,8 @@ void output_files::expect(const fs::path &target, bool makes_folder) {
     throw failure(fmt::format("'{}': is not the name of a file to write", target.string()));
   for (const fs::path &input : inputs_)
     if (same_file(input, target))
-      throw failure(fmt::format(
-          "{}: is an input and would be overwritten; choose another name for the output", target.string()));
+      throw failure(
+          fmt::format("{}: is an input and would be overwritten; choose another name for the output", target.string()));
   if (special(target))
     return;
   for (const fs::path &other : expected_)
@@ -123,4 +122,4 @@ void output_files::commit() {
   folders_.clear();
 }
 
-} // namespace meet::app
+} // namespace meetc::app

@@ -7,8 +7,8 @@
 // names, and renamed when all are there.
 // Limits: a target that exists and is no regular file (a terminal, a pipe) is written directly, after all
 // others are ready. A rename that fails half-way leaves those before it.
-#ifndef MEET_APP_OUTPUT_FILES_HPP
-#define MEET_APP_OUTPUT_FILES_HPP
+#ifndef MEETC_APP_OUTPUT_FILES_HPP
+#define MEETC_APP_OUTPUT_FILES_HPP
 
 #include "io/error.hpp"
 
@@ -16,7 +16,7 @@
 #include <functional>
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 class output_files {
 public:
@@ -46,6 +46,6 @@ private:
   std::vector<std::function<void()>> direct_;
 };
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

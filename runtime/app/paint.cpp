@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace {
 
@@ -60,8 +60,8 @@ void write_coloured(const std::filesystem::path &path, const painted &side) {
   io::write_ply(path, side.set, colours);
 }
 
-void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const view &from,
-                   int width, int height) {
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const view &from, int width,
+                   int height) {
   std::vector<kept> keep(sides.size());
   std::vector<shape> shapes;
   for (std::size_t i = 0; i < sides.size(); ++i)
@@ -76,4 +76,4 @@ void write_png(const std::filesystem::path &path, const image &picture) {
   file.commit();
 }
 
-} // namespace meet::app
+} // namespace meetc::app

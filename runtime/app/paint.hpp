@@ -1,16 +1,16 @@
 // app/paint.hpp: the hits of two sets as coloured meshes and as a picture.
-#ifndef MEET_APP_PAINT_HPP
-#define MEET_APP_PAINT_HPP
+#ifndef MEETC_APP_PAINT_HPP
+#define MEETC_APP_PAINT_HPP
 
-#include "app/picture.hpp"
 #include "io/element_set.hpp"
 #include "io/write.hpp"
+#include "picture/picture.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 // What is painted of one side.
 struct painted {
@@ -28,11 +28,11 @@ inline bool is_mesh(const io::element_set &set) {
 void write_coloured(const std::filesystem::path &path, const painted &side);
 
 // A PNG of the sides together and each alone. Throws io::error.
-void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides,
-                   const view &from = {}, int width = 1600, int height = 900);
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const view &from = {},
+                   int width = 1600, int height = 900);
 
 void write_png(const std::filesystem::path &path, const image &picture);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -1,13 +1,13 @@
 // app/progress.hpp: a line on a terminal that says how far a long computation is.
-#ifndef MEET_APP_PROGRESS_HPP
-#define MEET_APP_PROGRESS_HPP
+#ifndef MEETC_APP_PROGRESS_HPP
+#define MEETC_APP_PROGRESS_HPP
 
 #include <chrono>
 #include <cstdio>
 #include <string>
 #include <unistd.h>
 
-namespace meet::app {
+namespace meetc::app {
 
 // Says nothing in the first second, and nothing at all where standard error is no terminal. The line is gone
 // when the object is.
@@ -36,6 +36,6 @@ private:
   bool terminal_ = ::isatty(STDERR_FILENO) == 1, shown_ = false;
 };
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -1,7 +1,7 @@
 #include "app/report.hpp"
 
-#include "app/bench/table.hpp"
 #include "app/paint.hpp"
+#include "bench/table.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <tuple>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace {
 
@@ -17,8 +17,8 @@ namespace {
 // count.
 bool may_be_contained(const collide_report &r) {
   const answers &f = r.found;
-  return f.pairs == 0 && ((is_mesh(r.a) && inside(f.b.bounds, f.a.bounds)) ||
-                          (is_mesh(r.b) && inside(f.a.bounds, f.b.bounds)));
+  return f.pairs == 0 &&
+         ((is_mesh(r.a) && inside(f.b.bounds, f.a.bounds)) || (is_mesh(r.b) && inside(f.a.bounds, f.b.bounds)));
 }
 
 std::string predicate_in_words(const how &h) {
@@ -33,10 +33,9 @@ std::string file_lines(const collide_report &r) {
   const std::size_t names = std::max(r.name_a.size(), r.name_b.size());
   const std::size_t counts = std::max(count_a.size(), count_b.size());
   std::string out;
-  out +=
-      fmt::format("A  {:{}}  {:{}}  box {}\n", r.name_a, names, count_a, counts, in_words(r.found.a.bounds));
-  out += fmt::format("B  {:{}}  {:{}}  box {}{}\n", r.name_b, names, count_b, counts,
-                     in_words(r.found.b.bounds), r.moved ? ", moved" : "");
+  out += fmt::format("A  {:{}}  {:{}}  box {}\n", r.name_a, names, count_a, counts, in_words(r.found.a.bounds));
+  out += fmt::format("B  {:{}}  {:{}}  box {}{}\n", r.name_b, names, count_b, counts, in_words(r.found.b.bounds),
+                     r.moved ? ", moved" : "");
   return out;
 }
 
@@ -67,9 +66,8 @@ std::string answer_line(const collide_report &r) {
     return f.pairs ? "They touch (stopped at the first pair found).\n" : "Nothing touches.\n";
   if (f.pairs == 0)
     return "Nothing touches: 0 pairs.\n";
-  return fmt::format("{} {}: {} of A, {} of B.\n", grouped(f.pairs),
-                     f.pairs == 1 ? "pair touches" : "pairs touch", counted(r.a, f.a.touched),
-                     counted(r.b, f.b.touched));
+  return fmt::format("{} {}: {} of A, {} of B.\n", grouped(f.pairs), f.pairs == 1 ? "pair touches" : "pairs touch",
+                     counted(r.a, f.a.touched), counted(r.b, f.b.touched));
 }
 
 } // namespace
@@ -100,21 +98,19 @@ std::string summary(const collide_report &r) {
   const answers &f = r.found;
   std::string out = file_lines(r);
   if (r.same_file)
-    out +=
-        r.moved
-            ? "A and B are the same file, B moved.\n"
-        : r.a.kind->points == 3
-            ? "A and B are the same file: every ordered pair (i, j) counts, i = j included, and neighbours\n"
-              "touch where they share a corner or an edge.\n"
-            : "A and B are the same file: every ordered pair (i, j) counts, i = j included.\n";
+    out += r.moved ? "A and B are the same file, B moved.\n"
+           : r.a.kind->points == 3
+               ? "A and B are the same file: every ordered pair (i, j) counts, i = j included, and neighbours\n"
+                 "touch where they share a corner or an edge.\n"
+               : "A and B are the same file: every ordered pair (i, j) counts, i = j included.\n";
   if (disjoint(f.a.bounds, f.b.bounds))
     out += "The boxes are disjoint.\n";
   out += '\n';
   out += answer_line(r);
   if (may_be_contained(r))
     out += "Meshes are surfaces here: what lies wholly inside one does not touch it.\n";
-  out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked),
-                     grouped(f.candidates), f.candidates == 1 ? "" : "s");
+  out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked), grouped(f.candidates),
+                     f.candidates == 1 ? "" : "s");
   if (r.asked.precision == rung::certified)
     out += rungs_line(f);
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
@@ -136,11 +132,10 @@ std::string box_warning(const how &asked, const answers &found) {
        {std::tuple("A", r.left_box_a, &found.a), std::tuple("B", r.left_box_b, &found.b)})
     if (left)
       sets += fmt::format("{}{} {}", sets.empty() ? "" : ", ", name, in_words(side->bounds));
-  return sets.empty()
-             ? ""
-             : fmt::format("warning: outside of the scene's box, {} to {} in each coordinate: {}; fp32 "
-                           "then bounds each pair by itself, and the answer is as certain",
-                           -asked.box, asked.box, sets);
+  return sets.empty() ? ""
+                      : fmt::format("warning: outside of the scene's box, {} to {} in each coordinate: {}; fp32 "
+                                    "then bounds each pair by itself, and the answer is as certain",
+                                    -asked.box, asked.box, sets);
 }
 
 std::string json(const collide_report &r) {
@@ -149,16 +144,16 @@ std::string json(const collide_report &r) {
     return fmt::format(R"({{"kind":"{}","elements":{}}})", set.kind->name, set.items);
   };
   const bool on_device = r.asked.where == place::cuda;
-  return fmt::format(
-      R"({{"a":{},"b":{},"pairs":{},"touched_a":{},"touched_b":{},"precision":"{}",)"
-      R"("device":"{}","unsure":{{{}}},"seconds":{{"read":{:.6f},"prepare":{:.6f},"collide":{:.6f}{}}},)"
-      R"("predicate":"{}","mode":"{}"{}}})"
-      "\n",
-      side(r.a), side(r.b), f.pairs, f.a.touched, f.b.touched, name_of(r.asked.precision),
-      on_device ? "cuda" : "cpu", unsure_json(r), r.read_seconds, f.prepare_seconds, f.collide_seconds,
-      on_device ? fmt::format(R"(,"start":{:.6f},"device":{:.6f})", f.start_seconds, f.device_seconds) : "",
-      r.asked.by.predicate->name, r.asked.by.predicate->mode,
-      on_device ? fmt::format(R"(,"device_name":{},"model":"{}")", json_string(f.device), f.model) : "");
+  return fmt::format(R"({{"a":{},"b":{},"pairs":{},"touched_a":{},"touched_b":{},"precision":"{}",)"
+                     R"("device":"{}","unsure":{{{}}},"seconds":{{"read":{:.6f},"prepare":{:.6f},"collide":{:.6f}{}}},)"
+                     R"("predicate":"{}","mode":"{}"{}}})"
+                     "\n",
+                     side(r.a), side(r.b), f.pairs, f.a.touched, f.b.touched, name_of(r.asked.precision),
+                     on_device ? "cuda" : "cpu", unsure_json(r), r.read_seconds, f.prepare_seconds, f.collide_seconds,
+                     on_device ? fmt::format(R"(,"start":{:.6f},"device":{:.6f})", f.start_seconds, f.device_seconds)
+                               : "",
+                     r.asked.by.predicate->name, r.asked.by.predicate->mode,
+                     on_device ? fmt::format(R"(,"device_name":{},"model":"{}")", json_string(f.device), f.model) : "");
 }
 
-} // namespace meet::app
+} // namespace meetc::app

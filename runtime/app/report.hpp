@@ -1,6 +1,6 @@
 // app/report.hpp: the answer of `meet collide` in words and as JSON.
-#ifndef MEET_APP_REPORT_HPP
-#define MEET_APP_REPORT_HPP
+#ifndef MEETC_APP_REPORT_HPP
+#define MEETC_APP_REPORT_HPP
 
 #include "app/collide_sets.hpp"
 #include "io/element_set.hpp"
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 struct collide_report {
   std::string name_a, name_b; // of the files
@@ -37,6 +37,6 @@ std::string counted(const io::element_set &set, std::uint64_t n);
 // "[0, 0, 0] to [1, 1, 1]"
 std::string in_words(const box &b);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace meet::app {
+namespace meetc::app {
 
 namespace fs = std::filesystem;
 
@@ -50,19 +50,17 @@ fs::path algebra_path(const std::optional<fs::path> &asked) {
   std::error_code code;
   if (asked) {
     if (!fs::is_regular_file(*asked, code))
-      throw failure(
-          fmt::format("{}: no such file; --algebra names the algebra, such as cga3.toml", asked->string()));
+      throw failure(fmt::format("{}: no such file; --algebra names the algebra, such as cga3.toml", asked->string()));
     return *asked;
   }
-  for (const char *const usual : {MEET_INSTALLED_ALGEBRA, MEET_SOURCE_ALGEBRA})
+  for (const char *const usual : {MEETC_INSTALLED_ALGEBRA, MEETC_SOURCE_ALGEBRA})
     if (fs::is_regular_file(usual, code))
       return usual;
-  throw failure(
-      "--scene: the algebra cga3.toml is not where it was installed; say where with --algebra PATH");
+  throw failure("--scene: the algebra cga3.toml is not where it was installed; say where with --algebra PATH");
 }
 
-std::string scene_text(const fs::path &at, const fs::path &algebra,
-                       const std::vector<std::string> &predicates, double box, const std::string &comment) {
+std::string scene_text(const fs::path &at, const fs::path &algebra, const std::vector<std::string> &predicates,
+                       double box, const std::string &comment) {
   std::error_code code;
   const fs::path folder = fs::weakly_canonical(fs::absolute(at).parent_path(), code);
   const fs::path real = fs::weakly_canonical(fs::absolute(algebra), code);
@@ -74,8 +72,7 @@ std::string scene_text(const fs::path &at, const fs::path &algebra,
                      "'fp64x2', 'exact', 'certified']\n"
                      "backends  = ['cpp', 'cuda']\n{}kernels   = [{}]\n",
                      comment, toml_string((relative.empty() ? real : relative).generic_string()),
-                     space_named(at.stem().string()), box > 0 ? fmt::format("box       = {}\n", box) : "",
-                     kernels);
+                     space_named(at.stem().string()), box > 0 ? fmt::format("box       = {}\n", box) : "", kernels);
 }
 
-} // namespace meet::app
+} // namespace meetc::app

@@ -1,13 +1,13 @@
 // app/scene_file.hpp: the scene that two kinds of element require, as meetc reads it.
-#ifndef MEET_APP_SCENE_FILE_HPP
-#define MEET_APP_SCENE_FILE_HPP
+#ifndef MEETC_APP_SCENE_FILE_HPP
+#define MEETC_APP_SCENE_FILE_HPP
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace meet::app {
+namespace meetc::app {
 
 // The algebra that a scene names: `asked`, else the installed one, else the one of the source tree. Throws
 // failure where it is not there.
@@ -18,6 +18,6 @@ std::filesystem::path algebra_path(const std::optional<std::filesystem::path> &a
 std::string scene_text(const std::filesystem::path &at, const std::filesystem::path &algebra,
                        const std::vector<std::string> &predicates, double box, const std::string &comment);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

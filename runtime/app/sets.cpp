@@ -1,9 +1,9 @@
 #include "app/sets.hpp"
 
-namespace meet::app {
+namespace meetc::app {
 
-::meet::view view_of(const io::element_set &set) {
-  ::meet::view v;
+::meetc::view view_of(const io::element_set &set) {
+  ::meetc::view v;
   v.data = set.data.data();
   v.elements = set.elements;
   if (set.index.empty()) {
@@ -17,7 +17,7 @@ namespace meet::app {
 }
 
 prepared prepare(const io::element_set &set, int threads) {
-  return ::meet::prepare(view_of(set), *set.kind, {}, threads);
+  return ::meetc::prepare(view_of(set), *set.kind, {}, threads);
 }
 
-} // namespace meet::app
+} // namespace meetc::app

@@ -1,19 +1,19 @@
 // app/sets.hpp: from what a reader returns to what the core collides.
-#ifndef MEET_APP_SETS_HPP
-#define MEET_APP_SETS_HPP
+#ifndef MEETC_APP_SETS_HPP
+#define MEETC_APP_SETS_HPP
 
 #include "core/collide.hpp"
 #include "io/element_set.hpp"
 
-namespace meet::app {
+namespace meetc::app {
 
 // Borrows: valid while the set is neither changed nor gone.
-::meet::view view_of(const io::element_set &set);
+::meetc::view view_of(const io::element_set &set);
 
 // Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to
-// collide_options, so that pairs are of items. Throws as meet::prepare does; what io::read returned is good.
+// collide_options, so that pairs are of items. Throws as meetc::prepare does; what io::read returned is good.
 prepared prepare(const io::element_set &set, int threads = 0);
 
-} // namespace meet::app
+} // namespace meetc::app
 
 #endif

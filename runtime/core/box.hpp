@@ -4,14 +4,14 @@
 // in blocks of sixteen, coordinate by coordinate, and the test is a plain loop over the lanes that every
 // compiler in use turns into vector code. Sanitised boxes are finite, which loses no candidate (clamping is
 // monotone), so a lane that holds nothing, from +inf to -inf, touches none of them.
-#ifndef MEET_CORE_BOX_HPP
-#define MEET_CORE_BOX_HPP
+#ifndef MEETC_CORE_BOX_HPP
+#define MEETC_CORE_BOX_HPP
 
 #include <algorithm>
 #include <cstdint>
 #include <limits>
 
-namespace meet {
+namespace meetc {
 
 struct box {
   float lo[3], hi[3];
@@ -32,9 +32,7 @@ struct alignas(64) box_block {
       hi[k][lane] = b.hi[k];
     }
   }
-  box get(int lane) const {
-    return {{lo[0][lane], lo[1][lane], lo[2][lane]}, {hi[0][lane], hi[1][lane], hi[2][lane]}};
-  }
+  box get(int lane) const { return {{lo[0][lane], lo[1][lane], lo[2][lane]}, {hi[0][lane], hi[1][lane], hi[2][lane]}}; }
   // The box around all lanes.
   box around() const {
     box b;
@@ -58,9 +56,8 @@ inline box sanitised(box b) {
 
 // Bit i: lane i of the block may touch q.
 inline std::uint32_t touching(const box_block &block, const box &q) {
-  static constexpr std::uint32_t bit[lanes] = {1,       2,       4,       8,      1 << 4,  1 << 5,
-                                               1 << 6,  1 << 7,  1 << 8,  1 << 9, 1 << 10, 1 << 11,
-                                               1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  static constexpr std::uint32_t bit[lanes] = {1,      2,      4,       8,       1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                                               1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
   std::uint32_t mask = 0;
   for (int i = 0; i < lanes; ++i) {
     const bool apart = (q.hi[0] < block.lo[0][i]) | (block.hi[0][i] < q.lo[0]) | (q.hi[1] < block.lo[1][i]) |
@@ -70,6 +67,6 @@ inline std::uint32_t touching(const box_block &block, const box &q) {
   return mask;
 }
 
-} // namespace meet
+} // namespace meetc
 
 #endif

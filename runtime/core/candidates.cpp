@@ -2,7 +2,7 @@
 
 #include <bit>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 // Writes the pairs of slot a, whose box is q, with one block of b. Returns the end of what it wrote.
@@ -23,8 +23,7 @@ std::size_t lanes_of(const level &l, std::size_t block) {
 class walk {
 public:
   walk(const element_set &a, std::size_t block, const element_set &b, pair_sink &sink)
-      : a_(a.boxes.levels[0]), a_block_(block), around_(a.boxes.levels[1].get(block)), b_(b.boxes),
-        sink_(sink) {}
+      : a_(a.boxes.levels[0]), a_block_(block), around_(a.boxes.levels[1].get(block)), b_(b.boxes), sink_(sink) {}
 
   bool down(int at, std::size_t block) {
     const level &l = b_.levels[at];
@@ -125,4 +124,4 @@ bool tree_pairs::yield(std::size_t unit, pair_sink &sink) const {
   return w.down(start_, unit % starts_) && w.finish();
 }
 
-} // namespace meet
+} // namespace meetc

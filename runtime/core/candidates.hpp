@@ -3,12 +3,12 @@
 // A source cuts its work into units that may run in any order on any thread; together they yield each pair
 // whose boxes may touch exactly once. Pairs come in runs of one `a`, and a run is never cut between two
 // batches.
-#ifndef MEET_CORE_CANDIDATES_HPP
-#define MEET_CORE_CANDIDATES_HPP
+#ifndef MEETC_CORE_CANDIDATES_HPP
+#define MEETC_CORE_CANDIDATES_HPP
 
 #include "core/element_set.hpp"
 
-namespace meet {
+namespace meetc {
 
 // Takes pairs of slots. One a thread.
 class pair_sink {
@@ -63,6 +63,6 @@ private:
   std::size_t starts_ = 0; // blocks of that level
 };
 
-} // namespace meet
+} // namespace meetc
 
 #endif

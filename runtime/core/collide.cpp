@@ -8,7 +8,7 @@
 #include <chrono>
 #include <cstring>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 // A list a worker. With owners it is compacted whenever it has doubled, so that it grows with the distinct
@@ -28,8 +28,8 @@ public:
       return;
     }
     for (std::size_t i = 0; i < n; ++i)
-      mine.pairs.push_back({owner_a_.empty() ? hits[i].a : owner_a_[hits[i].a],
-                            owner_b_.empty() ? hits[i].b : owner_b_[hits[i].b]});
+      mine.pairs.push_back(
+          {owner_a_.empty() ? hits[i].a : owner_a_[hits[i].a], owner_b_.empty() ? hits[i].b : owner_b_[hits[i].b]});
     if (mine.pairs.size() >= mine.compact_at) {
       sort_pairs(mine.pairs.data(), mine.pairs.size(), mine.scratch);
       drop_repeats(mine.pairs);
@@ -97,9 +97,7 @@ void prepared::bounds(float lo[3], float hi[3]) const {
 prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads) {
   if (elements.elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
-  const auto allocate = [](const arena &need) {
-    return std::unique_ptr<std::byte[]>(new std::byte[need.bytes()]);
-  };
+  const auto allocate = [](const arena &need) { return std::unique_ptr<std::byte[]>(new std::byte[need.bytes()]); };
   arena set_need, scratch_need;
   take_set(set_need, kind, elements.elements);
   take_scratch(scratch_need, kind, elements.elements);
@@ -122,8 +120,7 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   const auto start = std::chrono::steady_clock::now();
   require(same_kind(a.kind(), *predicate.a) && same_kind(b.kind(), *predicate.b),
           "the predicate is for other kinds of element");
-  require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b),
-          "an owner map needs one item an element");
+  require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b), "an owner map needs one item an element");
   ladder by(predicate, precision);
   require(by.count > 0, text(status::no_such_rung));
   require(options.box >= 0, "the scene's box is negative or not a number");
@@ -134,17 +131,15 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   const tree_pairs tree(a.set(), b.set());
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   collect taker(threads, options.owner_a, options.owner_b);
-  const bool keep =
-      options.mode == collide_mode::list || (options.mode == collide_mode::count && taker.owned());
+  const bool keep = options.mode == collide_mode::list || (options.mode == collide_mode::count && taker.owned());
   const auto report = [](void *context, double fraction) {
     (*static_cast<const std::function<void(double)> *>(context))(fraction);
   };
   const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
-  const tally total =
-      decide_all({a.set(), b.set(), by, source, threads, options.mode == collide_mode::any,
-                  options.progress ? +report : nullptr,
-                  const_cast<std::function<void(double)> *>(&options.progress), keep ? &taker : nullptr},
-                 {batches.get(), batch_bytes(threads)});
+  const tally total = decide_all(
+      {a.set(), b.set(), by, source, threads, options.mode == collide_mode::any, options.progress ? +report : nullptr,
+       const_cast<std::function<void(double)> *>(&options.progress), keep ? &taker : nullptr},
+      {batches.get(), batch_bytes(threads)});
   result r;
   r.candidates = total.candidates;
   r.count = total.hits;
@@ -159,4 +154,4 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   return r;
 }
 
-} // namespace meet
+} // namespace meetc

@@ -7,8 +7,8 @@
 // predicate's rung; `certified` is several rungs, each on what the one before left unsure. A set against
 // itself gives every ordered pair (i, j), i = j included. The same pairs come out for any number of threads
 // and from either source of candidates.
-#ifndef MEET_CORE_COLLIDE_HPP
-#define MEET_CORE_COLLIDE_HPP
+#ifndef MEETC_CORE_COLLIDE_HPP
+#define MEETC_CORE_COLLIDE_HPP
 
 #include "core/ladder.hpp"
 #include "core/memory.hpp"
@@ -21,10 +21,9 @@
 #include <stdexcept>
 #include <vector>
 
-namespace meet {
+namespace meetc {
 
-// ---- in the caller's memory
-// ------------------------------------------------------------------------------------
+// ---- in the caller's memory ----
 
 struct pairs_out {
   index_pair *data = nullptr; // null with capacity 0: only count
@@ -44,8 +43,7 @@ struct pairs_options {
 };
 
 // Bytes that pairs() needs for so many elements on so many threads (0: all cores). Any alignment will do.
-std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, std::size_t elements_b,
-                      int threads = 0);
+std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, std::size_t elements_b, int threads = 0);
 
 // All touching pairs (a, b), sorted by a, then b. Where *count > capacity, the pairs written are some of
 // them, in no order: call again with more. Allocates nothing (but the system does for each thread that it
@@ -53,8 +51,7 @@ std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, s
 status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
              const pose &at_b, pairs_out out, memory work, const pairs_options &options = {}) noexcept;
 
-// ---- owning
-// ----------------------------------------------------------------------------------------------------
+// ---- owning ----
 
 // What prepare() throws for a bad element.
 class input_error : public std::invalid_argument {
@@ -121,6 +118,6 @@ struct result {
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 
-} // namespace meet
+} // namespace meetc
 
 #endif

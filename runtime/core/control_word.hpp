@@ -2,12 +2,12 @@
 //
 // Any library linked with -ffast-math sets flush-to-zero for the whole process; poses and rungs then lose
 // subnormals. A guard sets round-to-nearest with gradual underflow and restores what it found. One a thread.
-#ifndef MEET_CORE_CONTROL_WORD_HPP
-#define MEET_CORE_CONTROL_WORD_HPP
+#ifndef MEETC_CORE_CONTROL_WORD_HPP
+#define MEETC_CORE_CONTROL_WORD_HPP
 
-#include <meet/control_word.hpp>
+#include <meetc/control_word.hpp>
 
-namespace meet {
+namespace meetc {
 
 class control_word_guard {
 public:
@@ -20,6 +20,6 @@ private:
   decltype(control_word()) found_ = control_word();
 };
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <chrono>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 // A flush is due at some thousand pairs; a run that began just before may add its whole length.
@@ -123,8 +123,7 @@ tally decide_all(const decision_job &job, memory batches) {
 
   // Chunks small enough to share out, large enough that the counter is not what binds.
   const std::size_t units = job.source.units();
-  const std::size_t chunk =
-      std::clamp<std::size_t>(units / (static_cast<std::size_t>(job.threads) * 64), 1, 64);
+  const std::size_t chunk = std::clamp<std::size_t>(units / (static_cast<std::size_t>(job.threads) * 64), 1, 64);
   chunk_counter counter(units, chunk);
   shared_state shared{job};
   auto body = [&](int worker) {
@@ -151,4 +150,4 @@ tally decide_all(const decision_job &job, memory batches) {
   return total;
 }
 
-} // namespace meet
+} // namespace meetc

@@ -3,13 +3,13 @@
 // Each thread collects candidates in a batch and takes it down the ladder: a step sees only the pairs that
 // the one before left unsure. What is a hit goes to the taker under the caller's element indices. Memory is
 // one batch a thread, however many candidates or hits there are.
-#ifndef MEET_CORE_DECIDE_HPP
-#define MEET_CORE_DECIDE_HPP
+#ifndef MEETC_CORE_DECIDE_HPP
+#define MEETC_CORE_DECIDE_HPP
 
 #include "core/candidates.hpp"
 #include "core/ladder.hpp"
 
-namespace meet {
+namespace meetc {
 
 // Takes hits, in no order. A worker calls for itself alone; different workers call at the same time.
 class hit_taker {
@@ -40,6 +40,6 @@ std::size_t batch_bytes(int threads);
 // no step is taken that is not needed.
 tally decide_all(const decision_job &job, memory batches);
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -9,7 +9,7 @@
 #include <limits>
 #include <mutex>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 // The largest |v| of every step-th number, by the bits: finite numbers are in the order of their magnitudes'
@@ -32,8 +32,8 @@ void widen(element_set &set, const float *rows, std::size_t count, std::mutex &l
   const auto fields = static_cast<std::size_t>(kind.fields);
   const std::size_t n = count * fields, step = kind.points > 0 ? 1 : fields; // points: all are coordinates
   for (std::size_t f = 0; f < step; ++f) {
-    const float most = kind.roles[f] == role::other ? std::numeric_limits<float>::infinity()
-                                                    : largest(rows + f, n - f, step);
+    const float most =
+        kind.roles[f] == role::other ? std::numeric_limits<float>::infinity() : largest(rows + f, n - f, step);
     const std::scoped_lock hold(lock);
     float &all = kind.roles[f] == role::length ? set.longest : set.reach;
     all = std::max(all, most);
@@ -104,4 +104,4 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   return status::ok;
 }
 
-} // namespace meet
+} // namespace meetc

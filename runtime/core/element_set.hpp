@@ -2,14 +2,14 @@
 //
 // A slot is a place in that order; `order` leads back to the caller's element. Rows lie in slot order, so
 // that the rows of one block are read together.
-#ifndef MEET_CORE_ELEMENT_SET_HPP
-#define MEET_CORE_ELEMENT_SET_HPP
+#ifndef MEETC_CORE_ELEMENT_SET_HPP
+#define MEETC_CORE_ELEMENT_SET_HPP
 
 #include "core/hierarchy.hpp"
 #include "core/status.hpp"
 #include "core/view.hpp"
 
-namespace meet {
+namespace meetc {
 
 struct element_set {
   const kind_info *kind = nullptr;
@@ -34,6 +34,6 @@ set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t element
 // Fills a set that was taken for this kind and number of elements.
 status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads);
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -2,7 +2,7 @@
 
 #include "core/threads.hpp"
 
-namespace meet {
+namespace meetc {
 
 hierarchy take_hierarchy(arena &from, std::size_t n) {
   hierarchy h;
@@ -29,4 +29,4 @@ void enclose(hierarchy &h, int threads) {
   }
 }
 
-} // namespace meet
+} // namespace meetc

@@ -3,13 +3,13 @@
 // Level 0 holds the element boxes in spatial order; box i of level k+1 encloses block i of level k. Nothing
 // points anywhere: the children of box i are block i below. There is always a level 1 where there is an
 // element, and the top level is one block.
-#ifndef MEET_CORE_HIERARCHY_HPP
-#define MEET_CORE_HIERARCHY_HPP
+#ifndef MEETC_CORE_HIERARCHY_HPP
+#define MEETC_CORE_HIERARCHY_HPP
 
 #include "core/box.hpp"
 #include "core/memory.hpp"
 
-namespace meet {
+namespace meetc {
 
 struct level {
   box_block *blocks = nullptr;
@@ -32,6 +32,6 @@ hierarchy take_hierarchy(arena &from, std::size_t n);
 // Fills every level above level 0, whose blocks are full or end in empty lanes.
 void enclose(hierarchy &h, int threads);
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -2,7 +2,7 @@
 
 #include "core/element_set.hpp"
 
-namespace meet {
+namespace meetc {
 
 // Nothing rounds here: reach and longest are stored numbers, and 2 box is exact or infinite.
 static bool lies_in(const element_set &set, float box) {
@@ -34,4 +34,4 @@ void ladder::enter_box(float box, const element_set &a, const element_set &b) {
     side = least;
 }
 
-} // namespace meet
+} // namespace meetc

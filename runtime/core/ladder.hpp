@@ -2,12 +2,12 @@
 //
 // A plain rung and exact are one function. `certified` is four: fp32, fp64, fp64x2 and exact, each for what
 // the one before left unsure.
-#ifndef MEET_CORE_LADDER_HPP
-#define MEET_CORE_LADDER_HPP
+#ifndef MEETC_CORE_LADDER_HPP
+#define MEETC_CORE_LADDER_HPP
 
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
-namespace meet {
+namespace meetc {
 
 struct element_set;
 
@@ -29,8 +29,7 @@ struct ladder {
   // Takes the bounds of [-box, box] where both sets lie in it and the predicate has them. 0: no box.
   void enter_box(float box, const element_set &a, const element_set &b);
 
-  void decide(int step, const float *a, const float *b, const index_pair *pairs, std::size_t n,
-              answer *out) const {
+  void decide(int step, const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) const {
     if (step == 0 && side > 0)
       predicate->certify_in_box(side, false, a, b, pairs, n, out);
     else
@@ -38,6 +37,6 @@ struct ladder {
   }
 };
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -2,13 +2,13 @@
 //
 // The same function cuts an arena without memory, to learn the size, and one with memory, to use it, so the
 // two cannot disagree. Every array starts on a cache line.
-#ifndef MEET_CORE_MEMORY_HPP
-#define MEET_CORE_MEMORY_HPP
+#ifndef MEETC_CORE_MEMORY_HPP
+#define MEETC_CORE_MEMORY_HPP
 
 #include <cstddef>
 #include <cstdint>
 
-namespace meet {
+namespace meetc {
 
 struct memory {
   void *data = nullptr;
@@ -40,6 +40,6 @@ private:
   std::size_t skip_ = 0, used_ = 0;
 };
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -3,7 +3,7 @@
 #include "core/radix_sort.hpp"
 #include "core/threads.hpp"
 
-namespace meet {
+namespace meetc {
 namespace {
 
 constexpr int cells = 1024; // along each axis: ten bits of thirty
@@ -82,8 +82,7 @@ void refine(const box *boxes, std::uint64_t *keys, std::uint64_t *scratch, std::
 
 } // namespace
 
-void spatial_order(const box *boxes, std::size_t n, std::uint64_t *keys, std::uint64_t *scratch,
-                   int threads) {
+void spatial_order(const box *boxes, std::size_t n, std::uint64_t *keys, std::uint64_t *scratch, int threads) {
   constexpr std::size_t chunk = 4096;
   extent parts[max_threads];
   for_chunks(threads, n, chunk, [&](int worker, std::size_t begin, std::size_t end) {
@@ -103,4 +102,4 @@ void spatial_order(const box *boxes, std::size_t n, std::uint64_t *keys, std::ui
   refine(boxes, keys, scratch, n);
 }
 
-} // namespace meet
+} // namespace meetc

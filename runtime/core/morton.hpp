@@ -6,19 +6,19 @@
 // One element at 1e38 therefore costs one level, not the order of all others. Centres are fp64, where no
 // float32 range over- or underflows. Ties keep the order of the elements, so the order depends on nothing but
 // the boxes.
-#ifndef MEET_CORE_MORTON_HPP
-#define MEET_CORE_MORTON_HPP
+#ifndef MEETC_CORE_MORTON_HPP
+#define MEETC_CORE_MORTON_HPP
 
 #include "core/box.hpp"
 
 #include <cstddef>
 
-namespace meet {
+namespace meetc {
 
 // After it, the low 32 bits of keys[i] are the element at place i. The boxes are sanitised; scratch has room
 // for n.
 void spatial_order(const box *boxes, std::size_t n, std::uint64_t *keys, std::uint64_t *scratch, int threads);
 
-} // namespace meet
+} // namespace meetc
 
 #endif

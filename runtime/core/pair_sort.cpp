@@ -5,7 +5,7 @@
 
 #include <bit>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 std::uint64_t key(index_pair p) {
@@ -85,4 +85,4 @@ std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &list
   return out;
 }
 
-} // namespace meet
+} // namespace meetc

@@ -2,15 +2,15 @@
 //
 // Method: pairs are dealt into at most 256 buckets by the high bits of a, then each bucket is sorted by its
 // digits; both steps on all threads. Room beside the result: one bucket a thread.
-#ifndef MEET_CORE_PAIR_SORT_HPP
-#define MEET_CORE_PAIR_SORT_HPP
+#ifndef MEETC_CORE_PAIR_SORT_HPP
+#define MEETC_CORE_PAIR_SORT_HPP
 
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <cstddef>
 #include <vector>
 
-namespace meet {
+namespace meetc {
 
 // By a, then b. `scratch` grows as needed.
 void sort_pairs(index_pair *pairs, std::size_t n, std::vector<index_pair> &scratch);
@@ -21,6 +21,6 @@ void drop_repeats(std::vector<index_pair> &sorted);
 // All pairs of all lists, sorted; the lists are emptied.
 std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &lists, int threads);
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 struct layout {
@@ -48,8 +48,7 @@ private:
 
 } // namespace
 
-std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, std::size_t elements_b,
-                      int threads) {
+std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, std::size_t elements_b, int threads) {
   arena need;
   take_layout(need, predicate, elements_a, elements_b, thread_count(threads));
   return need.bytes();
@@ -98,4 +97,4 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   return status::ok;
 }
 
-} // namespace meet
+} // namespace meetc

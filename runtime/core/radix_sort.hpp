@@ -1,13 +1,13 @@
 // core/radix_sort.hpp: a stable sort by an unsigned key, digit by digit, lowest first.
-#ifndef MEET_CORE_RADIX_SORT_HPP
-#define MEET_CORE_RADIX_SORT_HPP
+#ifndef MEETC_CORE_RADIX_SORT_HPP
+#define MEETC_CORE_RADIX_SORT_HPP
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-namespace meet {
+namespace meetc {
 
 // Sorts by the low `bits` bits of key(item). The result lies in `data`; scratch has room for n. n > 0; below
 // some hundred items a comparison sort is faster.
@@ -37,6 +37,6 @@ template <class T, class Key> void radix_sort(T *data, T *scratch, std::size_t n
     std::copy(from, from + n, data);
 }
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 // By the bits, so that no compiler flag can take the test away.
@@ -67,4 +67,4 @@ status gather(const view &elements, const kind_info &kind, const pose &at, std::
   return status::ok;
 }
 
-} // namespace meet
+} // namespace meetc

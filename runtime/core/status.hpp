@@ -1,10 +1,10 @@
 // core/status.hpp: what a call that does not throw answers.
-#ifndef MEET_CORE_STATUS_HPP
-#define MEET_CORE_STATUS_HPP
+#ifndef MEETC_CORE_STATUS_HPP
+#define MEETC_CORE_STATUS_HPP
 
 #include <cstdint>
 
-namespace meet {
+namespace meetc {
 
 enum class status : std::uint8_t {
   ok,
@@ -39,6 +39,6 @@ constexpr const char *text(status s) {
   return "unknown";
 }
 
-} // namespace meet
+} // namespace meetc
 
 #endif

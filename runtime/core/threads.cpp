@@ -6,7 +6,7 @@
 #include <mutex>
 #include <thread>
 
-namespace meet {
+namespace meetc {
 
 int thread_count(int wanted) {
   if (wanted <= 0)
@@ -41,4 +41,4 @@ void run_workers(int threads, chunk_counter &counter, void (*body)(void *, int),
     std::rethrow_exception(first);
 }
 
-} // namespace meet
+} // namespace meetc

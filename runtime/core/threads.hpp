@@ -3,14 +3,14 @@
 // The calling thread is worker 0, so one thread runs inline and starts nothing. Started threads are the one
 // thing here that the system allocates; where it refuses, the work is done with those that it gave. The first
 // exception of a worker is thrown again in the caller once all have stopped.
-#ifndef MEET_CORE_THREADS_HPP
-#define MEET_CORE_THREADS_HPP
+#ifndef MEETC_CORE_THREADS_HPP
+#define MEETC_CORE_THREADS_HPP
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 
-namespace meet {
+namespace meetc {
 
 inline constexpr int max_threads = 256;
 
@@ -64,6 +64,6 @@ template <class Body> void for_chunks(int threads, std::size_t n, std::size_t ch
   run_workers(counter.workers(threads), counter, each);
 }
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace meet {
+namespace meetc {
 
 bool pose::identity() const {
   const pose none;
@@ -96,4 +96,4 @@ std::string describe(const fault &f, const kind_info &kind) {
   return "no fault";
 }
 
-} // namespace meet
+} // namespace meetc

@@ -1,14 +1,14 @@
 // core/view.hpp: elements where the caller has them, and the pose under which they are taken.
-#ifndef MEET_CORE_VIEW_HPP
-#define MEET_CORE_VIEW_HPP
+#ifndef MEETC_CORE_VIEW_HPP
+#define MEETC_CORE_VIEW_HPP
 
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
-namespace meet {
+namespace meetc {
 
 // Borrowed memory. With `index`, each element is kind->points indices into `vertices` points x, y, z;
 // without, each is a row of kind->fields floats and `vertices` is not looked at. Any stride will do, also an
@@ -59,6 +59,6 @@ fault check(const view &elements, const kind_info &kind, const pose &at = {});
 // One line without a full stop: "element 7: r is nan".
 std::string describe(const fault &f, const kind_info &kind);
 
-} // namespace meet
+} // namespace meetc
 
 #endif

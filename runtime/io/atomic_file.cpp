@@ -11,7 +11,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace fs = std::filesystem;
 
@@ -86,4 +86,4 @@ void atomic_file::fail(const char *what, int code) const {
   throw error(fmt::format("{}: {}{}", target_.string(), what, reason));
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -1,6 +1,6 @@
 // Writes a file so that it is there whole or not at all.
-#ifndef MEET_IO_ATOMIC_FILE_HPP
-#define MEET_IO_ATOMIC_FILE_HPP
+#ifndef MEETC_IO_ATOMIC_FILE_HPP
+#define MEETC_IO_ATOMIC_FILE_HPP
 
 #include "io/error.hpp"
 
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace meet::io {
+namespace meetc::io {
 
 // Bytes go to a temporary file in the target's folder; commit() renames it over the target, and without
 // commit() the destructor removes it. A target that exists and is not a regular file (a terminal, a pipe) is
@@ -33,6 +33,6 @@ private:
   std::FILE *stream_ = nullptr;
 };
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

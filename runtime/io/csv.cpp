@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -47,8 +47,8 @@ class row_reader {
 public:
   row_reader(const kind_info &kind, const transform &move, const std::string &file)
       : kind_(kind), asked_(move), move_(kind, move, file),
-        target_(move.any() ? precision::float64 : precision::float32),
-        read_(static_cast<std::size_t>(kind.fields)), placed_(read_.size()) {
+        target_(move.any() ? precision::float64 : precision::float32), read_(static_cast<std::size_t>(kind.fields)),
+        placed_(read_.size()) {
     split(kind.csv, names_);
   }
 
@@ -56,8 +56,7 @@ public:
   std::span<const float> row(const line_reader &lines, std::string_view line, std::size_t i) {
     split(line, words_);
     if (words_.size() != read_.size())
-      lines.fail(
-          fmt::format("{} fields, but the header {} names {}", words_.size(), kind_.csv, read_.size()));
+      lines.fail(fmt::format("{} fields, but the header {} names {}", words_.size(), kind_.csv, read_.size()));
     for (std::size_t f = 0; f < words_.size(); ++f) {
       if (words_[f].empty())
         lines.fail(fmt::format("{} is empty", names_[f]));
@@ -67,8 +66,8 @@ public:
     move_.apply(read_, placed_);
     for (std::size_t f = 0; f < placed_.size(); ++f)
       if (!std::isfinite(placed_[f]))
-        lines.fail(fmt::format("{} {}: {}", kind_.name, i,
-                               describe_non_finite(names_[f], read_[f], placed_[f], asked_)));
+        lines.fail(
+            fmt::format("{} {}: {}", kind_.name, i, describe_non_finite(names_[f], read_[f], placed_[f], asked_)));
     if (const char *const fault = kind_.fault ? kind_.fault(placed_.data()) : nullptr)
       lines.fail(fmt::format("{} {}: {}", kind_.name, i, fault));
     return placed_;
@@ -121,4 +120,4 @@ element_set read_csv(const file_bytes &file, std::span<const kind_info *const> k
   return set;
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -1,14 +1,14 @@
 // What a reader returns: the elements of one file, all of one kind, ready for a device.
-#ifndef MEET_IO_ELEMENT_SET_HPP
-#define MEET_IO_ELEMENT_SET_HPP
+#ifndef MEETC_IO_ELEMENT_SET_HPP
+#define MEETC_IO_ELEMENT_SET_HPP
 
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace meet::io {
+namespace meetc::io {
 
 // Two layouts. Indexed (meshes in PLY and OBJ): `data` holds vertices x, y, z and `index` kind->points
 // vertices an element. Rows (STL, CSV): `index` is empty and `data` holds `elements` rows of kind->fields
@@ -41,6 +41,6 @@ struct element_set {
   }
 };
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

@@ -1,13 +1,13 @@
 // Numbers in the bytes of a file, in either byte order, at any alignment.
-#ifndef MEET_IO_ENDIAN_HPP
-#define MEET_IO_ENDIAN_HPP
+#ifndef MEETC_IO_ENDIAN_HPP
+#define MEETC_IO_ENDIAN_HPP
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
 
-namespace meet::io {
+namespace meetc::io {
 
 template <class T> T load(const char *from, std::endian order) {
   std::array<char, sizeof(T)> bytes;
@@ -25,6 +25,6 @@ template <class T> std::array<char, sizeof(T)> store(T value, std::endian order)
   return bytes;
 }
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -31,4 +31,4 @@ std::string quote(std::string_view token) {
   return fmt::format("'{}{}'", escape(token.substr(0, longest), true), cut ? "..." : "");
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -1,12 +1,12 @@
-// The one exception of meet::io: what() is a single line that names the file and the place in it.
-#ifndef MEET_IO_ERROR_HPP
-#define MEET_IO_ERROR_HPP
+// The one exception of meetc::io: what() is a single line that names the file and the place in it.
+#ifndef MEETC_IO_ERROR_HPP
+#define MEETC_IO_ERROR_HPP
 
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
-namespace meet::io {
+namespace meetc::io {
 
 // Bad input, or a file that cannot be read or written. Text files: `FILE:LINE: what`; binary files:
 // `FILE: byte N: what` or `FILE: face N: what`. Elements count from 0, lines from 1. Control characters of
@@ -19,6 +19,6 @@ public:
 // A token of a file, for a message: in single quotes, cut when long, bytes outside printable ASCII escaped.
 std::string quote(std::string_view token);
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <system_error>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -54,4 +54,4 @@ file_bytes load_file(const std::filesystem::path &path) {
   return out;
 }
 
-} // namespace meet::io
+} // namespace meetc::io

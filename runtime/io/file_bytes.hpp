@@ -1,6 +1,6 @@
 // A whole file in memory.
-#ifndef MEET_IO_FILE_BYTES_HPP
-#define MEET_IO_FILE_BYTES_HPP
+#ifndef MEETC_IO_FILE_BYTES_HPP
+#define MEETC_IO_FILE_BYTES_HPP
 
 #include <cstddef>
 #include <filesystem>
@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace meet::io {
+namespace meetc::io {
 
 struct file_bytes {
   std::string name; // as messages show it
@@ -23,6 +23,6 @@ struct file_bytes {
 // end.
 file_bytes load_file(const std::filesystem::path &path);
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

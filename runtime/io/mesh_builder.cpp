@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace meet::io {
+namespace meetc::io {
 
 void mesh_builder::reserve(std::size_t vertices, std::size_t faces) {
   set_.data.reserve(3 * vertices);
@@ -51,4 +51,4 @@ void check_rules(const element_set &set, const std::string &file, const char *it
   }
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -1,6 +1,6 @@
 // Collects vertices and polygons into an element_set of triangles.
-#ifndef MEET_IO_MESH_BUILDER_HPP
-#define MEET_IO_MESH_BUILDER_HPP
+#ifndef MEETC_IO_MESH_BUILDER_HPP
+#define MEETC_IO_MESH_BUILDER_HPP
 
 #include "io/element_set.hpp"
 #include "io/transform.hpp"
@@ -12,7 +12,7 @@
 #include <span>
 #include <string>
 
-namespace meet::io {
+namespace meetc::io {
 
 // The most elements, items or vertices of a set: indices have 32 bits.
 inline constexpr std::size_t most_elements = 0xffffffff;
@@ -59,6 +59,6 @@ std::array<float, 3> place_point(const transform &move, const std::array<double,
   return p;
 }
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

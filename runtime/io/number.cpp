@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -73,4 +73,4 @@ float to_float32(double value) {
   return static_cast<float>(value);
 }
 
-} // namespace meet::io
+} // namespace meetc::io

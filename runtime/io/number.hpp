@@ -1,11 +1,11 @@
 // Decimal text to numbers, rounded once, whatever the locale.
-#ifndef MEET_IO_NUMBER_HPP
-#define MEET_IO_NUMBER_HPP
+#ifndef MEETC_IO_NUMBER_HPP
+#define MEETC_IO_NUMBER_HPP
 
 #include <cstdint>
 #include <string_view>
 
-namespace meet::io {
+namespace meetc::io {
 
 enum class precision : std::uint8_t { float32, float64 };
 
@@ -22,6 +22,6 @@ bool parse_integer(std::string_view text, std::int64_t &out);
 // bare conversion leaves that case undefined).
 float to_float32(double value);
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -48,8 +48,8 @@ public:
     }
     for (const forward &f : forward_)
       if (f.vertex >= mesh_.vertices())
-        throw error(fmt::format("{}:{}: face {}: vertex {} does not exist; the file has {}", file_.name,
-                                f.line, f.face, std::uint64_t{f.vertex} + 1, mesh_.vertices()));
+        throw error(fmt::format("{}:{}: face {}: vertex {} does not exist; the file has {}", file_.name, f.line, f.face,
+                                std::uint64_t{f.vertex} + 1, mesh_.vertices()));
     return mesh_.finish(file_.name);
   }
 
@@ -100,8 +100,7 @@ private:
         fail(fmt::format("vertex {}: {} is not a number", number, quote(word)));
     }
     if (count < 3 || count == 5)
-      fail(fmt::format("vertex {}: {} numbers; x y z, and perhaps a weight or a colour, were expected",
-                       number, count));
+      fail(fmt::format("vertex {}: {} numbers; x y z, and perhaps a weight or a colour, were expected", number, count));
     mesh_.add_vertex({values[0], values[1], values[2]},
                      [&](std::string_view what) { fail(fmt::format("vertex {}: {}", number, what)); });
   }
@@ -117,9 +116,8 @@ private:
       std::int64_t n = 0;
       const bool may_lack = part == 1 && !last;
       if (!(text.empty() && may_lack) && (!parse_integer(text, n) || n == 0))
-        fail(
-            fmt::format("face {}: {} is not a corner: v, v/vt, v//vn or v/vt/vn, each an index that is not 0",
-                        mesh_.faces(), quote(whole)));
+        fail(fmt::format("face {}: {} is not a corner: v, v/vt, v//vn or v/vt/vn, each an index that is not 0",
+                         mesh_.faces(), quote(whole)));
       if (part == 0)
         v = n;
       if (last)
@@ -167,4 +165,4 @@ element_set read_obj(const file_bytes &file, const kind_info &triangle, const tr
   return obj_reader(file, triangle, move).read();
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -59,10 +59,9 @@ std::size_t corner_list(const ply_element &face, const std::string &file) {
 
 template <class Source> class body_reader {
 public:
-  body_reader(const file_bytes &file, const ply_header &header, const kind_info &triangle,
-              const transform &move)
-      : file_(file), header_(header),
-        source_(file, header, move.any() ? precision::float64 : precision::float32), mesh_(triangle, move) {}
+  body_reader(const file_bytes &file, const ply_header &header, const kind_info &triangle, const transform &move)
+      : file_(file), header_(header), source_(file, header, move.any() ? precision::float64 : precision::float32),
+        mesh_(triangle, move) {}
 
   element_set read() {
     const ply_element &vertex = find_element(header_, "vertex", file_.name);
@@ -73,8 +72,7 @@ public:
     // that the set is returned.
     vertices_ = vertex.count;
     if (vertices_ > most_elements)
-      throw error(
-          fmt::format("{}: {} vertices; at most {} can be indexed", file_.name, vertices_, most_elements));
+      throw error(fmt::format("{}: {} vertices; at most {} can be indexed", file_.name, vertices_, most_elements));
     for (const ply_element &e : header_.elements) {
       // Rows without properties take no bytes, whatever their count.
       if (e.properties.empty())
@@ -155,8 +153,7 @@ private:
     for (std::uint64_t i = 0; i < n; ++i) {
       const std::int64_t index = source_.integer(list.type);
       if (index < 0 || static_cast<std::uint64_t>(index) >= vertices_)
-        source_.fail(
-            fmt::format("vertex {} does not exist; the file has {}, counted from 0", index, vertices_));
+        source_.fail(fmt::format("vertex {} does not exist; the file has {}, counted from 0", index, vertices_));
       corners_.push_back(static_cast<std::uint32_t>(index));
     }
   }
@@ -183,4 +180,4 @@ element_set read_ply(const file_bytes &file, const kind_info &triangle, const tr
   }
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -89,8 +89,8 @@ private:
     else if (name == "binary_big_endian")
       format_ = ply_format::big_endian;
     else
-      lines_.fail(fmt::format("unknown format {}; supported: ascii, binary_little_endian, binary_big_endian",
-                              quote(name)));
+      lines_.fail(
+          fmt::format("unknown format {}; supported: ascii, binary_little_endian, binary_big_endian", quote(name)));
     if (version != "1.0")
       lines_.fail(fmt::format("unknown version {}; supported: 1.0", quote(version)));
   }
@@ -149,4 +149,4 @@ ply_header read_ply_header(const file_bytes &file) {
   return header_reader(file).read();
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -1,6 +1,6 @@
 // The header of a PLY file: what follows, in which order and of which types.
-#ifndef MEET_IO_PLY_HEADER_HPP
-#define MEET_IO_PLY_HEADER_HPP
+#ifndef MEETC_IO_PLY_HEADER_HPP
+#define MEETC_IO_PLY_HEADER_HPP
 
 #include "io/file_bytes.hpp"
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace meet::io {
+namespace meetc::io {
 
 enum class ply_type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 enum class ply_format : std::uint8_t { ascii, little_endian, big_endian };
@@ -45,6 +45,6 @@ struct ply_header {
 // once for "vertex" and "face".
 ply_header read_ply_header(const file_bytes &file);
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

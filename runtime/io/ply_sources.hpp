@@ -4,8 +4,8 @@
 //   real(type), integer(type), skip(type, n)
 //   fail(message)        throws with the place: file, line or byte, element and row
 //   end()                refuses anything after the last element
-#ifndef MEET_IO_PLY_SOURCES_HPP
-#define MEET_IO_PLY_SOURCES_HPP
+#ifndef MEETC_IO_PLY_SOURCES_HPP
+#define MEETC_IO_PLY_SOURCES_HPP
 
 #include "io/endian.hpp"
 #include "io/error.hpp"
@@ -18,13 +18,12 @@
 #include <limits>
 #include <string_view>
 
-namespace meet::io {
+namespace meetc::io {
 
 template <std::endian Order> class ply_binary_source {
 public:
   ply_binary_source(const file_bytes &file, const ply_header &header, precision)
-      : name_(file.name), begin_(file.bytes.get()), at_(begin_ + header.body_offset),
-        end_(begin_ + file.size) {}
+      : name_(file.name), begin_(file.bytes.get()), at_(begin_ + header.body_offset), end_(begin_ + file.size) {}
 
   void begin(const ply_element &element) {
     element_ = &element;
@@ -33,9 +32,8 @@ public:
     for (const ply_property &p : element.properties)
       least += size_of(p.list ? p.count_type : p.type);
     if (element.count > left() / least)
-      throw error(
-          fmt::format("{}: byte {}: {} rows of element {} take at least {} bytes each, but {} bytes are left",
-                      name_, offset(), element.count, quote(element.name), least, left()));
+      throw error(fmt::format("{}: byte {}: {} rows of element {} take at least {} bytes each, but {} bytes are left",
+                              name_, offset(), element.count, quote(element.name), least, left()));
   }
   void begin_row() {}
   void end_row() { ++row_; }
@@ -91,8 +89,7 @@ private:
   }
   void need(std::uint64_t bytes) const {
     if (bytes > left())
-      throw error(
-          fmt::format("{}: byte {}: the file ends inside {} {}", name_, end_ - begin_, element_->name, row_));
+      throw error(fmt::format("{}: byte {}: the file ends inside {} {}", name_, end_ - begin_, element_->name, row_));
   }
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
@@ -107,8 +104,7 @@ private:
 class ply_ascii_source {
 public:
   ply_ascii_source(const file_bytes &file, const ply_header &header, precision target)
-      : lines_(file.view(), file.name, header.body_offset, header.body_line), size_(file.size),
-        target_(target) {}
+      : lines_(file.view(), file.name, header.body_offset, header.body_line), size_(file.size), target_(target) {}
 
   void begin(const ply_element &element) {
     element_ = &element;
@@ -116,8 +112,8 @@ public:
     // Enough to catch a lie: a character and a line end, which the last line may lack.
     const std::size_t least = 2, left = size_ - lines_.offset() + 1;
     if (element.count > left / least)
-      lines_.fail(fmt::format("{} rows of element {} take at least {} bytes each, but {} bytes are left",
-                              element.count, quote(element.name), least, size_ - lines_.offset()));
+      lines_.fail(fmt::format("{} rows of element {} take at least {} bytes each, but {} bytes are left", element.count,
+                              quote(element.name), least, size_ - lines_.offset()));
   }
   void begin_row() {
     do {
@@ -185,6 +181,6 @@ private:
   std::uint64_t row_ = 0;
 };
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

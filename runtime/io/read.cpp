@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -43,8 +43,7 @@ element_set dispatch(const std::filesystem::path &path, std::span<const kind_inf
 
 } // namespace
 
-element_set read(const std::filesystem::path &path, std::span<const kind_info *const> kinds,
-                 const transform &move) {
+element_set read(const std::filesystem::path &path, std::span<const kind_info *const> kinds, const transform &move) {
   move.check();
   try {
     return dispatch(path, kinds, move);
@@ -55,4 +54,4 @@ element_set read(const std::filesystem::path &path, std::span<const kind_info *c
   }
 }
 
-} // namespace meet::io
+} // namespace meetc::io

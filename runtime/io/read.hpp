@@ -1,6 +1,6 @@
 // Reads the elements of a file.
-#ifndef MEET_IO_READ_HPP
-#define MEET_IO_READ_HPP
+#ifndef MEETC_IO_READ_HPP
+#define MEETC_IO_READ_HPP
 
 #include "io/element_set.hpp"
 #include "io/error.hpp"
@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <span>
 
-namespace meet::io {
+namespace meetc::io {
 
 // Reads a set of elements of one of `kinds`. The extension says the format, in any case: .ply (ascii and
 // binary, both byte orders), .obj and .stl (both) are meshes and give the kind named "triangle"; .csv gives
@@ -19,6 +19,6 @@ namespace meet::io {
 element_set read(const std::filesystem::path &path, std::span<const kind_info *const> kinds,
                  const transform &move = {});
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

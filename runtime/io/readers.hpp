@@ -1,6 +1,6 @@
 // The readers behind read(): one a format. Each throws io::error for bad input.
-#ifndef MEET_IO_READERS_HPP
-#define MEET_IO_READERS_HPP
+#ifndef MEETC_IO_READERS_HPP
+#define MEETC_IO_READERS_HPP
 
 #include "io/element_set.hpp"
 #include "io/file_bytes.hpp"
@@ -8,13 +8,13 @@
 
 #include <span>
 
-namespace meet::io {
+namespace meetc::io {
 
 element_set read_ply(const file_bytes &file, const kind_info &triangle, const transform &move);
 element_set read_obj(const file_bytes &file, const kind_info &triangle, const transform &move);
 element_set read_stl(const file_bytes &file, const kind_info &triangle, const transform &move);
 element_set read_csv(const file_bytes &file, std::span<const kind_info *const> kinds, const transform &move);
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

@@ -17,7 +17,7 @@
 #include <string_view>
 #include <utility>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -53,8 +53,7 @@ element_set read_binary(const file_bytes &file, const kind_info &triangle, const
 class ascii_reader {
 public:
   ascii_reader(const file_bytes &file, const transform &move)
-      : lines_(file.view(), file.name), move_(move),
-        target_(move.any() ? precision::float64 : precision::float32) {}
+      : lines_(file.view(), file.name), move_(move), target_(move.any() ? precision::float64 : precision::float32) {}
 
   element_set read() {
     while (advance()) {
@@ -152,11 +151,11 @@ element_set read_stl(const file_bytes &file, const kind_info &triangle, const tr
   if (text && lower_case(start.substr(0, 5)) == "solid")
     return finish(ascii_reader(file, move).read(), triangle, file.name);
   if (file.size < binary_header)
-    throw error(fmt::format("{}: byte {}: neither ascii STL nor a whole header of binary STL ({} bytes)",
-                            file.name, file.size, binary_header));
+    throw error(fmt::format("{}: byte {}: neither ascii STL nor a whole header of binary STL ({} bytes)", file.name,
+                            file.size, binary_header));
   const std::size_t count = load<std::uint32_t>(file.bytes.get() + 80, std::endian::little);
-  throw error(fmt::format("{}: byte 80: the header says {} facets, which take {} bytes, but the file has {}",
-                          file.name, count, binary_header + binary_facet * count, file.size));
+  throw error(fmt::format("{}: byte 80: the header says {} facets, which take {} bytes, but the file has {}", file.name,
+                          count, binary_header + binary_facet * count, file.size));
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 constexpr bool blank(char c) {
@@ -63,4 +63,4 @@ void line_reader::fail(std::string_view message) const {
   throw error(fmt::format("{}:{}: {}", name_, number_ == 0 ? 1 : number_, message));
 }
 
-} // namespace meet::io
+} // namespace meetc::io

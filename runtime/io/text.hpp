@@ -1,12 +1,12 @@
 // Lines and words of a text file, with the line number for messages.
-#ifndef MEET_IO_TEXT_HPP
-#define MEET_IO_TEXT_HPP
+#ifndef MEETC_IO_TEXT_HPP
+#define MEETC_IO_TEXT_HPP
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 
-namespace meet::io {
+namespace meetc::io {
 
 // Blanks (space, tab) off both ends.
 std::string_view trim(std::string_view text);
@@ -37,6 +37,6 @@ private:
   std::size_t at_, number_;
 };
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace meet::io {
+namespace meetc::io {
 
 void transform::check() const {
   if (scale && !(std::isfinite(*scale) && *scale > 0))
@@ -22,8 +22,7 @@ void transform::check() const {
   if (translate)
     for (const double t : *translate)
       if (!std::isfinite(t))
-        throw error(
-            fmt::format("{}: the translation holds {}; its 3 numbers must be finite", translate_option, t));
+        throw error(fmt::format("{}: the translation holds {}; its 3 numbers must be finite", translate_option, t));
 }
 
 std::string transform::options() const {
@@ -82,30 +81,26 @@ std::array<float, 3> round_point(const transform &move, const std::array<double,
   return {to_float32(p[0]), to_float32(p[1]), to_float32(p[2])};
 }
 
-row_transform::row_transform(const kind_info &kind, const transform &move, const std::string &file)
-    : move_(move) {
+row_transform::row_transform(const kind_info &kind, const transform &move, const std::string &file) : move_(move) {
   if (!move.any())
     return;
   roles_.assign(kind.roles, kind.roles + kind.fields);
   for (std::size_t f = 0; f < roles_.size(); ++f) {
-    if (roles_[f] == role::x && f + 2 < roles_.size() && roles_[f + 1] == role::y &&
-        roles_[f + 2] == role::z) {
+    if (roles_[f] == role::x && f + 2 < roles_.size() && roles_[f + 1] == role::y && roles_[f + 2] == role::z) {
       f += 2;
       continue;
     }
     if (roles_[f] != role::length)
-      throw error(
-          fmt::format("{}: a transform cannot move {}s: number {} of a row is neither part of a point nor "
-                      "a length",
-                      file, kind.name, f + 1));
+      throw error(fmt::format("{}: a transform cannot move {}s: number {} of a row is neither part of a point nor "
+                              "a length",
+                              file, kind.name, f + 1));
     if (!move.matrix)
       continue;
     const std::optional<double> scale = similarity_scale(*move.matrix);
     if (!scale)
-      throw error(
-          fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {}s have "
-                      "no radius under it",
-                      file, matrix_option, kind.name));
+      throw error(fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {}s have "
+                              "no radius under it",
+                              file, matrix_option, kind.name));
     matrix_scale_ = *scale;
   }
 }
@@ -135,4 +130,4 @@ std::string describe_non_finite(std::string_view field, double read, float resul
                      move.any() ? " after " + move.options() : "", read);
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -2,10 +2,10 @@
 //
 // Every operation is done in double, in a fixed order and without fused multiply-add, then each coordinate is
 // rounded once: the float32 numbers that result are the input whose answer is exact.
-#ifndef MEET_IO_TRANSFORM_HPP
-#define MEET_IO_TRANSFORM_HPP
+#ifndef MEETC_IO_TRANSFORM_HPP
+#define MEETC_IO_TRANSFORM_HPP
 
-#include "meet/support.hpp"
+#include "meetc/support.hpp"
 
 #include <array>
 #include <optional>
@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace meet::io {
+namespace meetc::io {
 
 // What the program calls them; messages do too.
 inline constexpr const char *scale_option = "--scale-b", *matrix_option = "--matrix-b",
@@ -64,6 +64,6 @@ std::array<float, 3> round_point(const transform &move, const std::array<double,
 // "x is inf, not finite", and more where the number as read was finite: the transform that made it so.
 std::string describe_non_finite(std::string_view field, double read, float result, const transform &move);
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace meet::io {
+namespace meetc::io {
 
 namespace {
 
@@ -122,8 +122,8 @@ void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pa
   out.commit();
 }
 
-void write_ply(const std::filesystem::path &path, std::span<const float> xyz,
-               std::span<const std::uint32_t> index, std::span<const rgb> colours) {
+void write_ply(const std::filesystem::path &path, std::span<const float> xyz, std::span<const std::uint32_t> index,
+               std::span<const rgb> colours) {
   write_polygons(path, xyz, gather(index, {}), colours);
 }
 
@@ -137,4 +137,4 @@ void write_ply(const std::filesystem::path &path, const element_set &mesh, std::
   write_polygons(path, mesh.data, gather(index, mesh.owner), colours);
 }
 
-} // namespace meet::io
+} // namespace meetc::io

@@ -1,6 +1,6 @@
 // Writers. Each file is there whole or not at all (atomic_file.hpp); io::error names it.
-#ifndef MEET_IO_WRITE_HPP
-#define MEET_IO_WRITE_HPP
+#ifndef MEETC_IO_WRITE_HPP
+#define MEETC_IO_WRITE_HPP
 
 #include "io/element_set.hpp"
 #include "io/error.hpp"
@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <span>
 
-namespace meet::io {
+namespace meetc::io {
 
 using rgb = std::array<std::uint8_t, 3>;
 
@@ -20,13 +20,13 @@ void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pa
 // Binary little-endian PLY of triangles: float x y z a vertex, `list uchar int vertex_indices` a face, then
 // uchar red green blue where there are colours: one a face, or none at all. `xyz` holds 3 floats a vertex,
 // `index` 3 vertices a triangle.
-void write_ply(const std::filesystem::path &path, std::span<const float> xyz,
-               std::span<const std::uint32_t> index, std::span<const rgb> colours = {});
+void write_ply(const std::filesystem::path &path, std::span<const float> xyz, std::span<const std::uint32_t> index,
+               std::span<const rgb> colours = {});
 
 // The mesh with its own vertices and its own faces: what was fanned is one polygon again, and `colours` has
 // one entry an item. The set is one of triangles.
 void write_ply(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours = {});
 
-} // namespace meet::io
+} // namespace meetc::io
 
 #endif

@@ -33,9 +33,7 @@ template <class Kernel> set<Kernel> reduced(const float *row, int corners) {
     p[static_cast<std::size_t>(i)] = point<Kernel>(row + 3 * i);
   if (corners == 3 && !CGAL::collinear(p[0], p[1], p[2]))
     return typename Kernel::Triangle_3(p[0], p[1], p[2]);
-  const auto less = [](const point_3 &x, const point_3 &y) {
-    return CGAL::lexicographically_xyz_smaller(x, y);
-  };
+  const auto less = [](const point_3 &x, const point_3 &y) { return CGAL::lexicographically_xyz_smaller(x, y); };
   const auto [low, high] = std::minmax_element(p.begin(), p.begin() + corners, less);
   if (*low == *high)
     return *low;
@@ -43,9 +41,7 @@ template <class Kernel> set<Kernel> reduced(const float *row, int corners) {
 }
 
 struct touch {
-  template <class X, class Y> bool operator()(const X &x, const Y &y) const {
-    return CGAL::do_intersect(x, y);
-  }
+  template <class X, class Y> bool operator()(const X &x, const Y &y) const { return CGAL::do_intersect(x, y); }
   bool operator()(const predicates::Point_3 &x, const predicates::Point_3 &y) const { return x == y; }
   bool operator()(const predicates::Point_3 &x, const predicates::Segment_3 &y) const { return y.has_on(x); }
   bool operator()(const predicates::Segment_3 &x, const predicates::Point_3 &y) const { return x.has_on(y); }

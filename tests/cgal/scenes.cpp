@@ -1,7 +1,7 @@
 #include "tests/cgal/scenes.hpp"
 
 #include "core/collide.hpp"
-#include "tests/cgal/catch.hpp"
+#include "tests/catch.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <cmath>
@@ -16,10 +16,10 @@ const char *name_of(shape s) {
   return s == shape::sphere ? "sphere" : s == shape::segment ? "segment" : "triangle";
 }
 
-const meet::predicate_info &predicate_for(shape a, shape b, bool surface) {
-  const meet::catalogue &c = cga::catalogue();
+const meetc::predicate_info &predicate_for(shape a, shape b, bool surface) {
+  const meetc::catalogue &c = cga::catalogue();
   for (int i = 0; i < c.predicate_count; ++i) {
-    const meet::predicate_info &p = c.predicates[i];
+    const meetc::predicate_info &p = c.predicates[i];
     if (std::strcmp(p.a->name, name_of(a)) == 0 && std::strcmp(p.b->name, name_of(b)) == 0 &&
         (*p.mode == 0 || std::string(p.mode) == (surface ? "surface" : "solid")))
       return p;
@@ -27,19 +27,19 @@ const meet::predicate_info &predicate_for(shape a, shape b, bool surface) {
   throw std::invalid_argument("no predicate");
 }
 
-meet::prepared ready(const body &b, const meet::kind_info &kind) {
-  meet::view v;
+meetc::prepared ready(const body &b, const meetc::kind_info &kind) {
+  meetc::view v;
   v.data = b.rows.data();
   v.elements = b.size();
   v.stride_bytes = floats_of(b.kind) * sizeof(float);
-  return meet::prepare(v, kind);
+  return meetc::prepare(v, kind);
 }
 
 pair_list by_meet(const body &a, const body &b, bool surface) {
-  const meet::predicate_info &p = predicate_for(a.kind, b.kind, surface);
-  const meet::result r = meet::collide(ready(a, *p.a), ready(b, *p.b), p, meet::rung::exact);
+  const meetc::predicate_info &p = predicate_for(a.kind, b.kind, surface);
+  const meetc::result r = meetc::collide(ready(a, *p.a), ready(b, *p.b), p, meetc::rung::exact);
   pair_list out;
-  for (const meet::index_pair &i : r.pairs)
+  for (const meetc::index_pair &i : r.pairs)
     out.emplace_back(i.a, i.b);
   return out;
 }
@@ -54,7 +54,7 @@ std::string text(const body &b, std::size_t i) {
 
 } // namespace
 
-body triangles_of(const meet::app::mesh &m) {
+body triangles_of(const meetc::app::mesh &m) {
   body b{shape::triangle, {}};
   for (const std::uint32_t i : m.index)
     b.rows.insert(b.rows.end(), m.xyz.begin() + 3 * static_cast<std::ptrdiff_t>(i),
@@ -71,8 +71,7 @@ body spheres_of(const std::vector<float> &rows) {
 body placed(const body &b, const placing &at) {
   const double length = std::hypot(at.axis[0], at.axis[1], at.axis[2]);
   const double x = at.axis[0] / length, y = at.axis[1] / length, z = at.axis[2] / length;
-  const double c = std::cos(at.degrees * std::numbers::pi / 180),
-               s = std::sin(at.degrees * std::numbers::pi / 180);
+  const double c = std::cos(at.degrees * std::numbers::pi / 180), s = std::sin(at.degrees * std::numbers::pi / 180);
   const double turn[3][3] = {{c + x * x * (1 - c), x * y * (1 - c) - z * s, x * z * (1 - c) + y * s},
                              {y * x * (1 - c) + z * s, c + y * y * (1 - c), y * z * (1 - c) - x * s},
                              {z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)}};
@@ -106,17 +105,16 @@ body in_float32(const body &b, float factor, float offset) {
 std::size_t same_pairs(const std::string &name, const body &a, const body &b, bool surface) {
   std::size_t candidates = 0;
   const pair_list want = touching_pairs(a, b, surface, &candidates), have = by_meet(a, b, surface);
-  INFO(name << ": " << a.size() << " x " << b.size() << ", " << candidates << " candidates, CGAL "
-            << want.size() << " pairs, meet " << have.size());
+  INFO(name << ": " << a.size() << " x " << b.size() << ", " << candidates << " candidates, CGAL " << want.size()
+            << " pairs, meet " << have.size());
   if (want != have) {
     pair_list extra, missed;
     std::set_difference(have.begin(), have.end(), want.begin(), want.end(), std::back_inserter(extra));
     std::set_difference(want.begin(), want.end(), have.begin(), have.end(), std::back_inserter(missed));
     for (const auto &[list, what] : {std::pair(&extra, "extra"), std::pair(&missed, "missed")})
       if (!list->empty())
-        UNSCOPED_INFO(list->size() << ' ' << what << ", first " << list->front().first << ' '
-                                   << list->front().second << ": " << text(a, list->front().first) << "| "
-                                   << text(b, list->front().second));
+        UNSCOPED_INFO(list->size() << ' ' << what << ", first " << list->front().first << ' ' << list->front().second
+                                   << ": " << text(a, list->front().first) << "| " << text(b, list->front().second));
   }
   CHECK(want == have);
   return want.size();

@@ -2,7 +2,7 @@
 #ifndef MEETC_TESTS_CGAL_SCENES_HPP
 #define MEETC_TESTS_CGAL_SCENES_HPP
 
-#include "app/meshes.hpp"
+#include "bodies/meshes.hpp"
 #include "tests/cgal/judge.hpp"
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace meetc::cgal_test {
 
-body triangles_of(const meet::app::mesh &m);
+body triangles_of(const meetc::app::mesh &m);
 body segments_of(const std::vector<float> &rows);
 body spheres_of(const std::vector<float> &rows);
 

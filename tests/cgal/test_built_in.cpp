@@ -1,9 +1,9 @@
 // Built-in meshes, segments and spheres: always there, and full of degenerate contact.
-#include "tests/cgal/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/cgal/scenes.hpp"
 
 using namespace meetc::cgal_test;
-namespace app = meet::app;
+namespace app = meetc::app;
 
 namespace {
 
@@ -45,16 +45,14 @@ TEST_CASE("built-in: a mesh against itself, and moved by one last bit") {
 TEST_CASE("built-in: blocks that share faces, edges and corners") {
   const body block = triangles_of(app::block(8, 6, 4, 2));
   // Cells of 1/4: the block is 2 x 1.5 x 1. Exactly coplanar faces, in step and half a cell out of step.
-  const double moves[][3] = {{2, 0, 0},        {2, 0.25, 0},      {2, 0.125, 0.125}, {0, 1.5, 0.0625},
-                             {0, 0, 1},        {0.1, 0.2, 1},     {2, 1.5, 0},       {2, 1.5, 1},
-                             {0.25, 0, 0},     {0.125, 0.125, 0}, {1, 0.75, 0.5},    {2.0000002, 0, 0},
-                             {2, 1.5000001, 0}};
+  const double moves[][3] = {{2, 0, 0},      {2, 0.25, 0},      {2, 0.125, 0.125}, {0, 1.5, 0.0625}, {0, 0, 1},
+                             {0.1, 0.2, 1},  {2, 1.5, 0},       {2, 1.5, 1},       {0.25, 0, 0},     {0.125, 0.125, 0},
+                             {1, 0.75, 0.5}, {2.0000002, 0, 0}, {2, 1.5000001, 0}};
   std::size_t touching = 0;
   for (const auto &m : moves)
     touching += same_pairs("blocks", block, placed(block, {{0, 0, 1}, 0, 1, {m[0], m[1], m[2]}})) > 0;
   CHECK(touching == 11); // all but the two that are a last bit too far
-  CHECK(same_pairs("blocks, turned by a quarter", block, placed(block, {{0, 0, 1}, 90, 1, {0.25, 0, 0}})) >
-        100);
+  CHECK(same_pairs("blocks, turned by a quarter", block, placed(block, {{0, 0, 1}, 90, 1, {0.25, 0, 0}})) > 100);
   // An oblique pair of coplanar faces: both turned alike, so that rounding takes them a little apart.
   CHECK(same_pairs("blocks, oblique", placed(block, {{1, 2, 3}, 33, 1, {0, 0, 0}}),
                    placed(block, {{1, 2, 3}, 33, 1, {0.1, 0.05, -0.03}})) > 100);
@@ -100,8 +98,7 @@ TEST_CASE("built-in: tiny, huge and far from the origin, in float32") {
              rods = segments(1500, 5, 0.4), balls = spheres(500, 6);
   struct {
     float factor, offset;
-  } const settings[] = {{1e-15F, 0}, {1e12F, 0}, {0x1p-140F, 0}, {0x1p120F, 0},
-                        {64, 1e6F},  {64, 1e7F}, {256, 1e7F}};
+  } const settings[] = {{1e-15F, 0}, {1e12F, 0}, {0x1p-140F, 0}, {0x1p120F, 0}, {64, 1e6F}, {64, 1e7F}, {256, 1e7F}};
   for (const auto &s : settings) {
     INFO("times " << s.factor << ", plus " << s.offset);
     const auto at = [&](const body &b) { return in_float32(b, s.factor, s.offset); };

@@ -1,6 +1,6 @@
 // Real meshes, where the folder MEETC_DATA has them.
 #include "io/read.hpp"
-#include "tests/cgal/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/cgal/scenes.hpp"
 
 #include <algorithm>
@@ -16,11 +16,11 @@ std::optional<body> load(const std::string &name) {
   const std::filesystem::path path = std::filesystem::path(MEETC_DATA) / (name + ".ply");
   if (!std::filesystem::exists(path))
     return std::nullopt;
-  const meet::catalogue &c = cga::catalogue();
-  std::vector<const meet::kind_info *> kinds;
+  const meetc::catalogue &c = cga::catalogue();
+  std::vector<const meetc::kind_info *> kinds;
   for (int i = 0; i < c.kind_count; ++i)
     kinds.push_back(&c.kinds[i]);
-  const meet::io::element_set set = meet::io::read(path, kinds);
+  const meetc::io::element_set set = meetc::io::read(path, kinds);
   body b{shape::triangle, std::vector<float>(9 * set.elements)};
   for (std::size_t i = 0; i < set.elements; ++i)
     set.row(i, b.rows.data() + 9 * i);
@@ -57,12 +57,12 @@ body beside(const body &b, const body &other, const placing &turn, double share,
   return placed(centred, p);
 }
 
-#define NEED(variable, name)                                                                                 \
-  const auto variable##_file = load(name);                                                                   \
-  if (!variable##_file) {                                                                                    \
-    WARN("skipped: no " name ".ply in " MEETC_DATA);                                                         \
-    return;                                                                                                  \
-  }                                                                                                          \
+#define NEED(variable, name)                                                                                           \
+  const auto variable##_file = load(name);                                                                             \
+  if (!variable##_file) {                                                                                              \
+    WARN("skipped: no " name ".ply in " MEETC_DATA);                                                                   \
+    return;                                                                                                            \
+  }                                                                                                                    \
   const body &variable = *variable##_file
 
 } // namespace
@@ -97,8 +97,7 @@ TEST_CASE("real: bunny and armadillo at several poses") {
   const body near = beside(bunny_5k, armadillo_5k, {{1, 2, 3}, 50}, 0.7, {0.2, 0.1, 0});
   for (const auto &[factor, offset] :
        {std::pair(1e-15F, 0.0F), {1e12F, 0.0F}, {1.0F, 1e6F}, {1.0F, 1e7F}, {4.0F, 1e7F}})
-    CHECK(same_pairs("bunny_5k x armadillo_5k, times " + std::to_string(factor) + " plus " +
-                         std::to_string(offset),
+    CHECK(same_pairs("bunny_5k x armadillo_5k, times " + std::to_string(factor) + " plus " + std::to_string(offset),
                      in_float32(near, factor, offset), in_float32(armadillo_5k, factor, offset)) > 100);
 }
 
@@ -109,14 +108,11 @@ TEST_CASE("real: CAD parts, coplanar and slid") {
   CHECK(same_pairs("fandisk on itself", fandisk, fandisk) > 100000);
   for (const std::array<double, 3> slide : {std::array<double, 3>{0.01, 0, 0}, {0, 0.02, 0}, {0, 0, 0.05}})
     CHECK(same_pairs("fandisk, slid", fandisk,
-                     placed(fandisk,
-                            {{0, 0, 1}, 0, 1, {slide[0] * size, slide[1] * size, slide[2] * size}})) > 1000);
+                     placed(fandisk, {{0, 0, 1}, 0, 1, {slide[0] * size, slide[1] * size, slide[2] * size}})) > 1000);
   CHECK(same_pairs("fandisk + 1e6", in_float32(fandisk, 64, 1e6F), in_float32(fandisk, 64, 1e6F)) > 100000);
   const double wheel = extent_of(cycloidal).size;
-  CHECK(same_pairs("cycloidal, slid", cycloidal, placed(cycloidal, {{0, 0, 1}, 0, 1, {wheel / 64, 0, 0}})) >
-        1000);
-  CHECK(same_pairs("cycloidal, turned", cycloidal,
-                   beside(cycloidal, cycloidal, {{0, 0, 1}, 20}, 1, {0, 0, 0})) > 1000);
+  CHECK(same_pairs("cycloidal, slid", cycloidal, placed(cycloidal, {{0, 0, 1}, 0, 1, {wheel / 64, 0, 0}})) > 1000);
+  CHECK(same_pairs("cycloidal, turned", cycloidal, beside(cycloidal, cycloidal, {{0, 0, 1}, 20}, 1, {0, 0, 0})) > 1000);
 }
 
 TEST_CASE("real: a room and a robot of FCL") {
@@ -140,9 +136,8 @@ TEST_CASE("real: a room and a robot of FCL") {
 TEST_CASE("real: bunny_69k x armadillo_345k") {
   NEED(bunny, "bunny_69k");
   NEED(armadillo, "armadillo_345k");
-  const std::size_t pairs =
-      same_pairs("bunny_69k x armadillo_345k",
-                 beside(bunny, armadillo, {{1, 2, 3}, 50}, 0.25, {0.05, 0.1, 0.1}), armadillo);
+  const std::size_t pairs = same_pairs("bunny_69k x armadillo_345k",
+                                       beside(bunny, armadillo, {{1, 2, 3}, 50}, 0.25, {0.05, 0.1, 0.1}), armadillo);
   CHECK(pairs > 1000);
   CHECK(pairs < 4000);
 }

@@ -7,7 +7,7 @@ set(sound "standard 1, faults 0:" "${right}" "0 transforms inexact" "words: 13 n
 function(refused compiler text)
   foreach(flags IN LISTS ARGN)
     string(REPLACE " " ";" flags "${flags}")
-    run_to_fail("${compiler}" -std=c++20 ${flags} "${headers}" -fsyntax-only "${ROOM}/flags/self.cpp")
+    run_to_fail("${compiler}" -std=c++20 ${flags} ${headers} -fsyntax-only "${ROOM}/flags/self.cpp")
     expect("${text}")
   endforeach()
 endfunction()
@@ -27,7 +27,7 @@ foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
   # Refused.
   refused("${compiler}" "compile without it" "-ffast-math" "-Ofast" "-ffinite-math-only" "-O2 -ffast-math -march=native")
   # One object of the program is linked with -ffast-math: subnormals are flushed in all of it. Hits are right all the same.
-  run("${compiler}" -std=c++20 -O2 "${headers}" -c "${hostile}" -o "${ROOM}/hostile.o")
+  run("${compiler}" -std=c++20 -O2 ${headers} -c "${hostile}" -o "${ROOM}/hostile.o")
   run("${compiler}" -ffast-math "${ROOM}/hostile.o" -o "${ROOM}/hostile")
   run("${ROOM}/hostile")
   expect("standard 0," "subnormal numbers are flushed to zero" "${right}")

@@ -1,7 +1,7 @@
 # What the scripts about flags share: the checked-in headers, compilers, and the hostile program.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(flags)
-set(headers "-I${SOURCE}/generated/default")
+set(headers "-I${SOURCE}/generated/default" "-I${SOURCE}/runtime/kernel")
 set(hostile "${ROOM}/flags/hostile.cpp")
 set(strict -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 set(right " 0 certified wrong, 0 hits wrong")
@@ -14,7 +14,7 @@ endif()
 
 # compile(COMPILER PROGRAM FLAGS ... SOURCES ...): COMPILER -std=c++20 ... -o PROGRAM, in the room.
 macro(compile compiler program)
-  run("${compiler}" -std=c++20 "${headers}" ${ARGN} -o "${ROOM}/${program}")
+  run("${compiler}" -std=c++20 ${headers} ${ARGN} -o "${ROOM}/${program}")
 endmacro()
 # run_hostile(COMPILER [flag ...]): builds the hostile program and runs it; what it says is in OUTPUT.
 macro(run_hostile compiler)

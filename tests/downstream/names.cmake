@@ -9,9 +9,9 @@ expect("2 2 2" "int of meet" "namespace of meet" "second 1")
 
 # Whichever folder comes first on the include path, the support header is the same; the runtime's is, too.
 set(generated "${ROOM}/names-build")
-file(SHA256 "${PREFIX}/include/meetc/meet/support.hpp" wanted)
+file(SHA256 "${PREFIX}/include/meetc/support.hpp" wanted)
 foreach(target IN ITEMS robot_cell other_cell odd_cell)
-  file(SHA256 "${generated}/${target}.generated/meet/support.hpp" found)
+  file(SHA256 "${generated}/${target}.generated/meetc/support.hpp" found)
   if(NOT found STREQUAL wanted)
     fail("the support header of ${target} is another one")
   endif()

@@ -64,12 +64,11 @@ std::string heading(const std::vector<cell> &cells, judge by) {
     of_families.insert(c.from);
     of_subjects.insert(c.of);
   }
-  return fmt::format(
-      "judge: {}\n{} families, {} predicates, {} cells that apply, at least {} cases a cell; cells "
-      "with fewer than {} cases: {}\n",
-      by == judge::signs ? "signs (the predicate's decision on integer signs)"
-                         : "geometry (exact distances of hulls and radii alone)",
-      of_families.size(), of_subjects.size(), cells.size(), least, enough_cases, few);
+  return fmt::format("judge: {}\n{} families, {} predicates, {} cells that apply, at least {} cases a cell; cells "
+                     "with fewer than {} cases: {}\n",
+                     by == judge::signs ? "signs (the predicate's decision on integer signs)"
+                                        : "geometry (exact distances of hulls and radii alone)",
+                     of_families.size(), of_subjects.size(), cells.size(), least, enough_cases, few);
 }
 
 } // namespace
@@ -110,8 +109,7 @@ outcome check_case(const subject &s, const pair_of_rows &p, random_numbers &rand
 void run(std::vector<cell> &cells, const plan &what, const reporter &report) {
   // A judge that is slow gets fewer cases at a time, or the last ones keep one thread busy alone.
   const std::uint64_t chunk = what.by == judge::signs ? 4096 : 512;
-  const std::uint64_t each = (what.cases + cells.size() - 1) / cells.size(),
-                      rounds = (each + chunk - 1) / chunk;
+  const std::uint64_t each = (what.cases + cells.size() - 1) / cells.size(), rounds = (each + chunk - 1) / chunk;
   std::atomic<std::uint64_t> next = 0, done = 0;
   std::mutex lock;
   const auto work = [&] {
@@ -139,10 +137,9 @@ void run(std::vector<cell> &cells, const plan &what, const reporter &report) {
 
 std::string table(const std::vector<cell> &cells, judge by) {
   std::string out = heading(cells, by);
-  out +=
-      fmt::format("{:<16} {:<22} {:>11} {:>11} | {:>10} {:>10} {:>10} | {:>11} {:>11} {:>11} | {}\n",
-                  "family", "predicate", "cases", "hits", "fp32", "fp64", "fp64x2", "in a box", "per object",
-                  "whole box", "wrong: fp32 fp64 fp64x2 per_object whole_box exact certified signs");
+  out += fmt::format("{:<16} {:<22} {:>11} {:>11} | {:>10} {:>10} {:>10} | {:>11} {:>11} {:>11} | {}\n", "family",
+                     "predicate", "cases", "hits", "fp32", "fp64", "fp64x2", "in a box", "per object", "whole box",
+                     "wrong: fp32 fp64 fp64x2 per_object whole_box exact certified signs");
   for (const cell &c : cells)
     out += line(c.from->name, c.of->name, c.found, by);
   counts all;

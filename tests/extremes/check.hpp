@@ -7,7 +7,7 @@
 #ifndef MEETC_TESTS_EXTREMES_CHECK_HPP
 #define MEETC_TESTS_EXTREMES_CHECK_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 
 #include <cmath>
 
@@ -27,7 +27,7 @@ struct outcome {
   unsigned wrong = 0;
 };
 
-// ---- decisions and lone signs alike ---------------------------------------------------------------------
+// ---- decisions and lone signs alike ----
 
 template <class P> constexpr bool lone_sign = !requires {
   typename P::reject_stage;
@@ -51,7 +51,7 @@ template <class P, class Signs, class S> void all_signs(const Signs &signs, S *s
 }
 
 // The answer, as a number: 0 or 1; of a lone sign -1, 0 or 1.
-template <class P> int answer_of(const meet::sign *s) {
+template <class P> int answer_of(const meetc::sign *s) {
   if constexpr (lone_sign<P>)
     return static_cast<int>(P::value(s));
   else
@@ -59,13 +59,13 @@ template <class P> int answer_of(const meet::sign *s) {
 }
 template <class P, class Signs> int decided(const Signs &signs) {
   if constexpr (lone_sign<P>)
-    return static_cast<int>(meet::decide_sign<P>(signs));
+    return static_cast<int>(meetc::decide_sign<P>(signs));
   else
-    return meet::decide<P>(signs);
+    return meetc::decide<P>(signs);
 }
 template <class P> int truth_of(const float *a, const float *b) {
-  meet::sign s[P::atoms];
-  all_signs<P>(meet::integer_signs<P>(a, b), s);
+  meetc::sign s[P::atoms];
+  all_signs<P>(meetc::integer_signs<P>(a, b), s);
   return answer_of<P>(s);
 }
 
@@ -74,29 +74,28 @@ template <class P> bool box_covers(float side) {
   bool covers = side > 0;
   each_stage<P>([&](auto stage) {
     using Stage = decltype(stage);
-    covers =
-        covers && side >= std::ldexp(1.0F, Stage::box_lowest) && side <= std::ldexp(1.0F, Stage::box_highest);
+    covers = covers && side >= std::ldexp(1.0F, Stage::box_lowest) && side <= std::ldexp(1.0F, Stage::box_highest);
   });
   if constexpr (!lone_sign<P>)
-    covers = covers && meet::box_holds<P>(side);
+    covers = covers && meetc::box_holds<P>(side);
   return covers;
 }
 
-// ---- checks ---------------------------------------------------------------------------------------------
+// ---- checks ----
 
 // Whether each set contains its true sign.
-template <class P, class Signs> bool sets_hold(const Signs &signs, const meet::sign *truth) {
-  meet::sign_set sets[P::atoms];
+template <class P, class Signs> bool sets_hold(const Signs &signs, const meetc::sign *truth) {
+  meetc::sign_set sets[P::atoms];
   all_signs<P>(signs, sets);
   unsigned missed = 0;
   for (int i = 0; i < P::atoms; ++i)
-    missed |= meet::sign_set::of(truth[i]).bits & ~static_cast<unsigned>(sets[i].bits);
+    missed |= meetc::sign_set::of(truth[i]).bits & ~static_cast<unsigned>(sets[i].bits);
   return missed == 0;
 }
 
 // The same where signs are claimed outright.
-template <class P, class Signs> bool signs_hold(const Signs &signs, const meet::sign *truth) {
-  meet::sign s[P::atoms];
+template <class P, class Signs> bool signs_hold(const Signs &signs, const meetc::sign *truth) {
+  meetc::sign s[P::atoms];
   all_signs<P>(signs, s);
   bool same = true;
   for (int i = 0; i < P::atoms; ++i)
@@ -105,18 +104,18 @@ template <class P, class Signs> bool signs_hold(const Signs &signs, const meet::
 }
 
 template <class P, class Signs>
-void check_bounded(const Signs &signs, const meet::sign *truth, int want, rung r, outcome &out) {
+void check_bounded(const Signs &signs, const meetc::sign *truth, int want, rung r, outcome &out) {
   bool right = sets_hold<P>(signs, truth), sure;
   if constexpr (lone_sign<P>) {
-    meet::sign_set s[P::atoms];
+    meetc::sign_set s[P::atoms];
     all_signs<P>(signs, s);
     const unsigned value = P::value(s).bits;
     sure = value == 1 || value == 2 || value == 4;
-    right = right && (value & meet::sign_set::of(static_cast<meet::sign>(want)).bits);
+    right = right && (value & meetc::sign_set::of(static_cast<meetc::sign>(want)).bits);
   } else {
-    const meet::answer x = meet::decide_sets<P>(signs);
-    sure = x != meet::answer::unsure;
-    right = right && (!sure || (x == meet::answer::yes) == (want == 1));
+    const meetc::answer x = meetc::decide_sets<P>(signs);
+    sure = x != meetc::answer::unsure;
+    right = right && (!sure || (x == meetc::answer::yes) == (want == 1));
   }
   out.unsure |= sure ? 0 : bit(r);
   out.wrong |= right ? 0 : bit(r);
@@ -124,30 +123,27 @@ void check_bounded(const Signs &signs, const meet::sign *truth, int want, rung r
 
 // side: of a box that holds the pair, a power of two; 0: none. known: the true answer, where it is known
 // other than by the signs, or none. Hit: the predicate's public entry point.
-template <class P, class Hit>
-outcome check(const float *a, const float *b, float side, const int *known, Hit &&hit) {
+template <class P, class Hit> outcome check(const float *a, const float *b, float side, const int *known, Hit &&hit) {
   outcome out;
-  meet::sign truth[P::atoms];
-  all_signs<P>(meet::integer_signs<P>(a, b), truth);
+  meetc::sign truth[P::atoms];
+  all_signs<P>(meetc::integer_signs<P>(a, b), truth);
   const int by_signs = answer_of<P>(truth), want = known ? *known : by_signs;
   out.hit = want != 0;
-  check_bounded<P>(meet::bounded_signs<P, meet::in_fp32>(a, b), truth, want, fp32, out);
-  check_bounded<P>(meet::bounded_signs<P, meet::in_fp64>(a, b), truth, want, fp64, out);
-  check_bounded<P>(meet::bounded_signs<P, meet::in_fp64x2>(a, b), truth, want, fp64x2, out);
-  bool exact = signs_hold<P>(meet::exact_signs<P>(a, b), truth);
-  exact = exact && decided<P>(meet::exact_signs<P>(a, b)) == want;
+  check_bounded<P>(meetc::bounded_signs<P, meetc::in_fp32>(a, b), truth, want, fp32, out);
+  check_bounded<P>(meetc::bounded_signs<P, meetc::in_fp64>(a, b), truth, want, fp64, out);
+  check_bounded<P>(meetc::bounded_signs<P, meetc::in_fp64x2>(a, b), truth, want, fp64x2, out);
+  bool exact = signs_hold<P>(meetc::exact_signs<P>(a, b), truth);
+  exact = exact && decided<P>(meetc::exact_signs<P>(a, b)) == want;
   const bool right = hit(a, b) == want; // through decide_certified
-  if constexpr (!lone_sign<P>) // A reject stage that holds proves a no; where nothing is rare the usual
-                               // decides.
-    exact = exact && !(P::rejected(truth) && want == 1) &&
-            (P::needs_rare(truth) || P::whole(truth) == (want == 1));
+  if constexpr (!lone_sign<P>)          // A reject stage that holds proves a no; where nothing is rare the usual
+                                        // decides.
+    exact = exact && !(P::rejected(truth) && want == 1) && (P::needs_rare(truth) || P::whole(truth) == (want == 1));
   if (out.boxed = box_covers<P>(side); out.boxed) {
-    using meet::box_form;
-    check_bounded<P>(meet::boxed_signs<P, box_form::per_object>(a, b, side), truth, want, per_object, out);
-    check_bounded<P>(meet::boxed_signs<P, box_form::whole_box>(a, b, side), truth, want, whole_box, out);
+    using meetc::box_form;
+    check_bounded<P>(meetc::boxed_signs<P, box_form::per_object>(a, b, side), truth, want, per_object, out);
+    check_bounded<P>(meetc::boxed_signs<P, box_form::whole_box>(a, b, side), truth, want, whole_box, out);
   }
-  out.wrong |=
-      (exact ? 0 : bit(exact_rung)) | (right ? 0 : bit(certified)) | (by_signs == want ? 0 : bit(on_signs));
+  out.wrong |= (exact ? 0 : bit(exact_rung)) | (right ? 0 : bit(certified)) | (by_signs == want ? 0 : bit(on_signs));
   return out;
 }
 

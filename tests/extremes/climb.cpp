@@ -12,13 +12,12 @@ struct sample {
   double truth, computed, bound;
 };
 
-template <class Stage>
-double bound_in_box(const float *a, const float *b, double side, bound_form form, int i) {
+template <class Stage> double bound_in_box(const float *a, const float *b, double side, bound_form form, int i) {
   const auto extent = [&](float e) {
     const double least = std::ldexp(1.0, Stage::box_lowest);
-    return form == bound_form::whole_box ? side : std::max(least, static_cast<double>(meet::power_above(e)));
+    return form == bound_form::whole_box ? side : std::max(least, static_cast<double>(meetc::power_above(e)));
   };
-  const meet::box_factor f = Stage::box(i);
+  const meetc::box_factor f = Stage::box(i);
   return static_cast<double>(f.c) * std::pow(extent(Stage::extent_a(a)), f.a) *
          std::pow(extent(Stage::extent_b(b)), f.b) * std::pow(side, f.pair);
 }
@@ -30,15 +29,15 @@ template <class P> sample sample_at(const float *a, const float *b, double side,
     const int i = atom - Stage::first;
     if (i < 0 || i >= Stage::atoms)
       return;
-    const meet::rows_in<P, float> rows(a, b);
-    const meet::rows_in<P, meet::double_double> finer(a, b);
+    const meetc::rows_in<P, float> rows(a, b);
+    const meetc::rows_in<P, meetc::double_double> finer(a, b);
     float v[Stage::atoms], m[Stage::atoms];
-    meet::double_double t[Stage::atoms];
-    meet::stage_values<Stage>(rows.a, rows.b, v);
-    meet::stage_values<Stage>(finer.a, finer.b, t);
+    meetc::double_double t[Stage::atoms];
+    meetc::stage_values<Stage>(rows.a, rows.b, v);
+    meetc::stage_values<Stage>(finer.a, finer.b, t);
     out.truth = t[i].hi, out.computed = static_cast<double>(v[i]);
     if (form == bound_form::magnitude) {
-      const meet::leaf_magnitude<float> leaf{meet::power_of_two(Stage::floor_fp32, 0.0F)};
+      const meetc::leaf_magnitude<float> leaf{meetc::power_of_two(Stage::floor_fp32, 0.0F)};
       Stage::magnitudes(rows.a, rows.b, leaf, m);
       out.bound = static_cast<double>(Stage::factor(i).fp32) * static_cast<double>(m[i]);
     } else {
@@ -102,17 +101,14 @@ public:
 private:
   std::size_t size() const { return now_.a.size() + now_.b.size(); }
   std::size_t any() { return random_.bits() % size(); }
-  float &number(pair_of_rows &p, std::size_t i) const {
-    return i < p.a.size() ? p.a[i] : p.b[i - p.a.size()];
-  }
+  float &number(pair_of_rows &p, std::size_t i) const { return i < p.a.size() ? p.a[i] : p.b[i - p.a.size()]; }
   void set(pair_of_rows &p, std::size_t i, float f) const {
     const bool radius = (padded(s_.a) && i == 3) || (padded(s_.b) && i == p.a.size() + 3);
     number(p, i) = radius ? std::abs(f) : f;
   }
 
   sample at(const pair_of_rows &p) const {
-    const double side =
-        form_ == bound_form::magnitude ? 0 : static_cast<double>(box_side(s_.a, p.a, s_.b, p.b));
+    const double side = form_ == bound_form::magnitude ? 0 : static_cast<double>(box_side(s_.a, p.a, s_.b, p.b));
     return sample_(p.a.data(), p.b.data(), side, form_, atom_);
   }
   double share_of(const pair_of_rows &p) const {

@@ -15,7 +15,7 @@ struct family {
 std::span<const family> families();
 const family &family_named(const char *name);
 
-// ---- makers ---------------------------------------------------------------------------------------------
+// ---- makers ----
 
 // Corners on integers whose orient3d determinants are -1, 0, 1 beside terms of 2^57 and more.
 pair_of_rows determinant_one(shape a, shape b, random_numbers &random);
@@ -71,7 +71,7 @@ pair_of_rows bent(shape a, shape b, random_numbers &random);
 // One of those above that keep their own scale and place.
 pair_of_rows any_at_home(shape a, shape b, random_numbers &random);
 
-// ---- parts of makers ------------------------------------------------------------------------------------
+// ---- parts of makers ----
 
 using generated_test::graze;
 using generated_test::padded;

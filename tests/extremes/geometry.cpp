@@ -13,8 +13,7 @@ vec difference(const row &x, std::size_t i, const row &y, std::size_t j) {
   return out;
 }
 mpq_class determinant(const vec &a, const vec &b, const vec &c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-         a[2] * (b[0] * c[1] - b[1] * c[0]);
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 // As algebra_spec/cga3.toml says in words: + inside a sphere; [b-a, c-a, p-a]; [p2-p1, v1, v2].
@@ -22,8 +21,7 @@ int value_sign(const subject &s, const pair_of_rows &p) {
   const vec between = difference(p.b, 0, p.a, 0);
   if (generated_test::padded(s.a)) {
     const mpq_class r(static_cast<double>(p.a[3]));
-    return sgn(
-        mpq_class(r * r - between[0] * between[0] - between[1] * between[1] - between[2] * between[2]));
+    return sgn(mpq_class(r * r - between[0] * between[0] - between[1] * between[1] - between[2] * between[2]));
   }
   const vec u = difference(p.a, 1, p.a, 0);
   return s.a == shape::triangle ? sgn(determinant(u, difference(p.a, 2, p.a, 0), between))

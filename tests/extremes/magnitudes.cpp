@@ -34,8 +34,7 @@ float of_palette(random_numbers &random) {
   case 1:
     return 0x1p-149F;
   case 2: // other subnormals: one bit, or all at random
-    return 0x1p-149F *
-           static_cast<float>(random.one_in(2) ? 1 << random.integer(1, 22) : random.integer(1, 0x7fffff));
+    return 0x1p-149F * static_cast<float>(random.one_in(2) ? 1 << random.integer(1, 22) : random.integer(1, 0x7fffff));
   case 3:
     return stepped(0x1p-126F, random.integer(-1, 1));
   case 4:
@@ -54,8 +53,7 @@ pair_of_rows axis_magnitudes(shape a, shape b, random_numbers &random) {
   static constexpr int reaches[] = {3, 12, 40, 127};
   pair_of_rows p = random.one_in(2) ? placed(a, b, random) : any_at_home(a, b, random);
   const int reach = reaches[random.integer(0, 3)];
-  const int exponent[3] = {random.integer(-reach, reach), random.integer(-reach, reach),
-                           random.integer(-reach, reach)};
+  const int exponent[3] = {random.integer(-reach, reach), random.integer(-reach, reach), random.integer(-reach, reach)};
   for (auto [kind, r] : {std::pair(a, &p.a), std::pair(b, &p.b)}) {
     for (std::size_t i = 0; i < 3 * corners(kind); ++i)
       (*r)[i] = scaled_number((*r)[i], exponent[i % 3]);
@@ -77,9 +75,7 @@ pair_of_rows palette(shape a, shape b, random_numbers &random) {
       f = of_palette(random);
     while (without_largest && f > 0x1p20F);
   const bool any = random.one_in(4);
-  const auto next = [&] {
-    return either_sign(any ? of_palette(random) : few[random.integer(0, count - 1)], random);
-  };
+  const auto next = [&] { return either_sign(any ? of_palette(random) : few[random.integer(0, count - 1)], random); };
   pair_of_rows p;
   p.a = draw(a, next);
   p.b = draw(b, next);

@@ -11,8 +11,7 @@ using namespace meetc::extremes_test;
 
 namespace {
 
-constexpr const char *usage =
-    "usage: extremes [--judge signs|geometry] [--cases N] [--seed N] [--threads T]\n";
+constexpr const char *usage = "usage: extremes [--judge signs|geometry] [--cases N] [--seed N] [--threads T]\n";
 
 bool number(const char *text, std::uint64_t &out) {
   const char *end = text + std::strlen(text);
@@ -35,8 +34,7 @@ int main(int argc, char **argv) {
                                  : name == "--seed"    ? &seed
                                  : name == "--threads" ? &threads
                                                        : nullptr;
-    if (!value || i + 1 == argc || !number(argv[i + 1], *value) || cases == 0 || threads == 0 ||
-        threads > 1024) {
+    if (!value || i + 1 == argc || !number(argv[i + 1], *value) || cases == 0 || threads == 0 || threads > 1024) {
       std::fputs(usage, stderr);
       return 2;
     }

@@ -9,12 +9,12 @@ namespace {
 // A stage with one thing changed.
 template <class Stage, mutation M> struct changed : Stage {
   static constexpr int window = Stage::window + (M == mutation::wider_window ? 4 : 0);
-  static meet::factors factor(int i) {
-    const meet::factors k = Stage::factor(i);
-    return M == mutation::quarter_factor ? meet::factors{k.fp32 / 4, k.fp64 / 4, k.fp64x2 / 4} : k;
+  static meetc::factors factor(int i) {
+    const meetc::factors k = Stage::factor(i);
+    return M == mutation::quarter_factor ? meetc::factors{k.fp32 / 4, k.fp64 / 4, k.fp64x2 / 4} : k;
   }
-  static meet::box_factor box(int i) {
-    meet::box_factor f = Stage::box(i);
+  static meetc::box_factor box(int i) {
+    meetc::box_factor f = Stage::box(i);
     f.c = M == mutation::quarter_box ? f.c / 4 : f.c;
     return f;
   }
@@ -23,7 +23,7 @@ template <class Stage, mutation M> struct changed : Stage {
     return Stage::degree_of(i) + (M == mutation::degree_above) - (M == mutation::degree_below);
   }
 };
-template <mutation M> struct changed<meet::no_stage, M> : meet::no_stage {};
+template <mutation M> struct changed<meetc::no_stage, M> : meetc::no_stage {};
 
 template <class P, mutation M, bool = lone_sign<P>> struct mutant : P {
   using reject_stage = changed<typename P::reject_stage, M>;
@@ -36,27 +36,25 @@ template <class P, mutation M> struct mutant<P, M, true> : P {
 
 template <class P, mutation M> unsigned wrong_signs_of(const float *a, const float *b, float side) {
   using Q = mutant<P, M>;
-  meet::sign truth[P::atoms];
-  all_signs<P>(meet::integer_signs<P>(a, b), truth);
+  meetc::sign truth[P::atoms];
+  all_signs<P>(meetc::integer_signs<P>(a, b), truth);
   constexpr bool all = M == mutation::none;
   constexpr bool by_degree = M == mutation::degree_above || M == mutation::degree_below;
   unsigned wrong = 0;
   if constexpr (all || M == mutation::quarter_factor || M == mutation::equal_points)
-    wrong |= sets_hold<Q>(meet::bounded_signs<Q, meet::in_fp32>(a, b), truth) ? 0 : bit(fp32);
+    wrong |= sets_hold<Q>(meetc::bounded_signs<Q, meetc::in_fp32>(a, b), truth) ? 0 : bit(fp32);
   if constexpr (all || M == mutation::quarter_factor || by_degree) {
-    wrong |= sets_hold<Q>(meet::bounded_signs<Q, meet::in_fp64>(a, b), truth) ? 0 : bit(fp64);
-    wrong |= sets_hold<Q>(meet::bounded_signs<Q, meet::in_fp64x2>(a, b), truth) ? 0 : bit(fp64x2);
+    wrong |= sets_hold<Q>(meetc::bounded_signs<Q, meetc::in_fp64>(a, b), truth) ? 0 : bit(fp64);
+    wrong |= sets_hold<Q>(meetc::bounded_signs<Q, meetc::in_fp64x2>(a, b), truth) ? 0 : bit(fp64x2);
   }
   if constexpr (all || M == mutation::quarter_box)
     if (box_covers<P>(side)) {
-      using meet::box_form;
-      wrong |=
-          sets_hold<Q>(meet::boxed_signs<Q, box_form::per_object>(a, b, side), truth) ? 0 : bit(per_object);
-      wrong |=
-          sets_hold<Q>(meet::boxed_signs<Q, box_form::whole_box>(a, b, side), truth) ? 0 : bit(whole_box);
+      using meetc::box_form;
+      wrong |= sets_hold<Q>(meetc::boxed_signs<Q, box_form::per_object>(a, b, side), truth) ? 0 : bit(per_object);
+      wrong |= sets_hold<Q>(meetc::boxed_signs<Q, box_form::whole_box>(a, b, side), truth) ? 0 : bit(whole_box);
     }
   if constexpr (all || M == mutation::wider_window)
-    wrong |= signs_hold<Q>(meet::exact_signs<Q>(a, b), truth) ? 0 : bit(exact_rung);
+    wrong |= signs_hold<Q>(meetc::exact_signs<Q>(a, b), truth) ? 0 : bit(exact_rung);
   return wrong;
 }
 

@@ -15,9 +15,9 @@ enum class mutation : std::uint8_t {
   degree_below,   // of g^(k-1): the same
   wider_window    // exact arithmetic is trusted for 4 bits more: by the exact rung
 };
-inline constexpr mutation mutations[] = {
-    mutation::none,         mutation::quarter_factor, mutation::quarter_box, mutation::equal_points,
-    mutation::degree_above, mutation::degree_below,   mutation::wider_window};
+inline constexpr mutation mutations[] = {mutation::none,         mutation::quarter_factor, mutation::quarter_box,
+                                         mutation::equal_points, mutation::degree_above,   mutation::degree_below,
+                                         mutation::wider_window};
 const char *name_of(mutation m);
 
 // The rungs, as bits, that claim a wrong sign for a mutated predicate. Only those that the mutation is about

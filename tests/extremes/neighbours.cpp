@@ -70,14 +70,12 @@ pair_of_rows bent(shape a, shape b, random_numbers &random) {
     append(x, i == 1 ? 16 : 0, i == 2 ? 16 : 0);
   // Joined at one corner or two, or not at all (a point, a centre); the rest lies across or on top of the
   // base.
-  const std::size_t joined =
-      corners(other) == 1 ? random.bits() % 2 : 1 + random.bits() % (corners(other) - 1);
+  const std::size_t joined = corners(other) == 1 ? random.bits() % 2 : 1 + random.bits() % (corners(other) - 1);
   for (std::size_t i = 0; i < corners(other); ++i)
     if (i < joined) {
       append(y, i == 1 ? 16 : 0, 0);
     } else {
-      const int s = random.integer(-16, 16),
-                t = corners(base) == 2 && random.one_in(2) ? 0 : random.integer(-16, 16);
+      const int s = random.integer(-16, 16), t = corners(base) == 2 && random.one_in(2) ? 0 : random.integer(-16, 16);
       append(y, s, t);
     }
   if (!random.one_in(8)) {

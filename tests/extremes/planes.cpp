@@ -122,10 +122,8 @@ pair_of_rows kettner(shape a, shape b, random_numbers &random) {
     return std::array<float, 3>{v[k], v[(k + 1) % 3], v[(k + 2) % 3]};
   };
   const auto on_grid = [&] {
-    const int i = random.integer(0, 255),
-              j = random.one_in(3) ? i : std::clamp(i + random.integer(-3, 3), 0, 255);
-    return at(line.base + static_cast<float>(i) * line.step, line.base + static_cast<float>(j) * line.step,
-              0);
+    const int i = random.integer(0, 255), j = random.one_in(3) ? i : std::clamp(i + random.integer(-3, 3), 0, 255);
+    return at(line.base + static_cast<float>(i) * line.step, line.base + static_cast<float>(j) * line.step, 0);
   };
   const auto lift = [&] { return random.one_in(2) ? 0.0F : 4.0F; };
   // The line's points on one side of the grid, as in the original, or about it, so that bodies meet.
@@ -162,8 +160,7 @@ pair_of_rows near_coplanar(shape a, shape b, random_numbers &random) {
     append(x, at[i]);
   for (std::size_t i = 0; i < corners(other); ++i) {
     const long s = random.integer(0, 16),
-               t = corners(base) == 2 ? 0
-                                      : random.integer(0, random.one_in(2) ? 16 : 16 - static_cast<int>(s));
+               t = corners(base) == 2 ? 0 : random.integer(0, random.one_in(2) ? 16 : 16 - static_cast<int>(s));
     vec d{};
     for (std::size_t k = 0; k < 3; ++k)
       d[k] = at[0][k] + (s * (at[1][k] - at[0][k]) + t * (at[2][k] - at[0][k])) / 16;

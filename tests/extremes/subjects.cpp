@@ -12,12 +12,12 @@ using generated_test::exact;
 using generated_test::operand;
 
 template <class P, class T> int plain(const float *a, const float *b) {
-  return decided<P>(meet::plain_signs<P, T>(a, b));
+  return decided<P>(meetc::plain_signs<P, T>(a, b));
 }
 
 template <class P> bool integers_hold(const float *a, const float *b) {
-  meet::sign s[P::atoms];
-  all_signs<P>(meet::integer_signs<P>(a, b), s);
+  meetc::sign s[P::atoms];
+  all_signs<P>(meetc::integer_signs<P>(a, b), s);
   exact x[P::inputs_a], y[P::inputs_b];
   for (int i = 0; i < P::inputs_a; ++i)
     x[i] = exact(static_cast<double>(a[i]));
@@ -27,7 +27,7 @@ template <class P> bool integers_hold(const float *a, const float *b) {
   each_stage<P>([&](auto stage) {
     using Stage = decltype(stage);
     exact v[Stage::atoms];
-    meet::stage_values<Stage>(x, y, v);
+    meetc::stage_values<Stage>(x, y, v);
     for (int i = 0; i < Stage::atoms; ++i)
       same = same && sgn(v[i].v) == static_cast<int>(s[Stage::first + i]);
   });
@@ -35,16 +35,16 @@ template <class P> bool integers_hold(const float *a, const float *b) {
 }
 
 template <class P> void run_all(const float *a, const float *b) {
-  meet::sign_set sets[P::atoms];
-  meet::sign s[P::atoms];
-  all_signs<P>(meet::bounded_signs<P, meet::in_fp32>(a, b), sets);
-  all_signs<P>(meet::bounded_signs<P, meet::in_fp64>(a, b), sets);
-  all_signs<P>(meet::bounded_signs<P, meet::in_fp64x2>(a, b), sets);
-  all_signs<P>(meet::exact_signs<P>(a, b), s);
-  all_signs<P>(meet::integer_signs<P>(a, b), s);
+  meetc::sign_set sets[P::atoms];
+  meetc::sign s[P::atoms];
+  all_signs<P>(meetc::bounded_signs<P, meetc::in_fp32>(a, b), sets);
+  all_signs<P>(meetc::bounded_signs<P, meetc::in_fp64>(a, b), sets);
+  all_signs<P>(meetc::bounded_signs<P, meetc::in_fp64x2>(a, b), sets);
+  all_signs<P>(meetc::exact_signs<P>(a, b), s);
+  all_signs<P>(meetc::integer_signs<P>(a, b), s);
   for (const float side : {0x1p-10F, 1.0F, 0x1p10F}) {
-    all_signs<P>(meet::boxed_signs<P, meet::box_form::per_object>(a, b, side), sets);
-    all_signs<P>(meet::boxed_signs<P, meet::box_form::whole_box>(a, b, side), sets);
+    all_signs<P>(meetc::boxed_signs<P, meetc::box_form::per_object>(a, b, side), sets);
+    all_signs<P>(meetc::boxed_signs<P, meetc::box_form::whole_box>(a, b, side), sets);
   }
 }
 
@@ -56,12 +56,10 @@ template <class P, answer_function Hit> subject make(const char *name, shape a, 
           b,
           surface,
           lone_sign<P>,
-          [](const float *x, const float *y, float side, const int *known) {
-            return check<P>(x, y, side, known, Hit);
-          },
+          [](const float *x, const float *y, float side, const int *known) { return check<P>(x, y, side, known, Hit); },
           truth_of<P>,
           Hit,
-          [](const float *x, const float *y) { return decided<P>(meet::exact_signs<P>(x, y)); },
+          [](const float *x, const float *y) { return decided<P>(meetc::exact_signs<P>(x, y)); },
           plain<P, float>,
           plain<P, double>,
           integers_hold<P>,
@@ -124,7 +122,7 @@ float box_side(shape a, const row &x, shape b, const row &y) {
         low = std::min(low, static_cast<double>((*r)[i]));
         high = std::max(high, static_cast<double>((*r)[i]));
       }
-    const meet::double_double width = meet::two_sum(high, -low);
+    const meetc::double_double width = meetc::two_sum(high, -low);
     widest = std::max(widest, width.lo > 0 ? std::nextafter(width.hi, HUGE_VAL) : width.hi);
   }
   for (const auto &[kind, r] : {std::pair(a, &x), std::pair(b, &y)})

@@ -33,9 +33,9 @@ std::vector<vec> hull_at(const frame &f, int k, int reach, std::size_t size, ran
     out = {in(f, 0, s * y, s * z), in(f, 0, -t * y, -t * z)};
   }
   while (out.size() < size)
-    out.push_back(inside ? in(f, random.integer(-k, -k / 2), random.integer(-k / 2, k / 2),
-                              random.integer(-k / 2, k / 2))
-                         : in(f, random.integer(0, 8), across(), across()));
+    out.push_back(inside
+                      ? in(f, random.integer(-k, -k / 2), random.integer(-k / 2, k / 2), random.integer(-k / 2, k / 2))
+                      : in(f, random.integer(0, 8), across(), across()));
   return out;
 }
 
@@ -43,9 +43,7 @@ std::vector<vec> hull_at(const frame &f, int k, int reach, std::size_t size, ran
 
 pair_of_rows tangent(shape a, shape b, random_numbers &random) {
   // Small numbers, or such as fill their 24 bits.
-  static constexpr struct {
-    int quaternion, multiple;
-  } most[] = {{2, 64}, {2, 1 << 18}, {8, 64}, {256, 32}, {1024, 2}};
+  static constexpr struct { int quaternion, multiple; } most[] = {{2, 64}, {2, 1 << 18}, {8, 64}, {256, 32}, {1024, 2}};
   const auto [quaternion, multiple] = most[random.integer(0, 4)];
   const frame f = any_frame(quaternion, random);
   const int k = random.integer(1, multiple);
@@ -79,8 +77,7 @@ pair_of_rows tangent(shape a, shape b, random_numbers &random) {
   if (!random.one_in(3)) { // one ulp either way, of a radius or of any number, or a small step aside
     row &r = random.one_in(2) ? p.a : p.b;
     const bool radius = (&r == &p.a || padded(b)) && random.one_in(2);
-    float &c =
-        radius ? r.back() : r[static_cast<std::size_t>(random.bits() % (3 * corners(&r == &p.a ? a : b)))];
+    float &c = radius ? r.back() : r[static_cast<std::size_t>(random.bits() % (3 * corners(&r == &p.a ? a : b)))];
     const bool aside = random.one_in(3) || (c == 0 && !random.one_in(4));
     c = aside ? c + std::ldexp(1.0F, std::ilogb(p.a.back()) - random.integer(20, 32))
               : generated_test::stepped(c, random.one_in(2) ? 1 : -1);

@@ -1,7 +1,7 @@
 // The classic traps as they are written down: arithmetic without a bound falls into them, certified answers
 // do not.
+#include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
-#include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 
 #include <algorithm>
@@ -113,8 +113,8 @@ TEST_CASE("bites: Kettner's whole grids have 256 zeros") {
         naive64 += std::abs(naive_turn<double>(x, y, line.q, line.r)) != std::abs(truth);
       }
     const int cases = 256 * 256 / stride;
-    INFO("naive fp32 wrong " << naive32 << ", naive fp64 wrong " << naive64 << ", unsure " << unsure[fp32]
-                             << ' ' << unsure[fp64] << ' ' << unsure[fp64x2] << " of " << cases);
+    INFO("naive fp32 wrong " << naive32 << ", naive fp64 wrong " << naive64 << ", unsure " << unsure[fp32] << ' '
+                             << unsure[fp64] << ' ' << unsure[fp64x2] << " of " << cases);
     CHECK(zeros == 256 / stride);
     CHECK(wrong == 0);
     CHECK(naive32 > cases / 10);

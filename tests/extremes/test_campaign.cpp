@@ -1,7 +1,7 @@
 // The long mode in short: every family for every predicate on every rung, and nothing certified is wrong, by
 // the signs nor by geometry.
+#include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
-#include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 
 #include <fmt/format.h>
@@ -51,11 +51,10 @@ TEST_CASE("extremes: the table says what was judged, by whom, and where cases ar
   const std::string text = table(cells, judge::geometry);
   INFO(text.substr(0, 300));
   CHECK(text.find("judge: geometry") == 0);
-  CHECK(text.find(fmt::format(
-            "{} families, {} predicates, {} cells that apply, at least {} cases a cell; cells with "
-            "fewer than 10000 cases: {}\n",
-            families().size(), subjects().size(), cells.size(), cells[3].found.cases, cells.size() - 2)) !=
-        std::string::npos);
+  CHECK(text.find(fmt::format("{} families, {} predicates, {} cells that apply, at least {} cases a cell; cells with "
+                              "fewer than 10000 cases: {}\n",
+                              families().size(), subjects().size(), cells.size(), cells[3].found.cases,
+                              cells.size() - 2)) != std::string::npos);
   CHECK(table(cells, judge::signs).find("judge: signs") == 0);
 }
 

@@ -1,8 +1,8 @@
 // The families are what they say: rows that are allowed, and each of the newer ones as hostile as its maker's
 // comment.
+#include "tests/catch.hpp"
 #include "tests/extremes/families.hpp"
 #include "tests/extremes/geometry.hpp"
-#include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // The harness can fail: a bound, a claim of zero or a window that is wrong makes wrong signs, and they are
 // seen.
+#include "tests/catch.hpp"
 #include "tests/extremes/climb.hpp"
 #include "tests/extremes/families.hpp"
 #include "tests/extremes/mutants.hpp"
-#include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 
 #include <utility>
@@ -78,19 +78,15 @@ TEST_CASE("mutations: a quarter of a bound is too little, all of it is enough") 
     for (const bound_form form : {bound_form::magnitude, bound_form::per_object, bound_form::whole_box}) {
       // What a short search does not find: in a box, an orientation's bound is at most 0.29 used, and at
       // degree 6 it takes a hundred starts to come to 0.43.
-      const bool spared =
-          (form != bound_form::magnitude && std::string_view(s.name) == "side_triangle_point") ||
-          (form == bound_form::whole_box && s.b == shape::triangle && padded(s.a));
+      const bool spared = (form != bound_form::magnitude && std::string_view(s.name) == "side_triangle_point") ||
+                          (form == bound_form::whole_box && s.b == shape::triangle && padded(s.a));
       random_numbers random(81);
       const summit top = climb(s, form, random, spared ? 2 : 40, 0.3);
       const float side = box_side(s.a, top.rows.a, s.b, top.rows.b);
-      const mutation quarter =
-          form == bound_form::magnitude ? mutation::quarter_factor : mutation::quarter_box;
-      const auto wrong = [&](mutation m) {
-        return wrong_signs(s, m, top.rows.a.data(), top.rows.b.data(), side);
-      };
-      INFO(s.name << ", form " << static_cast<int>(form) << ": a wrong sign at " << top.share
-                  << " of its bound, " << text(top.rows));
+      const mutation quarter = form == bound_form::magnitude ? mutation::quarter_factor : mutation::quarter_box;
+      const auto wrong = [&](mutation m) { return wrong_signs(s, m, top.rows.a.data(), top.rows.b.data(), side); };
+      INFO(s.name << ", form " << static_cast<int>(form) << ": a wrong sign at " << top.share << " of its bound, "
+                  << text(top.rows));
       CHECK(top.share < 1);
       CHECK(wrong(mutation::none) == 0);
       CHECK((spared || top.share > 0.25));

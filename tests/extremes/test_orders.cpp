@@ -1,6 +1,6 @@
 // The same points in another order: the same answer, and the sign that the order's parity says.
+#include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
-#include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 
 #include <algorithm>
@@ -91,8 +91,7 @@ TEST_CASE("orders: an orientation has the parity of its 24 orders") {
           const row r = ordered(all, order);
           const auto cut = r.begin() + static_cast<std::ptrdiff_t>(p.a.size());
           const pair_of_rows q{row(r.begin(), cut), row(cut, r.end())};
-          same = same && check_case(s, q, random).wrong == 0 &&
-                 s.hit(q.a.data(), q.b.data()) == parity(order) * want;
+          same = same && check_case(s, q, random).wrong == 0 && s.hit(q.a.data(), q.b.data()) == parity(order) * want;
         }
       }
       CHECK(same);

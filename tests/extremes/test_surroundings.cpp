@@ -1,6 +1,6 @@
 // Every exponent, every control word, numbers that are none.
+#include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
-#include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 
 #include <limits>

@@ -1,9 +1,9 @@
 // The judges judged: the integers' signs by GMP's rationals, and the answers by signs and by geometry by a
 // third way, which shares nothing with either. (Signs and geometry are held against each other in the
 // campaign.)
+#include "tests/catch.hpp"
 #include "tests/extremes/families.hpp"
 #include "tests/extremes/geometry.hpp"
-#include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/judge.hpp"
 
@@ -33,9 +33,8 @@ template <class F> void on_every_cell(int cases, std::uint64_t seed, F &&f) {
 } // namespace
 
 TEST_CASE("truth: the integers' signs are those of the rationals") {
-  on_every_cell(60, 300, [](const subject &s, const pair_of_rows &p) {
-    return s.integers_hold(p.a.data(), p.b.data());
-  });
+  on_every_cell(60, 300,
+                [](const subject &s, const pair_of_rows &p) { return s.integers_hold(p.a.data(), p.b.data()); });
 }
 
 TEST_CASE("truth: segments and triangles by separating axes, too") {

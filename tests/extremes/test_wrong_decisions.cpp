@@ -3,8 +3,8 @@
 // every one is caught.
 #include "tests/extremes/geometry.hpp"
 
+#include "tests/catch.hpp"
 #include "tests/extremes/families.hpp"
-#include "tests/generated/catch.hpp"
 #include "tests/generated/effort.hpp"
 
 #include <fmt/format.h>
@@ -21,9 +21,8 @@ struct wrong_decision {
 };
 
 template <class P> outcome check_wrong(const float *a, const float *b, float side, const int *known) {
-  return check<P>(a, b, side, known, [](const float *x, const float *y) {
-    return static_cast<int>(meet::decide_certified<P>(x, y));
-  });
+  return check<P>(a, b, side, known,
+                  [](const float *x, const float *y) { return static_cast<int>(meetc::decide_certified<P>(x, y)); });
 }
 template <class P> wrong_decision make(const char *name, const char *of) {
   return {name, of, check_wrong<P>};

@@ -24,8 +24,7 @@ enum mask : unsigned { e1 = 1, e2 = 2, e3 = 4, n = 8, nb = 16 };
 
 template <class T> using entries = std::vector<std::pair<unsigned, T *>>;
 
-// ---- the coefficients of a result, by blade
-// ------------------------------------------------------------------
+// ---- the coefficients of a result, by blade ----
 
 // A scalar result.
 inline entries<exact> fields(exact &s) {
@@ -45,9 +44,8 @@ template <class T> entries<T> fields(cga::point_blade<T> &b) {
   return {{e1, &b.e1}, {e2, &b.e2}, {e3, &b.e3}, {n, &b.n}, {nb, &b.nb}};
 }
 template <class T> entries<T> fields(cga::point_pair_blade<T> &b) {
-  return {{e1 | e2, &b.e1_e2}, {e1 | e3, &b.e1_e3}, {e1 | n, &b.e1_n},   {e1 | nb, &b.e1_nb},
-          {e2 | e3, &b.e2_e3}, {e2 | n, &b.e2_n},   {e2 | nb, &b.e2_nb}, {e3 | n, &b.e3_n},
-          {e3 | nb, &b.e3_nb}, {n | nb, &b.n_nb}};
+  return {{e1 | e2, &b.e1_e2}, {e1 | e3, &b.e1_e3}, {e1 | n, &b.e1_n}, {e1 | nb, &b.e1_nb}, {e2 | e3, &b.e2_e3},
+          {e2 | n, &b.e2_n},   {e2 | nb, &b.e2_nb}, {e3 | n, &b.e3_n}, {e3 | nb, &b.e3_nb}, {n | nb, &b.n_nb}};
 }
 template <class T> entries<T> fields(cga::flat_point_blade<T> &b) {
   return {{e1 | n, &b.e1_n}, {e2 | n, &b.e2_n}, {e3 | n, &b.e3_n}, {n | nb, &b.n_nb}};
@@ -84,8 +82,7 @@ template <class B> multivector dense(B b) {
   return m;
 }
 
-// ---- operands from a source of numbers, in store order
-// --------------------------------------------------------
+// ---- operands from a source of numbers, in store order ----
 
 template <class T, class Next> void fill(cga::point<T> &k, Next &&next) {
   k.x = next(), k.y = next(), k.z = next();
@@ -116,8 +113,7 @@ template <class B, class Next> void fill_blade(B &b, Next &&next) {
     *value = next();
 }
 
-// ---- what they stand for
-// ----------------------------------------------------------------------------------------
+// ---- what they stand for ----
 
 // R(4,1) over e1, e2, e3, n, nb: n and nb are null, n . nb = 2.
 inline const oracle::dense_algebra &space() {
@@ -169,10 +165,9 @@ inline multivector defined(const cga::plane<exact> &k) {
 }
 inline multivector defined(const cga::circle<exact> &k) {
   const multivector c = defined(k.c), normal = defined(k.N);
-  const mpq_class along =
-      oracle::scalar_part(space().left_contraction(normal, c)); // N | c, with c twice the position
-  return undual(outer(subtract(c, oracle::scale(k.r.v * k.r.v, infinity())),
-                      add(normal, oracle::scale(along / 2, infinity()))));
+  const mpq_class along = oracle::scalar_part(space().left_contraction(normal, c)); // N | c, with c twice the position
+  return undual(
+      outer(subtract(c, oracle::scale(k.r.v * k.r.v, infinity())), add(normal, oracle::scale(along / 2, infinity()))));
 }
 
 } // namespace meetc::generated_test

@@ -116,21 +116,21 @@ float box_side(const float *a, int fields_a, const float *b, int fields_b) {
   take(a, fields_a), take(b, fields_b);
   for (int k = 0; k < 3; ++k)
     widest = high[k] - low[k] > widest ? high[k] - low[k] : widest;
-  return 2 * meet::power_above(widest);
+  return 2 * meetc::power_above(widest);
 }
 
 constexpr int rungs = 5; // fp32, fp64, fp64x2, and the box forms by object and by the box alone
 
-template <class P> void bounded_answers(const float *a, const float *b, meet::answer out[rungs]) {
-  out[0] = meet::certify<P, meet::in_fp32>(a, b);
-  out[1] = meet::certify<P, meet::in_fp64>(a, b);
-  out[2] = meet::certify<P, meet::in_fp64x2>(a, b);
-  out[3] = out[4] = meet::answer::unsure;
+template <class P> void bounded_answers(const float *a, const float *b, meetc::answer out[rungs]) {
+  out[0] = meetc::certify<P, meetc::in_fp32>(a, b);
+  out[1] = meetc::certify<P, meetc::in_fp64>(a, b);
+  out[2] = meetc::certify<P, meetc::in_fp64x2>(a, b);
+  out[3] = out[4] = meetc::answer::unsure;
   const float side = box_side(a, P::inputs_a, b, P::inputs_b);
-  if (!meet::box_holds<P>(side))
+  if (!meetc::box_holds<P>(side))
     return;
-  out[3] = meet::decide_sets<P>(meet::boxed_signs<P, meet::box_form::per_object>(a, b, side));
-  out[4] = meet::decide_sets<P>(meet::boxed_signs<P, meet::box_form::whole_box>(a, b, side));
+  out[3] = meetc::decide_sets<P>(meetc::boxed_signs<P, meetc::box_form::per_object>(a, b, side));
+  out[4] = meetc::decide_sets<P>(meetc::boxed_signs<P, meetc::box_form::whole_box>(a, b, side));
 }
 
 template <class P, class Hit> void run(const char *name, Hit hit) {
@@ -143,15 +143,14 @@ template <class P, class Hit> void run(const char *name, Hit hit) {
     const bool answer = hit(a, b);
     hits += answer;
     hash = (hash ^ static_cast<std::uint64_t>(answer)) * 0x100000001b3;
-    meet::answer bounded[rungs];
+    meetc::answer bounded[rungs];
     bounded_answers<P>(a, b, bounded);
     for (int r = 0; r < rungs; ++r) {
-      unsure[r] += bounded[r] == meet::answer::unsure;
-      wrong += bounded[r] != meet::answer::unsure && bounded[r] != meet::to_answer(answer);
+      unsure[r] += bounded[r] == meetc::answer::unsure;
+      wrong += bounded[r] != meetc::answer::unsure && bounded[r] != meetc::to_answer(answer);
     }
   }
-  std::printf("%s %016llx %d of %d wrong %d unsure", name, static_cast<unsigned long long>(hash), hits, cases,
-              wrong);
+  std::printf("%s %016llx %d of %d wrong %d unsure", name, static_cast<unsigned long long>(hash), hits, cases, wrong);
   for (const int n : unsure)
     std::printf(" %d", n);
   std::printf("\n");
@@ -172,9 +171,9 @@ cga::triangle<float> triangle(const float *r) {
 
 } // namespace
 
-#define RUN(predicate, first, second)                                                                        \
-  run<cga::predicate>(                                                                                       \
-      #predicate, [](const float *a, const float *b) { return cga::predicate::hit(first(a), second(b)); })
+#define RUN(predicate, first, second)                                                                                  \
+  run<cga::predicate>(#predicate,                                                                                      \
+                      [](const float *a, const float *b) { return cga::predicate::hit(first(a), second(b)); })
 
 int main() {
   RUN(segment_segment, segment, segment);

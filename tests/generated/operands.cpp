@@ -270,13 +270,12 @@ void graze(shape a, shape b, pair_of_rows &p, random_numbers &random) {
   const auto rounded = [](double d) { return static_cast<float>(std::min(d, static_cast<double>(most))); };
   const oracle::hull x = hull_of(a, p.a), y = hull_of(b, p.b);
   const bool far = random.one_in(3);
-  const double d =
-      std::sqrt((far ? oracle::max_squared_distance(x[0], y) : oracle::squared_distance(x, y)).get_d());
+  const double d = std::sqrt((far ? oracle::max_squared_distance(x[0], y) : oracle::squared_distance(x, y)).get_d());
   if (padded(b)) { // outside or inside tangency
     p.b[3] = rounded(d * random.integer(0, 8) / 8);
-    p.a[3] = std::abs(stepped(
-        rounded(far ? d + static_cast<double>(p.b[3]) : std::abs(d - static_cast<double>(p.b[3]))),
-        random.integer(-1, 1)));
+    p.a[3] =
+        std::abs(stepped(rounded(far ? d + static_cast<double>(p.b[3]) : std::abs(d - static_cast<double>(p.b[3]))),
+                         random.integer(-1, 1)));
   } else {
     p.a[3] = std::abs(stepped(rounded(d), random.integer(-1, 1)));
   }

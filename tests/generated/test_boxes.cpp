@@ -1,5 +1,5 @@
 // The boxes of the catalogue: never too small, whatever is rounded or overflows, and hardly too large.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/operands.hpp"
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-const meet::kind_info &kind(const std::string &name) {
-  const meet::catalogue &c = cga::catalogue();
+const meetc::kind_info &kind(const std::string &name) {
+  const meetc::catalogue &c = cga::catalogue();
   for (int i = 0; i < c.kind_count; ++i)
     if (name == c.kinds[i].name)
       return c.kinds[i];

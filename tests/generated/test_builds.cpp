@@ -1,6 +1,6 @@
 // Certified answers do not depend on compiler, optimisation, contraction or instruction set. Rungs with a
 // bound may be unsure more or less often, and are never wrong.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 
 #include <array>
 #include <cstdio>

@@ -1,14 +1,14 @@
 // Three-valued logic: over sets of signs the decision allows exactly what some choice of signs allows where
 // it is certain, and never less than the truth.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/numbers.hpp"
 #include "tests/generated/predicates.hpp"
 
 using namespace meetc::generated_test;
-using meet::sign;
-using meet::sign_set;
-using meet::truth;
+using meetc::sign;
+using meetc::sign_set;
+using meetc::truth;
 
 namespace {
 
@@ -28,10 +28,10 @@ TEST_CASE("decisions: operations on sets of signs are those on their members") {
     for (const sign s : signs)
       if (holds(set_of(a), s)) {
         negated |= sign_set::of(-s).bits;
-        squared |= sign_set::of(meet::square(s)).bits;
+        squared |= sign_set::of(meetc::square(s)).bits;
       }
     CHECK((-set_of(a)).bits == negated);
-    CHECK(meet::square(set_of(a)).bits == squared);
+    CHECK(meetc::square(set_of(a)).bits == squared);
     for (unsigned b = 1; b < 8; ++b) {
       unsigned product = 0;
       for (const sign s : signs)
@@ -49,8 +49,8 @@ TEST_CASE("decisions: comparisons and connectives are Kleene's") {
       unsigned want = 0;
       for (const sign s : signs)
         if (holds(set_of(a), s))
-          want |= meet::in<decltype(mask)::value>(s) ? 2U : 1U;
-      CHECK(meet::in<decltype(mask)::value>(set_of(a)).bits == want);
+          want |= meetc::in<decltype(mask)::value>(s) ? 2U : 1U;
+      CHECK(meetc::in<decltype(mask)::value>(set_of(a)).bits == want);
     }
   };
   comparison(std::integral_constant<int, 1>());
@@ -61,14 +61,12 @@ TEST_CASE("decisions: comparisons and connectives are Kleene's") {
   comparison(std::integral_constant<int, 6>());
   for (unsigned a = 1; a < 4; ++a) {
     const truth x{static_cast<std::uint8_t>(a)};
-    CHECK(meet::to_answer(x) == (a == 3   ? meet::answer::unsure
-                                 : a == 2 ? meet::answer::yes
-                                          : meet::answer::no));
+    CHECK(meetc::to_answer(x) == (a == 3 ? meetc::answer::unsure : a == 2 ? meetc::answer::yes : meetc::answer::no));
     unsigned negated = 0;
     for (unsigned i = 0; i < 2; ++i)
       if (a >> i & 1)
         negated |= 1U << (1 - i);
-    CHECK(meet::negate(x).bits == negated);
+    CHECK(meetc::negate(x).bits == negated);
     for (unsigned b = 1; b < 4; ++b) {
       unsigned conjunction = 0, disjunction = 0;
       for (unsigned i = 0; i < 2; ++i)
@@ -78,8 +76,8 @@ TEST_CASE("decisions: comparisons and connectives are Kleene's") {
             disjunction |= 1U << (i | j);
           }
       const truth y{static_cast<std::uint8_t>(b)};
-      CHECK(meet::both(x, y).bits == conjunction);
-      CHECK(meet::either(x, y).bits == disjunction);
+      CHECK(meetc::both(x, y).bits == conjunction);
+      CHECK(meetc::either(x, y).bits == disjunction);
     }
   }
 }
@@ -100,13 +98,12 @@ TEST_CASE("decisions: every predicate over sets of signs is sound") {
       for (int k = 0; k < P::atoms; ++k) {
         s[k] = random.one_in(zeros) ? sign::zero : signs[random.integer(0, 2)];
         only[k] = sign_set::of(s[k]);
-        sets[k] = random.one_in(doubt) ? set_of(only[k].bits | static_cast<unsigned>(random.integer(1, 7)))
-                                       : only[k];
+        sets[k] = random.one_in(doubt) ? set_of(only[k].bits | static_cast<unsigned>(random.integer(1, 7))) : only[k];
       }
       const auto check = [&](bool plain, auto alone, auto set) {
-        certain = certain && meet::to_answer(alone) == meet::to_answer(plain);
-        sound = sound && (plain ? meet::can_be_true(set) : meet::can_be_false(set));
-        unsure += meet::to_answer(set) == meet::answer::unsure;
+        certain = certain && meetc::to_answer(alone) == meetc::to_answer(plain);
+        sound = sound && (plain ? meetc::can_be_true(set) : meetc::can_be_false(set));
+        unsure += meetc::to_answer(set) == meetc::answer::unsure;
       };
       check(P::whole(s), P::whole(only), P::whole(sets));
       check(P::usual(s), P::usual(only), P::usual(sets));

@@ -1,7 +1,7 @@
 // The exact rung needs nothing of its surroundings: not the control word, not finite operands (any answer
 // will do then, but no undefined behaviour), not the translation unit it is called from. Plain rungs are
 // deterministic.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/operands.hpp"
 
@@ -17,8 +17,8 @@ using namespace meetc::generated_test;
 
 namespace {
 
-const meet::predicate_info *find(const char *name) {
-  const meet::catalogue &c = cga::catalogue();
+const meetc::predicate_info *find(const char *name) {
+  const meetc::catalogue &c = cga::catalogue();
   for (int i = 0; i < c.predicate_count; ++i)
     if (std::strcmp(c.predicates[i].name, name) == 0)
       return &c.predicates[i];
@@ -65,8 +65,7 @@ TEST_CASE("environment: flush-to-zero and rounding modes change no exact answer"
   for_each_predicate([](auto p) {
     INFO(p.name);
     const auto cases = some(p, 300);
-    for (const unsigned word :
-         {0x8040U, 0x2000U, 0x4000U, 0x6000U, 0xe040U}) { // FTZ and DAZ; down, up, to zero; both
+    for (const unsigned word : {0x8040U, 0x2000U, 0x4000U, 0x6000U, 0xe040U}) { // FTZ and DAZ; down, up, to zero; both
       bool same = true;
       for (const pair_of_rows &c : cases) {
         const bool want = p.hit(c.a, c.b);
@@ -106,7 +105,7 @@ TEST_CASE("environment: the runtime's table answers as the headers do") {
   CHECK(std::string(cga::catalogue().space) == "cga");
   for_each_predicate([](auto p) {
     INFO(p.name);
-    const meet::predicate_info *info = find(p.name);
+    const meetc::predicate_info *info = find(p.name);
     REQUIRE(info != nullptr);
     CHECK(std::string(info->a->name) == name_of(p.a));
     CHECK(std::string(info->b->name) == name_of(p.b));
@@ -120,15 +119,15 @@ TEST_CASE("environment: the runtime's table answers as the headers do") {
       a.insert(a.end(), c.a.begin(), c.a.end());
       b.insert(b.end(), c.b.begin(), c.b.end());
     }
-    std::vector<meet::index_pair> pairs;
+    std::vector<meetc::index_pair> pairs;
     random_numbers random(4);
     for (std::uint32_t i = 0; i < cases.size(); ++i) {
       pairs.push_back({i, i});
       pairs.push_back({static_cast<std::uint32_t>(random.bits() % cases.size()), i});
     }
-    std::vector<meet::answer> first(pairs.size()), again(pairs.size());
-    for (int r = 0; r < meet::rung_count; ++r) {
-      const auto rung = static_cast<meet::rung>(r);
+    std::vector<meetc::answer> first(pairs.size()), again(pairs.size());
+    for (int r = 0; r < meetc::rung_count; ++r) {
+      const auto rung = static_cast<meetc::rung>(r);
       const auto decide = info->decide[r];
       REQUIRE(decide != nullptr);
       decide(a.data(), b.data(), pairs.data(), pairs.size(), first.data());
@@ -137,23 +136,23 @@ TEST_CASE("environment: the runtime's table answers as the headers do") {
       bool same = true;
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const row &x = cases[pairs[i].a].a, &y = cases[pairs[i].b].b;
-        const bool want = rung == meet::rung::fp32     ? p.template plain<float>(x, y)
-                          : rung == meet::rung::fp64   ? p.template plain<double>(x, y)
-                          : rung == meet::rung::fp64x2 ? p.template plain<meet::double_double>(x, y)
-                                                       : p.hit(x, y);
-        same = same && first[i] == (want ? meet::answer::yes : meet::answer::no);
+        const bool want = rung == meetc::rung::fp32     ? p.template plain<float>(x, y)
+                          : rung == meetc::rung::fp64   ? p.template plain<double>(x, y)
+                          : rung == meetc::rung::fp64x2 ? p.template plain<meetc::double_double>(x, y)
+                                                        : p.hit(x, y);
+        same = same && first[i] == (want ? meetc::answer::yes : meetc::answer::no);
       }
       CHECK(same);
     }
-    for (const meet::decide_function certify : info->certify) {
+    for (const meetc::decide_function certify : info->certify) {
       REQUIRE(certify != nullptr);
       certify(a.data(), b.data(), pairs.data(), pairs.size(), first.data());
       bool right = true;
       std::size_t sure = 0;
       for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (first[i] != meet::answer::unsure) {
+        if (first[i] != meetc::answer::unsure) {
           ++sure;
-          right = right && (first[i] == meet::answer::yes) == p.hit(cases[pairs[i].a].a, cases[pairs[i].b].b);
+          right = right && (first[i] == meetc::answer::yes) == p.hit(cases[pairs[i].a].a, cases[pairs[i].b].b);
         }
       CHECK(right);
       CHECK(sure > pairs.size() / 4);
@@ -183,8 +182,7 @@ TEST_CASE("environment: plain rungs are right where their arithmetic is exact") 
       int hits = 0;
       for (int i = 0; i < effort(20000); ++i) {
         const int most = (1 << random.integer(1, bits)) - 1;
-        pair_of_rows c{row(static_cast<std::size_t>(floats_of(p.a))),
-                       row(static_cast<std::size_t>(floats_of(p.b)))};
+        pair_of_rows c{row(static_cast<std::size_t>(floats_of(p.a))), row(static_cast<std::size_t>(floats_of(p.b)))};
         for (row *r : {&c.a, &c.b})
           for (float &f : *r)
             f = static_cast<float>(random.integer(0, most));

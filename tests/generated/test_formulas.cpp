@@ -1,7 +1,7 @@
 // Every emitted meet, norm2 of a meet, and blade maker: exact in rationals against the dense product, and
 // within a proven rounding bound in float and double.
+#include "tests/catch.hpp"
 #include "tests/generated/blades.hpp"
-#include "tests/generated/catch.hpp"
 
 #include <fstream>
 #include <set>
@@ -27,8 +27,7 @@ std::set<std::string> &covered() {
 // A result in F against the exact one: each coefficient within the bound that the same program, run on
 // error_count, gives for u of F. `room` > 1 would be a wrong bound; the largest share of it that was used
 // returns.
-template <class Have, class Count>
-double share_of_bound(Have have, Count count, const multivector &want, double u) {
+template <class Have, class Count> double share_of_bound(Have have, Count count, const multivector &want, double u) {
   double most = 0;
   const auto bounds = fields(count);
   const auto values = fields(have);
@@ -86,9 +85,7 @@ template <template <class> class X, template <class> class Y> void check_pair(co
   covered().insert("norm2_meet_" + names);
   random_numbers random(1000 + covered().size());
   const auto want = [](const multivector &x, const multivector &y) { return space().meet(x, y, I()); };
-  const auto square = [](const multivector &b) {
-    return padded(oracle::scalar_part(space().geometric(b, b)));
-  };
+  const auto square = [](const multivector &b) { return padded(oracle::scalar_part(space().geometric(b, b))); };
   for (int i = 0; i < 150; ++i) {
     X<exact> x;
     Y<exact> y;
@@ -158,8 +155,7 @@ TEST_CASE("formulas: every meet and its square against the dense product") {
   for (std::string text; std::getline(header, text);)
     for (const char *prefix : {"meet_", "norm2_meet_"})
       if (const std::string start = std::string("#include <cga/") + prefix; text.starts_with(start))
-        emitted.insert(prefix +
-                       text.substr(start.size(), text.size() - start.size() - std::string(".hpp>").size()));
+        emitted.insert(prefix + text.substr(start.size(), text.size() - start.size() - std::string(".hpp>").size()));
   CHECK(emitted == covered());
 }
 
@@ -176,13 +172,11 @@ TEST_CASE("formulas: the blade of every kind") {
 TEST_CASE("formulas: blades made from points or a direction") {
   random_numbers random(78);
   for (int i = 0; i < 200; ++i) {
-    const auto a = random_point(random), b = random_point(random), c = random_point(random),
-               d = random_point(random);
+    const auto a = random_point(random), b = random_point(random), c = random_point(random), d = random_point(random);
     cga::direction<exact> v;
     fill(v, [&] { return exact(random.fraction(4)); });
     const multivector A = defined(a), B = defined(b), C = defined(c), D = defined(d);
-    REQUIRE(dense(cga::line_from_direction(a, v)) ==
-            oracle::scale(2, outer(outer(A, defined(v)), infinity())));
+    REQUIRE(dense(cga::line_from_direction(a, v)) == oracle::scale(2, outer(outer(A, defined(v)), infinity())));
     REQUIRE(dense(cga::circle_from_points(a, b, c)) == outer(outer(A, B), C));
     REQUIRE(dense(cga::plane_from_points(a, b, c)) == outer(outer(outer(A, B), C), infinity()));
     REQUIRE(dense(cga::sphere_from_points(a, b, c, d)) == outer(outer(outer(A, B), C), D));
@@ -209,8 +203,7 @@ TEST_CASE("formulas: points lie on what the stored numbers describe") {
     REQUIRE(on(p, dense(cga::blade(cga::circle<exact>{c, N, r}))));
     REQUIRE(on(p, dense(cga::blade(cga::sphere<exact>{c, r}))));
     REQUIRE(on(p, dense(cga::blade(cga::plane<exact>{N, c.x + two * c.y + two * c.z}))));
-    const cga::point<exact> between{c.x + t * (other.x - c.x), c.y + t * (other.y - c.y),
-                                    c.z + t * (other.z - c.z)};
+    const cga::point<exact> between{c.x + t * (other.x - c.x), c.y + t * (other.y - c.y), c.z + t * (other.z - c.z)};
     REQUIRE(on(between, dense(cga::blade(cga::line<exact>{c, other}))));
     const cga::point<exact> off{p.x + one, p.y, p.z};
     REQUIRE_FALSE(on(off, dense(cga::blade(cga::circle<exact>{c, N, r}))));

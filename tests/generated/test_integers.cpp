@@ -1,11 +1,11 @@
 // The integers of the exact rung against GMP: steps on limbs, the conversions from float32, the common grid.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/numbers.hpp"
 
 #include <cmath>
 #include <limits>
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 
 using namespace meetc::generated_test;
 
@@ -16,7 +16,7 @@ mpz_class value_of(const std::uint64_t *limbs, int n) {
   mpz_import(z.get_mpz_t(), static_cast<std::size_t>(n), -1, sizeof(std::uint64_t), 0, 0, limbs);
   return limbs[n - 1] >> 63 ? mpz_class(z - (mpz_class(1) << (64U * static_cast<unsigned>(n)))) : z;
 }
-mpz_class value_of(meet::int128 v) {
+mpz_class value_of(meetc::int128 v) {
   const std::uint64_t limbs[2] = {static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(v >> 64)};
   return value_of(limbs, 2);
 }
@@ -37,7 +37,9 @@ void draw(random_numbers &random, std::uint64_t *limbs, int n) {
   const int how = random.integer(0, 4);
   const std::uint64_t low = how == 0 ? static_cast<std::uint64_t>(random.integer(-3, 3)) : random.bits();
   for (int i = 0; i < n; ++i)
-    limbs[i] = how <= 1 ? (i == 0 ? low : low >> 63 ? ~std::uint64_t{0} : 0)
+    limbs[i] = how <= 1                       ? (i == 0      ? low
+                                                 : low >> 63 ? ~std::uint64_t{0}
+                                                             : 0)
                : how == 2 || random.one_in(4) ? random.bits()
                : random.one_in(2)             ? 0
                                               : ~std::uint64_t{0};
@@ -52,18 +54,19 @@ int sign_of(const mpz_class &z) {
 constexpr int widest = 27;
 
 void check_steps(int n) {
-  using enum meet::step_kind;
+  using enum meetc::step_kind;
   INFO(n << " limbs");
   random_numbers random(static_cast<std::uint64_t>(n));
   bool same = true;
   for (int i = 0; i < effort(4000) && same; ++i) {
     std::uint64_t place[6][widest];
-    meet::sign signs[2];
+    meetc::sign signs[2];
     draw(random, place[0], n), draw(random, place[1], n);
     const mpz_class x = value_of(place[0], n), y = value_of(place[1], n);
-    const auto run = [&](meet::step_kind kind, int r, int a, int b) {
-      meet::take_step({kind, static_cast<std::uint16_t>(r), static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b)}, n,
-                      place, signs);
+    const auto run = [&](meetc::step_kind kind, int r, int a, int b) {
+      meetc::take_step(
+          {kind, static_cast<std::uint16_t>(r), static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b)}, n, place,
+          signs);
       return value_of(place[r], n);
     };
     same = same && run(add, 2, 0, 1) == wrapped(x + y, n) && run(subtract, 2, 0, 1) == wrapped(x - y, n);
@@ -75,10 +78,10 @@ void check_steps(int n) {
     same = same && run(constant, 4, low, high) == wrapped(c, n);
     c += mpz_class(low) << 32;
     same = same && run(raise, 4, low, 0) == wrapped(c, n);
-    meet::take_step({take_sign, 1, 0, 0}, n, place, signs);
+    meetc::take_step({take_sign, 1, 0, 0}, n, place, signs);
     same = same && static_cast<int>(signs[1]) == sign_of(x);
-    meet::take_step({take_sign, 0, 3, 0}, n, place, signs);
-    same = same && signs[0] == meet::sign::zero;
+    meetc::take_step({take_sign, 0, 3, 0}, n, place, signs);
+    same = same && signs[0] == meetc::sign::zero;
   }
   CHECK(same);
 }
@@ -90,14 +93,14 @@ mpq_class on_grid(float v, int low) {
 
 bool converts_to_limbs(float v, int low, int n) {
   std::uint64_t limbs[widest];
-  meet::to_limbs(v, low, n, limbs);
+  meetc::to_limbs(v, low, n, limbs);
   return on_grid(v, low) == mpq_class(value_of(limbs, n));
 }
 
 // v = integer * 2^low, exactly.
 template <class I> bool converts(float v, int low) {
   I out{};
-  meet::to_integer(v, low, out);
+  meetc::to_integer(v, low, out);
   return on_grid(v, low) == mpq_class(value_of(out));
 }
 
@@ -118,7 +121,7 @@ TEST_CASE("integers: every shift of a mantissa lands in the right limbs") {
         const int bits = 24 + exponent - low;
         same = same && converts_to_limbs(v, low, 5) && converts_to_limbs(v, low, widest);
         same = same && (bits > 254 || converts_to_limbs(v, low, 4));
-        same = same && (bits > 126 || converts<meet::int128>(v, low));
+        same = same && (bits > 126 || converts<meetc::int128>(v, low));
         same = same && (bits > 62 || converts<std::int64_t>(v, low));
       }
   CHECK(same);
@@ -133,10 +136,9 @@ TEST_CASE("integers: the common grid holds every number and is the coarsest") {
     for (float &f : v)
       f = random.one_in(4)   ? (random.one_in(2) ? 0.0F : -0.0F)
           : random.one_in(3) ? random.pattern()
-          : random.one_in(5)
-              ? std::numeric_limits<float>::denorm_min() * static_cast<float>(random.integer(-9, 9))
-              : std::ldexp(random.unit(), around + random.integer(-3, 3));
-    const meet::grid g = meet::grid_of(v, count);
+          : random.one_in(5) ? std::numeric_limits<float>::denorm_min() * static_cast<float>(random.integer(-9, 9))
+                             : std::ldexp(random.unit(), around + random.integer(-3, 3));
+    const meetc::grid g = meetc::grid_of(v, count);
     bool any = false, odd = false, top = false;
     for (int k = 0; k < count; ++k) {
       if (v[k] == 0)
@@ -144,8 +146,8 @@ TEST_CASE("integers: the common grid holds every number and is the coarsest") {
       any = true;
       // An integer on the grid, below 2^bits: some odd, some with the top bit.
       const mpq_class q = mpq_class(static_cast<double>(v[k]));
-      const mpq_class on = g.low < 0 ? mpq_class(q << static_cast<unsigned>(-g.low))
-                                     : mpq_class(q >> static_cast<unsigned>(g.low));
+      const mpq_class on =
+          g.low < 0 ? mpq_class(q << static_cast<unsigned>(-g.low)) : mpq_class(q >> static_cast<unsigned>(g.low));
       same = same && on.get_den() == 1;
       const mpz_class z = abs(on.get_num());
       same = same && mpz_sizeinbase(z.get_mpz_t(), 2) <= static_cast<std::size_t>(g.bits());
@@ -160,6 +162,6 @@ TEST_CASE("integers: the common grid holds every number and is the coarsest") {
 TEST_CASE("integers: a zero converts on any grid") {
   CHECK(converts<std::int64_t>(0.0F, 1000));
   CHECK(converts<std::int64_t>(-0.0F, 1000));
-  CHECK(converts<meet::int128>(-0.0F, 1000));
+  CHECK(converts<meetc::int128>(-0.0F, 1000));
   CHECK(converts_to_limbs(-0.0F, 1000, 4));
 }

@@ -1,5 +1,5 @@
 // One set of points, written in another order, mirrored, scaled by a power of two or moved: one answer.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/operands.hpp"
 

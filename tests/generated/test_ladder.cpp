@@ -1,6 +1,6 @@
 // The width of the exact rung's integers: what a stage claims (degree, growth) holds for every value that it
 // computes, and the ladder never runs a stage in integers that are too narrow for that.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/numbers.hpp"
 #include "tests/generated/predicates.hpp"
@@ -17,7 +17,7 @@ template <class P, class Stage> std::size_t widest_of(const std::vector<mpz_clas
     (i < P::inputs_a ? a[i] : b[i - P::inputs_a]) = counted_integer(inputs[i]);
   counted_integer::widest = 0;
   counted_integer v[Stage::atoms];
-  meet::stage_values<Stage>(a, b, v);
+  meetc::stage_values<Stage>(a, b, v);
   return counted_integer::widest;
 }
 
@@ -40,8 +40,7 @@ template <class P, class Stage> void check_growth(const char *predicate, const c
         for (int climb = 0; climb < 20; ++climb) {
           mpz_class &c = v[static_cast<std::size_t>(random.bits() % inputs)];
           const mpz_class before = c;
-          c = random.one_in(5) ? mpz_class(top - random.integer(0, 1))
-                               : mpz_class(random.integer(-1, 1) * top);
+          c = random.one_in(5) ? mpz_class(top - random.integer(0, 1)) : mpz_class(random.integer(-1, 1) * top);
           if (const std::size_t now = widest_of<P, Stage>(v); now >= best)
             best = now;
           else
@@ -72,22 +71,22 @@ template <int Degree, int Growth> struct probe_stage {
   }
   // Places 2 and 3 in turn; the last step takes the sign.
   static constexpr int places = 4, step_count = Degree;
-  static meet::step step_at(int i) {
+  static meetc::step step_at(int i) {
     const auto place = [](int k) { return static_cast<std::uint16_t>(k == 0 ? 0 : 2 + k % 2); };
     if (i + 1 < Degree)
-      return {meet::step_kind::multiply, place(i + 1), place(i), 0};
-    return {meet::step_kind::take_sign, 0, place(i), 0};
+      return {meetc::step_kind::multiply, place(i + 1), place(i), 0};
+    return {meetc::step_kind::take_sign, 0, place(i), 0};
   }
 };
 template <class Stage> struct probe {
   static constexpr int inputs_a = 1, inputs_b = 1, atoms = 1;
-  using reject_stage = meet::no_stage;
+  using reject_stage = meetc::no_stage;
   using common_stage = Stage;
-  using rare_stage = meet::no_stage;
-  static bool rejected(const meet::sign *) { return false; }
-  static bool needs_rare(const meet::sign *) { return false; }
-  static bool usual(const meet::sign *s) { return meet::in<4>(s[0]); }
-  static bool whole(const meet::sign *s) { return usual(s); }
+  using rare_stage = meetc::no_stage;
+  static bool rejected(const meetc::sign *) { return false; }
+  static bool needs_rare(const meetc::sign *) { return false; }
+  static bool usual(const meetc::sign *s) { return meetc::in<4>(s[0]); }
+  static bool whole(const meetc::sign *s) { return usual(s); }
 };
 
 template <int Degree, int Growth> void check_steps() {
@@ -98,10 +97,11 @@ template <int Degree, int Growth> void check_steps() {
     const float b = std::ldexp(1.0F, low);
     for (const float sign : {1.0F, -1.0F}) {
       // The largest magnitude of so many bits that a float32 has.
-      const float a = sign * (bits <= 24 ? std::ldexp(1.0F, low + bits) - b : std::ldexp(0x1.fffffep0F, low + bits - 1));
+      const float a =
+          sign * (bits <= 24 ? std::ldexp(1.0F, low + bits) - b : std::ldexp(0x1.fffffep0F, low + bits - 1));
       width_used = 0;
-      right = right && meet::decide<probe<stage>>(meet::integer_signs<probe<stage>>(&a, &b)) ==
-                           (sign > 0 || Degree % 2 == 0);
+      right = right &&
+              meetc::decide<probe<stage>>(meetc::integer_signs<probe<stage>>(&a, &b)) == (sign > 0 || Degree % 2 == 0);
       const int need = Degree * bits + Growth;
       fits = fits && (width_used == 0 || need <= width_used - 1); // a sign bit
       lean = lean && (need > 62 || width_used == 64) && (need > 126 || (width_used > 0 && width_used <= 128));

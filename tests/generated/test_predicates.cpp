@@ -1,5 +1,5 @@
 // struct::hit, the exact rung, against exact answers, on every family of operands.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/judge.hpp"
 #include "tests/generated/operands.hpp"
@@ -35,7 +35,7 @@ int cases_of(shape a, shape b) {
 int span_of(const pair_of_rows &p) {
   row all = p.a;
   all.insert(all.end(), p.b.begin(), p.b.end());
-  return meet::grid_of(all.data(), static_cast<int>(all.size())).bits();
+  return meetc::grid_of(all.data(), static_cast<int>(all.size())).bits();
 }
 
 struct tally {
@@ -66,8 +66,7 @@ TEST_CASE("predicates: the exact rung against the oracle, on every family") {
         if (have == want)
           continue;
         if (t.wrong++ == 0)
-          FAIL_CHECK(p.name << " on " << f.name << ", case " << i << " should be " << want << ": "
-                            << text(rows));
+          FAIL_CHECK(p.name << " on " << f.name << ", case " << i << " should be " << want << ": " << text(rows));
       }
       CHECK(t.wrong == 0);
       for (tally *sum : {&by_predicate[p.name], &by_family[f.name]}) {
@@ -87,8 +86,8 @@ TEST_CASE("predicates: the exact rung against the oracle, on every family") {
     CHECK(t.hits < t.cases - t.cases / 50);
   }
   for (const auto &[name, t] : by_predicate) {
-    INFO("predicate " << name << ": " << t.cases << " cases, " << t.hits << " hits, fp32 wrong "
-                      << t.fp32_wrong << ", fp64 wrong " << t.fp64_wrong);
+    INFO("predicate " << name << ": " << t.cases << " cases, " << t.hits << " hits, fp32 wrong " << t.fp32_wrong
+                      << ", fp64 wrong " << t.fp64_wrong);
     CHECK(t.fp32_wrong > t.cases / 200);
     CHECK(t.fp64_wrong > 0);
     // Every width of the exact rung was used, the widest included.
@@ -109,8 +108,7 @@ TEST_CASE("predicates: segments and triangles against separating axes, in bulk")
           const pair_of_rows rows = f.make(p.a, p.b, random);
           const bool want = touching_by_axes(p.a, rows.a, p.b, rows.b);
           if (p.hit(rows.a, rows.b) != want && wrong++ == 0)
-            FAIL_CHECK(p.name << " on " << f.name << ", case " << i << " should be " << want << ": "
-                              << text(rows));
+            FAIL_CHECK(p.name << " on " << f.name << ", case " << i << " should be " << want << ": " << text(rows));
           // The two judges know nothing of each other.
           if (i < effort(40))
             CHECK(touching(p.a, rows.a, p.b, rows.b, false) == want);

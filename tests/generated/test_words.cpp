@@ -1,5 +1,5 @@
 // Control words as plain numbers, so that bits are tested that this machine or an emulator does not have.
-#include "tests/generated/catch.hpp"
+#include "tests/catch.hpp"
 
 #include <cga/cga.hpp>
 
@@ -7,8 +7,8 @@
 #include <limits>
 
 TEST_CASE("words: what is wrong with an MXCSR is seen, bit by bit") {
-  using meet::masks_mxcsr;
-  using meet::standard_mxcsr;
+  using meetc::masks_mxcsr;
+  using meetc::standard_mxcsr;
   CHECK(standard_mxcsr(0x1f80));
   for (unsigned bit = 0; bit < 16; ++bit) {
     INFO("bit " << bit);
@@ -20,8 +20,8 @@ TEST_CASE("words: what is wrong with an MXCSR is seen, bit by bit") {
 }
 
 TEST_CASE("words: what is wrong with an FPCR is seen, bit by bit") {
-  using meet::masks_fpcr;
-  using meet::standard_fpcr;
+  using meetc::masks_fpcr;
+  using meetc::standard_fpcr;
   CHECK(standard_fpcr(0));
   const auto among = [](unsigned bit, std::initializer_list<unsigned> bits) {
     return std::find(bits.begin(), bits.end(), bit) != bits.end();

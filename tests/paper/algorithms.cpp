@@ -51,8 +51,7 @@ bool segment_segment(const segment &s, const segment &e) {
     return false;
   for (int k = 0; k < 3; ++k)
     if (turn(k, s[0], s[1], e[0]) * turn(k, s[0], s[1], e[1]) > 0 ||
-        turn(k, e[0], e[1], s[0]) * turn(k, e[0], e[1], s[1]) > 0 ||
-        !overlap(static_cast<std::size_t>(k), s, e))
+        turn(k, e[0], e[1], s[0]) * turn(k, e[0], e[1], s[1]) > 0 || !overlap(static_cast<std::size_t>(k), s, e))
       return false;
   return true;
 }
@@ -82,8 +81,7 @@ bool algorithm_1(const segment &s, const triangle &t, const algorithm_1_errata &
   if (parallel(s, t)) {
     if (!taken_as_contained(s, t, errata))
       return false;
-    if (segment_segment(edge(t, 2, 0), s) || segment_segment(edge(t, 0, 1), s) ||
-        segment_segment(edge(t, 2, 1), s))
+    if (segment_segment(edge(t, 2, 0), s) || segment_segment(edge(t, 0, 1), s) || segment_segment(edge(t, 2, 1), s))
       return true;
     return !errata.only_edges && point_triangle(s[0], t);
   }

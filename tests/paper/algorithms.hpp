@@ -12,15 +12,13 @@ namespace meetc::paper_test {
 using segment = std::array<vec, 2>;
 using triangle = std::array<vec, 3>;
 
-// ---- signs, each a coefficient of a meet or an outer product
-// --------------------------------------------------------
+// ---- signs, each a coefficient of a meet or an outer product ----
 int side(const triangle &t, const vec &p);                    // of plane ∨ point
 int twist(const segment &s, const segment &e);                // of line ∨ line, on n
 int turn(int k, const vec &a, const vec &b, const vec &c);    // of axis k ^ a ^ b ^ c ^ n
 rational trivector(const vec &a, const vec &b, const vec &c); // Algorithm 1's: the determinant
 
-// ---- closed decisions for every operand, degenerate ones too
-// -----------------------------------------------------------
+// ---- closed decisions for every operand, degenerate ones too ----
 bool segment_segment(const segment &s, const segment &e);
 bool point_triangle(const vec &p, const triangle &t);
 

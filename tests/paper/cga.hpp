@@ -4,7 +4,7 @@
 
 #include "gen/oracle/convex.hpp"
 #include "gen/oracle/dense.hpp"
-#include "tests/oracle/random.hpp"
+#include "tests/gen/oracle/random.hpp"
 
 #include <initializer_list>
 #include <string>
@@ -15,8 +15,7 @@ using oracle::multivector;
 using oracle::rational;
 using oracle_test::random_numbers;
 
-// ---- plain Euclidean vectors
-// --------------------------------------------------------------------------------------
+// ---- plain Euclidean vectors ----
 using vec = oracle::point;
 vec operator+(const vec &a, const vec &b);
 vec operator-(const vec &a, const vec &b);
@@ -38,8 +37,7 @@ inline bool zero(const vec &a) {
 vec random_vec(random_numbers &r, int limit = 9);
 vec lattice_vec(random_numbers &r, int limit);
 
-// ---- R(4,1): e1 e2 e3 e eb, squares + + + + −; n = e + eb, nb = e − eb
-// ------------------------------------------------
+// ---- R(4,1): e1 e2 e3 e eb, squares + + + + −; n = e + eb, nb = e − eb ----
 const oracle::dense_algebra &algebra();
 multivector operator+(const multivector &a, const multivector &b);
 multivector operator-(const multivector &a, const multivector &b);
@@ -69,8 +67,7 @@ rational coefficient(const multivector &b, const std::string &blade);
 // How many of the 32 coefficients are not 0.
 int nonzero_blades(const multivector &b);
 
-// ---- circles in plain geometry
-// ------------------------------------------------------------------------------------
+// ---- circles in plain geometry ----
 struct circle_shape {
   vec centre, normal; // normal: not of unit length
   rational squared_radius;

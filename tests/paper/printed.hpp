@@ -64,8 +64,7 @@ inline rational evaluate(const printed_line &line, const std::vector<rational> &
                          const std::vector<rational> &second) {
   rational sum = 0;
   for (const term &t : line.terms)
-    sum += t.sign * first.at(static_cast<std::size_t>(t.first) - 1) *
-           second.at(static_cast<std::size_t>(t.second) - 1);
+    sum += t.sign * first.at(static_cast<std::size_t>(t.first) - 1) * second.at(static_cast<std::size_t>(t.second) - 1);
   return sum;
 }
 

@@ -1,6 +1,6 @@
 // The paper's algorithms against exact convex geometry: corrected they are never wrong; each erratum alone
 // is.
-#include "tests/oracle/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/paper/algorithms.hpp"
 
 #include <set>
@@ -202,12 +202,11 @@ TEST_CASE("Algorithm 3 with the centre given is right for surfaces, and moving b
   sign_counts seen;
   for (int t = 0; t < 400; ++t) {
     const ball a{lattice_vec(r, 3), r.integer(0, 3)}, b{lattice_vec(r, 3), r.integer(0, 3)};
-    CHECK(algorithm_3(a, b) ==
-          meetc::oracle::touches({a.centre}, a.radius, {b.centre}, b.radius, touch_mode::surface));
-    const rational moved = norm2(meet(centred_sphere({0, 0, 0}, a.radius * a.radius),
-                                      centred_sphere(b.centre - a.centre, b.radius * b.radius)));
-    CHECK(moved == norm2(meet(centred_sphere(a.centre, a.radius * a.radius),
-                              centred_sphere(b.centre, b.radius * b.radius))));
+    CHECK(algorithm_3(a, b) == meetc::oracle::touches({a.centre}, a.radius, {b.centre}, b.radius, touch_mode::surface));
+    const rational moved = norm2(
+        meet(centred_sphere({0, 0, 0}, a.radius * a.radius), centred_sphere(b.centre - a.centre, b.radius * b.radius)));
+    CHECK(moved ==
+          norm2(meet(centred_sphere(a.centre, a.radius * a.radius), centred_sphere(b.centre, b.radius * b.radius))));
     seen.add(sgn(moved));
   }
   CHECK(seen.negative > 20);

@@ -1,6 +1,6 @@
 // E4, E5: the sign of B² against plain Euclidean geometry, for the pairs with planes, lines and spheres.
 // Half of the instances lie on a small lattice, so that tangent, parallel and identical ones occur.
-#include "tests/oracle/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/paper/cga.hpp"
 
 using namespace meetc::paper_test;
@@ -95,8 +95,7 @@ TEST_CASE("E4: sphere-sphere from four points each has the same sign as from cen
     }
     // 4 r1² r2² − (r1² + r2² − d²)² has the sign of −(d² − (r1 + r2)²)(d² − (r1 − r2)²), without a root.
     const rational s = squared_radius[0] + squared_radius[1] - square(centre[0] - centre[1]);
-    CHECK(sgn(norm2(meet(blade[0], blade[1]))) ==
-          sgn(rational(4 * squared_radius[0] * squared_radius[1] - s * s)));
+    CHECK(sgn(norm2(meet(blade[0], blade[1]))) == sgn(rational(4 * squared_radius[0] * squared_radius[1] - s * s)));
   }
 }
 

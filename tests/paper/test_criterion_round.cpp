@@ -1,6 +1,6 @@
 // E4, E5: the sign of B² against plain Euclidean geometry, for the pairs with circles and point pairs. On a
 // lattice, so that touching, coplanar and cospherical instances occur.
-#include "tests/oracle/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/paper/cga.hpp"
 
 using namespace meetc::paper_test;
@@ -74,8 +74,7 @@ TEST_CASE("circle-plane: the paper's criterion holds") {
     const plane_sample p = random_plane(r);
     const circle_shape &s = c.shape;
     const rational h = dot(p.normal, s.centre - p.p);
-    const int truth =
-        sgn(rational(s.squared_radius * square(cross(s.normal, p.normal)) - h * h * square(s.normal)));
+    const int truth = sgn(rational(s.squared_radius * square(cross(s.normal, p.normal)) - h * h * square(s.normal)));
     CHECK(sgn(norm2(meet(p.blade, c.blade))) == truth);
     const bool contained = h == 0 && zero(cross(s.normal, p.normal));
     CHECK(is_zero(meet(p.blade, c.blade)) == contained);
@@ -136,8 +135,7 @@ TEST_CASE("E4: circle-line is reversed: < 0 pierces the disk, 0 meets the circle
   CHECK(coplanar > 5);
 }
 
-TEST_CASE(
-    "E4: circle-circle is reversed: < 0 linked, 0 touching, > 0 neither; B = 0 on one sphere or plane") {
+TEST_CASE("E4: circle-circle is reversed: < 0 linked, 0 touching, > 0 neither; B = 0 on one sphere or plane") {
   random_numbers r(4);
   sign_counts seen;
   int together = 0;
@@ -158,8 +156,7 @@ TEST_CASE(
   CHECK(together > 5);
 }
 
-TEST_CASE(
-    "E4: point pair-plane is reversed: < 0 separated, 0 one point on it, > 0 one side; B = 0 both on it") {
+TEST_CASE("E4: point pair-plane is reversed: < 0 separated, 0 one point on it, > 0 one side; B = 0 both on it") {
   random_numbers r(5);
   sign_counts seen;
   int both = 0;

@@ -1,5 +1,5 @@
 // The printed expansions (3.1) to (3.5) against the dense product.
-#include "tests/oracle/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/paper/printed.hpp"
 
 #include <set>
@@ -16,8 +16,7 @@ struct sample {
 using sampler = sample (*)(random_numbers &);
 
 sample plane_line(random_numbers &r) {
-  const multivector p = plane(random_vec(r), random_vec(r), random_vec(r)),
-                    l = line(random_vec(r), random_vec(r));
+  const multivector p = plane(random_vec(r), random_vec(r), random_vec(r)), l = line(random_vec(r), random_vec(r));
   return {coefficients(p, plane_names()), coefficients(l, line_names()), meet(p, l)};
 }
 sample plane_plane(random_numbers &r) {
@@ -88,8 +87,7 @@ TEST_CASE("E1: in (3.1) only the e2 eb line is wrong, and + omega1 beta5 mends i
   CHECK_FALSE(has_unprinted_blade(printed_3_1(), plane_line));
 }
 
-TEST_CASE(
-    "E1: of the 21 signs of (3.1), flipping that one is the only single change that makes all lines right") {
+TEST_CASE("E1: of the 21 signs of (3.1), flipping that one is the only single change that makes all lines right") {
   int repairs = 0;
   for (std::size_t i = 0; i < printed_3_1().size(); ++i)
     for (std::size_t j = 0; j < 3; ++j) {
@@ -113,8 +111,7 @@ TEST_CASE("E2: (3.2) is B^2 of the true meet, and not of the printed (3.1)") {
     CHECK(norm2(s.b) == root * root);
     // B as printed, squared: e_i e squares to −1, e_i eb and e eb to +1.
     rational printed = 0, corrected = 0;
-    for (const auto &[formula, sum] :
-         {std::pair{printed_3_1(), &printed}, std::pair{corrected_3_1(), &corrected}})
+    for (const auto &[formula, sum] : {std::pair{printed_3_1(), &printed}, std::pair{corrected_3_1(), &corrected}})
       for (const printed_line &line : formula) {
         const rational c = evaluate(line, w, b);
         *sum += (line.blade.ends_with(" e") ? -1 : 1) * c * c;

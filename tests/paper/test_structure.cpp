@@ -1,6 +1,6 @@
 // What each primitive is made of: non-zero blades, independent ones, closed formulas; and B² as a Gram
 // determinant.
-#include "tests/oracle/catch.hpp"
+#include "tests/catch.hpp"
 #include "tests/paper/cga.hpp"
 
 #include <bit>
@@ -226,8 +226,8 @@ TEST_CASE("closed form: the sphere through four points") {
     const vec p = random_vec(r), a = random_vec(r) - p, b = random_vec(r) - p, c = random_vec(r) - p;
     const rational k = det(a, b, c);
     const vec v = square(a) * cross(b, c) + square(b) * cross(c, a) + square(c) * cross(a, b);
-    const multivector expected = rational(8) * (euclidean(rational(2 * k) * p + v) +
-                                                rational(k * square(p) + dot(p, v)) * n() - k * nb());
+    const multivector expected =
+        rational(8) * (euclidean(rational(2 * k) * p + v) + rational(k * square(p) + dot(p, v)) * n() - k * nb());
     CHECK(I() * sphere(p, a + p, b + p, c + p) == expected);
     // The same sphere from centre p + v/2k and r² = v²/4k², 8k times as long.
     if (k != 0)

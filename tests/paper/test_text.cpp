@@ -1,5 +1,5 @@
 // The paper's figures against each other.
-#include "tests/oracle/catch.hpp"
+#include "tests/catch.hpp"
 
 #include <cmath>
 

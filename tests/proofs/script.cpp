@@ -12,8 +12,7 @@ namespace {
 // factor = integer | name | 'rnd(' expression ')' | '(' expression ')'.
 class reader {
 public:
-  reader(const std::string &text, const std::map<std::string, rational> &values)
-      : text_(text), values_(values) {}
+  reader(const std::string &text, const std::map<std::string, rational> &values) : text_(text), values_(values) {}
 
   rational all() {
     const rational v = expression();
@@ -115,8 +114,7 @@ script parse(const std::string &text) {
     std::istringstream words(l);
     std::string first, second, third, fourth, fifth;
     words >> first >> second >> third >> fourth >> fifth;
-    if (first == "#" && out.kernel.empty() && third.size() > 1 &&
-        third.back() == ':') { // kernel stage: 0 1; c D
+    if (first == "#" && out.kernel.empty() && third.size() > 1 && third.back() == ':') { // kernel stage: 0 1; c D
       out.kernel = second;
       out.stage = third.substr(0, third.size() - 1);
       out.sign = std::stoul(fourth);

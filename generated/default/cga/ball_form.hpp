@@ -3,9 +3,9 @@
 #ifndef MEETC_3_cga_file_ball_form_HPP
 #define MEETC_3_cga_file_ball_form_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -33,8 +33,8 @@ struct ball_form {
   static constexpr float margin_absolute = 0x1p-10f;
 
   // f_0 to f_3, then f: products + 1 values. 4 multiplications, 3 additions.
-  template <class T> MEET_HD static void features_a(const T *x, T *f) {
-    const T t0 = ::meet::fma(-x[3], x[3], ::meet::fma(x[2], x[2], ::meet::fma(x[1], x[1], x[0] * x[0])));
+  template <class T> MEETC_HD static void features_a(const T *x, T *f) {
+    const T t0 = ::meetc::fma(-x[3], x[3], ::meetc::fma(x[2], x[2], ::meetc::fma(x[1], x[1], x[0] * x[0])));
     f[0] = x[0];
     f[1] = x[1];
     f[2] = x[2];
@@ -42,8 +42,8 @@ struct ball_form {
     f[4] = t0 * (T(1) / T(2));
   }
   // g_0 to g_3, then g. 4 multiplications, 3 additions.
-  template <class T> MEET_HD static void features_b(const T *y, T *g) {
-    const T t0 = ::meet::fma(-y[3], y[3], ::meet::fma(y[2], y[2], ::meet::fma(y[1], y[1], y[0] * y[0])));
+  template <class T> MEETC_HD static void features_b(const T *y, T *g) {
+    const T t0 = ::meetc::fma(-y[3], y[3], ::meetc::fma(y[2], y[2], ::meetc::fma(y[1], y[1], y[0] * y[0])));
     g[0] = -y[0];
     g[1] = -y[1];
     g[2] = -y[2];

@@ -3,7 +3,7 @@
 #ifndef MEETC_3_cga_file_all_HPP
 #define MEETC_3_cga_file_all_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 #include <cga/ball_ball.hpp>
 #include <cga/ball_segment.hpp>
@@ -47,7 +47,7 @@
 #include <cga/triangle_triangle.hpp>
 #include <cga/twist_segment_segment.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 

@@ -13,43 +13,43 @@
 #include <cga/sphere_segment.hpp>
 #include <cga/ball_triangle.hpp>
 #include <cga/sphere_triangle.hpp>
-#include <meet/cuda_probe.hpp>
-#include <meet/cuda_query.hpp>
+#include <meetc/cuda_probe.hpp>
+#include <meetc/cuda_query.hpp>
 
 namespace {
 
 template <class P>
-cudaError_t decide_by(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t decide_by(::meetc::rung rung, const float *a, const float *b, const ::meetc::index_pair *pairs,
     std::size_t n,
-    ::meet::answer *out, cudaStream_t stream) {
-  using namespace ::meet::cuda;
+    ::meetc::answer *out, cudaStream_t stream) {
+  using namespace ::meetc::cuda;
   switch (rung) {
-  case ::meet::rung::fp32:
+  case ::meetc::rung::fp32:
     return answer_list<P, plain_step<P, float>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::fp64:
+  case ::meetc::rung::fp64:
     return answer_list<P, plain_step<P, double>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::fp64x2:
-    return answer_list<P, plain_step<P, ::meet::double_double>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::exact:
+  case ::meetc::rung::fp64x2:
+    return answer_list<P, plain_step<P, ::meetc::double_double>>(a, b, pairs, n, out, stream);
+  case ::meetc::rung::exact:
     return answer_list<P, exact_step<P>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::certified:
+  case ::meetc::rung::certified:
     return answer_list<P, certified_step<P>>(a, b, pairs, n, out, stream);
   default:
     return cudaErrorInvalidValue;
   }
 }
 template <class P>
-cudaError_t certify_by(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t certify_by(::meetc::rung rung, const float *a, const float *b, const ::meetc::index_pair *pairs,
     std::size_t n,
-    ::meet::answer *out, cudaStream_t stream) {
-  using namespace ::meet::cuda;
+    ::meetc::answer *out, cudaStream_t stream) {
+  using namespace ::meetc::cuda;
   switch (rung) {
-  case ::meet::rung::fp32:
-    return answer_list<P, certify_step<P, ::meet::in_fp32>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::fp64:
-    return answer_list<P, certify_step<P, ::meet::in_fp64>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::fp64x2:
-    return answer_list<P, certify_step<P, ::meet::in_fp64x2>>(a, b, pairs, n, out, stream);
+  case ::meetc::rung::fp32:
+    return answer_list<P, certify_step<P, ::meetc::in_fp32>>(a, b, pairs, n, out, stream);
+  case ::meetc::rung::fp64:
+    return answer_list<P, certify_step<P, ::meetc::in_fp64>>(a, b, pairs, n, out, stream);
+  case ::meetc::rung::fp64x2:
+    return answer_list<P, certify_step<P, ::meetc::in_fp64x2>>(a, b, pairs, n, out, stream);
   default:
     return cudaErrorInvalidValue;
   }
@@ -64,161 +64,161 @@ namespace {
 
 using form = ball_form;
 
-const ::meet::cuda::kind_launchers all_kinds[] = {
-  {"point", point_shape::fields, ::meet::cuda::place<point_shape>, ::meet::cuda::enclose<point_shape>,
-      ::meet::cuda::columns<point_shape, form>},
-  {"sphere", sphere_shape::fields, ::meet::cuda::place<sphere_shape>, ::meet::cuda::enclose<sphere_shape>,
-      ::meet::cuda::columns<sphere_shape, form>},
-  {"segment", segment_shape::fields, ::meet::cuda::place<segment_shape>, ::meet::cuda::enclose<segment_shape>,
-      ::meet::cuda::columns<segment_shape, form>},
-  {"triangle", triangle_shape::fields, ::meet::cuda::place<triangle_shape>,
-      ::meet::cuda::enclose<triangle_shape>, ::meet::cuda::columns<triangle_shape, form>},
+const ::meetc::cuda::kind_launchers all_kinds[] = {
+  {"point", point_shape::fields, ::meetc::cuda::place<point_shape>, ::meetc::cuda::enclose<point_shape>,
+      ::meetc::cuda::columns<point_shape, form>},
+  {"sphere", sphere_shape::fields, ::meetc::cuda::place<sphere_shape>, ::meetc::cuda::enclose<sphere_shape>,
+      ::meetc::cuda::columns<sphere_shape, form>},
+  {"segment", segment_shape::fields, ::meetc::cuda::place<segment_shape>,
+      ::meetc::cuda::enclose<segment_shape>, ::meetc::cuda::columns<segment_shape, form>},
+  {"triangle", triangle_shape::fields, ::meetc::cuda::place<triangle_shape>,
+      ::meetc::cuda::enclose<triangle_shape>, ::meetc::cuda::columns<triangle_shape, form>},
 };
 
-constexpr unsigned rungs = 1U << static_cast<int>(::meet::rung::fp32) | 1U << static_cast<int>(::meet::rung::fp64) | 1U << static_cast<int>(::meet::rung::fp64x2) | 1U << static_cast<int>(::meet::rung::exact) | 1U << static_cast<int>(::meet::rung::certified);
+constexpr unsigned rungs = 1U << static_cast<int>(::meetc::rung::fp32) | 1U << static_cast<int>(::meetc::rung::fp64) | 1U << static_cast<int>(::meetc::rung::fp64x2) | 1U << static_cast<int>(::meetc::rung::exact) | 1U << static_cast<int>(::meetc::rung::certified);
 
-const ::meet::cuda::predicate_launchers all_predicates[] = {
-  {"segment_segment", 2, 2, ::meet::cuda::run<::cga::segment_segment, segment_shape, segment_shape, rungs>,
-      ::meet::cuda::pairs<::cga::segment_segment, segment_shape, segment_shape, form, rungs>,
-      ::meet::cuda::query_workspace<segment_shape, segment_shape>},
-  {"point_triangle", 0, 3, ::meet::cuda::run<::cga::point_triangle, point_shape, triangle_shape, rungs>,
-      ::meet::cuda::pairs<::cga::point_triangle, point_shape, triangle_shape, form, rungs>,
-      ::meet::cuda::query_workspace<point_shape, triangle_shape>},
-  {"segment_triangle", 2, 3, ::meet::cuda::run<::cga::segment_triangle, segment_shape, triangle_shape, rungs>,
-      ::meet::cuda::pairs<::cga::segment_triangle, segment_shape, triangle_shape, form, rungs>,
-      ::meet::cuda::query_workspace<segment_shape, triangle_shape>},
-  {"triangle_triangle", 3, 3, ::meet::cuda::run<::cga::triangle_triangle, triangle_shape, triangle_shape,
-      rungs>, ::meet::cuda::pairs<::cga::triangle_triangle, triangle_shape, triangle_shape, form, rungs>,
-      ::meet::cuda::query_workspace<triangle_shape, triangle_shape>},
-  {"sphere_sphere", 1, 1, ::meet::cuda::run<::cga::sphere_sphere, sphere_shape, sphere_shape, rungs>,
-      ::meet::cuda::pairs<::cga::sphere_sphere, sphere_shape, sphere_shape, form, rungs>,
-      ::meet::cuda::query_workspace<sphere_shape, sphere_shape>},
-  {"ball_ball", 1, 1, ::meet::cuda::run<::cga::ball_ball, sphere_shape, sphere_shape, rungs>,
-      ::meet::cuda::pairs<::cga::ball_ball, sphere_shape, sphere_shape, form, rungs>,
-      ::meet::cuda::query_workspace<sphere_shape, sphere_shape>},
-  {"ball_segment", 1, 2, ::meet::cuda::run<::cga::ball_segment, sphere_shape, segment_shape, rungs>,
-      ::meet::cuda::pairs<::cga::ball_segment, sphere_shape, segment_shape, form, rungs>,
-      ::meet::cuda::query_workspace<sphere_shape, segment_shape>},
-  {"sphere_segment", 1, 2, ::meet::cuda::run<::cga::sphere_segment, sphere_shape, segment_shape, rungs>,
-      ::meet::cuda::pairs<::cga::sphere_segment, sphere_shape, segment_shape, form, rungs>,
-      ::meet::cuda::query_workspace<sphere_shape, segment_shape>},
-  {"ball_triangle", 1, 3, ::meet::cuda::run<::cga::ball_triangle, sphere_shape, triangle_shape, rungs>,
-      ::meet::cuda::pairs<::cga::ball_triangle, sphere_shape, triangle_shape, form, rungs>,
-      ::meet::cuda::query_workspace<sphere_shape, triangle_shape>},
-  {"sphere_triangle", 1, 3, ::meet::cuda::run<::cga::sphere_triangle, sphere_shape, triangle_shape, rungs>,
-      ::meet::cuda::pairs<::cga::sphere_triangle, sphere_shape, triangle_shape, form, rungs>,
-      ::meet::cuda::query_workspace<sphere_shape, triangle_shape>},
+const ::meetc::cuda::predicate_launchers all_predicates[] = {
+  {"segment_segment", 2, 2, ::meetc::cuda::run<::cga::segment_segment, segment_shape, segment_shape, rungs>,
+      ::meetc::cuda::pairs<::cga::segment_segment, segment_shape, segment_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<segment_shape, segment_shape>},
+  {"point_triangle", 0, 3, ::meetc::cuda::run<::cga::point_triangle, point_shape, triangle_shape, rungs>,
+      ::meetc::cuda::pairs<::cga::point_triangle, point_shape, triangle_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<point_shape, triangle_shape>},
+  {"segment_triangle", 2, 3, ::meetc::cuda::run<::cga::segment_triangle, segment_shape, triangle_shape,
+      rungs>, ::meetc::cuda::pairs<::cga::segment_triangle, segment_shape, triangle_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<segment_shape, triangle_shape>},
+  {"triangle_triangle", 3, 3, ::meetc::cuda::run<::cga::triangle_triangle, triangle_shape, triangle_shape,
+      rungs>, ::meetc::cuda::pairs<::cga::triangle_triangle, triangle_shape, triangle_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<triangle_shape, triangle_shape>},
+  {"sphere_sphere", 1, 1, ::meetc::cuda::run<::cga::sphere_sphere, sphere_shape, sphere_shape, rungs>,
+      ::meetc::cuda::pairs<::cga::sphere_sphere, sphere_shape, sphere_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<sphere_shape, sphere_shape>},
+  {"ball_ball", 1, 1, ::meetc::cuda::run<::cga::ball_ball, sphere_shape, sphere_shape, rungs>,
+      ::meetc::cuda::pairs<::cga::ball_ball, sphere_shape, sphere_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<sphere_shape, sphere_shape>},
+  {"ball_segment", 1, 2, ::meetc::cuda::run<::cga::ball_segment, sphere_shape, segment_shape, rungs>,
+      ::meetc::cuda::pairs<::cga::ball_segment, sphere_shape, segment_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<sphere_shape, segment_shape>},
+  {"sphere_segment", 1, 2, ::meetc::cuda::run<::cga::sphere_segment, sphere_shape, segment_shape, rungs>,
+      ::meetc::cuda::pairs<::cga::sphere_segment, sphere_shape, segment_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<sphere_shape, segment_shape>},
+  {"ball_triangle", 1, 3, ::meetc::cuda::run<::cga::ball_triangle, sphere_shape, triangle_shape, rungs>,
+      ::meetc::cuda::pairs<::cga::ball_triangle, sphere_shape, triangle_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<sphere_shape, triangle_shape>},
+  {"sphere_triangle", 1, 3, ::meetc::cuda::run<::cga::sphere_triangle, sphere_shape, triangle_shape, rungs>,
+      ::meetc::cuda::pairs<::cga::sphere_triangle, sphere_shape, triangle_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<sphere_shape, triangle_shape>},
 };
 
 } // namespace
 
-const ::meet::cuda::catalogue &catalogue() {
-  static const ::meet::cuda::catalogue c{"cga", all_kinds, 4, all_predicates, 10, ::meet::cuda::clear_extent,
-      ::meet::cuda::candidates<form>, ::meet::cuda::probe};
+const ::meetc::cuda::catalogue &catalogue() {
+  static const ::meetc::cuda::catalogue c{"cga", all_kinds, 4, all_predicates, 10,
+      ::meetc::cuda::clear_extent, ::meetc::cuda::candidates<form>, ::meetc::cuda::probe};
   return c;
 }
 
-cudaError_t self_test(unsigned *faults, cudaStream_t stream) { return ::meet::launch_self_test(faults,
+cudaError_t self_test(unsigned *faults, cudaStream_t stream) { return ::meetc::launch_self_test(faults,
     stream); }
 
-cudaError_t segment_segment::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t segment_segment::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::segment_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t segment_segment::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t segment_segment::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::segment_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t point_triangle::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t point_triangle::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::point_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t point_triangle::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t point_triangle::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::point_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t segment_triangle::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t segment_triangle::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::segment_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t segment_triangle::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t segment_triangle::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::segment_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t triangle_triangle::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t triangle_triangle::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::triangle_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t triangle_triangle::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t triangle_triangle::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::triangle_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_sphere::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t sphere_sphere::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::sphere_sphere>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_sphere::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t sphere_sphere::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::sphere_sphere>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_ball::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t ball_ball::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::ball_ball>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_ball::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t ball_ball::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::ball_ball>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_segment::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t ball_segment::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::ball_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_segment::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t ball_segment::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::ball_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_segment::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t sphere_segment::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::sphere_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_segment::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t sphere_segment::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::sphere_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_triangle::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t ball_triangle::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::ball_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t ball_triangle::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t ball_triangle::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::ball_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_triangle::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t sphere_triangle::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::cga::sphere_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t sphere_triangle::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t sphere_triangle::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::cga::sphere_triangle>(rung, a, b, pairs, n, out, stream);
 }
 

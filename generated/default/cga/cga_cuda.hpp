@@ -3,101 +3,101 @@
 #ifndef MEETC_cga_cuda_HPP
 #define MEETC_cga_cuda_HPP
 
-#include <meet/cuda_table.hpp>
-#include <meet/support.hpp>
+#include <meetc/cuda_table.hpp>
+#include <meetc/support.hpp>
 
 namespace cga {
 namespace cuda {
 
 // What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.
-const ::meet::cuda::catalogue &catalogue();
+const ::meetc::cuda::catalogue &catalogue();
 
 // Decides n pairs of rows on the device: a, b, pairs and out are device pointers, rows are packed floats in
 // the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.
 // Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), which may
 // answer unsure. An unknown rung gives cudaErrorInvalidValue.
-// Bits of meet::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds assume. Once a
+// Bits of meetc::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds assume. Once a
 // process is enough, before the first certified answer is relied upon.
 cudaError_t self_test(unsigned *faults, cudaStream_t stream);
 struct segment_segment {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct point_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct segment_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct triangle_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct sphere_sphere {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct ball_ball {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct ball_segment {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct sphere_segment {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct ball_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 struct sphere_triangle {
-  static cudaError_t decide(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meet::rung rung, const float *a, const float *b,
-      const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream);
+  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
+      const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
 };
 
 } // namespace cuda

@@ -3,14 +3,14 @@
 #ifndef MEETC_3_cga_file_runtime_HPP
 #define MEETC_3_cga_file_runtime_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // The bounded kinds and the predicates on them.
-const ::meet::catalogue &catalogue();
+const ::meetc::catalogue &catalogue();
 
 } // namespace cga
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_line_line_HPP
 #define MEETC_3_cga_kernel_meet_line_line_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -14,18 +14,18 @@ namespace cga {
 //   B.n = 2*X.e1_e2_n*Y.e3_n_nb - 2*X.e1_e3_n*Y.e2_n_nb + 2*X.e1_n_nb*Y.e2_e3_n + 2*X.e2_e3_n*Y.e1_n_nb
 //       - 2*X.e2_n_nb*Y.e1_e3_n + 2*X.e3_n_nb*Y.e1_e2_n
 // 6 multiplications, 5 additions.
-template <class T> MEET_HD inline point_blade<T> meet(const line_blade<T> &X, const line_blade<T> &Y) {
+template <class T> MEETC_HD inline point_blade<T> meet(const line_blade<T> &X, const line_blade<T> &Y) {
   point_blade<T> B;
-  const T t0 = ::meet::fma(X.e1_n_nb, Y.e2_e3_n, ::meet::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
-  const T t1 = ::meet::fma(-X.e2_n_nb, Y.e1_e3_n, ::meet::fma(X.e2_e3_n, Y.e1_n_nb, t0));
-  B.n = ::meet::fma(X.e3_n_nb, Y.e1_e2_n, t1) * T(2);
+  const T t0 = ::meetc::fma(X.e1_n_nb, Y.e2_e3_n, ::meetc::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
+  const T t1 = ::meetc::fma(-X.e2_n_nb, Y.e1_e3_n, ::meetc::fma(X.e2_e3_n, Y.e1_n_nb, t0));
+  B.n = ::meetc::fma(X.e3_n_nb, Y.e1_e2_n, t1) * T(2);
   B.e1 = T(0);
   B.e2 = T(0);
   B.e3 = T(0);
   B.nb = T(0);
   return B;
 }
-template <class T> MEET_HD inline point_blade<T> meet(const line<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD inline point_blade<T> meet(const line<T> &X, const line<T> &Y) {
   return meet(blade(X), blade(Y));
 }
 

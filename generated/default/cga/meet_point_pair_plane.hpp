@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_point_pair_plane_HPP
 #define MEETC_3_cga_kernel_meet_point_pair_plane_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -17,24 +17,25 @@ namespace cga {
 //   B.n = -2*X.e1_n*Y.e2_e3_n_nb + 2*X.e2_n*Y.e1_e3_n_nb - 2*X.e3_n*Y.e1_e2_n_nb + 2*X.n_nb*Y.e1_e2_e3_n
 //   B.nb = -2*X.e1_nb*Y.e2_e3_n_nb + 2*X.e2_nb*Y.e1_e3_n_nb - 2*X.e3_nb*Y.e1_e2_n_nb
 // 16 multiplications, 11 additions.
-template <class T> MEET_HD inline point_blade<T> meet(const point_pair_blade<T> &X, const plane_blade<T> &Y) {
+template <class T> MEETC_HD inline point_blade<T> meet(const point_pair_blade<T> &X,
+    const plane_blade<T> &Y) {
   point_blade<T> B;
-  const T t0 = ::meet::fma(-X.e1_nb, Y.e1_e2_e3_n, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb,
+  const T t0 = ::meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, ::meetc::fma(-X.e1_e3, Y.e1_e2_n_nb,
       X.e1_e2 * Y.e1_e3_n_nb));
   const T t1 = -Y.e1_e2_e3_n;
-  const T t2 = ::meet::fma(t1, X.e2_nb, ::meet::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t2 = ::meetc::fma(t1, X.e2_nb, ::meetc::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
   const T t3 = -Y.e1_e3_n_nb;
-  const T t4 = ::meet::fma(t1, X.e3_nb, ::meet::fma(t3, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
-  const T t5 = ::meet::fma(Y.e1_e2_n_nb, X.e3_n, ::meet::fma(t3, X.e2_n, Y.e2_e3_n_nb * X.e1_n));
-  const T t6 = ::meet::fma(Y.e1_e2_n_nb, X.e3_nb, ::meet::fma(t3, X.e2_nb, X.e1_nb * Y.e2_e3_n_nb));
+  const T t4 = ::meetc::fma(t1, X.e3_nb, ::meetc::fma(t3, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
+  const T t5 = ::meetc::fma(Y.e1_e2_n_nb, X.e3_n, ::meetc::fma(t3, X.e2_n, Y.e2_e3_n_nb * X.e1_n));
+  const T t6 = ::meetc::fma(Y.e1_e2_n_nb, X.e3_nb, ::meetc::fma(t3, X.e2_nb, X.e1_nb * Y.e2_e3_n_nb));
   B.e1 = -(t0 * T(2));
   B.e2 = -(T(2) * t2);
   B.e3 = -(T(2) * t4);
-  B.n = -(T(2) * ::meet::fma(t1, X.n_nb, t5));
+  B.n = -(T(2) * ::meetc::fma(t1, X.n_nb, t5));
   B.nb = -(T(2) * t6);
   return B;
 }
-template <class T> MEET_HD inline point_blade<T> meet(const point_pair<T> &X, const plane<T> &Y) {
+template <class T> MEETC_HD inline point_blade<T> meet(const point_pair<T> &X, const plane<T> &Y) {
   return meet(blade(X), blade(Y));
 }
 

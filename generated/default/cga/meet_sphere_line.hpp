@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_meet_sphere_line_HPP
 #define MEETC_3_cga_kernel_meet_sphere_line_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -22,15 +22,16 @@ namespace cga {
 //   B.e3_nb = 2*X.e1_e2_e3_nb*Y.e3_n_nb
 //   B.n_nb = 2*X.e1_e2_n_nb*Y.e3_n_nb - 2*X.e1_e3_n_nb*Y.e2_n_nb + 2*X.e2_e3_n_nb*Y.e1_n_nb
 // 18 multiplications, 8 additions.
-template <class T> MEET_HD inline point_pair_blade<T> meet(const sphere_blade<T> &X, const line_blade<T> &Y) {
+template <class T> MEETC_HD inline point_pair_blade<T> meet(const sphere_blade<T> &X,
+    const line_blade<T> &Y) {
   point_pair_blade<T> B;
-  const T t0 = ::meet::fma(Y.e1_e2_n, X.e1_e3_n_nb, ::meet::fma(-Y.e1_e3_n, X.e1_e2_n_nb,
+  const T t0 = ::meetc::fma(Y.e1_e2_n, X.e1_e3_n_nb, ::meetc::fma(-Y.e1_e3_n, X.e1_e2_n_nb,
       X.e1_e2_e3_n * Y.e1_n_nb));
-  const T t1 = ::meet::fma(Y.e1_e2_n, X.e2_e3_n_nb, ::meet::fma(-X.e1_e2_n_nb, Y.e2_e3_n,
+  const T t1 = ::meetc::fma(Y.e1_e2_n, X.e2_e3_n_nb, ::meetc::fma(-X.e1_e2_n_nb, Y.e2_e3_n,
       X.e1_e2_e3_n * Y.e2_n_nb));
   const T t2 = -X.e1_e3_n_nb;
-  const T t3 = ::meet::fma(Y.e1_e3_n, X.e2_e3_n_nb, ::meet::fma(t2, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
-  const T t4 = ::meet::fma(Y.e1_n_nb, X.e2_e3_n_nb, ::meet::fma(t2, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
+  const T t3 = ::meetc::fma(Y.e1_e3_n, X.e2_e3_n_nb, ::meetc::fma(t2, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
+  const T t4 = ::meetc::fma(Y.e1_n_nb, X.e2_e3_n_nb, ::meetc::fma(t2, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
   B.e1_e2 = -((X.e1_e2_e3_nb * Y.e1_e2_n) * T(2));
   B.e1_e3 = -(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n));
   B.e1_n = T(2) * t0;
@@ -43,7 +44,7 @@ template <class T> MEET_HD inline point_pair_blade<T> meet(const sphere_blade<T>
   B.n_nb = T(2) * t4;
   return B;
 }
-template <class T> MEET_HD inline point_pair_blade<T> meet(const sphere<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD inline point_pair_blade<T> meet(const sphere<T> &X, const line<T> &Y) {
   return meet(blade(X), blade(Y));
 }
 

@@ -3,24 +3,24 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_line_line_HPP
 #define MEETC_3_cga_kernel_norm2_meet_line_line_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // norm2(meet(line, line)) on blades
 //   0
 // 0 multiplications, 0 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const line_blade<T> &X,
+template <class T> MEETC_HD inline T norm2_meet([[maybe_unused]] const line_blade<T> &X,
     [[maybe_unused]] const line_blade<T> &Y) {
   return T(0);
 }
 
 // norm2(meet(line, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 0 multiplications, 0 additions.
-template <class T> MEET_HD inline T norm2_meet([[maybe_unused]] const line<T> &X,
+template <class T> MEETC_HD inline T norm2_meet([[maybe_unused]] const line<T> &X,
     [[maybe_unused]] const line<T> &Y) {
   return T(0);
 }

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_point_pair_sphere_HPP
 #define MEETC_3_cga_kernel_norm2_meet_point_pair_sphere_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -35,27 +35,27 @@ namespace cga {
 //       + 4*X.e3_nb^2*Y.e1_e2_e3_n^2 - 16*X.e3_nb*X.n_nb*Y.e1_e2_e3_n*Y.e1_e2_n_nb
 //       + 16*X.n_nb^2*Y.e1_e2_e3_n*Y.e1_e2_e3_nb
 // 24 multiplications, 18 additions.
-template <class T> MEET_HD inline T norm2_meet(const point_pair_blade<T> &X, const sphere_blade<T> &Y) {
-  const T t0 = ::meet::fma(X.e1_n, Y.e1_e2_e3_nb, ::meet::fma(-X.e1_e3, Y.e1_e2_n_nb,
+template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, const sphere_blade<T> &Y) {
+  const T t0 = ::meetc::fma(X.e1_n, Y.e1_e2_e3_nb, ::meetc::fma(-X.e1_e3, Y.e1_e2_n_nb,
       X.e1_e2 * Y.e1_e3_n_nb));
-  const T t1 = T(2) * ::meet::fma(-X.e1_nb, Y.e1_e2_e3_n, t0);
+  const T t1 = T(2) * ::meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, t0);
   const T t2 = -X.e2_e3;
-  const T t3 = ::meet::fma(X.e2_n, Y.e1_e2_e3_nb, ::meet::fma(t2, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t3 = ::meetc::fma(X.e2_n, Y.e1_e2_e3_nb, ::meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
   const T t4 = -X.e2_nb;
-  const T t5 = T(2) * ::meet::fma(t4, Y.e1_e2_e3_n, t3);
-  const T t6 = ::meet::fma(X.e3_n, Y.e1_e2_e3_nb, ::meet::fma(t2, Y.e1_e3_n_nb, X.e1_e3 * Y.e2_e3_n_nb));
-  const T t7 = T(2) * ::meet::fma(-X.e3_nb, Y.e1_e2_e3_n, t6);
-  const T t8 = ::meet::fma(X.e3_n, Y.e1_e2_n_nb, ::meet::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
+  const T t5 = T(2) * ::meetc::fma(t4, Y.e1_e2_e3_n, t3);
+  const T t6 = ::meetc::fma(X.e3_n, Y.e1_e2_e3_nb, ::meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3 * Y.e2_e3_n_nb));
+  const T t7 = T(2) * ::meetc::fma(-X.e3_nb, Y.e1_e2_e3_n, t6);
+  const T t8 = ::meetc::fma(X.e3_n, Y.e1_e2_n_nb, ::meetc::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
   const T t9 = -X.n_nb;
-  const T t10 = ::meet::fma(X.e3_nb, Y.e1_e2_n_nb, ::meet::fma(t4, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
-  const T t11 = ::meet::fma(T(2) * ::meet::fma(t9, Y.e1_e2_e3_nb, t10), ::meet::fma(t9, Y.e1_e2_e3_n,
-      t8) * T(8), ::meet::fma(t7, t7, ::meet::fma(t5, t5, t1 * t1)));
+  const T t10 = ::meetc::fma(X.e3_nb, Y.e1_e2_n_nb, ::meetc::fma(t4, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
+  const T t11 = ::meetc::fma(T(2) * ::meetc::fma(t9, Y.e1_e2_e3_nb, t10), ::meetc::fma(t9, Y.e1_e2_e3_n,
+      t8) * T(8), ::meetc::fma(t7, t7, ::meetc::fma(t5, t5, t1 * t1)));
   return t11;
 }
 
 // norm2(meet(point_pair, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 12 multiplications, 20 additions.
-template <class T> MEET_HD inline T norm2_meet(const point_pair<T> &X, const sphere<T> &Y) {
+template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const sphere<T> &Y) {
   const T t0 = X.q.x - X.p.x;
   const T t1 = t0 * t0;
   const T t2 = X.q.y - X.p.y;
@@ -66,9 +66,9 @@ template <class T> MEET_HD inline T norm2_meet(const point_pair<T> &X, const sph
   const T t7 = Y.c.y - X.p.y;
   const T t8 = Y.c.z - X.p.z;
   const T t9 = Y.r * Y.r;
-  const T t10 = ::meet::fma(t7, t2 * T(2) - t7, ::meet::fma(t8, t4 * T(2) - t8, ((t9 - t1) - t3) - t5));
-  const T t11 = (t9 - ::meet::fma(t8, t8, ::meet::fma(t7, t7, t6 * t6))) * (((t1 + t3) + t5) * ::meet::fma(t6,
-      t0 * T(2) - t6, t10));
+  const T t10 = ::meetc::fma(t7, t2 * T(2) - t7, ::meetc::fma(t8, t4 * T(2) - t8, ((t9 - t1) - t3) - t5));
+  const T t11 = (t9 - ::meetc::fma(t8, t8, ::meetc::fma(t7, t7,
+      t6 * t6))) * (((t1 + t3) + t5) * ::meetc::fma(t6, t0 * T(2) - t6, t10));
   return t11 * T(16);
 }
 

@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_sphere_line_HPP
 #define MEETC_3_cga_kernel_norm2_meet_sphere_line_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -24,36 +24,36 @@ namespace cga {
 //       + 16*X.e1_e3_n_nb^2*Y.e2_n_nb^2 - 32*X.e1_e3_n_nb*X.e2_e3_n_nb*Y.e1_n_nb*Y.e2_n_nb
 //       + 16*X.e2_e3_n_nb^2*Y.e1_n_nb^2
 // 25 multiplications, 14 additions.
-template <class T> MEET_HD inline T norm2_meet(const sphere_blade<T> &X, const line_blade<T> &Y) {
+template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const line_blade<T> &Y) {
   const T t0 = T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n);
   const T t1 = T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n);
   const T t2 = T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n);
   const T t3 = -X.e1_e2_n_nb;
-  const T t4 = ::meet::fma(X.e1_e3_n_nb, Y.e1_e2_n, ::meet::fma(t3, Y.e1_e3_n, X.e1_e2_e3_n * Y.e1_n_nb));
-  const T t5 = ::meet::fma(X.e2_e3_n_nb, Y.e1_e2_n, ::meet::fma(t3, Y.e2_e3_n, X.e1_e2_e3_n * Y.e2_n_nb));
+  const T t4 = ::meetc::fma(X.e1_e3_n_nb, Y.e1_e2_n, ::meetc::fma(t3, Y.e1_e3_n, X.e1_e2_e3_n * Y.e1_n_nb));
+  const T t5 = ::meetc::fma(X.e2_e3_n_nb, Y.e1_e2_n, ::meetc::fma(t3, Y.e2_e3_n, X.e1_e2_e3_n * Y.e2_n_nb));
   const T t6 = -X.e1_e3_n_nb;
-  const T t7 = ::meet::fma(X.e2_e3_n_nb, Y.e1_e3_n, ::meet::fma(t6, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
-  const T t8 = ::meet::fma(X.e2_e3_n_nb, Y.e1_n_nb, ::meet::fma(t6, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
+  const T t7 = ::meetc::fma(X.e2_e3_n_nb, Y.e1_e3_n, ::meetc::fma(t6, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
+  const T t8 = ::meetc::fma(X.e2_e3_n_nb, Y.e1_n_nb, ::meetc::fma(t6, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
   const T t9 = T(2) * t8;
-  const T t10 = ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_n_nb), t4 * T(8), ::meet::fma(t2, t2, ::meet::fma(t1,
-      t1, t0 * t0)));
-  const T t11 = ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e3_n_nb), t7 * T(8),
-      ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_n_nb), t5 * T(8), t10));
-  return -::meet::fma(t9 * t9, T(-4), t11);
+  const T t10 = ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_n_nb), t4 * T(8), ::meetc::fma(t2, t2,
+      ::meetc::fma(t1, t1, t0 * t0)));
+  const T t11 = ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e3_n_nb), t7 * T(8),
+      ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_n_nb), t5 * T(8), t10));
+  return -::meetc::fma(t9 * t9, T(-4), t11);
 }
 
 // norm2(meet(sphere, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 12 multiplications, 14 additions.
-template <class T> MEET_HD inline T norm2_meet(const sphere<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const line<T> &Y) {
   const T t0 = Y.p.x - X.c.x;
   const T t1 = Y.p.y - X.c.y;
   const T t2 = Y.p.z - X.c.z;
   const T t3 = Y.q.x - Y.p.x;
   const T t4 = Y.q.y - Y.p.y;
   const T t5 = Y.q.z - Y.p.z;
-  const T t6 = ::meet::fma(t2, t5, ::meet::fma(t1, t4, t0 * t3));
-  const T t7 = ::meet::fma(::meet::fma(t5, t5, ::meet::fma(t4, t4, t3 * t3)), X.r * X.r - ::meet::fma(t2, t2,
-      ::meet::fma(t1, t1, t0 * t0)), t6 * t6);
+  const T t6 = ::meetc::fma(t2, t5, ::meetc::fma(t1, t4, t0 * t3));
+  const T t7 = ::meetc::fma(::meetc::fma(t5, t5, ::meetc::fma(t4, t4, t3 * t3)), X.r * X.r - ::meetc::fma(t2,
+      t2, ::meetc::fma(t1, t1, t0 * t0)), t6 * t6);
   return t7 * T(64);
 }
 

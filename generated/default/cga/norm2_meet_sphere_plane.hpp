@@ -3,10 +3,10 @@
 #ifndef MEETC_3_cga_kernel_norm2_meet_sphere_plane_HPP
 #define MEETC_3_cga_kernel_norm2_meet_sphere_plane_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -21,29 +21,29 @@ namespace cga {
 //       + 16*X.e1_e3_n_nb^2*Y.e2_e3_n_nb^2 - 32*X.e1_e3_n_nb*X.e2_e3_n_nb*Y.e1_e3_n_nb*Y.e2_e3_n_nb
 //       + 16*X.e2_e3_n_nb^2*Y.e1_e2_n_nb^2 + 16*X.e2_e3_n_nb^2*Y.e1_e3_n_nb^2
 // 23 multiplications, 12 additions.
-template <class T> MEET_HD inline T norm2_meet(const sphere_blade<T> &X, const plane_blade<T> &Y) {
+template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const plane_blade<T> &Y) {
   const T t0 = T(2) * (X.e1_e2_e3_nb * Y.e1_e2_e3_n);
   const T t1 = -X.e1_e3_n_nb;
   const T t2 = -X.e2_e3_n_nb;
-  const T t3 = T(2) * ::meet::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
-  const T t4 = T(2) * ::meet::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t5 = T(2) * ::meet::fma(t2, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  const T t6 = ::meet::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8);
-  const T t7 = ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n_nb), ::meet::fma(t1, Y.e1_e2_e3_n,
-      X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8), ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n_nb), t6, t0 * t0));
-  const T t8 = ::meet::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n_nb), ::meet::fma(t2, Y.e1_e2_e3_n,
+  const T t3 = T(2) * ::meetc::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t4 = T(2) * ::meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t5 = T(2) * ::meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t6 = ::meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8);
+  const T t7 = ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n_nb), ::meetc::fma(t1, Y.e1_e2_e3_n,
+      X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8), ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n_nb), t6, t0 * t0));
+  const T t8 = ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n_nb), ::meetc::fma(t2, Y.e1_e2_e3_n,
       X.e1_e2_e3_n * Y.e2_e3_n_nb) * T(8), t7);
-  const T t9 = ::meet::fma(T(-4), t5 * t5, ::meet::fma(T(-4), t4 * t4, ::meet::fma(t3 * t3, T(-4), t8)));
+  const T t9 = ::meetc::fma(T(-4), t5 * t5, ::meetc::fma(T(-4), t4 * t4, ::meetc::fma(t3 * t3, T(-4), t8)));
   return -t9;
 }
 
 // norm2(meet(sphere, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 10 multiplications, 7 additions.
-template <class T> MEET_HD inline T norm2_meet(const sphere<T> &X, const plane<T> &Y) {
-  const T t0 = ::meet::fma(X.c.z, Y.N.z, ::meet::fma(X.c.y, Y.N.y, X.c.x * Y.N.x));
-  const T t1 = ::meet::fma(::meet::fma(Y.N.z, Y.N.z, ::meet::fma(Y.N.y, Y.N.y, Y.N.x * Y.N.x)), X.r * X.r,
+template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const plane<T> &Y) {
+  const T t0 = ::meetc::fma(X.c.z, Y.N.z, ::meetc::fma(X.c.y, Y.N.y, X.c.x * Y.N.x));
+  const T t1 = ::meetc::fma(::meetc::fma(Y.N.z, Y.N.z, ::meetc::fma(Y.N.y, Y.N.y, Y.N.x * Y.N.x)), X.r * X.r,
       -(Y.d * Y.d));
-  return ::meet::fma(-t0, t0 - (Y.d * T(2)), t1) * T(4);
+  return ::meetc::fma(-t0, t0 - (Y.d * T(2)), t1) * T(4);
 }
 
 } // namespace cga

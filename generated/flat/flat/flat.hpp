@@ -3,14 +3,14 @@
 #ifndef MEETC_4_flat_file_all_HPP
 #define MEETC_4_flat_file_all_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 #include <flat/kinds.hpp>
 #include <flat/point_triangle.hpp>
 #include <flat/segment_segment.hpp>
 #include <flat/segment_triangle.hpp>
 #include <flat/triangle_triangle.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace flat {
 

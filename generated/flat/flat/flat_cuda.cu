@@ -7,43 +7,43 @@
 #include <flat/point_triangle.hpp>
 #include <flat/segment_triangle.hpp>
 #include <flat/triangle_triangle.hpp>
-#include <meet/cuda_probe.hpp>
-#include <meet/cuda_query.hpp>
+#include <meetc/cuda_probe.hpp>
+#include <meetc/cuda_query.hpp>
 
 namespace {
 
 template <class P>
-cudaError_t decide_by(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t decide_by(::meetc::rung rung, const float *a, const float *b, const ::meetc::index_pair *pairs,
     std::size_t n,
-    ::meet::answer *out, cudaStream_t stream) {
-  using namespace ::meet::cuda;
+    ::meetc::answer *out, cudaStream_t stream) {
+  using namespace ::meetc::cuda;
   switch (rung) {
-  case ::meet::rung::fp32:
+  case ::meetc::rung::fp32:
     return answer_list<P, plain_step<P, float>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::fp64:
+  case ::meetc::rung::fp64:
     return answer_list<P, plain_step<P, double>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::fp64x2:
-    return answer_list<P, plain_step<P, ::meet::double_double>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::exact:
+  case ::meetc::rung::fp64x2:
+    return answer_list<P, plain_step<P, ::meetc::double_double>>(a, b, pairs, n, out, stream);
+  case ::meetc::rung::exact:
     return answer_list<P, exact_step<P>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::certified:
+  case ::meetc::rung::certified:
     return answer_list<P, certified_step<P>>(a, b, pairs, n, out, stream);
   default:
     return cudaErrorInvalidValue;
   }
 }
 template <class P>
-cudaError_t certify_by(::meet::rung rung, const float *a, const float *b, const ::meet::index_pair *pairs,
+cudaError_t certify_by(::meetc::rung rung, const float *a, const float *b, const ::meetc::index_pair *pairs,
     std::size_t n,
-    ::meet::answer *out, cudaStream_t stream) {
-  using namespace ::meet::cuda;
+    ::meetc::answer *out, cudaStream_t stream) {
+  using namespace ::meetc::cuda;
   switch (rung) {
-  case ::meet::rung::fp32:
-    return answer_list<P, certify_step<P, ::meet::in_fp32>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::fp64:
-    return answer_list<P, certify_step<P, ::meet::in_fp64>>(a, b, pairs, n, out, stream);
-  case ::meet::rung::fp64x2:
-    return answer_list<P, certify_step<P, ::meet::in_fp64x2>>(a, b, pairs, n, out, stream);
+  case ::meetc::rung::fp32:
+    return answer_list<P, certify_step<P, ::meetc::in_fp32>>(a, b, pairs, n, out, stream);
+  case ::meetc::rung::fp64:
+    return answer_list<P, certify_step<P, ::meetc::in_fp64>>(a, b, pairs, n, out, stream);
+  case ::meetc::rung::fp64x2:
+    return answer_list<P, certify_step<P, ::meetc::in_fp64x2>>(a, b, pairs, n, out, stream);
   default:
     return cudaErrorInvalidValue;
   }
@@ -58,81 +58,81 @@ namespace {
 
 using form = ball_form;
 
-const ::meet::cuda::kind_launchers all_kinds[] = {
-  {"point", point_shape::fields, ::meet::cuda::place<point_shape>, ::meet::cuda::enclose<point_shape>,
-      ::meet::cuda::columns<point_shape, form>},
-  {"segment", segment_shape::fields, ::meet::cuda::place<segment_shape>, ::meet::cuda::enclose<segment_shape>,
-      ::meet::cuda::columns<segment_shape, form>},
-  {"triangle", triangle_shape::fields, ::meet::cuda::place<triangle_shape>,
-      ::meet::cuda::enclose<triangle_shape>, ::meet::cuda::columns<triangle_shape, form>},
+const ::meetc::cuda::kind_launchers all_kinds[] = {
+  {"point", point_shape::fields, ::meetc::cuda::place<point_shape>, ::meetc::cuda::enclose<point_shape>,
+      ::meetc::cuda::columns<point_shape, form>},
+  {"segment", segment_shape::fields, ::meetc::cuda::place<segment_shape>,
+      ::meetc::cuda::enclose<segment_shape>, ::meetc::cuda::columns<segment_shape, form>},
+  {"triangle", triangle_shape::fields, ::meetc::cuda::place<triangle_shape>,
+      ::meetc::cuda::enclose<triangle_shape>, ::meetc::cuda::columns<triangle_shape, form>},
 };
 
-constexpr unsigned rungs = 1U << static_cast<int>(::meet::rung::fp32) | 1U << static_cast<int>(::meet::rung::fp64) | 1U << static_cast<int>(::meet::rung::fp64x2) | 1U << static_cast<int>(::meet::rung::exact) | 1U << static_cast<int>(::meet::rung::certified);
+constexpr unsigned rungs = 1U << static_cast<int>(::meetc::rung::fp32) | 1U << static_cast<int>(::meetc::rung::fp64) | 1U << static_cast<int>(::meetc::rung::fp64x2) | 1U << static_cast<int>(::meetc::rung::exact) | 1U << static_cast<int>(::meetc::rung::certified);
 
-const ::meet::cuda::predicate_launchers all_predicates[] = {
-  {"segment_segment", 1, 1, ::meet::cuda::run<::flat::segment_segment, segment_shape, segment_shape, rungs>,
-      ::meet::cuda::pairs<::flat::segment_segment, segment_shape, segment_shape, form, rungs>,
-      ::meet::cuda::query_workspace<segment_shape, segment_shape>},
-  {"point_triangle", 0, 2, ::meet::cuda::run<::flat::point_triangle, point_shape, triangle_shape, rungs>,
-      ::meet::cuda::pairs<::flat::point_triangle, point_shape, triangle_shape, form, rungs>,
-      ::meet::cuda::query_workspace<point_shape, triangle_shape>},
-  {"segment_triangle", 1, 2, ::meet::cuda::run<::flat::segment_triangle, segment_shape, triangle_shape,
-      rungs>, ::meet::cuda::pairs<::flat::segment_triangle, segment_shape, triangle_shape, form, rungs>,
-      ::meet::cuda::query_workspace<segment_shape, triangle_shape>},
-  {"triangle_triangle", 2, 2, ::meet::cuda::run<::flat::triangle_triangle, triangle_shape, triangle_shape,
-      rungs>, ::meet::cuda::pairs<::flat::triangle_triangle, triangle_shape, triangle_shape, form, rungs>,
-      ::meet::cuda::query_workspace<triangle_shape, triangle_shape>},
+const ::meetc::cuda::predicate_launchers all_predicates[] = {
+  {"segment_segment", 1, 1, ::meetc::cuda::run<::flat::segment_segment, segment_shape, segment_shape, rungs>,
+      ::meetc::cuda::pairs<::flat::segment_segment, segment_shape, segment_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<segment_shape, segment_shape>},
+  {"point_triangle", 0, 2, ::meetc::cuda::run<::flat::point_triangle, point_shape, triangle_shape, rungs>,
+      ::meetc::cuda::pairs<::flat::point_triangle, point_shape, triangle_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<point_shape, triangle_shape>},
+  {"segment_triangle", 1, 2, ::meetc::cuda::run<::flat::segment_triangle, segment_shape, triangle_shape,
+      rungs>, ::meetc::cuda::pairs<::flat::segment_triangle, segment_shape, triangle_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<segment_shape, triangle_shape>},
+  {"triangle_triangle", 2, 2, ::meetc::cuda::run<::flat::triangle_triangle, triangle_shape, triangle_shape,
+      rungs>, ::meetc::cuda::pairs<::flat::triangle_triangle, triangle_shape, triangle_shape, form, rungs>,
+      ::meetc::cuda::query_workspace<triangle_shape, triangle_shape>},
 };
 
 } // namespace
 
-const ::meet::cuda::catalogue &catalogue() {
-  static const ::meet::cuda::catalogue c{"flat", all_kinds, 3, all_predicates, 4, ::meet::cuda::clear_extent,
-      ::meet::cuda::candidates<form>, ::meet::cuda::probe};
+const ::meetc::cuda::catalogue &catalogue() {
+  static const ::meetc::cuda::catalogue c{"flat", all_kinds, 3, all_predicates, 4,
+      ::meetc::cuda::clear_extent, ::meetc::cuda::candidates<form>, ::meetc::cuda::probe};
   return c;
 }
 
-cudaError_t self_test(unsigned *faults, cudaStream_t stream) { return ::meet::launch_self_test(faults,
+cudaError_t self_test(unsigned *faults, cudaStream_t stream) { return ::meetc::launch_self_test(faults,
     stream); }
 
-cudaError_t segment_segment::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t segment_segment::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::flat::segment_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t segment_segment::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t segment_segment::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::flat::segment_segment>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t point_triangle::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t point_triangle::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::flat::point_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t point_triangle::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t point_triangle::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::flat::point_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t segment_triangle::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t segment_triangle::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::flat::segment_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t segment_triangle::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t segment_triangle::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::flat::segment_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t triangle_triangle::decide(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t triangle_triangle::decide(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return decide_by<::flat::triangle_triangle>(rung, a, b, pairs, n, out, stream);
 }
-cudaError_t triangle_triangle::certify(::meet::rung rung, const float *a, const float *b,
-    const ::meet::index_pair *pairs,
-    std::size_t n, ::meet::answer *out, cudaStream_t stream) {
+cudaError_t triangle_triangle::certify(::meetc::rung rung, const float *a, const float *b,
+    const ::meetc::index_pair *pairs,
+    std::size_t n, ::meetc::answer *out, cudaStream_t stream) {
   return certify_by<::flat::triangle_triangle>(rung, a, b, pairs, n, out, stream);
 }
 

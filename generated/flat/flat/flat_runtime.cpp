@@ -10,59 +10,60 @@
 namespace flat {
 namespace {
 
-const ::meet::role point_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z};
+const ::meetc::role point_roles[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z};
 
-const ::meet::role segment_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
-    ::meet::role::y, ::meet::role::z};
+const ::meetc::role segment_roles[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z, ::meetc::role::x,
+    ::meetc::role::y, ::meetc::role::z};
 
-const ::meet::role triangle_roles[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
-    ::meet::role::y, ::meet::role::z, ::meet::role::x, ::meet::role::y, ::meet::role::z};
+const ::meetc::role triangle_roles[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z,
+    ::meetc::role::x, ::meetc::role::y, ::meetc::role::z, ::meetc::role::x, ::meetc::role::y,
+    ::meetc::role::z};
 
-const ::meet::kind_info all_kinds[] = {
+const ::meetc::kind_info all_kinds[] = {
   {"point", "x,y,z", 3, point_roles, 1, point_shape::box, nullptr},
   {"segment", "x0,y0,z0,x1,y1,z1", 6, segment_roles, 2, segment_shape::box, nullptr},
   {"triangle", "x0,y0,z0,x1,y1,z1,x2,y2,z2", 9, triangle_roles, 3, triangle_shape::box, nullptr},
 };
 
-const ::meet::predicate_info all_predicates[] = {
+const ::meetc::predicate_info all_predicates[] = {
   {"segment_segment", "", &all_kinds[1], &all_kinds[1],
-   {::meet::decide_plain<segment_segment, float>, ::meet::decide_plain<segment_segment, double>,
-       ::meet::decide_plain<segment_segment, ::meet::double_double>, ::meet::decide_exact<segment_segment>,
-       ::meet::decide_certified<segment_segment>},
-   {::meet::certify_pairs<segment_segment, ::meet::in_fp32>, ::meet::certify_pairs<segment_segment,
-       ::meet::in_fp64>, ::meet::certify_pairs<segment_segment, ::meet::in_fp64x2>},
-   ::meet::certify_pairs_in_box<segment_segment>, ::meet::least_box<segment_segment>(),
-       ::meet::most_box<segment_segment>()},
+   {::meetc::decide_plain<segment_segment, float>, ::meetc::decide_plain<segment_segment, double>,
+       ::meetc::decide_plain<segment_segment, ::meetc::double_double>, ::meetc::decide_exact<segment_segment>,
+       ::meetc::decide_certified<segment_segment>},
+   {::meetc::certify_pairs<segment_segment, ::meetc::in_fp32>, ::meetc::certify_pairs<segment_segment,
+       ::meetc::in_fp64>, ::meetc::certify_pairs<segment_segment, ::meetc::in_fp64x2>},
+   ::meetc::certify_pairs_in_box<segment_segment>, ::meetc::least_box<segment_segment>(),
+       ::meetc::most_box<segment_segment>()},
   {"point_triangle", "", &all_kinds[0], &all_kinds[2],
-   {::meet::decide_plain<point_triangle, float>, ::meet::decide_plain<point_triangle, double>,
-       ::meet::decide_plain<point_triangle, ::meet::double_double>, ::meet::decide_exact<point_triangle>,
-       ::meet::decide_certified<point_triangle>},
-   {::meet::certify_pairs<point_triangle, ::meet::in_fp32>, ::meet::certify_pairs<point_triangle,
-       ::meet::in_fp64>, ::meet::certify_pairs<point_triangle, ::meet::in_fp64x2>},
-   ::meet::certify_pairs_in_box<point_triangle>, ::meet::least_box<point_triangle>(),
-       ::meet::most_box<point_triangle>()},
+   {::meetc::decide_plain<point_triangle, float>, ::meetc::decide_plain<point_triangle, double>,
+       ::meetc::decide_plain<point_triangle, ::meetc::double_double>, ::meetc::decide_exact<point_triangle>,
+       ::meetc::decide_certified<point_triangle>},
+   {::meetc::certify_pairs<point_triangle, ::meetc::in_fp32>, ::meetc::certify_pairs<point_triangle,
+       ::meetc::in_fp64>, ::meetc::certify_pairs<point_triangle, ::meetc::in_fp64x2>},
+   ::meetc::certify_pairs_in_box<point_triangle>, ::meetc::least_box<point_triangle>(),
+       ::meetc::most_box<point_triangle>()},
   {"segment_triangle", "", &all_kinds[1], &all_kinds[2],
-   {::meet::decide_plain<segment_triangle, float>, ::meet::decide_plain<segment_triangle, double>,
-       ::meet::decide_plain<segment_triangle, ::meet::double_double>, ::meet::decide_exact<segment_triangle>,
-       ::meet::decide_certified<segment_triangle>},
-   {::meet::certify_pairs<segment_triangle, ::meet::in_fp32>, ::meet::certify_pairs<segment_triangle,
-       ::meet::in_fp64>, ::meet::certify_pairs<segment_triangle, ::meet::in_fp64x2>},
-   ::meet::certify_pairs_in_box<segment_triangle>, ::meet::least_box<segment_triangle>(),
-       ::meet::most_box<segment_triangle>()},
+   {::meetc::decide_plain<segment_triangle, float>, ::meetc::decide_plain<segment_triangle, double>,
+       ::meetc::decide_plain<segment_triangle, ::meetc::double_double>,
+       ::meetc::decide_exact<segment_triangle>, ::meetc::decide_certified<segment_triangle>},
+   {::meetc::certify_pairs<segment_triangle, ::meetc::in_fp32>, ::meetc::certify_pairs<segment_triangle,
+       ::meetc::in_fp64>, ::meetc::certify_pairs<segment_triangle, ::meetc::in_fp64x2>},
+   ::meetc::certify_pairs_in_box<segment_triangle>, ::meetc::least_box<segment_triangle>(),
+       ::meetc::most_box<segment_triangle>()},
   {"triangle_triangle", "", &all_kinds[2], &all_kinds[2],
-   {::meet::decide_plain<triangle_triangle, float>, ::meet::decide_plain<triangle_triangle, double>,
-       ::meet::decide_plain<triangle_triangle, ::meet::double_double>,
-       ::meet::decide_exact<triangle_triangle>, ::meet::decide_certified<triangle_triangle>},
-   {::meet::certify_pairs<triangle_triangle, ::meet::in_fp32>, ::meet::certify_pairs<triangle_triangle,
-       ::meet::in_fp64>, ::meet::certify_pairs<triangle_triangle, ::meet::in_fp64x2>},
-   ::meet::certify_pairs_in_box<triangle_triangle>, ::meet::least_box<triangle_triangle>(),
-       ::meet::most_box<triangle_triangle>()},
+   {::meetc::decide_plain<triangle_triangle, float>, ::meetc::decide_plain<triangle_triangle, double>,
+       ::meetc::decide_plain<triangle_triangle, ::meetc::double_double>,
+       ::meetc::decide_exact<triangle_triangle>, ::meetc::decide_certified<triangle_triangle>},
+   {::meetc::certify_pairs<triangle_triangle, ::meetc::in_fp32>, ::meetc::certify_pairs<triangle_triangle,
+       ::meetc::in_fp64>, ::meetc::certify_pairs<triangle_triangle, ::meetc::in_fp64x2>},
+   ::meetc::certify_pairs_in_box<triangle_triangle>, ::meetc::least_box<triangle_triangle>(),
+       ::meetc::most_box<triangle_triangle>()},
 };
 
 } // namespace
 
-const ::meet::catalogue &catalogue() {
-  static const ::meet::catalogue c{"flat", all_kinds, 3, all_predicates, 4, 0.0f};
+const ::meetc::catalogue &catalogue() {
+  static const ::meetc::catalogue c{"flat", all_kinds, 3, all_predicates, 4, 0.0f};
   return c;
 }
 

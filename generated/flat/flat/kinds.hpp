@@ -3,9 +3,9 @@
 #ifndef MEETC_4_flat_file_kinds_HPP
 #define MEETC_4_flat_file_kinds_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace flat {
 
@@ -13,23 +13,23 @@ namespace flat {
 template <class T = float> struct point {
   T x, y, z;
 };
-template <class T> MEET_HD inline void to_row(const point<T> &k, T *out) {
+template <class T> MEETC_HD inline void to_row(const point<T> &k, T *out) {
   out[0] = k.x;
   out[1] = k.y;
   out[2] = k.z;
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
-template <class T> MEET_HD inline bool valid(const point<T> &k) {
-  return ::meet::is_finite(k.x) &&
-      ::meet::is_finite(k.y) &&
-      ::meet::is_finite(k.z);
+template <class T> MEETC_HD inline bool valid(const point<T> &k) {
+  return ::meetc::is_finite(k.x) &&
+      ::meetc::is_finite(k.y) &&
+      ::meetc::is_finite(k.z);
 }
 
 // segment: as it is stored, 6 numbers.
 template <class T = float> struct segment {
   point<T> p, q;
 };
-template <class T> MEET_HD inline void to_row(const segment<T> &k, T *out) {
+template <class T> MEETC_HD inline void to_row(const segment<T> &k, T *out) {
   out[0] = k.p.x;
   out[1] = k.p.y;
   out[2] = k.p.z;
@@ -38,20 +38,20 @@ template <class T> MEET_HD inline void to_row(const segment<T> &k, T *out) {
   out[5] = k.q.z;
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
-template <class T> MEET_HD inline bool valid(const segment<T> &k) {
-  return ::meet::is_finite(k.p.x) &&
-      ::meet::is_finite(k.p.y) &&
-      ::meet::is_finite(k.p.z) &&
-      ::meet::is_finite(k.q.x) &&
-      ::meet::is_finite(k.q.y) &&
-      ::meet::is_finite(k.q.z);
+template <class T> MEETC_HD inline bool valid(const segment<T> &k) {
+  return ::meetc::is_finite(k.p.x) &&
+      ::meetc::is_finite(k.p.y) &&
+      ::meetc::is_finite(k.p.z) &&
+      ::meetc::is_finite(k.q.x) &&
+      ::meetc::is_finite(k.q.y) &&
+      ::meetc::is_finite(k.q.z);
 }
 
 // triangle: as it is stored, 9 numbers.
 template <class T = float> struct triangle {
   point<T> a, b, c;
 };
-template <class T> MEET_HD inline void to_row(const triangle<T> &k, T *out) {
+template <class T> MEETC_HD inline void to_row(const triangle<T> &k, T *out) {
   out[0] = k.a.x;
   out[1] = k.a.y;
   out[2] = k.a.z;
@@ -63,16 +63,16 @@ template <class T> MEET_HD inline void to_row(const triangle<T> &k, T *out) {
   out[8] = k.c.z;
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
-template <class T> MEET_HD inline bool valid(const triangle<T> &k) {
-  return ::meet::is_finite(k.a.x) &&
-      ::meet::is_finite(k.a.y) &&
-      ::meet::is_finite(k.a.z) &&
-      ::meet::is_finite(k.b.x) &&
-      ::meet::is_finite(k.b.y) &&
-      ::meet::is_finite(k.b.z) &&
-      ::meet::is_finite(k.c.x) &&
-      ::meet::is_finite(k.c.y) &&
-      ::meet::is_finite(k.c.z);
+template <class T> MEETC_HD inline bool valid(const triangle<T> &k) {
+  return ::meetc::is_finite(k.a.x) &&
+      ::meetc::is_finite(k.a.y) &&
+      ::meetc::is_finite(k.a.z) &&
+      ::meetc::is_finite(k.b.x) &&
+      ::meetc::is_finite(k.b.y) &&
+      ::meetc::is_finite(k.b.z) &&
+      ::meetc::is_finite(k.c.x) &&
+      ::meetc::is_finite(k.c.y) &&
+      ::meetc::is_finite(k.c.z);
 }
 
 

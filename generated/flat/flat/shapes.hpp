@@ -3,9 +3,9 @@
 #ifndef MEETC_4_flat_file_shapes_HPP
 #define MEETC_4_flat_file_shapes_HPP
 
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 
-static_assert(MEET_SUPPORT_VERSION == 3, "meet/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
 
 namespace flat {
 
@@ -14,15 +14,15 @@ namespace flat {
 
 struct point_shape {
   static constexpr int fields = 3, hull = 1, pad = -1;
-  MEET_HD static constexpr int place(int point, int axis) {
+  MEETC_HD static constexpr int place(int point, int axis) {
     constexpr int all[] = {0, 1, 2};
     return all[3 * point + axis];
   }
-  MEET_HD static constexpr ::meet::role role_of(int field) {
-    constexpr ::meet::role all[] = {::meet::role::x, ::meet::role::y, ::meet::role::z};
+  MEETC_HD static constexpr ::meetc::role role_of(int field) {
+    constexpr ::meetc::role all[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z};
     return all[field];
   }
-  MEET_HD static void box(const float *row, float lo[3], float hi[3]) {
+  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {
     lo[0] = row[0];
     hi[0] = row[0];
     lo[1] = row[1];
@@ -34,43 +34,43 @@ struct point_shape {
 
 struct segment_shape {
   static constexpr int fields = 6, hull = 2, pad = -1;
-  MEET_HD static constexpr int place(int point, int axis) {
+  MEETC_HD static constexpr int place(int point, int axis) {
     constexpr int all[] = {0, 1, 2, 3, 4, 5};
     return all[3 * point + axis];
   }
-  MEET_HD static constexpr ::meet::role role_of(int field) {
-    constexpr ::meet::role all[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
-        ::meet::role::y, ::meet::role::z};
+  MEETC_HD static constexpr ::meetc::role role_of(int field) {
+    constexpr ::meetc::role all[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z, ::meetc::role::x,
+        ::meetc::role::y, ::meetc::role::z};
     return all[field];
   }
-  MEET_HD static void box(const float *row, float lo[3], float hi[3]) {
-    lo[0] = ::meet::least_of(row[0], row[3]);
-    hi[0] = ::meet::most_of(row[0], row[3]);
-    lo[1] = ::meet::least_of(row[1], row[4]);
-    hi[1] = ::meet::most_of(row[1], row[4]);
-    lo[2] = ::meet::least_of(row[2], row[5]);
-    hi[2] = ::meet::most_of(row[2], row[5]);
+  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {
+    lo[0] = ::meetc::least_of(row[0], row[3]);
+    hi[0] = ::meetc::most_of(row[0], row[3]);
+    lo[1] = ::meetc::least_of(row[1], row[4]);
+    hi[1] = ::meetc::most_of(row[1], row[4]);
+    lo[2] = ::meetc::least_of(row[2], row[5]);
+    hi[2] = ::meetc::most_of(row[2], row[5]);
   }
 };
 
 struct triangle_shape {
   static constexpr int fields = 9, hull = 3, pad = -1;
-  MEET_HD static constexpr int place(int point, int axis) {
+  MEETC_HD static constexpr int place(int point, int axis) {
     constexpr int all[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     return all[3 * point + axis];
   }
-  MEET_HD static constexpr ::meet::role role_of(int field) {
-    constexpr ::meet::role all[] = {::meet::role::x, ::meet::role::y, ::meet::role::z, ::meet::role::x,
-        ::meet::role::y, ::meet::role::z, ::meet::role::x, ::meet::role::y, ::meet::role::z};
+  MEETC_HD static constexpr ::meetc::role role_of(int field) {
+    constexpr ::meetc::role all[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z, ::meetc::role::x,
+        ::meetc::role::y, ::meetc::role::z, ::meetc::role::x, ::meetc::role::y, ::meetc::role::z};
     return all[field];
   }
-  MEET_HD static void box(const float *row, float lo[3], float hi[3]) {
-    lo[0] = ::meet::least_of(::meet::least_of(row[0], row[3]), row[6]);
-    hi[0] = ::meet::most_of(::meet::most_of(row[0], row[3]), row[6]);
-    lo[1] = ::meet::least_of(::meet::least_of(row[1], row[4]), row[7]);
-    hi[1] = ::meet::most_of(::meet::most_of(row[1], row[4]), row[7]);
-    lo[2] = ::meet::least_of(::meet::least_of(row[2], row[5]), row[8]);
-    hi[2] = ::meet::most_of(::meet::most_of(row[2], row[5]), row[8]);
+  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {
+    lo[0] = ::meetc::least_of(::meetc::least_of(row[0], row[3]), row[6]);
+    hi[0] = ::meetc::most_of(::meetc::most_of(row[0], row[3]), row[6]);
+    lo[1] = ::meetc::least_of(::meetc::least_of(row[1], row[4]), row[7]);
+    hi[1] = ::meetc::most_of(::meetc::most_of(row[1], row[4]), row[7]);
+    lo[2] = ::meetc::least_of(::meetc::least_of(row[2], row[5]), row[8]);
+    hi[2] = ::meetc::most_of(::meetc::most_of(row[2], row[5]), row[8]);
   }
 };
 

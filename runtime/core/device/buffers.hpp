@@ -1,12 +1,12 @@
 // core/device/buffers.hpp: what queries on one device share, so that the second allocates nothing.
-#ifndef MEET_CORE_DEVICE_BUFFERS_HPP
-#define MEET_CORE_DEVICE_BUFFERS_HPP
+#ifndef MEETC_CORE_DEVICE_BUFFERS_HPP
+#define MEETC_CORE_DEVICE_BUFFERS_HPP
 
 #include "core/device/memory.hpp"
 
 #include <cstdint>
 
-namespace meet {
+namespace meetc {
 
 // The lists of a query, by what they count.
 enum class counter : std::uint8_t { candidates, kept, touching, hits, unsure_fp32, unsure_fp64, unsure_fp64x2, unused };
@@ -28,6 +28,6 @@ struct device_buffers {
   }
 };
 
-} // namespace meet
+} // namespace meetc
 
 #endif

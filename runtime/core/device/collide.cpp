@@ -9,11 +9,12 @@
 #include <chrono>
 #include <cstring>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 // The smallest part, of groups taken apart, fills no list.
-constexpr std::size_t least_capacity = std::size_t{cuda::part_step} * cuda::part_step * cuda::group_size * cuda::group_size;
+constexpr std::size_t least_capacity =
+    std::size_t{cuda::part_step} * cuda::part_step * cuda::group_size * cuda::group_size;
 constexpr std::size_t first_capacity = std::size_t{1} << 22;
 
 void require(bool holds, const char *what) {
@@ -30,10 +31,11 @@ const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const 
 
 class query {
 public:
-  query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision, const device_options &options)
+  query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
+        const device_options &options)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
-        options_(options), keep_(options.mode == collide_mode::list ||
-                                 (options.mode == collide_mode::count && owned())) {}
+        options_(options),
+        keep_(options.mode == collide_mode::list || (options.mode == collide_mode::count && owned())) {}
 
   device_result run() {
     result_.filter = options_.filter.value_or(on_.best_filter());
@@ -93,8 +95,8 @@ private:
 
   // Room for so many pairs a list, and for as many as there is already.
   void take_room() {
-    capacity_ = std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, first_capacity),
-                           options_.list_capacity);
+    capacity_ =
+        std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, first_capacity), options_.list_capacity);
     buffers_.counts.reserve(counters, "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
@@ -117,18 +119,14 @@ private:
   cuda::pair_list count_only(counter c) const { return {nullptr, buffers_.counts.data() + static_cast<int>(c), 0}; }
   unsigned long long seen(counter c) const { return buffers_.seen[static_cast<int>(c)]; }
 
-  bool overflowed() const {
-    return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_;
-  }
+  bool overflowed() const { return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_; }
   // Pairs of objects that no list is too short for.
   std::uint64_t always_fits() const {
     const std::uint64_t size = cuda::size_of(options_.by);
     return capacity_ / (size * size);
   }
 
-  static std::uint64_t area(const cuda::part &p) {
-    return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b);
-  }
+  static std::uint64_t area(const cuda::part &p) { return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b); }
   // Halves of the longer side, cut between whole blocks where it has several.
   static std::pair<cuda::part, cuda::part> halves(const cuda::part &p) {
     const auto middle = [](std::uint32_t from, std::uint32_t to) {
@@ -174,7 +172,8 @@ private:
 
   void try_part(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
-    check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream), "clearing counters");
+    check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream),
+          "clearing counters");
     check(on_.kernels().candidates(result_.filter, x_, y_, p, list(buffers_.first, counter::candidates), stream),
           "starting the filter");
     const cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
@@ -211,7 +210,8 @@ private:
     const std::size_t n = seen(counter::hits);
     if (!keep_ || n == 0)
       return;
-    if (!buffers_.keys.grow(std::max(keys_ + n, std::min(2 * keys_, keys_ + (std::size_t{1} << 28))), keys_, on_.stream()) &&
+    if (!buffers_.keys.grow(std::max(keys_ + n, std::min(2 * keys_, keys_ + (std::size_t{1} << 28))), keys_,
+                            on_.stream()) &&
         !buffers_.keys.grow(keys_ + n, keys_, on_.stream())) {
       spill();
       buffers_.keys.reserve(n, "a list of hits");
@@ -246,8 +246,8 @@ private:
     std::size_t bytes = std::max(sort_bytes, repeat_bytes);
     if (!buffers_.more_keys.grow(keys_, 0, on_.stream()) || !buffers_.sort_space.grow(bytes, 0, on_.stream()))
       return false;
-    check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_, bits,
-                    on_.stream()),
+    check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_,
+                    bits, on_.stream()),
           "sorting pairs");
     std::swap(buffers_.keys, buffers_.more_keys);
     if (owned()) {
@@ -289,7 +289,7 @@ private:
     std::vector<index_pair> scratch;
     sort_pairs(pairs.data(), pairs.size(), scratch);
     if (owned())
-      meet::drop_repeats(pairs);
+      meetc::drop_repeats(pairs);
     result_.count = pairs.size();
     if (options_.mode == collide_mode::count)
       std::vector<index_pair>().swap(pairs);
@@ -318,8 +318,7 @@ device_result collide(device &on, device_set &a, device_set &b, const predicate_
   const auto same = [](const kind_info &x, const kind_info &y) {
     return x.fields == y.fields && std::strcmp(x.name, y.name) == 0;
   };
-  require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b),
-          "the predicate is for other kinds of element");
+  require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
   require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
   device_result r = query(on, a, b, predicate, precision, options).run();
@@ -327,4 +326,4 @@ device_result collide(device &on, device_set &a, device_set &b, const predicate_
   return r;
 }
 
-} // namespace meet
+} // namespace meetc

@@ -6,14 +6,14 @@
 // result::candidates counts pairs whose boxes and balls touch: fewer than on the CPU where a ball rules out more, and so
 // can rungs.unsure be; for the plain rungs, which can say yes where nothing touches, balls are around boxes, and both
 // decide the same pairs.
-#ifndef MEET_CORE_DEVICE_COLLIDE_HPP
-#define MEET_CORE_DEVICE_COLLIDE_HPP
+#ifndef MEETC_CORE_DEVICE_COLLIDE_HPP
+#define MEETC_CORE_DEVICE_COLLIDE_HPP
 
 #include "core/device/set.hpp"
 
 #include <optional>
 
-namespace meet {
+namespace meetc {
 
 struct device_options {
   collide_mode mode = collide_mode::list;
@@ -28,8 +28,8 @@ struct device_options {
 
 struct device_result : result {
   cuda::filter filter = cuda::filter::float32;
-  std::uint64_t near_balls = 0;  // pairs of objects that the filter let through
-  std::uint64_t parts = 0;       // in which the product was gone through
+  std::uint64_t near_balls = 0; // pairs of objects that the filter let through
+  std::uint64_t parts = 0;      // in which the product was gone through
   // From the first kernel to the last, with what is allocated between them; without uploading sets and downloading pairs,
   // where the device had the memory to sort them.
   double device_seconds = 0;
@@ -39,6 +39,6 @@ struct device_result : result {
 device_result collide(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                       const device_options &options = {});
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -1,9 +1,9 @@
 #include "core/device/device.hpp"
 
 #include "core/device/buffers.hpp"
-#include "meet/self_test.hpp"
+#include "meetc/self_test.hpp"
 
-namespace meet {
+namespace meetc {
 namespace {
 
 constexpr const char *on_the_cpu = "; the CPU decides the same pairs (--device cpu)";
@@ -68,8 +68,8 @@ void *allocate_on_device(std::size_t bytes, const char *what_for) {
     return data;
   std::size_t free = 0, all = 0;
   cudaMemGetInfo(&free, &all);
-  throw device_error("not enough device memory: " + std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB asked for " + what_for + ", " +
-                     std::to_string(free >> 20) + " MiB free" + on_the_cpu);
+  throw device_error("not enough device memory: " + std::to_string((bytes + (1 << 20) - 1) >> 20) + " MiB asked for " +
+                     what_for + ", " + std::to_string(free >> 20) + " MiB free" + on_the_cpu);
 }
 
 device::device(const cuda::catalogue &kernels)
@@ -80,9 +80,9 @@ device::device(const cuda::catalogue &kernels)
   check(cudaMemcpy(&probe_, found.data(), sizeof probe_, cudaMemcpyDeviceToHost), "the start-up probe");
   for (unsigned bit = 1; bit <= fault_bits; bit <<= 1)
     if (probe_.arithmetic_faults & bit)
-      throw device_error(std::string("the CUDA device ") + facts_.name +
-                         " does not compute as the error bounds assume: " + text_of(static_cast<arithmetic_fault>(bit)) +
-                         on_the_cpu);
+      throw device_error(
+          std::string("the CUDA device ") + facts_.name +
+          " does not compute as the error bounds assume: " + text_of(static_cast<arithmetic_fault>(bit)) + on_the_cpu);
   check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "making a stream");
 }
 
@@ -127,4 +127,4 @@ const char *model_of(cuda::filter f) {
   return "none";
 }
 
-} // namespace meet
+} // namespace meetc

@@ -2,16 +2,16 @@
 //
 // Nothing here starts CUDA before a device is made. Errors are device_error, one line that says what was asked and
 // what can be done.
-#ifndef MEET_CORE_DEVICE_DEVICE_HPP
-#define MEET_CORE_DEVICE_DEVICE_HPP
+#ifndef MEETC_CORE_DEVICE_DEVICE_HPP
+#define MEETC_CORE_DEVICE_DEVICE_HPP
 
-#include "meet/cuda_table.hpp"
+#include "meetc/cuda_table.hpp"
 
 #include <memory>
 #include <stdexcept>
 #include <string>
 
-namespace meet {
+namespace meetc {
 
 class device_error : public std::runtime_error {
 public:
@@ -66,6 +66,6 @@ const char *model_of(cuda::filter f);
 // Throws device_error with the call and what CUDA says of it.
 void check(cudaError_t e, const char *what);
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <cub/cub.cuh>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 constexpr unsigned threads = 256;
@@ -11,8 +11,9 @@ unsigned blocks_for(std::size_t n) {
   return static_cast<unsigned>(blocks < 65536 ? blocks : 65536);
 }
 
-__global__ void keys_kernel(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
-                            const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys) {
+__global__ void keys_kernel(const index_pair *slots, std::size_t n, const std::uint32_t *order_a,
+                            const std::uint32_t *owner_a, const std::uint32_t *order_b, const std::uint32_t *owner_b,
+                            std::uint64_t *keys) {
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads}) {
     std::uint32_t a = order_a[slots[i].a], b = order_b[slots[i].b];
     a = owner_a ? owner_a[a] : a;
@@ -29,7 +30,8 @@ __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n) {
 } // namespace
 
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
-                    const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys, cudaStream_t stream) {
+                    const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys,
+                    cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
   keys_kernel<<<blocks_for(n), threads, 0, stream>>>(slots, n, order_a, owner_a, order_b, owner_b, keys);
@@ -54,4 +56,4 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
   return cub::DeviceSelect::Unique(space, bytes, keys, to, kept, static_cast<std::int64_t>(n), stream);
 }
 
-} // namespace meet
+} // namespace meetc

@@ -1,17 +1,18 @@
 // core/device/kernels.hpp: what the engine itself runs on the device; no shapes.
-#ifndef MEET_CORE_DEVICE_KERNELS_HPP
-#define MEET_CORE_DEVICE_KERNELS_HPP
+#ifndef MEETC_CORE_DEVICE_KERNELS_HPP
+#define MEETC_CORE_DEVICE_KERNELS_HPP
 
-#include "meet/table.hpp"
+#include "meetc/table.hpp"
 
 #include <cuda_runtime_api.h>
 
-namespace meet {
+namespace meetc {
 
 // Pairs of slots become keys, item_a 2^32 + item_b, whose order is that of the pairs. owner_x null: an element is its
 // own item.
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
-                    const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys, cudaStream_t stream);
+                    const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys,
+                    cudaStream_t stream);
 // And keys pairs, in place.
 cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, cudaStream_t stream);
 
@@ -22,6 +23,6 @@ cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,
                          unsigned long long *kept, std::size_t n, cudaStream_t stream);
 
-} // namespace meet
+} // namespace meetc
 
 #endif

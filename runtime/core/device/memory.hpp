@@ -1,12 +1,12 @@
 // core/device/memory.hpp: device memory that frees itself and grows.
-#ifndef MEET_CORE_DEVICE_MEMORY_HPP
-#define MEET_CORE_DEVICE_MEMORY_HPP
+#ifndef MEETC_CORE_DEVICE_MEMORY_HPP
+#define MEETC_CORE_DEVICE_MEMORY_HPP
 
 #include "core/device/device.hpp"
 
 #include <utility>
 
-namespace meet {
+namespace meetc {
 
 // Throws device_error with the sizes where there is too little.
 void *allocate_on_device(std::size_t bytes, const char *what_for);
@@ -65,6 +65,6 @@ private:
   std::size_t capacity_ = 0;
 };
 
-} // namespace meet
+} // namespace meetc
 
 #endif

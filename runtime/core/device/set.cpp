@@ -8,7 +8,7 @@
 #include <cstring>
 #include <vector>
 
-namespace meet {
+namespace meetc {
 namespace {
 
 std::uint64_t next_version() {
@@ -64,8 +64,8 @@ void device_set::move(const pose &at) {
   bad.reserve(1, "a set under a pose");
   cuda::placement placed{{}, at.length_scale, false};
   std::copy_n(at.m, 12, placed.m);
-  check(launchers_->place({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, placed, order_.data(), to.data(),
-                          bad.data(), on_->stream()),
+  check(launchers_->place({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, placed, order_.data(),
+                          to.data(), bad.data(), on_->stream()),
         "starting a kernel");
   unsigned long long first = 0;
   check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, on_->stream()), "moving a set");
@@ -74,7 +74,8 @@ void device_set::move(const pose &at) {
     const auto slot = static_cast<std::size_t>(first & 0xffffffff);
     std::vector<float> row(fields);
     fault f{fault_kind::moved, static_cast<std::size_t>(first >> 32), 0, 0, 0, nullptr};
-    check(cudaMemcpy(row.data(), to.data() + slot * fields, fields * sizeof(float), cudaMemcpyDeviceToHost), "moving a set");
+    check(cudaMemcpy(row.data(), to.data() + slot * fields, fields * sizeof(float), cudaMemcpyDeviceToHost),
+          "moving a set");
     while (std::isfinite(row[static_cast<std::size_t>(f.field)]))
       ++f.field;
     f.value = row[static_cast<std::size_t>(f.field)];
@@ -101,4 +102,4 @@ cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool fi
   return out;
 }
 
-} // namespace meet
+} // namespace meetc

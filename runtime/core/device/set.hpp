@@ -1,13 +1,13 @@
 // core/device/set.hpp: a prepared set on a device.
 //
 // Uploaded once, posed and collided often. Slots are those of the prepared set, so neighbours in space lie side by side.
-#ifndef MEET_CORE_DEVICE_SET_HPP
-#define MEET_CORE_DEVICE_SET_HPP
+#ifndef MEETC_CORE_DEVICE_SET_HPP
+#define MEETC_CORE_DEVICE_SET_HPP
 
 #include "core/collide.hpp"
 #include "core/device/memory.hpp"
 
-namespace meet {
+namespace meetc {
 
 class device_set {
 public:
@@ -53,6 +53,6 @@ private:
   made have_[2];
 };
 
-} // namespace meet
+} // namespace meetc
 
 #endif

@@ -5,14 +5,13 @@
 
 int main() {
   const float balls[] = {0, 0, 0, 1, 3, 0, 0, 1, 9, 0, 0, 1}, probe[] = {2, 0, 0, 1};
-  const meet::catalogue &all = cell::catalogue();
+  const meetc::catalogue &all = cell::catalogue();
   for (int i = 0; i < all.predicate_count; ++i) {
-    const meet::predicate_info &p = all.predicates[i];
+    const meetc::predicate_info &p = all.predicates[i];
     if (std::strcmp(p.name, "ball_ball") != 0)
       continue;
-    const meet::view a{balls, 3, 16, nullptr, 3}, b{probe, 1, 16, nullptr, 1};
-    const meet::result r =
-        meet::collide(meet::prepare(a, *p.a), meet::prepare(b, *p.b), p, meet::rung::exact);
+    const meetc::view a{balls, 3, 16, nullptr, 3}, b{probe, 1, 16, nullptr, 1};
+    const meetc::result r = meetc::collide(meetc::prepare(a, *p.a), meetc::prepare(b, *p.b), p, meetc::rung::exact);
     std::printf("%llu pairs\n", static_cast<unsigned long long>(r.count));
   }
 }

@@ -5,9 +5,9 @@
 
 int main() {
   try {
-    const meet::device on(cell::cuda::catalogue());
+    const meetc::device on(cell::cuda::catalogue());
     std::printf("device: ready\n");
-  } catch (const meet::device_error &e) {
+  } catch (const meetc::device_error &e) {
     std::printf("device: %s\n", e.what());
   }
 }

@@ -32,20 +32,20 @@ template <class P> void check_decisions() {
   const auto row_b = [&](std::size_t i) { return b.data() + i * P::inputs_b; };
   std::vector<unsigned char> truth(n), hit(n);
   for (std::size_t i = 0; i < n; ++i)
-    truth[i] = meet::decide<P>(meet::integer_signs<P>(row_a(i), row_b(i)));
-  std::vector<meet::answer> answers[5];
+    truth[i] = meetc::decide<P>(meetc::integer_signs<P>(row_a(i), row_b(i)));
+  std::vector<meetc::answer> answers[5];
   for (auto &one : answers)
-    one.assign(n, meet::answer::unsure);
+    one.assign(n, meetc::answer::unsure);
   {
     const auto changed = under_the_word();
     for (std::size_t i = 0; i < n; ++i)
-      hit[i] = meet::decide_certified<P>(row_a(i), row_b(i));
+      hit[i] = meetc::decide_certified<P>(row_a(i), row_b(i));
     for (std::size_t i = 0; i < n; ++i)
-      answers[0][i] = meet::certify<P, meet::in_fp32>(row_a(i), row_b(i));
+      answers[0][i] = meetc::certify<P, meetc::in_fp32>(row_a(i), row_b(i));
     for (std::size_t i = 0; i < n; ++i)
-      answers[1][i] = meet::certify<P, meet::in_fp64>(row_a(i), row_b(i));
+      answers[1][i] = meetc::certify<P, meetc::in_fp64>(row_a(i), row_b(i));
     for (std::size_t i = 0; i < n; ++i)
-      answers[2][i] = meet::certify<P, meet::in_fp64x2>(row_a(i), row_b(i));
+      answers[2][i] = meetc::certify<P, meetc::in_fp64x2>(row_a(i), row_b(i));
   }
   if (boxed_rungs_too) {
     // Each pair in its own box, the least power of two that holds its differences and lengths.
@@ -56,24 +56,22 @@ template <class P> void check_decisions() {
         most = std::fmax(most, std::fabs(row_a(i)[k]));
       for (int k = 0; k < P::inputs_b; ++k)
         most = std::fmax(most, std::fabs(row_b(i)[k]));
-      side[i] = meet::power_above(2 * most);
+      side[i] = meetc::power_above(2 * most);
     }
     for (std::size_t i = 0; i < n; ++i)
-      if (meet::box_holds<P>(side[i])) {
-        using meet::box_form;
-        using meet::boxed_signs;
-        answers[3][i] =
-            meet::decide_sets<P>(boxed_signs<P, box_form::per_object>(row_a(i), row_b(i), side[i]));
-        answers[4][i] =
-            meet::decide_sets<P>(boxed_signs<P, box_form::whole_box>(row_a(i), row_b(i), side[i]));
+      if (meetc::box_holds<P>(side[i])) {
+        using meetc::box_form;
+        using meetc::boxed_signs;
+        answers[3][i] = meetc::decide_sets<P>(boxed_signs<P, box_form::per_object>(row_a(i), row_b(i), side[i]));
+        answers[4][i] = meetc::decide_sets<P>(boxed_signs<P, box_form::whole_box>(row_a(i), row_b(i), side[i]));
       }
   }
   for (std::size_t i = 0; i < n; ++i) {
     ++total.cases;
     total.hit_wrong += hit[i] != truth[i];
     for (const auto &one : answers) {
-      total.certified += one[i] != meet::answer::unsure;
-      total.wrong += one[i] == (truth[i] ? meet::answer::no : meet::answer::yes);
+      total.certified += one[i] != meetc::answer::unsure;
+      total.wrong += one[i] == (truth[i] ? meetc::answer::no : meetc::answer::yes);
     }
   }
 }
@@ -82,25 +80,24 @@ template <class P> void check_signs() {
   const std::size_t n = word ? 3000 : 40000;
   std::vector<float> a, b;
   make_rows(P::inputs_a, P::inputs_b, n, a, b);
-  std::vector<meet::sign_set> fp32(n, meet::sign_set::all()), fp64 = fp32;
-  std::vector<meet::sign> sign(n);
+  std::vector<meetc::sign_set> fp32(n, meetc::sign_set::all()), fp64 = fp32;
+  std::vector<meetc::sign> sign(n);
   {
     const auto changed = under_the_word();
     for (std::size_t i = 0; i < n; ++i)
-      fp32[i] = meet::certify_sign<P, meet::in_fp32>(&a[i * P::inputs_a], &b[i * P::inputs_b]);
+      fp32[i] = meetc::certify_sign<P, meetc::in_fp32>(&a[i * P::inputs_a], &b[i * P::inputs_b]);
     for (std::size_t i = 0; i < n; ++i)
-      fp64[i] = meet::certify_sign<P, meet::in_fp64>(&a[i * P::inputs_a], &b[i * P::inputs_b]);
+      fp64[i] = meetc::certify_sign<P, meetc::in_fp64>(&a[i * P::inputs_a], &b[i * P::inputs_b]);
     for (std::size_t i = 0; i < n; ++i)
-      sign[i] = meet::decide_certified_sign<P>(&a[i * P::inputs_a], &b[i * P::inputs_b]);
+      sign[i] = meetc::decide_certified_sign<P>(&a[i * P::inputs_a], &b[i * P::inputs_b]);
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const meet::sign truth =
-        meet::decide_sign<P>(meet::integer_signs<P>(&a[i * P::inputs_a], &b[i * P::inputs_b]));
+    const meetc::sign truth = meetc::decide_sign<P>(meetc::integer_signs<P>(&a[i * P::inputs_a], &b[i * P::inputs_b]));
     ++total.cases;
     total.hit_wrong += sign[i] != truth;
-    for (const meet::sign_set s : {fp32[i], fp64[i]}) {
+    for (const meetc::sign_set s : {fp32[i], fp64[i]}) {
       total.certified += s.bits != 7;
-      total.wrong += !(s.bits & meet::sign_set::of(truth).bits);
+      total.wrong += !(s.bits & meetc::sign_set::of(truth).bits);
     }
   }
 }
@@ -112,20 +109,19 @@ long inexact_transforms() {
   for (std::size_t i = 0; i < n; ++i) {
     x[i] = static_cast<double>(any(-0x3fffffff, 0x3fffffff)) * 0x1p22 + any(0, 0x3fffff);
     y[i] = static_cast<double>(any(-0x3fffffff, 0x3fffffff)) * 0x1p22 + any(0, 0x3fffff);
-    z[i] = any(0, 1) ? -(x[i] * y[i])
-                     : static_cast<double>(any(-0x3fffffff, 0x3fffffff)) * std::ldexp(1.0, any(0, 60));
+    z[i] = any(0, 1) ? -(x[i] * y[i]) : static_cast<double>(any(-0x3fffffff, 0x3fffffff)) * std::ldexp(1.0, any(0, 60));
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const meet::double_double s = meet::two_sum(x[i] * y[i], z[i]);
+    const meetc::double_double s = meetc::two_sum(x[i] * y[i], z[i]);
     sum[i] = s.hi, rest[i] = s.lo;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const meet::double_double p = meet::two_product(x[i], y[i]);
+    const meetc::double_double p = meetc::two_product(x[i], y[i]);
     product[i] = p.hi, low[i] = p.lo;
   }
   long wrong = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    using meet::int128;
+    using meetc::int128;
     const volatile double rounded = x[i] * y[i];
     wrong += static_cast<int128>(sum[i]) + static_cast<int128>(rest[i]) !=
              static_cast<int128>(rounded) + static_cast<int128>(z[i]);
@@ -152,17 +148,16 @@ void check_all() {
 bool large_triangle_holds() {
   constexpr float h = 0x1p103F;
   const cga::triangle<float> t{{h, -h, -h}, {-h, h, 0}, {h, -h, h}};
-  return cga::point_triangle::hit({0, 0, 0}, t) &&
-         cga::point_triangle::filter({0, 0, 0}, t) != meet::answer::no;
+  return cga::point_triangle::hit({0, 0, 0}, t) && cga::point_triangle::filter({0, 0, 0}, t) != meetc::answer::no;
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
-  const bool standard = meet::standard_environment();
-  const unsigned faults = meet::self_test();
-  std::printf("standard %d, faults %u: %s\n", standard, faults, meet::text_of_faults(faults));
-  boxed_rungs_too = meet::standard_control_word(); // what else is wrong they see themselves
+  const bool standard = meetc::standard_environment();
+  const unsigned faults = meetc::self_test();
+  std::printf("standard %d, faults %u: %s\n", standard, faults, meetc::text_of_faults(faults));
+  boxed_rungs_too = meetc::standard_control_word(); // what else is wrong they see themselves
   check_all();
   total.hit_wrong += !large_triangle_holds();
   std::printf("%ld cases, %ld certified, %ld certified wrong, %ld hits wrong\n", total.cases, total.certified,
@@ -178,13 +173,13 @@ int main(int argc, char **argv) {
       {
         const other_word changed(w);
         kept = changed.kept;
-        seen = !meet::standard_environment() && meet::self_test() != 0;
+        seen = !meetc::standard_environment() && meetc::self_test() != 0;
       }
       ++(!kept ? lacking : seen ? noticed : missed);
       word = &w;
       check_all();
     }
-    std::printf("words: %d noticed, %d missed, %d lacking; %ld certified wrong, %ld hits wrong\n", noticed,
-                missed, lacking, total.wrong, total.hit_wrong);
+    std::printf("words: %d noticed, %d missed, %d lacking; %ld certified wrong, %ld hits wrong\n", noticed, missed,
+                lacking, total.wrong, total.hit_wrong);
   }
 }

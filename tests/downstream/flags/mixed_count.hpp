@@ -16,12 +16,12 @@ template <class P> MIXED_CALLER long wrong_of(std::size_t n) {
   long wrong = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const float *x = a.data() + i * P::inputs_a, *y = b.data() + i * P::inputs_b;
-    const bool truth = meet::decide<P>(meet::integer_signs<P>(x, y));
-    wrong += meet::decide_certified<P>(x, y) != truth;
-    wrong += meet::decide<P>(meet::exact_signs<P>(x, y)) != truth;
-    wrong += meet::certify<P, meet::in_fp32>(x, y) == (truth ? meet::answer::no : meet::answer::yes);
-    wrong += meet::certify<P, meet::in_fp64>(x, y) == (truth ? meet::answer::no : meet::answer::yes);
-    wrong += meet::certify<P, meet::in_fp64x2>(x, y) == (truth ? meet::answer::no : meet::answer::yes);
+    const bool truth = meetc::decide<P>(meetc::integer_signs<P>(x, y));
+    wrong += meetc::decide_certified<P>(x, y) != truth;
+    wrong += meetc::decide<P>(meetc::exact_signs<P>(x, y)) != truth;
+    wrong += meetc::certify<P, meetc::in_fp32>(x, y) == (truth ? meetc::answer::no : meetc::answer::yes);
+    wrong += meetc::certify<P, meetc::in_fp64>(x, y) == (truth ? meetc::answer::no : meetc::answer::yes);
+    wrong += meetc::certify<P, meetc::in_fp64x2>(x, y) == (truth ? meetc::answer::no : meetc::answer::yes);
   }
   return wrong;
 }
@@ -34,14 +34,14 @@ MIXED_CALLER long wrong_of_large() {
     const cga::triangle<float> t{{h, -h, -h}, {-h, h, 0}, {h, -h, h}};
     wrong += !cga::point_triangle::hit(p, t);
     wrong += !cga::segment_triangle::hit({p, p}, t);
-    wrong += cga::point_triangle::filter(p, t) == meet::answer::no;
+    wrong += cga::point_triangle::filter(p, t) == meetc::answer::no;
   }
   return wrong;
 }
 
 MIXED_CALLER long wrong_of_all(std::size_t n) {
-  return wrong_of<cga::point_triangle>(n) + wrong_of<cga::segment_triangle>(n) +
-         wrong_of<cga::ball_segment>(n) + wrong_of_large();
+  return wrong_of<cga::point_triangle>(n) + wrong_of<cga::segment_triangle>(n) + wrong_of<cga::ball_segment>(n) +
+         wrong_of_large();
 }
 
 } // namespace

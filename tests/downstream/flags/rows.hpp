@@ -1,6 +1,6 @@
 // Rows that are hard to decide: batches of inputs near zero, at many scales.
 #pragma once
-#include <meet/support.hpp>
+#include <meetc/support.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -14,14 +14,13 @@ inline int any(int low, int high) {
 }
 inline float nudged(float x) {
   const int steps = any(-1, 1);
-  return steps > 0 ? meet::step_up(x) : steps < 0 ? meet::step_down(x) : x;
+  return steps > 0 ? meetc::step_up(x) : steps < 0 ? meetc::step_down(x) : x;
 }
 
 // n pairs of rows: all points of both operands in one plane or line of a grid, or equal, or a tangent pair of
 // spheres; some numbers then moved to a neighbour; at many scales, subnormal numbers and numbers whose
 // products overflow among them. No arithmetic of this function decides what is right.
-inline void make_rows(int inputs_a, int inputs_b, std::size_t n, std::vector<float> &a,
-                      std::vector<float> &b) {
+inline void make_rows(int inputs_a, int inputs_b, std::size_t n, std::vector<float> &a, std::vector<float> &b) {
   const int inputs = inputs_a + inputs_b;
   for (std::size_t k = 0; k < n; ++k) {
     float row[32];

@@ -35,24 +35,21 @@ void look(const cga::segment<float> &s, const cga::triangle<float> &t) {
 }
 
 // The answer under the word.
-template <class P, class A, class B>
-__attribute__((noinline)) bool asked_under(A a, B b, decltype(plain_word) word) {
+template <class P, class A, class B> __attribute__((noinline)) bool asked_under(A a, B b, decltype(plain_word) word) {
   set_control_word(word);
   const bool hit = P::hit(a, b);
   set_control_word(plain_word);
   return hit;
 }
 // The answer under the plain word, after the program has looked at the same operands under the other.
-template <class P, class A, class B>
-__attribute__((noinline)) bool asked_after(A a, B b, decltype(plain_word) word) {
+template <class P, class A, class B> __attribute__((noinline)) bool asked_after(A a, B b, decltype(plain_word) word) {
   set_control_word(word);
   look(a, b);
   set_control_word(plain_word);
   return P::hit(a, b);
 }
 // The answer under the plain word, before the program looks at the same operands under the other.
-template <class P, class A, class B>
-__attribute__((noinline)) bool asked_before(A a, B b, decltype(plain_word) word) {
+template <class P, class A, class B> __attribute__((noinline)) bool asked_before(A a, B b, decltype(plain_word) word) {
   const bool hit = P::hit(a, b);
   set_control_word(word);
   look(a, b);
@@ -62,7 +59,7 @@ __attribute__((noinline)) bool asked_before(A a, B b, decltype(plain_word) word)
 
 bool may_compute_under(decltype(plain_word) word) {
   const other_word changed(word);
-  return meet::exceptions_are_masked();
+  return meetc::exceptions_are_masked();
 }
 
 template <class P, class A, class B> long wrong_of(const A &of_a, const B &of_b, std::size_t n) {
@@ -77,7 +74,7 @@ template <class P, class A, class B> long wrong_of(const A &of_a, const B &of_b,
         b[i * P::inputs_b + static_cast<std::size_t>(k)] = static_cast<float>(any(0, 9)) * 0x1p-149F;
     }
     const float *x = a.data() + i * P::inputs_a, *y = b.data() + i * P::inputs_b;
-    const bool truth = meet::decide<P>(meet::integer_signs<P>(x, y));
+    const bool truth = meetc::decide<P>(meetc::integer_signs<P>(x, y));
     const auto p = of_a(x);
     const auto q = of_b(y);
     for (const auto word : strange_words) {
@@ -94,9 +91,7 @@ template <class P, class A, class B> long wrong_of(const A &of_a, const B &of_b,
 int main() {
   const auto sphere_of = [](const float *r) { return cga::sphere<float>{{r[0], r[1], r[2]}, r[3]}; };
   const auto point_of = [](const float *r) { return cga::point<float>{r[0], r[1], r[2]}; };
-  const auto segment_of = [](const float *r) {
-    return cga::segment<float>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
-  };
+  const auto segment_of = [](const float *r) { return cga::segment<float>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}}; };
   long wrong = wrong_of<cga::ball_ball>(sphere_of, sphere_of, 4000);
   wrong += wrong_of<cga::point_triangle>(point_of, triangle_of, 2000);
   wrong += wrong_of<cga::segment_triangle>(segment_of, triangle_of, 2000);

@@ -1,10 +1,10 @@
 // Control words that another library may have left behind, each with one thing changed that the bounds
 // assume.
 #pragma once
-#include <meet/control_word.hpp>
+#include <meetc/control_word.hpp>
 
-inline constexpr auto plain_word = meet::plain_control_word;
-using meet::set_control_word;
+inline constexpr auto plain_word = meetc::plain_control_word;
+using meetc::set_control_word;
 
 #if defined(__SSE2__)
 // Denormals are zero, flush to zero, both; the three other rounding modes; each exception unmasked; all of
@@ -28,7 +28,7 @@ class other_word {
 public:
   template <class Word> explicit other_word(Word word) {
     set_control_word(word);
-    kept = settings(meet::control_word()) == settings(word);
+    kept = settings(meetc::control_word()) == settings(word);
   }
   ~other_word() { set_control_word(plain_word); }
   other_word(const other_word &) = delete;

@@ -2,5 +2,6 @@
 #include <cstdio>
 
 int main() {
-  std::printf("norm2 %g\n", double(cell::norm2_meet(cell::sphere<>{{0, 0, 0}, 1}, cell::line<>{{-2, 0, 0}, {2, 0, 0}})));
+  std::printf("norm2 %g\n",
+              double(cell::norm2_meet(cell::sphere<>{{0, 0, 0}, 1}, cell::line<>{{-2, 0, 0}, {2, 0, 0}})));
 }

@@ -1,0 +1,254 @@
+// Names: duplicates, unknown ones, kinds that contain themselves, functions that call themselves.
+#include "gen/lang/spec.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace meetc::lang {
+
+namespace {
+template <class T> const T *find_named(const std::vector<T> &all, const std::string &name) {
+  const auto it = std::find_if(all.begin(), all.end(), [&](const T &t) { return t.name == name; });
+  return it == all.end() ? nullptr : &*it;
+}
+
+using scope = std::set<std::string>;
+
+class name_checker {
+public:
+  explicit name_checker(const algebra &a) : a_(a) {
+    for (const std::string &v : a.vectors)
+      add(v, a.where, "vector");
+    for (const named_expr &c : a.constants)
+      add(c.name, c.where, "constant");
+    for (const kind &k : a.kinds)
+      add(k.name, k.where, "kind");
+    for (const function &f : a.functions)
+      add(f.name, f.where, "function");
+    for (const predicate &p : a.predicates)
+      add(p.name, p.where, "predicate");
+  }
+
+  void run() {
+    for (const kind &k : a_.kinds) {
+      contains_itself(k, {});
+      fields(k.store);
+      expression(*k.blade, names(k.store));
+      for (const constructor &c : k.from) {
+        fields(c.of);
+        expression(*c.blade, names(c.of));
+      }
+      for (const named_expr &p : k.parts) {
+        if (find_named(k.store, p.name))
+          throw spec_error(p.where, fmt::format("'{}' is stored already", p.name));
+        expression(*p.body, names(k.store));
+      }
+      for (const expr_ptr &e : {k.rule, k.hull, k.pad})
+        if (e)
+          expression(*e, names(k.store));
+      if (k.position && std::any_of(k.store.begin(), k.store.end(), [](const field &f) { return f.type != "real"; }))
+        throw spec_error(k.where, "a kind with 'position' stores reals alone, one a spatial axis");
+      if (k.position && k.store.size() > 3)
+        throw spec_error(k.where, "a kind with 'position' has at most three axes");
+      if (const auto cut = k.name.rfind("_blade");
+          cut != std::string::npos && cut + 6 == k.name.size() && a_.find_kind(k.name.substr(0, cut)))
+        throw spec_error(k.where, fmt::format("'{}' is the name of the blade of '{}'", k.name, k.name.substr(0, cut)));
+    }
+    for (const named_expr &c : a_.constants)
+      constant(c, {});
+    for (const named_expr &n : a_.null)
+      if (!a_.find_constant(n.name))
+        throw spec_error(n.where, fmt::format("null vector '{}' is not a constant", n.name));
+    for (const function &f : a_.functions) {
+      expression(*f.body, scope(f.params.begin(), f.params.end()));
+      if (f.domain)
+        expression(*f.domain, scope(f.params.begin(), f.params.end()));
+      calls_itself(f.name, f.where);
+    }
+    for (const predicate &p : a_.predicates) {
+      fields(p.of);
+      scope s = names(p.of);
+      for (const named_expr &l : p.lets) {
+        expression(*l.body, s); // a let sees the operands and the lets above it
+        if (!s.insert(l.name).second)
+          throw spec_error(l.where, fmt::format("'{}' stands twice", l.name));
+      }
+      for (const expr_ptr &r : p.reject)
+        expression(*r, s);
+      expression(*p.hit, s);
+      calls_itself(p.name, p.where);
+    }
+  }
+
+private:
+  const algebra &a_;
+  std::map<std::string, location> declared_;
+  std::set<std::string> open_, done_;
+  std::map<std::string, std::size_t> whole_kinds_; // known to end, with the numbers that each stores
+  std::set<std::string> whole_constants_;
+
+  static constexpr std::size_t most_nested = 500; // definitions within definitions; keeps the stack safe
+  static constexpr std::size_t most_stored = 1000;
+
+  void add(const std::string &name, const location &where, const char *what) {
+    if (const auto [it, fresh] = declared_.try_emplace(name, where); !fresh)
+      throw spec_error(where, fmt::format("{} '{}' is already declared at {}", what, name, it->second.text()));
+  }
+  static scope names(const std::vector<field> &fields) {
+    scope s;
+    for (const field &f : fields)
+      s.insert(f.name);
+    return s;
+  }
+  void fields(const std::vector<field> &all) const {
+    for (const field &f : all)
+      if (f.type != "real" && !a_.find_kind(f.type))
+        throw spec_error(f.where, fmt::format("no kind '{}'; kinds: {}{}", f.type, join(a_.kind_names(), ", "),
+                                              nearest(f.type, a_.kind_names())));
+  }
+  std::size_t contains_itself(const kind &k, std::vector<std::string> open) {
+    if (const auto known = whole_kinds_.find(k.name); known != whole_kinds_.end())
+      return known->second;
+    if (std::find(open.begin(), open.end(), k.name) != open.end())
+      throw spec_error(k.where, fmt::format("kind '{}' contains itself", k.name));
+    open.push_back(k.name);
+    nests(open.size(), k.where);
+    std::size_t numbers = 0;
+    for (const field &f : k.store) {
+      const kind *inner = a_.find_kind(f.type);
+      numbers += inner ? contains_itself(*inner, open) : 1;
+    }
+    if (numbers > most_stored)
+      throw spec_error(k.where, fmt::format("kind '{}' stores more than {} numbers", k.name, most_stored));
+    return whole_kinds_[k.name] = numbers;
+  }
+  static void nests(std::size_t depth, const location &where) {
+    if (depth > most_nested)
+      throw spec_error(where, fmt::format("definitions are nested more than {} deep here", most_nested));
+  }
+  void constant(const named_expr &c, std::vector<std::string> open) {
+    if (whole_constants_.count(c.name))
+      return;
+    if (std::find(open.begin(), open.end(), c.name) != open.end())
+      throw spec_error(c.where, fmt::format("constant '{}' is defined by itself", c.name));
+    open.push_back(c.name);
+    nests(open.size(), c.where);
+    expression(*c.body, {});
+    // Collected first: a walk within a walk would take stack for every level of every expression.
+    std::vector<const named_expr *> others;
+    walk(*c.body, [&](const expr &e) {
+      if (e.kind == op::name)
+        if (const named_expr *other = a_.find_constant(e.text))
+          others.push_back(other);
+    });
+    for (const named_expr *other : others)
+      constant(*other, open);
+    whole_constants_.insert(c.name);
+  }
+  template <class F> static void walk(const expr &e, F &&f) {
+    f(e);
+    for (const binder &b : e.binders)
+      walk(*b.over, f);
+    for (const expr_ptr &arg : e.args)
+      walk(*arg, f);
+  }
+  // Depth-first over calls; `open` marks what is being visited, `done` what is known to end.
+  void calls_itself(const std::string &name, const location &where) {
+    if (done_.count(name))
+      return;
+    if (!open_.insert(name).second)
+      throw spec_error(where, fmt::format("'{}' calls itself; there is no recursion", name));
+    nests(open_.size(), where);
+    std::vector<const expr *> calls; // collected first, as in constant()
+    const auto visit = [&](const expr_ptr &body) {
+      walk(*body, [&](const expr &e) {
+        if (e.kind == op::call && (a_.find_function(e.text) || a_.find_predicate(e.text)))
+          calls.push_back(&e);
+      });
+    };
+    if (const function *f = a_.find_function(name)) {
+      visit(f->body);
+      if (f->domain)
+        visit(f->domain);
+    }
+    if (const predicate *p = a_.find_predicate(name)) {
+      visit(p->hit);
+      for (const named_expr &l : p->lets)
+        visit(l.body);
+      for (const expr_ptr &r : p->reject)
+        visit(r);
+    }
+    for (const expr *e : calls)
+      calls_itself(e->text, e->where);
+    open_.erase(name);
+    done_.insert(name);
+  }
+  void expression(const expr &e, const scope &s) const {
+    if (e.kind == op::name && !s.count(e.text) && !declared_.count(e.text)) {
+      std::vector<std::string> known(s.begin(), s.end());
+      for (const auto &[name, where] : declared_)
+        known.push_back(name);
+      throw spec_error(e.where, fmt::format("unknown name '{}'{}", e.text, nearest(e.text, known)));
+    }
+    if (e.kind == op::call)
+      call(e);
+    scope inner = s;
+    for (const binder &b : e.binders) {
+      expression(*b.over, inner);
+      inner.insert(b.name);
+    }
+    for (const expr_ptr &arg : e.args)
+      expression(*arg, inner);
+  }
+  void call(const expr &e) const {
+    std::size_t want = 1;
+    if (e.text == "sign" || e.text == "grade") {
+    } else if (const function *called = a_.find_function(e.text)) {
+      want = called->params.size();
+    } else if (const predicate *asked = a_.find_predicate(e.text)) {
+      want = asked->of.size();
+    } else if (const kind *made = a_.find_kind(e.text)) {
+      want = made->store.size();
+    } else {
+      std::vector<std::string> known{"sign", "grade"};
+      for (const function &f : a_.functions)
+        known.push_back(f.name);
+      for (const predicate &p : a_.predicates)
+        known.push_back(p.name);
+      for (const kind &k : a_.kinds)
+        known.push_back(k.name);
+      throw spec_error(e.where, fmt::format("unknown function '{}'{}", e.text, nearest(e.text, known)));
+    }
+    if (e.args.size() != want)
+      throw spec_error(
+          e.where, fmt::format("'{}' takes {} argument{}, not {}", e.text, want, want == 1 ? "" : "s", e.args.size()));
+  }
+};
+} // namespace
+
+const kind *algebra::find_kind(const std::string &n) const {
+  return find_named(kinds, n);
+}
+const function *algebra::find_function(const std::string &n) const {
+  return find_named(functions, n);
+}
+const predicate *algebra::find_predicate(const std::string &n) const {
+  return find_named(predicates, n);
+}
+const named_expr *algebra::find_constant(const std::string &n) const {
+  return find_named(constants, n);
+}
+std::vector<std::string> algebra::kind_names() const {
+  std::vector<std::string> out;
+  for (const kind &k : kinds)
+    out.push_back(k.name);
+  return out;
+}
+
+void check(const algebra &a) {
+  name_checker(a).run();
+}
+
+} // namespace meetc::lang

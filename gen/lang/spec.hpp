@@ -1,0 +1,103 @@
+// A spec as it was read: an algebra (with what it imports) and a scene that asks something of it. Names are
+// checked here; what expressions mean is decided where they are expanded.
+#pragma once
+#include "gen/lang/syntax.hpp"
+
+#include <string>
+#include <vector>
+
+namespace meetc::lang {
+
+// 'name: type', where type is 'real' or a kind.
+struct field {
+  std::string name, type;
+  location where;
+};
+
+struct named_expr {
+  std::string name;
+  expr_ptr body;
+  location where;
+};
+
+// Another way to make a kind's blade: [kinds.sphere.from.points].
+struct constructor {
+  std::string name;
+  std::vector<field> of;
+  expr_ptr blade;
+  location where;
+};
+
+struct kind {
+  std::string name;
+  location where;
+  std::vector<field> store; // in memory order and CSV order
+  expr_ptr blade;
+  std::vector<constructor> from;
+  std::vector<named_expr> parts; // members that are computed: corners, edges
+  expr_ptr rule;                 // `where`: what a valid element obeys, or null
+  expr_ptr hull, pad;            // of bounded kinds: points whose hull, padded by a length, the element is
+  bool position = false;         // its reals are coordinates that a translation moves
+};
+
+struct function {
+  std::string name;
+  std::vector<std::string> params;
+  expr_ptr body;
+  expr_ptr domain; // `where`: what the arguments obey, or null
+  location where;
+};
+
+struct predicate {
+  std::string name;
+  location where;
+  std::vector<field> of;        // two operands
+  std::vector<named_expr> lets; // names for parts of the expressions
+  std::vector<expr_ptr> reject; // cheap necessary conditions for a miss
+  expr_ptr hit;
+  std::string mode; // "solid", "surface", or "" when they do not differ
+};
+
+struct algebra {
+  std::string name;
+  location where;
+  std::vector<std::string> vectors;             // the declared basis, in order
+  std::vector<std::vector<std::string>> metric; // exact rationals
+  std::vector<named_expr> null;                 // constants that replace declared vectors for lowering, in order
+  std::vector<named_expr> constants;
+  std::vector<kind> kinds;
+  std::vector<function> functions;
+  std::vector<predicate> predicates;
+
+  const kind *find_kind(const std::string &name) const;
+  const function *find_function(const std::string &name) const;
+  const predicate *find_predicate(const std::string &name) const;
+  const named_expr *find_constant(const std::string &name) const;
+  std::vector<std::string> kind_names() const;
+};
+
+struct kernel_request {
+  expr_ptr what; // a predicate's name, or a function applied to kinds
+  location where;
+};
+
+struct scene {
+  std::string name, space; // the file's stem; the C++ namespace
+  algebra in;
+  std::vector<kernel_request> kernels;
+  std::vector<std::string> rungs, backends;
+  double box = 0; // every coordinate lies in [-box, box], every length in [0, 2 box]; 0: not stated
+  std::vector<std::shared_ptr<const source_file>> files; // everything that was read, for the content hash
+};
+
+// Reads a scene file and the algebra that it names. Throws spec_error.
+scene load_scene(const std::string &path);
+
+// Adds what an algebra file says to `out`; imports are read relative to the file.
+void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files);
+
+// Throws for duplicate names, unknown kinds and kinds that contain themselves, unknown names in expressions, and
+// recursion.
+void check(const algebra &a);
+
+} // namespace meetc::lang

@@ -1,0 +1,77 @@
+// Decisions over sign atoms.
+//
+// An atom is the sign of an irreducible primitive polynomial whose leading coefficient is positive, so signs that
+// are equal (or opposite) are one atom however they were written. A sign value is a unit times a product of atoms;
+// a truth is a hash-consed graph over tests of sign values.
+#pragma once
+#include "gen/poly/poly.hpp"
+
+#include <map>
+#include <vector>
+
+namespace meetc::lower {
+
+// unit * product of atoms; unit 0 is the sign zero. Exponent 2 stands for every even power.
+struct sign_value {
+  int unit = 0;
+  std::vector<std::pair<int, int>> atoms; // (atom, 1 or 2), by atom
+  auto operator<=>(const sign_value &) const = default;
+};
+
+sign_value operator*(const sign_value &a, const sign_value &b);
+sign_value operator-(sign_value a);
+
+// Which signs pass a test: bit 0 negative, bit 1 zero, bit 2 positive (as meetc::in<Mask>).
+using sign_mask = int;
+
+struct truth_node {
+  enum class type { constant, test, both, either, negate, choose } kind;
+  int flag = 0;          // constant: 0 or 1; test: the mask
+  sign_value sign;       // test
+  std::vector<int> args; // both, either: two or more, sorted; negate: one; choose: condition, then, else
+  auto operator<=>(const truth_node &) const = default;
+};
+
+// The atoms and truths of one kernel.
+class decision {
+public:
+  sign_value sign_of(const poly::poly &p);
+  int constant(bool b);
+  int test(const sign_value &s, sign_mask mask);
+  int both(std::vector<int> args) { return connect(truth_node::type::both, std::move(args)); }
+  int either(std::vector<int> args) { return connect(truth_node::type::either, std::move(args)); }
+  int negate(int a);
+  int choose(int condition, int then, int otherwise);
+
+  const std::vector<poly::poly> &atoms() const { return atoms_; }
+  const truth_node &at(int id) const { return nodes_[static_cast<std::size_t>(id)]; }
+  std::size_t size() const { return nodes_.size(); }
+
+  // Evaluates a truth for given signs of the atoms.
+  bool evaluate(int id, const std::vector<int> &signs) const;
+
+  // The atoms that a truth reads, ascending. With `rare` false, the then-branches of choose are left out.
+  std::vector<int> atoms_of(int id, bool rare) const;
+  // The conditions of all choose nodes that a truth reaches outside of then-branches.
+  std::vector<int> conditions_of(int id) const;
+  // The truth as it is when every condition of conditions_of() is false.
+  int usual(int id);
+
+private:
+  std::vector<poly::poly> atoms_;
+  std::map<std::string, int> atom_ids_;
+  std::map<std::string, sign_value> signs_; // by key of the primitive polynomial, factored or not
+  std::vector<truth_node> nodes_;
+  std::map<truth_node, int> node_ids_;
+
+  int intern(truth_node n);
+  int connect(truth_node::type kind, std::vector<int> args);
+};
+
+// A predicate's decision, by stages.
+struct staged {
+  std::vector<int> reject; // truths: any true means a miss
+  int hit = 0;
+};
+
+} // namespace meetc::lower

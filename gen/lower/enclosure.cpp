@@ -1,0 +1,71 @@
+// Bounded kinds: hull, pad and rule as positions in the stored row.
+#include "gen/lower/kernel.hpp"
+
+#include <fmt/format.h>
+
+namespace meetc::lower {
+namespace {
+int input_of(const lower::value &v, const char *what, const location &where) {
+  const auto *m = std::get_if<lower::multivector>(&v.is);
+  if (m && m->is_scalar() && !m->is_zero()) {
+    const auto terms = m->terms().begin()->second.terms();
+    if (terms.size() == 1 && terms[0].coefficient == 1 && terms[0].factors.size() == 1 &&
+        terms[0].factors[0].exponent == 1)
+      return terms[0].factors[0].variable;
+  }
+  throw spec_error(where, fmt::format("{} must be a stored number", what));
+}
+} // namespace
+
+enclosure enclosing(const lower::model &m, const lang::kind &k) {
+  enclosure out;
+  const stored_ring stored = stored_numbers(m, {"k"}, {&k});
+  lower::decision unused;
+  lower::expander expand(m, *stored.numbers, unused);
+  const lower::value self = expand.operand(k, "k.");
+  lower::environment env;
+  const auto &object = *std::get<std::shared_ptr<const lower::object>>(self.is);
+  for (std::size_t i = 0; i < k.store.size(); ++i)
+    env.emplace_back(k.store[i].name, object.fields[i]);
+  const auto add_point = [&](const lower::object &p, const location &where) {
+    if (!p.kind->position)
+      throw spec_error(where, fmt::format("a hull is made of points, not of a {}", p.kind->name));
+    std::vector<int> axes;
+    for (const lower::value &f : p.fields)
+      axes.push_back(input_of(f, "a hull's coordinate", where));
+    out.hull.push_back(std::move(axes));
+  };
+  if (k.position)
+    add_point(object, k.where);
+  if (k.hull) {
+    const lower::value hull = expand.evaluate(*k.hull, env);
+    const auto *points = std::get_if<std::shared_ptr<const lower::list>>(&hull.is);
+    if (!points)
+      throw spec_error(k.hull->where, "a hull is a list of points, as in '[p, q]'");
+    for (const lower::value &p : **points) {
+      const auto *o = std::get_if<std::shared_ptr<const lower::object>>(&p.is);
+      if (!o)
+        throw spec_error(k.hull->where, "a hull is a list of points, as in '[p, q]'");
+      add_point(**o, k.hull->where);
+    }
+  }
+  if (k.pad)
+    out.pad = input_of(expand.evaluate(*k.pad, env), "a pad", k.pad->where);
+  if (k.rule) {
+    const lang::expr &e = *k.rule;
+    const std::string text = lang::print(e);
+    static const std::vector<std::pair<lang::op, const char *>> comparisons{{lang::op::greater_equal, ">= 0"},
+                                                                            {lang::op::greater, "> 0"}};
+    for (const auto &[kind, symbol] : comparisons)
+      if (e.kind == kind && e.args[1]->kind == lang::op::number && e.args[1]->text == "0") {
+        out.rule_input = input_of(expand.evaluate(*e.args[0], env), "what a rule compares", e.args[0]->where);
+        out.rule = symbol;
+        out.rule_text = text;
+      }
+    if (out.rule.empty())
+      throw spec_error(e.where, "a kind's 'where' compares a stored number with 0, as in 'r >= 0'");
+  }
+  return out;
+}
+
+} // namespace meetc::lower

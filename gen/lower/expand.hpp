@@ -1,0 +1,80 @@
+// Expansion: expressions of a spec, evaluated on symbolic operands. Numbers become exact polynomials in the
+// operands' stored numbers, signs and truths become a decision.
+#pragma once
+#include "gen/lower/decision.hpp"
+#include "gen/lower/model.hpp"
+
+#include <memory>
+#include <variant>
+
+namespace meetc::lower {
+
+struct value;
+using list = std::vector<value>;
+
+// An operand, or a part of one: a kind with values for what it stores. Its blade is made on first use.
+struct object {
+  const lang::kind *kind;
+  std::vector<value> fields;
+  mutable std::unique_ptr<multivector> blade;
+};
+
+struct truth {
+  int id;
+};
+
+struct value {
+  std::variant<multivector, sign_value, truth, std::shared_ptr<const object>, std::shared_ptr<const list>> is;
+};
+
+using environment = std::vector<std::pair<std::string, value>>; // the last of a name counts
+
+class expander {
+public:
+  // `numbers` is the ring that all polynomials live in.
+  expander(const model &m, const poly::ring &numbers, decision &signs);
+  // Expands in the declared basis instead of the working one.
+  expander(const model &m, const poly::ring &numbers, decision &signs, const metric &basis,
+           std::vector<std::vector<rational>> declared_vectors);
+
+  // An operand whose stored numbers are the ring's variables prefix + path ("X." + "c.x").
+  value operand(const lang::kind &k, const std::string &prefix) const;
+  // An operand whose blade has one variable a basis blade: prefix + names[i] at blades[i].
+  value general(const std::vector<blade> &blades, const std::vector<std::string> &names) const;
+
+  value evaluate(const lang::expr &e, const environment &env);
+  multivector evaluate_multivector(const lang::expr &e, const environment &env);
+  multivector blade_of(const value &v, const location &where);
+  staged evaluate_predicate(const lang::predicate &p, const std::vector<value> &args);
+
+  const metric &basis() const { return *basis_; }
+
+private:
+  const model &model_;
+  const poly::ring &ring_;
+  decision &signs_;
+  const metric *basis_;
+  std::vector<std::vector<rational>> declared_vectors_; // in the basis of expansion
+  std::vector<std::pair<std::string, value>> constants_;
+  long steps_ = 0;
+  int depth_ = 0;
+
+  struct level; // counts how deep evaluation is
+
+  void charge(std::size_t work, const location &where); // throws when a spec asks for too much
+  multivector number(const rational &q) const;
+  value name(const lang::expr &e, const environment &env);
+  value call(const lang::expr &e, const environment &env);
+  value member(const lang::expr &e, const environment &env);
+  value index(const lang::expr &e, const environment &env);
+  value compare(const lang::expr &e, const environment &env);
+  value quantify(const lang::expr &e, const environment &env);
+  value arithmetic(const lang::expr &e, const environment &env);
+  environment bind(const object &o) const;
+  environment bind(const lang::predicate &p, const std::vector<value> &args, const location &where);
+  int truth_of(const lang::expr &e, const environment &env);
+  poly::poly scalar_of(const multivector &m, const location &where) const;
+  static std::string describe(const value &v);
+};
+
+} // namespace meetc::lower

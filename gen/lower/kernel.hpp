@@ -1,0 +1,103 @@
+// A kernel: one thing that a scene asks for, compiled to programs and decisions, ready for any emitter.
+#pragma once
+#include "gen/lower/build.hpp"
+#include "gen/lower/expand.hpp"
+
+namespace meetc::lower {
+
+using algebra::blade;
+
+// A request with its operands named apart: 'norm2(meet(sphere, line))' on X: sphere, Y: line.
+struct request {
+  std::string text;                       // as the scene wrote it
+  std::string function;                   // "norm2_meet", or the predicate's name
+  lang::expr_ptr body;                    // kinds replaced by operand names; null for a predicate
+  const lang::predicate *asked = nullptr; // a predicate
+  std::vector<std::string> names;         // operand names
+  std::vector<const lang::kind *> kinds;  // of the operands
+  location where;
+
+  std::string name() const; // "norm2_meet_sphere_line"
+};
+
+// What a scene may ask: a predicate by name, or functions applied to kinds.
+request resolve(const lower::model &m, const lang::expr_ptr &what);
+// An expression over operands that the caller names ('S: sphere').
+request resolve(const lower::model &m, const lang::expr_ptr &what,
+                const std::vector<std::pair<std::string, std::string>> &with);
+
+// The basis blades on which a kind can be non-zero, over all its constructors, in reading order.
+std::vector<blade> support(const lower::model &m, const lang::kind &k, bool declared = false);
+
+// One way to make a blade from stored numbers; the coefficients follow support().
+struct blade_maker {
+  std::string name; // "" for the stored form
+  std::vector<lang::field> of;
+  std::vector<std::string> inputs; // "a.x", in memory order
+  program code;
+};
+
+// A value of general blades and of stored operands.
+struct formula {
+  std::vector<blade> result;               // the blades of the results; {0} for a number
+  const lang::kind *result_kind = nullptr; // the kind whose blade has room for them
+  program from_blades;                     // inputs: operands' support() coefficients, one operand after another
+  std::vector<std::string> blade_inputs;   // their names, "X.e1^n"
+  program from_stored;                     // numbers only; inputs: stored numbers, one operand after another
+  std::vector<std::string> stored_inputs;
+  std::vector<poly::poly> polynomials; // of from_blades, in `numbers`
+  std::shared_ptr<poly::ring> numbers;
+};
+
+// One stage of a predicate: some of its atoms, as one program.
+struct stage {
+  std::vector<int> atoms;     // ids in the decision
+  program code;               // results follow `atoms`
+  int degree = 0, growth = 0; // bounds of all values, see magnitudes()
+};
+
+struct predicate {
+  std::shared_ptr<poly::ring> numbers;
+  std::vector<std::string> stored_inputs;
+  int inputs_a = 0, inputs_b = 0;
+  std::shared_ptr<poly::frame> local;
+  lower::decision signs;
+  lower::staged truths;
+  std::vector<int> conditions; // any true: the rare stage is needed
+  int usual = 0;               // the hit when none is
+  lower::sign_value value;     // of a sign kernel, which has the common stage alone
+  stage reject, common, rare;  // empty atoms: the stage is not there
+};
+
+struct kernel {
+  request asked;
+  bool is_predicate = false; // made of signs: a predicate, or one sign
+  bool is_sign = false;      // one sign, as 'side(triangle, point)'
+  formula value;             // when it is not made of signs
+  predicate decision;        // when it is
+};
+
+// `exact`: the exact rung is wanted, which needs signs that are homogeneous in the stored numbers.
+kernel compile(const lower::model &m, const request &r, bool exact = true);
+std::vector<blade_maker> makers(const lower::model &m, const lang::kind &k);
+
+// The stored numbers of operands as a ring, "X.c.x", and how a translation moves them.
+struct stored_ring {
+  std::shared_ptr<poly::ring> numbers;
+  std::vector<poly::stored_number> moves;
+};
+stored_ring stored_numbers(const lower::model &m, const std::vector<std::string> &names,
+                           const std::vector<const lang::kind *> &kinds);
+
+// What a runtime must know of a bounded kind: the hull's points as inputs by axis, the pad's input (-1: none), and
+// the rule that a valid element obeys as (input, "comparison with 0").
+struct enclosure {
+  std::vector<std::vector<int>> hull;
+  int pad = -1;
+  int rule_input = -1;
+  std::string rule, rule_text; // ">= 0", "r >= 0"
+};
+// Empty hull: the kind is not bounded, and no set of it can be searched.
+enclosure enclosing(const lower::model &m, const lang::kind &k);
+
+} // namespace meetc::lower

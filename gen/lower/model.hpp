@@ -1,0 +1,50 @@
+// What a spec's algebra means: the declared basis, the basis that formulas are lowered in, and how each kind is
+// laid out in memory.
+#pragma once
+#include "gen/algebra/multivector.hpp"
+#include "gen/lang/spec.hpp"
+#include "gen/poly/poly.hpp"
+
+namespace meetc::lower {
+
+using algebra::blade;
+using algebra::metric;
+using algebra::rational;
+using multivector = algebra::multivector<poly::poly>;
+
+// One stored number of a kind, in memory order.
+struct stored_real {
+  std::string path; // "c.x"
+  int group = -1;   // the part that it belongs to (a point, a direction), -1 for a bare real
+  int axis = 0;     // its place in the group
+  bool position = false;
+};
+
+struct kind_layout {
+  const lang::kind *kind;
+  std::vector<stored_real> reals;
+  int groups = 0;
+  int points = 0; // how many of the groups are positions
+};
+
+class model {
+public:
+  explicit model(const lang::algebra &a);
+
+  const lang::algebra &spec() const { return spec_; }
+  const metric &declared() const { return declared_; }
+  const metric &working() const { return working_; }
+  // Row i: the i-th declared vector in the working basis, and the reverse.
+  const std::vector<std::vector<rational>> &to_working() const { return to_working_; }
+  const std::vector<std::vector<rational>> &to_declared() const { return to_declared_; }
+
+  kind_layout layout(const lang::kind &k) const;
+  const lang::kind &kind(const std::string &name, const location &where) const;
+
+private:
+  const lang::algebra &spec_;
+  metric declared_, working_;
+  std::vector<std::vector<rational>> to_working_, to_declared_;
+};
+
+} // namespace meetc::lower

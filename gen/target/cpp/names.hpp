@@ -1,0 +1,20 @@
+// Names in emitted C++.
+#pragma once
+#include "gen/lower/kernel.hpp"
+
+#include <string>
+
+namespace meetc::target {
+
+// A spec's name as a C++ identifier that clashes with no keyword and no template parameter.
+std::string identifier(const std::string &name);
+// "c.x" with each part mangled.
+std::string path_identifier(const std::string &path);
+// The field of a blade: "e1_n"; the scalar's is "scalar".
+std::string blade_field(const algebra::metric &m, algebra::blade b);
+// A function's or struct's name for a kernel.
+std::string kernel_function(const lower::request &r);
+// Whether a number obeys a kind's rule, as C++ on its bits.
+std::string rule_test(const lower::enclosure &e, const std::string &number);
+
+} // namespace meetc::target

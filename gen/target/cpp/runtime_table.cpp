@@ -1,0 +1,193 @@
+// The table of kinds and predicates for a runtime, and the shapes that kinds have.
+#include "gen/target/cpp/bounds.hpp"
+#include "gen/target/cpp/cpp.hpp"
+#include "gen/target/cpp/names.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace meetc::target {
+
+std::vector<const lower::kernel *> predicates_of(const unit &u) {
+  std::vector<const lower::kernel *> out;
+  for (const lower::kernel &k : u.kernels)
+    if (k.is_predicate && !k.is_sign)
+      out.push_back(&k);
+  return out;
+}
+
+std::vector<const lang::kind *> element_kinds(const unit &u) {
+  std::vector<const lang::kind *> out;
+  for (const lang::kind &k : u.model.spec().kinds)
+    for (const lower::kernel *p : predicates_of(u))
+      if (std::find(p->asked.kinds.begin(), p->asked.kinds.end(), &k) != p->asked.kinds.end()) {
+        out.push_back(&k);
+        break;
+      }
+  return out;
+}
+
+namespace {
+
+// The CSV header: axes alone where there is one point, numbered where there are more.
+std::string csv_names(const lower::kind_layout &layout) {
+  std::vector<std::string> names;
+  for (const lower::stored_real &r : layout.reals) {
+    const std::string last = r.path.substr(r.path.find_last_of('.') + 1);
+    if (r.position)
+      names.push_back(layout.points > 1 ? last + std::to_string(r.group) : last);
+    else
+      names.push_back(r.group < 0 ? last : r.path);
+  }
+  for (std::string &n : names)
+    std::replace(n.begin(), n.end(), '.', '_');
+  return join(names, ",");
+}
+
+// What each stored number is, for moving it.
+std::vector<std::string> roles_of(const unit &u, const lang::kind &k, const lower::enclosure &e) {
+  std::vector<std::string> roles;
+  int i = 0;
+  for (const lower::stored_real &r : u.model.layout(k).reals) {
+    static const char *const axes[] = {"x", "y", "z"};
+    roles.push_back(fmt::format("::meetc::role::{}", r.position && r.axis < 3 ? axes[r.axis]
+                                                     : i == e.pad             ? "length"
+                                                                              : "other"));
+    ++i;
+  }
+  return roles;
+}
+
+std::string shape_text(const lower::enclosure &e, const std::string &name, const std::vector<std::string> &roles) {
+  const std::size_t fields = roles.size();
+  std::string places, box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::string lo, hi;
+    for (const std::vector<int> &point : e.hull) {
+      const std::string value = axis < point.size() ? fmt::format("row[{}]", point[axis]) : "0.0f";
+      lo = lo.empty() ? value : fmt::format("::meetc::least_of({}, {})", lo, value);
+      hi = hi.empty() ? value : fmt::format("::meetc::most_of({}, {})", hi, value);
+    }
+    if (e.pad >= 0) {
+      // One rounding, then one step outwards: never too small.
+      lo = fmt::format("::meetc::step_down({} - row[{}])", lo, e.pad);
+      hi = fmt::format("::meetc::step_up({} + row[{}])", hi, e.pad);
+    }
+    box += fmt::format("    lo[{0}] = {1};\n    hi[{0}] = {2};\n", axis, lo, hi);
+  }
+  for (const std::vector<int> &point : e.hull)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      places += fmt::format("{}{}", places.empty() ? "" : ", ", axis < point.size() ? point[axis] : -1);
+  return fmt::format("struct {}_shape {{\n  static constexpr int fields = {}, hull = {}, pad = {};\n"
+                     "  MEETC_HD static constexpr int place(int point, int axis) {{\n"
+                     "    constexpr int all[] = {{{}}};\n    return all[3 * point + axis];\n  }}\n"
+                     "  MEETC_HD static constexpr ::meetc::role role_of(int field) {{\n"
+                     "    constexpr ::meetc::role all[] = {{{}}};\n    return all[field];\n  }}\n"
+                     "  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {{\n{}  }}\n}};\n\n",
+                     name, fields, e.hull.size(), e.pad, places, join(roles, ", "), box);
+}
+
+lower::enclosure bounded(const unit &u, const lang::kind &k) {
+  lower::enclosure e = lower::enclosing(u.model, k);
+  if (e.hull.empty())
+    throw spec_error(k.where, fmt::format("kind '{}' stands in a predicate and so needs a 'hull'", k.name));
+  return e;
+}
+
+std::string kind_entry(const unit &u, const lang::kind &k, const lower::enclosure &e) {
+  const lower::kind_layout layout = u.model.layout(k);
+  const bool points_only =
+      std::all_of(layout.reals.begin(), layout.reals.end(), [](const auto &r) { return r.position; });
+  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}}},\n", k.name, csv_names(layout),
+                     layout.reals.size(), identifier(k.name), points_only ? layout.points : 0, identifier(k.name),
+                     e.rule_input >= 0 ? identifier(k.name) + "_fault" : "nullptr");
+}
+
+std::string kind_functions(const unit &u, const lang::kind &k, const lower::enclosure &e) {
+  const std::string name = identifier(k.name);
+  std::string out = fmt::format("const ::meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(u, k, e), ", "));
+  if (e.rule_input >= 0)
+    out += fmt::format("const char *{}_fault(const float *row) {{ return {} ? nullptr : \"{}\"; }}\n", name,
+                       rule_test(e, fmt::format("row[{}]", e.rule_input)), e.rule_text);
+  return out + "\n";
+}
+
+} // namespace
+
+std::string runtime_header(const unit &u) {
+  return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, "file_runtime") +
+         "// The bounded kinds and the predicates on them.\nconst ::meetc::catalogue &catalogue();\n" +
+         close_header(u.scene);
+}
+
+std::string shapes_header(const unit &u) {
+  std::string out =
+      banner(u.scene, "Bounded kinds: where a row holds their points and radius, and their closed boxes.") +
+      open_header(u.scene, "file_shapes") +
+      "// place(): where the row holds a coordinate of a point of the hull; -1: it is 0. pad: where it holds the\n"
+      "// radius around the hull; -1: there is none. box(): never too small, where subnormals are not flushed.\n\n";
+  for (const lang::kind *k : element_kinds(u)) {
+    const lower::enclosure e = bounded(u, *k);
+    out += shape_text(e, identifier(k->name), roles_of(u, *k, e));
+  }
+  out.pop_back();
+  return out + close_header(u.scene);
+}
+
+namespace {
+// The box as the least float32 that is not below it.
+std::string box_literal(double box) {
+  return hex_literal(bound::rounded_up(ir::rational(box), 24), "f");
+}
+} // namespace
+
+std::string runtime_source(const unit &u) {
+  const std::string space = identifier(u.scene.space);
+  std::string out = banner(u.scene, "The table of kinds and predicates.");
+  out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
+  for (const lower::kernel *k : predicates_of(u))
+    out += fmt::format("#include <{}/{}.hpp>\n", space, k->asked.name());
+  out += fmt::format("\nnamespace {} {{\nnamespace {{\n\n", space);
+  const auto kinds = element_kinds(u);
+  std::string entries, functions;
+  for (const lang::kind *k : kinds) {
+    const lower::enclosure e = bounded(u, *k);
+    functions += kind_functions(u, *k, e);
+    entries += kind_entry(u, *k, e);
+  }
+  if (!kinds.empty())
+    out += functions + "const ::meetc::kind_info all_kinds[] = {\n" + entries + "};\n\n";
+  std::string rows;
+  for (const lower::kernel *k : predicates_of(u)) {
+    const auto place = [&](std::size_t i) {
+      return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
+    };
+    const std::string name = identifier(k->asked.asked->name);
+    const auto rung = [&](const char *r, const std::string &function) { return u.asks(r) ? function : "nullptr"; };
+    const auto bounded = [&](const char *a) {
+      return rung("certified", fmt::format("::meetc::certify_pairs<{}, ::meetc::in_{}>", name, a));
+    };
+    rows += fmt::format(
+        "  {{\"{}\", \"{}\", &all_kinds[{}], &all_kinds[{}],\n   {{{}, {}, {}, {}, {}}},\n", k->asked.asked->name,
+        k->asked.asked->mode, place(0), place(1), rung("fp32", fmt::format("::meetc::decide_plain<{}, float>", name)),
+        rung("fp64", fmt::format("::meetc::decide_plain<{}, double>", name)),
+        rung("fp64x2", fmt::format("::meetc::decide_plain<{}, ::meetc::double_double>", name)),
+        u.asks("certified") || u.asks("exact") ? fmt::format("::meetc::decide_exact<{}>", name) : "nullptr",
+        rung("certified", fmt::format("::meetc::decide_certified<{}>", name)));
+    rows += fmt::format("   {{{}, {}, {}}},\n   {}, {}, {}}},\n", bounded("fp32"), bounded("fp64"), bounded("fp64x2"),
+                        rung("certified", fmt::format("::meetc::certify_pairs_in_box<{}>", name)),
+                        u.asks("certified") ? fmt::format("::meetc::least_box<{}>()", name) : "0",
+                        u.asks("certified") ? fmt::format("::meetc::most_box<{}>()", name) : "0");
+  }
+  if (!rows.empty())
+    out += "const ::meetc::predicate_info all_predicates[] = {\n" + rows + "};\n\n";
+  out += fmt::format(
+      "}} // namespace\n\nconst ::meetc::catalogue &catalogue() {{\n  static const ::meetc::catalogue c{{\"{}\", {}, "
+      "{}, {}, {}, {}}};\n  return c;\n}}\n\n}} // namespace {}\n",
+      u.scene.space, kinds.empty() ? "nullptr" : "all_kinds", kinds.size(), rows.empty() ? "nullptr" : "all_predicates",
+      predicates_of(u).size(), box_literal(u.scene.box), space);
+  return out;
+}
+
+} // namespace meetc::target

@@ -1,0 +1,91 @@
+#include "bench/device.hpp"
+
+#include "app/device_pairs.hpp"
+#include "app/failure.hpp"
+#include "app/sets.hpp"
+#include "io/error.hpp"
+
+#include <fmt/format.h>
+
+#if MEETC_WITH_CUDA
+#include "bench/measure.hpp"
+#include "cga/cga_cuda.hpp"
+#include "core/device/collide.hpp"
+
+#include <chrono>
+#endif
+
+namespace meetc::app {
+
+#if MEETC_WITH_CUDA
+
+namespace {
+
+class cuda_bench_device final : public bench_device {
+public:
+  cuda_bench_device() : on_(cga::cuda::catalogue()) {}
+  std::string name() const override { return on_.facts().name; }
+
+  device_time time(const device_job &job, int runs) override {
+    try {
+      const io::element_set &first = job.by.swapped ? job.b : job.a, &second = job.by.swapped ? job.a : job.b;
+      const prepared a = prepare(first), b = prepare(second);
+      device_set on_a(on_, a), on_b(on_, b);
+      device_options o;
+      o.mode = collide_mode::count;
+      o.by = job.blind ? cuda::grouping::single : cuda::grouping::group;
+      device_time out;
+      std::vector<double> alone, whole;
+      for (int i = 0; i <= runs; ++i) {
+        const device_result r = ::meetc::collide(on_, on_a, on_b, *job.by.predicate, job.precision, o);
+        const auto start = std::chrono::steady_clock::now();
+        device_set fresh_a(on_, a), fresh_b(on_, b);
+        out.pairs = ::meetc::collide(on_, fresh_a, fresh_b, *job.by.predicate, job.precision, o).count;
+        const std::chrono::duration<double> with = std::chrono::steady_clock::now() - start;
+        if (i > 0)
+          alone.push_back(r.device_seconds), whole.push_back(with.count());
+      }
+      out.seconds = median(alone);
+      out.seconds_with_transfers = median(whole);
+      return out;
+    } catch (const device_error &e) {
+      throw failure(e.what(), no_device);
+    }
+  }
+
+private:
+  device on_;
+};
+
+} // namespace
+
+std::unique_ptr<bench_device> open_bench_device() {
+  try {
+    return std::make_unique<cuda_bench_device>();
+  } catch (const device_error &) {
+    return nullptr;
+  }
+}
+
+#else
+
+std::unique_ptr<bench_device> open_bench_device() {
+  return nullptr;
+}
+
+#endif
+
+std::unique_ptr<bench_device> bench_device_named(const std::string &name) {
+  if (place_named(name) == place::cuda) {
+#if MEETC_WITH_CUDA
+    try {
+      return std::make_unique<cuda_bench_device>();
+    } catch (const device_error &e) {
+      throw failure(e.what(), no_device);
+    }
+#endif
+  }
+  return name == "auto" ? open_bench_device() : nullptr;
+}
+
+} // namespace meetc::app

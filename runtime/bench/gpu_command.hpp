@@ -1,0 +1,25 @@
+// app/bench/gpu_command.hpp: `meet bench gpu`: kernels and queries on the CUDA device, beside the classic tests.
+#ifndef MEETC_APP_BENCH_GPU_COMMAND_HPP
+#define MEETC_APP_BENCH_GPU_COMMAND_HPP
+
+#include "meetc/support.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace meetc::app {
+
+struct gpu_request {
+  std::optional<std::filesystem::path> folder; // for gpu.md
+  std::optional<std::filesystem::path> data;   // of meshes; without it built-in bodies serve
+  std::optional<std::string> only;             // part of the names of the scenes to measure
+  bool json = false, quick = false;
+};
+
+// Returns what goes to standard output. Throws io::error, or failure with no_device.
+std::string gpu(const catalogue &all, const gpu_request &request);
+
+} // namespace meetc::app
+
+#endif

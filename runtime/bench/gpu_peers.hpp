@@ -1,0 +1,42 @@
+// app/bench/gpu_peers.hpp: what the GPU's kernels are compared with: the classic tests on every pair, and the clock.
+#ifndef MEETC_APP_BENCH_GPU_PEERS_HPP
+#define MEETC_APP_BENCH_GPU_PEERS_HPP
+
+#include <cstddef>
+#include <cuda_runtime_api.h>
+
+namespace meetc::app {
+
+// Each as in peers.hpp, on packed rows in device memory.
+enum class peer { balls_fp32, balls_fp64, moller_fp32, moller_0_fp32, guigue_devillers_fp32, moller_trumbore_0_fp32 };
+constexpr const char *name_of(peer p) {
+  switch (p) {
+  case peer::balls_fp32:
+    return "plain Euclidean, fp32";
+  case peer::balls_fp64:
+    return "plain Euclidean, fp64";
+  case peer::moller_fp32:
+    return "Möller, his epsilon, fp32";
+  case peer::moller_0_fp32:
+    return "Möller, epsilon 0, fp32";
+  case peer::guigue_devillers_fp32:
+    return "Guigue-Devillers, fp32";
+  case peer::moller_trumbore_0_fp32:
+    return "Möller-Trumbore, epsilon 0, fp32";
+  }
+  return "";
+}
+
+// Adds the number of pairs that the test accepts, of n by m, to *count. Every pair is tested.
+cudaError_t count_pairs(peer by, const float *a, std::size_t n, const float *b, std::size_t m,
+                        unsigned long long *count, cudaStream_t stream);
+
+// Cycles of a multiprocessor, and nanoseconds, while one thread waits for about so many milliseconds.
+struct clock_reading {
+  unsigned long long cycles, nanoseconds;
+};
+cudaError_t read_clock(clock_reading *out, double milliseconds, cudaStream_t stream);
+
+} // namespace meetc::app
+
+#endif

@@ -1,0 +1,132 @@
+#include "bench/gpu_scenes.hpp"
+
+#include "app/kinds.hpp"
+#include "app/made_sets.hpp"
+#include "io/read.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace meetc::app {
+
+namespace {
+
+io::element_set ball_cloud(const catalogue &all, std::size_t n, std::uint64_t seed) {
+  // As many hits a pair for any n: about four for a million.
+  const double r = 0.0098;
+  return of_rows(all, "sphere", sphere_cloud(n, seed, 0.8 * r, 1.2 * r));
+}
+
+mesh finer(mesh m, std::size_t least) {
+  while (m.triangles() < least)
+    m = subdivide(m);
+  return m;
+}
+
+mesh of_set(const io::element_set &s) {
+  return {s.data, s.index};
+}
+
+// Segments of a share of the box's longest side, spread over the box of the mesh.
+io::element_set segments_in(const catalogue &all, const io::element_set &mesh, std::size_t n, double share) {
+  double lo[3], hi[3], longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
+    for (std::size_t i = k; i < mesh.data.size(); i += 3)
+      lo[k] = std::fmin(lo[k], static_cast<double>(mesh.data[i])),
+      hi[k] = std::fmax(hi[k], static_cast<double>(mesh.data[i]));
+    longest = std::fmax(longest, hi[k] - lo[k]);
+  }
+  std::vector<float> rows = segment_cloud(n, 5, 2 * share); // of a cube of side 2, and then of one of side `longest`
+  for (std::size_t i = 0; i < rows.size(); i += 6)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double p = rows[i + k], q = rows[i + 3 + k], middle = (p + q) / 2, way = (q - p) / 2;
+      const double at = (lo[k] + hi[k]) / 2 + middle * (hi[k] - lo[k]) / 2;
+      rows[i + k] = static_cast<float>(at - way * longest / 2);
+      rows[i + 3 + k] = static_cast<float>(at + way * longest / 2);
+    }
+  return of_rows(all, "segment", std::move(rows));
+}
+
+} // namespace
+
+std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick) {
+  const std::size_t balls = quick ? 4096 : 262144, triangles = quick ? 20'000 : 4'000'000,
+                    segments = quick ? 500 : 10'000;
+  std::vector<gpu_scene> out;
+  out.push_back({fmt::format("balls, {0} x {0}", balls), "ball_ball",
+                 [&all, balls] { return std::pair(ball_cloud(all, balls, 1), ball_cloud(all, balls, 2)); }});
+  const auto read = [&all](const std::filesystem::path &file, const io::transform &move = {}) {
+    return io::read(file, kinds_of(all), move);
+  };
+  // Meshes of a body and a larger one that it reaches into.
+  const std::function<io::element_set()> body = [&all, data, read, quick] {
+    return data ? read(*data / (quick ? "bunny_5k.ply" : "bunny_69k.ply")) : of_mesh(all, blob(quick ? 48 : 90));
+  };
+  const std::function<io::element_set()> figures = [&all, data, read, quick] {
+    io::transform near;
+    if (data) {
+      near.scale = 0.001;
+      near.translate = {0, 0.1, 0};
+      return read(*data / (quick ? "armadillo_5k.ply" : "armadillo_345k.ply"), near);
+    }
+    near.translate = {0.4, 0, 0};
+    return of_mesh(all, figure(quick ? 48 : 220), near);
+  };
+  out.push_back({data ? "Bunny x Armadillo" : "animal x figure (built in)", "triangle_triangle",
+                 [body, figures] { return std::pair(body(), figures()); }});
+  const auto fine = [&all, body, triangles] { return of_mesh(all, finer(of_set(body()), triangles)); };
+  out.push_back(
+      {"Bunny cut finer x Armadillo", "triangle_triangle", [fine, figures] { return std::pair(fine(), figures()); }});
+  if (!data)
+    out.back().name = "animal cut finer x figure (built in)";
+  const auto lines = [&all, fine](std::size_t n, double share) {
+    return [&all, fine, n, share] {
+      io::element_set mesh = fine();
+      io::element_set s = segments_in(all, mesh, n, share);
+      return std::pair(std::move(s), std::move(mesh));
+    };
+  };
+  out.push_back(
+      {fmt::format("{} segments, 1 % of the box, x mesh", segments), "segment_triangle", lines(segments, 0.01)});
+  out.push_back({"1 segment, 1 % of the box, x mesh", "segment_triangle", lines(1, 0.01)});
+  out.push_back({"100 rays as long as the box x mesh", "segment_triangle", lines(100, 1)});
+  return out;
+}
+
+std::vector<std::function<tangent_scene()>> tangent_scenes(const catalogue &all, bool quick) {
+  const int side = quick ? 12 : 64;
+  std::vector<std::function<tangent_scene()>> out;
+  // Balls of radius 1/2 on a lattice touch six neighbours, and themselves. A share of them is a little smaller and
+  // touches none but those of its own place; copies at a place touch six times as many.
+  const auto lattice = [&all](int n, int copies, int smaller_of_64) {
+    std::vector<float> rows;
+    std::uint32_t state = 1;
+    for (int i = 0; i < n * n * n; ++i) {
+      state = state * 1664525U + 1013904223U;
+      const bool smaller = static_cast<int>(state >> 26) < smaller_of_64;
+      for (int c = 0; c < copies; ++c)
+        rows.insert(rows.end(), {static_cast<float>(i % n), static_cast<float>(i / n % n),
+                                 static_cast<float>(i / n / n), smaller ? 0.4375F : 0.5F});
+    }
+    return of_rows(all, "sphere", std::move(rows));
+  };
+  const auto add = [&out, lattice](const std::string &name, int n, int copies, int smaller) {
+    out.push_back([=] { return tangent_scene{name, lattice(n, copies, smaller), lattice(n, copies, smaller)}; });
+  };
+  add("none tangent", side, 1, 64);
+  add("few tangent", side, 1, 22);
+  add("each tangent to 6", side, 1, 0);
+  add("each tangent to 258", quick ? 6 : 18, 43, 0);
+  const std::size_t m = quick ? 1024 : 16384;
+  out.push_back([&all, m] {
+    std::vector<float> a, b;
+    for (std::size_t i = 0; i < m; ++i)
+      a.insert(a.end(), {0, 0, 0, 0.5F}), b.insert(b.end(), {1, 0, 0, 0.5F});
+    return tangent_scene{"every pair tangent", of_rows(all, "sphere", std::move(a)),
+                         of_rows(all, "sphere", std::move(b))};
+  });
+  return out;
+}
+
+} // namespace meetc::app

@@ -1,0 +1,33 @@
+// app/bench/gpu_scenes.hpp: what `meet bench gpu` measures.
+#ifndef MEETC_APP_BENCH_GPU_SCENES_HPP
+#define MEETC_APP_BENCH_GPU_SCENES_HPP
+
+#include "io/element_set.hpp"
+#include "meetc/support.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meetc::app {
+
+struct gpu_scene {
+  std::string name, predicate;
+  std::function<std::pair<io::element_set, io::element_set>()> make; // the predicate's first and second set
+};
+
+// Throws io::error where the folder lacks a mesh that is needed: bunny_69k.ply, armadillo_345k.ply.
+std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
+
+// Balls of which a share of all pairs touches in exactly one point, which no bound in fp32 can tell.
+struct tangent_scene {
+  std::string name;
+  io::element_set a, b;
+};
+std::vector<std::function<tangent_scene()>> tangent_scenes(const catalogue &all, bool quick);
+
+} // namespace meetc::app
+
+#endif

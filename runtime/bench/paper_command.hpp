@@ -1,0 +1,26 @@
+// app/bench/paper_command.hpp: `meet bench paper`: the paper's tables and its figures 1 to 6 again.
+#ifndef MEETC_APP_BENCH_PAPER_COMMAND_HPP
+#define MEETC_APP_BENCH_PAPER_COMMAND_HPP
+
+#include "meetc/support.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace meetc::app {
+
+struct paper_request {
+  std::optional<std::filesystem::path> folder; // for paper.md and figure_1.png to figure_6.png
+  std::optional<std::filesystem::path> data;   // of meshes; without it built-in bodies serve
+  std::string device = "auto";
+  bool json = false, quick = false;
+  int threads = 0; // of searches for pairs; what is timed on the CPU runs on one core
+};
+
+// Returns what goes to standard output. Throws io::error.
+std::string paper(const catalogue &all, const paper_request &request);
+
+} // namespace meetc::app
+
+#endif

@@ -1,0 +1,91 @@
+// app/bench/paper_parts.hpp: what the parts of `meet bench paper` share, and what each adds to the result.
+#ifndef MEETC_APP_BENCH_PAPER_PARTS_HPP
+#define MEETC_APP_BENCH_PAPER_PARTS_HPP
+
+#include "app/collide_sets.hpp"
+#include "bench/blind.hpp"
+#include "bench/bodies.hpp"
+#include "bench/chart.hpp"
+#include "bench/device.hpp"
+#include "bench/law.hpp"
+#include "bench/table.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meetc::app {
+
+struct paper_context {
+  const catalogue &all;
+  const paper_bodies &bodies;
+  bench_device *device; // null: none
+  yardstick &by;
+  bool quick;
+  int threads, runs;
+  std::uint64_t budget;          // pairs a blind timing may take
+  std::function<void()> advance; // a row is done
+};
+
+struct paper_law {
+  std::string name, words; // one word; "Armadillo triangles hit grow as ..."
+  power_fit fit;
+};
+
+// A picture of two sets and their hits.
+struct paper_scene {
+  io::element_set a, b;
+  std::vector<std::uint8_t> hit_a, hit_b;
+  std::string name_a, name_b;
+  colour base_a, base_b, hit_colour_a, hit_colour_b;
+};
+
+struct paper_figure {
+  int number = 0;
+  std::string title;
+  std::optional<paper_scene> scene; // or
+  std::optional<chart> plot;
+};
+
+struct paper_result {
+  std::vector<table> tables;
+  std::vector<paper_law> laws;
+  std::vector<paper_figure> figures;
+};
+
+// Rows that each part will pass to `advance`.
+std::size_t mesh_rows(const paper_context &c);
+std::size_t sphere_rows(const paper_context &c);
+std::size_t segment_rows(const paper_context &c);
+
+void add_meshes(const paper_context &c, paper_result &to);   // section 4.1, figures 1 to 3; 4.3, figure 6
+void add_spheres(const paper_context &c, paper_result &to);  // section 4.2, figures 4 and 5
+void add_segments(const paper_context &c, paper_result &to); // the table of times in section 4.2
+
+// ---- one row's measurements
+
+// All touching pairs, certified, as `meet collide` finds them.
+struct search {
+  answers found;
+  double time = 0; // one core, both sets made ready, certified; in yardsticks
+  double certified_over_fp32 = 0;
+};
+search search_pairs(const paper_context &c, const io::element_set &a, const io::element_set &b, bool keep);
+
+// The cells "GPU", "with transfers" and "one core / GPU"; the time with transfers in yardsticks, 0 without a
+// device. Throws failure where the device's count is not `pairs`.
+struct device_cells {
+  std::vector<cell> cells;
+  double time = 0, core_over_gpu = 0;
+};
+device_cells ask_device(const paper_context &c, const io::element_set &a, const io::element_set &b, std::uint64_t pairs,
+                        double one_core);
+std::vector<column> device_columns();
+// The paper's claim beside the ratios of a table's rows; nothing without a device.
+void add_claim(const paper_context &c, const std::vector<double> &core_over_gpu, table &to);
+
+decide_function decide_by(const choice &by, rung precision);
+
+} // namespace meetc::app
+
+#endif

@@ -1,0 +1,148 @@
+#include "bench/table.hpp"
+
+#include "app/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace meetc::app {
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string &title) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from <= title.size();) {
+    const std::size_t to = std::min(title.find('|', from), title.size());
+    lines.push_back(title.substr(from, to - from));
+    from = to + 1;
+  }
+  return lines;
+}
+
+// Code points: names may hold letters beyond ASCII.
+std::size_t width(const std::string &text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+std::string padded(const std::string &text, std::size_t to, bool left) {
+  const std::string blanks(to - std::min(to, width(text)), ' ');
+  return left ? text + blanks : blanks + text;
+}
+
+std::string without_end(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + '\n';
+}
+
+} // namespace
+
+cell of_count(std::uint64_t n) {
+  return {grouped(n), std::to_string(n)};
+}
+
+cell of_ratio(double x) {
+  if (!std::isfinite(x))
+    return {"-", "null"};
+  const double size = std::abs(x);
+  return {size >= 1000  ? grouped(static_cast<std::uint64_t>(std::llround(size)))
+          : size >= 100 ? fmt::format("{:.0f}", x)
+          : size >= 10  ? fmt::format("{:.1f}", x)
+          : size >= 0.1 ? fmt::format("{:.2f}", x)
+                        : fmt::format("{:.2g}", x),
+          fmt::format("{:.6g}", x)};
+}
+
+cell of_milliseconds(double seconds) {
+  return {fmt::format("{:.3g}", 1000 * seconds), fmt::format("{:.6g}", 1000 * seconds)};
+}
+
+cell of_words(const std::string &words) {
+  return {words, json_string(words)};
+}
+
+cell missing(const std::string &why) {
+  return {why, "null"};
+}
+
+std::string as_text(const table &t) {
+  std::vector<std::size_t> widths;
+  std::size_t header = 0;
+  for (std::size_t c = 0; c < t.columns.size(); ++c) {
+    std::size_t w = 0;
+    for (const std::string &line : lines_of(t.columns[c].title))
+      w = std::max(w, width(line));
+    for (const auto &row : t.rows)
+      w = std::max(w, width(row[c].text));
+    widths.push_back(w);
+    header = std::max(header, lines_of(t.columns[c].title).size());
+  }
+  std::string out = t.title + "\n\n";
+  for (std::size_t l = 0; l < header; ++l) {
+    std::string line;
+    for (std::size_t c = 0; c < t.columns.size(); ++c) {
+      const std::vector<std::string> title = lines_of(t.columns[c].title);
+      const std::size_t skip = header - title.size();
+      line += std::string(c ? "  " : "") + padded(l < skip ? "" : title[l - skip], widths[c], c == 0);
+    }
+    out += without_end(line);
+  }
+  for (const auto &row : t.rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c)
+      line += std::string(c ? "  " : "") + padded(row[c].text, widths[c], c == 0);
+    out += without_end(line);
+  }
+  for (std::size_t i = 0; i < t.notes.size(); ++i)
+    out += (i == 0 ? "\n" : "") + t.notes[i] + '\n';
+  return out;
+}
+
+std::string as_markdown(const table &t) {
+  std::string out = fmt::format("## {}\n\n|", t.title), rule = "|";
+  for (std::size_t c = 0; c < t.columns.size(); ++c) {
+    std::string title;
+    for (const std::string &line : lines_of(t.columns[c].title))
+      title += (title.empty() || line.empty() ? "" : " ") + line;
+    out += fmt::format(" {} |", title);
+    rule += c == 0 ? "---|" : "---:|";
+  }
+  out += "\n" + rule + "\n";
+  for (const auto &row : t.rows) {
+    out += "|";
+    for (const cell &value : row)
+      out += fmt::format(" {} |", value.text);
+    out += "\n";
+  }
+  for (const std::string &note : t.notes)
+    out += "\n" + note + "\n";
+  return out;
+}
+
+std::string as_json(const table &t) {
+  std::string rows;
+  for (const auto &row : t.rows) {
+    std::string values;
+    for (std::size_t c = 0; c < row.size(); ++c)
+      values += fmt::format("{}\"{}\":{}", c ? "," : "", t.columns[c].key, row[c].json);
+    rows += fmt::format("{}{{{}}}", rows.empty() ? "" : ",", values);
+  }
+  return fmt::format(R"({{"name":"{}","rows":[{}]}})", t.name, rows);
+}
+
+std::string json_string(const std::string &text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  out += '"';
+  return out;
+}
+
+} // namespace meetc::app

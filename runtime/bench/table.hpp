@@ -1,0 +1,39 @@
+// app/bench/table.hpp: a table of results as text, as Markdown and as JSON.
+#ifndef MEETC_APP_BENCH_TABLE_HPP
+#define MEETC_APP_BENCH_TABLE_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace meetc::app {
+
+struct cell {
+  std::string text, json;
+};
+cell of_count(std::uint64_t n); // 345,944
+cell of_ratio(double x);        // three digits; "-" and null where it is not finite
+cell of_milliseconds(double seconds);
+cell of_words(const std::string &words);
+cell missing(const std::string &why); // null
+
+struct column {
+  std::string key, title; // of the JSON object; what people read: '|' where a line may end
+};
+
+struct table {
+  std::string name, title; // name: one word
+  std::vector<column> columns;
+  std::vector<std::vector<cell>> rows;
+  std::vector<std::string> notes;
+};
+
+std::string as_text(const table &t);
+std::string as_markdown(const table &t);
+std::string as_json(const table &t); // an object
+
+std::string json_string(const std::string &text);
+
+} // namespace meetc::app
+
+#endif

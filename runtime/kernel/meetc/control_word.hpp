@@ -1,0 +1,82 @@
+// The floating-point control word: which words the error bounds hold under, and the word of the calling thread.
+//
+// Bounds assume rounding to nearest and gradual underflow. Exceptions must be masked, too: the arithmetic is allowed to
+// overflow (it then proves nothing), and must not end a caller who has unmasked them. The two tests are plain functions of
+// a word, so that every bit is tested on any machine. Sources: Intel 64 and IA-32 Architectures Software Developer's
+// Manual, volume 1, 10.2.3; Arm Architecture Reference Manual for A-profile, FPCR.
+#ifndef MEETC_CONTROL_WORD_HPP
+#define MEETC_CONTROL_WORD_HPP
+
+#include <cstdint>
+
+namespace meetc {
+
+// MXCSR: all six exceptions masked (bits 7 to 12), round to nearest (13, 14), neither denormals-are-zero (6) nor
+// flush-to-zero (15). Bits 0 to 5 record what has happened and change nothing.
+constexpr bool standard_mxcsr(std::uint32_t word) {
+  return (word & 0xffc0) == 0x1f80;
+}
+
+// FPCR: no flush of inputs (FIZ, bit 0), no alternate handling (AH, 1), no trap (IOE, DZE, OFE, UFE, IXE, IDE: 8 to 12
+// and 15), round to nearest (RMode, 22 and 23), no flush-to-zero (FZ, 24). A default NaN (DN, 25) is a NaN like another.
+constexpr bool standard_fpcr(std::uint64_t word) {
+  return (word & 0x1c09f03) == 0;
+}
+
+// The same of the exceptions alone: whether all of them are masked.
+constexpr bool masks_mxcsr(std::uint32_t word) {
+  return (word & 0x1f80) == 0x1f80;
+}
+constexpr bool masks_fpcr(std::uint64_t word) {
+  return (word & 0x9f00) == 0;
+}
+
+// This thread's word, the one that is the standard, and whether the two agree. On a processor that is not known here they
+// do not, so that integers answer.
+#if defined(__SSE2__)
+inline constexpr std::uint32_t plain_control_word = 0x1f80;
+inline std::uint32_t control_word() {
+  return __builtin_ia32_stmxcsr();
+}
+inline void set_control_word(std::uint32_t word) {
+  __builtin_ia32_ldmxcsr(word);
+}
+inline bool standard_control_word() {
+  return standard_mxcsr(control_word());
+}
+inline bool exceptions_are_masked() {
+  return masks_mxcsr(control_word());
+}
+#elif defined(__aarch64__)
+inline constexpr std::uint64_t plain_control_word = 0;
+inline std::uint64_t control_word() {
+  std::uint64_t word;
+  __asm__ volatile("mrs %0, fpcr" : "=r"(word));
+  return word;
+}
+inline void set_control_word(std::uint64_t word) {
+  __asm__ volatile("msr fpcr, %0" : : "r"(word));
+}
+inline bool standard_control_word() {
+  return standard_fpcr(control_word());
+}
+inline bool exceptions_are_masked() {
+  return masks_fpcr(control_word());
+}
+#else
+inline constexpr std::uint64_t plain_control_word = 0;
+inline std::uint64_t control_word() {
+  return 0;
+}
+inline void set_control_word(std::uint64_t) {}
+inline bool standard_control_word() {
+  return false;
+}
+inline bool exceptions_are_masked() {
+  return true;
+}
+#endif
+
+} // namespace meetc
+
+#endif

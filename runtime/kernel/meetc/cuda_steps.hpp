@@ -1,0 +1,288 @@
+// The other stages of an all-pairs query: enclosing balls and columns of a set, and decisions on lists of pairs.
+//
+// A Shape says where a kind's points and its radius lie in a row. Each decision step reads one list and appends to
+// others, so that the next step finds its pairs side by side. How long a list is, only the device knows: kernels are
+// launched for the whole device and walk the list in strides. Included by nvcc alone.
+#ifndef MEETC_CUDA_STEPS_HPP
+#define MEETC_CUDA_STEPS_HPP
+
+#include <meetc/cuda_filter.hpp>
+#include <meetc/frame.hpp>
+#include <meetc/near.hpp>
+
+namespace meetc::cuda {
+
+// ---- a set ----
+
+inline constexpr int set_threads = 128;
+inline unsigned blocks_for(std::size_t n) {
+  return static_cast<unsigned>((n + set_threads - 1) / set_threads);
+}
+
+static __global__ void clear_extent_kernel(extent *around) {
+  clear(*around, static_cast<int>(threadIdx.x));
+}
+inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
+  clear_extent_kernel<<<1, 3, 0, stream>>>(around);
+  return cudaGetLastError();
+}
+
+template <class Shape>
+__global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows, unsigned n, extent *around) {
+  interval mine[3];
+  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads)
+    widen<Shape>(mine, rows + i * std::size_t{Shape::fields});
+  for (int k = 0; k < 3; ++k) {
+    for (int d = 16; d > 0; d /= 2)
+      mine[k] = joined(mine[k], {__shfl_xor_sync(~0U, mine[k].lo, d), __shfl_xor_sync(~0U, mine[k].hi, d)});
+    if (threadIdx.x % 32 == 0 && mine[k].lo <= mine[k].hi)
+      atomicMin(&around->low[k], ordered(mine[k].lo)), atomicMax(&around->high[k], ordered(mine[k].hi));
+  }
+}
+template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
+  if (n == 0)
+    return cudaSuccess;
+  const unsigned blocks = blocks_for(n);
+  enclose_kernel<Shape> < <<blocks<1024 ? blocks : 1024, set_threads, 0, stream>>>(rows, n, around);
+  return cudaGetLastError();
+}
+
+// Writes the padding, too.
+template <class Shape, class Form, bool First, bool Halves>
+__global__ void __launch_bounds__(set_threads)
+    columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
+  const unsigned i = blockIdx.x * set_threads + threadIdx.x; // the grid is as long as the padded array
+  const std::uint32_t size = size_of(g);
+  double ball[4] = {0, 0, 0, 0};
+  placing where = placing::nowhere;
+  if (i < (n + size - 1) / size)
+    where = place_object<Shape>(frame_of(*around), c, rows, i * size, n - i * size < size ? n : i * size + size, ball);
+  if constexpr (Halves) {
+    alignas(16) std::uint16_t out[matrix_columns];
+    to_columns<Form, First>(ball, where, out);
+    auto *to = static_cast<std::uint16_t *>(columns);
+    for (int k = 0; k < matrix_columns; k += 8)
+      *reinterpret_cast<uint4 *>(to + matrix_place(i, k)) = *reinterpret_cast<const uint4 *>(out + k);
+  } else {
+    static_assert((Form::products + 1) * sizeof(float) == float_bytes);
+    float out[Form::products + 1];
+    to_floats<Form, First>(ball, where, out);
+    for (int k = 0; k <= Form::products; ++k)
+      static_cast<float *>(columns)[i * std::size_t{Form::products + 1} + k] = out[k];
+  }
+}
+template <class Shape, class Form>
+cudaError_t columns(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t n,
+                    const extent *around, void *out, cudaStream_t stream) {
+  if (n == 0)
+    return cudaSuccess;
+  const unsigned blocks = blocks_for(matrix_padded(operand{rows, n, g, nullptr}.objects()));
+  if (by != filter::float32 && first)
+    columns_kernel<Shape, Form, true, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
+  else if (by != filter::float32)
+    columns_kernel<Shape, Form, false, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
+  else if (first)
+    columns_kernel<Shape, Form, true, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
+  else
+    columns_kernel<Shape, Form, false, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
+  return cudaGetLastError();
+}
+
+// ---- decisions ----
+
+inline constexpr int step_threads = 128, step_blocks = 1056; // 8 for each of 132 multiprocessors
+
+// Where answers go: an array, one answer a pair, or two lists.
+struct sink {
+  answer *answers; // null: the lists
+  pair_list yes, unsure;
+};
+
+// Pairs a lane takes at once from a long list: their rows are on their way together, and counters are asked less often.
+// From a short one it takes one, so that all lanes have work.
+inline constexpr int step_pairs = 4;
+
+// The share of a list that a warp takes at a time, and where it begins.
+struct walk {
+  unsigned long long n, at, stride;
+  unsigned each; // pairs a lane
+  // `times`: an entry of the list stands for so many.
+  __device__ explicit walk(const pair_list &l, unsigned times = 1)
+      : n((l.count && *l.count < l.capacity ? *l.count : l.capacity) * times) {
+    const unsigned long long lanes = gridDim.x * std::size_t{step_threads};
+    each = n >= lanes * step_pairs ? step_pairs : 1;
+    at = (blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32) * each;
+    stride = lanes * each;
+  }
+  // The place of this lane's pair k, from n on where there is none.
+  __device__ unsigned long long place(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
+};
+
+// in.count may be null: then in.capacity pairs are there.
+template <class P, class Of>
+__global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, const float *b, pair_list in, sink to) {
+  // A warp stays whole: each lane has pairs or none.
+  for (walk w(in); w.at < w.n; w.at += w.stride) {
+    index_pair p[step_pairs] = {};
+    unsigned yes = 0, unsure = 0;
+    MEETC_ROLLED
+    for (int k = 0; k < step_pairs; ++k) {
+      const unsigned long long i = w.place(k);
+      if (i >= w.n)
+        break;
+      const index_pair q = in.pairs[i];
+      const answer x = Of::of(a + std::size_t{q.a} * P::inputs_a, b + std::size_t{q.b} * P::inputs_b);
+      yes |= (x == answer::yes) << k;
+      unsure |= (x == answer::unsure) << k;
+      if (to.answers)
+        to.answers[i] = x;
+    }
+    if (to.answers)
+      continue;
+#pragma unroll
+    for (int k = 0; k < step_pairs; ++k)
+      if ((yes | unsure) >> k & 1)
+        p[k] = in.pairs[w.place(k)];
+    append(yes, p, to.yes);
+    append(unsure, p, to.unsure);
+  }
+}
+
+// Pair i of a list of pairs of objects, taken apart into pairs of slots; false where a group has no such slot.
+__device__ inline bool slots_of(const index_pair *objects, unsigned long long i, const operand &a, const operand &b,
+                                index_pair &p) {
+  if (a.by == grouping::single) {
+    p = objects[i];
+    return true;
+  }
+  const index_pair q = objects[i / (group_size * group_size)];
+  const auto within = static_cast<std::uint32_t>(i % (group_size * group_size));
+  const index_pair slots{q.a * group_size + within / group_size, q.b * group_size + within % group_size};
+  const bool there = slots.a < a.elements && slots.b < b.elements;
+  p = there ? slots : index_pair{0, 0};
+  return there;
+}
+
+template <class P, class A, class B, bool Reject>
+__global__ void __launch_bounds__(step_threads)
+    near_kernel(operand a, operand b, pair_list in, pair_list kept, unsigned long long *touching) {
+  unsigned long long touched = 0;
+  for (walk w(in, a.by == grouping::group ? group_size * group_size : 1); w.at < w.n; w.at += w.stride) {
+    index_pair p[step_pairs] = {};
+    unsigned keep = 0;
+#pragma unroll
+    for (int k = 0; k < step_pairs; ++k) {
+      const unsigned long long i = w.place(k);
+      const bool there = i < w.n && slots_of(in.pairs, i, a, b, p[k]);
+      const bool touch = there && boxes_touch<A, B>(a.rows + std::size_t{p[k].a} * P::inputs_a,
+                                                    b.rows + std::size_t{p[k].b} * P::inputs_b);
+      keep |= touch << k;
+    }
+    touched += __popc(keep);
+    if constexpr (Reject && P::reject_stage::atoms > 0)
+      if (standard_environment()) {
+        MEETC_ROLLED
+        for (unsigned left = keep; left; left &= left - 1) {
+          const int k = __ffs(left) - 1;
+          index_pair q;
+          slots_of(in.pairs, w.place(k), a, b, q);
+          const bool rejected =
+              surely_rejected<P>(a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b);
+          keep &= ~(static_cast<unsigned>(rejected) << k);
+        }
+      }
+    append(keep, p, kept);
+  }
+  for (int d = 16; d > 0; d /= 2)
+    touched += __shfl_xor_sync(~0U, touched, d);
+  if (threadIdx.x % 32 == 0 && touched > 0)
+    atomicAdd(touching, touched);
+}
+
+template <class P, class T> struct plain_step {
+  __device__ static answer of(const float *a, const float *b) { return to_answer(decide<P>(plain_signs<P, T>(a, b))); }
+};
+template <class P> struct exact_step {
+  __device__ static answer of(const float *a, const float *b) { return to_answer(decide<P>(exact_signs<P>(a, b))); }
+};
+template <class P, class A> struct certify_step {
+  __device__ static answer of(const float *a, const float *b) {
+    return standard_environment() ? certify<P, A>(a, b) : answer::unsure;
+  }
+};
+
+template <class P> struct certified_step {
+  __device__ static answer of(const float *a, const float *b) { return to_answer(decide_certified<P>(a, b)); }
+};
+
+template <class P, class Of>
+cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out,
+                        cudaStream_t stream) {
+  if (n == 0)
+    return cudaSuccess;
+  const std::size_t wanted = (n + step_threads * step_pairs - 1) / (step_threads * step_pairs);
+  const unsigned blocks = wanted < 0x7fffffff ? static_cast<unsigned>(wanted) : 0x7fffffff;
+  const pair_list in{const_cast<index_pair *>(pairs), nullptr, n}; // which is only read
+  decide_kernel<P, Of><<<blocks, step_threads, 0, stream>>>(a, b, in, {out, {}, {}});
+  return cudaGetLastError();
+}
+template <class P, class Of>
+cudaError_t decide_list(const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+                        cudaStream_t stream) {
+  decide_kernel<P, Of><<<step_blocks, step_threads, 0, stream>>>(a.rows, b.rows, in, {nullptr, yes, unsure});
+  return cudaGetLastError();
+}
+
+// Rungs that the scene asks for, as bits: 1 << rung.
+template <class P, class A, class B, unsigned Rungs>
+cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+                cudaStream_t stream) {
+  constexpr auto asks = [](rung r) { return (Rungs >> static_cast<int>(r) & 1) != 0; };
+  constexpr bool certified = asks(rung::certified);
+  const auto near = [&](auto reject) {
+    near_kernel<P, A, B, decltype(reject)::value>
+        <<<step_blocks, step_threads, 0, stream>>>(a, b, in, yes, unsure.count);
+    return cudaGetLastError();
+  };
+  switch (which) {
+  case step::near_boxes:
+    return near(std::false_type());
+  case step::near_reject:
+    if constexpr (certified)
+      return near(std::true_type());
+    break;
+  case step::plain_fp32:
+    if constexpr (asks(rung::fp32))
+      return decide_list<P, plain_step<P, float>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::plain_fp64:
+    if constexpr (asks(rung::fp64))
+      return decide_list<P, plain_step<P, double>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::plain_fp64x2:
+    if constexpr (asks(rung::fp64x2))
+      return decide_list<P, plain_step<P, double_double>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::exact:
+    if constexpr (asks(rung::exact) || certified)
+      return decide_list<P, exact_step<P>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::certify_fp32:
+    if constexpr (certified)
+      return decide_list<P, certify_step<P, in_fp32>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::certify_fp64:
+    if constexpr (certified)
+      return decide_list<P, certify_step<P, in_fp64>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::certify_fp64x2:
+    if constexpr (certified)
+      return decide_list<P, certify_step<P, in_fp64x2>>(a, b, in, yes, unsure, stream);
+    break;
+  }
+  return cudaErrorInvalidValue;
+}
+
+} // namespace meetc::cuda
+
+#endif

@@ -1,0 +1,194 @@
+// What generated CUDA code offers to a host: plain data and launchers, no shapes.
+//
+// Every launcher enqueues its work on the stream; it allocates nothing, waits for nothing and throws nothing. All
+// pointers are device memory unless said otherwise. An element's place in its array is its slot.
+#ifndef MEETC_CUDA_TABLE_HPP
+#define MEETC_CUDA_TABLE_HPP
+
+#include <meetc/enclosing.hpp>
+#include <meetc/matrix.hpp>
+#include <meetc/table.hpp>
+
+#include <cuda_runtime_api.h>
+
+namespace meetc::cuda {
+
+// A list that kernels append to, in any order. *count is the true number, also above the capacity (of candidates() a
+// number above it); then some of the pairs are written and the call is to be repeated with more room.
+struct pair_list {
+  index_pair *pairs;
+  unsigned long long *count;
+  unsigned long long capacity;
+};
+
+// What the filter takes as one object: an element, or a group of neighbouring slots. Groups are few, so that far fewer
+// pairs are looked at; pairs of groups that may touch are then taken apart.
+enum class grouping : std::uint8_t { single, group };
+inline constexpr std::uint32_t group_size = 8;
+MEETC_HD constexpr std::uint32_t size_of(grouping g) {
+  return g == grouping::group ? group_size : 1;
+}
+
+// A set in place: rows of floats, and what the filter reads, as X or as Y.
+struct operand {
+  const float *rows;
+  std::uint32_t elements;
+  grouping by;
+  const void *columns; // half_bytes or float_bytes an object, for matrix_padded(objects) of them
+
+  MEETC_HD constexpr std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
+};
+inline constexpr std::size_t half_bytes = 2 * matrix_columns, float_bytes = 20;
+
+// What finds the pairs whose enclosing balls may touch.
+enum class filter : std::uint8_t {
+  float32, // the form in float32; needs no assumption but IEEE arithmetic
+  mma,     // mma.sync, any device of capability 8.0 or more
+  wgmma,   // wgmma, a device of capability 9.0 with code for sm_90a
+  // wgmma with results in half precision: faster still. Assumes of the unit that it adds as for float32 and rounds once,
+  // at the end, where the vendor promises half precision alone. Never chosen unasked.
+  wgmma_half,
+};
+
+// What the start-up probe found, in device memory.
+struct probe_result {
+  unsigned mma_faults, wgmma_faults, wgmma_half_faults; // cases in which the unit left the model of matrix.hpp
+  unsigned has_wgmma;                                   // the device runs code for sm_90a
+  unsigned arithmetic_faults;                           // bits of arithmetic_fault
+  unsigned cases;                                       // that were tried, of each unit
+};
+
+// Elements where the caller has them, in device memory. With `index`, each is so many indices into `vertices` points
+// x, y, z; without, a row of the kind's floats, and `vertices` is not looked at.
+struct view {
+  const float *data;
+  std::size_t stride_bytes; // of a point or row; a multiple of 4 is not needed
+  const std::uint32_t *index;
+  std::uint32_t vertices, elements;
+};
+
+// Row-major 3x4: a point becomes ((m0*x + m1*y) + m2*z) + m3 in fp64, in this order, without fma, rounded once to float32;
+// lengths are multiplied by length_scale. The identity passes every bit through.
+struct placement {
+  double m[12];
+  double length_scale;
+  bool identity;
+};
+
+// A query in the caller's memory. All pointers are device memory.
+struct query_result {
+  unsigned long long count; // the true number of touching pairs, also where it exceeds the capacity
+  // Above list_capacity: the workspace is too small, count is too low, and how much room is needed is not known.
+  unsigned long long candidates, kept;
+  // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus its place; ~0
+  // where all are good. Where one is not, the rest means nothing.
+  unsigned long long bad_a, bad_b;
+};
+struct query {
+  rung precision;
+  filter by; // one that probe() did not refute
+  view a;
+  placement at_a;
+  view b;
+  placement at_b;
+  index_pair *pairs; // in any order; null: only count
+  unsigned long long capacity;
+  query_result *result;
+  void *workspace; // 256-byte aligned
+  std::size_t bytes;
+  unsigned long long list_capacity; // candidates that there is room for between two stages
+};
+
+// One kind of element.
+struct kind_launchers {
+  const char *name;
+  int fields;
+  // Packed rows under the placement; *bad as in query_result, of order[i] for element i (null: i).
+  cudaError_t (*place)(const view &v, const placement &at, const std::uint32_t *order, float *rows,
+                       unsigned long long *bad, cudaStream_t stream);
+  // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes, those that are finite.
+  cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
+  // The filter's columns of all objects in the frame of *around: as X (first) or Y. With balls around boxes the filter
+  // lets every pair through whose boxes touch.
+  cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
+                         const extent *around, void *columns, cudaStream_t stream);
+};
+
+inline constexpr std::uint32_t part_step = 64;
+// A part of the product of two sets' objects; first_a and first_b are multiples of part_step.
+struct part {
+  std::uint32_t first_a, end_a, first_b, end_b;
+};
+
+// What a decision step runs on a list of candidates.
+enum class step : std::uint8_t {
+  near_boxes,  // keeps the pairs whose closed boxes touch
+  near_reject, // ... and that the reject stage, certified in fp32, does not rule out
+  plain_fp32,
+  plain_fp64,
+  plain_fp64x2,
+  exact,
+  certify_fp32,
+  certify_fp64,
+  certify_fp64x2,
+};
+
+// What a rung takes after the first step (near_reject for `certified`, else near_boxes): each step what the one before
+// left unsure. count 0: no such rung.
+struct ladder_steps {
+  step of[4];
+  int count;
+};
+constexpr ladder_steps steps_of(rung precision) {
+  switch (precision) {
+  case rung::fp32:
+    return {{step::plain_fp32}, 1};
+  case rung::fp64:
+    return {{step::plain_fp64}, 1};
+  case rung::fp64x2:
+    return {{step::plain_fp64x2}, 1};
+  case rung::exact:
+    return {{step::exact}, 1};
+  case rung::certified:
+    return {{step::certify_fp32, step::certify_fp64, step::certify_fp64x2, step::exact}, 4};
+  }
+  return {{}, 0};
+}
+constexpr step first_step(rung precision) {
+  return precision == rung::certified ? step::near_reject : step::near_boxes;
+}
+// Plain rungs can say yes where nothing touches; with balls around boxes they are asked about what the CPU asks about.
+constexpr cover balls_for(rung precision) {
+  return precision == rung::certified || precision == rung::exact ? cover::element : cover::box;
+}
+
+struct predicate_launchers {
+  const char *name;
+  int kind_a, kind_b; // places in the catalogue's kinds
+  // Reads min(*in.count, in.capacity) pairs. near_*: they are of objects, are taken apart into pairs of slots, what is
+  // kept goes to `yes`, and the number of pairs with touching boxes is added to *unsure.count. Else: of slots; hits go to `yes` and what certify_* cannot tell to `unsure`.
+  // cudaErrorInvalidValue where the scene does not ask for the rung.
+  cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+                     cudaStream_t stream);
+  // A whole query, and the bytes that it needs.
+  cudaError_t (*pairs)(const query &q, cudaStream_t stream);
+  std::size_t (*workspace)(std::uint32_t elements_a, std::uint32_t elements_b, unsigned long long list_capacity);
+};
+
+struct catalogue {
+  const char *space;
+  const kind_launchers *kinds;
+  int kind_count;
+  const predicate_launchers *predicates;
+  int predicate_count;
+  cudaError_t (*clear_extent)(extent *around, cudaStream_t stream);
+  // Appends the pairs of objects in the part whose enclosing balls may touch. Both operands are grouped alike. Stops early, and may leave pairs out of the
+  // count, once the list is full.
+  cudaError_t (*candidates)(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream);
+  // Refutes the model of the matrix units, or does not; checks the arithmetic that the bounds assume.
+  cudaError_t (*probe)(probe_result *out, cudaStream_t stream);
+};
+
+} // namespace meetc::cuda
+
+#endif

@@ -1,0 +1,158 @@
+// Numbers of about 106 bits as unevaluated sums of two doubles, |lo| <= ulp(hi)/2.
+//
+// Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic",
+// ACM TOMS 44(2), 2017: sums are within 3 u^2 / (1 - 4u), products within 5 u^2 of the true result, u = 2^-53. All
+// operations here are therefore within 2^-102, with room for underflow as long as products stay above 2^-960.
+//
+// All are inlined: a copy that another translation unit calls may know another fma().
+#ifndef MEETC_DOUBLE_DOUBLE_HPP
+#define MEETC_DOUBLE_DOUBLE_HPP
+
+#include <meetc/logic.hpp>
+
+#include <type_traits>
+
+namespace meetc {
+
+struct double_double {
+  double hi, lo;
+  double_double() = default;
+  MEETC_HD explicit double_double(double h) : hi(h), lo(0) {}
+  MEETC_HD double_double(double h, double l) : hi(h), lo(l) {}
+};
+
+// ---- error-free transforms: exact barring overflow (two_product: and underflow), for any compiler flags ----
+
+// hi + lo = a + b.
+MEETC_HD MEETC_INLINE double_double two_sum(double a, double b) {
+#if defined(__CUDA_ARCH__)
+  const double s = __dadd_rn(a, b), t = __dsub_rn(s, a);
+  return {s, __dadd_rn(__dsub_rn(a, __dsub_rn(s, t)), __dsub_rn(b, t))};
+#else
+  a = opaque(a), b = opaque(b); // a product that comes in must not be contracted with the sum
+  const double s = opaque(a + b), t = opaque(s - a), rest = opaque(s - t), x = opaque(a - rest), y = opaque(b - t);
+  return {s, x + y};
+#endif
+}
+
+// The same where |a| >= |b| or a = 0.
+MEETC_HD MEETC_INLINE double_double fast_two_sum(double a, double b) {
+#if defined(__CUDA_ARCH__)
+  const double s = __dadd_rn(a, b);
+  return {s, __dsub_rn(b, __dsub_rn(s, a))};
+#else
+  const double s = opaque(a + b), t = opaque(s - a);
+  return {s, b - t};
+#endif
+}
+
+// hi + lo = a b.
+MEETC_HD MEETC_INLINE double_double two_product(double a, double b) {
+#if defined(__CUDA_ARCH__)
+  const double p = __dmul_rn(a, b);
+  return {p, __fma_rn(a, b, -p)};
+#else
+  const double p = opaque(a * b);
+  return {p, __builtin_fma(a, b, -p)};
+#endif
+}
+
+// ---- arithmetic ----
+
+MEETC_HD MEETC_INLINE double_double operator-(const double_double &x) {
+  return {-x.hi, -x.lo};
+}
+
+MEETC_HD MEETC_INLINE double_double operator+(const double_double &x, const double_double &y) {
+  const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
+  const double_double v = fast_two_sum(s.hi, opaque(s.lo + t.hi));
+  return fast_two_sum(v.hi, opaque(t.lo + v.lo));
+}
+MEETC_HD MEETC_INLINE double_double operator+(const double_double &x, double y) {
+  const double_double s = two_sum(x.hi, y);
+  return fast_two_sum(s.hi, opaque(x.lo + s.lo));
+}
+MEETC_HD MEETC_INLINE double_double operator+(double x, const double_double &y) {
+  return y + x;
+}
+MEETC_HD MEETC_INLINE double_double operator-(const double_double &x, const double_double &y) {
+  return x + -y;
+}
+MEETC_HD MEETC_INLINE double_double operator-(const double_double &x, double y) {
+  return x + -y;
+}
+MEETC_HD MEETC_INLINE double_double operator-(double x, const double_double &y) {
+  return -y + x;
+}
+
+MEETC_HD MEETC_INLINE double_double operator*(const double_double &x, const double_double &y) {
+  const double_double c = two_product(x.hi, y.hi);
+  const double low = __builtin_fma(x.lo, y.hi, opaque(x.hi * y.lo));
+  return fast_two_sum(c.hi, opaque(c.lo + low));
+}
+MEETC_HD MEETC_INLINE double_double operator*(const double_double &x, double y) {
+  const double_double c = two_product(x.hi, y);
+  return fast_two_sum(c.hi, __builtin_fma(x.lo, y, c.lo));
+}
+MEETC_HD MEETC_INLINE double_double operator*(double x, const double_double &y) {
+  return y * x;
+}
+
+MEETC_HD MEETC_INLINE sign sign_of(const double_double &v) {
+  return static_cast<sign>(static_cast<int>(v.hi > 0) - static_cast<int>(v.hi < 0));
+}
+
+// ---- one emitted formula for every number type ----
+//
+// T holds the values of degree 1 and 2, W those above; they differ only where T is double and W double_double.
+
+template <class T> MEETC_HD MEETC_INLINE constexpr sign sign_of(const T &v) {
+  return static_cast<sign>(static_cast<int>(v > T(0)) - static_cast<int>(v < T(0)));
+}
+
+template <class W, class A, class B> MEETC_HD MEETC_INLINE constexpr W times(const A &a, const B &b) {
+  if constexpr (std::is_same_v<W, double_double> && std::is_same_v<A, double> && std::is_same_v<B, double>)
+    return two_product(a, b);
+  else
+    return W(a * b);
+}
+
+MEETC_HD MEETC_INLINE float fma(float a, float b, float c) {
+  return __builtin_fmaf(a, b, c);
+}
+MEETC_HD MEETC_INLINE double fma(double a, double b, double c) {
+  return __builtin_fma(a, b, c);
+}
+template <class A, class B, class C> MEETC_HD MEETC_INLINE constexpr C fma(const A &a, const B &b, const C &c) {
+  return times<C>(a, b) + c;
+}
+
+MEETC_HD MEETC_INLINE float magnitude_of(float v) {
+  return __builtin_fabsf(v);
+}
+MEETC_HD MEETC_INLINE double magnitude_of(double v) {
+  return __builtin_fabs(v);
+}
+// Of a double-double, its high word's: within 2^-53 of the whole.
+MEETC_HD MEETC_INLINE double magnitude_of(const double_double &v) {
+  return __builtin_fabs(v.hi);
+}
+MEETC_HD MEETC_INLINE float leading(float v) {
+  return v;
+}
+MEETC_HD MEETC_INLINE double leading(double v) {
+  return v;
+}
+MEETC_HD MEETC_INLINE double leading(const double_double &v) {
+  return v.hi;
+}
+MEETC_HD MEETC_INLINE float largest_finite(float) {
+  return 0x1.fffffep127F;
+}
+MEETC_HD MEETC_INLINE double largest_finite(double) {
+  return 0x1.fffffffffffffp1023;
+}
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,130 @@
+// A ball around any bounded element: its hull, a few points, and the radius around that.
+//
+// A Shape says where a kind's points and its radius lie in a row: fields, hull (the number of points), place(), pad, and
+// a closed box, box().
+#ifndef MEETC_ENCLOSING_HPP
+#define MEETC_ENCLOSING_HPP
+
+#include <meetc/environment.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace meetc {
+
+template <class Shape> MEETC_HD inline double hull_point(const float *row, int point, int axis) {
+  const int at = Shape::place(point, axis);
+  return at < 0 ? 0 : static_cast<double>(row[at]);
+}
+
+// A ball x, y, z, r that holds the element, in fp64: r is rounded up, by more than it can be off. The centre starts in
+// the middle of the hull's box and walks towards the farthest point (Badoiu and Clarkson, "Smaller core-sets for
+// balls", 2003); any centre gives a right ball.
+template <class Shape> MEETC_HD inline void enclosing_ball(const float *row, double ball[4]) {
+  for (int k = 0; k < 3; ++k) {
+    double lo = hull_point<Shape>(row, 0, k), hi = lo;
+    for (int p = 1; p < Shape::hull; ++p) {
+      const double v = hull_point<Shape>(row, p, k);
+      lo = v < lo ? v : lo, hi = hi < v ? v : hi;
+    }
+    ball[k] = lo / 2 + hi / 2;
+  }
+  double farthest = 0;
+  constexpr int steps = Shape::hull > 2 ? 8 : 0;
+  for (int step = 0; step <= steps; ++step) {
+    int which = 0;
+    farthest = 0;
+    for (int p = 0; p < Shape::hull; ++p) {
+      double d = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double x = hull_point<Shape>(row, p, k) - ball[k];
+        d += x * x;
+      }
+      which = d > farthest ? p : which;
+      farthest = d > farthest ? d : farthest;
+    }
+    if (step < steps)
+      for (int k = 0; k < 3; ++k)
+        ball[k] += (hull_point<Shape>(row, which, k) - ball[k]) * (1.0 / (step + 2));
+  }
+  ball[3] = std::sqrt(farthest) * (1 + 0x1p-48);
+  if constexpr (Shape::pad >= 0)
+    ball[3] = (ball[3] + static_cast<double>(row[Shape::pad])) * (1 + 0x1p-50);
+}
+
+// What an object's ball encloses: the elements, or their boxes too.
+enum class cover : std::uint8_t { element, box };
+
+// False of NaN.
+MEETC_HD inline bool is_finite(float x) {
+  return std::fabs(x) < HUGE_VALF;
+}
+MEETC_HD inline bool is_finite(double x) {
+  return std::fabs(x) < HUGE_VAL;
+}
+
+// Whether the boxes of all these elements are finite. A box rounded outwards can reach beyond float32 where the element's
+// own numbers do not; no ball is made of such a box, and no frame takes it in.
+template <class Shape>
+MEETC_HD inline bool have_finite_boxes(const float *rows, std::uint32_t first, std::uint32_t end) {
+  bool finite = true;
+  for (std::uint32_t i = first; i < end; ++i) {
+    float lo[3], hi[3];
+    Shape::box(rows + i * std::size_t{Shape::fields}, lo, hi);
+    for (int k = 0; k < 3; ++k)
+      finite &= is_finite(lo[k]) & is_finite(hi[k]);
+  }
+  return finite;
+}
+
+// A ball that holds the element's box, however that is rounded. The box is finite.
+template <class Shape> MEETC_HD inline void ball_of_box(const float *row, double ball[4]) {
+  float lo[3], hi[3];
+  Shape::box(row, lo, hi);
+  double square = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double l = static_cast<double>(lo[k]), h = static_cast<double>(hi[k]);
+    ball[k] = l / 2 + h / 2;
+    const double half = h / 2 - l / 2;
+    square += half * half;
+  }
+  ball[3] = std::sqrt(square) * (1 + 0x1p-48);
+}
+
+// The ball of an object: what `c` says of each of its elements. Their boxes are finite.
+template <class Shape>
+MEETC_HD inline void object_ball(cover c, const float *rows, std::uint32_t first, std::uint32_t end, double ball[4]) {
+  const auto one = [&](std::uint32_t i, double out[4]) {
+    const float *row = rows + i * std::size_t{Shape::fields};
+    if (c == cover::box)
+      ball_of_box<Shape>(row, out);
+    else
+      enclosing_ball<Shape>(row, out);
+  };
+  if (end == first + 1)
+    return one(first, ball);
+  double lo[3], hi[3], each[4];
+  for (int k = 0; k < 3; ++k)
+    lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
+  for (std::uint32_t i = first; i < end; ++i) {
+    one(i, each);
+    for (int k = 0; k < 3; ++k)
+      lo[k] = std::fmin(lo[k], each[k] - each[3]), hi[k] = std::fmax(hi[k], each[k] + each[3]);
+  }
+  double reach = 0;
+  for (int k = 0; k < 3; ++k)
+    ball[k] = lo[k] / 2 + hi[k] / 2;
+  for (std::uint32_t i = first; i < end; ++i) {
+    one(i, each);
+    double square = 0;
+    for (int k = 0; k < 3; ++k)
+      square += (each[k] - ball[k]) * (each[k] - ball[k]);
+    reach = std::fmax(reach, std::sqrt(square) * (1 + 0x1p-48) + each[3]);
+  }
+  ball[3] = reach * (1 + 0x1p-50);
+}
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,191 @@
+// What the arithmetic of generated code takes for granted of compiler and machine, and how it is checked.
+//
+// Bounds assume IEEE 754 binary32 and binary64, round to nearest, gradual underflow, an fma() that rounds once, NaN and
+// infinities that are kept, and sums that are not reassociated. They do not mind whether a product and a sum are
+// contracted to a fused multiply-add. Error-free transforms do mind: they stand behind opaque(), which no compiler looks
+// through. docs/numerics.md lists each assumption with the place that checks it.
+#ifndef MEETC_ENVIRONMENT_HPP
+#define MEETC_ENVIRONMENT_HPP
+
+#include <meetc/control_word.hpp>
+
+#include <cstdint>
+
+#if defined(__FAST_MATH__)
+#error "meet: -ffast-math breaks error bounds and comparisons with NaN; compile without it"
+#endif
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
+#error "meet: -ffinite-math-only breaks comparisons with NaN and infinities; compile without it"
+#endif
+#if defined(__ASSOCIATIVE_MATH__) && __ASSOCIATIVE_MATH__
+#error "meet: -fassociative-math breaks error bounds; compile without it"
+#endif
+
+static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant shortens constants; compile without it");
+
+#if defined(__CUDACC__)
+#define MEETC_HD __host__ __device__
+#else
+#define MEETC_HD
+#endif
+
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16 && !defined(__CUDA_ARCH__)
+#error "meet: intermediate results are wider than their type; compile with -msse2 -mfpmath=sse"
+#endif
+
+// The rare paths are kept out of line, and rolled up on the device: they cost little time and save much code. On the
+// device nothing is called out of line (see integers.hpp).
+//
+// MEETC_INLINE marks arithmetic that a bound is claimed for, and what checks the compiler: both must be compiled as one
+// function, by one set of flags. A linker that finds two copies of an inline function keeps either, and the other may
+// have been compiled under `#pragma GCC optimize("Ofast")`.
+#if defined(__CUDA_ARCH__)
+#define MEETC_NOINLINE
+#define MEETC_INLINE inline
+#define MEETC_ROLLED _Pragma("unroll 1")
+#else
+#define MEETC_NOINLINE __attribute__((noinline))
+#define MEETC_INLINE __attribute__((always_inline)) inline
+#define MEETC_ROLLED
+#endif
+
+namespace meetc {
+
+// The value x, of which the compiler knows nothing: what is computed from it is neither contracted nor reassociated
+// with what it came from.
+template <class T> MEETC_HD MEETC_INLINE T opaque(T x) {
+#if defined(__CUDA_ARCH__)
+  return x; // device code uses the intrinsics that are never contracted instead
+#elif (defined(__GNUC__) || defined(__clang__)) && defined(__SSE2__)
+  __asm__("" : "+x"(x));
+  return x;
+#elif (defined(__GNUC__) || defined(__clang__)) && defined(__aarch64__)
+  __asm__("" : "+w"(x));
+  return x;
+#else
+  volatile T y = x;
+  return y;
+#endif
+}
+
+// ---- the compiler ----
+
+// Whether this function is compiled as the bounds assume. Flags are refused above where they define a macro; those that
+// come by a pragma or an attribute define none, nor do clang's -fno-honor-nans and -fassociative-math. But an optimiser
+// that may do so reduces the expressions below to constants, and one that may not cannot: nothing is left of them where
+// all is well. Without an optimiser (-O0) they say nothing; that a compiler then computes what is written is taken on
+// trust. On the device standard_environment() looks at what the flags do.
+//
+// No bool here is const: the initialiser of a constant is evaluated before any optimiser has seen it.
+MEETC_HD MEETC_INLINE bool keeps_nan_and_infinity() {
+#if defined(__CUDA_ARCH__)
+  return true;
+#else
+  float x = opaque(1.0F);
+  bool nan_is_lost = __builtin_constant_p(x == x) || __builtin_constant_p(x - x);
+  bool infinity_is_lost = __builtin_constant_p(x == __builtin_inff()) || __builtin_constant_p(x < __builtin_inff());
+  return !nan_is_lost && !infinity_is_lost;
+#endif
+}
+MEETC_HD MEETC_INLINE bool keeps_order_of_sums() {
+#if defined(__CUDA_ARCH__)
+  return true;
+#else
+  constexpr float big = 0x1p30F;
+  float x = opaque(1.0F);
+  bool reassociated = __builtin_constant_p((x + big) - x) || __builtin_constant_p((x + big) - big == x) ||
+                      __builtin_constant_p(x * 3 * 5 == x * 15) || __builtin_constant_p(x + big + big == x + 2 * big);
+  return !reassociated;
+#endif
+}
+MEETC_HD MEETC_INLINE bool compiled_as_written() {
+  return keeps_nan_and_infinity() && keeps_order_of_sums();
+}
+
+#if !defined(__FMA__) && !defined(__FMA4__) && !defined(__aarch64__) && !defined(__CUDA_ARCH__)
+// Whether the C library's fma() and fmaf() round once, on samples, in a standard environment: where the processor's own
+// instruction is not compiled in, they are calls. Each case is lost by a way of rounding twice: through the type itself,
+// through double, through the 64 bits of the x87; and what works near 1 may not do so far from it.
+MEETC_NOINLINE inline bool library_fma_rounds_once() {
+  const float a = opaque(1 + 0x1p-12F); // a a = 1 + 2^-11 + 2^-24, half way between two floats
+  bool single = __builtin_fmaf(a, a, opaque(0x1p-100F)) == 1 + 0x1p-11F + 0x1p-23F &&
+                __builtin_fmaf(a, a, opaque(-0x1p-100F)) == 1 + 0x1p-11F;
+  constexpr float scales[] = {0x1p-50F, 1, 0x1p50F};
+  for (const float s : scales)
+    single = single && __builtin_fmaf(a * s, a * s, opaque(-1 - 0x1p-11F) * s * s) == 0x1p-24F * s * s;
+  const double b = opaque(1 + 0x1p-52), c = opaque(1 + 0x1p-27); // c c = 1 + 2^-26 + 2^-54, a quarter of a unit beyond
+  constexpr double far_scales[] = {0x1p-420, 0x1p-150, 1, 0x1p150, 0x1p420};
+  for (const double s : far_scales)
+    single = single && __builtin_fma(b * s, b * s, opaque(-1 - 0x1p-51) * s * s) == 0x1p-104 * s * s;
+  return single && __builtin_fma(c, c, opaque(-1 - 0x1p-26)) == 0x1p-54 &&
+         __builtin_fma(c, opaque(1 - 0x1p-27), opaque(-1.0)) == -0x1p-54 &&
+         __builtin_fma(opaque(1 + 0x1p-30), opaque(1 + 0x1p-23), opaque(0x1p-120)) == 1 + 0x1p-23 + 0x1p-30 + 0x1p-52;
+}
+inline int library_fma = 0; // 0: not looked at, 1: it rounds once, 2: it does not
+MEETC_NOINLINE inline bool look_at_library_fma() {
+  const bool once = library_fma_rounds_once();
+  __atomic_store_n(&library_fma, once ? 1 : 2, __ATOMIC_RELAXED);
+  return once;
+}
+#endif
+
+// Whether fma() rounds once; where it is a call, found out once a process (more often if threads begin together).
+MEETC_HD MEETC_INLINE bool fma_rounds_once() {
+#if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDA_ARCH__)
+  return true; // an instruction
+#else
+  const int known = __atomic_load_n(&library_fma, __ATOMIC_RELAXED);
+  return known == 1 || (known == 0 && look_at_library_fma());
+#endif
+}
+
+// Both, for each function that computes what a bound is claimed for.
+MEETC_HD MEETC_INLINE bool computes_as_bounded() {
+  return compiled_as_written() && fma_rounds_once();
+}
+
+// ---- the thread ----
+
+#if defined(__CUDA_ARCH__)
+// The float with these bits, of which the front end knows nothing: it folds as if subnormals were always kept.
+__device__ inline float float_of(std::uint32_t bits) {
+  asm("" : "+r"(bits));
+  return __uint_as_float(bits);
+}
+#endif
+
+// Whether what is computed here, now, is what the bounds assume. A library linked with -ffast-math can have set
+// flush-to-zero for the whole process; certified answers are then taken from the integers alone. On the device the
+// flags of the compilation decide: -ftz=true and --use_fast_math define no macro, but they mark each operation. ptxas
+// knows the marks and folds the difference to what the device would compute, so it costs nothing.
+//
+// The control word comes first: before it is known, not even a probe may compute.
+MEETC_HD MEETC_INLINE bool standard_environment() {
+#if defined(__CUDA_ARCH__)
+  return float_of(2) - float_of(1) > 0; // subnormals
+#else
+  return standard_control_word() && computes_as_bounded();
+#endif
+}
+
+// p again, for use after a check of the environment: what is read through it is read, and computed with, after the check.
+// Compilers move arithmetic across changes of the control word, of which they know nothing.
+template <class T> MEETC_HD MEETC_INLINE const T *after_check(const T *p) {
+#if !defined(__CUDA_ARCH__)
+  __asm__ volatile("" : "+r"(p) : : "memory");
+#endif
+  return p;
+}
+// The answer, computed before what follows the call.
+template <class T> MEETC_HD MEETC_INLINE T before_return(T answer) {
+#if !defined(__CUDA_ARCH__)
+  int word = static_cast<int>(answer);
+  __asm__ volatile("" : "+r"(word));
+  answer = static_cast<T>(word);
+#endif
+  return answer;
+}
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,141 @@
+// The cube in which an all-pairs filter evaluates its form: made from a set, and where the objects of two
+// sets lie in it.
+//
+// Every thread widens an interval an axis by its elements, intervals are joined, and the bits of their ends
+// are joined across the device by integer minima and maxima. This is the one copy of that arithmetic: kernels
+// call it, and so does whatever stands in for them on a host.
+//
+// The invariant: an object is called apart, or inside, only where comparisons of finite numbers prove it. No
+// comparison holds of NaN, so what is not known, and what the frame was not made for, meets everything. In
+// particular an element whose box overflows float32 is left out of its own set's frame, which stays that of
+// the others, and is `everywhere`.
+#ifndef MEETC_FRAME_HPP
+#define MEETC_FRAME_HPP
+
+#include <meetc/enclosing.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace meetc {
+
+// ---- the extent of a set ----
+
+// Bits in the order of the numbers, and back.
+MEETC_HD inline unsigned long long ordered(double x) {
+  std::uint64_t b;
+  std::memcpy(&b, &x, sizeof b);
+  return b >> 63 ? ~b : b | std::uint64_t{1} << 63;
+}
+MEETC_HD inline double from_ordered(unsigned long long bits) {
+  std::uint64_t b = bits;
+  b = b >> 63 ? b & ~(std::uint64_t{1} << 63) : ~b;
+  double x;
+  std::memcpy(&x, &b, sizeof x);
+  return x;
+}
+
+// Empty as it is made.
+struct interval {
+  double lo = HUGE_VAL, hi = -HUGE_VAL;
+};
+MEETC_HD inline interval joined(const interval &x, const interval &y) {
+  return {std::fmin(x.lo, y.lo), std::fmax(x.hi, y.hi)};
+}
+
+// Widens the intervals of the three axes by the ball around an element's box, where that is finite.
+template <class Shape> MEETC_HD inline void widen(interval around[3], const float *row) {
+  if (!have_finite_boxes<Shape>(row, 0, 1))
+    return; // place_object() says everywhere
+  double ball[4];
+  ball_of_box<Shape>(row, ball);
+  for (int k = 0; k < 3; ++k)
+    around[k] = joined(around[k], {ball[k] - ball[3], ball[k] + ball[3]});
+}
+
+// The same for a whole set, as the order-keeping bits of its ends: so that it can be joined by integer minima
+// and maxima.
+struct extent {
+  unsigned long long low[3], high[3];
+};
+MEETC_HD inline void clear(extent &e, int axis) {
+  e.low[axis] = ordered(interval().lo), e.high[axis] = ordered(interval().hi);
+}
+
+// ---- the frame ----
+
+// Coordinates are moved by -origin and multiplied by scale, a power of two, so that they lie in [-2^11,
+// 2^11].
+struct matrix_frame {
+  double origin[3], scale;
+};
+inline constexpr double matrix_reach = 2048;
+
+// The frame of a set by its intervals. They are empty where it has no element that a frame is made for; all
+// that it has are then everywhere, and any frame will do.
+MEETC_HD inline matrix_frame frame_of(const interval around[3]) {
+  matrix_frame f{{0, 0, 0}, 1};
+  bool known = true;
+  for (int k = 0; k < 3; ++k)
+    known &= is_finite(around[k].lo) & is_finite(around[k].hi);
+  if (!known)
+    return f;
+  double half = 0;
+  for (int k = 0; k < 3; ++k) {
+    f.origin[k] = around[k].lo / 2 + around[k].hi / 2;
+    const double h = around[k].hi / 2 - around[k].lo / 2;
+    half = h > half ? h : half;
+  }
+  if (!(half > 0))
+    return f;
+  std::uint64_t b;
+  std::memcpy(&b, &half, sizeof b);
+  const int e = static_cast<int>(b >> 52) - 1022;      // half < 2^e
+  b = static_cast<std::uint64_t>(1023 + 11 - e) << 52; // float32 gives halves from 2^-150 to 2^130
+  std::memcpy(&f.scale, &b, sizeof f.scale);
+  return f;
+}
+MEETC_HD inline matrix_frame frame_of(const extent &e) {
+  interval around[3];
+  for (int k = 0; k < 3; ++k)
+    around[k] = {from_ordered(e.low[k]), from_ordered(e.high[k])};
+  return frame_of(around);
+}
+
+// Where an object lies. The set that a frame was made from has its elements in the frame's cube, all but
+// those that are everywhere; so what does not reach the cube touches none of the others.
+enum class placing : std::uint8_t {
+  inside,     // within reach in every number; the filter's bound is proved for such balls alone
+  apart,      // does not reach the cube: meets what is everywhere, and nothing else
+  astride,    // of none of these is known: meets all that is not apart
+  everywhere, // not finite somewhere, so that the frame was not made for it: meets all there is
+  nowhere,    // no object, but padding behind the last: meets nothing at all
+};
+// A ball x, y, z, r, taken into the frame.
+MEETC_HD inline placing place_ball(const matrix_frame &frame, double ball[4]) {
+  bool inside = true, finite = true, apart = false;
+  for (int k = 0; k < 4; ++k) {
+    ball[k] = (k < 3 ? ball[k] - frame.origin[k] : ball[k]) * frame.scale;
+    inside &= std::fabs(ball[k]) <= matrix_reach;
+    finite &= is_finite(ball[k]);
+  }
+  // The slack is far more than these lines round.
+  for (int k = 0; k < 3; ++k)
+    apart |= std::fabs(ball[k]) - ball[3] > matrix_reach + 1 + 1e-9 * (std::fabs(ball[k]) + ball[3]);
+  return inside ? placing::inside : !finite ? placing::everywhere : apart ? placing::apart : placing::astride;
+}
+
+// The object that consists of these elements, as a ball in the frame; no ball where it is everywhere.
+template <class Shape>
+MEETC_HD inline placing place_object(const matrix_frame &frame, cover c, const float *rows, std::uint32_t first,
+                                     std::uint32_t end, double ball[4]) {
+  if (!have_finite_boxes<Shape>(rows, first, end))
+    return placing::everywhere;
+  object_ball<Shape>(c, rows, first, end, ball);
+  return place_ball(frame, ball);
+}
+
+} // namespace meetc
+
+#endif

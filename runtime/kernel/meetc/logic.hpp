@@ -1,0 +1,127 @@
+// Signs, sets of signs and three-valued truth. Host and device, branch-free.
+#ifndef MEETC_LOGIC_HPP
+#define MEETC_LOGIC_HPP
+
+#include <meetc/environment.hpp>
+
+#include <cstdint>
+
+namespace meetc {
+
+enum class sign : signed char { negative = -1, zero = 0, positive = 1 };
+
+// The answer of a decision under one rung. `unsure` goes to the next rung.
+enum class answer : std::uint8_t { no = 0, yes = 1, unsure = 2 };
+
+MEETC_HD constexpr sign operator-(sign s) {
+  return static_cast<sign>(-static_cast<int>(s));
+}
+MEETC_HD constexpr sign operator*(sign a, sign b) {
+  return static_cast<sign>(static_cast<int>(a) * static_cast<int>(b));
+}
+MEETC_HD constexpr sign square(sign s) {
+  return s * s;
+}
+
+// A set of possible signs, as a rung with an error bound knows it: bit 0 negative, bit 1 zero, bit 2 positive.
+struct sign_set {
+  std::uint8_t bits;
+  MEETC_HD static constexpr sign_set all() { return {7}; }
+  MEETC_HD static constexpr sign_set of(sign s) { return {static_cast<std::uint8_t>(1 << (static_cast<int>(s) + 1))}; }
+};
+MEETC_HD constexpr sign_set operator-(sign_set s) {
+  return {static_cast<std::uint8_t>((s.bits & 2) | (s.bits & 1) << 2 | s.bits >> 2)};
+}
+MEETC_HD constexpr sign_set operator*(sign_set a, sign_set b) {
+  const int n = (a.bits & 1 && b.bits & 4) || (a.bits & 4 && b.bits & 1);
+  const int z = (a.bits & 2) || (b.bits & 2);
+  const int p = (a.bits & 1 && b.bits & 1) || (a.bits & 4 && b.bits & 4);
+  return {static_cast<std::uint8_t>(n | z << 1 | p << 2)};
+}
+
+MEETC_HD constexpr sign_set square(sign_set s) {
+  return {static_cast<std::uint8_t>((s.bits & 2) | ((s.bits & 5) != 0) << 2)};
+}
+
+template <class S> MEETC_HD constexpr S constant_sign(sign s) {
+  if constexpr (requires { S::of(s); })
+    return S::of(s);
+  else
+    return s;
+}
+
+// A three-valued truth: bit 0 can be false, bit 1 can be true.
+struct truth {
+  std::uint8_t bits;
+  MEETC_HD constexpr bool can_be_true() const { return (bits & 2) != 0; }
+  MEETC_HD constexpr bool can_be_false() const { return (bits & 1) != 0; }
+};
+
+// Branch-free connectives, alike for bool and truth (strong Kleene logic).
+MEETC_HD constexpr bool both(bool a, bool b) {
+  return static_cast<bool>(a & b);
+}
+MEETC_HD constexpr bool either(bool a, bool b) {
+  return static_cast<bool>(a | b);
+}
+MEETC_HD constexpr bool negate(bool a) {
+  return !a;
+}
+MEETC_HD constexpr truth both(truth a, truth b) {
+  return {static_cast<std::uint8_t>(((a.bits | b.bits) & 1) | (a.bits & b.bits & 2))};
+}
+MEETC_HD constexpr truth either(truth a, truth b) {
+  return {static_cast<std::uint8_t>((a.bits & b.bits & 1) | ((a.bits | b.bits) & 2))};
+}
+MEETC_HD constexpr truth negate(truth a) {
+  return {static_cast<std::uint8_t>((a.bits & 1) << 1 | a.bits >> 1)};
+}
+// A branch that is always taken is a plain bool beside truths.
+MEETC_HD constexpr truth to_truth(truth a) {
+  return a;
+}
+MEETC_HD constexpr truth to_truth(bool a) {
+  return {static_cast<std::uint8_t>(a ? 2 : 1)};
+}
+MEETC_HD constexpr truth both(truth a, bool b) {
+  return both(a, to_truth(b));
+}
+MEETC_HD constexpr truth both(bool a, truth b) {
+  return both(to_truth(a), b);
+}
+MEETC_HD constexpr truth either(truth a, bool b) {
+  return either(a, to_truth(b));
+}
+MEETC_HD constexpr truth either(bool a, truth b) {
+  return either(to_truth(a), b);
+}
+MEETC_HD constexpr bool can_be_true(bool a) {
+  return a;
+}
+MEETC_HD constexpr bool can_be_true(truth a) {
+  return a.can_be_true();
+}
+MEETC_HD constexpr bool can_be_false(bool a) {
+  return !a;
+}
+MEETC_HD constexpr bool can_be_false(truth a) {
+  return a.can_be_false();
+}
+MEETC_HD constexpr answer to_answer(bool a) {
+  return a ? answer::yes : answer::no;
+}
+MEETC_HD constexpr answer to_answer(truth a) {
+  return a.bits == 3 ? answer::unsure : a.can_be_true() ? answer::yes : answer::no;
+}
+
+// Whether a sign lies in the mask (1 negative, 2 zero, 4 positive): the comparisons < 0, <= 0, == 0 ...
+template <int Mask> MEETC_HD constexpr bool in(sign s) {
+  return (Mask >> (static_cast<int>(s) + 1) & 1) != 0;
+}
+template <int Mask> MEETC_HD constexpr truth in(sign_set s) {
+  return {static_cast<std::uint8_t>(((s.bits & ~Mask & 7) != 0) | ((s.bits & Mask) != 0) << 1)};
+}
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,204 @@
+// Whether compiler and machine compute as the bounds assume: a test that runs where the answers are computed.
+//
+// Most flags that break the arithmetic define a macro, and environment.hpp refuses them. Some define none
+// (-fassociative-math with clang, -ftz=true with nvcc, pragmas), and a library linked with -ffast-math flushes subnormals
+// for the whole process. self_test() sees what they do, and says which it is. It allocates nothing, takes well below a
+// microsecond, and looks at the calling thread and this translation unit's flags alone: code with other flags needs a test
+// of its own.
+#ifndef MEETC_SELF_TEST_HPP
+#define MEETC_SELF_TEST_HPP
+
+#include <meetc/double_double.hpp>
+
+namespace meetc {
+
+// Bits of self_test().
+enum class arithmetic_fault : unsigned {
+  none = 0,
+  excess_precision = 1,
+  flushes_subnormals = 2,
+  rounding = 4,
+  reassociation = 8,
+  fused_multiply_add = 16,
+  comparisons = 32,
+  two_sum = 64,
+  two_product = 128,
+  unmasked_exceptions = 256,
+};
+inline constexpr unsigned fault_bits = 511;
+
+MEETC_HD constexpr const char *text_of(arithmetic_fault f) {
+  switch (f) {
+  case arithmetic_fault::none:
+    return "the arithmetic is as the error bounds assume";
+  case arithmetic_fault::flushes_subnormals:
+    return "subnormal numbers are flushed to zero; a library linked with -ffast-math or nvcc's -ftz=true does that";
+  case arithmetic_fault::rounding:
+    return "results are not rounded to nearest";
+  case arithmetic_fault::excess_precision:
+    return "intermediate results are wider than their type; compile with -msse2 -mfpmath=sse";
+  case arithmetic_fault::fused_multiply_add:
+    return "fma() is not rounded once";
+  case arithmetic_fault::reassociation:
+    return "sums are reassociated; compile without -fassociative-math and -funsafe-math-optimizations";
+  case arithmetic_fault::comparisons:
+    return "comparisons with NaN or infinities are wrong; compile without -ffinite-math-only";
+  case arithmetic_fault::two_sum:
+    return "two_sum() is not exact";
+  case arithmetic_fault::two_product:
+    return "two_product() is not exact";
+  case arithmetic_fault::unmasked_exceptions:
+    return "floating-point exceptions are unmasked, and the rest was not looked at; feenableexcept() does that";
+  }
+  return "an unknown fault";
+}
+// The text of the first fault of a set of them; the first is the likeliest cause of the others.
+MEETC_HD constexpr const char *text_of_faults(unsigned faults) {
+  for (unsigned bit = 1; bit & fault_bits; bit <<= 1)
+    if (faults & bit)
+      return text_of(static_cast<arithmetic_fault>(bit));
+  return text_of(arithmetic_fault::none);
+}
+
+namespace self_test_parts {
+
+// x, of which no compiler knows the value, for host and device.
+template <class T> MEETC_HD inline T hidden(T x) {
+  volatile T y = x;
+  return y;
+}
+
+// One format: the least normal and the least subnormal number, u = 2^-p, and 1 + h whose square needs two words.
+template <class T> struct format { T least_normal, least, u, wide; };
+MEETC_HD constexpr format<float> of(float) {
+  return {0x1p-126F, 0x1p-149F, 0x1p-24F, 1 + 0x1p-12F};
+}
+MEETC_HD constexpr format<double> of(double) {
+  return {0x1p-1022, 0x1p-1074, 0x1p-53, 1 + 0x1p-27};
+}
+
+template <class T> MEETC_HD inline bool keeps_subnormals() {
+  constexpr format<T> f = of(T());
+  const T normal = hidden(f.least_normal), least = hidden(f.least), zero = hidden(T(0));
+  const T half = normal * hidden(T(0.5));
+  return half > zero && half + half == normal && least > zero && least + least > least && normal - least < normal &&
+         ::meetc::fma(normal, hidden(T(0.5)), zero) == half;
+}
+
+// 1 + u and 1 + 3u are ties; the other modes each round some of these another way. Products: (1 + 2u)(1 - 2u) < 1.
+template <class T> MEETC_HD inline bool rounds_to_nearest() {
+  constexpr format<T> f = of(T());
+  const T one = hidden(T(1)), u = hidden(f.u), two_u = hidden(2 * f.u);
+  const T next = one + two_u;
+  return one + u == one && -one - u == -one && next + u == one + hidden(4 * f.u) &&
+         -next - u == -one - hidden(4 * f.u) && one + hidden(T(1.5) * f.u) == next && next * (one - two_u) == one &&
+         next * (one + hidden(4 * f.u)) > next;
+}
+
+template <class T> MEETC_HD inline bool fuses() {
+  constexpr format<T> f = of(T());
+  const T a = hidden(f.wide), square = hidden(a * a), rest = ::meetc::fma(a, a, -square);
+  // (1 + h)^2 = 1 + 2h + h^2, and h^2 = u (float) or u/2 (double) is what rounding to nearest drops.
+  return square == 1 + 2 * (a - 1) && rest == (f.wide - 1) * (f.wide - 1) && rest > 0;
+}
+
+// As a compiler would simplify them were it allowed to: not behind opaque().
+template <class T> MEETC_HD inline bool keeps_order() {
+  constexpr format<T> f = of(T());
+  const T x = hidden(T(1)), big = hidden(1 / f.u * 4), small = hidden(f.u);
+  const T first = (x + big) - big, second = (x + small) - x, third = (small - x) + x;
+  // A sum in a loop, which reassociation would split into lanes: 1 absorbs every u.
+  const T step = hidden(f.u);
+  T sum = x;
+  for (int i = 0; i < 16; ++i)
+    sum += step;
+  return first == 0 && second == 0 && third <= 2 * small && sum == x;
+}
+
+template <class T> MEETC_HD inline bool compares() {
+  const T zero = hidden(T(0)), inf = hidden(T(1)) / zero, nan = inf - inf;
+  return !(nan > zero) && !(nan < zero) && !(nan == nan) && nan != nan && !(inf <= zero) && inf > hidden(T(1)) &&
+         !(zero * inf == zero) && !(nan <= inf);
+}
+
+MEETC_HD inline bool two_sum_is_exact() {
+  constexpr double cases[][4] = {
+      // a, b, and their sum in two words
+      {1, 0x1p-60, 1, 0x1p-60},
+      {0x1p-60, 1, 1, 0x1p-60},
+      {1, 0x1p-53, 1, 0x1p-53},
+      {1 + 0x1p-52, 0x1p-53, 1 + 0x1p-51, -0x1p-53},
+      {0x1.fffffffffffffp0, 0x1.fffffffffffffp-1, 3 - 0x1p-51, 0x1p-53},
+      {1, -1 + 0x1p-53, 0x1p-53, 0},
+      {-0x1p100, 3, -0x1p100, 3},
+      {0x1p-1074, 1, 1, 0x1p-1074},
+  };
+  bool exact = true;
+  for (const auto &c : cases) {
+    const double_double s = ::meetc::two_sum(hidden(c[0]), hidden(c[1]));
+    exact = exact && s.hi == c[2] && s.lo == c[3];
+  }
+  // A product that comes in must not be fused with the sum: a a + b is then another number than fl(a a) + b.
+  const double a = hidden(1 + 0x1p-30), b = hidden(-1.0);
+  const double_double fused = ::meetc::two_sum(a * a, b);
+  return exact && fused.hi == 0x1p-29 && fused.lo == 0;
+}
+
+MEETC_HD inline bool two_product_is_exact() {
+  constexpr double cases[][4] = {
+      {1 + 0x1p-52, 1 + 0x1p-52, 1 + 0x1p-51, 0x1p-104},
+      {1 + 0x1p-30, 1 - 0x1p-30, 1, -0x1p-60},
+      {0x1.fffffffffffffp0, 0x1.fffffffffffffp0, 0x1.ffffffffffffep1, 0x1p-104},
+      {-3, 0x1p-300, -0x1.8p-299, 0},
+      {0x1p500 + 0x1p448, 0x1p-500 + 0x1p-552, 1 + 0x1p-51, 0x1p-104},
+  };
+  bool exact = true;
+  for (const auto &c : cases) {
+    const double_double p = ::meetc::two_product(hidden(c[0]), hidden(c[1]));
+    exact = exact && p.hi == c[2] && p.lo == c[3];
+  }
+  return exact;
+}
+
+} // namespace self_test_parts
+
+// The faults of this thread's arithmetic, as bits; 0: none.
+MEETC_HD inline unsigned self_test() {
+  namespace parts = self_test_parts;
+#if !defined(__CUDA_ARCH__)
+  if (!exceptions_are_masked()) // the tests below divide by zero
+    return static_cast<unsigned>(arithmetic_fault::unmasked_exceptions);
+#endif
+  unsigned faults = 0;
+  const auto require = [&faults](bool holds, arithmetic_fault f) { faults |= holds ? 0U : static_cast<unsigned>(f); };
+  require(parts::keeps_subnormals<float>() && parts::keeps_subnormals<double>(), arithmetic_fault::flushes_subnormals);
+  require(parts::rounds_to_nearest<float>() && parts::rounds_to_nearest<double>(), arithmetic_fault::rounding);
+#if defined(__FLT_EVAL_METHOD__) && !defined(__CUDA_ARCH__)
+  require(__FLT_EVAL_METHOD__ == 0 || __FLT_EVAL_METHOD__ == 16,
+          arithmetic_fault::excess_precision); // 16: for _Float16 alone
+#endif
+  require(parts::fuses<float>() && parts::fuses<double>() && fma_rounds_once(), arithmetic_fault::fused_multiply_add);
+  require(parts::keeps_order<float>() && parts::keeps_order<double>() && keeps_order_of_sums(),
+          arithmetic_fault::reassociation);
+  require(parts::compares<float>() && parts::compares<double>() && keeps_nan_and_infinity(),
+          arithmetic_fault::comparisons);
+  require(parts::two_sum_is_exact(), arithmetic_fault::two_sum);
+  require(parts::two_product_is_exact(), arithmetic_fault::two_product);
+  return faults;
+}
+
+#if defined(__CUDACC__)
+// The same on a device: one thread writes the faults to *faults, device memory. A template, so that it may stand in
+// a header.
+template <int = 0> __global__ void self_test_kernel(unsigned *faults) {
+  *faults = self_test();
+}
+inline cudaError_t launch_self_test(unsigned *faults, cudaStream_t stream) {
+  self_test_kernel<><<<1, 1, 0, stream>>>(faults);
+  return cudaGetLastError();
+}
+#endif
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,149 @@
+// What a runtime and generated code tell each other: plain data and functions, no shapes.
+#ifndef MEETC_TABLE_HPP
+#define MEETC_TABLE_HPP
+
+#include <meetc/rungs.hpp>
+
+#include <cstddef>
+
+namespace meetc {
+
+// What a stored number is, so that a runtime can move an element and check it without knowing its shape.
+enum class role : std::uint8_t { x, y, z, length, other };
+
+// One kind of element. A row is `fields` floats in the spec's store order.
+struct kind_info {
+  const char *name;
+  const char *csv;   // the CSV header: the stored names, comma-separated
+  int fields;        // floats a row
+  const role *roles; // of each field
+  int points;        // > 0: the row is that many points x, y, z and nothing else, so it can be indexed
+  // A closed box that encloses the element, never too small (where subnormals are not flushed to zero).
+  void (*box)(const float *row, float lo[3], float hi[3]);
+  const char *(*fault)(const float *row); // the broken `where` rule, or null
+};
+
+struct index_pair {
+  std::uint32_t a, b;
+};
+
+// fp32, fp64 and fp64x2 are plain: they take the sign of the computed value. exact and certified are never wrong;
+// certified runs the bounded rungs first, the cheapest first, each on what the one before left unsure.
+enum class rung : std::uint8_t { fp32 = 0, fp64 = 1, fp64x2 = 2, exact = 3, certified = 4 };
+inline constexpr int rung_count = 5;
+// The rungs of `certified` before exact are named as the plain ones: fp32, fp64, fp64x2.
+inline constexpr int bounded_rungs = 3;
+
+// Decides n candidate pairs: pairs[i].a and .b index rows of floats.
+using decide_function = void (*)(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out);
+
+// One predicate on an ordered pair of kinds.
+struct predicate_info {
+  const char *name;
+  const char *mode; // "solid", "surface", or "" where the two do not differ
+  const kind_info *a, *b;
+  // By rung; rows have a->fields and b->fields floats. Null where the scene does not ask for the rung. None answers
+  // unsure.
+  decide_function decide[rung_count];
+  // The bounded rungs of `certified`, fp32 first, to be run on what the one before left unsure: no and yes are proved.
+  // decide[exact] is run last, so a table made by hand must fill it too: with any of the four missing the runtime has
+  // no `certified`. Null without `certified`.
+  decide_function certify[bounded_rungs];
+  // The first of them in a box of side D: a power of two from box_least to box_most that no difference of coordinates,
+  // no coordinate and no length of the elements exceeds. Bounds take each object's own extents, or D alone (whole_box).
+  void (*certify_in_box)(float side, bool whole_box, const float *a, const float *b, const index_pair *pairs,
+                         std::size_t n, answer *out);
+  float box_least, box_most;
+};
+
+// All that a namespace offers to a runtime.
+struct catalogue {
+  const char *space;
+  const kind_info *kinds;
+  int kind_count;
+  const predicate_info *predicates;
+  int predicate_count;
+  // The scene's box: every coordinate lies in [-box, box], every length in [0, 2 box]. 0: the scene states none.
+  float box;
+};
+
+// ---- the table's functions, for any predicate ----
+
+template <class P, class Decide>
+void decide_each(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out, Decide &&one) {
+  for (std::size_t i = 0; i < n; ++i)
+    out[i] = one(a + std::size_t{pairs[i].a} * P::inputs_a, b + std::size_t{pairs[i].b} * P::inputs_b);
+}
+template <class P, class T>
+void decide_plain(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+  decide_each<P>(a, b, pairs, n, out,
+                 [](const float *x, const float *y) { return to_answer(decide<P>(plain_signs<P, T>(x, y))); });
+}
+template <class P>
+void decide_exact(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+  decide_each<P>(a, b, pairs, n, out,
+                 [](const float *x, const float *y) { return to_answer(decide<P>(exact_signs<P>(x, y))); });
+}
+template <class P>
+void decide_certified(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+  decide_each<P>(a, b, pairs, n, out,
+                 [](const float *x, const float *y) { return to_answer(decide_certified<P>(x, y)); });
+}
+inline void unsure_each(std::size_t n, answer *out) {
+  for (std::size_t i = 0; i < n; ++i)
+    out[i] = answer::unsure;
+}
+template <class P, class A>
+void certify_pairs(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+  if (!standard_environment())
+    return unsure_each(n, out);
+  decide_each<P>(after_check(a), after_check(b), pairs, n, out,
+                 [](const float *x, const float *y) { return certify_here<P, A>(x, y); });
+  after_check(out); // what is stored is computed before the call returns
+}
+template <class P>
+void certify_pairs_in_box(float side, bool whole_box, const float *a, const float *b, const index_pair *pairs,
+                          std::size_t n, answer *out) {
+  if (!standard_environment())
+    return unsure_each(n, out);
+  a = after_check(a), b = after_check(b);
+  if (!box_holds<P>(side))
+    certify_pairs<P, in_fp32>(a, b, pairs, n, out);
+  else if (whole_box)
+    decide_each<P>(a, b, pairs, n, out, [side](const float *x, const float *y) {
+      return decide_sets<P>(boxed_signs<P, box_form::whole_box>(x, y, side));
+    });
+  else
+    decide_each<P>(a, b, pairs, n, out, [side](const float *x, const float *y) {
+      return decide_sets<P>(boxed_signs<P, box_form::per_object>(x, y, side));
+    });
+}
+// The sides of a box that the box form covers, for the stages of P.
+template <class P> constexpr float least_box() {
+  float least = 0;
+  const auto take = [&](auto stage) {
+    using Stage = decltype(stage);
+    if constexpr (Stage::atoms > 0) {
+      const float x = power_of_two(Stage::box_lowest, 0.0F);
+      least = x > least ? x : least;
+    }
+  };
+  take(typename P::reject_stage()), take(typename P::common_stage()), take(typename P::rare_stage());
+  return least;
+}
+template <class P> constexpr float most_box() {
+  float most = 0x1p127F;
+  const auto take = [&](auto stage) {
+    using Stage = decltype(stage);
+    if constexpr (Stage::atoms > 0) {
+      const float x = 1 / power_of_two(-Stage::box_highest, 0.0F);
+      most = x < most ? x : most;
+    }
+  };
+  take(typename P::reject_stage()), take(typename P::common_stage()), take(typename P::rare_stage());
+  return most;
+}
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,42 @@
+// Whether a number is one that a kind may hold: finite, and as its `where` says. On bits alone, so that the answer
+// depends neither on flags nor on the control word (which can make a negative subnormal number compare as zero).
+#ifndef MEETC_VALID_HPP
+#define MEETC_VALID_HPP
+
+#include <meetc/environment.hpp>
+
+#include <cstring>
+
+namespace meetc {
+
+struct number_parts {
+  std::uint64_t magnitude, infinity; // without the sign
+  bool negative;
+};
+MEETC_HD inline number_parts parts_of(float x) {
+  std::uint32_t b;
+  std::memcpy(&b, &x, sizeof b);
+  return {b & 0x7fffffff, 0x7f800000, b >> 31 != 0};
+}
+MEETC_HD inline number_parts parts_of(double x) {
+  std::uint64_t b;
+  std::memcpy(&b, &x, sizeof b);
+  return {b & 0x7fffffffffffffff, 0x7ff0000000000000, b >> 63 != 0};
+}
+
+template <class T> MEETC_HD inline bool is_finite(T x) {
+  const number_parts b = parts_of(x);
+  return b.magnitude < b.infinity;
+}
+// x >= 0 and x > 0; no for NaN.
+template <class T> MEETC_HD inline bool not_negative(T x) {
+  const number_parts b = parts_of(x);
+  return b.magnitude <= b.infinity && (!b.negative || b.magnitude == 0);
+}
+template <class T> MEETC_HD inline bool is_positive(T x) {
+  return not_negative(x) && parts_of(x).magnitude != 0;
+}
+
+} // namespace meetc
+
+#endif

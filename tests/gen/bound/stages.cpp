@@ -1,0 +1,156 @@
+#include "tests/gen/bound/stages.hpp"
+
+#include <cga/cga.hpp>
+#include <map>
+#include <stdexcept>
+
+namespace meetc::bounds_test {
+namespace {
+
+template <class P, class Stage> struct runner {
+  static void in_tiny(const sample &s, double floor, tiny *v, tiny *m) {
+    tiny a[P::inputs_a], b[P::inputs_b];
+    for (int i = 0; i < P::inputs_a + P::inputs_b; ++i)
+      (i < P::inputs_a ? a[i] : b[i - P::inputs_a]) =
+          tiny::of(std::ldexp(static_cast<double>(s.numbers[static_cast<std::size_t>(i)]), s.scale));
+    tiny::contracting = tiny::format.contract_values;
+    meetc::stage_values<Stage>(a, b, v);
+    tiny::contracting = tiny::format.contract_magnitudes;
+    Stage::magnitudes(a, b, meetc::leaf_magnitude<tiny>{tiny::of(floor)}, m);
+    tiny::contracting = false;
+  }
+  template <class I> static void rows(const sample &s, I *a, I *b) {
+    for (int i = 0; i < P::inputs_a + P::inputs_b; ++i)
+      (i < P::inputs_a ? a[i] : b[i - P::inputs_a]) = static_cast<I>(s.numbers[static_cast<std::size_t>(i)]);
+  }
+  static void in_integers(const sample &s, double floor, int128 *v, int128 *m) {
+    int128 a[P::inputs_a], b[P::inputs_b];
+    rows(s, a, b);
+    meetc::stage_values<Stage>(a, b, v);
+    const auto leaf = [&](int128 d) {
+      const tiny computed = tiny::rounded({std::ldexp(static_cast<double>(d), s.scale), 0});
+      const double t = meetc::leaf_magnitude<tiny>{tiny::of(floor)}(computed).value();
+      return static_cast<int128>(std::ldexp(t, -s.scale));
+    };
+    Stage::magnitudes(a, b, leaf, m);
+  }
+  static void in_fp64(const sample &s, double *words) {
+    double a[P::inputs_a], b[P::inputs_b];
+    rows(s, a, b);
+    if constexpr (Stage::mixed) {
+      meetc::double_double v[Stage::atoms];
+      meetc::stage_values<Stage>(a, b, v);
+      for (int i = 0; i < Stage::atoms; ++i)
+        words[2 * i] = v[i].hi, words[2 * i + 1] = v[i].lo;
+    } else {
+      double v[Stage::atoms];
+      meetc::stage_values<Stage>(a, b, v);
+      for (int i = 0; i < Stage::atoms; ++i)
+        words[2 * i] = v[i], words[2 * i + 1] = 0;
+    }
+  }
+  static void count(counted *v, counted *m) {
+    counted a[P::inputs_a], b[P::inputs_b];
+    std::fill(a, a + P::inputs_a, counted::input());
+    std::fill(b, b + P::inputs_b, counted::input());
+    meetc::stage_values<Stage>(a, b, v);
+    Stage::magnitudes(
+        a, b, [](const counted &) { return counted(); }, m);
+  }
+};
+
+struct analysed_kernel {
+  const lower::kernel *kernel;
+  bound::kernel_bounds bounds;
+};
+
+const analysed_kernel &kernel_named(const std::string &name) {
+  static std::map<std::string, analysed_kernel> known;
+  const auto at = known.find(name);
+  if (at != known.end())
+    return at->second;
+  for (const lower::kernel &k : shipped_scene().kernels)
+    if (k.asked.name() == name)
+      return known[name] = {&k, bound::analyse(k.decision)};
+  throw std::logic_error("the shipped scene has no " + name);
+}
+
+template <class P, class Stage>
+void add(std::vector<stage_case> &out, const std::string &name, const char *which, const analysed_kernel &k,
+         const lower::stage &from, const bound::stage_bounds &bounds) {
+  if constexpr (Stage::atoms > 0) {
+    using run = runner<P, Stage>;
+    out.push_back({name + ", " + which,
+                   P::inputs_a,
+                   P::inputs_b,
+                   Stage::atoms,
+                   Stage::degree,
+                   Stage::growth,
+                   Stage::window,
+                   Stage::floor_fp32,
+                   Stage::floor_fp64,
+                   Stage::box_lowest,
+                   Stage::box_highest,
+                   Stage::mixed,
+                   k.kernel,
+                   &from,
+                   &k.bounds,
+                   &bounds,
+                   &Stage::factor,
+                   &Stage::box,
+                   &Stage::degree_of,
+                   &Stage::zero_if,
+                   &P::coincident,
+                   &run::in_tiny,
+                   &run::in_integers,
+                   &run::in_fp64,
+                   &run::count});
+  }
+}
+
+template <class P> void add_all(std::vector<stage_case> &out, const std::string &name) {
+  const analysed_kernel &k = kernel_named(name);
+  add<P, typename P::reject_stage>(out, name, "reject", k, k.kernel->decision.reject, k.bounds.reject);
+  add<P, typename P::common_stage>(out, name, "common", k, k.kernel->decision.common, k.bounds.common);
+  add<P, typename P::rare_stage>(out, name, "rare", k, k.kernel->decision.rare, k.bounds.rare);
+}
+
+// A sign kernel has the common stage alone.
+template <class P> void add_sign(std::vector<stage_case> &out, const std::string &name) {
+  const analysed_kernel &k = kernel_named(name);
+  add<P, typename P::common_stage>(out, name, "sign", k, k.kernel->decision.common, k.bounds.common);
+}
+
+} // namespace
+
+const compilation &shipped_scene() {
+  static const compilation compiled = [] {
+    compilation c = load(MEETC_SCENE);
+    compile_all(c);
+    return c;
+  }();
+  return compiled;
+}
+
+const std::vector<stage_case> &all_stages() {
+  static const std::vector<stage_case> stages = [] {
+    std::vector<stage_case> out;
+    add_sign<cga::side_sphere_point_sign>(out, "side_sphere_point");
+    add_sign<cga::side_triangle_point_sign>(out, "side_triangle_point");
+    add_sign<cga::twist_segment_segment_sign>(out, "twist_segment_segment");
+    add_all<cga::ball_ball>(out, "ball_ball");
+    add_all<cga::sphere_sphere>(out, "sphere_sphere");
+    add_all<cga::segment_segment>(out, "segment_segment");
+    add_all<cga::point_triangle>(out, "point_triangle");
+    add_all<cga::segment_triangle>(out, "segment_triangle");
+    add_all<cga::triangle_triangle>(out, "triangle_triangle");
+    add_all<cga::ball_segment>(out, "ball_segment");
+    add_all<cga::sphere_segment>(out, "sphere_segment");
+    add_all<cga::ball_triangle>(out, "ball_triangle");
+    add_all<cga::sphere_triangle>(out, "sphere_triangle");
+    return out;
+  }();
+  return stages;
+}
+
+} // namespace meetc::bounds_test

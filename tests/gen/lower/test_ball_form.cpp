@@ -1,0 +1,99 @@
+// The form of touching balls: its graph is the separated polynomial, and the emitted header gives the same numbers.
+#include "tests/catch.hpp"
+#include "tests/gen/fixture.hpp"
+#include "tests/generated/numbers.hpp"
+
+#include "gen/bound/matrix.hpp"
+#include "gen/lower/ball_form.hpp"
+
+#include <cga/ball_form.hpp>
+
+using namespace meetc;
+using namespace meetc::compiler_test;
+using generated_test::exact;
+using rational = poly::rational;
+
+TEST_CASE("the graphs of the ball form are its factors, and the whole is |c - c'|^2 - (r + r')^2, halved") {
+  const lower::ball_form form = lower::make_ball_form();
+  CHECK(form.parts.terms() == 6);
+  CHECK(form.parts.products.size() == 4);
+  CHECK(poly::to_poly(form.parts) == form.whole);
+  const auto a = ir::to_poly(form.a, *form.numbers), b = ir::to_poly(form.b, *form.numbers);
+  REQUIRE(a.size() == 5);
+  REQUIRE(b.size() == 5);
+  poly::poly sum = a[4] + b[4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK(a[k] == form.parts.products[k].f);
+    CHECK(b[k] == form.parts.products[k].g);
+    sum = sum + a[k] * b[k];
+  }
+  CHECK(sum == form.whole);
+  // The sign is the one that the shipped predicate of solid balls decides by.
+  const lower::predicate &solid = default_kernel("ball_ball").decision;
+  const poly::poly atom = solid.signs.atoms().at(0);
+  std::vector<poly::poly> images;
+  for (int v = 0; v < form.numbers->size(); ++v)
+    images.push_back(poly::poly::variable(*solid.numbers, v));
+  const poly::poly same = form.whole.substitute(images, *solid.numbers).scaled(2);
+  CHECK((same == atom || same.scaled(-1) == atom));
+}
+
+TEST_CASE("the emitted features give half of |c - c'|^2 - (r + r')^2, exactly") {
+  static_assert(cga::ball_form::inputs == 4 && cga::ball_form::products == 4);
+  std::mt19937_64 random(3);
+  const auto number = [&] {
+    mpq_class q(static_cast<long>(random() % 20001) - 10000, static_cast<long>(random() % 64) + 1);
+    q.canonicalize();
+    return q;
+  };
+  int touching = 0;
+  for (int i = 0; i < 500; ++i) {
+    exact x[4], y[4], f[5], g[5];
+    for (int k = 0; k < 4; ++k) {
+      x[k] = exact(number());
+      y[k] = exact(number());
+    }
+    cga::ball_form::features_a(x, f);
+    cga::ball_form::features_b(y, g);
+    mpq_class value = f[4].v + g[4].v, wanted = 0;
+    for (int k = 0; k < 4; ++k)
+      value += f[k].v * g[k].v;
+    for (int k = 0; k < 3; ++k)
+      wanted += (x[k].v - y[k].v) * (x[k].v - y[k].v);
+    wanted -= (x[3].v + y[3].v) * (x[3].v + y[3].v);
+    CHECK(value == wanted / 2);
+    touching += wanted <= 0;
+  }
+  CHECK(touching > 20);
+  CHECK(touching < 480);
+}
+
+TEST_CASE("the emitted margins are the compiler's") {
+  using form = cga::ball_form;
+  const auto same = [](float emitted, const bound::dyadic &wanted) { return rational(emitted) == wanted.value(); };
+  CHECK(same(form::largest_input, bound::matrix_input));
+  CHECK(same(form::additive_unit, bound::matrix_unit));
+  CHECK(same(form::least_part, bound::matrix_flush));
+  CHECK(same(form::margin_square, bound::margin_square));
+  CHECK(same(form::margin_additive, bound::margin_additive));
+  CHECK(same(form::margin_linear, bound::margin_linear));
+  CHECK(same(form::margin_absolute, bound::margin_absolute));
+}
+
+TEST_CASE("only scenes with a CUDA backend get the ball form") {
+  const auto holds = [](const compilation &scene) {
+    compilation c = load(scene.scene->files.front()->path);
+    c.scene->backends = scene.scene->backends;
+    compile_all(c);
+    for (const target::file &f : emit_all(c))
+      if (f.path == c.scene->space + "/ball_form.hpp")
+        return true;
+    return false;
+  };
+  const spec_copy copy({"meet(sphere, line)"}); // no predicate, and so no launchers
+  compilation c = copy.compile();
+  c.scene->backends = {"cpp", "cuda"};
+  CHECK(holds(c));
+  c.scene->backends = {"cpp"};
+  CHECK_FALSE(holds(c));
+}

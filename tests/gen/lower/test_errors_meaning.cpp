@@ -1,0 +1,122 @@
+// Expressions that can be read and mean nothing: wrong types, members, indices, domains. These come out when
+// a kernel is expanded, so each carries the trail that led to it.
+#include "tests/catch.hpp"
+#include "tests/gen/error_fixture.hpp"
+
+using namespace meetc::compiler_test;
+
+namespace {
+constexpr const char *blade = "'-I*(c - r*r*n)'";             // a.toml:19, its text from column 10
+constexpr const char *hit = "'sign(norm2(meet(S, T))) >= 0'"; // a.toml:40, its text from column 8
+constexpr const char *in_norm2 = "in kernel norm2(meet(sphere, sphere)), at s.toml:4:12";
+constexpr const char *in_touch = "in kernel touch, at s.toml:4:12";
+constexpr const char *touch = "'touch'";
+
+const broken values[] = {
+    {blade, "'c . r'", "a.toml:19:10", "point has no 'r'; it has: x, y, z", "c . r", in_norm2},
+    {blade, "'c.x.y'", "a.toml:19:10", "a number has no members", "c.x.y", in_norm2},
+    {blade, "'sphere(c, c)'", "a.toml:19:20", "'r' of sphere is a real, not a point", "c",
+     "in sphere(c, c), at a.toml:19:10"},
+    {blade, "'point(r, r, c)'", "a.toml:19:22", "'z' of point is a real, not a point", "c", in_norm2},
+    {blade, "'[c, r]'", "a.toml:19:10", "a list where a number or a multivector is needed", "[c, r]", in_norm2},
+    {blade, "'c[r]'", "a.toml:19:12", "this is not a multiple of one basis blade", "r", in_norm2},
+    {blade, "'c[e1 + e2]'", "a.toml:19:12", "not a multiple of one basis blade", "e1 + e2", in_norm2},
+    {blade, "'c[0]'", "a.toml:19:12", "not a multiple of one basis blade", "0", in_norm2},
+    {blade, "'c/n'", "a.toml:19:12", "a multivector where a number is needed; take one coefficient, as in B[1]", "n",
+     in_norm2},
+    {blade, "'c/0'", "a.toml:19:12", "only a number other than 0 divides", "0", in_norm2},
+    {blade, "'c/(1 - 1)'", "a.toml:19:12", "only a number other than 0 divides", "(1 - 1)", in_norm2},
+    {blade, "'c/r'", "a.toml:19:12", "only a number other than 0 divides", "r", in_norm2},
+    {blade, "'c*(r > 0)'", "a.toml:19:12", "a truth where a number or a multivector is needed", "(r > 0)", in_norm2},
+    {blade, "'sign(r)'", "a.toml:19:10", "a sign where a number or a multivector is needed", "sign(r)", in_norm2},
+    {blade, "'sign(r) + r'", "a.toml:19:10", "a sign and a number: signs only multiply with signs", "sign(r) + r",
+     in_norm2},
+    {blade, "'grade(c + r)'", "a.toml:19:16", "this has no one grade", "c + r", in_norm2},
+    {blade, "'grade(c - c)'", "a.toml:19:16", "this has no one grade: it is zero", "c - c", in_norm2},
+    {blade, "'any(k in r: k > 0)'", "a.toml:19:19", "a number where a list is needed", "r", in_norm2},
+    {blade, "'sphere'", "a.toml:19:10", "'sphere' is a kind, not a value", "sphere", in_norm2},
+};
+
+const broken truths[] = {
+    {hit, "'S.r'", "a.toml:40:8", "a number where a truth is needed; compare it, as in 's > 0'", "S.r", in_touch,
+     touch},
+    {hit, "'sign(S.r)'", "a.toml:40:8", "a sign where a truth is needed; compare it", "sign(S.r)", in_touch, touch},
+    {hit, "'S'", "a.toml:40:8", "a sphere where a truth is needed", "S", in_touch, touch},
+    {hit, "'meet(S, T)'", "a.toml:40:8", "a multivector where a truth is needed", "meet(S, T)", in_touch, touch},
+    {hit, "'-sign(S.r)'", "a.toml:40:8", "a sign where a truth is needed", "-sign(S.r)", in_touch, touch},
+    {hit, "'not sign(S.r)'", "a.toml:40:12", "a sign where a truth is needed", "sign(S.r)", in_touch, touch},
+    {hit, "'S.r > 0 or S.r'", "a.toml:40:19", "a number where a truth is needed", "S.r", in_touch, touch},
+    {hit, "'S.r and S.r > 0'", "a.toml:40:8", "a number where a truth is needed", "S.r", in_touch, touch},
+    {hit, "'if sign(S.r) then S.r > 0 else S.r < 0'", "a.toml:40:11", "a sign where a truth is needed", "sign(S.r)",
+     in_touch, touch},
+    {hit, "'if S.r > 0 then T.r else S.r < 0'", "a.toml:40:24", "a number where a truth is needed", "T.r", in_touch,
+     touch},
+    {hit, "'all(p in [S.r]: p)'", "a.toml:40:24", "a number where a truth is needed", "p", in_touch, touch},
+    {hit, "'each(p in [S.c]: p)'", "a.toml:40:8", "a list where a truth is needed", "each(p in [S.c]: p)", in_touch,
+     touch},
+    {hit, "'any(p in S: p > 0)'", "a.toml:40:17", "a sphere where a list is needed", "S", in_touch, touch},
+    {"hit = ", "reject = ['S.r']\nhit = ", "a.toml:40:12", "a number where a truth is needed", "S.r", in_touch, touch},
+};
+
+const broken signs[] = {
+    {hit, "'sign(meet(S, T)) > 0'", "a.toml:40:13", "a multivector where a number is needed", "meet(S, T)", in_touch,
+     touch},
+    {hit, "'sign(S.r > 0) > 0'", "a.toml:40:13", "a truth where a number or a multivector is needed", "S.r > 0",
+     in_touch, touch},
+    {hit, "'sign(S.r) > 2'", "a.toml:40:20", "a sign compares with -1, 0, 1 or another sign", "2", in_touch, touch},
+    {hit, "'sign(S.r) > 1/2'", "a.toml:40:20", "a sign compares with -1, 0, 1", "1/2", in_touch, touch},
+    {hit, "'sign(S.r) > S.r'", "a.toml:40:20", "a sign compares with -1, 0, 1", "S.r", in_touch, touch},
+    {hit, "'-2 < sign(S.r)'", "a.toml:40:8", "a sign compares with -1, 0, 1", "-2", in_touch, touch},
+    {hit, "'sign(S.r) + sign(T.r) > 0'", "a.toml:40:8", "a sign and a sign: signs only multiply with signs",
+     "sign(S.r) + sign(T.r)", in_touch, touch},
+    {hit, "'2*sign(S.r) > 0'", "a.toml:40:8", "signs only multiply with signs", "2*sign(S.r)", in_touch, touch},
+    {hit, "'sign(S.r)^sign(T.r) > 0'", "a.toml:40:8", "signs only multiply with signs", "sign(S.r)^sign(T.r)", in_touch,
+     touch},
+    {hit, "'(S.r > 0) == (T.r > 0)'", "a.toml:40:21", "a truth where a number or a multivector is needed", "(T.r > 0)",
+     in_touch, touch},
+    {hit, "'S > T'", "a.toml:40:12", "a multivector where a number is needed", "T", in_touch, touch},
+    {hit, "'[S] > 0'", "a.toml:40:8", "a list where a number or a multivector is needed", "[S]", in_touch, touch},
+};
+
+// Functions and predicates called with what they cannot take: the trail names every call on the way.
+const broken calls[] = {
+    {hit, "'side(S, T) >= 0'", "a.toml:32:22", "a multivector where a number is needed", "meet(H, p)",
+     "  in side(S, T), at a.toml:40:8\n  in kernel touch, at s.toml:4:12\n", touch},
+    {hit, "'side(S, [S.c]) > 0'", "a.toml:36:27", "a list where a number or a multivector is needed", "Y",
+     "  in meet(H, p), at a.toml:32:22\n  in side(S, [S.c]), at a.toml:40:8\n", touch},
+    {hit, "'side(S.c, T.c) > 0'", "a.toml:32:22",
+     "meet(H, p) is not defined here: grade(X) + grade(Y) >= 5 does not hold, grade(X) = 1, grade(Y) = 1", "meet(H, p)",
+     "  in side(S.c, T.c), at a.toml:40:8\n", touch},
+    {hit, "'near(S, S.c)'", "a.toml:40:8", "unknown function 'near'", "near(S, S.c)", "", touch},
+    {"[predicates.touch]",
+     "[predicates.near]\nof = ['s: segment', 'T: sphere']\nhit = 'T.r > 0'\n"
+     "[predicates.asks]\nof = ['S: sphere', 'T: sphere']\nhit = 'near(S, T)'\n[predicates.touch]",
+     "a.toml:43:8", "'s' of near is a segment, not a sphere", "near(S, T)", "in kernel asks, at s.toml:4:12", "'asks'"},
+    {"where = 'grade(X) + grade(Y) >= 5'", "where = 'norm2(X) >= 0'", "a.toml:36:10",
+     "the domain of a function must not depend on numbers", "norm2(X) >= 0", in_norm2},
+    {"where = 'grade(X) + grade(Y) >= 5'", "where = 'grade(X)'", "a.toml:36:10", "a number where a truth is needed",
+     "grade(X)", in_norm2},
+};
+} // namespace
+
+TEST_CASE("values of the wrong type") {
+  check_broken(values);
+}
+TEST_CASE("truths of the wrong type") {
+  check_broken(truths);
+}
+TEST_CASE("signs where none can be, and what they cannot be compared with") {
+  check_broken(signs);
+}
+TEST_CASE("calls outside of a function's domain, with the trail") {
+  check_broken(calls);
+}
+
+TEST_CASE("signs that are not homogeneous are refused where the exact rung needs them to be") {
+  const broken rows[] = {
+      {hit, "'sign(S.r - 1) > 0'", "s.toml:4:13", "a sign of 'touch' is not homogeneous in the stored numbers", "touch",
+       in_touch, touch},
+      {hit, "'S.r*S.r > S.c.x'", "s.toml:4:13", "not homogeneous", "touch", in_touch, touch},
+  };
+  check_broken(rows);
+}

@@ -1,0 +1,131 @@
+// What the tests of `meet` share: a folder of their own, the program run as a user runs it, and what it said.
+#ifndef MEETC_TESTS_APP_FIXTURE_HPP
+#define MEETC_TESTS_APP_FIXTURE_HPP
+
+#include "tests/catch.hpp"
+#include "tests/folder.hpp"
+
+#include "bodies/meshes.hpp"
+#include "io/write.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace fixture {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+using test_files::folder, test_files::get;
+
+inline std::string at(const std::string &name) {
+  return (folder() / name).string();
+}
+
+inline std::string put(const std::string &name, std::string_view content) {
+  return test_files::put(name, content).string();
+}
+
+inline std::string put_mesh(const std::string &name, const meetc::app::mesh &m) {
+  meetc::io::write_ply(folder() / name, m.xyz, m.index);
+  return at(name);
+}
+
+struct said {
+  int code; // of exit; -1: a signal
+  std::string out, err;
+};
+
+// Through the shell, in the tests' folder: `meet` with the arguments, each passed as it is. `around` may
+// redirect.
+inline said run(const std::vector<std::string> &arguments, const std::string &around = "") {
+  std::string words;
+  for (const std::string &a : arguments)
+    words += fmt::format(" '{}'", a);
+  const std::string out = at("stdout.txt"), err = at("stderr.txt");
+  fs::remove(out);
+  const std::string command =
+      fmt::format("cd '{}' && '{}'{} >'{}' 2>'{}' {}", folder().string(), MEETC_MEET, words, out, err, around);
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, get(out), get(err)};
+}
+
+// A run that must do well; gives its JSON, which is all that it prints.
+inline json answer(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "collide");
+  arguments.emplace_back("--json");
+  const said s = run(arguments);
+  INFO(s.err);
+  REQUIRE(s.code == 0);
+  CHECK(s.err.empty());
+  return json::parse(s.out);
+}
+
+// A run that must fail: checks the exit code and that one line is said; gives that line less "meet: ".
+inline std::string complaint(const std::vector<std::string> &arguments, int code = 2) {
+  const said s = run(arguments);
+  INFO(s.err);
+  CHECK(s.code == code);
+  CHECK(s.out.empty());
+  REQUIRE(s.err.rfind("meet: ", 0) == 0);
+  CHECK(s.err.find('\n') == s.err.size() - 1);
+  return s.err.substr(6, s.err.size() - 7);
+}
+
+inline bool has(const std::string &text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+using pair_list = std::vector<std::pair<unsigned, unsigned>>;
+
+// The rows of a pairs file; checks its header.
+inline pair_list pairs_in(const fs::path &path) {
+  std::ifstream in(path);
+  std::string line;
+  REQUIRE(std::getline(in, line));
+  CHECK(line == "a,b");
+  pair_list out;
+  unsigned a = 0, b = 0;
+  for (char comma = 0; in >> a >> comma >> b;)
+    out.emplace_back(a, b);
+  return out;
+}
+
+// The pairs of a run that must do well.
+inline pair_list pairs_of(std::vector<std::string> arguments) {
+  const json counts = answer(arguments);
+  arguments.insert(arguments.end(), {"--pairs", at("pairs.csv")});
+  const json j = answer(arguments);
+  pair_list p = pairs_in(at("pairs.csv"));
+  CHECK(j["pairs"] == p.size());
+  for (const char *const count : {"pairs", "touched_a", "touched_b"})
+    CHECK(counts[count] == j[count]); // the same where no list is asked for
+  CHECK(std::is_sorted(p.begin(), p.end()));
+  std::set<unsigned> a, b;
+  for (const auto &[i, k] : p) {
+    a.insert(i);
+    b.insert(k);
+  }
+  CHECK(j["touched_a"] == a.size());
+  CHECK(j["touched_b"] == b.size());
+  return p;
+}
+
+inline std::size_t files_in(const fs::path &path) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
+}
+
+} // namespace fixture
+
+#endif

@@ -1,0 +1,170 @@
+// The files that `meet collide` writes: what is in them, the same for any number of threads, whole or not
+// there.
+#include "fixture.hpp"
+
+#include "io/read.hpp"
+
+#include <cstring>
+#include <sys/stat.h>
+
+using namespace fixture;
+using namespace meetc::app;
+
+namespace {
+
+void put_files() {
+  put_mesh("ball.ply", icosphere(3));
+  put_mesh("ring.ply", torus(48, 24));
+  put("balls.csv", "x,y,z,r\n1,0,0,0.5\n");
+}
+
+// Faces of each colour of a coloured PLY.
+std::map<std::string, std::size_t> colours_in(const std::string &path, std::size_t faces) {
+  const std::string file = get(path);
+  const std::size_t size = 1 + 3 * 4 + 3;
+  REQUIRE(has(file, "property uchar red"));
+  REQUIRE(file.size() > faces * size);
+  std::map<std::string, std::size_t> out;
+  for (std::size_t i = 0; i < faces; ++i)
+    ++out[file.substr(file.size() - (faces - i) * size + size - 3, 3)];
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("the same bytes from any number of threads") {
+  put_mesh("animal.ply", blob(48));
+  put_mesh("knot.ply", knot(720, 24));
+  std::string first;
+  for (const char *const threads : {"1", "2", "7", "0"}) {
+    fs::remove_all(at("colours"));
+    answer({"animal.ply", "knot.ply", "--threads", threads, "--pairs", "pairs.csv", "--color", "colours"});
+    const std::string all = get(at("pairs.csv")) + get(at("colours/a.ply")) + get(at("colours/b.ply"));
+    if (first.empty())
+      first = all;
+    CHECK(first == all);
+  }
+  CHECK(first.size() > 100000);
+}
+
+TEST_CASE("coloured meshes: as many bright faces as are touched") {
+  put_files();
+  const json j = answer({"ball.ply", "ring.ply", "--color", "new/folder"});
+  const auto a = colours_in(at("new/folder/a.ply"), 1280), b = colours_in(at("new/folder/b.ply"), 2304);
+  REQUIRE(a.size() == 2);
+  REQUIRE(b.size() == 2);
+  CHECK(a.at("\xff\xd6" + std::string(1, '\0')) == j["touched_a"]);
+  CHECK(b.at("\xff\x14\x89") == j["touched_b"]);
+  CHECK(files_in(at("new/folder")) == 2);
+  // B is written as it was moved, and may be read again.
+  run({"collide", "ball.ply", "ring.ply", "--translate-b", "0.5,0,0", "--color", "new/folder"});
+  CHECK(answer({"ball.ply", "new/folder/b.ply"})["pairs"] ==
+        answer({"ball.ply", "ring.ply", "--translate-b", "0.5,0,0"})["pairs"]);
+  // What is no mesh has no colours.
+  fs::remove_all(at("new"));
+  const said s = run({"collide", "balls.csv", "ring.ply", "--colour", "new"});
+  CHECK(s.code == 0);
+  CHECK(has(s.out, "A is no mesh"));
+  CHECK(files_in(at("new")) == 1);
+  fs::remove_all(at("new"));
+  CHECK(has(complaint({"collide", "balls.csv", "balls.csv", "--color", "new"}), "only the faces of a mesh"));
+  CHECK_FALSE(fs::exists(at("new")));
+}
+
+TEST_CASE("pictures, of every kind") {
+  put_files();
+  put("rods.csv", "x0,y0,z0,x1,y1,z1\n0,0,0,2,0,0\n");
+  put("points.csv", "x,y,z\n0,0,0\n1.375,0,0\n");
+  for (const char *const a : {"ball.ply", "balls.csv", "rods.csv", "points.csv"}) {
+    const said s = run({"collide", a, "ring.ply", "--image", "picture.png"});
+    CHECK(s.code == 0);
+    CHECK(has(s.out, "wrote picture.png"));
+    const std::string png = get(at("picture.png"));
+    CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    CHECK(png.size() > 10000);
+  }
+}
+
+TEST_CASE("an output never is an input, nor another output") {
+  put_files();
+  const std::string before = get(at("ball.ply"));
+  fs::remove(at("alias.ply"));
+  fs::create_hard_link(at("ball.ply"), at("alias.ply"));
+  for (const char *const name : {"ball.ply", "ring.ply", "alias.ply", "./ball.ply"})
+    for (const char *const option : {"--pairs", "--image"})
+      CHECK(has(complaint({"collide", "ball.ply", "ring.ply", option, name}), "is an input"));
+  fs::create_directories(at("inputs"));
+  fs::copy_file(at("ball.ply"), at("inputs/a.ply"), fs::copy_options::overwrite_existing);
+  CHECK(has(complaint({"collide", "inputs/a.ply", "ring.ply", "--color", "inputs"}), "is an input"));
+  CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", "x", "--image", "x"}), "the same name"));
+  CHECK(get(at("ball.ply")) == before);
+  CHECK(get(at("inputs/a.ply")) == before);
+  CHECK_FALSE(fs::exists(at("x")));
+}
+
+TEST_CASE("all outputs or none, and nothing is left over") {
+  put_files();
+  for (const char *const made : {"plain", "bad.ply", "p.csv"})
+    fs::remove(at(made));
+  const std::size_t before = [] {
+    run({"--version"}); // its output files count
+    return files_in(folder());
+  }();
+  put("plain", "no folder");
+  CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv", "--image", "no/where.png"}),
+            "no/where.png: cannot be written"));
+  CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv", "--color", "plain"}),
+            "plain: is not a folder"));
+  CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv", "--color", "plain/x"}),
+            "plain: is not a folder"));
+  CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", "."}), "."));
+  CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", ""}), "not the name of a file"));
+  // Bad input: outputs that were there stay as they were.
+  put("bad.ply", "ply\n");
+  put("p.csv", "old");
+  CHECK(has(complaint({"collide", "ball.ply", "bad.ply", "--pairs", "p.csv", "--color", "fresh"}), "bad.ply"));
+  CHECK(get(at("p.csv")) == "old");
+  CHECK_FALSE(fs::exists(at("fresh")));
+  for (const char *const made : {"plain", "bad.ply", "p.csv"})
+    fs::remove(at(made));
+  CHECK(files_in(folder()) == before);
+}
+
+TEST_CASE("a file that is replaced keeps its mode and its links; special files are written to") {
+  put_files();
+  put("real.csv", "old");
+  ::chmod(at("real.csv").c_str(), 0640);
+  fs::remove(at("link.csv"));
+  fs::create_symlink("real.csv", at("link.csv"));
+  answer({"ball.ply", "ring.ply", "--pairs", "link.csv"});
+  CHECK(fs::is_symlink(at("link.csv")));
+  CHECK(pairs_in(at("real.csv")).size() > 100);
+  struct stat info {};
+  ::stat(at("real.csv").c_str(), &info);
+  CHECK((info.st_mode & 0777) == 0640);
+  CHECK(run({"collide", "ball.ply", "ring.ply", "--pairs", "/dev/null"}).code == 0);
+  CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", "/dev/full"}), "/dev/full: cannot be written"));
+}
+
+TEST_CASE("standard output that is gone, closed or full") {
+  put_files();
+  // What is printed to a closed stream is lost, and that is a fault. A file that is written is whole: it does
+  // not get the stream's place.
+  const said closed = run({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv"}, ">&-");
+  CHECK(closed.code == 2);
+  CHECK(has(closed.err, "meet: standard output: "));
+  CHECK(pairs_in(at("p.csv")).size() > 100);
+  CHECK(run({"--help"}, ">&-").code == 2);
+  CHECK(run({"collide", "ball.ply", "ring.ply"}, "2>&- <&-").code == 0);
+  CHECK(run({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv"}, ">&- 2>&- <&-").code == 2);
+  CHECK(pairs_in(at("p.csv")).size() > 100);
+  const said full = run({"collide", "ball.ply", "ring.ply", "--json"}, ">/dev/full");
+  CHECK(full.code == 2);
+  CHECK(has(full.err, "meet: standard output: "));
+  // The reader leaves before anything is written.
+  const std::string command =
+      fmt::format("cd '{}' && {{ sleep 0.2; '{}' collide ball.ply ring.ply; echo $? > code.txt; }} | true",
+                  folder().string(), MEETC_MEET);
+  CHECK(std::system(command.c_str()) == 0);
+  CHECK(get(at("code.txt")) == "0\n");
+}

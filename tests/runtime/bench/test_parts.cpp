@@ -1,0 +1,137 @@
+// Tables, charts, blind counting, and what is asked of a device.
+#include "tests/catch.hpp"
+
+#include "app/failure.hpp"
+#include "app/made_sets.hpp"
+#include "bench/paper_parts.hpp"
+
+#include <cga/cga_runtime.hpp>
+
+#include <array>
+#include <cmath>
+
+using namespace meetc::app;
+
+TEST_CASE("a table as text, Markdown and JSON") {
+  table t{"one", "A table", {{"n", "size|of it"}, {"r", "ratio"}}, {}, {"A note."}};
+  t.rows.push_back({of_count(1234567), of_ratio(0.5)});
+  t.rows.push_back({of_words("a \"b\""), missing("no device")});
+  CHECK(as_text(t) == "A table\n\n"
+                      "size\n"
+                      "of it          ratio\n"
+                      "1,234,567       0.50\n"
+                      "a \"b\"      no device\n"
+                      "\nA note.\n");
+  CHECK(as_markdown(t) == "## A table\n\n| size of it | ratio |\n|---|---:|\n| 1,234,567 | 0.50 |\n"
+                          "| a \"b\" | no device |\n\nA note.\n");
+  CHECK(as_json(t) == R"({"name":"one","rows":[{"n":1234567,"r":0.5},{"n":"a \"b\"","r":null}]})");
+  CHECK(of_ratio(INFINITY).json == "null");
+  CHECK(of_ratio(41.96).text == "42.0");
+  CHECK(of_ratio(12345.6).text == "12,346");
+}
+
+TEST_CASE("a chart draws its points where they are, by powers of ten") {
+  const colour ink = palette::curve_red;
+  const auto inked = [&](const image &p) { // columns that hold ink below the legend: first and last
+    std::array<int, 4> box{p.width, 0, p.height, 0};
+    for (int y = 60; y < p.height; ++y)
+      for (int x = 0; x < p.width; ++x)
+        if (p.at(x, y) == ink)
+          box = {std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y)};
+    return box;
+  };
+  const auto drawn = [&](std::vector<std::pair<double, double>> points) {
+    return draw({"t", "x", "y", {{"c", ink, std::move(points)}}}, 600, 400);
+  };
+  const std::array<int, 4> two = inked(drawn({{1, 1}, {10000, 100}})),
+                           middle = inked(drawn({{1, 1}, {10000, 100}, {100, 10}}));
+  CHECK(two == middle); // (100, 10) lies half-way on both axes, so on the line
+  const std::array<int, 4> three = inked(drawn({{1, 1}, {100, 10}, {10000, 100}}));
+  CHECK(two == three);
+  CHECK(two[1] - two[0] > 300);
+  CHECK(two[3] - two[2] > 200);
+  const std::array<int, 4> none = inked(drawn({{1, 0}, {10, -1}, {100, NAN}}));
+  CHECK(none[1] == 0);
+}
+
+TEST_CASE("blind counting finds what the search finds, and its sample is a part of it") {
+  const meetc::catalogue &all = cga::catalogue();
+  const meetc::io::element_set a = of_mesh(all, torus(25, 20)), b = of_mesh(all, knot(100, 25));
+  const choice by = choose(all, *a.kind, *b.kind, {}, {});
+  how h;
+  h.by = by;
+  const std::uint64_t pairs = collide_sets(a, b, h).pairs;
+  REQUIRE(pairs > 0);
+  yardstick clock;
+  const std::vector<meetc::decide_function> tests{
+      decide_by(by, meetc::rung::exact), decide_by(by, meetc::rung::fp32), classic::moller_0,
+      [](const float *, const float *, const meetc::index_pair *, std::size_t n, meetc::answer *out) {
+        std::fill_n(out, n, meetc::answer::no);
+      }};
+  const blind_times whole = time_blind(clock, tests, a, b, 5'000'000, 1);
+  CHECK_FALSE(whole.sample);
+  CHECK(whole.pairs == 5'000'000);
+  CHECK(whole.of[0].yes == pairs);
+  CHECK(whole.of[0].wrong_yes + whole.of[0].wrong_no == 0);
+  CHECK(whole.of[3].wrong_no == pairs); // never yes
+  CHECK(whole.of[3].wrong_yes == 0);
+  const blind_times part = time_blind(clock, tests, a, b, 200'000, 3);
+  CHECK(part.sample);
+  CHECK(part.pairs <= 200'000);
+  CHECK(part.pairs > 100'000);
+  CHECK(part.of[0].yes < pairs);
+  // Scaled to all pairs, so about the same; a factor of 3 is far beyond what rows differ by.
+  CHECK(part.of[1].time < 3 * whole.of[1].time);
+  CHECK(part.of[1].time > whole.of[1].time / 3);
+}
+
+namespace {
+
+class pretended final : public bench_device {
+public:
+  explicit pretended(std::uint64_t pairs) : pairs_(pairs) {}
+  std::string name() const override { return "a device of the tests"; }
+  device_time time(const device_job &job, int runs) override {
+    CHECK(job.by.predicate->name == std::string_view("ball_ball"));
+    CHECK(runs == 3);
+    return {0.001, 0.004, pairs_};
+  }
+
+private:
+  std::uint64_t pairs_;
+};
+
+} // namespace
+
+TEST_CASE("a device's row: milliseconds and a ratio; another count than the CPU's is a failure") {
+  const meetc::catalogue &all = cga::catalogue();
+  const meetc::io::element_set balls = of_rows(all, "sphere", sphere_cloud(10, 1, 0.1, 0.2));
+  const paper_bodies bodies(all, {}, true);
+  yardstick by;
+  pretended right(42), wrong(41);
+  paper_context c{all, bodies, &right, by, true, 1, 3, 1000, [] {}};
+  const device_cells cells = ask_device(c, balls, balls, 42, 0.2 / by.seconds(1));
+  REQUIRE(cells.cells.size() == device_columns().size());
+  CHECK(cells.cells[0].text == "1");
+  CHECK(cells.cells[1].text == "4");
+  CHECK(cells.cells[2].text == "50.0"); // 0.2 s over 4 ms
+  CHECK(cells.time == Approx(0.004 / by.seconds(1)));
+  table t;
+  add_claim(c, {cells.core_over_gpu, 2000}, t);
+  REQUIRE(t.notes.size() == 1);
+  CHECK(t.notes[0].find("50.0 to 2,000.") != std::string::npos);
+  c.device = &wrong;
+  try {
+    ask_device(c, balls, balls, 42, 1);
+    FAIL("no failure");
+  } catch (const failure &e) {
+    CHECK(e.code() == no_device);
+    CHECK(std::string(e.what()).find("41 pairs found on the device, 42 on the CPU") != std::string::npos);
+  }
+  c.device = nullptr;
+  CHECK(ask_device(c, balls, balls, 42, 1).cells[0].text == "no device");
+  add_claim(c, {0}, t);
+  CHECK(t.notes.size() == 1);
+  CHECK(bench_device_named("cpu") == nullptr);
+  CHECK_THROWS_AS(bench_device_named("tpu"), failure);
+}

@@ -1,0 +1,135 @@
+// The parts under the hierarchy: the box test, sorting, the spatial order, enclosing levels.
+#include "tests/catch.hpp"
+#include "toy.hpp"
+
+#include "core/element_set.hpp"
+#include "core/morton.hpp"
+#include "core/pair_sort.hpp"
+#include "core/radix_sort.hpp"
+
+using namespace meetc;
+using namespace toy;
+
+TEST_CASE("one box against sixteen is sixteen tests; not a number means candidate") {
+  std::mt19937 g(60);
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  const float values[] = {0, -0.0f, 1, 2, 3, -1, 1e-45f, -1e-45f, 3e38f, inf, -inf, nan};
+  for (int round = 0; round < 20000; ++round) {
+    const auto any = [&] {
+      box b;
+      for (int k = 0; k < 3; ++k) {
+        b.lo[k] = values[g() % std::size(values)];
+        b.hi[k] = values[g() % std::size(values)];
+      }
+      return b;
+    };
+    box_block block;
+    for (int i = 0; i < lanes; ++i)
+      block.set(i, any());
+    const box q = any();
+    std::uint32_t want = 0;
+    for (int i = 0; i < lanes; ++i) {
+      bool apart = false;
+      for (int k = 0; k < 3; ++k)
+        apart |= q.hi[k] < block.lo[k][i] || block.hi[k][i] < q.lo[k];
+      want |= apart ? 0u : 1u << i;
+    }
+    REQUIRE(touching(block, q) == want);
+    const box s = sanitised(q);
+    for (int k = 0; k < 3; ++k) {
+      REQUIRE((std::isfinite(s.lo[k]) && std::isfinite(s.hi[k])));
+      REQUIRE((!(s.lo[k] > q.lo[k]) || q.lo[k] == -inf));
+      REQUIRE((!(s.hi[k] < q.hi[k]) || q.hi[k] == inf));
+    }
+    block.clear();
+    REQUIRE(touching(block, s) == 0);
+  }
+}
+
+TEST_CASE("the radix sort sorts, stably, any width") {
+  std::mt19937_64 g(61);
+  for (const int bits : {0, 1, 8, 11, 12, 30, 38, 63, 64}) {
+    const std::uint64_t mask = bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+    std::vector<std::pair<std::uint64_t, int>> data(3000), scratch(3000);
+    for (int i = 0; i < 3000; ++i)
+      data[static_cast<std::size_t>(i)] = {g() >> (g() % 64), i};
+    auto want = data;
+    std::stable_sort(want.begin(), want.end(),
+                     [&](const auto &x, const auto &y) { return (x.first & mask) < (y.first & mask); });
+    radix_sort(data.data(), scratch.data(), data.size(), bits, [](const auto &x) { return x.first; });
+    CHECK(data == want);
+  }
+}
+
+TEST_CASE("lists of pairs become one sorted list") {
+  std::mt19937 g(62);
+  for (const std::uint32_t range : {1u, 3u, 300u, 70'000u, 0xffffffffu})
+    for (const std::size_t n : {0u, 5u, 40'000u}) {
+      std::vector<std::vector<index_pair>> lists(3);
+      std::vector<index_pair> want;
+      for (std::size_t i = 0; i < n; ++i) {
+        const index_pair p{static_cast<std::uint32_t>(g()) % range, static_cast<std::uint32_t>(g()) % range};
+        lists[g() % 3].push_back(p);
+        want.push_back(p);
+      }
+      std::sort(want.begin(), want.end(),
+                [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+      CHECK(same(sort_together(lists, 2), want));
+    }
+}
+
+TEST_CASE("the spatial order is a permutation, the same on any number of threads, and keeps ties") {
+  std::mt19937 g(63);
+  for (const std::size_t n : {1u, 16u, 17u, 1000u, 9000u})
+    for (const int spread : {0, 1, 277}) { // all equal; one scale; every scale
+      std::vector<box> b(n);
+      for (box &x : b)
+        for (int k = 0; k < 3; ++k) {
+          const float v = spread == 0   ? 1.0f
+                          : spread == 1 ? uniform(g, -1, 1)
+                                        : std::ldexp(1.0f, static_cast<int>(g() % 277) - 149);
+          x.lo[k] = x.hi[k] = v;
+        }
+      std::vector<std::uint64_t> one(n), four(n), scratch(n);
+      spatial_order(b.data(), n, one.data(), scratch.data(), 1);
+      spatial_order(b.data(), n, four.data(), scratch.data(), 4);
+      CHECK(one == four);
+      std::vector<std::uint32_t> order(one.begin(), one.end());
+      if (spread == 0)
+        CHECK(std::is_sorted(order.begin(), order.end()));
+      std::sort(order.begin(), order.end());
+      for (std::size_t i = 0; i < n; ++i)
+        REQUIRE(order[i] == i);
+    }
+}
+
+TEST_CASE("one far element does not spoil the order of the others") {
+  rows r = some_boxes(4000, 1, 0.001f, 64);
+  std::fill(r.begin(), r.begin() + 6, 3e38f);
+  const prepared x = prepare(view_of(r, boxes), boxes);
+  const level &blocks = x.set().boxes.levels[1];
+  std::vector<float> widths;
+  for (std::size_t i = 0; i < blocks.boxes; ++i)
+    widths.push_back(blocks.get(i).hi[0] - blocks.get(i).lo[0]);
+  std::sort(widths.begin(), widths.end());
+  CHECK(widths[widths.size() / 2] < 0.5f); // of a cube two wide
+}
+
+TEST_CASE("every level encloses the one below") {
+  for (const std::size_t n : {0u, 1u, 16u, 17u, 256u, 257u, 5000u}) {
+    const prepared x = prepare(view_of(some_boxes(n, 1, 0.1f, 65), boxes), boxes);
+    const hierarchy &h = x.set().boxes;
+    if (n == 0) {
+      CHECK(h.depth == 0);
+      continue;
+    }
+    CHECK(h.depth >= 2);
+    CHECK(h.top().count() == 1);
+    for (int k = 1; k < h.depth; ++k)
+      for (std::size_t i = 0; i < h.levels[k - 1].boxes; ++i) {
+        const box in = h.levels[k - 1].get(i), out = h.levels[k].get(i / lanes);
+        for (int c = 0; c < 3; ++c)
+          REQUIRE((out.lo[c] <= in.lo[c] && in.hi[c] <= out.hi[c]));
+      }
+  }
+}

@@ -1,0 +1,239 @@
+#include "engine.hpp"
+
+#include "core/element_set.hpp"
+
+#include "cuda_test.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace cuda_test {
+
+using namespace meetc;
+
+const char *name_of(rung r) {
+  static const char *const names[] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
+  return names[static_cast<int>(r)];
+}
+const char *name_of(cuda::filter f) {
+  switch (f) {
+  case cuda::filter::float32:
+    return "float32";
+  case cuda::filter::mma:
+    return "mma";
+  case cuda::filter::wgmma:
+    return "wgmma";
+  case cuda::filter::wgmma_half:
+    return "wgmma to fp16";
+  }
+  return "";
+}
+const predicate_info &predicate_named(std::string_view name) {
+  const catalogue &all = cga::catalogue();
+  for (int i = 0; i < all.predicate_count; ++i)
+    if (all.predicates[i].name == name)
+      return all.predicates[i];
+  throw std::runtime_error("no predicate " + std::string(name));
+}
+
+// ---- sets ----
+
+view view_of(const rows_of &r) {
+  return {r.rows.data(), 0, static_cast<std::size_t>(r.kind->fields) * sizeof(float), nullptr, r.size()};
+}
+
+namespace {
+double between(engine &random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
+}
+} // namespace
+
+rows_of random_rows(const kind_info &kind, std::size_t n, const place &at, engine &random) {
+  rows_of out{&kind, {}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool lattice = random() % 2;
+    const auto snapped = [&](double x) { return lattice ? std::nearbyint(x * 16) / 16 : x; };
+    double centre[3];
+    for (double &c : centre)
+      c = snapped(between(random, -at.cube, at.cube));
+    int axis = 0;
+    for (int f = 0; f < kind.fields; ++f) {
+      if (kind.roles[f] == role::length) {
+        out.rows.push_back(static_cast<float>(snapped(between(random, 0, at.size)) * at.scale));
+        continue;
+      }
+      const double off = kind.fields > 4 ? snapped(between(random, -at.size, at.size)) : 0; // a point is its place
+      out.rows.push_back(static_cast<float>((centre[axis] + off) * at.scale + at.offset));
+      axis = (axis + 1) % 3;
+    }
+  }
+  return out;
+}
+
+rows_of family_rows(const kind_info &kind, std::size_t n, int family, engine &random) {
+  rows_of out{&kind, {}};
+  for (std::size_t i = 0; i < n; ++i)
+    for (int f = 0; f < kind.fields; ++f) {
+      const float v = number(random, family < 0 ? static_cast<int>(i) : family);
+      out.rows.push_back(kind.roles[f] == role::length ? std::fabs(v) : v);
+    }
+  return out;
+}
+
+rows_of same_rows(const kind_info &kind, std::size_t n) {
+  static constexpr float row[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}; // of any kind; all of them touch at 0, 0, 0 or at 1, 0, 0
+  static constexpr float sphere[] = {0, 0, 0, 1};
+  rows_of out{&kind, {}};
+  for (std::size_t i = 0; i < n; ++i)
+    out.rows.insert(out.rows.end(), kind.fields == 4 ? sphere : row, (kind.fields == 4 ? sphere : row) + kind.fields);
+  return out;
+}
+
+// ---- comparing ----
+
+namespace {
+
+bool same_pairs(const std::vector<index_pair> &x, const std::vector<index_pair> &y) {
+  return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(index_pair)) == 0);
+}
+bool before(index_pair x, index_pair y) {
+  return x.a != y.a ? x.a < y.a : x.b < y.b;
+}
+
+std::string text(const range &r) {
+  return std::to_string(r.least) + " to " + std::to_string(r.most);
+}
+
+} // namespace
+
+comparison::comparison(device &on) : on_(on) {
+  for (const cuda::filter f : {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma, cuda::filter::wgmma_half})
+    if (on.offers(f))
+      filters_.push_back(f);
+}
+
+line &comparison::at(const key &of) {
+  const auto [found, fresh] = lines_.try_emplace(of);
+  if (fresh)
+    order_.push_back(of);
+  return found->second;
+}
+
+void comparison::fail(const key &of, const std::string &what) {
+  ++at(of).differences;
+  if (++printed_ <= 60)
+    std::printf("DIFFERENT  %s, %s: %s\n", of.first.c_str(), of.second.c_str(), what.c_str());
+}
+
+void comparison::require(const std::string &scene, bool holds, const std::string &what) {
+  const key of{scene, "-"};
+  ++at(of).queries;
+  if (!holds)
+    fail(of, what);
+}
+
+void comparison::add(const std::string &scene, const predicate_info &p, const device_result &r) {
+  line &l = at({scene, p.name});
+  ++l.queries;
+  l.pairs += r.count, l.near_balls += r.near_balls, l.candidates += r.candidates, l.unsure += r.rungs.unsure[0];
+  l.most_parts = std::max(l.most_parts, r.parts);
+  l.device_ms += r.device_seconds * 1000;
+}
+
+std::vector<std::pair<cuda::filter, cuda::grouping>> comparison::ways(const options &o) const {
+  std::vector<std::pair<cuda::filter, cuda::grouping>> out;
+  for (const cuda::filter f : filters_)
+    for (const cuda::grouping g : {cuda::grouping::single, cuda::grouping::group})
+      if (o.all_filters || f == on_.best_filter())
+        out.emplace_back(f, g);
+  return out;
+}
+
+void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, const prepared &b,
+                      std::span<const rung> rungs, const options &o) {
+  device_set da(on_, a), db(on_, b);
+  same(scene, p, a, da, b, db, rungs, o);
+}
+
+void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, device_set &da,
+                      const prepared &b, device_set &db, std::span<const rung> rungs, const options &o) {
+  const key of{scene, p.name};
+  for (const rung r : rungs) {
+    collide_options on_cpu;
+    on_cpu.owner_a = o.owner_a, on_cpu.owner_b = o.owner_b;
+    const result want = collide(a, b, p, r, on_cpu);
+    for (const auto &[f, by] : ways(o)) {
+      const auto fails = [&](const std::string &what) {
+        fail(of, std::to_string(a.elements()) + " by " + std::to_string(b.elements()) + ", " + name_of(r) + ", " +
+                     name_of(f) + (by == cuda::grouping::group ? ", groups: " : ": ") + what);
+      };
+      const bool grouped = by == cuda::grouping::group;
+      device_options with;
+      with.by = by;
+      with.owner_a = o.owner_a, with.owner_b = o.owner_b;
+      with.filter = f;
+      with.list_capacity = o.list_capacity;
+      const device_result have = collide(on_, da, db, p, r, with);
+      add(scene, p, have);
+      if (have.count != have.pairs.size())
+        fails("the count is " + std::to_string(have.count) + " and the list has " + std::to_string(have.pairs.size()));
+      if (!std::is_sorted(have.pairs.begin(), have.pairs.end(), before))
+        fails("the pairs are not sorted");
+      if (!same_pairs(want.pairs, have.pairs))
+        fails(std::to_string(have.count) + " pairs, and the CPU has " + std::to_string(want.count));
+      // The CPU's candidates are touching boxes. For the plain rungs they are here, too; for the others balls rule out more.
+      if (have.candidates > want.candidates || (!never_wrong(r) && have.candidates != want.candidates))
+        fails(std::to_string(have.candidates) + " candidates, and the CPU has " + std::to_string(want.candidates));
+      if (!grouped && have.near_balls < have.candidates)
+        fails("more candidates than near balls");
+      for (int u = 0; u < bounded_rungs; ++u)
+        if (have.rungs.unsure[u] > want.rungs.unsure[u])
+          fails(std::to_string(have.rungs.unsure[u]) + " unsure, and on the CPU " +
+                std::to_string(want.rungs.unsure[u]));
+      if (o.expectations && r == rung::certified && !grouped) {
+        const expectation e = expect(p, a, b, f);
+        const auto within = [&](const char *what, const range &may, std::uint64_t is) {
+          if (!may.holds(is))
+            fails(std::to_string(is) + " " + what + ", and the model allows " + text(may));
+        };
+        within("near balls", e.near_balls, have.near_balls);
+        within("candidates", e.candidates, have.candidates);
+        for (int u = 0; u < bounded_rungs; ++u)
+          within("unsure", e.unsure[u], have.rungs.unsure[u]);
+      }
+      if (!o.all_modes)
+        continue;
+      with.mode = collide_mode::count;
+      const device_result counted = collide(on_, da, db, p, r, with);
+      if (counted.count != have.count || !counted.pairs.empty())
+        fails("counted " + std::to_string(counted.count) + ", listed " + std::to_string(have.count));
+      if (counted.candidates != have.candidates || counted.near_balls != have.near_balls)
+        fails("counting looks at other candidates than listing");
+      with.mode = collide_mode::any;
+      const device_result any = collide(on_, da, db, p, r, with);
+      if (any.count != (have.count > 0) || !any.pairs.empty())
+        fails("any says " + std::to_string(any.count) + " of " + std::to_string(have.count));
+    }
+  }
+}
+
+void comparison::print() const {
+  std::printf("\n%-26s %-18s %8s %12s %13s %12s %10s %6s %10s %s\n", "scene", "predicate", "queries", "pairs",
+              "near_balls", "candidates", "unsure", "parts", "device_ms", "different");
+  for (const key &k : order_) {
+    const line &l = lines_.at(k);
+    std::printf("%-26s %-18s %8ld %12llu %13llu %12llu %10llu %6llu %10.2f %ld\n", k.first.c_str(), k.second.c_str(),
+                l.queries, static_cast<unsigned long long>(l.pairs), static_cast<unsigned long long>(l.near_balls),
+                static_cast<unsigned long long>(l.candidates), static_cast<unsigned long long>(l.unsure),
+                static_cast<unsigned long long>(l.most_parts), l.device_ms, l.differences);
+  }
+}
+
+long comparison::differences() const {
+  long sum = 0;
+  for (const auto &[k, l] : lines_)
+    sum += l.differences;
+  return sum;
+}
+
+} // namespace cuda_test

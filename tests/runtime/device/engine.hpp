@@ -1,0 +1,127 @@
+// What the tests of whole queries on the device share: sets, the CPU's answers beside the device's, and a table.
+#pragma once
+#include "core/device/collide.hpp"
+
+#include <cga/cga_runtime.hpp>
+
+#include <cstdint>
+#include <map>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cuda_test {
+
+using engine = std::mt19937_64;
+
+const char *name_of(meetc::rung r);
+const char *name_of(meetc::cuda::filter f);
+inline constexpr meetc::rung all_rungs[] = {meetc::rung::fp32, meetc::rung::fp64, meetc::rung::fp64x2,
+                                            meetc::rung::exact, meetc::rung::certified};
+inline bool never_wrong(meetc::rung r) {
+  return r == meetc::rung::exact || r == meetc::rung::certified;
+}
+const meetc::predicate_info &predicate_named(std::string_view name);
+
+// ---- sets ----
+
+// Rows of a kind, in the caller's order.
+struct rows_of {
+  const meetc::kind_info *kind;
+  std::vector<float> rows;
+  std::size_t size() const { return rows.size() / static_cast<std::size_t>(kind->fields); }
+};
+meetc::view view_of(const rows_of &r);
+
+// n elements about points of a cube, each about `size` large; half of them on a lattice, so that they touch exactly.
+// Numbers are multiplied by `scale` and moved by `offset`, then rounded.
+struct place {
+  double cube = 1, size = 0.1, scale = 1, offset = 0;
+};
+rows_of random_rows(const meetc::kind_info &kind, std::size_t n, const place &at, engine &random);
+// The families of cuda_test.hpp: one of them, or all where it is below 0.
+rows_of family_rows(const meetc::kind_info &kind, std::size_t n, int family, engine &random);
+// One row, n times.
+rows_of same_rows(const meetc::kind_info &kind, std::size_t n);
+
+// ---- what the filter may let through ----
+
+// Counts that a device may give: `least` where every doubt falls one way, `most` where it falls the other. In float32
+// there is no doubt.
+struct range {
+  std::uint64_t least = 0, most = 0;
+  bool holds(std::uint64_t n) const { return least <= n && n <= most; }
+};
+struct expectation {
+  range near_balls, candidates, unsure[meetc::bounded_rungs];
+};
+// Of `certified`, element by element, from the host's own columns, pair by pair.
+expectation expect(const meetc::predicate_info &p, const meetc::prepared &a, const meetc::prepared &b,
+                   meetc::cuda::filter by);
+
+// ---- comparing ----
+
+struct options {
+  std::span<const std::uint32_t> owner_a = {}, owner_b = {};
+  std::size_t list_capacity = std::size_t{1} << 25;
+  bool all_modes = false; // count and any, too
+  bool expectations = false;
+  bool all_filters = true; // else the best
+};
+
+struct line {
+  long queries = 0, differences = 0;
+  std::uint64_t pairs = 0, near_balls = 0, candidates = 0, unsure = 0, most_parts = 0;
+  double device_ms = 0;
+};
+
+class comparison {
+public:
+  explicit comparison(meetc::device &on);
+
+  meetc::device &on() const { return on_; }
+  const std::vector<meetc::cuda::filter> &filters() const { return filters_; }
+  // Filters by elements and by groups, as the options ask.
+  std::vector<std::pair<meetc::cuda::filter, meetc::cuda::grouping>> ways(const options &o = {}) const;
+
+  // Every rung of `rungs` by every filter against the CPU; differences are counted under the scene's name and printed.
+  void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
+            const meetc::prepared &b, std::span<const meetc::rung> rungs, const options &o = {});
+  // The same for sets that are on the device already, under whatever pose a and b were prepared with.
+  void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a, meetc::device_set &da,
+            const meetc::prepared &b, meetc::device_set &db, std::span<const meetc::rung> rungs, const options &o = {});
+  // Anything else that has to hold.
+  void require(const std::string &scene, bool holds, const std::string &what);
+  // One query's figures, under the scene's name.
+  void add(const std::string &scene, const meetc::predicate_info &p, const meetc::device_result &r);
+
+  void print() const; // a line a scene and predicate
+  long differences() const;
+
+private:
+  using key = std::pair<std::string, std::string>;
+  void fail(const key &of, const std::string &what);
+  line &at(const key &of);
+
+  meetc::device &on_;
+  std::vector<meetc::cuda::filter> filters_;
+  std::vector<key> order_;
+  std::map<key, line> lines_;
+  long printed_ = 0;
+};
+
+// ---- programs ----
+
+struct settings {
+  bool small = false; // few and small sets, for tools that slow everything down
+  std::uint64_t seed = 1;
+  std::string data; // a folder of meshes: those are compared, and nothing else
+  std::string part; // of the scenes: pairs, poses or ends; empty: all
+};
+void pair_scenes(comparison &with, const settings &s);
+void pose_scenes(comparison &with, const settings &s);
+void end_scenes(comparison &with, const settings &s);
+void mesh_scenes(comparison &with, const settings &s);
+
+} // namespace cuda_test

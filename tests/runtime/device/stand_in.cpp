@@ -1,0 +1,378 @@
+// A stand-in for the device, on the host: memory is memory, and the launchers are loops. So what the engine itself does
+// (parts, lists, owners, poses, frames) is tested by the same scenes where there is no device. Extents, frames, columns
+// and the first step are computed by the functions that the kernels call, in the order of the kernels' joins. Two of its
+// filters are the worst and the best that the assumed matrix unit may be: one lets go what it may, one keeps what it may.
+#include "core/device/kernels.hpp"
+
+#include <cga/ball_form.hpp>
+#include <cga/cga.hpp>
+#include <cga/cga_cuda.hpp>
+#include <cga/cga_runtime.hpp>
+#include <cga/shapes.hpp>
+#include <meetc/frame.hpp>
+#include <meetc/matrix.hpp>
+#include <meetc/near.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+// ---- the CUDA runtime's calls ----
+
+extern "C" {
+
+cudaError_t cudaGetDeviceCount(int *count) {
+  *count = 1;
+  return cudaSuccess;
+}
+cudaError_t cudaDriverGetVersion(int *version) {
+  *version = 0;
+  return cudaSuccess;
+}
+cudaError_t cudaGetDevice(int *device) {
+  *device = 0;
+  return cudaSuccess;
+}
+cudaError_t cudaGetDeviceProperties(cudaDeviceProp *p, int) {
+  *p = {};
+  std::strcpy(p->name, "a stand-in on the host");
+  p->major = 9;
+  return cudaSuccess;
+}
+const char *cudaGetErrorString(cudaError_t) {
+  return "an error of the stand-in";
+}
+cudaError_t cudaGetLastError() {
+  return cudaSuccess;
+}
+cudaError_t cudaMalloc(void **out, std::size_t bytes) {
+  *out = std::malloc(bytes);
+  std::memset(*out, 0xa5, bytes); // as stale as device memory
+  return cudaSuccess;
+}
+cudaError_t cudaFree(void *data) {
+  std::free(data);
+  return cudaSuccess;
+}
+cudaError_t cudaMallocHost(void **out, std::size_t bytes) {
+  return cudaMalloc(out, bytes);
+}
+cudaError_t cudaFreeHost(void *data) {
+  return cudaFree(data);
+}
+cudaError_t cudaMemGetInfo(std::size_t *free, std::size_t *all) {
+  *free = *all = 0;
+  return cudaSuccess;
+}
+cudaError_t cudaMemcpy(void *to, const void *from, std::size_t bytes, cudaMemcpyKind) {
+  if (bytes > 0)
+    std::memcpy(to, from, bytes);
+  return cudaSuccess;
+}
+cudaError_t cudaMemcpyAsync(void *to, const void *from, std::size_t bytes, cudaMemcpyKind kind, cudaStream_t) {
+  return cudaMemcpy(to, from, bytes, kind);
+}
+cudaError_t cudaMemsetAsync(void *to, int value, std::size_t bytes, cudaStream_t) {
+  std::memset(to, value, bytes);
+  return cudaSuccess;
+}
+cudaError_t cudaStreamCreateWithFlags(cudaStream_t *stream, unsigned) {
+  *stream = nullptr;
+  return cudaSuccess;
+}
+cudaError_t cudaStreamDestroy(cudaStream_t) {
+  return cudaSuccess;
+}
+cudaError_t cudaStreamSynchronize(cudaStream_t) {
+  return cudaSuccess;
+}
+cudaError_t cudaEventCreate(cudaEvent_t *event) {
+  *event = nullptr;
+  return cudaSuccess;
+}
+cudaError_t cudaEventDestroy(cudaEvent_t) {
+  return cudaSuccess;
+}
+cudaError_t cudaEventRecord(cudaEvent_t, cudaStream_t) {
+  return cudaSuccess;
+}
+cudaError_t cudaEventSynchronize(cudaEvent_t) {
+  return cudaSuccess;
+}
+cudaError_t cudaEventElapsedTime(float *ms, cudaEvent_t, cudaEvent_t) {
+  *ms = 0;
+  return cudaSuccess;
+}
+
+} // extern "C"
+
+// ---- the engine's own kernels ----
+
+namespace meetc {
+
+cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
+                    const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys, cudaStream_t) {
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint32_t a = order_a[slots[i].a], b = order_b[slots[i].b];
+    a = owner_a ? owner_a[a] : a, b = owner_b ? owner_b[b] : b;
+    keys[i] = static_cast<std::uint64_t>(a) << 32 | b;
+  }
+  return cudaSuccess;
+}
+cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, cudaStream_t) {
+  for (std::size_t i = 0; i < n; ++i)
+    keys[i] = keys[i] >> 32 | keys[i] << 32;
+  return cudaSuccess;
+}
+cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
+                      int bits, cudaStream_t) {
+  bytes = 1;
+  if (!space)
+    return cudaSuccess;
+  std::copy_n(keys, n, to);
+  const std::uint64_t mask = bits < 64 ? (std::uint64_t{1} << bits) - 1 : ~std::uint64_t{0}; // too few bits must show
+  std::stable_sort(to, to + n, [mask](std::uint64_t x, std::uint64_t y) { return (x & mask) < (y & mask); });
+  return cudaSuccess;
+}
+cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,
+                         unsigned long long *kept, std::size_t n, cudaStream_t) {
+  bytes = 1;
+  if (space)
+    *kept = static_cast<unsigned long long>(std::unique_copy(keys, keys + n, to) - to);
+  return cudaSuccess;
+}
+
+} // namespace meetc
+
+// ---- the generated launchers ----
+
+namespace {
+
+using namespace meetc;
+using cuda::operand;
+using cuda::pair_list;
+using form = cga::ball_form;
+
+cudaError_t clear_extent(extent *around, cudaStream_t) {
+  for (int k = 0; k < 3; ++k)
+    clear(*around, k);
+  return cudaSuccess;
+}
+template <class Shape>
+cudaError_t place(const cuda::view &v, const cuda::placement &at, const std::uint32_t *order, float *to,
+                  unsigned long long *bad, cudaStream_t) {
+  constexpr int fields = Shape::fields;
+  *bad = ~0ULL;
+  for (std::uint32_t i = 0; i < v.elements; ++i) {
+    const float *row = v.data + i * std::size_t{fields};
+    float *out = to + i * std::size_t{fields};
+    for (int f = 0; f < fields; ++f)
+      if (Shape::role_of(f) == role::length)
+        out[f] = static_cast<float>(static_cast<double>(row[f]) * at.length_scale);
+      else if (Shape::role_of(f) == role::x)
+        for (int k = 0; k < 3; ++k) {
+          const double *m = at.m + 4 * k;
+          const double x = row[f], y = row[f + 1], z = row[f + 2];
+          out[f + k] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
+        }
+    if (!std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }))
+      *bad = std::min(*bad, static_cast<unsigned long long>(order[i]) << 32 | i);
+  }
+  return cudaSuccess;
+}
+// As on the device: lanes go through the set in strides, a warp joins what its lanes have found, and the bits of that are
+// joined with those of other warps.
+template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t) {
+  constexpr std::uint32_t warps = 16, width = 32;
+  for (std::uint32_t warp = 0; warp < warps; ++warp) {
+    interval lanes[width][3];
+    for (std::uint32_t lane = 0; lane < width; ++lane)
+      for (std::size_t i = warp * width + lane; i < n; i += warps * width)
+        widen<Shape>(lanes[lane], rows + i * std::size_t{Shape::fields});
+    for (int k = 0; k < 3; ++k) {
+      for (std::uint32_t d = width / 2; d > 0; d /= 2)
+        for (std::uint32_t lane = 0; lane < d; ++lane) // what becomes of the others, lane 0 does not see
+          lanes[lane][k] = joined(lanes[lane][k], lanes[lane + d][k]);
+      if (!(lanes[0][k].lo <= lanes[0][k].hi))
+        continue;
+      around->low[k] = std::min(around->low[k], ordered(lanes[0][k].lo));
+      around->high[k] = std::max(around->high[k], ordered(lanes[0][k].hi));
+    }
+  }
+  return cudaSuccess;
+}
+template <class Shape>
+cudaError_t columns(cuda::filter by, cuda::grouping g, cover c, bool first, const float *rows, std::uint32_t n,
+                    const extent *around, void *out, cudaStream_t) {
+  const std::uint32_t objects = operand{rows, n, g, nullptr}.objects(), size = cuda::size_of(g);
+  for (std::size_t i = 0; i < matrix_padded(objects); ++i) {
+    double ball[4] = {0, 0, 0, 0};
+    placing where = placing::nowhere;
+    if (i < objects) {
+      const auto begin = static_cast<std::uint32_t>(i) * size;
+      where = place_object<Shape>(frame_of(*around), c, rows, begin, std::min(n - begin, size) + begin, ball);
+    }
+    if (by == cuda::filter::float32) {
+      float *const to = static_cast<float *>(out) + i * (form::products + 1);
+      first ? to_floats<form, true>(ball, where, to) : to_floats<form, false>(ball, where, to);
+      continue;
+    }
+    std::uint16_t halves[matrix_columns];
+    first ? to_columns<form, true>(ball, where, halves) : to_columns<form, false>(ball, where, halves);
+    for (int k = 0; k < matrix_columns; ++k)
+      static_cast<std::uint16_t *>(out)[matrix_place(i, k)] = halves[k];
+  }
+  return cudaSuccess;
+}
+
+void append(const pair_list &to, index_pair p) {
+  if (*to.count < to.capacity)
+    to.pairs[*to.count] = p;
+  ++*to.count;
+}
+
+bool negative(cuda::filter by, const double *x, const double *y) {
+  double sum = 0, size = 0;
+  for (int k = 0; k < matrix_columns; ++k)
+    sum += x[k] * y[k], size += std::fabs(x[k] * y[k]);
+  const double off = 17 * 0x1p-23 * size;
+  return by == cuda::filter::mma ? sum + off < 0 : sum - off < 0;
+}
+
+// Whether all the padding is as the first of it.
+bool padded_alike(cuda::filter by, const operand &o) {
+  const std::size_t first = o.objects();
+  bool alike = true;
+  for (std::size_t i = first + 1; i < matrix_padded(first); ++i)
+    if (by == cuda::filter::float32)
+      alike = alike &&
+              std::memcmp(static_cast<const float *>(o.columns) + first * (form::products + 1),
+                          static_cast<const float *>(o.columns) + i * (form::products + 1), cuda::float_bytes) == 0;
+    else
+      for (int k = 0; k < matrix_columns; ++k)
+        alike = alike && static_cast<const std::uint16_t *>(o.columns)[matrix_place(first, k)] ==
+                             static_cast<const std::uint16_t *>(o.columns)[matrix_place(i, k)];
+  return alike;
+}
+
+cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda::part of, pair_list out,
+                       cudaStream_t) {
+  // Where the part ends with the set, its padding is looked at, too.
+  const auto end_of = [](std::uint32_t end, const operand &o) { return end == o.objects() ? end + 1 : end; };
+  if (!padded_alike(by, a) || !padded_alike(by, b))
+    return cudaErrorIllegalAddress;
+  if (of.first_a % cuda::part_step != 0 || of.first_b % cuda::part_step != 0 || of.end_a > a.objects() ||
+      of.end_b > b.objects())
+    return cudaErrorInvalidValue;
+  const std::uint32_t end_a = end_of(of.end_a, a), end_b = end_of(of.end_b, b);
+  const auto halves_of = [](const operand &o, std::uint32_t first, std::uint32_t end) {
+    std::vector<double> v;
+    for (std::uint32_t i = first; i < end; ++i)
+      for (int k = 0; k < matrix_columns; ++k)
+        v.push_back(from_half(static_cast<const std::uint16_t *>(o.columns)[matrix_place(i, k)]));
+    return v;
+  };
+  std::vector<double> x, y;
+  if (by != cuda::filter::float32)
+    x = halves_of(a, of.first_a, end_a), y = halves_of(b, of.first_b, end_b);
+  for (std::uint32_t i = of.first_a; i < end_a; ++i) {
+    for (std::uint32_t j = of.first_b; j < end_b; ++j) {
+      const bool keep = by == cuda::filter::float32
+                            ? std::signbit(bilinear<form>(
+                                  static_cast<const float *>(a.columns) + i * std::size_t{form::products + 1},
+                                  static_cast<const float *>(b.columns) + j * std::size_t{form::products + 1}))
+                            : negative(by, &x[(i - of.first_a) * std::size_t{matrix_columns}],
+                                       &y[(j - of.first_b) * std::size_t{matrix_columns}]);
+      if (keep && (i >= a.objects() || j >= b.objects()))
+        return cudaErrorIllegalAddress; // padding
+      if (keep)
+        append(out, {i, j});
+    }
+    if (*out.count > out.capacity)
+      return cudaSuccess;
+  }
+  return cudaSuccess;
+}
+
+// The predicate at this place of the catalogue, as the kernels have it.
+template <class P, class A, class B, int Which>
+cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+                cudaStream_t) {
+  const predicate_info &p = cga::catalogue().predicates[Which];
+  const std::size_t n = std::min(*in.count, in.capacity);
+  if (which == cuda::step::near_boxes || which == cuda::step::near_reject) {
+    const std::uint32_t size = cuda::size_of(a.by);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::uint32_t k = 0; k < size * size; ++k) {
+        const index_pair slots{in.pairs[i].a * size + k / size, in.pairs[i].b * size + k % size};
+        if (slots.a >= a.elements || slots.b >= b.elements)
+          continue;
+        const float *const row_a = a.rows + slots.a * std::size_t{A::fields}, *const row_b =
+                                                                                  b.rows +
+                                                                                  slots.b * std::size_t{B::fields};
+        if (!boxes_touch<A, B>(row_a, row_b))
+          continue;
+        ++*unsure.count;
+        if constexpr (P::reject_stage::atoms > 0)
+          if (which == cuda::step::near_reject && standard_environment() && surely_rejected<P>(row_a, row_b))
+            continue;
+        append(yes, slots);
+      }
+    return cudaSuccess;
+  }
+  std::vector<answer> answers(n);
+  const int at = static_cast<int>(which) - static_cast<int>(cuda::step::plain_fp32);
+  const decide_function decide = which >= cuda::step::certify_fp32
+                                     ? p.certify[static_cast<int>(which) - static_cast<int>(cuda::step::certify_fp32)]
+                                     : p.decide[at];
+  decide(a.rows, b.rows, in.pairs, n, answers.data());
+  for (std::size_t i = 0; i < n; ++i)
+    if (answers[i] == answer::yes)
+      append(yes, in.pairs[i]);
+    else if (answers[i] == answer::unsure)
+      append(unsure, in.pairs[i]);
+  return cudaSuccess;
+}
+
+cudaError_t probe(cuda::probe_result *out, cudaStream_t) {
+  *out = {0, 0, 0, 1, 0, 1};
+  return cudaSuccess;
+}
+
+const cuda::kind_launchers kinds[] = {
+    {"point", 3, place<cga::point_shape>, enclose<cga::point_shape>, columns<cga::point_shape>},
+    {"sphere", 4, place<cga::sphere_shape>, enclose<cga::sphere_shape>, columns<cga::sphere_shape>},
+    {"segment", 6, place<cga::segment_shape>, enclose<cga::segment_shape>, columns<cga::segment_shape>},
+    {"triangle", 9, place<cga::triangle_shape>, enclose<cga::triangle_shape>, columns<cga::triangle_shape>}};
+
+} // namespace
+
+namespace cga::cuda {
+
+const ::meetc::cuda::catalogue &catalogue() {
+  static std::vector<::meetc::cuda::predicate_launchers> predicates;
+  const ::meetc::catalogue &all = ::cga::catalogue();
+  const auto place_of = [&](const kind_info *k) { return static_cast<int>(k - all.kinds); };
+  const auto add = [&](int i, auto launch) {
+    predicates.push_back({all.predicates[i].name, place_of(all.predicates[i].a), place_of(all.predicates[i].b), launch,
+                          nullptr, nullptr});
+  };
+  if (predicates.empty()) {
+    add(0, run<::cga::segment_segment, segment_shape, segment_shape, 0>);
+    add(1, run<::cga::point_triangle, point_shape, triangle_shape, 1>);
+    add(2, run<::cga::segment_triangle, segment_shape, triangle_shape, 2>);
+    add(3, run<::cga::triangle_triangle, triangle_shape, triangle_shape, 3>);
+    add(4, run<::cga::sphere_sphere, sphere_shape, sphere_shape, 4>);
+    add(5, run<::cga::ball_ball, sphere_shape, sphere_shape, 5>);
+    add(6, run<::cga::ball_segment, sphere_shape, segment_shape, 6>);
+    add(7, run<::cga::sphere_segment, sphere_shape, segment_shape, 7>);
+    add(8, run<::cga::ball_triangle, sphere_shape, triangle_shape, 8>);
+    add(9, run<::cga::sphere_triangle, sphere_shape, triangle_shape, 9>);
+  }
+  static const ::meetc::cuda::catalogue c{"cga", kinds, 4, predicates.data(), 10, clear_extent, candidates, probe};
+  return c;
+}
+
+} // namespace cga::cuda
