@@ -8,6 +8,8 @@
 
 #include <meetc/cuda_steps.hpp>
 
+#include <algorithm>
+
 namespace meetc::cuda {
 
 // ---- placing ----
@@ -67,8 +69,8 @@ cudaError_t place(const view &v, const placement &at, const std::uint32_t *order
     return e;
   if (v.index && (Shape::fields % 3 != 0 || Shape::pad >= 0))
     return cudaErrorInvalidValue; // no kind of points alone
-  const unsigned blocks = blocks_for(v.elements);
-  place_kernel<Shape> < <<blocks<65536 ? blocks : 65536, set_threads, 0, stream>>>(v, at, order, rows, bad);
+  const unsigned blocks = std::min(blocks_for(v.elements), 65536U);
+  place_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad);
   return cudaGetLastError();
 }
 

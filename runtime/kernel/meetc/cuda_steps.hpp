@@ -10,6 +10,8 @@
 #include <meetc/frame.hpp>
 #include <meetc/near.hpp>
 
+#include <algorithm>
+
 namespace meetc::cuda {
 
 // ---- a set ----
@@ -42,8 +44,8 @@ __global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows,
 template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  const unsigned blocks = blocks_for(n);
-  enclose_kernel<Shape> < <<blocks<1024 ? blocks : 1024, set_threads, 0, stream>>>(rows, n, around);
+  const unsigned blocks = std::min(blocks_for(n), 1024U);
+  enclose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, around);
   return cudaGetLastError();
 }
 
