@@ -10,7 +10,7 @@ file(REMOVE_RECURSE "${ROOM}/exporter" "${ROOM}/exporter-build" "${ROOM}/cell")
 file(GLOB_RECURSE files "${ROOM}/robot/*.cmake" "${ROOM}/robot/*.hpp")
 foreach(file IN LISTS files)
   file(READ "${file}" OUTPUT)
-  expect_none("${WORK}" "meetc::" "meet::core")
+  expect_none("${WORK}" "meetc::meetc" "meet::core")
 endforeach()
 
 configure("${ROOM}/third" "-DCMAKE_PREFIX_PATH=${ROOM}/robot")

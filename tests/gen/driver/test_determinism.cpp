@@ -48,12 +48,17 @@ void check_same(const tree &a, const tree &b) {
 
 } // namespace
 
-TEST_CASE("generated/default is what the default scene gives") {
+TEST_CASE("generated/default is what the default scene gives, without the kernel headers") {
+  const auto of_the_scene = [](tree all) {
+    std::erase_if(all, [](const auto &file) { return file.first.starts_with("meetc/"); });
+    return all;
+  };
   for (const char *name : {"default", "flat"})
     if (fs::exists(source_folder() / "generated" / name)) {
       INFO(name);
-      check_same(emitted((source_folder() / "algebra_spec" / "scenes" / (std::string(name) + ".toml")).string()),
-                 files_under(source_folder() / "generated" / name));
+      check_same(
+          of_the_scene(emitted((source_folder() / "algebra_spec" / "scenes" / (std::string(name) + ".toml")).string())),
+          files_under(source_folder() / "generated" / name));
     }
 }
 
