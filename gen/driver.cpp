@@ -1,18 +1,20 @@
 #include "gen/driver.hpp"
-#include "gen/target/gappa/gappa.hpp"
+#include "gen/ir/print.hpp"
+#include "gen/lower/separated.hpp"
+#include "gen/passes/passes.hpp"
+#include "gen/target/text/text.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
-#include <iterator>
 
 namespace meetc {
 
 compilation load(const std::string &scene_path) {
   compilation c;
-  c.scene = std::make_unique<lang::scene>(lang::load_scene(scene_path));
+  c.scene = std::make_unique<lang::scene>(lang::load_scene(scene_path, target::backends()));
   c.model = std::make_unique<lower::model>(c.scene->in);
   return c;
 }
@@ -20,16 +22,42 @@ compilation load(const std::string &scene_path) {
 namespace {
 // Certified answers end in exact ones.
 bool asks_exact(const lang::scene &s) {
-  return std::any_of(s.rungs.begin(), s.rungs.end(),
-                     [](const std::string &r) { return r == "exact" || r == "certified"; });
+  return s.asks(lang::rung::exact) || s.asks(lang::rung::certified);
 }
 
-target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels) {
-  target::unit u{*c.scene, *c.model, std::move(kernels), {}};
+// The stages of the compiler for one kernel, a line each.
+void compile(compilation &c, const lower::request &r) {
+  lower::kernel k = lower::compile(*c.model, r);
+  passes::run(k);
+  std::optional<bound::kernel_bounds> bounds;
+  if (k.is_predicate && asks_exact(*c.scene)) {
+    bounds = bound::analyse(lower::subject_of(k.decision));
+    if (!bounds)
+      throw spec_error(r.where, fmt::format("a sign of '{}' is not homogeneous in the stored numbers, which the exact "
+                                            "rung needs",
+                                            r.text));
+  }
+  c.kernels.push_back(std::move(k));
+  c.bounds.push_back(std::move(bounds));
+}
+
+target::unit unit_of(compilation &c, bool shown) {
+  target::unit u{*c.scene, *c.model, std::move(c.kernels), std::move(c.bounds), {}, {}};
   for (const lower::kernel &k : u.kernels) {
-    u.bounds.emplace_back();
-    if (k.is_predicate && asks_exact(*c.scene))
-      u.bounds.back() = bound::analyse(k.decision);
+    std::vector<const lang::kind *> kinds = k.asked.kinds;
+    kinds.push_back(k.value.result_kind);
+    for (const lang::kind *kind : kinds)
+      if (kind && !k.is_predicate && !u.makers.count(kind))
+        passes::run(u.makers[kind] = lower::makers(*c.model, *kind));
+    if (!shown)
+      continue;
+    target::forms f;
+    f.separated = lower::separate(*c.model, k);
+    if (!k.is_predicate) {
+      f.declared = lower::in_declared_basis(*c.model, k.asked);
+      f.declared_separated = lower::separate(*c.model, *f.declared);
+    }
+    u.shown.push_back(std::move(f));
   }
   return u;
 }
@@ -43,7 +71,7 @@ void compile_all(compilation &c) {
       throw spec_error(r.where, fmt::format("'{}' is asked for twice", request.text));
     names.push_back(request.name());
     try {
-      c.kernels.push_back(lower::compile(*c.model, request, asks_exact(*c.scene)));
+      compile(c, request);
     } catch (spec_error &e) {
       throw e.add_step("kernel " + request.text, r.where);
     }
@@ -51,24 +79,7 @@ void compile_all(compilation &c) {
 }
 
 std::vector<target::file> emit_all(compilation &c) {
-  const target::unit u = unit_of(c, std::move(c.kernels));
-  std::vector<target::file> files = target::cpp_files(u);
-  if (u.asks("certified")) {
-    std::vector<target::file> proofs = target::proof_files(u);
-    std::move(proofs.begin(), proofs.end(), std::back_inserter(files));
-    if (u.has_backend("cuda")) {
-      std::vector<target::file> filter = target::filter_proofs(u);
-      std::move(filter.begin(), filter.end(), std::back_inserter(files));
-    }
-    std::sort(files.begin(), files.end(), [](const auto &a, const auto &b) { return a.path < b.path; });
-  }
-  for (std::size_t i = 1; i < files.size(); ++i) // sorted by path
-    if (files[i].path == files[i - 1].path)
-      throw spec_error({},
-                       fmt::format("'{}' would be written twice: a kernel has the name of the namespace or of a file "
-                                   "that every namespace has; rename one",
-                                   files[i].path));
-  return files;
+  return target::files_of(unit_of(c, false));
 }
 
 int verify_scene(const verify_options &o) {
@@ -162,17 +173,17 @@ std::string spec_text(const lower::model &m, const lower::request &r) {
   return out;
 }
 
-// The bounds of the unit's one kernel.
-std::string bounds_text(const target::unit &u, bool as_proofs) {
-  if (!u.kernels.front().is_predicate)
-    throw spec_error({}, "only predicates and signs have error bounds; this is a formula");
-  if (!u.bounds.front())
-    throw spec_error({}, "the scene asks for neither 'exact' nor 'certified', so nothing bounds its errors");
-  if (!as_proofs)
-    return target::bounds_table(u, 0);
+// A kernel's programs as they are after one pass.
+std::string after_pass(const lower::model &m, const lower::request &r, const std::string &pass) {
+  const std::vector<std::string> known = passes::names();
+  if (std::find(known.begin(), known.end(), pass) == known.end())
+    throw spec_error({}, fmt::format("--emit=after:{}: no such pass; known: {}{}", pass, join(known, ", "),
+                                     nearest(pass, known)));
+  lower::kernel k = lower::compile(m, r);
+  passes::run(k, pass);
   std::string out;
-  for (const target::file &f : target::proof_files(u))
-    out += fmt::format("{}# {}\n{}", out.empty() ? "" : "\n", f.path, f.text);
+  for (const lower::kernel_program &p : lower::programs(k))
+    out += p.title + '\n' + ir::print(*p.code, *p.inputs);
   return out;
 }
 
@@ -182,38 +193,30 @@ int show(const show_options &o) {
   compilation c = load(o.scene);
   if (o.emit == "separate" && o.words.empty() && o.expression.empty()) {
     compile_all(c);
-    fmt::print("{}", target::separate_table(*c.model, c.kernels));
+    fmt::print("{}", target::separate_table(unit_of(c, true)));
     return 0;
   }
   const lower::request r = requested(c, o);
+  const std::string after = "after:";
   if (o.emit == "spec") {
     fmt::print("{}", spec_text(*c.model, r));
-    return 0;
+  } else if (o.emit.starts_with(after)) {
+    fmt::print("{}", after_pass(*c.model, r, o.emit.substr(after.size())));
+  } else {
+    compile(c, r);
+    fmt::print("{}", target::find(o.emit)->show(unit_of(c, true), 0));
   }
-  std::vector<lower::kernel> one;
-  one.push_back(lower::compile(*c.model, r, asks_exact(*c.scene)));
-  const target::unit u = unit_of(c, std::move(one));
-  const lower::kernel &k = u.kernels.front();
-  if (o.emit == "json")
-    fmt::print("{}", target::json(*c.model, k));
-  else if (o.emit == "latex")
-    fmt::print("{}", target::latex(*c.model, k));
-  else if (o.emit == "poly")
-    fmt::print("{}", target::poly_text(*c.model, k));
-  else if (o.emit == "separate")
-    fmt::print("{}", target::separate_text(*c.model, k));
-  else if (o.emit == "dag" || o.emit == "schedule")
-    fmt::print("{}", target::dag_text(k, o.emit == "schedule"));
-  else if (o.emit == "cuda" && k.is_predicate && !k.is_sign)
-    fmt::print("{}", target::cuda_text(u));
-  else if (o.emit == "cuda")
-    throw spec_error({},
-                     "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
-  else if (o.emit == "gappa" || o.emit == "bounds")
-    fmt::print("{}", bounds_text(u, o.emit == "gappa"));
-  else
-    fmt::print("{}", target::cpp_text(u, 0));
   return 0;
+}
+
+std::vector<std::string> stages() {
+  std::vector<std::string> out{"spec"};
+  for (const target::target &t : target::all())
+    if (t.show)
+      out.emplace_back(t.name);
+  for (const std::string &pass : passes::names())
+    out.push_back("after:" + pass);
+  return out;
 }
 
 } // namespace meetc

@@ -12,6 +12,7 @@ struct compilation {
   std::unique_ptr<lang::scene> scene;
   std::unique_ptr<lower::model> model;
   std::vector<lower::kernel> kernels;
+  std::vector<std::optional<bound::kernel_bounds>> bounds; // of kernels made of signs, where a rung needs them
 };
 
 compilation load(const std::string &scene_path);    // spec and model, nothing compiled
@@ -37,5 +38,7 @@ struct show_options {
 int generate(const generate_options &o);
 int verify_scene(const verify_options &o);
 int show(const show_options &o);
+// What --emit takes.
+std::vector<std::string> stages();
 
 } // namespace meetc

@@ -20,7 +20,7 @@ int main(int argc, char **argv) {
   generate_command->add_option("--namespace", g.space, "Namespace instead of the scene's");
   generate_command->add_option("--require-backend", g.required_backends, "Fail unless the scene emits this backend")
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"cpp", "cuda"}));
+      ->check(CLI::IsMember(target::backends().known));
   generate_command->add_option("--depfile", g.depfile, "Write the files that were read, for a build system");
   generate_command->add_option("--stamp", g.stamp, "Touch this file when done");
   generate_command->add_flag(
@@ -48,8 +48,7 @@ int main(int argc, char **argv) {
   show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
   show_command->add_option("--emit", s.emit, "Stage to print")
       ->capture_default_str()
-      ->check(CLI::IsMember(
-          {"spec", "poly", "separate", "dag", "schedule", "bounds", "gappa", "json", "latex", "cpp", "cuda"}));
+      ->check(CLI::IsMember(stages()));
 
   try {
     app.parse(argc, argv);

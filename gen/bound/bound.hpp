@@ -10,22 +10,35 @@
 //   box form        |v^ - v| <= c alpha^i beta^j D^k where the leaves of object A, of object B and of the pair are
 //                   at most the powers of two alpha, beta <= D: with alpha and beta an object's own extents it is
 //                   the bound per object, with alpha = beta = D the static bound of a scene's box. A recurrence for
-//                   (bound, error) as in Meyer and Pion 2008; each c has a Gappa proof (gen/emit/gappa.cpp).
+//                   (bound, error) as in Meyer and Pion 2008; each c has a Gappa proof (gen/target/gappa/gappa.cpp).
 //
 // A leaf is the difference of two stored numbers, or a stored number itself: its one rounding is counted, so the
 // bounds cover the whole chain from the float32 input, stored object values included. The last rounding is not
 // counted where rounding is to nearest: it is monotonic and keeps the sign of what it rounds.
 //
-// Limits: stages that are homogeneous with integer constants (ir::magnitudes), round to nearest, gradual
+// Limits: stages that are homogeneous with integer constants (growth.hpp), round to nearest, gradual
 // underflow. The emitted thresholds say where they hold; elsewhere a rung answers unsure.
 #pragma once
-#include "gen/lower/kernel.hpp"
+#include "gen/ir/fold.hpp"
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 namespace meetc::bound {
 
 using ir::rational;
+
+// What bounds are of: the programs of a kernel's signs, by stage, and the polynomials whose signs they are. Borrowed.
+struct subject {
+  const poly::ring &numbers; // the stored numbers of both operands
+  const poly::frame &local;
+  struct stage {
+    const ir::program *code = nullptr;
+    std::vector<const poly::poly *> signs; // of the program's results; none: the stage is not there
+  };
+  std::array<stage, 3> stages;
+};
 
 struct leaf {
   int minuend, subtrahend; // inputs of the program; subtrahend -1: the stored number itself
@@ -70,7 +83,7 @@ struct stage_bounds {
   ir::program magnitudes;                    // inputs: |leaf| by number; results: M, one a sign
   std::vector<roundings> fp32, fp64, fp64x2; // by sign
   std::vector<box_bound> box;                // by sign
-  int degree = 0;                            // the highest of any value
+  int degree = 0, growth = 0;                // the highest of any value (growth.hpp)
   // Leaves below 2^floor count as 2^floor, so that no product of them underflows by more than a rounding.
   int floor_fp32 = 0, floor_fp64 = 0;
   int box_lowest = 0, box_highest = 0; // exponents of D
@@ -87,15 +100,16 @@ struct coincidence {
 
 struct kernel_bounds {
   stage_bounds reject, common, rare;     // those that the predicate has
+  std::array<stage_bounds *, 3> stages() { return {&reject, &common, &rare}; }
   std::vector<coincidence> coincidences; // at most 32
   // Of each input: its axis where it only ever stands in differences with inputs of the same axis, else -1.
   std::vector<int> axes;
 };
 
-void find_coincidences(const lower::predicate &p, kernel_bounds &out); // coincidences, zero_if and axes
+void find_coincidences(const subject &of, kernel_bounds &out); // coincidences, zero_if and axes
 
-// Of a predicate's or a sign's stages. They must be exact ones (degree > 0).
-kernel_bounds analyse(const lower::predicate &p);
+// Nothing where a sign is not homogeneous in the stored numbers or has a constant that is no integer.
+std::optional<kernel_bounds> analyse(const subject &of);
 
 // The box form's exact recurrence for one program, in an arithmetic of `precision` bits: what the Gappa scripts
 // prove and what is rounded up into box_bound. Scaled to alpha = beta = D = 1.
@@ -105,15 +119,15 @@ struct box_node {
   rational unrounded_error; // before the node's own rounding
   int a = 0, b = 0, pair = 0;
 };
-std::vector<box_node> box_nodes(const ir::program &p, int precision, int lowest_exponent);
+ir::folded<box_node> box_nodes(const ir::program &p, int precision, int lowest_exponent);
 // The least exponent of a scaled float32 in the box form: the format of the proofs is float<24, this>.
 inline constexpr int box_format_lowest = -47;
 
 // The difference or stored number that a node of a program is, where it is a leaf.
-std::optional<leaf> leaf_at(const ir::program &p, ir::node_id id);
+std::optional<leaf> leaf_at(const ir::arena &nodes, ir::node_id id);
 
 // A product with a power of two, which rounds nothing.
-bool scales_exactly(const ir::program &p, ir::node_id id);
+bool scales_exactly(const ir::arena &nodes, ir::node_id id);
 
 // The node whose rounding is the last on the way to a value, and what the value is of it, in magnitude: a power of
 // two. An input or a constant where nothing rounds.
@@ -121,7 +135,7 @@ struct last_rounding {
   ir::node_id node;
   rational scale;
 };
-last_rounding last_rounding_of(const ir::program &p, ir::node_id id);
+last_rounding last_rounding_of(const ir::arena &nodes, ir::node_id id);
 
 // The largest extents of an object's leaves: those of residency `of`.
 std::vector<leaf> leaves_of(const stage_bounds &s, poly::residency of);

@@ -4,6 +4,7 @@
 // commutes with rounding but for the subnormals, whose spacing grows to at most 2^box_format_lowest. A sum of terms
 // with different powers is scaled by the least powers of alpha and of beta; its terms then only get smaller.
 #include "gen/bound/bound.hpp"
+#include "gen/ir/fold.hpp"
 
 #include <algorithm>
 
@@ -43,40 +44,17 @@ void take_scale_of_sum(box_node &out, const box_node &x, const box_node &y) {
   out.b = std::min(x.b, y.b);
   out.pair = degree - out.a - out.b;
 }
-} // namespace
+// (bound, error) of every node: the recurrence.
+struct boxing {
+  using value = box_node;
+  rounder in;
 
-bool scales_exactly(const ir::program &p, node_id id) {
-  const node &n = p.nodes.at(id);
-  const auto is_power_of_two = [&](node_id factor) {
-    if (p.nodes.at(factor).kind != op::constant || p.nodes.value(factor).get_den() != 1)
-      return false;
-    return mpz_popcount(mpz_class(abs(p.nodes.value(factor).get_num())).get_mpz_t()) == 1;
-  };
-  return n.kind == op::multiply && (is_power_of_two(n.a) || is_power_of_two(n.b));
-}
-
-last_rounding last_rounding_of(const ir::program &p, node_id id) {
-  rational scale = 1;
-  for (;;) {
-    const node &n = p.nodes.at(id);
-    if (n.kind == op::negate) {
-      id = n.a;
-    } else if (scales_exactly(p, id)) {
-      const bool first = p.nodes.at(n.a).kind == op::constant;
-      scale *= abs(p.nodes.value(first ? n.a : n.b));
-      id = first ? n.b : n.a;
-    } else {
-      return {id, scale};
-    }
+  value rounded(value n) const {
+    in.round(n, n.computed);
+    return n;
   }
-}
-
-std::vector<box_node> box_nodes(const ir::program &p, int precision, int lowest_exponent) {
-  const rounder in{precision, lowest_exponent};
-  std::vector<box_node> out(p.nodes.size());
-  const auto of = [&](node_id id) -> box_node & { return out[static_cast<std::size_t>(id)]; };
-  const auto product = [](const box_node &x, const box_node &y) {
-    box_node r;
+  static value product(const value &x, const value &y) {
+    value r;
     r.exact = x.exact * y.exact;
     r.computed = x.computed * y.computed;
     r.error = r.unrounded_error = x.error * y.exact + x.exact * y.error + x.error * y.error;
@@ -84,62 +62,80 @@ std::vector<box_node> box_nodes(const ir::program &p, int precision, int lowest_
     r.b = x.b + y.b;
     r.pair = x.pair + y.pair;
     return r;
-  };
-  const auto sum = [&](const box_node &x, const box_node &y) {
-    box_node r;
+  }
+  value sum(const value &x, const value &y) const {
+    value r;
     r.exact = x.exact + y.exact;
+    r.computed = x.computed + y.computed;
     r.unrounded_error = x.error + y.error;
     take_scale_of_sum(r, x, y);
-    in.round(r, x.computed + y.computed);
+    return rounded(r);
+  }
+
+  std::optional<value> given(const ir::place &at) const {
+    const auto l = leaf_at(at.nodes, at.id);
+    if (!l)
+      return std::nullopt;
+    value r;
+    r.exact = r.computed = 1;
+    r.error = l->subtrahend >= 0 ? in.error(1) : rational(0);
+    (l->where == residency::a ? r.a : l->where == residency::b ? r.b : r.pair) = 1;
     return r;
+  }
+  value input(const ir::place &, int) const { return {}; } // a leaf
+  value constant(const ir::place &, const rational &q) const {
+    value r;
+    r.exact = abs(q);
+    r.computed = rounded_up(r.exact, in.precision);
+    r.error = r.unrounded_error = r.computed - r.exact;
+    return r;
+  }
+  value negate(const ir::place &, const value &x) const { return x; }
+  value add(const ir::place &, const value &x, const value &y) const { return sum(x, y); }
+  value subtract(const ir::place &, const value &x, const value &y) const { return sum(x, y); }
+  value multiply(const ir::place &at, const value &x, const value &y) const {
+    value r = product(x, y);
+    if (!scales_exactly(at.nodes, at.id))
+      return rounded(r);
+    const bool first = at.nodes.at(at.operation().a).kind == op::constant;
+    r.unrounded_error = (first ? y : x).unrounded_error * (first ? x : y).exact;
+    return r;
+  }
+  value fused(const ir::place &, const value &x, const value &y, const value &z) const {
+    return sum(product(x, y), z);
+  }
+};
+} // namespace
+
+bool scales_exactly(const ir::arena &nodes, node_id id) {
+  const node &n = nodes.at(id);
+  const auto is_power_of_two = [&](node_id factor) {
+    if (nodes.at(factor).kind != op::constant || nodes.value(factor).get_den() != 1)
+      return false;
+    return mpz_popcount(mpz_class(abs(nodes.value(factor).get_num())).get_mpz_t()) == 1;
   };
-  for (const node_id id : ir::needed(p.nodes, p.results)) {
-    const node &n = p.nodes.at(id);
-    if (const auto l = leaf_at(p, id)) {
-      box_node r;
-      r.exact = r.computed = 1;
-      r.error = l->subtrahend >= 0 ? in.error(1) : rational(0);
-      (l->where == residency::a ? r.a : l->where == residency::b ? r.b : r.pair) = 1;
-      of(id) = r;
-      continue;
-    }
-    switch (n.kind) {
-    case op::input:
-      break;
-    case op::constant: {
-      box_node r;
-      const rational q = abs(p.nodes.value(id));
-      r.exact = q;
-      r.computed = rounded_up(q, precision);
-      r.error = r.unrounded_error = r.computed - q;
-      of(id) = r;
-      break;
-    }
-    case op::negate:
-      of(id) = of(n.a);
-      break;
-    case op::add:
-    case op::subtract:
-      of(id) = sum(of(n.a), of(n.b));
-      break;
-    case op::multiply: {
-      box_node r = product(of(n.a), of(n.b));
-      if (scales_exactly(p, id)) {
-        const bool first = p.nodes.at(n.a).kind == op::constant;
-        const node_id scaled = first ? n.b : n.a, by = first ? n.a : n.b;
-        r.unrounded_error = of(scaled).unrounded_error * abs(p.nodes.value(by));
-      } else {
-        in.round(r, r.computed);
-      }
-      of(id) = r;
-      break;
-    }
-    case op::fused:
-      of(id) = sum(product(of(n.a), of(n.b)), of(n.c));
-      break;
+  return n.kind == op::multiply && (is_power_of_two(n.a) || is_power_of_two(n.b));
+}
+
+last_rounding last_rounding_of(const ir::arena &nodes, node_id id) {
+  rational scale = 1;
+  for (;;) {
+    const node &n = nodes.at(id);
+    if (n.kind == op::negate) {
+      id = n.a;
+    } else if (scales_exactly(nodes, id)) {
+      const bool first = nodes.at(n.a).kind == op::constant;
+      scale *= abs(nodes.value(first ? n.a : n.b));
+      id = first ? n.b : n.a;
+    } else {
+      return {id, scale};
     }
   }
-  return out;
+}
+
+ir::folded<box_node> box_nodes(const ir::program &p, int precision, int lowest_exponent) {
+  boxing d{{precision, lowest_exponent}};
+  return ir::fold(p, d);
 }
 
 } // namespace meetc::bound

@@ -11,10 +11,10 @@ namespace {
 constexpr std::size_t most = 32; // they are bits of one word
 
 // The positions of both operands: inputs by axis.
-std::vector<std::vector<int>> positions(const lower::predicate &p) {
+std::vector<std::vector<int>> positions(const subject &of) {
   std::map<std::pair<int, int>, std::vector<int>> groups;
-  for (int v = 0; v < p.numbers->size(); ++v)
-    if (const poly::stored_number &s = p.local->stored(v); s.position)
+  for (int v = 0; v < of.numbers.size(); ++v)
+    if (const poly::stored_number &s = of.local.stored(v); s.position)
       groups[{s.operand, s.group}].push_back(v);
   std::vector<std::vector<int>> out;
   for (const auto &[at, inputs] : groups)
@@ -33,51 +33,51 @@ poly::poly with_equal_points(const poly::poly &f, const coincidence &c, const po
 }
 
 // -1 for the inputs that some stage reads outside of a difference along their axis.
-std::vector<int> lone_axes(const lower::predicate &p) {
+std::vector<int> lone_axes(const subject &of) {
   std::vector<int> axes;
-  for (int v = 0; v < p.numbers->size(); ++v) {
-    const poly::stored_number &s = p.local->stored(v);
+  for (int v = 0; v < of.numbers.size(); ++v) {
+    const poly::stored_number &s = of.local.stored(v);
     axes.push_back(s.position ? s.axis : -1);
   }
-  for (const lower::stage *s : {&p.reject, &p.common, &p.rare})
-    for (const ir::node_id id : ir::needed(s->code.nodes, s->code.results)) {
-      const ir::node &n = s->code.nodes.at(id);
-      const auto axis = [&](ir::node_id i) -> int & { return axes[static_cast<std::size_t>(s->code.nodes.at(i).a)]; };
-      const auto l = leaf_at(s->code, id);
+  for (const subject::stage &s : of.stages) {
+    if (s.signs.empty())
+      continue;
+    const ir::arena &nodes = s.code->nodes;
+    const auto axis = [&](ir::node_id i) -> int & { return axes[static_cast<std::size_t>(nodes.at(i).a)]; };
+    const auto lone = [&](ir::node_id i) {
+      if (nodes.at(i).kind == ir::op::input)
+        axis(i) = -1;
+    };
+    for (const ir::node_id id : ir::needed(nodes, s.code->results)) {
+      const ir::node &n = nodes.at(id);
+      const auto l = leaf_at(nodes, id);
       if (l && l->subtrahend >= 0 && axis(n.a) == axis(n.b))
         continue;
-      for (const ir::node_id operand : {n.a, n.b, n.c})
-        if (n.kind != ir::op::input && n.kind != ir::op::constant && operand >= 0 &&
-            s->code.nodes.at(operand).kind == ir::op::input)
-          axis(operand) = -1;
+      for (const ir::node_id operand : ir::operands(n))
+        lone(operand);
     }
-  for (const lower::stage *s : {&p.reject, &p.common, &p.rare})
-    for (const ir::node_id r : s->code.results)
-      if (s->code.nodes.at(r).kind == ir::op::input)
-        axes[static_cast<std::size_t>(s->code.nodes.at(r).a)] = -1;
+    for (const ir::node_id r : s.code->results)
+      lone(r);
+  }
   return axes;
 }
 } // namespace
 
-void find_coincidences(const lower::predicate &p, kernel_bounds &out) {
-  out.axes = lone_axes(p);
-  const auto points = positions(p);
-  const struct {
-    const lower::stage &from;
-    stage_bounds &to;
-  } stages[] = {{p.reject, out.reject}, {p.common, out.common}, {p.rare, out.rare}};
-  for (const auto &s : stages)
-    s.to.zero_if.assign(s.from.atoms.size(), 0);
+void find_coincidences(const subject &of, kernel_bounds &out) {
+  out.axes = lone_axes(of);
+  const auto points = positions(of);
+  const auto to = out.stages();
+  for (std::size_t s = 0; s < to.size(); ++s)
+    to[s]->zero_if.assign(of.stages[s].signs.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size() && out.coincidences.size() < most; ++j) {
       const coincidence c{points[i], points[j]};
       bool used = false;
-      for (const auto &s : stages)
-        for (std::size_t k = 0; k < s.from.atoms.size(); ++k) {
-          const poly::poly &f = p.signs.atoms()[static_cast<std::size_t>(s.from.atoms[k])];
-          if (c.x.size() != c.y.size() || !with_equal_points(f, c, *p.numbers).is_zero())
+      for (std::size_t s = 0; s < to.size(); ++s)
+        for (std::size_t k = 0; k < of.stages[s].signs.size(); ++k) {
+          if (c.x.size() != c.y.size() || !with_equal_points(*of.stages[s].signs[k], c, of.numbers).is_zero())
             continue;
-          s.to.zero_if[k] |= std::uint32_t{1} << out.coincidences.size();
+          to[s]->zero_if[k] |= std::uint32_t{1} << out.coincidences.size();
           used = true;
         }
       if (used)

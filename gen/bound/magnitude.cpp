@@ -5,6 +5,8 @@
 // value, or, below the normal numbers, half of the smallest subnormal; never both, and the latter is at most u M
 // since M >= floor^degree. The computed M^ >= M (1 - u)^phi, and a threshold K M^ is rounded once more.
 #include "gen/bound/bound.hpp"
+#include "gen/bound/growth.hpp"
+#include "gen/ir/fold.hpp"
 
 #include <algorithm>
 #include <map>
@@ -37,146 +39,122 @@ int constant_roundings(const rational &q, int significand) {
 }
 
 // theta and phi of every node; phi counts in fp32 or fp64, where a*b + c is one rounding.
-std::vector<roundings> count_roundings(const ir::program &p, const arithmetic &a) {
-  std::vector<roundings> out(p.nodes.size());
-  const auto of = [&](node_id id) -> roundings & { return out[static_cast<std::size_t>(id)]; };
-  const int m_significand = a.precision == 24 ? 24 : 53;
-  const auto sum = [](const roundings &x, const roundings &y) {
-    return roundings{std::max(x.theta, y.theta) + 1, std::max(x.phi, y.phi) + 1, std::max(x.degree, y.degree)};
-  };
-  const auto product = [](const roundings &x, const roundings &y) {
-    return roundings{x.theta + y.theta, x.phi + y.phi, x.degree + y.degree};
-  };
-  for (const node_id id : ir::needed(p.nodes, p.results)) {
-    const node &n = p.nodes.at(id);
-    if (const auto l = leaf_at(p, id)) {
-      of(id) = {l->subtrahend >= 0 && a.leaf_rounds ? 1 : 0, 0, 1};
-      continue;
-    }
-    switch (n.kind) {
-    case op::input: // leaf_at
-      break;
-    case op::constant:
-      of(id) = {constant_roundings(p.nodes.value(id), a.significand),
-                constant_roundings(p.nodes.value(id), m_significand), 0};
-      break;
-    case op::negate:
-      of(id) = of(n.a);
-      break;
-    case op::add:
-    case op::subtract:
-      of(id) = sum(of(n.a), of(n.b));
-      break;
-    case op::multiply: {
-      of(id) = product(of(n.a), of(n.b));
-      if (!scales_exactly(p, id)) {
-        ++of(id).theta;
-        ++of(id).phi;
-      }
-      break;
-    }
-    case op::fused: {
-      roundings r = product(of(n.a), of(n.b));
-      r.theta += !a.fuses;
-      of(id) = sum(r, of(n.c));
-      break;
-    }
-    }
-  }
-  return out;
-}
+struct counting {
+  using value = roundings;
+  const arithmetic &in;
 
-bool last_operation_rounds(const ir::program &p, node_id id) {
-  const op kind = p.nodes.at(last_rounding_of(p, id).node).kind;
+  static value sum(const value &x, const value &y) {
+    return {std::max(x.theta, y.theta) + 1, std::max(x.phi, y.phi) + 1, std::max(x.degree, y.degree)};
+  }
+  static value product(const value &x, const value &y) {
+    return {x.theta + y.theta, x.phi + y.phi, x.degree + y.degree};
+  }
+
+  std::optional<value> given(const ir::place &at) const {
+    const auto l = leaf_at(at.nodes, at.id);
+    if (!l)
+      return std::nullopt;
+    return value{l->subtrahend >= 0 && in.leaf_rounds ? 1 : 0, 0, 1};
+  }
+  value input(const ir::place &, int) const { return {}; } // a leaf
+  value constant(const ir::place &, const rational &q) const {
+    const int m_significand = in.precision == 24 ? 24 : 53;
+    return {constant_roundings(q, in.significand), constant_roundings(q, m_significand), 0};
+  }
+  value negate(const ir::place &, const value &x) const { return x; }
+  value add(const ir::place &, const value &x, const value &y) const { return sum(x, y); }
+  value subtract(const ir::place &, const value &x, const value &y) const { return sum(x, y); }
+  value multiply(const ir::place &at, const value &x, const value &y) const {
+    value r = product(x, y);
+    if (!scales_exactly(at.nodes, at.id)) {
+      ++r.theta;
+      ++r.phi;
+    }
+    return r;
+  }
+  value fused(const ir::place &, const value &x, const value &y, const value &z) const {
+    value r = product(x, y);
+    r.theta += !in.fuses;
+    return sum(r, z);
+  }
+};
+
+bool last_operation_rounds(const ir::arena &nodes, node_id id) {
+  const op kind = nodes.at(last_rounding_of(nodes, id).node).kind;
   return kind != op::input && kind != op::constant;
 }
 
 std::vector<roundings> of_results(const ir::program &p, const arithmetic &a) {
-  const std::vector<roundings> all = count_roundings(p, a);
-  std::vector<roundings> out;
-  for (const node_id r : p.results) {
-    out.push_back(all[static_cast<std::size_t>(r)]);
-    if (a.monotonic && last_operation_rounds(p, r) && out.back().theta > 0)
-      --out.back().theta;
-  }
+  std::vector<roundings> out = ir::fold_results(p, counting{a});
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (a.monotonic && last_operation_rounds(p.nodes, p.results[i]) && out[i].theta > 0)
+      --out[i].theta;
   return out;
 }
 
-// The graph on magnitudes, node for node, over leaves.
+// The graph on magnitudes, node for node, over leaves: a value is a node of it, -1 for a leaf that is not read.
+struct on_magnitudes {
+  using value = node_id;
+  const std::map<node_id, int> &leaves; // those that are read, by node
+  ir::arena to;
+
+  std::optional<value> given(const ir::place &at) {
+    if (!leaf_at(at.nodes, at.id))
+      return std::nullopt;
+    const auto it = leaves.find(at.id);
+    return it == leaves.end() ? -1 : to.input(it->second);
+  }
+  value input(const ir::place &, int) const { return -1; } // a leaf
+  value constant(const ir::place &, const rational &q) { return to.constant(abs(q)); }
+  value negate(const ir::place &, value x) const { return x; }
+  value add(const ir::place &, value x, value y) { return to.add(x, y); }
+  value subtract(const ir::place &, value x, value y) { return to.add(x, y); }
+  value multiply(const ir::place &, value x, value y) { return to.multiply(x, y); }
+  value fused(const ir::place &, value x, value y, value z) { return to.fused(x, y, z); }
+};
+
 void make_magnitudes(const ir::program &p, stage_bounds &out) {
   const std::vector<node_id> ids = ir::needed(p.nodes, p.results);
-  std::map<leaf, int> number;
   // A leaf that is read only by a difference is not one of its own: differences come first.
   std::vector<char> read(p.nodes.size());
   for (const node_id r : p.results)
     read[static_cast<std::size_t>(r)] = 1;
-  for (const node_id id : ids) {
-    const node &n = p.nodes.at(id);
-    if (leaf_at(p, id) || n.kind == op::constant)
-      continue;
-    for (const node_id operand : {n.a, n.b, n.c})
-      if (operand >= 0)
+  for (const node_id id : ids)
+    if (!leaf_at(p.nodes, id))
+      for (const node_id operand : ir::operands(p.nodes.at(id)))
         read[static_cast<std::size_t>(operand)] = 1;
-  }
+  std::map<leaf, int> number;
+  std::map<node_id, int> leaves;
   std::vector<residency> where;
   for (const node_id id : ids)
-    if (const auto l = leaf_at(p, id);
-        l && read[static_cast<std::size_t>(id)] && number.try_emplace(*l, out.leaves.size()).second) {
-      out.leaves.push_back(*l);
-      where.push_back(l->where);
+    if (const auto l = leaf_at(p.nodes, id); l && read[static_cast<std::size_t>(id)]) {
+      const auto [it, fresh] = number.try_emplace(*l, static_cast<int>(out.leaves.size()));
+      leaves[id] = it->second;
+      if (fresh) {
+        out.leaves.push_back(*l);
+        where.push_back(l->where);
+      }
     }
-  out.magnitudes = {ir::arena(where), {}};
-  ir::arena &to = out.magnitudes.nodes;
-  std::map<node_id, node_id> moved;
-  for (const node_id id : ids) {
-    const node &n = p.nodes.at(id);
-    const auto of = [&](node_id i) { return moved.at(i); };
-    if (const auto l = leaf_at(p, id)) {
-      if (read[static_cast<std::size_t>(id)])
-        moved[id] = to.input(number.at(*l));
-      continue;
-    }
-    switch (n.kind) {
-    case op::input:
-      break;
-    case op::constant:
-      moved[id] = to.constant(abs(p.nodes.value(id)));
-      break;
-    case op::negate:
-      moved[id] = of(n.a);
-      break;
-    case op::add:
-    case op::subtract:
-      moved[id] = to.add(of(n.a), of(n.b));
-      break;
-    case op::multiply:
-      moved[id] = to.multiply(of(n.a), of(n.b));
-      break;
-    case op::fused:
-      moved[id] = to.fused(of(n.a), of(n.b), of(n.c));
-      break;
-    }
-  }
-  for (const node_id r : p.results)
-    out.magnitudes.results.push_back(moved.at(r));
+  on_magnitudes d{leaves, ir::arena(where)};
+  std::vector<node_id> results = ir::fold(p, d).of(p.results);
+  out.magnitudes = {std::move(d.to), std::move(results)};
 }
 
 // The widest differences, in bits on a common grid, for which values of degree 1 and 2 are exact in fp64 and the
 // others in double-double (an integer below 2^100 has an error below 1/2 there, and is an integer).
 int exact_window(const ir::program &p, bool mixed) {
-  const std::vector<ir::magnitude> all = ir::magnitudes(p, true);
+  const std::vector<growth> all = growths(p, true);
   int window = 53;
   for (const node_id id : ir::needed(p.nodes, p.results)) {
-    const ir::magnitude &m = all[static_cast<std::size_t>(id)];
-    const int room = mixed && m.degree >= 3 ? 100 : 53;
-    if (m.degree > 0)
-      window = std::min(window, (room - m.growth) / m.degree);
+    const growth &g = all[static_cast<std::size_t>(id)];
+    const int room = mixed && g.degree >= 3 ? 100 : 53;
+    if (g.degree > 0)
+      window = std::min(window, (room - g.bits_more) / g.degree);
   }
   return window;
 }
 
-bool can_be_mixed(const ir::program &p) {
-  const std::vector<ir::magnitude> all = ir::magnitudes(p, true);
+bool can_be_mixed(const ir::program &p, const std::vector<growth> &all) {
   bool wide = false;
   for (const node_id id : ir::needed(p.nodes, p.results))
     if (all[static_cast<std::size_t>(id)].degree >= 3) {
@@ -187,37 +165,42 @@ bool can_be_mixed(const ir::program &p) {
   return wide;
 }
 
-stage_bounds bounds_of(const lower::stage &s) {
+// Nothing where a value is not homogeneous.
+std::optional<stage_bounds> bounds_of(const subject::stage &s) {
   stage_bounds out;
-  if (s.atoms.empty())
+  if (s.signs.empty())
     return out;
-  make_magnitudes(s.code, out);
-  out.fp32 = of_results(s.code, fp32);
-  out.fp64 = of_results(s.code, fp64);
-  out.fp64x2 = of_results(s.code, fp64x2);
-  out.degree = s.degree;
-  out.floor_fp32 = -(102 / s.degree);
-  // No float32 difference is below 2^-149; above degree 6 the floor keeps products of doubles out of the subnormals.
-  out.floor_fp64 = std::max(-200, -(900 / s.degree));
-  out.mixed = can_be_mixed(s.code);
-  out.window = exact_window(s.code, out.mixed);
-  out.box_lowest = -(102 / s.degree);
-  out.box_highest = (120 - s.growth) / s.degree;
-  const std::vector<box_node> nodes = box_nodes(s.code, 24, box_format_lowest);
-  for (const node_id r : s.code.results) {
-    const box_node &n = nodes[static_cast<std::size_t>(r)];
-    out.box.push_back({rounded_up(n.unrounded_error, 12), n.a, n.b, n.pair});
+  const ir::program &p = *s.code;
+  const std::vector<growth> all = growths(p);
+  if (all.empty())
+    return std::nullopt;
+  for (const growth &g : all) {
+    out.degree = std::max(out.degree, g.degree);
+    out.growth = std::max(out.growth, g.bits_more);
   }
+  make_magnitudes(p, out);
+  out.fp32 = of_results(p, fp32);
+  out.fp64 = of_results(p, fp64);
+  out.fp64x2 = of_results(p, fp64x2);
+  out.floor_fp32 = -(102 / out.degree);
+  // No float32 difference is below 2^-149; above degree 6 the floor keeps products of doubles out of the subnormals.
+  out.floor_fp64 = std::max(-200, -(900 / out.degree));
+  out.mixed = can_be_mixed(p, growths(p, true));
+  out.window = exact_window(p, out.mixed);
+  out.box_lowest = -(102 / out.degree);
+  out.box_highest = (120 - out.growth) / out.degree;
+  for (const box_node &n : box_nodes(p, 24, box_format_lowest).of(p.results))
+    out.box.push_back({rounded_up(n.unrounded_error, 12), n.a, n.b, n.pair});
   return out;
 }
 } // namespace
 
-std::optional<leaf> leaf_at(const ir::program &p, node_id id) {
-  const node &n = p.nodes.at(id);
+std::optional<leaf> leaf_at(const ir::arena &nodes, node_id id) {
+  const node &n = nodes.at(id);
   if (n.kind == op::input)
-    return leaf{n.a, -1, p.nodes.where(id)};
-  if (n.kind == op::subtract && p.nodes.at(n.a).kind == op::input && p.nodes.at(n.b).kind == op::input)
-    return leaf{p.nodes.at(n.a).a, p.nodes.at(n.b).a, p.nodes.where(id)};
+    return leaf{n.a, -1, nodes.where(id)};
+  if (n.kind == op::subtract && nodes.at(n.a).kind == op::input && nodes.at(n.b).kind == op::input)
+    return leaf{nodes.at(n.a).a, nodes.at(n.b).a, nodes.where(id)};
   return std::nullopt;
 }
 
@@ -260,12 +243,16 @@ rational factor(const arithmetic &a, const roundings &r) {
   return k;
 }
 
-kernel_bounds analyse(const lower::predicate &p) {
+std::optional<kernel_bounds> analyse(const subject &of) {
   kernel_bounds out;
-  out.reject = bounds_of(p.reject);
-  out.common = bounds_of(p.common);
-  out.rare = bounds_of(p.rare);
-  find_coincidences(p, out);
+  const auto to = out.stages();
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    auto b = bounds_of(of.stages[i]);
+    if (!b)
+      return std::nullopt;
+    *to[i] = std::move(*b);
+  }
+  find_coincidences(of, out);
   return out;
 }
 

@@ -1,6 +1,6 @@
 // The margin that makes a matrix product in half precision a certified filter of touching balls.
 //
-// Problem: F = sum over k of f_k g_k, plus f + g, is <= 0 where two balls touch (gen/dag/ball_form.hpp). A matrix unit
+// Problem: F = sum over k of f_k g_k, plus f + g, is <= 0 where two balls touch (gen/lower/ball_form.hpp). A matrix unit
 // computes D from parts in fp16. Find margins m(X), m(Y), to be subtracted from f and g, with: F <= 0 implies D < 0.
 //
 // What is computed. Numbers are scaled and shifted so that |x|, |y|, |z|, r <= 2^11.
@@ -21,7 +21,7 @@
 //   additive   17 e (|h| + |l|) 2^8 <= 17.04 e (|f| + m), so 18 e |f|.
 //   absolute   the unit's error on m itself: m < 39, and 17.04 e m < 2^-13; 2^-11 is left for what shifting, scaling and
 //              computing f and m lose, and what is quadratic in 2^-14 is far below. In all less than 2^-10.
-// gen/emit/ball_filter.cpp writes all of this for Gappa, which proves the claim.
+// gen/target/gappa/ball_filter.cpp writes all of this for Gappa, which proves the claim.
 #pragma once
 #include "gen/algebra/metric.hpp"
 

@@ -7,13 +7,6 @@ namespace {
 residency join(residency a, residency b) {
   return static_cast<residency>(static_cast<int>(a) | static_cast<int>(b));
 }
-
-bool is_power_of_two(const rational &q) {
-  if (q == 0)
-    return false;
-  const mpz_class n = abs(q.get_num()), &d = q.get_den();
-  return mpz_popcount(n.get_mpz_t()) == 1 && mpz_popcount(d.get_mpz_t()) == 1;
-}
 } // namespace
 
 node_id arena::intern(node n, residency where) {
@@ -135,227 +128,32 @@ std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &resu
     if (!wanted[i])
       continue;
     out.push_back(static_cast<node_id>(i));
-    const node &n = nodes.at(static_cast<node_id>(i));
-    if (n.kind != op::input && n.kind != op::constant)
-      for (const node_id operand : {n.a, n.b, n.c})
-        if (operand >= 0)
-          wanted[static_cast<std::size_t>(operand)] = 1;
+    for (const node_id operand : operands(nodes.at(static_cast<node_id>(i))))
+      wanted[static_cast<std::size_t>(operand)] = 1;
   }
   std::reverse(out.begin(), out.end());
   return out;
 }
 
-namespace {
-counts count_where(const arena &nodes, const std::vector<node_id> &ids, const std::function<bool(node_id)> &in) {
-  counts out;
-  for (const node_id id : ids) {
-    const node &n = nodes.at(id);
-    if (!in(id))
-      continue;
-    if (n.kind == op::add || n.kind == op::subtract)
-      ++out.additions;
-    else if (n.kind == op::fused || n.kind == op::multiply) {
-      const auto free = [&](node_id f) { return nodes.at(f).kind == op::constant && is_power_of_two(nodes.value(f)); };
-      const bool scaling = free(n.a) || free(n.b);
-      if (n.kind == op::fused)
-        ++(scaling ? out.additions : out.fused);
-      else if (!scaling)
-        ++out.multiplications;
+std::vector<node_id> operands_first(const arena &nodes, node_id root, const std::function<bool(node_id)> &stops) {
+  std::vector<node_id> out;
+  std::vector<std::pair<node_id, bool>> stack{{root, false}};
+  std::vector<char> seen(nodes.size());
+  while (!stack.empty()) {
+    const auto [id, ready] = stack.back();
+    stack.pop_back();
+    if (ready) {
+      out.push_back(id);
+    } else if (!seen[static_cast<std::size_t>(id)]) {
+      seen[static_cast<std::size_t>(id)] = 1;
+      stack.emplace_back(id, true);
+      if (stops(id))
+        continue;
+      const operand_list below = operands(nodes.at(id));
+      for (std::size_t i = below.count; i-- > 0;) // the first is pushed last and comes first
+        stack.emplace_back(below.ids[i], false);
     }
   }
-  return out;
-}
-} // namespace
-
-counts count(const arena &nodes, const std::vector<node_id> &results) {
-  return count_where(nodes, needed(nodes, results), [](node_id) { return true; });
-}
-
-counts count(const program &p, residency where) {
-  return count_where(p.nodes, needed(p.nodes, p.results), [&](node_id id) { return p.nodes.where(id) == where; });
-}
-
-std::vector<poly::poly> to_poly(const program &p, const poly::ring &inputs) {
-  std::map<node_id, poly::poly> value;
-  for (const node_id id : needed(p.nodes, p.results)) {
-    const node &n = p.nodes.at(id);
-    const auto of = [&](node_id i) -> const poly::poly & { return value.at(i); };
-    poly::poly v(inputs);
-    switch (n.kind) {
-    case op::input:
-      v = poly::poly::variable(inputs, n.a);
-      break;
-    case op::constant:
-      v = poly::poly(inputs, p.nodes.value(id));
-      break;
-    case op::negate:
-      v = of(n.a).scaled(-1);
-      break;
-    case op::add:
-      v = of(n.a) + of(n.b);
-      break;
-    case op::subtract:
-      v = of(n.a) - of(n.b);
-      break;
-    case op::multiply:
-      v = of(n.a) * of(n.b);
-      break;
-    case op::fused:
-      v = of(n.a) * of(n.b) + of(n.c);
-      break;
-    }
-    value.emplace(id, std::move(v));
-  }
-  std::vector<poly::poly> out;
-  for (const node_id r : p.results)
-    out.push_back(value.at(r));
-  return out;
-}
-
-std::vector<rational> evaluate(const program &p, const std::vector<rational> &inputs) {
-  std::vector<rational> value(p.nodes.size());
-  const auto of = [&](node_id i) -> const rational & { return value[static_cast<std::size_t>(i)]; };
-  for (const node_id id : needed(p.nodes, p.results)) {
-    const node &n = p.nodes.at(id);
-    rational v;
-    switch (n.kind) {
-    case op::input:
-      v = inputs[static_cast<std::size_t>(n.a)];
-      break;
-    case op::constant:
-      v = p.nodes.value(id);
-      break;
-    case op::negate:
-      v = -of(n.a);
-      break;
-    case op::add:
-      v = of(n.a) + of(n.b);
-      break;
-    case op::subtract:
-      v = of(n.a) - of(n.b);
-      break;
-    case op::multiply:
-      v = of(n.a) * of(n.b);
-      break;
-    case op::fused:
-      v = of(n.a) * of(n.b) + of(n.c);
-      break;
-    }
-    value[static_cast<std::size_t>(id)] = v;
-  }
-  std::vector<rational> out;
-  for (const node_id r : p.results)
-    out.push_back(of(r));
-  return out;
-}
-
-std::vector<magnitude> magnitudes(const program &p, bool differences) {
-  std::vector<magnitude> out(p.nodes.size());
-  const auto of = [&](node_id i) -> magnitude & { return out[static_cast<std::size_t>(i)]; };
-  const auto sum = [&](const magnitude &a, const magnitude &b, magnitude &into) {
-    if (a.degree != b.degree)
-      return false;
-    into = {a.degree, std::max(a.growth, b.growth) + 1};
-    return true;
-  };
-  for (const node_id id : needed(p.nodes, p.results)) {
-    const node &n = p.nodes.at(id);
-    bool homogeneous = true;
-    switch (n.kind) {
-    case op::input:
-      of(id) = {1, 0};
-      break;
-    case op::constant: {
-      const rational &q = p.nodes.value(id);
-      if (q.get_den() != 1)
-        return {};
-      // |q| < 2^size; a power of two needs one bit more than its logarithm.
-      of(id) = {0, static_cast<int>(mpz_sizeinbase(q.get_num().get_mpz_t(), 2))};
-      break;
-    }
-    case op::negate:
-      of(id) = of(n.a);
-      break;
-    case op::add:
-    case op::subtract:
-      homogeneous = sum(of(n.a), of(n.b), of(id));
-      if (differences && n.kind == op::subtract && p.nodes.at(n.a).kind == op::input &&
-          p.nodes.at(n.b).kind == op::input)
-        of(id) = {1, 0};
-      break;
-    case op::multiply:
-      of(id) = {of(n.a).degree + of(n.b).degree, of(n.a).growth + of(n.b).growth};
-      break;
-    case op::fused:
-      homogeneous = sum({of(n.a).degree + of(n.b).degree, of(n.a).growth + of(n.b).growth}, of(n.c), of(id));
-      break;
-    }
-    if (!homogeneous)
-      return {};
-  }
-  return out;
-}
-
-program fuse(const program &p) {
-  const std::vector<node_id> ids = needed(p.nodes, p.results);
-  std::vector<int> uses(p.nodes.size());
-  for (const node_id r : p.results)
-    ++uses[static_cast<std::size_t>(r)];
-  for (const node_id id : ids) {
-    const node &n = p.nodes.at(id);
-    if (n.kind != op::input && n.kind != op::constant)
-      for (const node_id operand : {n.a, n.b, n.c})
-        if (operand >= 0)
-          ++uses[static_cast<std::size_t>(operand)];
-  }
-  program out{arena(p.nodes.inputs()), {}};
-  std::map<node_id, node_id> moved;
-  // A product is fused where its one use is a sum. Products of different residency stay apart: a value of one
-  // object that is computed once must not be pulled into the pair.
-  const auto product_for = [&](node_id operand, node_id user) {
-    return p.nodes.at(operand).kind == op::multiply && uses[static_cast<std::size_t>(operand)] == 1 &&
-           p.nodes.where(operand) == p.nodes.where(user);
-  };
-  for (const node_id id : ids) {
-    const node &n = p.nodes.at(id);
-    const auto of = [&](node_id i) { return moved.at(i); };
-    arena &to = out.nodes;
-    node_id v = -1;
-    const auto fuse_product = [&](node_id product, bool minus, node_id addend) {
-      const node &m = p.nodes.at(product);
-      return to.fused(minus ? to.negate(of(m.a)) : of(m.a), of(m.b), addend);
-    };
-    switch (n.kind) {
-    case op::input:
-      v = to.input(n.a);
-      break;
-    case op::constant:
-      v = to.constant(p.nodes.value(id));
-      break;
-    case op::negate:
-      v = to.negate(of(n.a));
-      break;
-    case op::add:
-      v = product_for(n.b, id)   ? fuse_product(n.b, false, of(n.a))
-          : product_for(n.a, id) ? fuse_product(n.a, false, of(n.b))
-                                 : to.add(of(n.a), of(n.b));
-      break;
-    case op::subtract:
-      v = product_for(n.b, id)   ? fuse_product(n.b, true, of(n.a))
-          : product_for(n.a, id) ? fuse_product(n.a, false, to.negate(of(n.b)))
-                                 : to.subtract(of(n.a), of(n.b));
-      break;
-    case op::multiply:
-      v = to.multiply(of(n.a), of(n.b));
-      break;
-    case op::fused:
-      v = to.fused(of(n.a), of(n.b), of(n.c));
-      break;
-    }
-    moved[id] = v;
-  }
-  for (const node_id r : p.results)
-    out.results.push_back(moved.at(r));
   return out;
 }
 

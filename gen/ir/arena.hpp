@@ -5,6 +5,7 @@
 #pragma once
 #include "gen/poly/frame.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -24,6 +25,18 @@ struct node {
   node_id a = -1, b = -1, c = -1; // input: a is its number; constant: a indexes constants()
   auto operator<=>(const node &) const = default;
 };
+
+// The nodes that an operation takes; none for inputs and constants.
+struct operand_list {
+  std::array<node_id, 3> ids;
+  std::size_t count;
+  auto begin() const { return ids.begin(); }
+  auto end() const { return ids.begin() + static_cast<std::ptrdiff_t>(count); }
+};
+constexpr operand_list operands(const node &n) {
+  const bool none = n.kind == op::input || n.kind == op::constant;
+  return {{n.a, n.b, n.c}, none ? 0U : n.b < 0 ? 1U : n.c < 0 ? 2U : 3U};
+}
 
 class arena {
 public:
@@ -64,32 +77,11 @@ struct program {
   std::vector<node_id> results;
 };
 
-// Operation counts of what the results need. Negations, constants and products with powers of two are free.
-struct counts {
-  int multiplications = 0, additions = 0, fused = 0;
-  int total() const { return multiplications + additions + 2 * fused; }
-};
-counts count(const arena &nodes, const std::vector<node_id> &results);
-// The same for the nodes of one residency alone.
-counts count(const program &p, residency where);
-
 // The ids that the results need, ascending.
 std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &results);
 
-// Products that are used once, in a sum, become explicit fused multiply-adds; unused nodes go.
-program fuse(const program &p);
-
-// Each result as a polynomial in the inputs: the check of every pass is to_poly(pass(p)) == to_poly(p).
-std::vector<poly::poly> to_poly(const program &p, const poly::ring &inputs);
-// Exact evaluation.
-std::vector<rational> evaluate(const program &p, const std::vector<rational> &inputs);
-
-// For the exact rung: when inputs are integers below 2^bits in magnitude, every node of the program is below
-// 2^(degree * bits + growth). Empty when the nodes are not homogeneous or a constant is not an integer.
-struct magnitude {
-  int degree, growth;
-};
-// With `differences`, 2^bits bounds the differences of inputs too.
-std::vector<magnitude> magnitudes(const program &p, bool differences = false); // of all nodes by id, or empty
+// What one root needs, itself included, each node after its operands, in an order that depends on the shape alone. Below a
+// node that `stops` accepts nothing is needed.
+std::vector<node_id> operands_first(const arena &nodes, node_id root, const std::function<bool(node_id)> &stops);
 
 } // namespace meetc::ir

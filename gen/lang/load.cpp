@@ -325,7 +325,7 @@ double box_size(const toml_reader &in, const toml::node &node) {
 }
 } // namespace
 
-scene load_scene(const std::string &path) {
+scene load_scene(const std::string &path, const backend_choice &backends) {
   const toml_reader in(path);
   scene s;
   s.files.push_back(in.file());
@@ -348,11 +348,10 @@ scene load_scene(const std::string &path) {
   load_algebra(target.generic_string(), s.in, s.files);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
     s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});
-  const auto choices = [&](const char *key, const std::vector<std::string> &known, std::vector<std::string> &out) {
-    out = known;
+  const auto choices = [&](const char *key, const std::vector<std::string> &known, std::vector<std::string> out) {
     const toml::node *node_of = t.get(key);
     if (!node_of)
-      return;
+      return out;
     out.clear();
     for (const toml::node &item : in.as_array(*node_of, std::string("scene.") + key)) {
       const std::string value = in.as_string(item, std::string("each item of scene.") + key);
@@ -364,11 +363,16 @@ scene load_scene(const std::string &path) {
     }
     if (out.empty())
       throw spec_error(in.place(*node_of), fmt::format("scene.{} is empty; known: {}", key, join(known, ", ")));
+    return out;
   };
-  choices("rungs", {"fp32", "fp64", "fp64x2", "exact", "certified"}, s.rungs);
+  const std::vector<std::string> asked = choices("rungs", rung_names(), rung_names());
+  for (const std::string &name : asked)
+    for (const rung_info &r : rungs)
+      if (name == r.name)
+        s.rungs.push_back(r.id);
   if (t.contains("box"))
     s.box = box_size(in, *t.get("box"));
-  choices("backends", {"cpp", "cuda"}, s.backends);
+  s.backends = choices("backends", backends.known, backends.unless_said);
   return s;
 }
 

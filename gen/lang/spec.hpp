@@ -1,8 +1,10 @@
 // A spec as it was read: an algebra (with what it imports) and a scene that asks something of it. Names are
 // checked here; what expressions mean is decided where they are expanded.
 #pragma once
+#include "gen/lang/rungs.hpp"
 #include "gen/lang/syntax.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -85,13 +87,20 @@ struct scene {
   std::string name, space; // the file's stem; the C++ namespace
   algebra in;
   std::vector<kernel_request> kernels;
-  std::vector<std::string> rungs, backends;
+  std::vector<rung> rungs;
+  std::vector<std::string> backends;
+  bool asks(rung r) const { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); }
   double box = 0; // every coordinate lies in [-box, box], every length in [0, 2 box]; 0: not stated
   std::vector<std::shared_ptr<const source_file>> files; // everything that was read, for the content hash
 };
 
+// The backends that a scene may name, and those that it has when it names none.
+struct backend_choice {
+  std::vector<std::string> known, unless_said;
+};
+
 // Reads a scene file and the algebra that it names. Throws spec_error.
-scene load_scene(const std::string &path);
+scene load_scene(const std::string &path, const backend_choice &backends);
 
 // Adds what an algebra file says to `out`; imports are read relative to the file.
 void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files);

@@ -11,7 +11,6 @@
 namespace meetc::lower {
 
 using ir::arena;
-using ir::count;
 using ir::needed;
 using ir::node;
 using ir::node_id;
@@ -36,7 +35,8 @@ public:
 
   arena &nodes() { return nodes_; }
   const poly::ring &numbers() const { return frame_.base(); }
-  // The program of these results, checked against what they were asked to be.
+  // The program of these results, checked against what they were asked to be. It holds every form that was tried; the
+  // passes prune it.
   program finish(const std::vector<node_id> &results) const;
 
 private:

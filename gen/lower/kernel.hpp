@@ -1,5 +1,6 @@
 // A kernel: one thing that a scene asks for, compiled to programs and decisions, ready for any emitter.
 #pragma once
+#include "gen/bound/bound.hpp"
 #include "gen/lower/build.hpp"
 #include "gen/lower/expand.hpp"
 
@@ -35,6 +36,7 @@ struct blade_maker {
   std::vector<lang::field> of;
   std::vector<std::string> inputs; // "a.x", in memory order
   program code;
+  std::shared_ptr<poly::ring> numbers;
 };
 
 // A value of general blades and of stored operands.
@@ -46,14 +48,13 @@ struct formula {
   program from_stored;                     // numbers only; inputs: stored numbers, one operand after another
   std::vector<std::string> stored_inputs;
   std::vector<poly::poly> polynomials; // of from_blades, in `numbers`
-  std::shared_ptr<poly::ring> numbers;
+  std::shared_ptr<poly::ring> numbers, stored_numbers;
 };
 
 // One stage of a predicate: some of its atoms, as one program.
 struct stage {
-  std::vector<int> atoms;     // ids in the decision
-  program code;               // results follow `atoms`
-  int degree = 0, growth = 0; // bounds of all values, see magnitudes()
+  std::vector<int> atoms; // ids in the decision
+  program code;           // results follow `atoms`
 };
 
 struct predicate {
@@ -69,6 +70,12 @@ struct predicate {
   stage reject, common, rare;  // empty atoms: the stage is not there
 };
 
+// The stages in the order in which they run, of a predicate or of anything else that is had by stage (bounds).
+inline constexpr std::array<const char *, 3> stage_names{"reject", "common", "rare"};
+template <class ByStage> auto stages(ByStage &of) {
+  return std::array{&of.reject, &of.common, &of.rare};
+}
+
 struct kernel {
   request asked;
   bool is_predicate = false; // made of signs: a predicate, or one sign
@@ -77,9 +84,21 @@ struct kernel {
   predicate decision;        // when it is
 };
 
-// `exact`: the exact rung is wanted, which needs signs that are homogeneous in the stored numbers.
-kernel compile(const lower::model &m, const request &r, bool exact = true);
+// A request to programs as lowering leaves them: passes come next, then bounds.
+kernel compile(const lower::model &m, const request &r);
 std::vector<blade_maker> makers(const lower::model &m, const lang::kind &k);
+
+// Every program of a kernel, with the ring and the names of its inputs.
+struct kernel_program {
+  std::string title; // "stage of 2 signs", "from blades"
+  program *code;
+  const poly::ring *numbers;
+  const std::vector<std::string> *inputs;
+};
+std::vector<kernel_program> programs(kernel &k);
+
+// What bounds are computed from. Borrows from the predicate.
+bound::subject subject_of(const predicate &p);
 
 // The stored numbers of operands as a ring, "X.c.x", and how a translation moves them.
 struct stored_ring {

@@ -1,8 +1,14 @@
-// Emitters: text from compiled kernels. They decide nothing.
+// Targets: text from lowered kernels. They know no algebra and solve nothing.
+//
+// A target is a struct of functions in one table (registry.cpp): a name, what it can carry, the files that it writes and
+// what it shows of one kernel. A new target is a folder here and a line there.
 #pragma once
 #include "gen/bound/bound.hpp"
+#include "gen/lower/separated.hpp"
 
-#include <functional>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,33 +19,54 @@ struct file {
   std::string text;
 };
 
-// Everything that an emitter of whole files needs.
+// What only targets for eyes and for other programs need of a kernel.
+struct forms {
+  std::optional<lower::declared_formula> declared;  // of a formula
+  std::vector<lower::separated> separated;          // its signs, or its values on general blades
+  std::vector<lower::separated> declared_separated; // its values in the declared basis
+};
+
+// Everything that a target is given: lowered kernels after the last pass, and their bounds.
 struct unit {
   const lang::scene &scene;
   const lower::model &model;
   std::vector<lower::kernel> kernels;
   // Of kernels made of signs, where the scene asks for rungs that need them.
   std::vector<std::optional<bound::kernel_bounds>> bounds;
+  // How the blades are made that formulas read or give.
+  std::map<const lang::kind *, std::vector<lower::blade_maker>> makers;
+  std::vector<forms> shown; // by kernel; empty where nothing is shown
 
+  bool asks(lang::rung r) const { return scene.asks(r); }
   bool asks(const char *rung) const;
   bool has_backend(const char *backend) const;
 };
 
-// Headers, the runtime table and the CUDA launchers, as the scene's backends ask. Sorted by path.
-std::vector<file> cpp_files(const unit &u);
+// What a target can carry of what a scene asks for.
+struct carries {
+  bool formulas = false, signs = false, plain = false, certified = false, launchers = false;
+};
 
-std::string json(const lower::model &m, const lower::kernel &k);
-std::string latex(const lower::model &m, const lower::kernel &k);
-std::string poly_text(const lower::model &m, const lower::kernel &k);
-// What a kernel of two operands computes as sums of products f(X) g(Y), and the numbers of them for many kernels.
-std::string separate_text(const lower::model &m, const lower::kernel &k);
-std::string separate_table(const lower::model &m, const std::vector<lower::kernel> &kernels);
-// The graph, one node a line; `schedule` in the order and with the names in which it is emitted.
-std::string dag_text(const lower::kernel &k, bool schedule);
-// A kernel's own header.
-std::string cpp_text(const unit &u, std::size_t kernel);
+struct target {
+  const char *name; // as in a scene's `backends` and in `meetc show --emit=NAME`
+  const char *what; // one line, for help
+  carries can;
+  // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error for what it cannot carry.
+  std::vector<file> (*files)(const unit &) = nullptr;
+  bool is_default = false;     // written where the scene names no backends
+  const char *over = nullptr;  // the target whose files its own include; they are written too
+  // One kernel of the unit, for eyes; null: it shows nothing. Throws spec_error for what it cannot carry.
+  std::string (*show)(const unit &, std::size_t kernel) = nullptr;
+};
 
-// The CUDA launchers of the unit's predicates.
-std::string cuda_text(const unit &u);
+// All of them, in the order in which help lists them.
+std::span<const target> all();
+// Null where there is none of this name.
+const target *find(const std::string &name);
+// Those that write files: what a scene's `backends` may hold.
+lang::backend_choice backends();
+// The files of the scene's backends and of what they stand over, sorted by path, with the kernel headers. Throws
+// spec_error where two would have one path.
+std::vector<file> files_of(const unit &u);
 
 } // namespace meetc::target

@@ -1,3 +1,4 @@
+#include "gen/ir/evaluate.hpp"
 #include "gen/verify/dense_evaluator.hpp"
 #include "gen/verify/verify.hpp"
 

@@ -1,3 +1,4 @@
+#include "gen/ir/evaluate.hpp"
 #include "gen/oracle/convex.hpp"
 #include "gen/verify/verify.hpp"
 
@@ -104,7 +105,7 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
     row.insert(row.end(), b.row.begin(), b.row.end());
     std::vector<int> signs(p.signs.atoms().size());
     bool zero = false;
-    for (const lower::stage *s : {&p.reject, &p.common, &p.rare}) {
+    for (const lower::stage *s : lower::stages(p)) {
       if (s->atoms.empty())
         continue;
       const auto values = ir::evaluate(s->code, row);

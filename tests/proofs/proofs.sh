@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # proofs.sh CHECK GAPPA GENERATED [COQC]: runs Gappa on every GENERATED/*/*/proofs/*.gappa, on all cores.
 #   prove      every script is proved
-#   theorems   of rounding, each proof uses only what also holds in finer formats (gen/emit/gappa.cpp)
+#   theorems   of rounding, each proof uses only what also holds in finer formats (gen/target/gappa/gappa.cpp)
 #   quarter    with a quarter of its bound, no script is proved
 #   roundings  every rounding counts: without it the bound that Gappa finds is less, with one more it is more than the
 #              script's

@@ -1,5 +1,7 @@
 #include "gen/target/cpp/body.hpp"
 
+#include "gen/bound/growth.hpp"
+
 #include <fmt/format.h>
 #include <map>
 #include <set>
@@ -149,7 +151,7 @@ parts split_body(const ir::program &p, int inputs_a, bool mixed, const std::stri
     read_by_pair(r);
   std::vector<char> wide(mixed ? p.nodes.size() : 0);
   if (mixed) {
-    const std::vector<ir::magnitude> all = ir::magnitudes(p);
+    const std::vector<bound::growth> all = bound::growths(p);
     for (const node_id id : order)
       wide[static_cast<std::size_t>(id)] = all[static_cast<std::size_t>(id)].degree >= 3;
   }

@@ -1,5 +1,6 @@
 // Programs as C++ statements.
 #pragma once
+#include "gen/ir/count.hpp"
 #include "gen/lower/kernel.hpp"
 
 #include <functional>

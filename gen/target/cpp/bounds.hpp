@@ -1,6 +1,7 @@
 // Error bounds as members of emitted stages and predicates.
 #pragma once
 #include "gen/bound/bound.hpp"
+#include "gen/lower/kernel.hpp"
 
 #include <string>
 

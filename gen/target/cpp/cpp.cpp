@@ -2,6 +2,7 @@
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/names.hpp"
+#include "gen/target/gappa/gappa.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -142,7 +143,7 @@ std::string blade_struct(const unit &u, const lang::kind &k) {
 std::string maker_text(const unit &u, const lang::kind &k) {
   std::string out;
   const std::vector<blade> blades = lower::support(u.model, k);
-  for (const lower::blade_maker &maker : lower::makers(u.model, k)) {
+  for (const lower::blade_maker &maker : u.makers.at(&k)) {
     const lang::expr *written = k.blade.get();
     for (const lang::constructor &c : k.from)
       if (c.name == maker.name)
@@ -299,9 +300,6 @@ std::string close_header(const lang::scene &s) {
   return fmt::format("\n}} // namespace {}\n\n#endif\n", identifier(s.space));
 }
 
-namespace {
-
-// Long lines of code are broken after a comma; comments have their own way (wrapped()).
 std::string broken_lines(const std::string &text) {
   constexpr std::size_t width = 110;
   std::string out;
@@ -323,16 +321,6 @@ std::string broken_lines(const std::string &text) {
   return out;
 }
 
-} // namespace
-
-bool unit::asks(const char *rung) const {
-  return std::find(scene.rungs.begin(), scene.rungs.end(), rung) != scene.rungs.end();
-}
-
-bool unit::has_backend(const char *backend) const {
-  return std::find(scene.backends.begin(), scene.backends.end(), backend) != scene.backends.end();
-}
-
 std::string cpp_text(const unit &u, std::size_t kernel) {
   const lower::kernel &k = u.kernels[kernel];
   std::string out = banner(u.scene, k.asked.text);
@@ -343,16 +331,11 @@ std::string cpp_text(const unit &u, std::size_t kernel) {
 
 std::vector<file> cpp_files(const unit &u) {
   const std::string space = identifier(u.scene.space);
-  std::vector<file> out = kernel_headers();
-  const std::size_t copied = out.size();
-  out.push_back({space + "/kinds.hpp", kinds_header(u)});
+  std::vector<file> out{{space + "/kinds.hpp", kinds_header(u)}};
   std::vector<std::string> headers{"kinds.hpp"};
-  bool predicates = false;
   for (std::size_t i = 0; i < u.kernels.size(); ++i) {
-    const lower::kernel &k = u.kernels[i];
-    headers.push_back(lower_include(k.asked.name()));
+    headers.push_back(lower_include(u.kernels[i].asked.name()));
     out.push_back({space + '/' + headers.back(), cpp_text(u, i)});
-    predicates = predicates || (k.is_predicate && !k.is_sign);
   }
   std::sort(headers.begin() + 1, headers.end());
   out.push_back({space + '/' + space + ".hpp", banner(u.scene, "Everything that the scene asks for.") +
@@ -360,16 +343,11 @@ std::vector<file> cpp_files(const unit &u) {
   out.push_back({space + "/shapes.hpp", shapes_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
-  const bool cuda = u.has_backend("cuda");
-  if (cuda)
-    out.push_back({space + "/ball_form.hpp", ball_form_header(u)});
-  if (cuda && predicates) {
-    out.push_back({space + '/' + space + "_cuda.hpp", cuda_header(u)});
-    out.push_back({space + '/' + space + "_cuda.cu", cuda_text(u)});
-  }
-  for (std::size_t i = copied; i < out.size(); ++i) // the kernel headers are copied byte for byte
-    out[i].text = broken_lines(out[i].text);
-  std::sort(out.begin(), out.end(), [](const file &a, const file &b) { return a.path < b.path; });
+  for (file &f : out)
+    f.text = broken_lines(f.text);
+  if (u.asks(lang::rung::certified))
+    for (file &f : proof_files(u))
+      out.push_back(std::move(f));
   return out;
 }
 

@@ -20,11 +20,12 @@ std::string shapes_header(const unit &u);
 std::string runtime_header(const unit &u);
 std::string runtime_source(const unit &u);
 
-// Launchers of the predicates on a CUDA device.
-std::string cuda_header(const unit &u);
-
-// Touching balls as a matrix product, for scenes with a CUDA backend.
-std::string ball_form_header(const unit &u);
+// A kernel's own header.
+std::string cpp_text(const unit &u, std::size_t kernel);
+// Headers and the runtime table.
+std::vector<file> cpp_files(const unit &u);
+// Long lines of code broken after commas.
+std::string broken_lines(const std::string &text);
 
 // The kernel headers, as the generator was built with them.
 std::vector<file> kernel_headers();

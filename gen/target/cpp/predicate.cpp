@@ -23,7 +23,7 @@ std::string stage_text(const lower::predicate &p, const lower::stage &st, const 
     slot.try_emplace(a, next);
   }
   const parts text = split_body(st.code, p.inputs_a, b && b->mixed, "      ");
-  std::string out = fmt::format("  // {}: signs {} to {}, degree {}.\n", what, first, slot.size() - 1, st.degree);
+  std::string out = fmt::format("  // {}: signs {} to {}, degree {}.\n", what, first, slot.size() - 1, (b ? b->degree : 0));
   const auto counted = [&](poly::residency r) { return count_text(ir::count(st.code, r)); };
   out += fmt::format("  // Once an object A: {}; B: {}; a pair: {}.\n", counted(poly::residency::a),
                      counted(poly::residency::b), counted(poly::residency::pair));
@@ -31,7 +31,7 @@ std::string stage_text(const lower::predicate &p, const lower::stage &st, const 
       fmt::format("  struct {} {{\n    static constexpr int first = {}, atoms = {}, fields_a = {}, fields_b = {};\n"
                   "    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
                   "    static constexpr int degree = {}, growth = {};\n",
-                  name, first, st.atoms.size(), text.fields_a, text.fields_b, st.degree, st.growth);
+                  name, first, st.atoms.size(), text.fields_a, text.fields_b, (b ? b->degree : 0), (b ? b->growth : 0));
   out +=
       fmt::format("    template <class T>\n    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, "
                   "[[maybe_unused]] T *f) {{\n{}    }}\n",

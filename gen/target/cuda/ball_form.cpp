@@ -4,6 +4,7 @@
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/bounds.hpp"
 #include "gen/target/cpp/cpp.hpp"
+#include "gen/target/cuda/cuda.hpp"
 
 #include <fmt/format.h>
 

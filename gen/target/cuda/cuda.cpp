@@ -1,7 +1,10 @@
 // The predicates on a CUDA device: launchers that decide lists of pairs, and the catalogue through which a runtime runs
 // all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
+#include "gen/target/cuda/cuda.hpp"
+
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
+#include "gen/target/gappa/gappa.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -107,7 +110,8 @@ std::string cuda_header(const unit &u) {
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
-std::string cuda_text(const unit &u) {
+namespace {
+std::string launchers_text(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "Launchers on a CUDA device.");
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n", space);
@@ -132,6 +136,27 @@ std::string cuda_text(const unit &u) {
             "cudaError_t {0}::{2}{3} {{\n  return {2}_by<::{1}::{0}>(rung, a, b, pairs, n, out, stream);\n}}\n",
             identifier(k->asked.asked->name), space, function, parameters);
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
+}
+} // namespace
+
+std::string cuda_text(const unit &u, std::size_t kernel) {
+  if (!u.kernels[kernel].is_predicate || u.kernels[kernel].is_sign)
+    throw spec_error({},
+                     "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
+  return launchers_text(u);
+}
+
+std::vector<file> cuda_files(const unit &u) {
+  const std::string space = identifier(u.scene.space);
+  std::vector<file> out{{space + "/ball_form.hpp", broken_lines(ball_form_header(u))}};
+  if (!predicates_of(u).empty()) {
+    out.push_back({space + '/' + space + "_cuda.hpp", broken_lines(cuda_header(u))});
+    out.push_back({space + '/' + space + "_cuda.cu", broken_lines(launchers_text(u))});
+  }
+  if (u.asks(lang::rung::certified))
+    for (file &f : filter_proofs(u))
+      out.push_back(std::move(f));
+  return out;
 }
 
 } // namespace meetc::target

@@ -35,7 +35,6 @@ namespace {
 using bound::box_node;
 using ir::node;
 using ir::node_id;
-using ir::op;
 
 constexpr int precision = 24;
 
@@ -54,14 +53,16 @@ struct twin {
   term computed, exact;
 };
 
-// A script's text, for one sign.
+// A script's text, for one sign: a domain that writes a line for every operation and its exact twin.
 class script {
 public:
+  using value = twin;
+
   // `root` rounds, and nothing after it does; c bounds its error in the powers that `boxes` gives it.
-  script(const ir::program &p, const std::vector<box_node> &boxes, node_id root, const ir::rational &c)
-      : p_(p), boxes_(boxes), root_(root) {
-    for (const node_id id : operands_first())
-      write(id);
+  script(const ir::program &p, const ir::folded<box_node> &boxes, node_id root, const ir::rational &c)
+      : boxes_(boxes), root_(root) {
+    const auto is_leaf = [&](node_id id) { return bound::leaf_at(p.nodes, id).has_value(); };
+    ir::fold(p.nodes, *this, ir::operands_first(p.nodes, root, is_leaf));
     std::string bounds;
     for (const std::string &l : leaves_)
       bounds += fmt::format("{}|{}| <= 1", bounds.empty() ? "" : " /\\\n  ", l);
@@ -76,94 +77,79 @@ public:
   // What the leaves are, in the order of their numbers.
   const std::vector<bound::leaf> &leaves() const { return meaning_; }
 
+  // ---- the domain ----
+
+  std::optional<value> given(const ir::place &at) {
+    const auto l = bound::leaf_at(at.nodes, at.id);
+    if (!l)
+      return std::nullopt;
+    const std::size_t i = meaning_.size();
+    meaning_.push_back(*l);
+    leaves_.push_back(fmt::format("{}{}", l->subtrahend < 0 ? 'r' : 'd', i));
+    if (l->subtrahend >= 0)
+      lines_ += fmt::format("t{0} = rnd(d{0});\n", i);
+    return value{{l->subtrahend < 0 ? leaves_.back() : fmt::format("t{}", i)}, {leaves_.back()}};
+  }
+  value input(const ir::place &, int) { return {}; } // a leaf
+  value constant(const ir::place &, const ir::rational &q) {
+    const ir::rational size = abs(q);
+    const bool negative = q < 0, fits = bound::rounded_up(size, precision) == size;
+    return {{fmt::format(fmt::runtime(fits ? "{}" : "rnd({})"), size.get_str()), negative}, {size.get_str(), negative}};
+  }
+  value negate(const ir::place &, const value &x) {
+    return {{x.computed.text, !x.computed.negative}, {x.exact.text, !x.exact.negative}};
+  }
+  value add(const ir::place &at, const value &x, const value &y) {
+    const node &n = at.operation();
+    return each(at, [&](term twin::*side) {
+      const term first = scaled(x.*side, powers_of(n.a), at.id);
+      return sum(first, scaled(y.*side, powers_of(n.b), at.id));
+    });
+  }
+  value subtract(const ir::place &at, const value &x, const value &y) { return add(at, x, negate(at, y)); }
+  value multiply(const ir::place &at, const value &x, const value &y) {
+    return each(at, [&](term twin::*side) {
+      const term p = product(x.*side, y.*side);
+      return (p.negative ? "-" : "") + p.text;
+    });
+  }
+  value fused(const ir::place &at, const value &x, const value &y, const value &z) {
+    const node &n = at.operation();
+    const auto [alphas, betas] = powers_of(n.a);
+    const auto [more_alphas, more_betas] = powers_of(n.b);
+    const std::pair powers{alphas + more_alphas, betas + more_betas};
+    return each(at, [&](term twin::*side) {
+      const term p = scaled(product(x.*side, y.*side), powers, at.id);
+      return sum(p, scaled(z.*side, powers_of(n.c), at.id));
+    });
+  }
+
 private:
-  const ir::program &p_;
-  const std::vector<box_node> &boxes_;
+  const ir::folded<box_node> &boxes_;
   node_id root_;
-  std::map<node_id, twin> value_;
   std::vector<std::pair<int, int>> scales_; // powers of alpha / D and of beta / D
   std::vector<std::string> leaves_;
   std::vector<bound::leaf> meaning_;
   std::string lines_, text_;
   int next_ = 0;
 
-  // The nodes that the root needs, in an order that depends on the shape alone.
-  std::vector<node_id> operands_first() const {
-    std::vector<node_id> out;
-    std::vector<std::pair<node_id, bool>> stack{{root_, false}};
-    std::set<node_id> seen;
-    while (!stack.empty()) {
-      const auto [id, ready] = stack.back();
-      stack.pop_back();
-      if (ready) {
-        out.push_back(id);
-      } else if (seen.insert(id).second) {
-        stack.emplace_back(id, true);
-        const node &n = p_.nodes.at(id);
-        if (n.kind != op::constant && !bound::leaf_at(p_, id))
-          for (const node_id operand : {n.c, n.b, n.a}) // a is pushed last and comes first
-            if (operand >= 0)
-              stack.emplace_back(operand, false);
-      }
-    }
-    return out;
+  // Writes an operation, before it rounds, on computed values and on exact ones.
+  template <class Operation> value each(const ir::place &at, const Operation &of) {
+    const std::string i = at.id == root_ ? "" : fmt::format("{}", next_++);
+    const bool rounds = at.id != root_ && !bound::scales_exactly(at.nodes, at.id);
+    lines_ += fmt::format(fmt::runtime(rounds ? "v{} = rnd({});\n" : "v{} = {};\n"), i, of(&twin::computed));
+    lines_ += fmt::format("e{} = {};\n", i, of(&twin::exact));
+    return {{"v" + i}, {"e" + i}};
   }
 
-  void write(node_id id) {
-    const node &n = p_.nodes.at(id);
-    if (const auto l = bound::leaf_at(p_, id)) {
-      const std::size_t i = meaning_.size();
-      meaning_.push_back(*l);
-      leaves_.push_back(fmt::format("{}{}", l->subtrahend < 0 ? 'r' : 'd', i));
-      if (l->subtrahend >= 0)
-        lines_ += fmt::format("t{0} = rnd(d{0});\n", i);
-      value_[id] = {{l->subtrahend < 0 ? leaves_.back() : fmt::format("t{}", i)}, {leaves_.back()}};
-    } else if (n.kind == op::constant) {
-      const ir::rational q = abs(p_.nodes.value(id));
-      const bool negative = p_.nodes.value(id) < 0, fits = bound::rounded_up(q, precision) == q;
-      value_[id] = {{fmt::format(fmt::runtime(fits ? "{}" : "rnd({})"), q.get_str()), negative},
-                    {q.get_str(), negative}};
-    } else if (n.kind == op::negate) {
-      const twin &of = value_.at(n.a);
-      value_[id] = {{of.computed.text, !of.computed.negative}, {of.exact.text, !of.exact.negative}};
-    } else {
-      const std::string i = id == root_ ? "" : fmt::format("{}", next_++);
-      const bool rounds = id != root_ && !bound::scales_exactly(p_, id);
-      lines_ +=
-          fmt::format(fmt::runtime(rounds ? "v{} = rnd({});\n" : "v{} = {};\n"), i, operation(id, &twin::computed));
-      lines_ += fmt::format("e{} = {};\n", i, operation(id, &twin::exact));
-      value_[id] = {{"v" + i}, {"e" + i}};
-    }
+  static term product(const term &x, const term &y) {
+    return {fmt::format("{} * {}", x.text, y.text), x.negative != y.negative};
   }
-
-  // What an operation computes, before it rounds.
-  std::string operation(node_id id, term twin::*side) {
-    const node &n = p_.nodes.at(id);
-    const auto of = [&](node_id i) { return value_.at(i).*side; };
-    if (n.kind == op::add || n.kind == op::subtract) {
-      const term x = scaled(of(n.a), powers_of(n.a), id);
-      term y = scaled(of(n.b), powers_of(n.b), id);
-      y.negative = y.negative != (n.kind == op::subtract);
-      return sum(x, y);
-    }
-    const term a = of(n.a), b = of(n.b);
-    const term product{fmt::format("{} * {}", a.text, b.text), a.negative != b.negative};
-    if (n.kind == op::multiply)
-      return (product.negative ? "-" : "") + product.text;
-    const auto [alphas, betas] = powers_of(n.a);
-    const auto [more_alphas, more_betas] = powers_of(n.b);
-    const term x = scaled(product, {alphas + more_alphas, betas + more_betas}, id);
-    return sum(x, scaled(of(n.c), powers_of(n.c), id));
-  }
-
   static std::string sum(const term &x, const term &y) {
     return fmt::format("{}{} {} {}", x.negative ? "-" : "", x.text, y.negative ? '-' : '+', y.text);
   }
 
-  std::pair<int, int> powers_of(node_id id) const {
-    const box_node &n = boxes_[static_cast<std::size_t>(id)];
-    return {n.a, n.b};
-  }
+  std::pair<int, int> powers_of(node_id id) const { return {boxes_.at(id).a, boxes_.at(id).b}; }
 
   // A term with these powers, in a sum that may have less.
   term scaled(const term &x, std::pair<int, int> powers, node_id in_sum) {
@@ -174,8 +160,9 @@ private:
     auto at = std::find(scales_.begin(), scales_.end(), quotient);
     if (at == scales_.end())
       at = scales_.insert(at, quotient);
-    const bool product = x.text.find(' ') != std::string::npos;
-    return {fmt::format(fmt::runtime(product ? "s{} * ({})" : "s{} * {}"), at - scales_.begin(), x.text), x.negative};
+    const bool is_product = x.text.find(' ') != std::string::npos;
+    return {fmt::format(fmt::runtime(is_product ? "s{} * ({})" : "s{} * {}"), at - scales_.begin(), x.text),
+            x.negative};
   }
 };
 
@@ -200,16 +187,22 @@ std::string meaning(const lower::kernel &k, const script &s, int atom) {
 }
 } // namespace
 
+void check_bounded(const unit &u, std::size_t kernel) {
+  if (!u.kernels[kernel].is_predicate)
+    throw spec_error({}, "only predicates and signs have error bounds; this is a formula");
+  if (!u.bounds[kernel])
+    throw spec_error({}, "the scene asks for neither 'exact' nor 'certified', so nothing bounds its errors");
+}
+
 std::vector<bounded_stage> bounded_stages(const unit &u, std::size_t i) {
   std::vector<bounded_stage> out;
   if (!u.bounds[i])
     return out;
-  const lower::predicate &p = u.kernels[i].decision;
-  for (const bounded_stage &s :
-       {bounded_stage{"reject", p.reject, u.bounds[i]->reject}, bounded_stage{"common", p.common, u.bounds[i]->common},
-        bounded_stage{"rare", p.rare, u.bounds[i]->rare}})
-    if (!s.signs.atoms.empty())
-      out.push_back(s);
+  const auto signs = lower::stages(u.kernels[i].decision);
+  const auto bounds = lower::stages(*u.bounds[i]);
+  for (std::size_t s = 0; s < signs.size(); ++s)
+    if (!signs[s]->atoms.empty())
+      out.push_back({lower::stage_names[s], *signs[s], *bounds[s]});
   return out;
 }
 
@@ -219,14 +212,14 @@ std::vector<file> proof_files(const unit &u) {
   for (std::size_t i = 0; i < u.kernels.size(); ++i)
     for (const bounded_stage &stage : bounded_stages(u, i)) {
       const ir::program &p = stage.signs.code;
-      const std::vector<box_node> boxes = bound::box_nodes(p, precision, bound::box_format_lowest);
+      const ir::folded<box_node> boxes = bound::box_nodes(p, precision, bound::box_format_lowest);
       const std::string kernel = u.kernels[i].asked.name();
       std::map<std::pair<std::size_t, std::string>, std::string> covers; // of one stage, by proof and powers
       for (std::size_t sign = 0; sign < p.results.size(); ++sign) {
         const bound::box_bound &bound = stage.bounds.box[sign];
         if (bound.value == 0) // a leaf: the sign of its only rounding
           continue;
-        const auto [root, scale] = bound::last_rounding_of(p, p.results[sign]);
+        const auto [root, scale] = bound::last_rounding_of(p.nodes, p.results[sign]);
         const script s(p, boxes, root, bound.value / scale);
         const auto [at, fresh] = known.try_emplace(s.text(), proofs.size());
         if (fresh)
@@ -249,6 +242,14 @@ std::vector<file> proof_files(const unit &u) {
                    text + "# The first of them is the sign of\n" + p.first + p.text});
   }
   std::sort(out.begin(), out.end(), [](const file &a, const file &b) { return a.path < b.path; });
+  return out;
+}
+
+std::string show_proofs(const unit &u, std::size_t kernel) {
+  check_bounded(u, kernel);
+  std::string out;
+  for (const file &f : proof_files(u))
+    out += fmt::format("{}# {}\n{}", out.empty() ? "" : "\n", f.path, f.text);
   return out;
 }
 

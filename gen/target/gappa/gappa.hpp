@@ -23,7 +23,10 @@ std::vector<file> proof_files(const unit &u);
 // The margins of the matrix filter of balls, for scenes with a CUDA backend.
 std::vector<file> filter_proofs(const unit &u);
 
-// The bounds of a kernel's signs as a table.
-std::string bounds_table(const unit &u, std::size_t kernel);
+// The scripts of a unit that has this kernel alone, one after the other.
+std::string show_proofs(const unit &u, std::size_t kernel);
+
+// Throws spec_error where a kernel has no error bounds.
+void check_bounded(const unit &u, std::size_t kernel);
 
 } // namespace meetc::target

@@ -1,6 +1,6 @@
 // The bounds of a kernel's signs as a table for eyes.
-#include "gen/target/cpp/bounds.hpp"
 #include "gen/target/gappa/gappa.hpp"
+#include "gen/target/text/text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -47,6 +47,7 @@ std::string powers_text(const bound::box_bound &b) {
 }
 
 std::string bounds_table(const unit &u, std::size_t kernel) {
+  check_bounded(u, kernel);
   const lower::predicate &p = u.kernels[kernel].decision;
   std::string out = "u = 2^-24 in fp32, 2^-53 in fp64, 2^-102 in fp64x2; a sign is known where |v| > K M, in fp32 also "
                     "where |v| > c alpha^i beta^j D^k\n";

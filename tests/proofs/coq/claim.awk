@@ -1,6 +1,6 @@
 # claim.awk: a Gappa script as a proposition of Coq, `name`: its definitions and its claim in the real numbers and
 # Flocq's roundings alone. A rule after the claim is a hint to Gappa and no part of it. The signs' scripts are meant for
-# every finer format too, another for each rounding (gen/emit/gappa.cpp), and so says the proposition: `rnd i` is the
+# every finer format too, another for each rounding (gen/target/gappa/gappa.cpp), and so says the proposition: `rnd i` is the
 # script's rounding number i, to a format with the least exponent `least i`.
 # Limits: what the emitter writes, not all of Gappa's language.
 function rounding(direction) {

@@ -1,0 +1,54 @@
+#include "gen/bound/growth.hpp"
+
+#include "gen/ir/fold.hpp"
+
+#include <algorithm>
+
+namespace meetc::bound {
+namespace {
+
+struct growing {
+  using value = growth;
+  bool differences;
+  bool homogeneous = true;
+
+  value sum(const value &x, const value &y) {
+    homogeneous = homogeneous && x.degree == y.degree;
+    return {x.degree, std::max(x.bits_more, y.bits_more) + 1};
+  }
+  value input(const ir::place &, int) { return {1, 0}; }
+  value constant(const ir::place &, const ir::rational &q) {
+    homogeneous = homogeneous && q.get_den() == 1;
+    // |q| < 2^size; a power of two needs one bit more than its logarithm.
+    return {0, static_cast<int>(mpz_sizeinbase(q.get_num().get_mpz_t(), 2))};
+  }
+  value negate(const ir::place &, const value &x) { return x; }
+  value add(const ir::place &, const value &x, const value &y) { return sum(x, y); }
+  value subtract(const ir::place &at, const value &x, const value &y) {
+    const ir::node &n = at.operation();
+    const auto is_input = [&](ir::node_id id) { return at.nodes.at(id).kind == ir::op::input; };
+    const value out = sum(x, y);
+    return differences && is_input(n.a) && is_input(n.b) ? value{1, 0} : out;
+  }
+  value multiply(const ir::place &, const value &x, const value &y) {
+    return {x.degree + y.degree, x.bits_more + y.bits_more};
+  }
+  value fused(const ir::place &at, const value &x, const value &y, const value &z) {
+    return sum(multiply(at, x, y), z);
+  }
+};
+
+} // namespace
+
+std::vector<growth> growths(const ir::program &p, bool differences) {
+  growing d{differences};
+  const auto values = ir::fold(p, d);
+  if (!d.homogeneous)
+    return {};
+  std::vector<growth> out(p.nodes.size());
+  for (const ir::node_id id : ir::needed(p.nodes, p.results))
+    out[static_cast<std::size_t>(id)] = values.at(id);
+  return out;
+}
+
+} // namespace meetc::bound

@@ -1,0 +1,13 @@
+// What a program is: its values for given numbers, and as polynomials. Both exact.
+#pragma once
+#include "gen/ir/arena.hpp"
+
+namespace meetc::ir {
+
+// The results as polynomials in the inputs, for the check of every pass: to_poly(pass(p)) == to_poly(p).
+std::vector<poly::poly> to_poly(const program &p, const poly::ring &inputs);
+
+// The results for these inputs.
+std::vector<rational> evaluate(const program &p, const std::vector<rational> &inputs);
+
+} // namespace meetc::ir

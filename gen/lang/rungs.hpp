@@ -1,0 +1,34 @@
+// The rungs that a scene may ask for: the one table of them in the compiler.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+namespace meetc::lang {
+
+// Plain rungs take the sign of the value that their arithmetic computes. Exact and certified answers are never wrong:
+// certified runs a filter cascade, the bounded arithmetics in this order and then the exact rung.
+enum class rung { fp32, fp64, fp64x2, exact, certified };
+
+struct rung_info {
+  rung id;
+  const char *name;
+  bool is_plain;   // the sign of a computed value, with nothing said of its error
+  bool is_bounded; // its arithmetic also stands in the filter cascade of `certified`, with an error bound
+};
+inline constexpr std::array<rung_info, 5> rungs{{
+    {rung::fp32, "fp32", true, true},
+    {rung::fp64, "fp64", true, true},
+    {rung::fp64x2, "fp64x2", true, true},
+    {rung::exact, "exact", false, false},
+    {rung::certified, "certified", false, false},
+}};
+
+inline std::vector<std::string> rung_names() {
+  std::vector<std::string> out;
+  for (const rung_info &r : rungs)
+    out.emplace_back(r.name);
+  return out;
+}
+
+} // namespace meetc::lang

@@ -1,0 +1,126 @@
+#include "gen/lower/declared.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace meetc::lower {
+namespace {
+
+// For each support blade: how it follows from the blades kept. Row reduction of the coefficients as vectors of
+// monomials, over all constructors of the kind at once.
+std::vector<std::vector<std::pair<std::size_t, rational>>> linear_relations(const model &m, const lang::kind &k,
+                                                                            const std::vector<blade> &blades) {
+  std::vector<std::map<std::string, rational>> columns(blades.size()); // monomial to coefficient
+  const auto add = [&](const std::string &tag, const std::vector<lang::field> &of, const lang::expr &body) {
+    std::vector<std::string> names;
+    for (const lang::field &f : of)
+      if (f.type == "real")
+        names.push_back(f.name);
+      else
+        for (const stored_real &r : m.layout(*m.spec().find_kind(f.type)).reals)
+          names.push_back(f.name + '.' + r.path);
+    const poly::ring ring(names);
+    decision unused;
+    expander expand(m, ring, unused);
+    environment env;
+    for (const lang::field &f : of)
+      if (f.type == "real")
+        env.emplace_back(f.name, value{multivector(0, poly::poly::variable(ring, ring.find(f.name)))});
+      else
+        env.emplace_back(f.name, expand.operand(*m.spec().find_kind(f.type), f.name + '.'));
+    const multivector v = algebra::outermorphism(expand.evaluate_multivector(body, env), m.to_declared());
+    for (std::size_t i = 0; i < blades.size(); ++i)
+      if (const poly::poly *c = v.find(blades[i]))
+        for (const poly::term &t : c->terms()) {
+          std::string key = tag;
+          for (const poly::power &f : t.factors)
+            key += fmt::format("*{}^{}", f.variable, f.exponent);
+          columns[i][key] += t.coefficient;
+        }
+  };
+  add("", k.store, *k.blade);
+  for (const lang::constructor &c : k.from)
+    add(c.name, c.of, *c.blade);
+  // Each column reduced by the pivots of the columns kept before it; what vanishes is a combination of those.
+  struct pivot {
+    std::map<std::string, rational> rest;
+    std::map<std::size_t, rational> made_of;
+  };
+  std::vector<pivot> kept;
+  std::vector<std::vector<std::pair<std::size_t, rational>>> out(blades.size());
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    pivot p{columns[i], {{i, 1}}};
+    for (const pivot &q : kept) {
+      const auto lead = q.rest.begin();
+      const auto it = p.rest.find(lead->first);
+      if (it == p.rest.end())
+        continue;
+      const rational f = it->second / lead->second;
+      for (const auto &[key, c] : q.rest)
+        if ((p.rest[key] -= f * c) == 0)
+          p.rest.erase(key);
+      for (const auto &[column, c] : q.made_of)
+        p.made_of[column] -= f * c;
+    }
+    if (p.rest.empty()) {
+      for (const auto &[column, c] : p.made_of)
+        if (column != i && c != 0)
+          out[i].emplace_back(column, -c);
+      // In terms of kept columns alone: made_of names only columns that were kept.
+    } else {
+      out[i].emplace_back(i, 1);
+      kept.push_back(std::move(p));
+      // Pivots in order of their leading monomials keep the reduction complete.
+      std::sort(kept.begin(), kept.end(),
+                [](const pivot &a, const pivot &b) { return a.rest.begin()->first < b.rest.begin()->first; });
+    }
+  }
+  return out;
+}
+
+} // namespace
+
+declared_formula in_declared_basis(const model &m, const request &r) {
+  std::vector<std::vector<blade>> supports;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < r.kinds.size(); ++i) {
+    supports.push_back(support(m, *r.kinds[i], true));
+    for (const blade b : supports.back())
+      names.push_back(r.names[i] + '.' + m.declared().name(b));
+  }
+  auto numbers = std::make_shared<poly::ring>(names);
+  decision unused;
+  std::vector<std::vector<rational>> identity(static_cast<std::size_t>(m.declared().vectors()));
+  for (std::size_t i = 0; i < identity.size(); ++i) {
+    identity[i].resize(identity.size());
+    identity[i][i] = 1;
+  }
+  expander expand(m, *numbers, unused, m.declared(), identity);
+  environment env;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const auto relations = linear_relations(m, *r.kinds[i], supports[i]);
+    multivector operand;
+    for (std::size_t b = 0; b < supports[i].size(); ++b)
+      for (const auto &[column, c] : relations[b])
+        operand.add(supports[i][b], poly::poly::variable(*numbers, static_cast<int>(at + column)).scaled(c));
+    env.emplace_back(r.names[i], value{operand});
+    at += supports[i].size();
+  }
+  const multivector v = expand.evaluate_multivector(*r.body, env);
+  declared_formula out{numbers, 0, supports, {}, {}, poly::poly(*numbers)};
+  if (!supports.empty())
+    out.numbers_of_x = static_cast<int>(supports.front().size());
+  for (const auto &[b, c] : v.terms())
+    out.blades.push_back(b);
+  std::sort(out.blades.begin(), out.blades.end(), algebra::in_reading_order);
+  for (const blade b : out.blades)
+    out.values.push_back(*v.find(b));
+  const multivector square = algebra::geometric(m.declared(), v, v);
+  if (const poly::poly *s = square.find(0))
+    out.norm2 = *s;
+  return out;
+}
+
+} // namespace meetc::lower

@@ -1,0 +1,56 @@
+#include "gen/passes/passes.hpp"
+
+#include "gen/ir/evaluate.hpp"
+#include "gen/passes/fuse.hpp"
+#include "gen/passes/prune.hpp"
+
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace meetc::passes {
+namespace {
+
+constexpr pass list[] = {
+    {"prune", "drops the nodes that only forms which were not chosen need; keeps the order of the others", prune},
+    {"fuse", "makes a product that is used once, in a sum of the same residency, a fused multiply-add", fuse},
+};
+
+} // namespace
+
+std::span<const pass> all() {
+  return list;
+}
+
+ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last) {
+  ir::program out = p;
+  if (last == "lower")
+    return out;
+  const std::vector<poly::poly> wanted = ir::to_poly(p, inputs);
+  for (const pass &step : list) {
+    out = step.run(out);
+    if (!(ir::to_poly(out, inputs) == wanted))
+      throw std::logic_error(fmt::format("the pass '{}' changed a value", step.name));
+    if (last == step.name)
+      break;
+  }
+  return out;
+}
+
+void run(lower::kernel &k, const std::string &last) {
+  for (const lower::kernel_program &p : lower::programs(k))
+    *p.code = run(*p.code, *p.numbers, last);
+}
+
+void run(std::vector<lower::blade_maker> &makers) {
+  for (lower::blade_maker &m : makers)
+    m.code = run(m.code, *m.numbers);
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> out{"lower"};
+  for (const pass &step : list)
+    out.emplace_back(step.name);
+  return out;
+}
+
+} // namespace meetc::passes

@@ -1,0 +1,35 @@
+// The passes: what is done to every program between lowering and bounds, one line each, in this order.
+//
+// A pass takes a program and gives a program of the same results. After each, both are expanded into polynomials and
+// compared, in run() and nowhere else; a difference is a defect of the compiler and throws std::logic_error. Error bounds
+// are computed after the last pass, from the program that is emitted.
+#pragma once
+#include "gen/lower/kernel.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+
+namespace meetc::passes {
+
+struct pass {
+  const char *name; // as in `meetc show --emit=after:NAME`
+  const char *does; // one line: what it needs, keeps and improves
+  ir::program (*run)(const ir::program &);
+};
+
+// All of them, first to last. "lower" is not among them: it is what they start from.
+std::span<const pass> all();
+
+// Runs the passes up to the one called `last` (all of them where it is empty, none for "lower"), each checked. `inputs` is
+// the ring of the program's inputs.
+ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last = {});
+
+// The same for every program of a kernel, and for those that make blades.
+void run(lower::kernel &k, const std::string &last = {});
+void run(std::vector<lower::blade_maker> &makers);
+
+// "lower" and the names of all passes.
+std::vector<std::string> names();
+
+} // namespace meetc::passes

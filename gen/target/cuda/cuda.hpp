@@ -1,0 +1,15 @@
+// Launchers of the predicates on a CUDA device, over the headers of the target cpp.
+#pragma once
+#include "gen/target/target.hpp"
+
+namespace meetc::target {
+
+std::vector<file> cuda_files(const unit &u);
+// The launchers. Throws spec_error where the kernel is no predicate.
+std::string cuda_text(const unit &u, std::size_t kernel);
+
+// The header of the launchers, and that of touching balls as a matrix product.
+std::string cuda_header(const unit &u);
+std::string ball_form_header(const unit &u);
+
+} // namespace meetc::target

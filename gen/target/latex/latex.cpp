@@ -1,0 +1,79 @@
+// A kernel's polynomials as LaTeX.
+#include "gen/target/latex/latex.hpp"
+
+#include <fmt/format.h>
+
+namespace meetc::target {
+namespace {
+
+std::string latex_name(const std::string &name) {
+  std::string out;
+  for (const char c : name)
+    out += c == '_' ? std::string("\\_") : std::string(1, c);
+  return out;
+}
+
+std::string latex_blade(const algebra::metric &m, algebra::blade b) {
+  std::string out;
+  for (int i = 0; i < m.vectors(); ++i)
+    if (b >> i & 1) {
+      const std::string &n = m.names()[static_cast<std::size_t>(i)];
+      const std::size_t digits = n.find_first_of("0123456789");
+      std::string text = digits == std::string::npos || digits == 0
+                             ? n
+                             : fmt::format("{}_{{{}}}", n.substr(0, digits), n.substr(digits));
+      if (n.size() == 2 && n[1] == 'b')
+        text = fmt::format("\\bar{{{}}}", n[0]);
+      out += (out.empty() ? "" : " \\wedge ") + text;
+    }
+  return out.empty() ? "1" : out;
+}
+
+// "X.e1^e2" to X_{e_{1} \wedge e_{2}}.
+std::string latex_poly(const poly::poly &p, const std::vector<std::string> &names) {
+  if (p.is_zero())
+    return "0";
+  std::string out;
+  for (const poly::term &t : p.terms()) {
+    const poly::rational c = abs(t.coefficient);
+    out += t.coefficient < 0 ? (out.empty() ? "-" : " - ") : (out.empty() ? "" : " + ");
+    if (c != 1 || t.factors.empty())
+      out += c.get_den() == 1 ? c.get_num().get_str()
+                              : fmt::format("\\tfrac{{{}}}{{{}}}", c.get_num().get_str(), c.get_den().get_str());
+    for (const poly::power &f : t.factors) {
+      out += ' ' + names[static_cast<std::size_t>(f.variable)];
+      if (f.exponent > 1)
+        out += fmt::format("^{{{}}}", f.exponent);
+    }
+  }
+  return out;
+}
+
+} // namespace
+
+std::string latex(const unit &u, std::size_t kernel) {
+  const lower::kernel &k = u.kernels[kernel];
+  std::string out = "\\begin{align*}\n";
+  if (k.is_predicate) {
+    std::vector<std::string> names;
+    for (const std::string &n : k.decision.stored_inputs)
+      names.push_back(fmt::format("\\mathit{{{}}}", latex_name(n)));
+    int i = 0;
+    for (const lower::stage *s : lower::stages(k.decision))
+      for (const int a : s->atoms)
+        out += fmt::format("s_{{{}}} &= {} \\\\\n", i++,
+                           latex_poly(k.decision.signs.atoms()[static_cast<std::size_t>(a)], names));
+    return out + "\\end{align*}\n";
+  }
+  const algebra::metric &basis = u.model.declared();
+  const lower::declared_formula &f = *u.shown[kernel].declared;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < f.supports.size(); ++i)
+    for (const algebra::blade b : f.supports[i])
+      names.push_back(fmt::format("{}_{{{}}}", latex_name(k.asked.names[i]), latex_blade(basis, b)));
+  for (std::size_t i = 0; i < f.blades.size(); ++i)
+    out += fmt::format("B_{{{}}} &= {} \\\\\n", latex_blade(basis, f.blades[i]), latex_poly(f.values[i], names));
+  return out + fmt::format("B^2 &= {}\n\\end{{align*}}\n", latex_poly(f.norm2, names));
+}
+
+} // namespace meetc::target

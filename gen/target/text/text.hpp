@@ -1,0 +1,20 @@
+// Kernels for eyes.
+#pragma once
+#include "gen/target/target.hpp"
+
+namespace meetc::target {
+
+// The polynomials, of signs in differences.
+std::string poly_text(const unit &u, std::size_t kernel);
+// What a kernel of two operands computes as sums of products f(X) g(Y).
+std::string separate_text(const unit &u, std::size_t kernel);
+// The numbers of those products for all kernels of a unit.
+std::string separate_table(const unit &u);
+// Programs as graphs, one node a line.
+std::string graph_text(const unit &u, std::size_t kernel);
+// Programs in the order and with the names in which they are emitted.
+std::string schedule_text(const unit &u, std::size_t kernel);
+// The bounds of a kernel's signs as a table. Throws spec_error where there are none.
+std::string bounds_table(const unit &u, std::size_t kernel);
+
+} // namespace meetc::target
