@@ -25,43 +25,56 @@ bool asks_exact(const lang::scene &s) {
   return s.asks(lang::rung::exact) || s.asks(lang::rung::certified);
 }
 
-// The stages of the compiler for one kernel, a line each.
-void compile(compilation &c, const lower::request &r) {
-  lower::kernel k = lower::compile(*c.model, r);
-  passes::run(k);
-  std::optional<bound::kernel_bounds> bounds;
-  if (k.is_predicate && asks_exact(*c.scene)) {
-    bounds = bound::analyse(lower::subject_of(k.decision));
-    if (!bounds)
-      throw spec_error(r.where, fmt::format("a sign of '{}' is not homogeneous in the stored numbers, which the exact "
-                                            "rung needs",
-                                            r.text));
-  }
-  c.kernels.push_back(std::move(k));
-  c.bounds.push_back(std::move(bounds));
-}
-
-target::unit unit_of(compilation &c, bool shown) {
-  target::unit u{*c.scene, *c.model, std::move(c.kernels), std::move(c.bounds), {}, {}};
+target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels,
+                     std::vector<std::optional<bound::kernel_bounds>> bounds) {
+  target::unit u{*c.scene, *c.model, std::move(kernels), std::move(bounds), {}, {}, {}};
   for (const lower::kernel &k : u.kernels) {
     std::vector<const lang::kind *> kinds = k.asked.kinds;
     kinds.push_back(k.value.result_kind);
     for (const lang::kind *kind : kinds)
       if (kind && !k.is_predicate && !u.makers.count(kind))
         passes::run(u.makers[kind] = lower::makers(*c.model, *kind));
-    if (!shown)
-      continue;
+  }
+  if (u.has_backend("cuda"))
+    u.balls = lower::find_ball_form(*c.model);
+  if (u.balls)
+    for (ir::program *p : {&u.balls->a, &u.balls->b})
+      *p = passes::run(*p, *u.balls->numbers);
+  return u;
+}
+
+void add_forms(target::unit &u) {
+  for (const lower::kernel &k : u.kernels) {
     target::forms f;
-    f.separated = lower::separate(*c.model, k);
+    f.separated = lower::separate(u.model, k);
     if (!k.is_predicate) {
-      f.declared = lower::in_declared_basis(*c.model, k.asked);
-      f.declared_separated = lower::separate(*c.model, *f.declared);
+      f.declared = lower::in_declared_basis(u.model, k.asked);
+      f.declared_separated = lower::separate(u.model, *f.declared);
     }
     u.shown.push_back(std::move(f));
   }
-  return u;
 }
 } // namespace
+
+// The stages of the compiler, a line each.
+compiled_kernel compile(const compilation &c, const lower::request &r) {
+  compiled_kernel out{lower::compile(*c.model, r), std::nullopt};
+  passes::run(out.kernel);
+  if (!out.kernel.is_predicate || !asks_exact(*c.scene))
+    return out;
+  out.bounds = bound::analyse(lower::subject_of(out.kernel.decision));
+  if (!out.bounds)
+    throw spec_error(r.where, fmt::format("a sign of '{}' is not homogeneous in the stored numbers, which the exact "
+                                          "rung needs",
+                                          r.text));
+  return out;
+}
+
+std::string shown(const compilation &c, const compiled_kernel &k, const std::string &target) {
+  target::unit u = unit_of(c, {k.kernel}, {k.bounds});
+  add_forms(u);
+  return target::find(target)->show(u, 0);
+}
 
 void compile_all(compilation &c) {
   std::vector<std::string> names;
@@ -71,7 +84,9 @@ void compile_all(compilation &c) {
       throw spec_error(r.where, fmt::format("'{}' is asked for twice", request.text));
     names.push_back(request.name());
     try {
-      compile(c, request);
+      compiled_kernel k = compile(c, request);
+      c.kernels.push_back(std::move(k.kernel));
+      c.bounds.push_back(std::move(k.bounds));
     } catch (spec_error &e) {
       throw e.add_step("kernel " + request.text, r.where);
     }
@@ -79,7 +94,10 @@ void compile_all(compilation &c) {
 }
 
 std::vector<target::file> emit_all(compilation &c) {
-  return target::files_of(unit_of(c, false));
+  const target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
+  if (!u.balls && !c.scene->says_backends) // cuda cannot carry it, and nobody asked for that
+    std::erase(c.scene->backends, "cuda");
+  return target::files_of(u);
 }
 
 int verify_scene(const verify_options &o) {
@@ -177,8 +195,8 @@ std::string spec_text(const lower::model &m, const lower::request &r) {
 std::string after_pass(const lower::model &m, const lower::request &r, const std::string &pass) {
   const std::vector<std::string> known = passes::names();
   if (std::find(known.begin(), known.end(), pass) == known.end())
-    throw spec_error({}, fmt::format("--emit=after:{}: no such pass; known: {}{}", pass, join(known, ", "),
-                                     nearest(pass, known)));
+    throw spec_error(
+        {}, fmt::format("--emit=after:{}: no such pass; known: {}{}", pass, join(known, ", "), nearest(pass, known)));
   lower::kernel k = lower::compile(m, r);
   passes::run(k, pass);
   std::string out;
@@ -193,7 +211,9 @@ int show(const show_options &o) {
   compilation c = load(o.scene);
   if (o.emit == "separate" && o.words.empty() && o.expression.empty()) {
     compile_all(c);
-    fmt::print("{}", target::separate_table(unit_of(c, true)));
+    target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
+    add_forms(u);
+    fmt::print("{}", target::separate_table(u));
     return 0;
   }
   const lower::request r = requested(c, o);
@@ -203,8 +223,7 @@ int show(const show_options &o) {
   } else if (o.emit.starts_with(after)) {
     fmt::print("{}", after_pass(*c.model, r, o.emit.substr(after.size())));
   } else {
-    compile(c, r);
-    fmt::print("{}", target::find(o.emit)->show(unit_of(c, true), 0));
+    fmt::print("{}", shown(c, compile(c, r), o.emit));
   }
   return 0;
 }

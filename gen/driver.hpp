@@ -15,9 +15,19 @@ struct compilation {
   std::vector<std::optional<bound::kernel_bounds>> bounds; // of kernels made of signs, where a rung needs them
 };
 
-compilation load(const std::string &scene_path);    // spec and model, nothing compiled
+// One kernel after the last pass, with its bounds where it is made of signs and a rung of the scene needs them.
+struct compiled_kernel {
+  lower::kernel kernel;
+  std::optional<bound::kernel_bounds> bounds;
+};
+
+compilation load(const std::string &scene_path); // spec and model, nothing compiled
+compiled_kernel compile(const compilation &c, const lower::request &r);
 void compile_all(compilation &c);                   // every kernel of the scene
 std::vector<target::file> emit_all(compilation &c); // moves the kernels out
+
+// What a target shows of one kernel.
+std::string shown(const compilation &c, const compiled_kernel &k, const std::string &target);
 
 struct generate_options {
   std::string scene, out, depfile, stamp, space;

@@ -301,15 +301,15 @@ void load_algebra(const std::string &path, algebra &out, std::vector<std::shared
 }
 
 namespace {
-// An algebra beside the scene, else one that was installed with the program.
-fs::path find_algebra(const std::string &scene, const std::string &name) {
-  const fs::path beside = fs::path(scene).parent_path() / name;
+// Where an algebra may lie: beside the scene, else where those lie that came with the program, which share/ beside its
+// folder is in an install and in a build tree alike.
+std::vector<fs::path> algebra_places(const std::string &scene, const std::string &name) {
+  std::vector<fs::path> out{fs::path(scene).parent_path() / name};
   std::error_code ignored;
-  if (fs::is_regular_file(beside, ignored))
-    return beside;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path shipped = program.parent_path().parent_path() / "share/meetc/algebra_spec" / name;
-  return !program.empty() && fs::is_regular_file(shipped, ignored) ? shipped : beside;
+  if (!program.empty() && fs::path(name).is_relative())
+    out.push_back(program.parent_path().parent_path() / "share/meetc/algebra_spec" / name);
+  return out;
 }
 } // namespace
 
@@ -342,9 +342,19 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
   s.space = in.as_string(*t.get("namespace"), "scene.namespace");
   need_name(s.space, in.place(*t.get("namespace")), "a namespace");
   const std::string algebra_path = in.as_string(*t.get("algebra"), "scene.algebra");
-  const fs::path target = find_algebra(path, algebra_path);
-  if (!fs::is_regular_file(target))
-    throw spec_error(in.place(*t.get("algebra")), fmt::format("cannot find the algebra '{}'", target.generic_string()));
+  const std::vector<fs::path> places = algebra_places(path, algebra_path);
+  const auto found = std::find_if(places.begin(), places.end(), [](const fs::path &p) {
+    std::error_code ignored;
+    return fs::is_regular_file(p, ignored);
+  });
+  if (found == places.end()) {
+    std::vector<std::string> searched;
+    for (const fs::path &p : places)
+      searched.push_back(p.generic_string());
+    throw spec_error(in.place(*t.get("algebra")), fmt::format("cannot find the algebra '{}'; there is no {}",
+                                                              algebra_path, join(searched, ", no ")));
+  }
+  const fs::path target = *found;
   load_algebra(target.generic_string(), s.in, s.files);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
     s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});
@@ -372,6 +382,7 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
         s.rungs.push_back(r.id);
   if (t.contains("box"))
     s.box = box_size(in, *t.get("box"));
+  s.says_backends = t.contains("backends");
   s.backends = choices("backends", backends.known, backends.unless_said);
   return s;
 }

@@ -89,6 +89,7 @@ struct scene {
   std::vector<kernel_request> kernels;
   std::vector<rung> rungs;
   std::vector<std::string> backends;
+  bool says_backends = false; // else they are those that a scene has when it names none
   bool asks(rung r) const { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); }
   double box = 0; // every coordinate lies in [-box, box], every length in [0, 2 box]; 0: not stated
   std::vector<std::shared_ptr<const source_file>> files; // everything that was read, for the content hash

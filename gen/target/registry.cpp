@@ -22,12 +22,14 @@ constexpr target table[] = {
     {"poly", "the polynomials, expanded", to_read, nullptr, false, nullptr, poly_text},
     {"separate", "sums of products f(X) g(Y)", to_read, nullptr, false, nullptr, separate_text},
     {"dag", "the programs as graphs, one node a line", to_read, nullptr, false, nullptr, graph_text},
-    {"schedule", "the programs as statements, in the order in which they are emitted", to_read, nullptr, false, nullptr, schedule_text},
+    {"schedule", "the programs as statements, in the order in which they are emitted", to_read, nullptr, false, nullptr,
+     schedule_text},
     {"bounds", "the error bounds of signs as a table", decided, nullptr, false, nullptr, bounds_table},
     {"gappa", "scripts that Gappa proves the bounds with", decided, nullptr, false, nullptr, show_proofs},
     {"json", "polynomials for other programs", to_read, nullptr, false, nullptr, json},
     {"latex", "polynomials for papers", to_read, nullptr, false, nullptr, latex},
-    {"cpp", "C++20 headers for host and device, and the generated library", on_the_host, cpp_files, true, nullptr, cpp_text},
+    {"cpp", "C++20 headers for host and device, and the generated library", on_the_host, cpp_files, true, nullptr,
+     cpp_text},
     {"cuda", "launchers on a CUDA device", everything, cuda_files, true, "cpp", cuda_text},
 };
 
@@ -53,6 +55,26 @@ lang::backend_choice backends() {
   return out;
 }
 
+namespace {
+// What a target cannot carry is an error that says so.
+void check_carried(const target &t, const unit &u) {
+  const auto refuse = [&](const lower::kernel &k, const char *what) {
+    throw spec_error(k.asked.where, fmt::format("the backend '{}' carries no {}, and the scene asks for '{}'", t.name,
+                                                what, k.asked.text));
+  };
+  for (const lower::kernel &k : u.kernels) {
+    if (!k.is_predicate && !t.can.formulas)
+      refuse(k, "formulas");
+    if (k.is_sign && !t.can.signs)
+      refuse(k, "signs");
+    if (k.is_predicate && !k.is_sign && !t.can.plain)
+      refuse(k, "predicates");
+    if (k.is_predicate && u.asks(lang::rung::certified) && !t.can.certified)
+      refuse(k, "certified answers");
+  }
+}
+} // namespace
+
 std::vector<file> files_of(const unit &u) {
   const auto is_asked = [&](const target &t) {
     return t.files && std::any_of(u.scene.backends.begin(), u.scene.backends.end(), [&](const std::string &name) {
@@ -61,15 +83,18 @@ std::vector<file> files_of(const unit &u) {
   };
   std::vector<file> out = kernel_headers();
   for (const target &t : table)
-    if (is_asked(t))
+    if (is_asked(t)) {
+      check_carried(t, u);
       for (file &f : t.files(u))
         out.push_back(std::move(f));
+    }
   std::sort(out.begin(), out.end(), [](const file &a, const file &b) { return a.path < b.path; });
   for (std::size_t i = 1; i < out.size(); ++i)
     if (out[i].path == out[i - 1].path)
-      throw spec_error({}, fmt::format("'{}' would be written twice: a kernel has the name of the namespace or of a file "
-                                       "that every namespace has; rename one",
-                                       out[i].path));
+      throw spec_error({},
+                       fmt::format("'{}' would be written twice: a kernel has the name of the namespace or of a file "
+                                   "that every namespace has; rename one",
+                                   out[i].path));
   return out;
 }
 

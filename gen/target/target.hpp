@@ -4,6 +4,7 @@
 // what it shows of one kernel. A new target is a folder here and a line there.
 #pragma once
 #include "gen/bound/bound.hpp"
+#include "gen/lower/ball_form.hpp"
 #include "gen/lower/separated.hpp"
 
 #include <map>
@@ -35,7 +36,8 @@ struct unit {
   std::vector<std::optional<bound::kernel_bounds>> bounds;
   // How the blades are made that formulas read or give.
   std::map<const lang::kind *, std::vector<lower::blade_maker>> makers;
-  std::vector<forms> shown; // by kernel; empty where nothing is shown
+  std::optional<lower::ball_form> balls; // where a backend filters by enclosing balls
+  std::vector<forms> shown;              // by kernel; empty where nothing is shown
 
   bool asks(lang::rung r) const { return scene.asks(r); }
   bool asks(const char *rung) const;
@@ -53,8 +55,8 @@ struct target {
   carries can;
   // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error for what it cannot carry.
   std::vector<file> (*files)(const unit &) = nullptr;
-  bool is_default = false;     // written where the scene names no backends
-  const char *over = nullptr;  // the target whose files its own include; they are written too
+  bool is_default = false;    // written where the scene names no backends
+  const char *over = nullptr; // the target whose files its own include; they are written too
   // One kernel of the unit, for eyes; null: it shows nothing. Throws spec_error for what it cannot carry.
   std::string (*show)(const unit &, std::size_t kernel) = nullptr;
 };

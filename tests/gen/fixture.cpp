@@ -35,6 +35,11 @@ const lower::kernel &default_kernel(const std::string &name) {
   throw std::logic_error("the default scene has no " + name);
 }
 
+const bound::kernel_bounds &default_bounds(const std::string &name) {
+  const auto at = static_cast<std::size_t>(&default_kernel(name) - default_scene().kernels.data());
+  return default_scene().bounds.at(at).value();
+}
+
 std::vector<const lower::kernel *> default_kernels(want what) {
   std::vector<const lower::kernel *> out;
   for (const lower::kernel &k : default_scene().kernels)
@@ -118,13 +123,17 @@ oracle::matrix identity(std::size_t n) {
   return out;
 }
 
+std::string shown(const compilation &c, const lower::kernel &k, const std::string &target) {
+  return meetc::shown(c, {k, std::nullopt}, target);
+}
+
 lower::kernel compile_text(const compilation &c, const std::string &request) {
-  return lower::compile(*c.model, lower::resolve(*c.model, lang::parse_expression(request, "a test")));
+  return compile(c, lower::resolve(*c.model, lang::parse_expression(request, "a test"))).kernel;
 }
 
 lower::kernel compile_expression(const compilation &c, const std::string &expression,
                                  const std::vector<std::pair<std::string, std::string>> &with) {
-  return lower::compile(*c.model, lower::resolve(*c.model, lang::parse_expression(expression, "a test"), with));
+  return compile(c, lower::resolve(*c.model, lang::parse_expression(expression, "a test"), with)).kernel;
 }
 
 } // namespace meetc::compiler_test

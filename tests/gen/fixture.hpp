@@ -4,6 +4,8 @@
 #define MEETC_TESTS_COMPILER_FIXTURE_HPP
 
 #include "gen/driver.hpp"
+#include "gen/ir/count.hpp"
+#include "gen/ir/evaluate.hpp"
 #include "gen/oracle/dense.hpp"
 #include "tests/catch.hpp"
 
@@ -22,6 +24,7 @@ fs::path source_folder();           // of the checkout
 fs::path default_scene_path();      // algebra_spec/scenes/default.toml
 const compilation &default_scene(); // compiled, once a run
 const lower::kernel &default_kernel(const std::string &name);
+const bound::kernel_bounds &default_bounds(const std::string &name);
 enum class want { formulas, signs, predicates, made_of_signs }; // the last: signs and predicates
 std::vector<const lower::kernel *> default_kernels(want what);
 
@@ -83,6 +86,7 @@ oracle::rational evaluate(const Json &polynomial, const std::map<std::string, or
   return sum;
 }
 
+std::string shown(const compilation &c, const lower::kernel &k, const std::string &target);
 lower::kernel compile_text(const compilation &c, const std::string &request);
 lower::kernel compile_expression(const compilation &c, const std::string &expression,
                                  const std::vector<std::pair<std::string, std::string>> &with);

@@ -8,6 +8,7 @@
 #endif
 
 #include "gen/driver.hpp"
+#include "gen/ir/evaluate.hpp"
 #include "tests/proofs/script.hpp"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // Touching balls as a matrix product: a header of features, with the margins of the filter.
-#include "gen/lower/ball_form.hpp"
 #include "gen/bound/matrix.hpp"
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/bounds.hpp"
@@ -22,7 +21,7 @@ std::string features(const ir::program &code, const char *name, char argument, c
 } // namespace
 
 std::string ball_form_header(const unit &u) {
-  const lower::ball_form form = lower::make_ball_form();
+  const lower::ball_form &form = *u.balls;
   const auto products = form.parts.products.size();
   std::string out = banner(u.scene, "Touching balls as a matrix product.") + open_header(u.scene, "file_ball_form");
   out += fmt::format(

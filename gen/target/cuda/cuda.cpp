@@ -148,11 +148,16 @@ std::string cuda_text(const unit &u, std::size_t kernel) {
 
 std::vector<file> cuda_files(const unit &u) {
   const std::string space = identifier(u.scene.space);
+  if (predicates_of(u).empty())
+    return {}; // nothing to launch
+  if (!u.balls)
+    throw spec_error({},
+                     "the backend 'cuda' filters pairs by the balls around them, and no predicate of the algebra says "
+                     "when two balls touch by one sign that separates; import 'primitives/ball.toml', or ask for the "
+                     "backend 'cpp' alone");
   std::vector<file> out{{space + "/ball_form.hpp", broken_lines(ball_form_header(u))}};
-  if (!predicates_of(u).empty()) {
-    out.push_back({space + '/' + space + "_cuda.hpp", broken_lines(cuda_header(u))});
-    out.push_back({space + '/' + space + "_cuda.cu", broken_lines(launchers_text(u))});
-  }
+  out.push_back({space + '/' + space + "_cuda.hpp", broken_lines(cuda_header(u))});
+  out.push_back({space + '/' + space + "_cuda.cu", broken_lines(launchers_text(u))});
   if (u.asks(lang::rung::certified))
     for (file &f : filter_proofs(u))
       out.push_back(std::move(f));

@@ -139,7 +139,7 @@ std::vector<file> filter_proofs(const unit &u) {
   return {
       {folder + "ball_filter.gappa",
        banner(u.scene, "The matrix filter of touching balls: where F <= 0, the computed D is < 0.", "#") +
-           filter_comment + filter_script(lower::make_ball_form().parts.products.size())},
+           filter_comment + filter_script(u.balls->parts.products.size())},
       {folder + "half_parts.gappa",
        banner(u.scene, "The parts in fp16 that the matrix filter multiplies.", "#") +
            "#   n is what a part of normal size stands for: a small relative error, and the part is not replaced by "

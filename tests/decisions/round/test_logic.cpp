@@ -124,7 +124,7 @@ TEST_CASE("on all sign vectors the emitted decision is the stated one and the sp
     INFO(e.name);
     const decision stated_one = stated(e);
     const lower::kernel k =
-        lower::compile(*scene.model, lower::resolve(*scene.model, lang::parse_expression(e.name, "a test")));
+        compile(scene, lower::resolve(*scene.model, lang::parse_expression(e.name, "a test"))).kernel;
     const lower::predicate &p = k.decision;
     // The spec's numbers are the rows' in the same order, and its atoms are the emitted polynomials.
     REQUIRE(p.stored_inputs.size() == static_cast<std::size_t>(e.inputs_a + e.inputs_b));

@@ -71,7 +71,7 @@ const analysed_kernel &kernel_named(const std::string &name) {
     return at->second;
   for (const lower::kernel &k : shipped_scene().kernels)
     if (k.asked.name() == name)
-      return known[name] = {&k, bound::analyse(k.decision)};
+      return known[name] = {&k, bound::analyse(lower::subject_of(k.decision)).value()};
   throw std::logic_error("the shipped scene has no " + name);
 }
 

@@ -63,8 +63,8 @@ double bound_of(const box_node &n, double c, const extents &e) {
 double worst(const stage_case &c, int i, int precision, rule by, int starts, int steps, std::uint64_t seed,
              bool contracted = false) {
   tiny::format = {precision, -900, contracted};
-  const std::vector<box_node> nodes = meetc::bound::box_nodes(c.from->code, precision, -900);
-  const box_node &n = nodes[static_cast<std::size_t>(c.from->code.results[static_cast<std::size_t>(i)])];
+  const meetc::ir::folded<box_node> nodes = meetc::bound::box_nodes(c.from->code, precision, -900);
+  const box_node &n = nodes.at(c.from->code.results[static_cast<std::size_t>(i)]);
   const double bound = n.unrounded_error.get_d() * (1 + 0x1p-50);
   random_numbers random(seed);
   return climb(c, range_of(c, precision), random, starts, steps, [&](const sample &x) {
@@ -154,15 +154,14 @@ TEST_CASE("box form: mutation: a quarter of c is beaten") {
 TEST_CASE("box form: sums of mixed scales take the larger scale") {
   int mixed = 0;
   for (const stage_case &c : all_stages()) {
-    const std::vector<box_node> nodes = meetc::bound::box_nodes(c.from->code, 8, -900);
+    const meetc::ir::folded<box_node> nodes = meetc::bound::box_nodes(c.from->code, 8, -900);
     for (const meetc::ir::node_id id : meetc::ir::needed(c.from->code.nodes, c.from->code.results)) {
       const meetc::ir::node &n = c.from->code.nodes.at(id);
       if (n.kind != meetc::ir::op::add && n.kind != meetc::ir::op::subtract)
         continue;
-      if (meetc::bound::leaf_at(c.from->code, id))
+      if (meetc::bound::leaf_at(c.from->code.nodes, id))
         continue;
-      const box_node &s = nodes[static_cast<std::size_t>(id)], &x = nodes[static_cast<std::size_t>(n.a)],
-                     &y = nodes[static_cast<std::size_t>(n.b)];
+      const box_node &s = nodes.at(id), &x = nodes.at(n.a), &y = nodes.at(n.b);
       mixed += x.a != y.a || x.b != y.b;
       CHECK(s.a <= std::min(x.a, y.a));
       CHECK(s.b <= std::min(x.b, y.b));

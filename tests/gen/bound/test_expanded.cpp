@@ -1,5 +1,6 @@
 // The magnitude is that of the graph as scheduled. A mutation puts that of the expanded polynomial in its
 // place, in which terms have cancelled that the graph computes: the bound is then beaten, by any factor.
+#include "gen/ir/evaluate.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/bound/judge.hpp"
 #include "tests/gen/bound/search.hpp"
@@ -27,7 +28,7 @@ struct expanded {
     for (const node_id id : meetc::ir::needed(from.nodes, from.results)) {
       const meetc::ir::node &n = from.nodes.at(id);
       const auto at = [&](node_id x) { return moved.at(x); };
-      if (const auto l = meetc::bound::leaf_at(from, id)) {
+      if (const auto l = meetc::bound::leaf_at(from.nodes, id)) {
         const auto found = std::find(c.bounds->leaves.begin(), c.bounds->leaves.end(), *l);
         if (found != c.bounds->leaves.end())
           moved[id] = out.nodes.input(static_cast<int>(found - c.bounds->leaves.begin()));

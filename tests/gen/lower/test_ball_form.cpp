@@ -14,7 +14,7 @@ using generated_test::exact;
 using rational = poly::rational;
 
 TEST_CASE("the graphs of the ball form are its factors, and the whole is |c - c'|^2 - (r + r')^2, halved") {
-  const lower::ball_form form = lower::make_ball_form();
+  const lower::ball_form form = *lower::find_ball_form(*default_scene().model);
   CHECK(form.parts.terms() == 6);
   CHECK(form.parts.products.size() == 4);
   CHECK(poly::to_poly(form.parts) == form.whole);

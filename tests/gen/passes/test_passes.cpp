@@ -2,6 +2,9 @@
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 
+#include "gen/bound/growth.hpp"
+#include "gen/passes/fuse.hpp"
+
 #include <algorithm>
 
 using namespace meetc;
@@ -111,7 +114,7 @@ TEST_CASE("stages compute the polynomials of their atoms, exactly") {
       REQUIRE(have.size() == s->atoms.size());
       for (std::size_t i = 0; i < have.size(); ++i)
         CHECK(have[i] == k->decision.signs.atoms()[static_cast<std::size_t>(s->atoms[i])]);
-      const auto again = ir::fuse(s->code);
+      const auto again = passes::fuse(s->code);
       CHECK(ir::to_poly(again, *k->decision.numbers) == have);
       check_residency(s->code, k->decision.inputs_a);
       all.insert(all.end(), s->atoms.begin(), s->atoms.end());
@@ -146,7 +149,7 @@ TEST_CASE("formulas compute their polynomials, from blades and from what is stor
     INFO(k->asked.text);
     const lower::formula &f = k->value;
     CHECK(ir::to_poly(f.from_blades, *f.numbers) == f.polynomials);
-    CHECK(ir::to_poly(ir::fuse(f.from_blades), *f.numbers) == f.polynomials);
+    CHECK(ir::to_poly(passes::fuse(f.from_blades), *f.numbers) == f.polynomials);
     // A kind's blade has as many coefficients as its support.
     const auto inputs_a = static_cast<int>(lower::support(m, *k->asked.kinds[0]).size());
     check_residency(f.from_blades, inputs_a);

@@ -183,7 +183,7 @@ TEST_CASE("every pair with a meet, as JSON in the declared basis, is the dense p
       INFO(x << ' ' << y);
       const std::string request = fmt::format("meet({}, {})", x, y);
       if (grades.at(x) + grades.at(y) >= 5) {
-        check_pair(target::json(*c.model, compile_text(c, request)), x, y, g, 6);
+        check_pair(shown(c, compile_text(c, request), "json"), x, y, g, 6);
         ++pairs;
       } else {
         CHECK_THROWS_WITH(compile_text(c, request),
@@ -200,8 +200,7 @@ TEST_CASE("the program prints the same, asked for by the scene or not; below gra
                              std::pair("circle", "point_pair"), std::pair("plane", "sphere")}) {
     const outcome o = run_meetc(fmt::format("show {} meet {} {} --emit=json", scene, x, y), source_folder());
     REQUIRE(o.code == 0);
-    CHECK(o.out ==
-          target::json(*default_scene().model, compile_text(default_scene(), fmt::format("meet({}, {})", x, y))));
+    CHECK(o.out == shown(default_scene(), compile_text(default_scene(), fmt::format("meet({}, {})", x, y)), "json"));
     check_pair(o.out, x, y, g, 3);
   }
   const outcome low = run_meetc(fmt::format("show {} meet point line --emit=json", scene), source_folder());
@@ -214,7 +213,7 @@ TEST_CASE("the program prints the same, asked for by the scene or not; below gra
 }
 
 TEST_CASE("the JSON of a predicate holds its atoms") {
-  const json j = json::parse(target::json(*default_scene().model, default_kernel("segment_triangle")));
+  const json j = json::parse(shown(default_scene(), default_kernel("segment_triangle"), "json"));
   CHECK(j.at("atoms").at("reject").size() == 2);
   CHECK(j.at("atoms").at("common").size() == 3);
   CHECK(j.at("atoms").at("rare").size() == 45);
@@ -222,10 +221,10 @@ TEST_CASE("the JSON of a predicate holds its atoms") {
 
 TEST_CASE("each stage can be shown of every kernel") {
   for (const lower::kernel *k : default_kernels(want::made_of_signs)) {
-    CHECK_FALSE(target::poly_text(*default_scene().model, *k).empty());
-    CHECK_FALSE(target::latex(*default_scene().model, *k).empty());
-    CHECK_FALSE(target::dag_text(*k, true).empty());
-    CHECK_FALSE(target::dag_text(*k, false).empty());
+    CHECK_FALSE(shown(default_scene(), *k, "poly").empty());
+    CHECK_FALSE(shown(default_scene(), *k, "latex").empty());
+    CHECK_FALSE(shown(default_scene(), *k, "schedule").empty());
+    CHECK_FALSE(shown(default_scene(), *k, "dag").empty());
   }
   const std::string scene = '\'' + default_scene_path().string() + '\'';
   for (const char *stage : {"spec", "poly", "separate", "dag", "schedule", "json", "latex", "cpp"})

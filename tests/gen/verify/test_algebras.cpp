@@ -210,7 +210,7 @@ TEST_CASE("the JSON of other algebras is the dense product in the declared basis
       if (k.is_predicate)
         continue;
       INFO(o.name << ": " << k.asked.text);
-      const nlohmann::json j = nlohmann::json::parse(target::json(*c.model, k));
+      const nlohmann::json j = nlohmann::json::parse(shown(c, k, "json"));
       for (int round = 0; round < 5; ++round) {
         std::map<std::string, rational> at;
         verify::dense_scope scope;

@@ -207,8 +207,7 @@ TEST_CASE("a meet in the other order is seen by whoever does not read the spec")
   copy.replace(algebra_file, "'(I*X) | Y'", "'(I*Y) | X'");
   const compilation c = copy.compile();
   CHECK(verify::verify_formula(*c.model, c.kernels.front(), 20, 7).wrong == 0);
-  CHECK(target::json(*c.model, c.kernels.front()) !=
-        target::json(*default_scene().model, default_kernel("meet_sphere_sphere")));
+  CHECK(shown(c, c.kernels.front(), "json") != shown(default_scene(), default_kernel("meet_sphere_sphere"), "json"));
 }
 
 TEST_CASE("a changed coefficient, sign or input of a compiled formula is seen by the dense comparison") {
