@@ -18,7 +18,8 @@ inline const predicate_info &find_predicate(const catalogue &in, std::string_vie
       return in.predicates[i];
     known += std::string(i == 0 ? "" : ", ") + in.predicates[i].name;
   }
-  throw std::invalid_argument("no predicate '" + std::string(name) + "' in " + in.space + "; there are: " + known);
+  throw std::invalid_argument("no predicate '" + std::string(name) + "' in " + in.space +
+                              (known.empty() ? "; there is none" : "; there are: " + known));
 }
 
 } // namespace meetc
