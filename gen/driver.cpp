@@ -160,8 +160,8 @@ lower::request requested(const compilation &c, const show_options &o) {
   if (!o.expression.empty())
     return lower::resolve(*c.model, lang::parse_expression(o.expression, "-e"), parse_operands(*c.model, o.with));
   if (o.words.empty())
-    throw spec_error(
-        {}, "show what? A kernel of the scene, as in 'meet sphere line', or -e 'expression' --with 'X: sphere'");
+    throw spec_error({}, "nothing to show: name a kernel of the scene, as in 'meet sphere line', or give -e "
+                         "'expression' --with 'X: sphere'");
   std::string text = o.words[0];
   if (o.words.size() > 1)
     text += '(' + join({o.words.begin() + 1, o.words.end()}, ", ") + ')';

@@ -32,7 +32,7 @@ int main(int argc, char **argv) {
   CLI::App *verify_command = app.add_subcommand(
       "verify", "Check every kernel of a scene: formulas against the dense product, predicates against exact geometry");
   verify_command->add_option("scene", v.scene, "Scene file (.toml)")->required();
-  verify_command->add_option("--cases", v.cases, "Cases a predicate")
+  verify_command->add_option("--cases", v.cases, "Cases for each predicate")
       ->capture_default_str()
       ->check(CLI::Range(1L, 100000000L));
   verify_command->add_option("--seed", v.seed, "Seed of the cases")->capture_default_str();
@@ -44,7 +44,8 @@ int main(int argc, char **argv) {
       "what", s.words,
       "A predicate, or a function and its kinds: meet sphere line; with --emit=separate also nothing,\n"
       "for a table of the scene");
-  show_command->add_option("-e,--expression", s.expression, "An expression instead, with --with for its operands");
+  show_command->add_option("-e,--expression", s.expression,
+                           "An expression in place of a kernel; --with names its operands");
   show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
   show_command->add_option("--emit", s.emit, "Stage to print")
       ->capture_default_str()

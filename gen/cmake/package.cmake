@@ -16,6 +16,12 @@ if(TARGET meet_core)
   add_library(meet::core ALIAS meet_core)
   add_library(meet::runtime ALIAS meet_runtime)
 endif()
+if(TARGET meet_kernels)
+  add_library(meet::kernels ALIAS meet_kernels)
+endif()
+if(TARGET meet_kernels_cuda)
+  add_library(meet::kernels_cuda ALIAS meet_kernels_cuda)
+endif()
 if(TARGET meet_io)
   add_library(meet::io ALIAS meet_io)
 endif()
@@ -62,6 +68,21 @@ if(TARGET meet_core)
     DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp")
 endif()
 
+# The predicates of the shipped scene, compiled: the namespace cga, by <cga/cga.hpp> and <cga/cga_runtime.hpp>.
+if(TARGET meet_core AND TARGET meet_kernels)
+  set_target_properties(meet_kernels PROPERTIES EXPORT_NAME kernels)
+  install(TARGETS meet_kernels EXPORT meetc_runtime_targets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
+    INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
+  set(launchers "")
+  if(NOT TARGET meet_kernels_cuda) # the headers of launchers that no installed library holds
+    set(launchers PATTERN "*_cuda.hpp" EXCLUDE)
+  endif()
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/generated/default/cga"
+    DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp"
+    PATTERN "proofs" EXCLUDE ${launchers})
+endif()
+
 # An export set of its own, so that the runtime is found where fmt is not.
 if(TARGET meet_io)
   set_target_properties(meet_io PROPERTIES EXPORT_NAME io)
@@ -78,7 +99,12 @@ endif()
 # Likewise, so that the runtime is found where CUDA is not.
 if(TARGET meet_device)
   set_target_properties(meet_device PROPERTIES EXPORT_NAME device)
-  install(TARGETS meet_device EXPORT meetc_device_targets
+  set(libraries meet_device)
+  if(TARGET meet_kernels_cuda)
+    set_target_properties(meet_kernels_cuda PROPERTIES EXPORT_NAME kernels_cuda)
+    list(APPEND libraries meet_kernels_cuda)
+  endif()
+  install(TARGETS ${libraries} EXPORT meetc_device_targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   install(EXPORT meetc_device_targets NAMESPACE meet::

@@ -49,7 +49,7 @@ public:
         if (e)
           expression(*e, names(k.store));
       if (k.position && std::any_of(k.store.begin(), k.store.end(), [](const field &f) { return f.type != "real"; }))
-        throw spec_error(k.where, "a kind with 'position' stores reals alone, one a spatial axis");
+        throw spec_error(k.where, "a kind with 'position' stores only reals, one for each spatial axis");
       if (k.position && k.store.size() > 3)
         throw spec_error(k.where, "a kind with 'position' has at most three axes");
       if (const auto cut = k.name.rfind("_blade");
@@ -73,7 +73,7 @@ public:
       for (const named_expr &l : p.lets) {
         expression(*l.body, s); // a let sees the operands and the lets above it
         if (!s.insert(l.name).second)
-          throw spec_error(l.where, fmt::format("'{}' stands twice", l.name));
+          throw spec_error(l.where, fmt::format("'{}' is given twice", l.name));
       }
       for (const expr_ptr &r : p.reject)
         expression(*r, s);

@@ -42,7 +42,7 @@ std::vector<field> read_fields(const toml_reader &in, const toml::node &node, co
     need_name(f.type, at, "a type");
     for (const field &other : out)
       if (other.name == f.name)
-        throw spec_error(at, fmt::format("'{}' stands twice", f.name));
+        throw spec_error(at, fmt::format("'{}' is given twice", f.name));
     out.push_back(std::move(f));
   }
   return out;
@@ -114,7 +114,7 @@ void read_signature(const std::string &text, const location &at, function &out) 
     const std::string p = trim(rest.substr(from, comma - from));
     need_name(p, at, "a parameter");
     if (std::find(out.params.begin(), out.params.end(), p) != out.params.end())
-      throw spec_error(at, fmt::format("parameter '{}' stands twice", p));
+      throw spec_error(at, fmt::format("parameter '{}' is given twice", p));
     out.params.push_back(p);
     from = comma + 1;
   }
@@ -188,7 +188,7 @@ void read_basis(const toml_reader &in, const toml::table &t, algebra &out) {
     need_name(out.vectors[i], in.place(names), "a basis vector");
     if (std::find(out.vectors.begin(), out.vectors.begin() + static_cast<std::ptrdiff_t>(i), out.vectors[i]) !=
         out.vectors.begin() + static_cast<std::ptrdiff_t>(i))
-      throw spec_error(in.place(names), fmt::format("vector '{}' stands twice", out.vectors[i]));
+      throw spec_error(in.place(names), fmt::format("vector '{}' is given twice", out.vectors[i]));
   }
   if (t.contains("squares") == t.contains("metric"))
     throw spec_error(out.where, "algebra needs either 'squares' or 'metric'");
@@ -368,7 +368,7 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
       if (std::find(known.begin(), known.end(), value) == known.end())
         throw spec_error(in.place(item), fmt::format("no '{}' in {}; known: {}", value, key, join(known, ", ")));
       if (std::find(out.begin(), out.end(), value) != out.end())
-        throw spec_error(in.place(item), fmt::format("'{}' stands twice", value));
+        throw spec_error(in.place(item), fmt::format("'{}' is given twice", value));
       out.push_back(value);
     }
     if (out.empty())

@@ -68,7 +68,7 @@ private:
         for (++at_; at_ < source_.end && digit(s[at_]);)
           ++at_;
       if (at_ - start > max_digits)
-        throw spec_error(here(start, at_ - start), fmt::format("a number of more than {} digits", max_digits));
+        throw spec_error(here(start, at_ - start), fmt::format("this number has more than {} digits", max_digits));
       if (at_ < source_.end && letter(s[at_]))
         throw spec_error(here(start, at_ - start + 1), "a number runs into a name; write '*' between them");
     } else {

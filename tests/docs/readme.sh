@@ -1,37 +1,54 @@
 #!/usr/bin/env bash
-# readme.sh MEETC SOURCE: the README's spec is the example file, and its header is what meetc shows for it; what
-# docs/spec.md shows of the compiler's stages is what meetc prints.
+# readme.sh MEETC MEET SOURCE: the README's commands run, its measured figures are those of docs/gpu.md, its example is
+# small, and every link of the README and of docs/ leads to a file.
 set -euo pipefail
-meetc=$1
-cd "$2"
+meetc=$1 meet=$2
+cd "$3"
+source_folder=$PWD
 
-# block MARK [FILE]: the fenced block that follows the comment line <!-- MARK -->.
-block() {
-  awk -v mark="<!-- $1 -->" '$0 == mark {on = 1; next} on && /^```/ {if (seen) exit; seen = 1; next} on && seen' "${2:-README.md}"
-}
-
-diff <(block docs/examples/tiny.toml) docs/examples/tiny.toml
-shown=$("$meetc" show docs/examples/tiny_scene.toml 'norm2(meet(sphere, line))')
-wanted=$(block "meetc show docs/examples/tiny_scene.toml 'norm2(meet(sphere, line))'")
-[ -n "$wanted" ]
-case $shown in
-*"$wanted"*) ;;
-*)
-  echo "README.md shows another header than meetc"
-  diff <(echo "$wanted") <(echo "$shown")
-  exit 1
-  ;;
-esac
-[ "$(wc -l <docs/examples/tiny.toml)" -le 10 ]
-"$meetc" verify docs/examples/tiny_scene.toml
-
-# Every command that docs/spec.md marks, with the whole of its output.
-mapfile -t commands < <(sed -n 's/^<!-- meetc \(.*\) -->$/\1/p' docs/spec.md)
-[ ${#commands[@]} -gt 0 ]
-for command in "${commands[@]}"; do
-  eval "arguments=($command)"
-  diff <(block "meetc $command" docs/spec.md) <("$meetc" "${arguments[@]}") || {
-    echo "docs/spec.md shows something else than: meetc $command"
+# ---- the commands of each fenced block that follows <!-- run -->, in an empty folder beside docs/ ----
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/bin" "$work/room"
+ln -s "$meetc" "$work/bin/meetc"
+ln -s "$meet" "$work/bin/meet"
+ln -s "$source_folder/docs" "$source_folder/algebra_spec" "$work/room"
+awk '$0 == "<!-- run -->" { on = 1; next } on && /^```/ { if (seen) on = seen = 0; else seen = 1; next } on && seen' \
+  README.md >"$work/commands"
+[ "$(wc -l <"$work/commands")" -ge 6 ]
+while IFS= read -r command; do
+  (cd "$work/room" && PATH="$work/bin:$PATH" bash -euc "$command" >"$work/said" 2>&1 </dev/null) || {
+    echo "README.md: this command fails: $command"
+    cat "$work/said"
     exit 1
   }
+done <"$work/commands"
+[ -s "$work/room/touching.csv" ] && [ -s "$work/room/touching.png" ]
+
+# ---- the measured figures ----
+# cell METHOD COLUMN: a cell of the table of Bunny x Armadillo in docs/gpu.md.
+cell() {
+  awk -F ' *\\| *' -v method="$1" -v column="$2" \
+    '/^### /{on = /^### Bunny x Armadillo:/} on && $2 == method {print $column}' docs/gpu.md
+}
+# shown METHOD: the row of the README that must show its count and its time, the latter to two or three digits.
+shown() {
+  local count time
+  count=$(cell "$1" 3) time=$(printf '%.3g' "$(cell "$1" 4)")
+  [ -n "$count" ] || { echo "docs/gpu.md has no row '$1'"; exit 1; }
+  case $time in 0.???) time=$(printf '%.2f' "$time") ;; esac
+  grep -q "| $count | $time ms |\$" README.md || { echo "README.md does not show '$count | $time ms' of '$1'"; exit 1; }
+}
+shown 'query, certified, wgmma, groups'
+shown 'Möller, epsilon 0, fp32'
+shown 'Möller, his epsilon, fp32'
+
+# ---- the example, and the links ----
+[ "$(wc -l <docs/examples/tiny.toml)" -le 10 ]
+bad=0
+for page in README.md docs/*.md; do
+  while IFS= read -r link; do
+    [ -e "$(dirname "$page")/${link%%#*}" ] || { echo "$page: leads nowhere: $link"; bad=1; }
+  done < <(grep -oE '\]\([^)# ]+[^) ]*\)' "$page" | sed -E 's/^\]\((.*)\)$/\1/' | grep -vE '^https?:' || true)
 done
+exit $bad

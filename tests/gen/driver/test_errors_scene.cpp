@@ -89,7 +89,7 @@ const scene_row scenes[] = {
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbackends = ['opencl']\n", "s.toml:5:13",
      "no 'opencl' in backends; known: cpp, cuda", "'opencl'"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbackends = ['cpp', 'cpp']\n", "s.toml:5:20",
-     "'cpp' stands twice", "'cpp'"},
+     "'cpp' is given twice", "'cpp'"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'touch'\nkernels = ['touch']\n", "",
      "'touch/touch.hpp' would be written twice", ""},
 };
@@ -171,7 +171,7 @@ TEST_CASE("command lines that must fail") {
       {"generate s.toml -o out --namespace '../up'", "'../up'"},
       {"generate s.toml -o out --namespace ''", ""},
       {"verify s.toml --cases 0", "--cases"},
-      {"show s.toml", "show what?"},
+      {"show s.toml", "nothing to show: name a kernel"},
       {"show s.toml meet sphere spere", "no kind 'spere'"},
       {"show s.toml meet sphere sphere --emit=assembly", "--emit"},
       {"show s.toml -e 'norm2(S)' --with 'S: sphere' --emit=separate", "'norm2(S)' has 1"},

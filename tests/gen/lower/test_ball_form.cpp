@@ -90,10 +90,58 @@ TEST_CASE("only scenes with a CUDA backend get the ball form") {
         return true;
     return false;
   };
-  const spec_copy copy({"meet(sphere, line)"}); // no predicate, and so no launchers
+  const spec_copy copy({"segment_triangle"});
   compilation c = copy.compile();
   c.scene->backends = {"cpp", "cuda"};
   CHECK(holds(c));
   c.scene->backends = {"cpp"};
   CHECK_FALSE(holds(c));
+  const spec_copy formula({"meet(sphere, line)"}); // without a predicate there is nothing to launch
+  c = formula.compile();
+  c.scene->backends = {"cpp", "cuda"};
+  CHECK_FALSE(holds(c));
+}
+
+TEST_CASE("the ball form is found by what a predicate says, not by its name, and only where it is covered") {
+  const auto form_with = [](const std::string &hit) {
+    const spec_copy copy({"segment_triangle"});
+    copy.replace("predicates/round.toml", "sign(((I*S) | (I*T)) + 4*S.r*T.r) >= 0", hit);
+    const compilation c = load(copy.scene().string());
+    return lower::find_ball_form(*c.model);
+  };
+  const auto shipped = lower::find_ball_form(*default_scene().model);
+  REQUIRE(shipped.has_value());
+  CHECK(shipped->of->name == "ball_ball");
+  // The other way about, and as twice the sign: the same form.
+  for (const char *same : {"sign(-((I*S) | (I*T)) - 4*S.r*T.r) <= 0", "sign(2*((I*S) | (I*T)) + 8*S.r*T.r) >= 0"}) {
+    const auto form = form_with(same);
+    INFO(same);
+    REQUIRE(form.has_value());
+    CHECK(form->whole.text() == shipped->whole.text());
+  }
+  // Strictly, or with the radii's difference, or of two signs: none that the proved margins cover.
+  for (const char *other :
+       {"sign(((I*S) | (I*T)) + 4*S.r*T.r) > 0", "sign(((I*S) | (I*T)) + 4*S.r*T.r) >= 0 and sign(S.r - T.r) >= 0",
+        "sign(S.r*S.r*S.c[e1]*T.c[e1] - T.r*S.r) >= 0"}) {
+    INFO(other);
+    CHECK_FALSE(form_with(other).has_value());
+  }
+}
+
+TEST_CASE("an algebra without balls has no CUDA backend: an error where it is asked for, left out where it is not") {
+  const auto files = [](const std::string &backends) {
+    const spec_copy copy({"segment_triangle"});
+    copy.replace("pga3.toml", "'primitives/ball.toml', ", "");
+    copy.replace("scenes/asked.toml", "cga3.toml", "pga3.toml");
+    copy.replace("scenes/asked.toml", "kernels", backends + "kernels");
+    compilation c = load(copy.scene().string());
+    compile_all(c);
+    bool launchers = false;
+    for (const target::file &f : emit_all(c))
+      launchers = launchers || f.path.ends_with(".cu");
+    return launchers;
+  };
+  CHECK_FALSE(files(""));
+  CHECK_FALSE(files("backends = ['cpp']\n"));
+  CHECK_THROWS_AS(files("backends = ['cpp', 'cuda']\n"), spec_error);
 }

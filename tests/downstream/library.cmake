@@ -1,0 +1,44 @@
+# The examples of docs/library.md and the README: against the installed package they are built and run; as a subfolder
+# and by FetchContent the library's targets are found under the same names.
+include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
+fresh_room()
+file(COPY "${SOURCE}/docs/examples/library" DESTINATION "${ROOM}")
+file(READ "${ROOM}/library/CMakeLists.txt" lists)
+set(find "find_package(meetc 0.1 REQUIRED CONFIG COMPONENTS runtime)\n")
+
+configure("${ROOM}/library" "-DCMAKE_PREFIX_PATH=${RUNTIME_PREFIX}")
+build("${ROOM}/library")
+run("${ROOM}/library-build/library")
+expect("2 pairs at height 0 floor triangle 0, spike triangle 0 floor triangle 1, spike triangle 0 0 pairs at height 1e-30")
+run("${ROOM}/library-build/pair")
+expect("they touch")
+
+file(COPY "${SOURCE}/docs/examples/geometry" DESTINATION "${ROOM}")
+configure("${ROOM}/geometry" "-DCMAKE_PREFIX_PATH=${PREFIX}")
+build("${ROOM}/geometry")
+run("${ROOM}/geometry-build/geometry")
+expect("square 1024, coefficient of e1^n 16 hit 1")
+
+# Everything that is installed lies in one folder of its own.
+file(GLOB headers RELATIVE "${RUNTIME_PREFIX}/include" "${RUNTIME_PREFIX}/include/*")
+if(NOT headers STREQUAL "meetc")
+  fail("installed beside include/meetc: ${headers}")
+endif()
+
+# The same project, with meetc in other ways; only planned, since the main build has compiled all that it would.
+function(plan how text)
+  string(REPLACE "${find}" "${text}\n" changed "${lists}")
+  if(changed STREQUAL lists)
+    fail("docs/examples/library/CMakeLists.txt does not have the line: ${find}")
+  endif()
+  file(MAKE_DIRECTORY "${ROOM}/${how}")
+  file(COPY "${ROOM}/library/library.cpp" "${ROOM}/library/pair.cpp" DESTINATION "${ROOM}/${how}")
+  file(WRITE "${ROOM}/${how}/CMakeLists.txt" "${changed}")
+  configure("${ROOM}/${how}" -DMEETC_CUDA=OFF -DMEETC_BUILD_GENERATOR=OFF)
+  if(GENERATOR STREQUAL "Ninja")
+    run("${MAKE_PROGRAM}" -C "${ROOM}/${how}-build" -n library)
+    expect("libmeet_kernels" "Linking CXX executable library")
+  endif()
+endfunction()
+plan(subfolder "add_subdirectory(\"${SOURCE}\" meetc EXCLUDE_FROM_ALL)")
+plan(fetched "include(FetchContent)\nFetchContent_Declare(meetc SOURCE_DIR \"${SOURCE}\")\nFetchContent_MakeAvailable(meetc)")
