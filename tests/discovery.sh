@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# discovery.sh CTEST BUILD NAME=PROGRAM...: each case of each PROGRAM is a test "NAME: CASE" of CTest, once, and no other
+# discovery.sh CTEST BUILD NAME=PROGRAM...: each case of each PROGRAM is a test "NAME/CASE" of CTest, once, and no other
 # is. Programs that are not built are passed over. Before that, a name that discovery drops must be noticed here.
 set -euo pipefail
 ctest=$1 build=$2
@@ -24,8 +24,8 @@ for each in "$@"; do
   else
     listed=$("$program" --list-tests --verbosity quiet)
   fi
-  listed=$(sed "s/^/$name: /" <<<"$listed")
-  differences "$listed" "$(grep -F "$name: " <<<"$registered" | awk -v p="$name: " 'index($0, p) == 1')" || {
+  listed=$(sed "s|^|$name/|" <<<"$listed")
+  differences "$listed" "$(grep -F "$name/" <<<"$registered" | awk -v p="$name/" 'index($0, p) == 1')" || {
     echo "FAILED: the cases of $program are not those that CTest knows"
     failed=1
   }
