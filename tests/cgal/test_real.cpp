@@ -67,7 +67,7 @@ body beside(const body &b, const body &other, const placing &turn, double share,
 
 } // namespace
 
-TEST_CASE("real: bunny and armadillo at several poses") {
+TEST_CASE("real: bunny and armadillo at several poses", "[data]") {
   NEED(bunny_1k, "bunny_1k");
   NEED(bunny_5k, "bunny_5k");
   NEED(armadillo_5k, "armadillo_5k");
@@ -101,7 +101,7 @@ TEST_CASE("real: bunny and armadillo at several poses") {
                      in_float32(near, factor, offset), in_float32(armadillo_5k, factor, offset)) > 100);
 }
 
-TEST_CASE("real: CAD parts, coplanar and slid") {
+TEST_CASE("real: CAD parts, coplanar and slid", "[data]") {
   NEED(fandisk, "fandisk_13k");
   NEED(cycloidal, "cycloidal_43k");
   const double size = extent_of(fandisk).size;
@@ -115,7 +115,7 @@ TEST_CASE("real: CAD parts, coplanar and slid") {
   CHECK(same_pairs("cycloidal, turned", cycloidal, beside(cycloidal, cycloidal, {{0, 0, 1}, 20}, 1, {0, 0, 0})) > 1000);
 }
 
-TEST_CASE("real: a room and a robot of FCL") {
+TEST_CASE("real: a room and a robot of FCL", "[data]") {
   NEED(room, "fcl_env_2k");
   NEED(robot, "fcl_rob_216");
   std::size_t hits = 0;
@@ -133,7 +133,7 @@ TEST_CASE("real: a room and a robot of FCL") {
   CHECK(same_pairs("room on itself", room, room) > room.size());
 }
 
-TEST_CASE("real: bunny_69k x armadillo_345k") {
+TEST_CASE("real: bunny_69k x armadillo_345k", "[data]") {
   NEED(bunny, "bunny_69k");
   NEED(armadillo, "armadillo_345k");
   const std::size_t pairs = same_pairs("bunny_69k x armadillo_345k",

@@ -226,7 +226,7 @@ TEST_CASE("C1: moving each sphere by itself, without the other's centre, forgets
   CHECK(wrong > 50);
 }
 
-TEST_CASE("C2: for solids B^2 >= 0 misses exactly the nested ones; d^2 <= (r1 + r2)^2 does not") {
+TEST_CASE("C2: for solids B^2 >= 0 misses exactly the nested ones, d^2 <= (r1 + r2)^2 does not") {
   random_numbers r(7);
   int nested = 0;
   for (int t = 0; t < 400; ++t) {

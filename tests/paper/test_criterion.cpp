@@ -46,7 +46,7 @@ bool saw_all(const sign_counts &c) {
 
 } // namespace
 
-TEST_CASE("E4: sphere-sphere: > 0 cut, 0 tangent, < 0 disjoint or nested; B^2 has two factors") {
+TEST_CASE("E4: sphere-sphere: > 0 cut, 0 tangent, < 0 disjoint or nested, B^2 has two factors") {
   random_numbers r(1);
   sign_counts seen;
   int nested = 0, disjoint = 0;
@@ -128,7 +128,7 @@ TEST_CASE("line-sphere: the paper's criterion holds") {
   CHECK(saw_all(seen));
 }
 
-TEST_CASE("E5: line-plane: B^2 is never negative, and 0 only says parallel; B = 0 says contained") {
+TEST_CASE("E5: line-plane: B^2 is never negative, and 0 only says parallel, B = 0 says contained") {
   random_numbers r(5);
   int parallel = 0, contained = 0;
   for (int t = 0; t < instances; ++t) {
@@ -146,7 +146,7 @@ TEST_CASE("E5: line-plane: B^2 is never negative, and 0 only says parallel; B = 
   CHECK(contained > 5);
 }
 
-TEST_CASE("E5: plane-plane: B^2 is never negative, and 0 only says parallel; B = 0 says identical") {
+TEST_CASE("E5: plane-plane: B^2 is never negative, and 0 only says parallel, B = 0 says identical") {
   random_numbers r(6);
   int parallel = 0, identical = 0;
   for (int t = 0; t < instances; ++t) {
@@ -163,7 +163,7 @@ TEST_CASE("E5: plane-plane: B^2 is never negative, and 0 only says parallel; B =
   CHECK(identical > 5);
 }
 
-TEST_CASE("E4: line-line: B^2 is identically 0; B = s n with s 16 times a triple product") {
+TEST_CASE("E4: line-line: B^2 is identically 0, B = s n with s 16 times a triple product") {
   random_numbers r(7);
   int coplanar = 0;
   for (int t = 0; t < instances; ++t) {
@@ -178,7 +178,7 @@ TEST_CASE("E4: line-line: B^2 is identically 0; B = s n with s 16 times a triple
   CHECK(coplanar < instances - 20);
 }
 
-TEST_CASE("point-plane: B is a number, the side test; B^2 says nothing") {
+TEST_CASE("point-plane: B is a number, the side test, B^2 says nothing") {
   random_numbers r(8);
   sign_counts seen;
   for (int t = 0; t < instances; ++t) {

@@ -135,7 +135,7 @@ TEST_CASE("E4: circle-line is reversed: < 0 pierces the disk, 0 meets the circle
   CHECK(coplanar > 5);
 }
 
-TEST_CASE("E4: circle-circle is reversed: < 0 linked, 0 touching, > 0 neither; B = 0 on one sphere or plane") {
+TEST_CASE("E4: circle-circle is reversed: < 0 linked, 0 touching, > 0 neither, B = 0 on one sphere or plane") {
   random_numbers r(4);
   sign_counts seen;
   int together = 0;
@@ -156,7 +156,7 @@ TEST_CASE("E4: circle-circle is reversed: < 0 linked, 0 touching, > 0 neither; B
   CHECK(together > 5);
 }
 
-TEST_CASE("E4: point pair-plane is reversed: < 0 separated, 0 one point on it, > 0 one side; B = 0 both on it") {
+TEST_CASE("E4: point pair-plane is reversed: < 0 separated, 0 one point on it, > 0 one side, B = 0 both on it") {
   random_numbers r(5);
   sign_counts seen;
   int both = 0;
@@ -174,7 +174,7 @@ TEST_CASE("E4: point pair-plane is reversed: < 0 separated, 0 one point on it, >
   CHECK(both > 5);
 }
 
-TEST_CASE("E4: point pair-sphere is reversed: < 0 one inside and one outside; B = 0 both on it") {
+TEST_CASE("E4: point pair-sphere is reversed: < 0 one inside and one outside, B = 0 both on it") {
   random_numbers r(6);
   sign_counts seen;
   int both = 0;
@@ -217,7 +217,7 @@ TEST_CASE("E5: point pair-line and point pair-circle: B is a number, so B^2 is n
   CHECK(apart > 20);
 }
 
-TEST_CASE("E4: flat point-plane: B^2 is identically 0, B = s n; flat point-sphere is reversed") {
+TEST_CASE("E4: flat point-plane: B^2 is identically 0, B = s n, flat point-sphere is reversed") {
   random_numbers r(8);
   sign_counts seen;
   for (int t = 0; t < instances; ++t) {

@@ -140,7 +140,7 @@ TEST_CASE("(3.3), (3.4): plane with plane is right, 9 lines of 9, and so is its 
   }
 }
 
-TEST_CASE("(3.5), E3: sphere with sphere is right, 10 lines of 10; the B^2 that it lacks") {
+TEST_CASE("(3.5), E3: sphere with sphere is right, 10 lines of 10, the B^2 that it lacks") {
   CHECK(printed_3_5().size() == 10);
   CHECK(wrong_lines(printed_3_5(), sphere_sphere).empty());
   CHECK_FALSE(has_unprinted_blade(printed_3_5(), sphere_sphere));
@@ -169,7 +169,7 @@ TEST_CASE("any single flipped sign in (3.3) or (3.5) would be noticed") {
       }
 }
 
-TEST_CASE("Table 1 names the letters: eb before e; with e before eb (3.3) and (3.5) fail") {
+TEST_CASE("Table 1 names the letters: eb before e, with e before eb (3.3) and (3.5) fail") {
   const sampler planes = [](random_numbers &r) { return reversed(plane_plane(r), 1); };
   const sampler spheres = [](random_numbers &r) { return reversed(sphere_sphere(r), 2); };
   CHECK(wrong_lines(printed_3_3(), planes).size() == 3);

@@ -199,7 +199,7 @@ TEST_CASE("sparsity: a point is affine, eb - e = 2, so 4 of its 5 blades are fre
   CHECK(rank(differences) == 4);
 }
 
-TEST_CASE("closed form: a line is 4 (v ; p x q)") {
+TEST_CASE("closed form: a line is 4 (v, p x q)") {
   random_numbers r(3);
   for (int t = 0; t < 50; ++t) {
     const vec p = random_vec(r), q = random_vec(r), v = q - p, moment = cross(p, q);

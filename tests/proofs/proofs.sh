@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# proofs.sh CHECK GAPPA GENERATED [COQC]: runs Gappa on every GENERATED/*/*/proofs/*.gappa, on all cores.
+# proofs.sh CHECK GAPPA COQC FOLDER...: runs Gappa on every proofs/*.gappa under each FOLDER of generated files, on all
+# cores.
 #   prove      every script is proved
 #   theorems   of rounding, each proof uses only what also holds in finer formats (gen/target/gappa/gappa.cpp)
 #   quarter    with a quarter of its bound, no script is proved
@@ -9,18 +10,19 @@
 # Two scripts are not of signs: half_parts, and ball_filter, whose errors are variables. There `quarter` divides each
 # part of the margin by 4, and `roundings` doubles each error, widens what else counts, and spoils the rule.
 set -euo pipefail
-[ -x "$2" ] || {
+check=$1 gappa=$2 coqc_found=$3
+shift 3
+[ -x "$gappa" ] || {
   echo "SKIPPED: gappa was not found (Debian: apt install gappa); no error bound was proved"
   exit 77
 }
-check=$1 gappa=$2 generated=$3
 limit=120 # seconds a proof
 export check gappa limit
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 if [ "$check" = coq ]; then
   . "$(dirname "$0")/coq/coq.sh"
-  coq_start "${4:-}" "$folder" || {
+  coq_start "$coqc_found" "$folder" || {
     [ $? = 77 ] || exit 1
     echo "SKIPPED: coqc, Flocq or Gappa's library was not found (Debian: apt install coq libcoq-flocq libcoq-gappa)"
     exit 77
@@ -168,15 +170,16 @@ export -f one one_filter quarters refused best is
 
 # The same script may lie in several folders; once is enough but for `prove`.
 mapfile -t scripts < <(
-  for f in "$generated"/*/*/proofs/*.gappa; do
-    [ -e "$f" ] || continue
-    echo "$([ "$check" = prove ] && echo "$f" || grep -v '^#' "$f" | sha1sum | cut -d' ' -f1) $f"
+  find "$@" -path '*/proofs/*.gappa' | while read -r f; do
+    echo "$({ [ "$check" != prove ] || echo "$f"; grep -v '^#' "$f"; } | sha1sum | cut -d' ' -f1) $f"
   done | sort -u -k1,1 | cut -d' ' -f2- | xargs -r -d '\n' ls -S # the longest first, for the cores to end together
 )
-[ ${#scripts[@]} -gt 0 ] || {
-  echo "FAILED: no scripts under $generated" >&2
-  exit 1
-}
+for each in "$@"; do
+  [ -n "$(find "$each" -path '*/proofs/*.gappa' -print -quit)" ] || {
+    echo "FAILED: no scripts under $each" >&2
+    exit 1
+  }
+done
 log=$folder/log
 status=0
 printf '%s\0' "${scripts[@]}" | xargs -0 -P "$(nproc)" -n 1 bash -c 'set -euo pipefail; one "$1"' one >"$log" || status=1

@@ -83,7 +83,7 @@ TEST_CASE("twice, from another folder and by another path: the same bytes, and n
   }
 }
 
-TEST_CASE("--check tells what would change, and writes nothing") {
+TEST_CASE("generate --check tells what would change, and writes nothing") {
   const temporary_folder out;
   const std::string arguments = fmt::format("generate '{}' -o gen", default_scene_path().string());
   CHECK(run_meetc(arguments + " --check", out.path()).code == 1); // nothing is there

@@ -193,7 +193,7 @@ TEST_CASE("every pair with a meet, as JSON in the declared basis, is the dense p
   CHECK(pairs == 72);
 }
 
-TEST_CASE("the program prints the same, asked for by the scene or not; below grade 5 it says why") {
+TEST_CASE("the program prints the same, asked for by the scene or not, below grade 5 it says why") {
   geometry g(22);
   const std::string scene = '\'' + default_scene_path().string() + '\'';
   for (const auto &[x, y] : {std::pair("sphere", "line"), std::pair("triangle", "point"), std::pair("point", "sphere"),

@@ -106,7 +106,7 @@ TEST_CASE("a polygon is one face, and each pair counts once") {
   CHECK(has(run({"collide", "quads.obj", "cut.csv"}).out, "2 faces (4 triangles)"));
 }
 
-TEST_CASE("touching counts: corner, edge, coplanar; a gap of one step does not") {
+TEST_CASE("touching counts: corner, edge, coplanar, a gap of one step does not") {
   put("a.csv", "x0,y0,z0,x1,y1,z1,x2,y2,z2\n0,0,0,1,0,0,0,1,0\n");
   const auto pairs_with = [](const std::string &row) {
     put("b.csv", fmt::format("x0,y0,z0,x1,y1,z1,x2,y2,z2\n{}\n", row));
@@ -152,7 +152,7 @@ TEST_CASE("disjoint boxes, nested meshes, empty meshes") {
   CHECK(run({"collide", "empty.ply", "empty.ply", "--color", "colours", "--image", "none.png"}).code == 0);
 }
 
-TEST_CASE("--any says whether, not which") {
+TEST_CASE("option --any says whether, not which") {
   put_mesh("ball.ply", icosphere(3));
   put_mesh("ring.ply", torus(48, 24));
   const json yes = answer({"ball.ply", "ring.ply", "--any"});

@@ -66,7 +66,7 @@ TEST_CASE("kinds choose the predicate in either order, and pairs stay (of A, of 
   CHECK(has(run({"collide", "balls.csv", "rods.csv"}).out, "ball_segment (solid), certified"));
 }
 
-TEST_CASE("spheres: tangent is a hit; nested depends on the mode; radius 0 is a point") {
+TEST_CASE("spheres: tangent is a hit, nested depends on the mode, radius 0 is a point") {
   put("one.csv", "x,y,z,r\n0,0,0,1\n");
   const auto pairs_with = [](const std::string &row, const std::string &mode) {
     put("other.csv", fmt::format("x,y,z,r\n{}\n", row));

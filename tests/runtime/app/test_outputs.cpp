@@ -130,7 +130,7 @@ TEST_CASE("all outputs or none, and nothing is left over") {
   CHECK(files_in(folder()) == before);
 }
 
-TEST_CASE("a file that is replaced keeps its mode and its links; special files are written to") {
+TEST_CASE("a file that is replaced keeps its mode and its links, special files are written to") {
   put_files();
   put("real.csv", "old");
   ::chmod(at("real.csv").c_str(), 0640);

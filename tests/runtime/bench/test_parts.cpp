@@ -103,7 +103,7 @@ private:
 
 } // namespace
 
-TEST_CASE("a device's row: milliseconds and a ratio; another count than the CPU's is a failure") {
+TEST_CASE("a device's row: milliseconds and a ratio, another count than the CPU's is a failure") {
   const meetc::catalogue &all = cga::catalogue();
   const meetc::io::element_set balls = of_rows(all, "sphere", sphere_cloud(10, 1, 0.1, 0.2));
   const paper_bodies bodies(all, {}, true);

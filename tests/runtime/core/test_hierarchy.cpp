@@ -10,7 +10,7 @@
 using namespace meetc;
 using namespace toy;
 
-TEST_CASE("one box against sixteen is sixteen tests; not a number means candidate") {
+TEST_CASE("one box against sixteen is sixteen tests, not a number means candidate") {
   std::mt19937 g(60);
   const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   const float values[] = {0, -0.0f, 1, 2, 3, -1, 1e-45f, -1e-45f, 3e38f, inf, -inf, nan};

@@ -54,7 +54,7 @@ struct call {
 
 } // namespace
 
-TEST_CASE("count first, then pairs; too little room says how much") {
+TEST_CASE("count first, then pairs, too little room says how much") {
   const rows a = some_boxes(700, 1, 0.4f, 70), b = some_boxes(900, 1, 0.4f, 71);
   const auto want = brute(a, b, box_box_hit).pairs;
   REQUIRE(want.size() > 1000);

@@ -106,7 +106,7 @@ struct no_absolute : form {
 
 } // namespace
 
-TEST_CASE("balls that touch come out negative, whatever the unit loses; padding never does") {
+TEST_CASE("balls that touch come out negative, whatever the unit loses, padding never does") {
   long exact = 0;
   for (const family &f : families()) {
     tally sum;

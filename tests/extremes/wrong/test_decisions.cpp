@@ -1,4 +1,4 @@
-// Decisions that are wrong (wrong/decisions.toml), each compiled by meetc and put through the campaign's
+// Decisions that are wrong (decisions.toml), each compiled by meetc and put through the campaign's
 // check as the right ones are. Judged by their own signs they are right on every rung; judged by geometry,
 // every one is caught.
 #include "tests/extremes/geometry.hpp"

@@ -112,7 +112,7 @@ TEST_CASE("one hit triangle far smaller than a pixel is seen") {
   CHECK(count(render({&s, 1}, close, 200, 200), palette::pink) > 2000);
 }
 
-TEST_CASE("a hidden hit shines through; the view that faces it shows it") {
+TEST_CASE("a hidden hit shines through, the view that faces it shows it") {
   scene s;
   for (std::size_t t = 0; t < s.a.triangles(); ++t)
     if (s.a.xyz[3 * std::size_t{s.a.index[3 * t]} + 2] < -0.9f)

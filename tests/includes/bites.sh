@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# bites.sh: a small tree that keeps the order passes includes.sh, and each fault that is planted in it is told with its
+# place.
+set -euo pipefail
+check=$(cd "$(dirname "$0")" && pwd)/includes.sh
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+cd "$tree"
+
+# put FILE LINE...
+put() {
+  local file=$1
+  shift
+  mkdir -p "$(dirname "$file")"
+  printf '%s\n' "$@" >"$file"
+}
+sound() {
+  rm -rf gen runtime generated
+  put gen/support/source.hpp '#include <string>'
+  put gen/lang/load.hpp '#include "gen/support/source.hpp"'
+  put gen/ir/arena.hpp '#include "gen/support/source.hpp"'
+  put gen/bound/bound.hpp '#include "gen/ir/arena.hpp"'
+  put gen/lower/kernel.hpp '#include "gen/bound/bound.hpp"' '#include "gen/lang/load.hpp"'
+  put gen/target/text.cpp '#include "gen/lower/kernel.hpp"' '#include <fmt/format.h>'
+  put gen/oracle/dense.hpp '#include <gmpxx.h>'
+  put gen/verify/verify.cpp '#include "gen/oracle/dense.hpp"' '#include "gen/lower/kernel.hpp"'
+  put gen/driver.cpp '#include "gen/lower/kernel.hpp"'
+  put runtime/kernel/meetc/table.hpp '#include <cstdint>'
+  put runtime/core/view.hpp '#include "meetc/table.hpp"'
+  put runtime/core/device/set.hpp '#include "core/view.hpp"'
+  put runtime/io/read.hpp '#include "core/view.hpp"'
+  put runtime/app/sets.cpp '#include "io/read.hpp"' '#include <cga/cga.hpp>'
+  put runtime/app/main.cpp '#include "bench/table.hpp"'
+  put runtime/bench/table.hpp '#include "core/view.hpp"'
+  put generated/default/cga/cga.hpp '#include <meetc/table.hpp>' '#include <cga/kinds.hpp>' '#include <cmath>'
+  put generated/default/cga/kinds.hpp '#include <meetc/table.hpp>'
+}
+
+# refused TEXT FILE LINE: with LINE at the end of FILE the check fails and says TEXT.
+refused() {
+  local said
+  sound
+  mkdir -p "$(dirname "$2")"
+  echo "$3" >>"$2"
+  if said=$("$check" . 2>&1); then
+    echo "FAILED: passes with $3 in $2"
+    exit 1
+  fi
+  [[ $said == *"$1"* ]] || {
+    echo "FAILED: with $3 in $2 it says: $said"
+    exit 1
+  }
+}
+
+sound
+"$check" . >/dev/null
+refused "gen/support/source.hpp:2: gen/support may not include gen/lang" gen/support/source.hpp '#include "gen/lang/load.hpp"'
+refused "gen/bound/bound.hpp:2: gen/bound may not include gen/lower" gen/bound/bound.hpp '#  include "gen/lower/kernel.hpp"'
+refused "gen/ir/arena.hpp:2: gen/ir may not include gen (" gen/ir/arena.hpp '#include "gen/driver.cpp"'
+refused "gen/oracle may not include gen/support" gen/oracle/dense.hpp '#include "gen/support/source.hpp"'
+refused "gen/lower may not include gen/oracle" gen/lower/kernel.hpp '#include "gen/oracle/dense.hpp"'
+refused "gen/verify may not include gen/target" gen/verify/verify.cpp '#include "gen/target/text.cpp"'
+refused "gen/target may not include gen/verify" gen/target/text.cpp '#include "gen/verify/verify.cpp"'
+refused "gen/target may not include runtime/kernel" gen/target/text.cpp '#include <meetc/table.hpp>'
+refused "gen/target may not include generated" gen/target/text.cpp '#include <cga/cga.hpp>'
+refused "runtime/core may not include runtime/io" runtime/core/view.hpp '#include "io/read.hpp"'
+refused "runtime/core may not include runtime/core/device" runtime/core/view.hpp '#include "core/device/set.hpp"'
+refused "runtime/core may not include generated" runtime/core/view.hpp '#include <cga/cga.hpp>'
+refused "runtime/app may not include runtime/bench" runtime/app/sets.cpp '#include "bench/table.hpp"'
+refused "runtime/io may not include gen/support" runtime/io/read.hpp '#include "gen/support/source.hpp"'
+refused "generated may not include runtime/core" generated/default/cga/cga.hpp '#include "core/view.hpp"'
+refused "generated code includes <meetc/...> and its own files, not <fmt/format.h>" generated/default/cga/kinds.hpp '#include <fmt/format.h>'
+refused '"nowhere.hpp" is no file of this tree' gen/lang/load.hpp '#include "nowhere.hpp"'
+refused "this file lies in no room of the order" gen/somewhere/new.hpp '#include <string>'
+refused "a cycle of includes: generated/default/cga/" generated/default/cga/kinds.hpp '#include <cga/cga.hpp>'
+echo "20 trees"
