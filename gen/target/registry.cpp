@@ -1,4 +1,5 @@
 // The one table of targets.
+#include "gen/target/c/c.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cuda/cuda.hpp"
 #include "gen/target/gappa/gappa.hpp"
@@ -30,6 +31,8 @@ constexpr target table[] = {
     {"latex", "polynomials for papers", to_read, nullptr, false, nullptr, latex},
     {"cpp", "C++20 headers for host and device, and the generated library", on_the_host, cpp_files, true, nullptr,
      cpp_text},
+    {"c", "C99 formulas, signs and plain predicates, and certified ones with C linkage", on_the_host, c_files, false,
+     "cpp", c_text},
     {"cuda", "launchers on a CUDA device", everything, cuda_files, true, "cpp", cuda_text},
 };
 

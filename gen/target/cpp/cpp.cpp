@@ -29,7 +29,8 @@ std::string field_list(const std::vector<std::string> &names) {
   return join(names, ", ");
 }
 
-// All kinds that stored operands, results and constructors of the kernels need, in the spec's order.
+} // namespace
+
 std::vector<const lang::kind *> kinds_of(const unit &u) {
   std::set<const lang::kind *> wanted;
   const std::function<void(const lang::kind *)> want = [&](const lang::kind *k) {
@@ -67,7 +68,6 @@ std::vector<const lang::kind *> kinds_of(const unit &u) {
   return ordered;
 }
 
-// Which kinds' blades formulas read or give.
 std::set<const lang::kind *> blades_of(const unit &u) {
   std::set<const lang::kind *> out;
   for (const lower::kernel &k : u.kernels)
@@ -78,6 +78,8 @@ std::set<const lang::kind *> blades_of(const unit &u) {
     }
   return out;
 }
+
+namespace {
 
 // What predicates take for granted of an operand: finite numbers, and the kind's `where`.
 std::string valid_text(const unit &u, const lang::kind &k) {

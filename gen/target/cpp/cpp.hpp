@@ -2,6 +2,8 @@
 #pragma once
 #include "gen/target/target.hpp"
 
+#include <set>
+
 namespace meetc::target {
 
 std::string banner(const lang::scene &s, const std::string &what, const char *comment = "//");
@@ -12,6 +14,10 @@ std::string predicate_text(const unit &u, std::size_t kernel);
 std::string sign_text(const unit &u, std::size_t kernel);
 
 std::vector<const lower::kernel *> predicates_of(const unit &u);
+// All kinds that stored operands, results and constructors of the kernels need, each after those that it holds.
+std::vector<const lang::kind *> kinds_of(const unit &u);
+// The kinds whose blades formulas read or give.
+std::set<const lang::kind *> blades_of(const unit &u);
 // The kinds that predicates take.
 std::vector<const lang::kind *> element_kinds(const unit &u);
 std::string shapes_header(const unit &u);

@@ -71,6 +71,7 @@ std::string identifier(const std::string &name) {
                                            "register",
                                            "reinterpret_cast",
                                            "requires",
+                                           "restrict",
                                            "return",
                                            "short",
                                            "signed",

@@ -1,0 +1,216 @@
+// Signs and predicates in C: plain ones in float and double, and the declarations of those that the library holds.
+#include "gen/target/c/c.hpp"
+#include "gen/target/cpp/names.hpp"
+
+#include <fmt/format.h>
+#include <map>
+
+namespace meetc::target {
+namespace {
+using lower::truth_node;
+
+struct plain_rung {
+  lang::rung asked;
+  const char *suffix;
+  const c_number &in;
+};
+const plain_rung plain_rungs[] = {{lang::rung::fp32, "_fp32", c_numbers[1]}, {lang::rung::fp64, "_fp64", c_numbers[0]}};
+
+// "sign[0] * sign[3]" for a product of atoms; "0", "1" and "-1" where there are none.
+std::string product(const lower::sign_value &v, const std::map<int, int> &slot) {
+  std::string out;
+  for (const auto &[atom, exponent] : v.atoms)
+    for (int i = 0; i < exponent; ++i)
+      out += fmt::format("{}sign[{}]", out.empty() ? "" : " * ", slot.at(atom));
+  if (out.empty() || v.unit == 0)
+    return fmt::format("{}", v.unit);
+  return v.unit < 0 ? fmt::format("-({})", out) : out;
+}
+
+// Truths as statements over sign[]; one value a node, in the order of first use.
+class truths {
+public:
+  truths(const lower::decision &d, const std::map<int, int> &slot) : d_(d), slot_(slot) {}
+
+  std::string name(int id) {
+    if (const auto it = names_.find(id); it != names_.end())
+      return it->second;
+    return names_[id] = made(d_.at(id));
+  }
+  std::string any_of(const std::vector<int> &ids) {
+    std::string out;
+    for (const int id : ids)
+      out += (out.empty() ? "" : " || ") + name(id);
+    return out.empty() ? "false" : out;
+  }
+  std::string take() { return std::move(before_); }
+
+private:
+  const lower::decision &d_;
+  const std::map<int, int> &slot_;
+  std::map<int, std::string> names_;
+  std::string before_;
+  int next_ = 0;
+
+  std::string keep(const std::string &text) {
+    const std::string b = fmt::format("b{}", next_++);
+    before_ += fmt::format("  const bool {} = {};\n", b, text);
+    return b;
+  }
+  std::string made(const truth_node &n) {
+    // By bit: 1 negative, 2 zero, 4 positive.
+    static const char *const tests[] = {nullptr, "< 0", "== 0", "<= 0", "> 0", "!= 0", ">= 0", nullptr};
+    switch (n.kind) {
+    case truth_node::type::constant:
+      return n.flag ? "true" : "false";
+    case truth_node::type::test:
+      return n.flag == 0   ? "false"
+             : n.flag == 7 ? "true"
+                           : keep(fmt::format("{} {}", product(n.sign, slot_), tests[n.flag]));
+    case truth_node::type::negate:
+      return keep('!' + name(n.args[0]));
+    case truth_node::type::choose: {
+      const std::string c = name(n.args[0]), t = name(n.args[1]), e = name(n.args[2]);
+      return keep(fmt::format("{} ? {} : {}", c, t, e));
+    }
+    case truth_node::type::both:
+    case truth_node::type::either:
+      break;
+    }
+    std::string all;
+    for (const int id : n.args)
+      all += (all.empty() ? "" : n.kind == truth_node::type::both ? " && " : " || ") + name(id);
+    return keep(all);
+  }
+};
+
+class writer {
+public:
+  writer(const unit &u, const lower::kernel &k) : u_(u), k_(k), p_(k.decision), space_(identifier(u.scene.space)) {
+    for (const lower::stage *s : lower::stages(p_))
+      for (const int a : s->atoms)
+        slot_.try_emplace(a, static_cast<int>(slot_.size()));
+    for (std::size_t i = 0; i < 2; ++i)
+      for (const lower::stored_real &r : u.model.layout(*k.asked.kinds[i]).reals)
+        inputs_.push_back(c_operand(k.asked.names[i]) + "->" + path_identifier(r.path));
+  }
+
+  std::string text() const {
+    std::string out = fmt::format(
+        "/* {}{}\n   Plain: by the sign of the value as computed; nothing is said of how wrong it can be. */\n",
+        k_.asked.text, k_.is_sign ? ", one sign: -1, 0 or 1." : ", closed sets.");
+    if (!k_.is_sign)
+      out += decision();
+    for (const plain_rung &r : plain_rungs)
+      if (u_.asks(r.asked))
+        out += k_.is_sign ? plain_sign(r) : plain_predicate(r);
+    const char *type = k_.is_sign ? "int" : "bool";
+    if (u_.asks(lang::rung::fp64x2))
+      out += fmt::format("/* The same in double-double; in the library. */\n{} {}({});\n", type, name("_fp64x2"),
+                         parameters());
+    if (u_.asks(lang::rung::certified) || u_.asks(lang::rung::exact))
+      out += fmt::format("/* Never wrong for valid operands; in the library. */\n{} {}({});\n", type, name(""),
+                         parameters());
+    if (u_.asks(lang::rung::certified) && !k_.is_sign)
+      out += fmt::format(
+          "/* The first rung of the filter cascade alone: 0 no, 1 yes, both proved for valid operands; 2 unsure. */\n"
+          "int {}({});\n",
+          name("_filter"), parameters());
+    return out + '\n';
+  }
+
+private:
+  const unit &u_;
+  const lower::kernel &k_;
+  const lower::predicate &p_;
+  std::string space_;
+  std::map<int, int> slot_; // of an atom in sign[]
+  std::vector<std::string> inputs_;
+
+  std::string name(const std::string &suffix) const { return space_ + '_' + identifier(k_.asked.name()) + suffix; }
+  std::string parameters() const {
+    std::string out;
+    for (std::size_t i = 0; i < 2; ++i)
+      out += fmt::format("{}const {} *{}", i ? ", " : "", c_name(u_, k_.asked.kinds[i]->name, c_numbers[1]),
+                         c_operand(k_.asked.names[i]));
+    return out;
+  }
+  std::string arguments() const { return c_operand(k_.asked.names[0]) + ", " + c_operand(k_.asked.names[1]); }
+  std::string as_written() const { return fmt::format("  MEETC_{}_{}_AS_WRITTEN\n", space_.size(), space_); }
+
+  // Statements that put the signs of a stage's atoms into sign[].
+  std::string signs(const lower::stage &s, const c_number &n) const {
+    const std::string code = c_body(
+        s.code, n,
+        [&](int i) {
+          const std::string &in = inputs_[static_cast<std::size_t>(i)];
+          return n.suffix[0] == 'f' ? in : "(double)" + in;
+        },
+        [&](std::size_t i, const std::string &value) {
+          return fmt::format("sign[{}] = {}_sign_of({});", slot_.at(s.atoms[i]), space_, value);
+        });
+    std::string unread;
+    for (const std::string &operand : k_.asked.names)
+      if (code.find(c_operand(operand) + "->") == std::string::npos)
+        unread += fmt::format("  (void){};\n", c_operand(operand));
+    return unread + code;
+  }
+
+  std::string plain_sign(const plain_rung &r) const {
+    std::string out = fmt::format("static inline int {}({}) {{\n{}", name(r.suffix), parameters(), as_written());
+    if (!p_.common.atoms.empty())
+      out += fmt::format("  int sign[{}];\n", p_.common.atoms.size());
+    return out + signs(p_.common, r.in) + fmt::format("  return {};\n}}\n", product(p_.value, slot_));
+  }
+
+  // The decision over signs, apart from the arithmetic that makes them.
+  std::string decision() const {
+    std::string out;
+    const auto truth = [&](const char *suffix, const std::vector<int> &any) {
+      truths t(p_.signs, slot_);
+      const std::string value = t.any_of(any);
+      const std::string before = t.take();
+      out += fmt::format("static inline bool {}(const int *sign) {{\n{}{}  return {};\n}}\n", name(suffix),
+                         before.find("sign[") == std::string::npos ? "  (void)sign;\n" : "", before, value);
+    };
+    if (!p_.reject.atoms.empty())
+      truth("_rejected", p_.truths.reject);
+    truth("_usual", {p_.usual});
+    if (!p_.rare.atoms.empty()) {
+      truth("_needs_rare", p_.conditions);
+      truth("_whole", {p_.truths.hit});
+    }
+    return out;
+  }
+
+  std::string plain_predicate(const plain_rung &r) const {
+    std::string out;
+    const auto all = lower::stages(p_);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!all[i]->atoms.empty())
+        out += fmt::format("static inline void {}({}, int *sign) {{\n{}{}}}\n",
+                           name(fmt::format("_{}{}", lower::stage_names[i], r.suffix)), parameters(), as_written(),
+                           signs(*all[i], r.in));
+    const auto run = [&](const char *stage) {
+      return fmt::format("  {}({}, sign);\n", name(fmt::format("_{}{}", stage, r.suffix)), arguments());
+    };
+    out += fmt::format("static inline bool {}({}) {{\n  int sign[{}];\n", name(r.suffix), parameters(),
+                       std::max<std::size_t>(slot_.size(), 1));
+    if (!p_.reject.atoms.empty())
+      out += run("reject") + fmt::format("  if ({}(sign))\n    return false;\n", name("_rejected"));
+    if (!p_.common.atoms.empty())
+      out += run("common");
+    if (!p_.rare.atoms.empty())
+      out += fmt::format("  if ({}(sign)) {{\n  {}    return {}(sign);\n  }}\n", name("_needs_rare"), run("rare"),
+                         name("_whole"));
+    return out + fmt::format("  return {}(sign);\n}}\n", name("_usual"));
+  }
+};
+
+} // namespace
+
+std::string c_decision(const unit &u, const lower::kernel &k) {
+  return writer(u, k).text();
+}
+
+} // namespace meetc::target

@@ -1,0 +1,63 @@
+// Programs as statements of a C-like language: the domain of the fold that targets write code with.
+//
+// A node that is used once is written where it is used, as long as that stays readable; every other becomes a constant of
+// its own. The order of operations is the graph's, and no parentheses are left out that would change it.
+#pragma once
+#include "gen/ir/fold.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace meetc::target {
+
+// What differs from language to language.
+struct syntax {
+  std::string type;                                          // of a value that is kept: "T", "double"
+  std::string fma;                                           // the function: "meetc::fma", "fmaf"
+  std::function<std::string(const ir::rational &)> constant; // a literal that needs no parentheses
+  std::function<std::string(int)> input;                     // an input's number to an expression that needs none
+  std::string indent;
+};
+
+// An expression, and how tightly it binds.
+struct expression {
+  std::string text;
+  enum class binding { atom, product, sum } as = binding::atom;
+};
+
+class statements {
+public:
+  using value = expression;
+  // The nodes in `kept` become constants even where they are used once.
+  statements(const ir::program &p, syntax s);
+
+  // All statements, and the expressions of the results, in order.
+  struct text {
+    std::string before;
+    std::vector<std::string> results;
+  };
+  static text of(const ir::program &p, const syntax &s);
+
+  // ---- the domain ----
+  value input(const ir::place &, int number) const { return {syntax_.input(number)}; }
+  value constant(const ir::place &, const ir::rational &q) const { return {syntax_.constant(q)}; }
+  value negate(const ir::place &at, const value &x) { return made(at, {'-' + factor(x), binding::sum}); }
+  value add(const ir::place &at, const value &x, const value &y);
+  value subtract(const ir::place &at, const value &x, const value &y);
+  value multiply(const ir::place &at, const value &x, const value &y);
+  value fused(const ir::place &at, const value &x, const value &y, const value &z);
+
+private:
+  using binding = expression::binding;
+  syntax syntax_;
+  std::map<ir::node_id, int> uses_;
+  std::string out_;
+  int next_ = 0;
+
+  value made(const ir::place &at, value v);
+  static std::string factor(const value &v) { return v.as == binding::atom ? v.text : '(' + v.text + ')'; }
+  static std::string term(const value &v) { return v.as == binding::sum ? '(' + v.text + ')' : v.text; }
+};
+
+} // namespace meetc::target
