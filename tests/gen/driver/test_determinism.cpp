@@ -53,13 +53,8 @@ TEST_CASE("generated/default is what the default scene gives, without the kernel
     std::erase_if(all, [](const auto &file) { return file.first.starts_with("meetc/"); });
     return all;
   };
-  for (const char *name : {"default", "flat"})
-    if (fs::exists(source_folder() / "generated" / name)) {
-      INFO(name);
-      check_same(
-          of_the_scene(emitted((source_folder() / "algebra_spec" / "scenes" / (std::string(name) + ".toml")).string())),
-          files_under(source_folder() / "generated" / name));
-    }
+  check_same(of_the_scene(emitted(default_scene_path().string())),
+             files_under(source_folder() / "generated" / "default"));
 }
 
 TEST_CASE("twice, from another folder and by another path: the same bytes, and no path in them") {
