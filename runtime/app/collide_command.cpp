@@ -7,6 +7,7 @@
 #include "app/paint.hpp"
 #include "app/progress.hpp"
 #include "app/report.hpp"
+#include "app/sets.hpp"
 #include "io/read.hpp"
 
 #include <chrono>
@@ -53,8 +54,10 @@ void write_colours(const collide_request &q, const painted &a, const painted &b,
 }
 
 void write_all(const collide_request &q, output_files &outputs, collide_report &report) {
-  const painted a{report.a, report.found.a.hit, q.a.filename().string(), palette::green, palette::yellow};
-  const painted b{report.b, report.found.b.hit, q.b.filename().string(), palette::blue, palette::pink};
+  const painted a{report.a, report.found.a.hit, q.a.filename().string(), picture::palette::green,
+                  picture::palette::yellow};
+  const painted b{report.b, report.found.b.hit, q.b.filename().string(), picture::palette::blue,
+                  picture::palette::pink};
   if (q.pairs) {
     const std::vector<index_pair> &list = report.found.list;
     outputs.write(*q.pairs, [&list](const fs::path &to) { io::write_pairs_csv(to, list); });
@@ -79,14 +82,14 @@ std::string collide(const catalogue &all, const collide_request &q) {
   const io::element_set a = io::read(q.a, kinds), b = io::read(q.b, kinds, q.move_b);
   const std::chrono::duration<double> read = std::chrono::steady_clock::now() - start;
 
-  how h;
+  query h;
   h.by = choose(all, *a.kind, *b.kind, q.predicate, q.mode);
   h.precision = q.precision;
   h.box = all.box;
   h.any = q.any;
   h.keep = q.pairs.has_value();
   h.threads = q.threads;
-  h.where = q.where;
+  h.on = q.on;
   auto progress = std::make_unique<progress_line>("collide");
   h.progress = [&progress](double fraction) { (*progress)(fraction); };
   const answers found = collide_sets(a, b, h);
@@ -98,7 +101,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
   collide_report report{q.a.string(),   q.b.string(), a,  b, h, found, fs::equivalent(q.a, q.b, code),
                         q.move_b.any(), read.count(), {}, {}};
   write_all(q, outputs, report);
-  return q.json ? json(report) : summary(report);
+  return q.json ? as_json(report) : summary(report);
 }
 
 } // namespace meetc::app

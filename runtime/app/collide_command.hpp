@@ -2,6 +2,7 @@
 #ifndef MEETC_APP_COLLIDE_COMMAND_HPP
 #define MEETC_APP_COLLIDE_COMMAND_HPP
 
+#include "app/command.hpp"
 #include "app/device_pairs.hpp"
 #include "io/transform.hpp"
 #include "meetc/support.hpp"
@@ -20,12 +21,15 @@ struct collide_request {
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs, colour, image;
   int threads = 0;
-  place where = place::cpu;
+  processor on = processor::cpu;
 };
 
 // Writes the files that are asked for and returns what goes to standard output. A set that leaves the scene's
 // box is one line of warning on standard error. Throws io::error.
 std::string collide(const catalogue &all, const collide_request &request);
+
+// The command and its options. The catalogue must outlive it.
+command add_collide(CLI::App &program, const catalogue &all);
 
 } // namespace meetc::app
 

@@ -26,27 +26,23 @@ struct answers {
   rung_report rungs;            // of `certified`
   side_answer a, b;
   double prepare_seconds = 0, collide_seconds = 0;
-  std::string device, model;                    // of place::cuda, as device_pairs has them
+  std::string device, model;                    // of processor::cuda, as device_pairs has them
   double device_seconds = 0, start_seconds = 0; // likewise
 };
 
-struct how {
+struct query {
   choice by;
   rung precision = rung::certified;
   float box = 0;     // of the scene; 0: none
   bool any = false;  // stop at the first pair
   bool keep = false; // the list of pairs; without it, and without polygons, memory does not grow with them
   int threads = 0;   // 0: all cores
-  place where = place::cpu;
+  processor on = processor::cpu;
   std::function<void(double fraction)> progress = {};
 };
 
 // Throws failure where the predicate was not generated for the precision; std::bad_alloc.
-answers collide_sets(const io::element_set &a, const io::element_set &b, const how &h);
-
-bool is_empty(const box &b);
-bool disjoint(const box &x, const box &y); // not where one is empty
-bool inside(const box &inner, const box &outer);
+answers collide_sets(const io::element_set &a, const io::element_set &b, const query &q);
 
 } // namespace meetc::app
 

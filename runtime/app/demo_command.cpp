@@ -4,10 +4,13 @@
 #include "app/demo_scenes.hpp"
 #include "app/output_files.hpp"
 #include "app/paint.hpp"
-#include "app/report.hpp"
+#include "app/sets.hpp"
+#include "app/words.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <memory>
 #include <vector>
 
 namespace meetc::app {
@@ -26,8 +29,9 @@ fs::path picture_path(const fs::path &folder, const demo_scene &s) {
 void write_scene(const fs::path &folder, const demo_scene &s, const answers &found, output_files &outputs,
                  std::vector<std::string> &written) {
   const bool balls_only = !is_mesh(s.a) && !is_mesh(s.b);
-  const painted a{s.a, found.a.hit, s.name_a, palette::green, palette::yellow};
-  const painted b{s.b, found.b.hit, s.name_b, palette::blue, balls_only ? palette::orange : palette::pink};
+  const painted a{s.a, found.a.hit, s.name_a, picture::palette::green, picture::palette::yellow};
+  const painted b{s.b, found.b.hit, s.name_b, picture::palette::blue,
+                  balls_only ? picture::palette::orange : picture::palette::pink};
   for (const painted *const side : {&a, &b})
     if (is_mesh(side->set)) {
       const fs::path path = mesh_path(folder, side->name);
@@ -55,7 +59,7 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
   constexpr const char *row = "{:<30}{:<30}{:<20}{:>8}{:>12}\n";
   std::string out = fmt::format(fmt::runtime(row), "A", "B", "predicate", "pairs", "time");
   for (const demo_scene &s : scenes) {
-    how h;
+    query h;
     h.by = choose(all, *s.a.kind, *s.b.kind, {}, {});
     h.threads = threads;
     const answers found = collide_sets(s.a, s.b, h);
@@ -73,6 +77,13 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
   for (const std::string &path : written)
     out += fmt::format("wrote {}\n", path);
   return out;
+}
+
+command add_demo(CLI::App &program, const catalogue &all) {
+  CLI::App &c = *program.add_subcommand("demo", "Collide built-in bodies; write coloured meshes and pictures");
+  const auto folder = std::make_shared<fs::path>("meet-demo");
+  c.add_option("-o", *folder, "The folder to write to (./meet-demo)")->type_name("DIR");
+  return {&c, [&all, folder] { return demo(all, *folder, 0); }};
 }
 
 } // namespace meetc::app

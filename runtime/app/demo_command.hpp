@@ -2,6 +2,7 @@
 #ifndef MEETC_APP_DEMO_COMMAND_HPP
 #define MEETC_APP_DEMO_COMMAND_HPP
 
+#include "app/command.hpp"
 #include "meetc/support.hpp"
 
 #include <filesystem>
@@ -12,6 +13,9 @@ namespace meetc::app {
 // Writes into the folder, which is made where it is missing, and returns what goes to standard output. Throws
 // io::error.
 std::string demo(const catalogue &all, const std::filesystem::path &folder, int threads);
+
+// The command and its options. The catalogue must outlive it.
+command add_demo(CLI::App &program, const catalogue &all);
 
 } // namespace meetc::app
 

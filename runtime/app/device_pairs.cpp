@@ -13,15 +13,15 @@
 
 namespace meetc::app {
 
-place place_named(std::string_view name) {
+processor processor_named(std::string_view name) {
   if (name == "cpu" || name == "auto")
-    return place::cpu;
+    return processor::cpu;
   if (name != "cuda")
     throw failure(fmt::format("--device {}: unknown; known: auto, cpu, cuda", io::quote(std::string(name))));
 #if !MEETC_WITH_CUDA
   throw failure("--device cuda: this build has no CUDA kernels (no nvcc was found); use --device cpu", no_device);
 #endif
-  return place::cuda;
+  return processor::cuda;
 }
 
 #if MEETC_WITH_CUDA
@@ -33,11 +33,11 @@ device_pairs pairs_on_device(const prepared &a, const prepared &b, const predica
     device_set set_a(on, a), set_b(on, b);
     const std::chrono::duration<double> started = std::chrono::steady_clock::now() - start;
     device_options o;
-    o.mode = options.mode;
+    o.want = options.want;
     o.owner_a = options.owner_a;
     o.owner_b = options.owner_b;
     o.progress = options.progress;
-    device_result r = ::meetc::collide(on, set_a, set_b, predicate, precision, o);
+    device_result r = meetc::collide(on, set_a, set_b, predicate, precision, o);
     const std::string model = model_of(r.filter);
     const double kernels = r.device_seconds;
     return {std::move(r), on.facts().name, model, kernels, started.count()};

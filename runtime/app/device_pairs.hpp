@@ -9,11 +9,11 @@
 
 namespace meetc::app {
 
-enum class place : std::uint8_t { cpu, cuda };
+enum class processor : std::uint8_t { cpu, cuda };
 
 // "auto" is the CPU: see docs/gpu.md for what would have to be large before a device pays for its start. Throws
 // failure where the name is none, or where this build has no CUDA.
-place place_named(std::string_view name);
+processor processor_named(std::string_view name);
 
 struct device_pairs {
   result found;

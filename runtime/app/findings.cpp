@@ -15,9 +15,9 @@ bool zero_area(const float *row) {
   const grid g = grid_of(row, 9);
   // Differences take a bit more, the difference of two products another one.
   const int limbs = (2 * (g.bits() + 1) + 1) / 64 + 1;
-  std::uint64_t place[13][9];
+  std::uint64_t value[13][9];
   for (int i = 0; i < 9; ++i)
-    to_limbs(row[i], g.low, limbs, place[i]);
+    to_limbs(row[i], g.low, limbs, value[i]);
   bool zero = true;
   for (std::uint16_t k = 0; k < 3; ++k) {
     using enum step_kind;
@@ -28,7 +28,7 @@ bool zero_area(const float *row) {
                           {subtract, 11, 11, 12},     {take_sign, 0, 11, 0}};
     sign s = sign::zero;
     for (const step &t : cross)
-      take_step(t, limbs, place, &s);
+      take_step(t, limbs, value, &s);
     zero = zero && s == sign::zero;
   }
   return zero;

@@ -1,17 +1,23 @@
 #include "app/inspect_command.hpp"
 
+#include "app/algebra_file.hpp"
+#include "app/boxes.hpp"
 #include "app/choose.hpp"
 #include "app/failure.hpp"
 #include "app/findings.hpp"
 #include "app/kinds.hpp"
+#include "app/option_values.hpp"
 #include "app/output_files.hpp"
-#include "app/paint.hpp"
-#include "app/report.hpp"
 #include "app/scene_file.hpp"
+#include "app/sets.hpp"
+#include "app/words.hpp"
 #include "io/atomic_file.hpp"
 #include "io/read.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include <memory>
 
 namespace meetc::app {
 
@@ -82,7 +88,7 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   std::vector<fs::path> inputs{q.a, q.b};
   fs::path algebra;
   if (q.scene) {
-    algebra = algebra_path(q.algebra);
+    algebra = algebra_path(q.algebra, algebra_places());
     inputs.push_back(algebra);
   }
   output_files outputs(inputs);
@@ -110,13 +116,21 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
     names.emplace_back(c.predicate->name);
   const std::string text = scene_text(*q.scene, algebra, names, box_for(in_a, in_b),
                                       fmt::format("What {}s with {}s require.", a.kind->name, b.kind->name));
-  outputs.write(*q.scene, [&text](const fs::path &to) {
-    io::atomic_file file(to);
-    file.write(text);
-    file.commit();
-  });
+  outputs.write(*q.scene, [&text](const fs::path &to) { io::write_file(to, text); });
   outputs.commit();
   return out + fmt::format("wrote {}\n", q.scene->string());
+}
+
+command add_inspect(CLI::App &program, const catalogue &all) {
+  CLI::App &c =
+      *program.add_subcommand("inspect", "Say what two files hold, what is degenerate, and which predicates fit");
+  const auto q = std::make_shared<inspect_request>();
+  c.add_option("A", q->a, files_help)->required()->type_name("FILE");
+  c.add_option("B", q->b, "The other set")->required()->type_name("FILE");
+  c.add_option("--scene", q->scene, "Write the scene file that these files require, for meetc")->type_name("out.toml");
+  c.add_option("--algebra", q->algebra, "The algebra that the scene file names (the shipped cga3.toml)")
+      ->type_name("PATH");
+  return {&c, [&all, q] { return inspect(all, *q); }};
 }
 
 } // namespace meetc::app

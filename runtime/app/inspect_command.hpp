@@ -3,6 +3,7 @@
 #ifndef MEETC_APP_INSPECT_COMMAND_HPP
 #define MEETC_APP_INSPECT_COMMAND_HPP
 
+#include "app/command.hpp"
 #include "meetc/support.hpp"
 
 #include <filesystem>
@@ -18,6 +19,9 @@ struct inspect_request {
 
 // Returns what goes to standard output. Throws io::error.
 std::string inspect(const catalogue &all, const inspect_request &request);
+
+// The command and its options. The catalogue must outlive it.
+command add_inspect(CLI::App &program, const catalogue &all);
 
 } // namespace meetc::app
 

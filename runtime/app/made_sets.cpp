@@ -15,7 +15,7 @@ const kind_info &kind_named(const catalogue &all, std::string_view name) {
   throw failure(fmt::format("this build has no kind '{}'", name));
 }
 
-io::element_set of_mesh(const catalogue &all, mesh m, const io::transform &move) {
+io::element_set of_mesh(const catalogue &all, bodies::mesh m, const io::transform &move) {
   for (std::size_t v = 0; move.any() && v < m.xyz.size(); v += 3) {
     const auto p = io::round_point(move, {m.xyz[v], m.xyz[v + 1], m.xyz[v + 2]});
     m.xyz[v] = p[0];

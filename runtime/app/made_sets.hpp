@@ -16,7 +16,7 @@ namespace meetc::app {
 const kind_info &kind_named(const catalogue &all, std::string_view name);
 
 // Moved as a file's vertices are: in double, rounded once.
-io::element_set of_mesh(const catalogue &all, mesh m, const io::transform &move = {});
+io::element_set of_mesh(const catalogue &all, bodies::mesh m, const io::transform &move = {});
 io::element_set of_rows(const catalogue &all, std::string_view kind, std::vector<float> rows);
 
 } // namespace meetc::app

@@ -7,13 +7,50 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 namespace meetc::app {
+
+namespace {
+
+// Whether a comma lacks a number on one side.
+bool has_hole(std::string_view text) {
+  bool number = false, comma = false;
+  for (const char c : text) {
+    if (c == ',' && !number)
+      return true;
+    comma = comma || c == ',';
+    number = c != ',' && (number || (c != ' ' && c != '\t'));
+  }
+  return comma && !number;
+}
+
+} // namespace
 
 int threads_named(const std::string &text) {
   std::int64_t n = 0;
   if (!io::parse_integer(text, n) || n < 0 || n > max_threads)
     throw failure(fmt::format("--threads: {} is not a number from 0 to {}", io::quote(text), max_threads));
   return static_cast<int>(n);
+}
+
+void read_numbers(const char *option, std::string text, std::span<double> to) {
+  if (has_hole(text))
+    throw failure(fmt::format("{}: {} lacks a number beside a comma", option, io::quote(text)));
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::size_t n = 0;
+  std::string_view rest = text;
+  for (std::string_view word; !(word = io::take_word(rest)).empty(); ++n) {
+    double value = 0;
+    if (!io::parse_decimal(word, io::precision::float64, value))
+      throw failure(fmt::format("{}: {} is not a number", option, io::quote(word)));
+    if (n < to.size())
+      to[n] = value;
+  }
+  if (n != to.size())
+    throw failure(fmt::format("{}: {} number{} expected{}, {} given", option, to.size(), to.size() == 1 ? "" : "s",
+                              to.size() == 1 ? "" : ", with commas between them", n));
 }
 
 } // namespace meetc::app

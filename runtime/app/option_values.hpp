@@ -1,13 +1,29 @@
-// app/option_values.hpp: values of options that several commands take.
+// app/option_values.hpp: what options of several commands have in common, and how their values are read.
 #ifndef MEETC_APP_OPTION_VALUES_HPP
 #define MEETC_APP_OPTION_VALUES_HPP
 
+#include <array>
+#include <cstddef>
+#include <span>
 #include <string>
 
 namespace meetc::app {
 
+inline constexpr const char *files_help =
+    "A mesh (.ply, .obj, .stl), or a .csv whose first line names a kind's numbers: "
+    "x,y,z,r spheres; x0,y0,z0,x1,y1,z1 segments; x,y,z points";
+
 // Of --threads: 0, all cores, to the most that the core takes. Throws failure.
 int threads_named(const std::string &text);
+
+// As many numbers as there is room for, apart by commas or blanks. Throws failure, which names the option.
+void read_numbers(const char *option, std::string text, std::span<double> to);
+
+template <std::size_t N> std::array<double, N> numbers(const char *option, const std::string &text) {
+  std::array<double, N> out{};
+  read_numbers(option, text, out);
+  return out;
+}
 
 } // namespace meetc::app
 

@@ -4,7 +4,8 @@
 
 #include "io/element_set.hpp"
 #include "io/write.hpp"
-#include "picture/picture.hpp"
+#include "picture/camera.hpp"
+#include "picture/image.hpp"
 
 #include <filesystem>
 #include <string>
@@ -17,21 +18,17 @@ struct painted {
   const io::element_set &set;
   const std::vector<std::uint8_t> &hit; // one an item; empty: hits are not shown
   std::string name;
-  colour base, hit_colour;
+  picture::colour base, hit_colour;
 };
-
-inline bool is_mesh(const io::element_set &set) {
-  return set.kind->points == 3 && set.kind->fields == 9;
-}
 
 // The mesh with a bright colour on every face that is hit and a calm one elsewhere.
 void write_coloured(const std::filesystem::path &path, const painted &side);
 
 // A PNG of the sides together and each alone. Throws io::error.
-void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const view &from = {},
-                   int width = 1600, int height = 900);
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides,
+                   const picture::camera &from = {}, int width = 1600, int height = 900);
 
-void write_png(const std::filesystem::path &path, const image &picture);
+void write_png(const std::filesystem::path &path, const picture::image &picture);
 
 } // namespace meetc::app
 

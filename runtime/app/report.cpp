@@ -1,7 +1,8 @@
 #include "app/report.hpp"
 
-#include "app/paint.hpp"
-#include "bench/table.hpp"
+#include "app/boxes.hpp"
+#include "app/sets.hpp"
+#include "app/words.hpp"
 
 #include <fmt/format.h>
 
@@ -21,11 +22,11 @@ bool may_be_contained(const collide_report &r) {
          ((is_mesh(r.a) && inside(f.b.bounds, f.a.bounds)) || (is_mesh(r.b) && inside(f.a.bounds, f.b.bounds)));
 }
 
-std::string predicate_in_words(const how &h) {
-  const predicate_info &p = *h.by.predicate;
+std::string predicate_in_words(const query &q) {
+  const predicate_info &p = *q.by.predicate;
   const std::string mode = *p.mode ? fmt::format(" ({})", p.mode) : "";
-  return fmt::format("{}{}, {}, on the {}", p.name, mode, name_of(h.precision),
-                     h.where == place::cuda ? "CUDA device" : "CPU");
+  return fmt::format("{}{}, {}, on the {}", p.name, mode, name_of(q.precision),
+                     q.on == processor::cuda ? "CUDA device" : "CPU");
 }
 
 std::string file_lines(const collide_report &r) {
@@ -52,14 +53,6 @@ std::string rungs_line(const answers &f) {
   return out.empty() ? "" : fmt::format("rungs used: {}\n", std::string_view(out).substr(0, out.size() - 2));
 }
 
-// In the order in which the rungs run.
-std::string unsure_json(const collide_report &r) {
-  std::string out;
-  for (int i = 0; i < bounded_rungs && r.asked.precision == rung::certified; ++i)
-    out += fmt::format("{}\"{}\":{}", i ? "," : "", name_of(static_cast<rung>(i)), r.found.rungs.unsure[i]);
-  return out;
-}
-
 std::string answer_line(const collide_report &r) {
   const answers &f = r.found;
   if (r.asked.any)
@@ -71,28 +64,6 @@ std::string answer_line(const collide_report &r) {
 }
 
 } // namespace
-
-std::string grouped(std::uint64_t n) {
-  std::string s = std::to_string(n);
-  for (std::size_t at = s.size(); at > 3; at -= 3)
-    s.insert(at - 3, 1, ',');
-  return s;
-}
-
-std::string counted(const io::element_set &set, std::uint64_t n) {
-  return fmt::format("{} {}{}", grouped(n), is_mesh(set) ? "face" : set.kind->name, n == 1 ? "" : "s");
-}
-
-std::string counted(const io::element_set &set) {
-  const std::string items = counted(set, set.items);
-  return set.items == set.elements ? items : fmt::format("{} ({} triangles)", items, grouped(set.elements));
-}
-
-std::string in_words(const box &b) {
-  if (is_empty(b))
-    return "empty";
-  return fmt::format("[{}, {}, {}] to [{}, {}, {}]", b.lo[0], b.lo[1], b.lo[2], b.hi[0], b.hi[1], b.hi[2]);
-}
 
 std::string summary(const collide_report &r) {
   const answers &f = r.found;
@@ -115,7 +86,7 @@ std::string summary(const collide_report &r) {
     out += rungs_line(f);
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
                      f.collide_seconds);
-  if (r.asked.where == place::cuda)
+  if (r.asked.on == processor::cuda)
     out += fmt::format("on {}: {:.3f} s to start and upload, {:.6f} s of kernels; the filter assumes: {}\n", f.device,
                        f.start_seconds, f.device_seconds, f.model);
   for (const std::string &note : r.notes)
@@ -125,7 +96,7 @@ std::string summary(const collide_report &r) {
   return out;
 }
 
-std::string box_warning(const how &asked, const answers &found) {
+std::string box_warning(const query &asked, const answers &found) {
   const rung_report &r = found.rungs;
   std::string sets;
   for (const auto &[name, left, side] :
@@ -136,24 +107,6 @@ std::string box_warning(const how &asked, const answers &found) {
                       : fmt::format("warning: outside of the scene's box, {} to {} in each coordinate: {}; fp32 "
                                     "then bounds each pair by itself, and the answer is as certain",
                                     -asked.box, asked.box, sets);
-}
-
-std::string json(const collide_report &r) {
-  const answers &f = r.found;
-  const auto side = [](const io::element_set &set) {
-    return fmt::format(R"({{"kind":"{}","elements":{}}})", set.kind->name, set.items);
-  };
-  const bool on_device = r.asked.where == place::cuda;
-  return fmt::format(R"({{"a":{},"b":{},"pairs":{},"touched_a":{},"touched_b":{},"precision":"{}",)"
-                     R"("device":"{}","unsure":{{{}}},"seconds":{{"read":{:.6f},"prepare":{:.6f},"collide":{:.6f}{}}},)"
-                     R"("predicate":"{}","mode":"{}"{}}})"
-                     "\n",
-                     side(r.a), side(r.b), f.pairs, f.a.touched, f.b.touched, name_of(r.asked.precision),
-                     on_device ? "cuda" : "cpu", unsure_json(r), r.read_seconds, f.prepare_seconds, f.collide_seconds,
-                     on_device ? fmt::format(R"(,"start":{:.6f},"device":{:.6f})", f.start_seconds, f.device_seconds)
-                               : "",
-                     r.asked.by.predicate->name, r.asked.by.predicate->mode,
-                     on_device ? fmt::format(R"(,"device_name":{},"model":"{}")", json_string(f.device), f.model) : "");
 }
 
 } // namespace meetc::app

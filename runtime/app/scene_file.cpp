@@ -1,8 +1,7 @@
 #include "app/scene_file.hpp"
 
-#include "app/failure.hpp"
-
 #include <fmt/format.h>
+
 #include <string_view>
 #include <system_error>
 
@@ -45,19 +44,6 @@ std::string space_named(const std::string &stem) {
 }
 
 } // namespace
-
-fs::path algebra_path(const std::optional<fs::path> &asked) {
-  std::error_code code;
-  if (asked) {
-    if (!fs::is_regular_file(*asked, code))
-      throw failure(fmt::format("{}: no such file; --algebra names the algebra, such as cga3.toml", asked->string()));
-    return *asked;
-  }
-  for (const char *const usual : {MEETC_INSTALLED_ALGEBRA, MEETC_SOURCE_ALGEBRA})
-    if (fs::is_regular_file(usual, code))
-      return usual;
-  throw failure("--scene: the algebra cga3.toml is not where it was installed; say where with --algebra PATH");
-}
 
 std::string scene_text(const fs::path &at, const fs::path &algebra, const std::vector<std::string> &predicates,
                        double box, const std::string &comment) {

@@ -3,15 +3,10 @@
 #define MEETC_APP_SCENE_FILE_HPP
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace meetc::app {
-
-// The algebra that a scene names: `asked`, else the installed one, else the one of the source tree. Throws
-// failure where it is not there.
-std::filesystem::path algebra_path(const std::optional<std::filesystem::path> &asked);
 
 // The text of a scene file that will lie at `at`. The namespace is the file's name, made an identifier; the
 // algebra is named relative to the file. `box` 0: the scene states none.

@@ -2,8 +2,8 @@
 
 namespace meetc::app {
 
-::meetc::view view_of(const io::element_set &set) {
-  ::meetc::view v;
+meetc::view view_of(const io::element_set &set) {
+  meetc::view v;
   v.data = set.data.data();
   v.elements = set.elements;
   if (set.index.empty()) {
@@ -17,7 +17,7 @@ namespace meetc::app {
 }
 
 prepared prepare(const io::element_set &set, int threads) {
-  return ::meetc::prepare(view_of(set), *set.kind, {}, threads);
+  return meetc::prepare(view_of(set), *set.kind, {}, threads);
 }
 
 } // namespace meetc::app

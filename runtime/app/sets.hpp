@@ -7,8 +7,13 @@
 
 namespace meetc::app {
 
+// Triangles: what can be coloured face by face, and whose faces a report counts.
+inline bool is_mesh(const io::element_set &set) {
+  return set.kind->points == 3 && set.kind->fields == 9;
+}
+
 // Borrows: valid while the set is neither changed nor gone.
-::meetc::view view_of(const io::element_set &set);
+meetc::view view_of(const io::element_set &set);
 
 // Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to
 // collide_options, so that pairs are of items. Throws as meetc::prepare does; what io::read returned is good.

@@ -1,27 +1,28 @@
-// app/bench/chart.hpp: curves of positive numbers over sizes, both axes by powers of ten, as a picture.
+// bench/chart.hpp: curves of positive numbers over sizes, both axes by powers of ten, as a PNG file.
 //
-// Limits: points that are not positive and finite are left out. Text is the pictures' own bitmap font.
-#ifndef MEETC_APP_BENCH_CHART_HPP
-#define MEETC_APP_BENCH_CHART_HPP
+// Method: a script for gnuplot. Limits: points that are not positive and finite are left out.
+#ifndef MEETC_BENCH_CHART_HPP
+#define MEETC_BENCH_CHART_HPP
 
-#include "picture/picture.hpp"
+#include "picture/image.hpp"
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace meetc::app {
+namespace meetc::bench {
 
-namespace palette {
-inline constexpr colour curve_red{206, 46, 38}; // Moeller's, as in the paper
-inline constexpr colour curve_cpu{36, 92, 168};
-inline constexpr colour curve_search{120, 128, 138};
-inline constexpr colour curve_gpu{34, 142, 76};
-} // namespace palette
+namespace curve_colours {
+inline constexpr picture::colour red{206, 46, 38}; // Moeller's, as in the paper
+inline constexpr picture::colour cpu{36, 92, 168};
+inline constexpr picture::colour search{120, 128, 138};
+inline constexpr picture::colour gpu{34, 142, 76};
+} // namespace curve_colours
 
 struct curve {
   std::string name;
-  colour ink;
+  picture::colour ink;
   std::vector<std::pair<double, double>> points; // by x
 };
 
@@ -30,8 +31,12 @@ struct chart {
   std::vector<curve> curves;
 };
 
-image draw(const chart &c, int width, int height);
+// What gnuplot is told; the same text for the same chart.
+std::string script_of(const chart &c, int width, int height);
 
-} // namespace meetc::app
+// Sizes in pixels. Throws app::failure where gnuplot is missing or fails.
+void write_chart(const std::filesystem::path &to, const chart &c, int width, int height);
+
+} // namespace meetc::bench
 
 #endif

@@ -15,7 +15,7 @@
 #include <chrono>
 #endif
 
-namespace meetc::app {
+namespace meetc::bench {
 
 #if MEETC_WITH_CUDA
 
@@ -29,18 +29,18 @@ public:
   device_time time(const device_job &job, int runs) override {
     try {
       const io::element_set &first = job.by.swapped ? job.b : job.a, &second = job.by.swapped ? job.a : job.b;
-      const prepared a = prepare(first), b = prepare(second);
+      const prepared a = app::prepare(first), b = app::prepare(second);
       device_set on_a(on_, a), on_b(on_, b);
       device_options o;
-      o.mode = collide_mode::count;
-      o.by = job.blind ? cuda::grouping::single : cuda::grouping::group;
+      o.want = answer_kind::count;
+      o.by = job.brute_force ? cuda::grouping::single : cuda::grouping::group;
       device_time out;
       std::vector<double> alone, whole;
       for (int i = 0; i <= runs; ++i) {
-        const device_result r = ::meetc::collide(on_, on_a, on_b, *job.by.predicate, job.precision, o);
+        const device_result r = meetc::collide(on_, on_a, on_b, *job.by.predicate, job.precision, o);
         const auto start = std::chrono::steady_clock::now();
         device_set fresh_a(on_, a), fresh_b(on_, b);
-        out.pairs = ::meetc::collide(on_, fresh_a, fresh_b, *job.by.predicate, job.precision, o).count;
+        out.pairs = meetc::collide(on_, fresh_a, fresh_b, *job.by.predicate, job.precision, o).count;
         const std::chrono::duration<double> with = std::chrono::steady_clock::now() - start;
         if (i > 0)
           alone.push_back(r.device_seconds), whole.push_back(with.count());
@@ -49,7 +49,7 @@ public:
       out.seconds_with_transfers = median(whole);
       return out;
     } catch (const device_error &e) {
-      throw failure(e.what(), no_device);
+      throw app::failure(e.what(), app::no_device);
     }
   }
 
@@ -76,16 +76,16 @@ std::unique_ptr<bench_device> open_bench_device() {
 #endif
 
 std::unique_ptr<bench_device> bench_device_named(const std::string &name) {
-  if (place_named(name) == place::cuda) {
+  if (app::processor_named(name) == app::processor::cuda) {
 #if MEETC_WITH_CUDA
     try {
       return std::make_unique<cuda_bench_device>();
     } catch (const device_error &e) {
-      throw failure(e.what(), no_device);
+      throw app::failure(e.what(), app::no_device);
     }
 #endif
   }
   return name == "auto" ? open_bench_device() : nullptr;
 }
 
-} // namespace meetc::app
+} // namespace meetc::bench

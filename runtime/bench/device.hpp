@@ -1,6 +1,6 @@
-// app/bench/device.hpp: what a benchmark asks of a device. Benchmarks know no more of it than this.
-#ifndef MEETC_APP_BENCH_DEVICE_HPP
-#define MEETC_APP_BENCH_DEVICE_HPP
+// bench/device.hpp: what a benchmark asks of a device. Benchmarks know no more of it than this.
+#ifndef MEETC_BENCH_DEVICE_HPP
+#define MEETC_BENCH_DEVICE_HPP
 
 #include "app/choose.hpp"
 #include "io/element_set.hpp"
@@ -9,15 +9,15 @@
 #include <memory>
 #include <string>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 // Counts the touching pairs of the sets' elements. Both are in the order of the user, `by` says which is the
 // predicate's first. The same set twice gives every ordered pair, i = j included.
 struct device_job {
   const io::element_set &a, &b;
-  choice by;
+  app::choice by;
   rung precision = rung::certified;
-  bool blind = true; // every pair is decided or filtered, as the paper does it; no hierarchy is walked
+  bool brute_force = true; // every pair is decided or filtered, as the paper does it; no hierarchy is walked
 };
 
 struct device_time {
@@ -38,9 +38,9 @@ public:
 // Null where there is none that this build can use.
 std::unique_ptr<bench_device> open_bench_device();
 
-// For --device: "cpu" gives null, "cuda" a device or failure with no_device, "auto" what there is.
+// For --device: "cpu" gives null, "cuda" a device or failure with app::no_device, "auto" what there is.
 std::unique_ptr<bench_device> bench_device_named(const std::string &name);
 
-} // namespace meetc::app
+} // namespace meetc::bench
 
 #endif

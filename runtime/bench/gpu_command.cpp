@@ -2,307 +2,44 @@
 
 #include "app/failure.hpp"
 
-#if !MEETC_WITH_CUDA
-namespace meetc::app {
-std::string gpu(const catalogue &, const gpu_request &) {
-  throw failure("bench gpu: this build has no CUDA kernels (no nvcc was found); meet bench paper times the CPU",
-                no_device);
-}
-} // namespace meetc::app
-#else
-
+#if MEETC_WITH_CUDA
 #include "app/output_files.hpp"
 #include "app/progress.hpp"
-#include "app/report.hpp"
-#include "app/sets.hpp"
-#include "bench/gpu_scenes.hpp"
-#include "bench/gpu_timer.hpp"
-#include "bench/table.hpp"
-#include "cga/cga_cuda.hpp"
-#include "core/device/collide.hpp"
+#include "bench/gpu_measure.hpp"
 #include "io/atomic_file.hpp"
 
-#include <algorithm>
-#include <chrono>
-#include <cstring>
 #include <fmt/format.h>
 
-namespace meetc::app {
+#include <memory>
+#include <vector>
+#endif
+
+namespace meetc::bench {
+
+#if MEETC_WITH_CUDA
 
 namespace {
-
-constexpr int runs = 7;
-// A matrix unit's dense half-precision products a clock and multiprocessor, over K = 16: pairs. Compute capability 9.0
-// has 2048, 8.0 half of it.
-double pairs_a_clock(const device_facts &f) {
-  return f.major >= 9 ? 128 : 64;
-}
-
-const predicate_info &predicate_named(const catalogue &all, const std::string &name) {
-  for (int i = 0; i < all.predicate_count; ++i)
-    if (all.predicates[i].name == name)
-      return all.predicates[i];
-  throw failure(fmt::format("bench gpu: {} was not generated", name));
-}
-
-const char *name_of(cuda::filter f) {
-  switch (f) {
-  case cuda::filter::float32:
-    break;
-  case cuda::filter::mma:
-    return "mma.sync";
-  case cuda::filter::wgmma:
-    return "wgmma";
-  case cuda::filter::wgmma_half:
-    return "wgmma to fp16";
-  }
-  return "float32";
-}
-
-std::vector<peer> peers_of(const std::string &predicate) {
-  if (predicate == "ball_ball")
-    return {peer::balls_fp32, peer::balls_fp64};
-  if (predicate == "triangle_triangle")
-    return {peer::moller_0_fp32, peer::moller_fp32, peer::guigue_devillers_fp32};
-  return {peer::moller_trumbore_0_fp32};
-}
-
-cell of_rate(double pairs_a_second) {
-  return {fmt::format("{:.3g}", pairs_a_second / 1e12), fmt::format("{:.6g}", pairs_a_second / 1e12)};
-}
-cell of_share(double x) {
-  return {fmt::format("{:.1f} %", 100 * x), fmt::format("{:.4g}", x)};
-}
-
-class gpu_bench {
-public:
-  gpu_bench(const catalogue &all, const gpu_request &q)
-      : all_(all), quick_(q.quick), on_(cga::cuda::catalogue()), timer_(on_) {}
-
-  std::string device_in_words() const {
-    const device_facts &f = on_.facts();
-    const cuda::probe_result &p = on_.probe();
-    return fmt::format(
-        "{}, compute capability {}.{}, {} multiprocessors. The start-up probe tried {} sums: mma.sync left "
-        "the model in {}, wgmma in {}, with results in fp16 in {}{}. Times are medians of {} warm runs.",
-        f.name, f.major, f.minor, f.multiprocessors, grouped(p.cases), p.mma_faults, p.wgmma_faults,
-        p.wgmma_half_faults, p.has_wgmma ? "" : " (this device has none)", runs);
-  }
-
-  table measure(const gpu_scene &scene) {
-    const auto [first, second] = scene.make();
-    const prepared a = prepare(first), b = prepare(second);
-    device_set on_a(on_, a), on_b(on_, b);
-    const predicate_info &p = predicate_named(all_, scene.predicate);
-    const double pairs = static_cast<double>(a.elements()) * static_cast<double>(b.elements());
-    table t;
-    t.name = scene.predicate;
-    t.title = fmt::format("{}: {} x {}", scene.name, counted(first), counted(second));
-    t.columns = {{"kernel", "kernel"},
-                 {"found", "found"},
-                 {"ms", "ms"},
-                 {"tpairs", "Tpairs/s"},
-                 {"ratio", "x first row"},
-                 {"of_limit", "of the|limit"},
-                 {"ms_with_transfers", "ms with|transfers"},
-                 {"tpairs_with_transfers", "Tpairs/s with|transfers"}};
-    double baseline = 0;
-    const auto add = [&](const std::string &name, std::optional<std::uint64_t> found, double seconds, double limit,
-                         double whole) {
-      baseline = baseline > 0 ? baseline : seconds;
-      t.rows.push_back(
-          {of_words(name), found ? of_count(*found) : missing(""), of_milliseconds(seconds), of_rate(pairs / seconds),
-           of_ratio(baseline / seconds), limit > 0 ? of_share(pairs / seconds / limit) : missing(""),
-           whole > 0 ? of_milliseconds(whole) : missing(""), whole > 0 ? of_rate(pairs / whole) : missing("")});
-    };
-    for (const peer by : peers_of(scene.predicate)) {
-      const counted_pairs r = count(by, on_a, on_b);
-      add(fmt::format("{}{}", name_of(by), r.found ? "" : ", a part of B"), r.found, r.seconds, 0, 0);
-      if (!r.found && t.notes.empty())
-        t.notes.push_back(
-            "A part of B: its first elements, which lie together in space; the time is scaled to all of it.");
-    }
-    for (const cuda::filter f :
-         {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma, cuda::filter::wgmma_half}) {
-      if (!on_.offers(f))
-        continue;
-      const filtered r = filter_alone(f, on_a, on_b);
-      const double limit = pairs_a_clock(on_.facts()) * on_.facts().multiprocessors * r.hertz;
-      add(fmt::format("filter alone, {}, every pair", name_of(f)), r.found, r.seconds,
-          f == cuda::filter::float32 ? 0 : limit, 0);
-      if (f != cuda::filter::float32)
-        t.notes.push_back(fmt::format("{}: clock {:.0f} MHz in the run, so the limit is {:.1f} Tpairs/s.", name_of(f),
-                                      r.hertz / 1e6, limit / 1e12));
-      if (f == on_.best_filter()) {
-        const whole_query plain = query(f, cuda::grouping::single, rung::fp32, a, b, on_a, on_b, p);
-        add("query, plain fp32, every pair", plain.found, plain.seconds, limit, plain.with_transfers);
-      }
-      const whole_query certified = query(f, cuda::grouping::single, rung::certified, a, b, on_a, on_b, p);
-      add(fmt::format("query, certified, {}, every pair", name_of(f)), certified.found, certified.seconds,
-          f == cuda::filter::float32 ? 0 : limit, certified.with_transfers);
-      const whole_query grouped = query(f, cuda::grouping::group, rung::certified, a, b, on_a, on_b, p);
-      add(fmt::format("query, certified, {}, groups", name_of(f)), grouped.found, grouped.seconds, 0,
-          grouped.with_transfers);
-    }
-    return t;
-  }
-
-  table measure_tangent() {
-    table t;
-    t.name = "tangent";
-    t.title = "Unsure pairs: certified against plain fp32, balls";
-    t.columns = {{"scene", "scene"},
-                 {"balls", "balls|a side"},
-                 {"share", "unsure in fp32,|of all pairs"},
-                 {"pairs", "pairs|touch"},
-                 {"plain", "plain fp32,|ms"},
-                 {"certified", "certified,|ms"},
-                 {"ratio", "certified /|plain"}};
-    t.notes.push_back("Both count; the filter is the same. Unsure pairs touch in exactly one point.");
-    const predicate_info &p = predicate_named(all_, "ball_ball");
-    for (const auto &make : tangent_scenes(all_, quick_)) {
-      const tangent_scene s = make();
-      const prepared a = prepare(s.a), b = prepare(s.b);
-      device_set on_a(on_, a), on_b(on_, b);
-      std::uint64_t unsure = 0, found = 0;
-      const auto time = [&](rung precision) {
-        device_options o;
-        o.mode = collide_mode::count;
-        o.by = cuda::grouping::single;
-        o.balls = cover::element; // the same filter for both
-        std::vector<double> seconds;
-        for (int i = 0; i <= runs; ++i) {
-          const device_result r = ::meetc::collide(on_, on_a, on_b, p, precision, o);
-          if (i > 0)
-            seconds.push_back(r.device_seconds);
-          unsure = r.rungs.unsure[0];
-          found = r.count;
-        }
-        return median(seconds);
-      };
-      const double plain = time(rung::fp32), certified = time(rung::certified);
-      const double pairs = static_cast<double>(a.elements()) * static_cast<double>(b.elements());
-      t.rows.push_back({of_words(s.name),
-                        of_count(a.elements()),
-                        {fmt::format("{:.2g}", static_cast<double>(unsure) / pairs),
-                         fmt::format("{:.6g}", static_cast<double>(unsure) / pairs)},
-                        of_count(found),
-                        of_milliseconds(plain),
-                        of_milliseconds(certified),
-                        of_ratio(certified / plain)});
-    }
-    return t;
-  }
-
-private:
-  struct counted_pairs {
-    std::optional<std::uint64_t> found; // nothing where a part of b was taken
-    double seconds;                     // scaled to all of it
-  };
-  counted_pairs count(peer by, const device_set &a, const device_set &b) {
-    counts_.reserve(1, "a counter");
-    const double pairs = static_cast<double>(a.elements()) * b.elements(), share = std::min(1.0, 1e11 / pairs);
-    const auto m = static_cast<std::size_t>(share * b.elements());
-    const auto once = [&] {
-      check(cudaMemsetAsync(counts_.data(), 0, sizeof(unsigned long long), on_.stream()), "clearing a counter");
-      check(count_pairs(by, a.rows(), a.elements(), b.rows(), m, counts_.data(), on_.stream()), "starting a peer");
-    };
-    const double seconds = timer_.seconds(once, runs) / share;
-    if (share < 1)
-      return {{}, seconds};
-    return {counted_on_device(), seconds};
-  }
-
-  std::uint64_t counted_on_device() {
-    unsigned long long n = 0;
-    check(cudaMemcpy(&n, counts_.data(), sizeof n, cudaMemcpyDeviceToHost), "reading a counter");
-    return n;
-  }
-
-  struct filtered {
-    std::uint64_t found;
-    double seconds, hertz;
-  };
-  filtered filter_alone(cuda::filter f, device_set &a, device_set &b) {
-    const device_set &frame = b.elements() < a.elements() ? a : b;
-    const auto as = [&](device_set &s, bool first) {
-      return s.as(f, cuda::grouping::single, cover::element, first, frame);
-    };
-    const cuda::operand x = as(a, true), y = as(b, false);
-    list_.reserve(std::size_t{1} << 26, "a list of candidates");
-    counts_.reserve(1, "a counter");
-    const auto once = [&] {
-      check(cudaMemsetAsync(counts_.data(), 0, sizeof(unsigned long long), on_.stream()), "clearing a counter");
-      check(on_.kernels().candidates(f, x, y, {0, a.elements(), 0, b.elements()},
-                                     {list_.data(), counts_.data(), list_.capacity()}, on_.stream()),
-            "starting the filter");
-    };
-    double seconds = timer_.seconds(once, runs);
-    while (counted_on_device() > list_.capacity()) { // it stops early where the list is full
-      list_.reserve(2 * list_.capacity(), "a list of candidates");
-      seconds = timer_.seconds(once, runs);
-    }
-    const std::uint64_t found = counted_on_device();
-    return {found, seconds, timer_.clock_during(once, seconds)};
-  }
-
-  struct whole_query {
-    std::uint64_t found;
-    double seconds, with_transfers;
-  };
-  whole_query query(cuda::filter f, cuda::grouping by, rung precision, const prepared &a, const prepared &b,
-                    device_set &on_a, device_set &on_b, const predicate_info &p) {
-    device_options o;
-    o.filter = f;
-    o.by = by;
-    o.balls = cover::element;
-    std::vector<double> seconds, whole;
-    std::uint64_t found = 0;
-    for (int i = 0; i <= runs; ++i) {
-      const device_result r = ::meetc::collide(on_, on_a, on_b, p, precision, o);
-      const auto start = std::chrono::steady_clock::now();
-      device_set fresh_a(on_, a), fresh_b(on_, b);
-      const device_result again = ::meetc::collide(on_, fresh_a, fresh_b, p, precision, o);
-      const std::chrono::duration<double> with = std::chrono::steady_clock::now() - start;
-      if (again.count != r.count)
-        throw failure("bench gpu: two runs of one query differ", no_device);
-      found = r.count;
-      if (i > 0)
-        seconds.push_back(r.device_seconds), whole.push_back(with.count());
-    }
-    return {found, median(seconds), median(whole)};
-  }
-
-  const catalogue &all_;
-  bool quick_;
-  device on_;
-  gpu_timer timer_;
-  device_memory<index_pair> list_;
-  device_memory<unsigned long long> counts_;
-};
 
 constexpr const char *rules =
     "A filter alone lists pairs whose enclosing balls may touch; a query is the whole: columns where the sets are new, "
     "filter, boxes, rungs, sorted pairs. It looks at every pair of elements, or of groups of 8 neighbours, which it "
-    "takes "
-    "apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's memory "
-    "to the pairs in it, with the extent and the "
-    "columns of both sets.";
+    "takes apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's "
+    "memory to the pairs in it, with the extent and the columns of both sets.";
 
 } // namespace
 
 std::string gpu(const catalogue &all, const gpu_request &q) {
-  output_files outputs;
+  app::output_files outputs;
   if (q.folder)
     outputs.expect(*q.folder / "gpu.md", true);
   try {
-    gpu_bench bench(all, q);
+    gpu_bench bench(all, q.quick);
     std::vector<gpu_scene> scenes = gpu_scenes(all, q.data, q.quick);
     if (q.only)
       std::erase_if(scenes, [&q](const gpu_scene &s) { return s.name.find(*q.only) == std::string::npos; });
     if (scenes.empty())
-      throw failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
-    auto progress = std::make_unique<progress_line>("bench gpu");
+      throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
+    auto progress = std::make_unique<app::progress_line>("bench gpu");
     std::vector<table> tables;
     for (const gpu_scene &s : scenes) {
       tables.push_back(bench.measure(s));
@@ -311,35 +48,42 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     if (!q.only)
       tables.push_back(bench.measure_tangent());
     progress.reset();
-    std::string text = fmt::format("{}\n{}\n", bench.device_in_words(), rules), json_tables;
+    std::string text = fmt::format("{}\n{}\n", bench.device_in_words(), rules);
     std::string markdown = fmt::format("# Measured on a GPU\n\nWritten by `meet bench gpu{}{}{} -o DIR`.\n\n{}\n\n{}\n",
                                        q.quick ? " --quick" : "", q.data ? " --data FOLDER" : "",
                                        q.only ? " --only TEXT" : "", bench.device_in_words(), rules);
+    app::json json_tables = app::json::array();
     for (const table &t : tables) {
       text += fmt::format("\n{}", as_text(t));
       markdown += fmt::format("\n{}", as_markdown(t));
-      json_tables += fmt::format("{}{}", json_tables.empty() ? "" : ",", as_json(t));
+      json_tables.push_back(as_json(t));
     }
     if (q.folder) {
       outputs.make_folder(*q.folder);
-      outputs.write(*q.folder / "gpu.md", [&markdown](const std::filesystem::path &to) {
-        io::atomic_file file(to);
-        file.write(markdown);
-        file.commit();
-      });
+      outputs.write(*q.folder / "gpu.md",
+                    [&markdown](const std::filesystem::path &to) { io::write_file(to, markdown); });
       outputs.commit();
       text += fmt::format("\nwrote {}\n", (*q.folder / "gpu.md").string());
     }
-    return q.json
-               ? fmt::format(R"({{"device":{},"quick":{},"meshes":"{}","tables":[{}]}})"
-                             "\n",
-                             json_string(bench.device_in_words()), q.quick, q.data ? "files" : "built-in", json_tables)
-               : text;
+    if (!q.json)
+      return text;
+    const app::json out = {{"device", bench.device_in_words()},
+                           {"quick", q.quick},
+                           {"meshes", q.data ? "files" : "built-in"},
+                           {"tables", std::move(json_tables)}};
+    return app::in_one_line(out) + '\n';
   } catch (const device_error &e) {
-    throw failure(e.what(), no_device);
+    throw app::failure(e.what(), app::no_device);
   }
 }
 
-} // namespace meetc::app
+#else
+
+std::string gpu(const catalogue &, const gpu_request &) {
+  throw app::failure("bench gpu: this build has no CUDA kernels (no nvcc was found); meet bench paper times the CPU",
+                     app::no_device);
+}
 
 #endif
+
+} // namespace meetc::bench

@@ -1,6 +1,6 @@
-// app/bench/gpu_command.hpp: `meet bench gpu`: kernels and queries on the CUDA device, beside the classic tests.
-#ifndef MEETC_APP_BENCH_GPU_COMMAND_HPP
-#define MEETC_APP_BENCH_GPU_COMMAND_HPP
+// bench/gpu_command.hpp: `meet bench gpu`: kernels and queries on the CUDA device, beside the classic tests.
+#ifndef MEETC_BENCH_GPU_COMMAND_HPP
+#define MEETC_BENCH_GPU_COMMAND_HPP
 
 #include "meetc/support.hpp"
 
@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 struct gpu_request {
   std::optional<std::filesystem::path> folder; // for gpu.md
@@ -20,6 +20,6 @@ struct gpu_request {
 // Returns what goes to standard output. Throws io::error, or failure with no_device.
 std::string gpu(const catalogue &all, const gpu_request &request);
 
-} // namespace meetc::app
+} // namespace meetc::bench
 
 #endif

@@ -7,23 +7,23 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 namespace {
 
 io::element_set ball_cloud(const catalogue &all, std::size_t n, std::uint64_t seed) {
   // As many hits a pair for any n: about four for a million.
   const double r = 0.0098;
-  return of_rows(all, "sphere", sphere_cloud(n, seed, 0.8 * r, 1.2 * r));
+  return app::of_rows(all, "sphere", bodies::sphere_cloud(n, seed, 0.8 * r, 1.2 * r));
 }
 
-mesh finer(mesh m, std::size_t least) {
+bodies::mesh finer(bodies::mesh m, std::size_t least) {
   while (m.triangles() < least)
-    m = subdivide(m);
+    m = bodies::subdivide(m);
   return m;
 }
 
-mesh of_set(const io::element_set &s) {
+bodies::mesh of_set(const io::element_set &s) {
   return {s.data, s.index};
 }
 
@@ -37,7 +37,8 @@ io::element_set segments_in(const catalogue &all, const io::element_set &mesh, s
       hi[k] = std::fmax(hi[k], static_cast<double>(mesh.data[i]));
     longest = std::fmax(longest, hi[k] - lo[k]);
   }
-  std::vector<float> rows = segment_cloud(n, 5, 2 * share); // of a cube of side 2, and then of one of side `longest`
+  std::vector<float> rows =
+      bodies::segment_cloud(n, 5, 2 * share); // of a cube of side 2, and then of one of side `longest`
   for (std::size_t i = 0; i < rows.size(); i += 6)
     for (std::size_t k = 0; k < 3; ++k) {
       const double p = rows[i + k], q = rows[i + 3 + k], middle = (p + q) / 2, way = (q - p) / 2;
@@ -45,7 +46,7 @@ io::element_set segments_in(const catalogue &all, const io::element_set &mesh, s
       rows[i + k] = static_cast<float>(at - way * longest / 2);
       rows[i + 3 + k] = static_cast<float>(at + way * longest / 2);
     }
-  return of_rows(all, "segment", std::move(rows));
+  return app::of_rows(all, "segment", std::move(rows));
 }
 
 } // namespace
@@ -57,11 +58,12 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
   out.push_back({fmt::format("balls, {0} x {0}", balls), "ball_ball",
                  [&all, balls] { return std::pair(ball_cloud(all, balls, 1), ball_cloud(all, balls, 2)); }});
   const auto read = [&all](const std::filesystem::path &file, const io::transform &move = {}) {
-    return io::read(file, kinds_of(all), move);
+    return io::read(file, app::kinds_of(all), move);
   };
   // Meshes of a body and a larger one that it reaches into.
   const std::function<io::element_set()> body = [&all, data, read, quick] {
-    return data ? read(*data / (quick ? "bunny_5k.ply" : "bunny_69k.ply")) : of_mesh(all, blob(quick ? 48 : 90));
+    return data ? read(*data / (quick ? "bunny_5k.ply" : "bunny_69k.ply"))
+                : app::of_mesh(all, bodies::blob(quick ? 48 : 90));
   };
   const std::function<io::element_set()> figures = [&all, data, read, quick] {
     io::transform near;
@@ -71,11 +73,11 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
       return read(*data / (quick ? "armadillo_5k.ply" : "armadillo_345k.ply"), near);
     }
     near.translate = {0.4, 0, 0};
-    return of_mesh(all, figure(quick ? 48 : 220), near);
+    return app::of_mesh(all, bodies::figure(quick ? 48 : 220), near);
   };
   out.push_back({data ? "Bunny x Armadillo" : "animal x figure (built in)", "triangle_triangle",
                  [body, figures] { return std::pair(body(), figures()); }});
-  const auto fine = [&all, body, triangles] { return of_mesh(all, finer(of_set(body()), triangles)); };
+  const auto fine = [&all, body, triangles] { return app::of_mesh(all, finer(of_set(body()), triangles)); };
   out.push_back(
       {"Bunny cut finer x Armadillo", "triangle_triangle", [fine, figures] { return std::pair(fine(), figures()); }});
   if (!data)
@@ -109,7 +111,7 @@ std::vector<std::function<tangent_scene()>> tangent_scenes(const catalogue &all,
         rows.insert(rows.end(), {static_cast<float>(i % n), static_cast<float>(i / n % n),
                                  static_cast<float>(i / n / n), smaller ? 0.4375F : 0.5F});
     }
-    return of_rows(all, "sphere", std::move(rows));
+    return app::of_rows(all, "sphere", std::move(rows));
   };
   const auto add = [&out, lattice](const std::string &name, int n, int copies, int smaller) {
     out.push_back([=] { return tangent_scene{name, lattice(n, copies, smaller), lattice(n, copies, smaller)}; });
@@ -123,10 +125,10 @@ std::vector<std::function<tangent_scene()>> tangent_scenes(const catalogue &all,
     std::vector<float> a, b;
     for (std::size_t i = 0; i < m; ++i)
       a.insert(a.end(), {0, 0, 0, 0.5F}), b.insert(b.end(), {1, 0, 0, 0.5F});
-    return tangent_scene{"every pair tangent", of_rows(all, "sphere", std::move(a)),
-                         of_rows(all, "sphere", std::move(b))};
+    return tangent_scene{"every pair tangent", app::of_rows(all, "sphere", std::move(a)),
+                         app::of_rows(all, "sphere", std::move(b))};
   });
   return out;
 }
 
-} // namespace meetc::app
+} // namespace meetc::bench

@@ -1,6 +1,6 @@
-// app/bench/gpu_scenes.hpp: what `meet bench gpu` measures.
-#ifndef MEETC_APP_BENCH_GPU_SCENES_HPP
-#define MEETC_APP_BENCH_GPU_SCENES_HPP
+// bench/gpu_scenes.hpp: what `meet bench gpu` measures.
+#ifndef MEETC_BENCH_GPU_SCENES_HPP
+#define MEETC_BENCH_GPU_SCENES_HPP
 
 #include "io/element_set.hpp"
 #include "meetc/support.hpp"
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 struct gpu_scene {
   std::string name, predicate;
@@ -28,6 +28,6 @@ struct tangent_scene {
 };
 std::vector<std::function<tangent_scene()>> tangent_scenes(const catalogue &all, bool quick);
 
-} // namespace meetc::app
+} // namespace meetc::bench
 
 #endif

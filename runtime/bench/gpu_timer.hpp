@@ -1,14 +1,14 @@
-// app/bench/gpu_timer.hpp: times of work on the device: warm, by events, medians.
-#ifndef MEETC_APP_BENCH_GPU_TIMER_HPP
-#define MEETC_APP_BENCH_GPU_TIMER_HPP
+// bench/gpu_timer.hpp: times of work on the device: warm, by events, medians.
+#ifndef MEETC_BENCH_GPU_TIMER_HPP
+#define MEETC_BENCH_GPU_TIMER_HPP
 
-#include "bench/gpu_peers.hpp"
+#include "bench/gpu_baselines.hpp"
 #include "bench/measure.hpp"
 #include "core/device/memory.hpp"
 
 #include <functional>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 class gpu_timer {
 public:
@@ -62,6 +62,6 @@ private:
   device_memory<clock_reading> reading_;
 };
 
-} // namespace meetc::app
+} // namespace meetc::bench
 
 #endif

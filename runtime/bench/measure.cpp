@@ -1,13 +1,13 @@
 #include "bench/measure.hpp"
 
-#include "bench/peers.hpp"
+#include "bench/baselines.hpp"
 #include "bodies/meshes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 namespace {
 
@@ -36,7 +36,7 @@ double median(std::vector<double> values) {
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
-yardstick::yardstick() : balls_(sphere_cloud(balls, 1, 0.02, 0.08)) {
+yardstick::yardstick() : balls_(bodies::sphere_cloud(balls, 1, 0.02, 0.08)) {
   once(); // warms up
   lengths_.push_back(once());
 }
@@ -45,7 +45,7 @@ double yardstick::once() {
   return seconds_of([this] {
     for (std::size_t i = 0; i < balls_.size(); i += 4)
       for (std::size_t j = 0; j < balls_.size(); j += 4)
-        kept_ += peers::balls(balls_.data() + i, balls_.data() + j) ? 1 : 0;
+        kept_ += baselines::balls(balls_.data() + i, balls_.data() + j) ? 1 : 0;
   });
 }
 
@@ -78,4 +78,4 @@ double yardstick::seconds(double yardsticks) const {
   return yardsticks * median(lengths_);
 }
 
-} // namespace meetc::app
+} // namespace meetc::bench

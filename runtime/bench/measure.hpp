@@ -1,4 +1,4 @@
-// app/bench/measure.hpp: CPU times that can be compared though the machine does other things too.
+// bench/measure.hpp: CPU times that can be compared though the machine does other things too.
 //
 // Problem: on a shared machine the same work takes twice as long a minute later, so times of different rows
 // of a table cannot be divided by each other. Method: a yardstick, a fixed piece of work of some milliseconds
@@ -7,13 +7,13 @@
 // leave that thread. Several pieces of work take turns. Short ones are repeated until they last about as long
 // as the yardstick. Limits: times are multiples of the yardstick's, for ratios within one process; seconds()
 // turns them into seconds only to be set against a GPU's.
-#ifndef MEETC_APP_BENCH_MEASURE_HPP
-#define MEETC_APP_BENCH_MEASURE_HPP
+#ifndef MEETC_BENCH_MEASURE_HPP
+#define MEETC_BENCH_MEASURE_HPP
 
 #include <functional>
 #include <vector>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 double median(std::vector<double> values); // 0 for none
 
@@ -32,6 +32,6 @@ private:
   unsigned kept_ = 0; // so that the work is done
 };
 
-} // namespace meetc::app
+} // namespace meetc::bench
 
 #endif

@@ -1,6 +1,6 @@
-// app/bench/paper_command.hpp: `meet bench paper`: the paper's tables and its figures 1 to 6 again.
-#ifndef MEETC_APP_BENCH_PAPER_COMMAND_HPP
-#define MEETC_APP_BENCH_PAPER_COMMAND_HPP
+// bench/paper_command.hpp: `meet bench paper`: the paper's tables and its figures 1 to 6 again.
+#ifndef MEETC_BENCH_PAPER_COMMAND_HPP
+#define MEETC_BENCH_PAPER_COMMAND_HPP
 
 #include "meetc/support.hpp"
 
@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 struct paper_request {
   std::optional<std::filesystem::path> folder; // for paper.md and figure_1.png to figure_6.png
@@ -21,6 +21,6 @@ struct paper_request {
 // Returns what goes to standard output. Throws io::error.
 std::string paper(const catalogue &all, const paper_request &request);
 
-} // namespace meetc::app
+} // namespace meetc::bench
 
 #endif

@@ -2,7 +2,7 @@
 // predicate and by the classic ones (section 4.3, figure 6).
 #include "bench/paper_parts.hpp"
 
-#include "app/report.hpp"
+#include "app/words.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 namespace {
 
@@ -73,7 +73,7 @@ table times_table(const paper_context &c) {
   return t;
 }
 
-table peers_table(const paper_context &c) {
+table baselines_table(const paper_context &c) {
   table t;
   t.name = "moller";
   t.title = "R3 on the CPU and R(4,1) on the CPU (section 4.3, figure 6): every pair blindly, one core";
@@ -96,25 +96,26 @@ table peers_table(const paper_context &c) {
   return t;
 }
 
-cell wrong(const blind_time &t) {
+cell wrong(const brute_force_time &t) {
   return of_count(t.wrong_yes + t.wrong_no);
 }
 
-void add_laws(const paper_context &c, const std::vector<double> &sizes, const std::vector<double> &armadillo_hits,
-              const std::vector<double> &bunny_hits, table &counts, paper_result &to) {
+void add_scalings(const paper_context &c, const std::vector<double> &sizes, const std::vector<double> &armadillo_hits,
+                  const std::vector<double> &bunny_hits, table &counts, paper_result &to) {
   std::vector<double> printed_sizes, printed_hits;
   for (const printed_row &row : printed) {
     printed_sizes.push_back(row.armadillo);
     printed_hits.push_back(static_cast<double>(row.armadillo_hit));
   }
   const std::string armadillo = c.bodies.armadillo_name();
-  to.laws.push_back({"armadillo_hit", fmt::format("{} triangles hit, over {} triangles", armadillo, armadillo),
-                     fit_power(sizes, armadillo_hits, 0.5, scatter)});
-  to.laws.push_back({"bunny_hit", fmt::format("{} triangles hit, over {} triangles", c.bodies.bunny_name(), armadillo),
-                     fit_power(sizes, bunny_hits, 0, scatter)});
-  to.laws.push_back({"paper_armadillo_hit", "The paper's own rows of the Armadillo",
-                     fit_power(printed_sizes, printed_hits, 0.5, scatter)});
-  for (const paper_law &law : to.laws)
+  to.scalings.push_back({"armadillo_hit", fmt::format("{} triangles hit, over {} triangles", armadillo, armadillo),
+                         fit_power(sizes, armadillo_hits, 0.5, scatter)});
+  to.scalings.push_back({"bunny_hit",
+                         fmt::format("{} triangles hit, over {} triangles", c.bodies.bunny_name(), armadillo),
+                         fit_power(sizes, bunny_hits, 0, scatter)});
+  to.scalings.push_back({"paper_armadillo_hit", "The paper's own rows of the Armadillo",
+                         fit_power(printed_sizes, printed_hits, 0.5, scatter)});
+  for (const paper_scaling &law : to.scalings)
     counts.notes.push_back(fmt::format("{}: {}.", law.words, in_words(law.fit)));
   counts.notes.push_back(fmt::format("The curve in which two surfaces cross meets c sqrt(n) of n triangles "
                                      "of one of them. A tolerance is what counts "
@@ -133,22 +134,22 @@ std::size_t mesh_rows(const paper_context &c) {
 }
 
 void add_meshes(const paper_context &c, paper_result &to) {
-  table counts = counts_table(c), times = times_table(c), peers = peers_table(c);
+  table counts = counts_table(c), times = times_table(c), baselines = baselines_table(c);
   const io::element_set &bunny = c.bodies.bunny();
-  const choice by = choose(c.all, *bunny.kind, *bunny.kind, {}, {});
+  const app::choice by = app::choose(c.all, *bunny.kind, *bunny.kind, {}, {});
   const std::vector<decide_function> tests{decide_by(by, rung::certified), decide_by(by, rung::fp32), classic::moller_0,
                                            classic::moller, classic::guigue_devillers};
   std::vector<double> sizes, armadillo_hits, bunny_hits, over_gpu;
-  curve core{"one core, every pair, conformal fp32", palette::curve_cpu, {}},
-      searched{"one core, meet's search, certified", palette::curve_search, {}},
-      device{"GPU, every pair, certified, with transfers", palette::curve_gpu, {}},
-      moller{"Moeller, CPU", palette::curve_red, {}}, conformal{"conformal, CPU", palette::curve_cpu, {}},
-      certified{"conformal, certified, CPU", palette::curve_search, {}};
+  curve core{"one core, every pair, conformal fp32", curve_colours::cpu, {}},
+      searched{"one core, meet's search, certified", curve_colours::search, {}},
+      device{"GPU, every pair, certified, with transfers", curve_colours::gpu, {}},
+      moller{"Moeller, CPU", curve_colours::red, {}}, conformal{"conformal, CPU", curve_colours::cpu, {}},
+      certified{"conformal, certified, CPU", curve_colours::search, {}};
   double first_core = 0, first_moller = 0;
   std::optional<paper_scene> scene;
   c.bodies.each_armadillo([&](const io::element_set &armadillo, const std::string &) {
     const search s = search_pairs(c, bunny, armadillo, false);
-    const blind_times blind = time_blind(c.by, tests, bunny, armadillo, c.budget, c.runs);
+    const brute_force_times brute = time_brute_force(c.by, tests, bunny, armadillo, c.budget, c.runs);
     const double n = static_cast<double>(armadillo.elements), root = std::sqrt(n);
     sizes.push_back(n);
     armadillo_hits.push_back(static_cast<double>(s.found.b.touched));
@@ -164,7 +165,7 @@ void add_meshes(const paper_context &c, paper_result &to) {
     else
       counts.rows.back().insert(counts.rows.back().end(), 4, missing("-"));
 
-    const double certified_time = blind.of[0].time, core_time = blind.of[1].time, moller_time = blind.of[2].time;
+    const double certified_time = brute.of[0].time, core_time = brute.of[1].time, moller_time = brute.of[2].time;
     if (sizes.size() == 1) {
       first_core = core_time;
       first_moller = moller_time;
@@ -175,10 +176,10 @@ void add_meshes(const paper_context &c, paper_result &to) {
                           of_ratio(certified_time / core_time), of_ratio(core_time / s.time),
                           of_ratio(s.certified_over_fp32)});
     times.rows.back().insert(times.rows.back().end(), gpu.cells.begin(), gpu.cells.end());
-    peers.rows.push_back({of_count(armadillo.elements), of_ratio(core_time / moller_time),
-                          of_ratio(certified_time / moller_time), of_ratio(blind.of[3].time / moller_time),
-                          of_ratio(blind.of[4].time / moller_time), of_count(blind.pairs), of_count(blind.of[0].yes),
-                          wrong(blind.of[1]), wrong(blind.of[2]), wrong(blind.of[3]), wrong(blind.of[4])});
+    baselines.rows.push_back(
+        {of_count(armadillo.elements), of_ratio(core_time / moller_time), of_ratio(certified_time / moller_time),
+         of_ratio(brute.of[3].time / moller_time), of_ratio(brute.of[4].time / moller_time), of_count(brute.pairs),
+         of_count(brute.of[0].yes), wrong(brute.of[1]), wrong(brute.of[2]), wrong(brute.of[3]), wrong(brute.of[4])});
     core.points.emplace_back(n, core_time / first_core);
     searched.points.emplace_back(n, s.time / first_core);
     device.points.emplace_back(n, gpu.time / first_core);
@@ -186,16 +187,23 @@ void add_meshes(const paper_context &c, paper_result &to) {
     conformal.points.emplace_back(n, core_time / first_moller);
     certified.points.emplace_back(n, certified_time / first_moller);
     if (sizes.size() <= 2) // a mesh whose triangles can be seen
-      scene = paper_scene{
-          bunny,        armadillo,     s.found.a.hit,   s.found.b.hit, c.bodies.bunny_name(), c.bodies.armadillo_name(),
-          palette::red, palette::blue, palette::yellow, palette::pink};
+      scene = paper_scene{bunny,
+                          armadillo,
+                          s.found.a.hit,
+                          s.found.b.hit,
+                          c.bodies.bunny_name(),
+                          c.bodies.armadillo_name(),
+                          picture::palette::red,
+                          picture::palette::blue,
+                          picture::palette::yellow,
+                          picture::palette::pink};
     c.advance();
   });
-  add_laws(c, sizes, armadillo_hits, bunny_hits, counts, to);
+  add_scalings(c, sizes, armadillo_hits, bunny_hits, counts, to);
   add_claim(c, over_gpu, times);
   to.tables.push_back(std::move(counts));
   to.tables.push_back(std::move(times));
-  to.tables.push_back(std::move(peers));
+  to.tables.push_back(std::move(baselines));
   const std::string both = fmt::format("{} - {}", c.bodies.bunny_name(), c.bodies.armadillo_name());
   to.figures.push_back({2, both + " intersection", std::move(scene), {}});
   chart plot{both + " intersection times",
@@ -212,4 +220,4 @@ void add_meshes(const paper_context &c, paper_result &to) {
   to.figures.push_back({6, fast.title, {}, fast});
 }
 
-} // namespace meetc::app
+} // namespace meetc::bench

@@ -1,38 +1,38 @@
 #include "bench/paper_parts.hpp"
 
 #include "app/failure.hpp"
-#include "app/report.hpp"
 #include "app/sets.hpp"
+#include "app/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 search search_pairs(const paper_context &c, const io::element_set &a, const io::element_set &b, bool keep) {
   search s;
-  how h;
-  h.by = choose(c.all, *a.kind, *b.kind, {}, {});
+  app::query h;
+  h.by = app::choose(c.all, *a.kind, *b.kind, {}, {});
   h.box = c.all.box;
   h.keep = keep;
   h.threads = c.threads;
-  s.found = collide_sets(a, b, h);
+  s.found = app::collide_sets(a, b, h);
 
   std::optional<prepared> ready_a, ready_b;
   const auto make_ready = [&] {
-    ready_a.emplace(prepare(a, 1));
-    ready_b.emplace(prepare(b, 1));
+    ready_a.emplace(app::prepare(a, 1));
+    ready_b.emplace(app::prepare(b, 1));
   };
   make_ready();
   collide_options options;
-  options.mode = collide_mode::count;
+  options.want = answer_kind::count;
   options.threads = 1;
   options.box = c.all.box;
   const auto find = [&](rung precision) {
     const prepared &first = h.by.swapped ? *ready_b : *ready_a, &second = h.by.swapped ? *ready_a : *ready_b;
-    ::meetc::collide(first, second, *h.by.predicate, precision, options);
+    meetc::collide(first, second, *h.by.predicate, precision, options);
   };
   const std::vector<double> times =
       c.by.measure({make_ready, [&] { find(rung::certified); }, [&] { find(rung::fp32); }}, c.runs);
@@ -51,11 +51,11 @@ device_cells ask_device(const paper_context &c, const io::element_set &a, const 
                         double one_core) {
   if (!c.device)
     return {{missing("no device"), missing("no device"), missing("no device")}};
-  const device_time t = c.device->time({a, b, choose(c.all, *a.kind, *b.kind, {}, {})}, c.runs);
+  const device_time t = c.device->time({a, b, app::choose(c.all, *a.kind, *b.kind, {}, {})}, c.runs);
   if (t.pairs != pairs)
-    throw failure(fmt::format("{}: {} pairs found on the device, {} on the CPU, of {} and {}", c.device->name(),
-                              grouped(t.pairs), grouped(pairs), counted(a), counted(b)),
-                  no_device);
+    throw app::failure(fmt::format("{}: {} pairs found on the device, {} on the CPU, of {} and {}", c.device->name(),
+                                   app::grouped(t.pairs), app::grouped(pairs), app::counted(a), app::counted(b)),
+                       app::no_device);
   const double ratio = c.by.seconds(one_core) / t.seconds_with_transfers;
   return {{of_milliseconds(t.seconds), of_milliseconds(t.seconds_with_transfers), of_ratio(ratio)},
           t.seconds_with_transfers / c.by.seconds(1),
@@ -72,11 +72,11 @@ void add_claim(const paper_context &c, const std::vector<double> &core_over_gpu,
                                  c.device->name(), of_ratio(*least).text, of_ratio(*most).text));
 }
 
-decide_function decide_by(const choice &by, rung precision) {
+decide_function decide_by(const app::choice &by, rung precision) {
   const decide_function f = by.predicate->decide[static_cast<int>(precision)];
   if (!f)
-    throw failure(fmt::format("{} was not generated for {}", by.predicate->name, name_of(precision)));
+    throw app::failure(fmt::format("{} was not generated for {}", by.predicate->name, app::name_of(precision)));
   return f;
 }
 
-} // namespace meetc::app
+} // namespace meetc::bench

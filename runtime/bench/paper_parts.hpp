@@ -1,20 +1,20 @@
-// app/bench/paper_parts.hpp: what the parts of `meet bench paper` share, and what each adds to the result.
-#ifndef MEETC_APP_BENCH_PAPER_PARTS_HPP
-#define MEETC_APP_BENCH_PAPER_PARTS_HPP
+// bench/paper_parts.hpp: what the parts of `meet bench paper` share, and what each adds to the result.
+#ifndef MEETC_BENCH_PAPER_PARTS_HPP
+#define MEETC_BENCH_PAPER_PARTS_HPP
 
 #include "app/collide_sets.hpp"
-#include "bench/blind.hpp"
-#include "bench/bodies.hpp"
+#include "bench/brute_force.hpp"
 #include "bench/chart.hpp"
 #include "bench/device.hpp"
-#include "bench/law.hpp"
+#include "bench/paper_bodies.hpp"
+#include "bench/scaling.hpp"
 #include "bench/table.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 struct paper_context {
   const catalogue &all;
@@ -23,11 +23,11 @@ struct paper_context {
   yardstick &by;
   bool quick;
   int threads, runs;
-  std::uint64_t budget;          // pairs a blind timing may take
+  std::uint64_t budget;          // pairs that a timing of brute force may take
   std::function<void()> advance; // a row is done
 };
 
-struct paper_law {
+struct paper_scaling {
   std::string name, words; // one word; "Armadillo triangles hit grow as ..."
   power_fit fit;
 };
@@ -37,7 +37,7 @@ struct paper_scene {
   io::element_set a, b;
   std::vector<std::uint8_t> hit_a, hit_b;
   std::string name_a, name_b;
-  colour base_a, base_b, hit_colour_a, hit_colour_b;
+  picture::colour base_a, base_b, hit_colour_a, hit_colour_b;
 };
 
 struct paper_figure {
@@ -49,7 +49,7 @@ struct paper_figure {
 
 struct paper_result {
   std::vector<table> tables;
-  std::vector<paper_law> laws;
+  std::vector<paper_scaling> scalings;
   std::vector<paper_figure> figures;
 };
 
@@ -66,7 +66,7 @@ void add_segments(const paper_context &c, paper_result &to); // the table of tim
 
 // All touching pairs, certified, as `meet collide` finds them.
 struct search {
-  answers found;
+  app::answers found;
   double time = 0; // one core, both sets made ready, certified; in yardsticks
   double certified_over_fp32 = 0;
 };
@@ -84,8 +84,8 @@ std::vector<column> device_columns();
 // The paper's claim beside the ratios of a table's rows; nothing without a device.
 void add_claim(const paper_context &c, const std::vector<double> &core_over_gpu, table &to);
 
-decide_function decide_by(const choice &by, rung precision);
+decide_function decide_by(const app::choice &by, rung precision);
 
-} // namespace meetc::app
+} // namespace meetc::bench
 
 #endif

@@ -3,7 +3,7 @@
 #include "bench/paper_parts.hpp"
 
 #include "app/made_sets.hpp"
-#include "app/report.hpp"
+#include "app/words.hpp"
 
 #include <fmt/format.h>
 
@@ -11,14 +11,14 @@
 #include <cmath>
 #include <utility>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 namespace {
 
 // The paper's last row, in milliseconds.
 constexpr double printed_cpu = 30034.4, printed_gpu = 715.872;
 constexpr std::size_t many = 1000;
-constexpr colour triangle_green{112, 184, 118};
+constexpr picture::colour triangle_green{112, 184, 118};
 
 struct frame {
   std::array<double, 3> middle{}, half{};
@@ -50,13 +50,21 @@ std::vector<float> placed(const frame &f, std::vector<float> rows) {
 paper_scene large_triangle(const paper_context &c) {
   const io::element_set &bunny = c.bodies.fine_bunny();
   const frame f = frame_of(bunny);
-  mesh m;
+  bodies::mesh m;
   m.xyz = placed(f, {-1.9F, -0.3F, 1.1F, 1.9F, 0.1F, 1.3F, 0.1F, 0.5F, -2.2F});
   m.index = {0, 1, 2};
-  io::element_set triangle = of_mesh(c.all, std::move(m));
+  io::element_set triangle = app::of_mesh(c.all, std::move(m));
   const search s = search_pairs(c, triangle, bunny, false);
-  return {std::move(triangle),   bunny,          {},           s.found.b.hit,  "triangle",
-          c.bodies.bunny_name(), triangle_green, palette::red, triangle_green, palette::yellow};
+  return {std::move(triangle),
+          bunny,
+          {},
+          s.found.b.hit,
+          "triangle",
+          c.bodies.bunny_name(),
+          triangle_green,
+          picture::palette::red,
+          triangle_green,
+          picture::palette::yellow};
 }
 
 } // namespace
@@ -86,9 +94,9 @@ void add_segments(const paper_context &c, paper_result &to) {
       "segment meets a new edge or a middle is rounded.",
       "one core / search: the search makes both sets ready first, which one segment does not repay."};
   const frame f = frame_of(c.bodies.bunny());
-  const io::element_set one = of_rows(c.all, "segment", placed(f, {-1.1F, -1.2F, -0.9F, 1.1F, 1.2F, 0.9F}));
-  const io::element_set cloud = of_rows(c.all, "segment", placed(f, segment_cloud(many, 5, 0.5)));
-  const choice by = choose(c.all, *one.kind, *c.bodies.bunny().kind, {}, {});
+  const io::element_set one = app::of_rows(c.all, "segment", placed(f, {-1.1F, -1.2F, -0.9F, 1.1F, 1.2F, 0.9F}));
+  const io::element_set cloud = app::of_rows(c.all, "segment", placed(f, bodies::segment_cloud(many, 5, 0.5)));
+  const app::choice by = app::choose(c.all, *one.kind, *c.bodies.bunny().kind, {}, {});
   const std::vector<decide_function> tests{decide_by(by, rung::certified), decide_by(by, rung::fp32),
                                            classic::moller_trumbore};
   double first = 0;
@@ -97,15 +105,15 @@ void add_segments(const paper_context &c, paper_result &to) {
     const io::element_set bunny = c.bodies.finer_bunny(static_cast<int>(times));
     for (const io::element_set *const segments : {&one, &cloud}) {
       const search s = search_pairs(c, *segments, bunny, false);
-      const blind_times blind = time_blind(c.by, tests, *segments, bunny, c.budget, c.runs);
-      const double core_time = blind.of[1].time, peer = blind.of[2].time;
+      const brute_force_times brute = time_brute_force(c.by, tests, *segments, bunny, c.budget, c.runs);
+      const double core_time = brute.of[1].time, baseline = brute.of[2].time;
       if (first == 0)
         first = core_time;
       device_cells gpu = ask_device(c, *segments, bunny, s.found.pairs, core_time);
       over_gpu.push_back(gpu.core_over_gpu);
       t.rows.push_back({of_count(bunny.elements), of_count(segments->elements), of_count(s.found.pairs),
-                        of_ratio(core_time / first), of_ratio(core_time / peer), of_ratio(blind.of[0].time / peer),
-                        of_ratio(core_time / s.time)});
+                        of_ratio(core_time / first), of_ratio(core_time / baseline),
+                        of_ratio(brute.of[0].time / baseline), of_ratio(core_time / s.time)});
       t.rows.back().insert(t.rows.back().end(), gpu.cells.begin(), gpu.cells.end());
     }
     c.advance();
@@ -115,4 +123,4 @@ void add_segments(const paper_context &c, paper_result &to) {
   to.figures.push_back({1, fmt::format("Triangle - {} intersection", c.bodies.bunny_name()), large_triangle(c), {}});
 }
 
-} // namespace meetc::app
+} // namespace meetc::bench

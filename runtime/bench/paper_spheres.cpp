@@ -2,14 +2,14 @@
 #include "bench/paper_parts.hpp"
 
 #include "app/made_sets.hpp"
-#include "app/report.hpp"
+#include "app/words.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 namespace {
 
@@ -70,15 +70,15 @@ void add_spheres(const paper_context &c, paper_result &to) {
              "one core: every ordered pair blindly by the conformal predicate in fp32; Euclid: d^2 <= (r1 + r2)^2 "
              "in "
              "float."};
-  curve core{"one core, every pair, conformal fp32", palette::curve_cpu, {}},
-      searched{"one core, meet's search, certified", palette::curve_search, {}},
-      device{"GPU, every pair, certified, with transfers", palette::curve_gpu, {}};
+  curve core{"one core, every pair, conformal fp32", curve_colours::cpu, {}},
+      searched{"one core, meet's search, certified", curve_colours::search, {}},
+      device{"GPU, every pair, certified, with transfers", curve_colours::gpu, {}};
   double first = 0;
   std::vector<double> over_gpu;
   std::optional<paper_scene> scene;
   for (const std::size_t n : counts_of(c.quick)) {
     const double r = radius_for(n);
-    const io::element_set set = of_rows(c.all, "sphere", sphere_cloud(n, n, r / 2, 1.5 * r));
+    const io::element_set set = app::of_rows(c.all, "sphere", bodies::sphere_cloud(n, n, r / 2, 1.5 * r));
     const search s = search_pairs(c, set, set, true);
     std::vector<std::uint8_t> touched(n, 0);
     std::uint64_t pairs = 0, touching = 0;
@@ -88,16 +88,16 @@ void add_spheres(const paper_context &c, paper_result &to) {
         touching += touched[p.a] == 0;
         touched[p.a] = 1;
       }
-    const choice by = choose(c.all, *set.kind, *set.kind, {}, {});
+    const app::choice by = app::choose(c.all, *set.kind, *set.kind, {}, {});
     const std::vector<decide_function> tests{decide_by(by, rung::certified), decide_by(by, rung::fp32), classic::balls};
-    const blind_times blind = time_blind(c.by, tests, set, set, c.budget, c.runs);
-    const double core_time = blind.of[1].time, euclid = blind.of[2].time;
+    const brute_force_times brute = time_brute_force(c.by, tests, set, set, c.budget, c.runs);
+    const double core_time = brute.of[1].time, euclid = brute.of[2].time;
     if (first == 0)
       first = core_time;
     device_cells gpu = ask_device(c, set, set, s.found.pairs, core_time);
     t.rows.push_back({of_count(n), of_count(pairs),
                       of_count(static_cast<std::uint64_t>(std::llround(expected_pairs(n)))), of_count(touching),
-                      of_ratio(core_time / first), of_ratio(core_time / euclid), of_ratio(blind.of[0].time / euclid),
+                      of_ratio(core_time / first), of_ratio(core_time / euclid), of_ratio(brute.of[0].time / euclid),
                       of_ratio(core_time / s.time), of_ratio(s.certified_over_fp32)});
     t.rows.back().insert(t.rows.back().end(), gpu.cells.begin(), gpu.cells.end());
     const auto x = static_cast<double>(n);
@@ -105,7 +105,8 @@ void add_spheres(const paper_context &c, paper_result &to) {
     searched.points.emplace_back(x, s.time / first);
     device.points.emplace_back(x, gpu.time / first);
     if (n == 500)
-      scene = paper_scene{set, {}, touched, {}, "spheres", "", palette::blue, {}, palette::orange, {}};
+      scene =
+          paper_scene{set, {}, touched, {}, "spheres", "", picture::palette::blue, {}, picture::palette::orange, {}};
     c.advance();
   }
   add_claim(c, over_gpu, t);
@@ -117,4 +118,4 @@ void add_spheres(const paper_context &c, paper_result &to) {
   to.figures.push_back({5, plot.title, {}, plot});
 }
 
-} // namespace meetc::app
+} // namespace meetc::bench

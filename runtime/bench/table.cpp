@@ -1,13 +1,13 @@
 #include "bench/table.hpp"
 
-#include "app/report.hpp"
+#include "app/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 namespace {
 
@@ -39,31 +39,31 @@ std::string without_end(std::string line) {
 } // namespace
 
 cell of_count(std::uint64_t n) {
-  return {grouped(n), std::to_string(n)};
+  return {app::grouped(n), n};
 }
 
 cell of_ratio(double x) {
   if (!std::isfinite(x))
-    return {"-", "null"};
+    return {"-", nullptr};
   const double size = std::abs(x);
-  return {size >= 1000  ? grouped(static_cast<std::uint64_t>(std::llround(size)))
+  return {size >= 1000  ? app::grouped(static_cast<std::uint64_t>(std::llround(size)))
           : size >= 100 ? fmt::format("{:.0f}", x)
           : size >= 10  ? fmt::format("{:.1f}", x)
           : size >= 0.1 ? fmt::format("{:.2f}", x)
                         : fmt::format("{:.2g}", x),
-          fmt::format("{:.6g}", x)};
+          app::with_digits(x, 6)};
 }
 
 cell of_milliseconds(double seconds) {
-  return {fmt::format("{:.3g}", 1000 * seconds), fmt::format("{:.6g}", 1000 * seconds)};
+  return {fmt::format("{:.3g}", 1000 * seconds), app::with_digits(1000 * seconds, 6)};
 }
 
 cell of_words(const std::string &words) {
-  return {words, json_string(words)};
+  return {words, words};
 }
 
 cell missing(const std::string &why) {
-  return {why, "null"};
+  return {why, nullptr};
 }
 
 std::string as_text(const table &t) {
@@ -120,29 +120,15 @@ std::string as_markdown(const table &t) {
   return out;
 }
 
-std::string as_json(const table &t) {
-  std::string rows;
+app::json as_json(const table &t) {
+  app::json rows = app::json::array();
   for (const auto &row : t.rows) {
-    std::string values;
+    app::json values = app::json::object();
     for (std::size_t c = 0; c < row.size(); ++c)
-      values += fmt::format("{}\"{}\":{}", c ? "," : "", t.columns[c].key, row[c].json);
-    rows += fmt::format("{}{{{}}}", rows.empty() ? "" : ",", values);
+      values[t.columns[c].key] = row[c].value;
+    rows.push_back(std::move(values));
   }
-  return fmt::format(R"({{"name":"{}","rows":[{}]}})", t.name, rows);
+  return {{"name", t.name}, {"rows", std::move(rows)}};
 }
 
-std::string json_string(const std::string &text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20)
-      out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  out += '"';
-  return out;
-}
-
-} // namespace meetc::app
+} // namespace meetc::bench

@@ -1,15 +1,18 @@
-// app/bench/table.hpp: a table of results as text, as Markdown and as JSON.
-#ifndef MEETC_APP_BENCH_TABLE_HPP
-#define MEETC_APP_BENCH_TABLE_HPP
+// bench/table.hpp: a table of results as text, as Markdown and as JSON.
+#ifndef MEETC_BENCH_TABLE_HPP
+#define MEETC_BENCH_TABLE_HPP
+
+#include "app/json.hpp"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace meetc::app {
+namespace meetc::bench {
 
 struct cell {
-  std::string text, json;
+  std::string text;
+  app::json value;
 };
 cell of_count(std::uint64_t n); // 345,944
 cell of_ratio(double x);        // three digits; "-" and null where it is not finite
@@ -30,10 +33,8 @@ struct table {
 
 std::string as_text(const table &t);
 std::string as_markdown(const table &t);
-std::string as_json(const table &t); // an object
+app::json as_json(const table &t); // an object
 
-std::string json_string(const std::string &text);
-
-} // namespace meetc::app
+} // namespace meetc::bench
 
 #endif

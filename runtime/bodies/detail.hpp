@@ -1,14 +1,14 @@
 // Small vectors and reproducible arithmetic for the built-in meshes. Only + - * / and sqrt, which IEEE rounds
 // the same everywhere.
-#ifndef MEETC_APP_MESHES_DETAIL_HPP
-#define MEETC_APP_MESHES_DETAIL_HPP
+#ifndef MEETC_BODIES_DETAIL_HPP
+#define MEETC_BODIES_DETAIL_HPP
 
-#include "bodies/meshes.hpp"
-#include "bodies/vec.hpp"
+#include "bodies/mesh.hpp"
+#include "core/vec.hpp"
 
 #include <cmath>
 
-namespace meetc::app::detail {
+namespace meetc::bodies::detail {
 
 // To the nearest multiple of 2^-16, halves upwards.
 inline float round16(double v) {
@@ -49,6 +49,6 @@ inline circle_point turn(std::int64_t k, std::int64_t n) {
   }
 }
 
-} // namespace meetc::app::detail
+} // namespace meetc::bodies::detail
 
 #endif

@@ -13,7 +13,7 @@
 #include <span>
 #include <unordered_map>
 
-namespace meetc::app {
+namespace meetc::bodies {
 namespace {
 
 using namespace detail;
@@ -229,4 +229,4 @@ mesh figure(int resolution) {
   return realise({parts, {-1.2, -1.5, -1.1}, {1.2, 1.45, 0.95}, 0.03}, resolution);
 }
 
-} // namespace meetc::app
+} // namespace meetc::bodies

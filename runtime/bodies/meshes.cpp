@@ -8,7 +8,7 @@
 #include <array>
 #include <unordered_map>
 
-namespace meetc::app {
+namespace meetc::bodies {
 namespace {
 
 using namespace detail;
@@ -229,4 +229,4 @@ std::vector<float> segment_cloud(std::size_t n, std::uint64_t seed, double lengt
   return rows;
 }
 
-} // namespace meetc::app
+} // namespace meetc::bodies

@@ -10,21 +10,16 @@
 // on every IEEE machine; with it the rounding hides nearly every difference. Limits: all bodies fit into [-2,
 // 2]^3. Every mesh is a closed oriented manifold, normals outwards, free of zero-area triangles within the
 // parameter ranges given; parameters outside are clamped. y points up.
-#ifndef MEETC_APP_MESHES_HPP
-#define MEETC_APP_MESHES_HPP
+#ifndef MEETC_BODIES_MESHES_HPP
+#define MEETC_BODIES_MESHES_HPP
+
+#include "bodies/mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace meetc::app {
-
-struct mesh {
-  std::vector<float> xyz;           // x y z of each vertex
-  std::vector<std::uint32_t> index; // three vertices a triangle
-  std::size_t vertices() const { return xyz.size() / 3; }
-  std::size_t triangles() const { return index.size() / 3; }
-};
+namespace meetc::bodies {
 
 // Unit sphere: 20 * 4^subdivisions triangles, 0..8. Euler characteristic 2.
 mesh icosphere(int subdivisions);
@@ -64,6 +59,6 @@ std::vector<float> sphere_cloud(std::size_t n, std::uint64_t seed, double r_min,
 // Rows x0 y0 z0 x1 y1 z1: middles in [-1, 1)^3, directions uniform, length fixed up to rounding.
 std::vector<float> segment_cloud(std::size_t n, std::uint64_t seed, double length);
 
-} // namespace meetc::app
+} // namespace meetc::bodies
 
 #endif

@@ -1,7 +1,8 @@
-// The owning layer.
 #include "core/collide.hpp"
 
+#include "core/cascade.hpp"
 #include "core/decide.hpp"
+#include "core/marks.hpp"
 #include "core/pair_sort.hpp"
 #include "core/threads.hpp"
 
@@ -69,50 +70,33 @@ void require(bool holds, const char *what) {
     throw std::invalid_argument(what);
 }
 
+// Zeros where the answer goes, and where that is.
+marks room_for_marks(answer_kind want, std::size_t size_a, std::size_t size_b, result &to) {
+  marks m;
+  if (want == answer_kind::flags) {
+    to.flags = flags_of({}, size_a, size_b);
+    m.flags_a = to.flags.a.data(), m.flags_b = to.flags.b.data();
+  } else if (want == answer_kind::counts) {
+    to.counts = counts_of({}, size_a, size_b);
+    m.counts_a = to.counts.a.data(), m.counts_b = to.counts.b.data();
+  }
+  return m;
+}
+
 bool owners_fit(std::span<const std::uint32_t> owners, const prepared &p) {
   return owners.empty() || owners.size() == p.elements();
 }
 
 } // namespace
 
-prepared::prepared() = default;
-prepared::prepared(prepared &&) noexcept = default;
-prepared &prepared::operator=(prepared &&) noexcept = default;
-prepared::~prepared() = default;
-const kind_info &prepared::kind() const {
-  return *set_->kind;
-}
-std::size_t prepared::elements() const {
-  return set_->elements;
-}
-
-void prepared::bounds(float lo[3], float hi[3]) const {
-  box b{{1, 1, 1}, {-1, -1, -1}};
-  if (set_->boxes.depth > 0)
-    b = set_->boxes.top().blocks[0].around();
-  std::copy_n(b.lo, 3, lo);
-  std::copy_n(b.hi, 3, hi);
-}
-
-prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads) {
-  if (elements.elements > 0xffffffff)
-    throw std::length_error(text(status::too_many_elements));
-  const auto allocate = [](const arena &need) { return std::unique_ptr<std::byte[]>(new std::byte[need.bytes()]); };
-  arena set_need, scratch_need;
-  take_set(set_need, kind, elements.elements);
-  take_scratch(scratch_need, kind, elements.elements);
-
-  prepared p;
-  p.bytes_ = allocate(set_need);
-  const std::unique_ptr<std::byte[]> scratch_bytes = allocate(scratch_need);
-  arena from({p.bytes_.get(), set_need.bytes()}), scratch_from({scratch_bytes.get(), scratch_need.bytes()});
-  p.set_ = std::make_unique<element_set>(take_set(from, kind, elements.elements));
-  const set_scratch scratch = take_scratch(scratch_from, kind, elements.elements);
-  const status s = fill(*p.set_, elements, at, scratch, thread_count(threads));
-  if (s == status::bad_index || s == status::bad_value)
-    throw input_error(check(elements, kind, at), kind);
-  require(s == status::ok, text(s));
-  return p;
+void answer_from_list(answer_kind want, std::size_t size_a, std::size_t size_b, result &r) {
+  r.count = r.pairs.size();
+  if (want == answer_kind::flags)
+    r.flags = flags_of(r.pairs, size_a, size_b);
+  if (want == answer_kind::counts)
+    r.counts = counts_of(r.pairs, size_a, size_b);
+  if (want != answer_kind::pairs)
+    std::vector<index_pair>().swap(r.pairs);
 }
 
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
@@ -121,7 +105,7 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   require(same_kind(a.kind(), *predicate.a) && same_kind(b.kind(), *predicate.b),
           "the predicate is for other kinds of element");
   require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b), "an owner map needs one item an element");
-  ladder by(predicate, precision);
+  cascade by(predicate, precision);
   require(by.count > 0, text(status::no_such_rung));
   require(options.box >= 0, "the scene's box is negative or not a number");
   by.enter_box(options.box, a.set(), b.set());
@@ -130,25 +114,28 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   const all_pairs every(a.set(), b.set());
   const tree_pairs tree(a.set(), b.set());
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
-  collect taker(threads, options.owner_a, options.owner_b);
-  const bool keep = options.mode == collide_mode::list || (options.mode == collide_mode::count && taker.owned());
+  collect list(threads, options.owner_a, options.owner_b);
+  const answer_kind want = options.want;
+  const bool listed = want == answer_kind::pairs || (list.owned() && want != answer_kind::any);
+  result r;
+  mark_elements mark(listed ? marks{} : room_for_marks(want, a.elements(), b.elements(), r));
+  hit_taker *const taker = listed                                                      ? static_cast<hit_taker *>(&list)
+                           : want == answer_kind::flags || want == answer_kind::counts ? &mark
+                                                                                       : nullptr;
   const auto report = [](void *context, double fraction) {
     (*static_cast<const std::function<void(double)> *>(context))(fraction);
   };
   const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
-  const tally total = decide_all(
-      {a.set(), b.set(), by, source, threads, options.mode == collide_mode::any, options.progress ? +report : nullptr,
-       const_cast<std::function<void(double)> *>(&options.progress), keep ? &taker : nullptr},
-      {batches.get(), batch_bytes(threads)});
-  result r;
+  const tally total =
+      decide_all({a.set(), b.set(), by, source, threads, want == answer_kind::any, options.progress ? +report : nullptr,
+                  const_cast<std::function<void(double)> *>(&options.progress), taker},
+                 {batches.get(), batch_bytes(threads)});
   r.candidates = total.candidates;
   r.count = total.hits;
   r.rungs = total.rungs;
-  if (keep) {
-    r.pairs = taker.all(threads);
-    r.count = r.pairs.size();
-    if (options.mode == collide_mode::count)
-      std::vector<index_pair>().swap(r.pairs);
+  if (listed) {
+    r.pairs = list.all(threads);
+    answer_from_list(want, items(options.owner_a, a.elements()), items(options.owner_b, b.elements()), r);
   }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;

@@ -60,10 +60,10 @@ private:
   std::size_t decide() {
     const decision_job &job = shared_.job;
     std::size_t hits = 0, end = size_; // from hits to end, pairs are unsure
-    for (int step = 0; step < job.by.count && hits < end && (hits == 0 || !job.stop_at_first); ++step) {
-      if (step > 0)
-        unsure_[step - 1] += end - hits;
-      job.by.decide(step, job.a.rows, job.b.rows, pairs_ + hits, end - hits, answers_);
+    for (int at = 0; at < job.by.count && hits < end && (hits == 0 || !job.stop_at_first); ++at) {
+      if (at > 0)
+        unsure_[at - 1] += end - hits;
+      job.by.decide(at, job.a.rows, job.b.rows, pairs_ + hits, end - hits, answers_);
       end = sort_out(hits, end);
     }
     return hits;

@@ -1,13 +1,13 @@
 // core/decide.hpp: candidates into decisions, on all threads.
 //
-// Each thread collects candidates in a batch and takes it down the ladder: a step sees only the pairs that
+// Each thread collects candidates in a batch and takes it through the cascade: a rung sees only the pairs that
 // the one before left unsure. What is a hit goes to the taker under the caller's element indices. Memory is
 // one batch a thread, however many candidates or hits there are.
 #ifndef MEETC_CORE_DECIDE_HPP
 #define MEETC_CORE_DECIDE_HPP
 
 #include "core/candidates.hpp"
-#include "core/ladder.hpp"
+#include "core/cascade.hpp"
 
 namespace meetc {
 
@@ -20,7 +20,7 @@ public:
 
 struct decision_job {
   const element_set &a, &b;
-  const ladder &by;
+  const cascade &by;
   const candidate_source &source;
   int threads;
   bool stop_at_first;
@@ -37,7 +37,7 @@ struct tally {
 std::size_t batch_bytes(int threads);
 
 // `batches` holds batch_bytes(threads). With stop_at_first, hits is 0 or 1, the taker is not called, and
-// no step is taken that is not needed.
+// no rung is run that is not needed.
 tally decide_all(const decision_job &job, memory batches);
 
 } // namespace meetc

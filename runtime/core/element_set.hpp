@@ -1,11 +1,12 @@
 // core/element_set.hpp: one set made ready: rows in spatial order, and the hierarchy of their boxes.
 //
-// A slot is a place in that order; `order` leads back to the caller's element. Rows lie in slot order, so
+// A slot is a position in that order; `order` leads back to the caller's element. Rows lie in slot order, so
 // that the rows of one block are read together.
 #ifndef MEETC_CORE_ELEMENT_SET_HPP
 #define MEETC_CORE_ELEMENT_SET_HPP
 
 #include "core/hierarchy.hpp"
+#include "core/pose.hpp"
 #include "core/status.hpp"
 #include "core/view.hpp"
 

@@ -15,7 +15,7 @@
 
 namespace meetc {
 
-// After it, the low 32 bits of keys[i] are the element at place i. The boxes are sanitised; scratch has room
+// After it, the low 32 bits of keys[i] are the element at position i. The boxes are sanitised; scratch has room
 // for n.
 void spatial_order(const box *boxes, std::size_t n, std::uint64_t *keys, std::uint64_t *scratch, int threads);
 

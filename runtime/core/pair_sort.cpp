@@ -44,6 +44,14 @@ void drop_repeats(std::vector<index_pair> &sorted) {
   sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
 }
 
+std::vector<index_pair> transposed(std::vector<index_pair> pairs) {
+  for (index_pair &p : pairs)
+    p = {p.b, p.a};
+  std::vector<index_pair> scratch;
+  sort_pairs(pairs.data(), pairs.size(), scratch);
+  return pairs;
+}
+
 std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &lists, int threads) {
   std::vector<std::vector<index_pair>> from(std::move(lists));
   lists.clear();

@@ -18,6 +18,9 @@ void sort_pairs(index_pair *pairs, std::size_t n, std::vector<index_pair> &scrat
 // Of a sorted list, each pair once.
 void drop_repeats(std::vector<index_pair> &sorted);
 
+// The pairs (b, a), sorted.
+std::vector<index_pair> transposed(std::vector<index_pair> pairs);
+
 // All pairs of all lists, sorted; the lists are emptied.
 std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &lists, int threads);
 

@@ -1,8 +1,10 @@
-// The layer that works in the caller's memory.
-#include "core/collide.hpp"
+#include "core/pairs.hpp"
+
 #include "core/decide.hpp"
+#include "core/marks.hpp"
 #include "core/threads.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 namespace meetc {
@@ -14,7 +16,7 @@ struct layout {
   memory batches;
 };
 
-// Both sets are kept; what builds them and the batches are needed one after the other, in the same place.
+// Both sets are kept; what builds them and the batches are needed one after the other, in the same memory.
 layout take_layout(arena &from, const predicate_info &p, std::size_t a, std::size_t b, int threads) {
   layout l;
   l.a = take_set(from, *p.a, a);
@@ -34,8 +36,9 @@ layout take_layout(arena &from, const predicate_info &p, std::size_t a, std::siz
 
 class append final : public hit_taker {
 public:
-  explicit append(const pairs_out &out) : out_(out) {}
+  append(const pairs_out &out, const marks &mark) : out_(out), mark_(mark) {}
   void take(int, const index_pair *hits, std::size_t n) override {
+    mark_.take(hits, n);
     const std::uint64_t at = next_.fetch_add(n, std::memory_order_relaxed);
     if (at < out_.capacity)
       std::copy_n(hits, std::min<std::uint64_t>(n, out_.capacity - at), out_.data + at);
@@ -43,8 +46,17 @@ public:
 
 private:
   const pairs_out &out_;
+  const marks &mark_;
   std::atomic<std::uint64_t> next_{0};
 };
+
+template <class T> void clear(T *numbers, std::size_t n) {
+  if (numbers)
+    std::fill_n(numbers, n, T{0});
+}
+void clear(const marks &m, std::size_t a, std::size_t b) {
+  clear(m.flags_a, a), clear(m.flags_b, b), clear(m.counts_a, a), clear(m.counts_b, b);
+}
 
 } // namespace
 
@@ -63,7 +75,7 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
     *out.rungs = {};
   if ((out.capacity > 0 && !out.data) || !(options.box >= 0))
     return status::bad_argument;
-  ladder by(predicate, precision);
+  cascade by(predicate, precision);
   if (by.count == 0)
     return status::no_such_rung;
   if (a.elements > 0xffffffff || b.elements > 0xffffffff)
@@ -83,10 +95,12 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   const all_pairs every(l.a, l.b);
   const tree_pairs tree(l.a, l.b);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
-  append taker(out);
+  const marks mark{out.flags_a, out.flags_b, out.counts_a, out.counts_b};
+  clear(mark, a.elements, b.elements);
+  append taker(out, mark);
   by.enter_box(options.box, l.a, l.b);
   const tally total = decide_all({l.a, l.b, by, source, threads, options.stop_at_first, options.progress,
-                                  options.progress_context, out.capacity > 0 ? &taker : nullptr},
+                                  options.progress_context, out.capacity > 0 || mark.any() ? &taker : nullptr},
                                  l.batches);
   *out.count = total.hits;
   if (out.rungs)

@@ -35,22 +35,6 @@ bool fetch(const view &v, const kind_info &kind, std::size_t element, float *row
   return true;
 }
 
-void move(const kind_info &kind, const pose &at, float *row) {
-  const double *m = at.m;
-  for (int i = 0; i < kind.fields; ++i) {
-    if (kind.roles[i] == role::length) {
-      row[i] = static_cast<float>(static_cast<double>(row[i]) * at.length_scale);
-    } else if (kind.roles[i] == role::x) {
-      const bool has_z = i + 2 < kind.fields && kind.roles[i + 2] == role::z;
-      const double x = row[i], y = row[i + 1], z = has_z ? row[i + 2] : 0.0f;
-      row[i] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
-      row[i + 1] = static_cast<float>(((m[4] * x + m[5] * y) + m[6] * z) + m[7]);
-      if (has_z)
-        row[i + 2] = static_cast<float>(((m[8] * x + m[9] * y) + m[10] * z) + m[11]);
-    }
-  }
-}
-
 } // namespace
 
 status gather(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
@@ -60,7 +44,7 @@ status gather(const view &elements, const kind_info &kind, const pose &at, std::
     if (!fetch(elements, kind, e, out))
       return status::bad_index;
     if (moved)
-      move(kind, at, out);
+      move_row(kind, at, out);
     if (!all_finite(out, kind.fields) || (kind.fault && kind.fault(out)))
       return status::bad_value;
   }

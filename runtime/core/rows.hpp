@@ -2,6 +2,7 @@
 #ifndef MEETC_CORE_ROWS_HPP
 #define MEETC_CORE_ROWS_HPP
 
+#include "core/pose.hpp"
 #include "core/status.hpp"
 #include "core/view.hpp"
 

@@ -81,6 +81,12 @@ void atomic_file::commit() {
   temporary_.clear();
 }
 
+void write_file(const std::filesystem::path &target, std::string_view bytes) {
+  atomic_file file(target);
+  file.write(bytes);
+  file.commit();
+}
+
 void atomic_file::fail(const char *what, int code) const {
   const std::string reason = code == 0 ? "" : ": " + std::system_category().message(code);
   throw error(fmt::format("{}: {}{}", target_.string(), what, reason));

@@ -33,6 +33,9 @@ private:
   std::FILE *stream_ = nullptr;
 };
 
+// The whole file at once. Throws io::error that names the target.
+void write_file(const std::filesystem::path &target, std::string_view bytes);
+
 } // namespace meetc::io
 
 #endif

@@ -1,5 +1,6 @@
 #include "io/transform.hpp"
 
+#include "core/pose.hpp"
 #include "io/error.hpp"
 #include "io/number.hpp"
 
@@ -41,10 +42,8 @@ std::array<double, 3> transform::point(std::array<double, 3> p) const {
       c *= *scale;
   if (matrix) {
     const std::array<double, 3> q = p;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double *const m = matrix->data() + 4 * i;
-      p[i] = ((m[0] * q[0] + m[1] * q[1]) + m[2] * q[2]) + m[3];
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = moved_coordinate(matrix->data() + 4 * i, q[0], q[1], q[2]);
   }
   if (translate)
     for (std::size_t i = 0; i < 3; ++i)

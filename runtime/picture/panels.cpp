@@ -1,13 +1,13 @@
-// Several views of one scene in one picture, with captions. See picture.hpp.
-#include "bodies/vec.hpp"
-#include "picture/picture.hpp"
-#include "picture/raster.hpp"
+// Several views of one scene in one picture, with captions. See render.hpp.
+#include "core/vec.hpp"
+#include "picture/projection.hpp"
+#include "picture/render.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-namespace meetc::app {
+namespace meetc::picture {
 namespace {
 
 using namespace detail;
@@ -86,7 +86,7 @@ struct canvas {
 
 } // namespace
 
-image render_panels(std::span<const shape> shapes, const view &from, int width, int height) {
+image render_panels(std::span<const shape> shapes, const camera &from, int width, int height) {
   const int w = std::clamp(width, 16, 8192), h = std::clamp(height, 16, 8192);
   const int scale = std::max(1, std::min(w / 800, h / 450)), gap = 2 * scale;
   canvas c{{w, h, {}}, scale};
@@ -94,14 +94,14 @@ image render_panels(std::span<const shape> shapes, const view &from, int width, 
 
   struct panel {
     std::span<const shape> what;
-    view from;
+    camera from;
     std::string caption;
   };
   std::vector<panel> side; // beside the main one
   const bool any = std::any_of(shapes.begin(), shapes.end(), [](const shape &s) { return hits(s) > 0; });
   if (any && w >= 320 && h >= 240) {
     if (extent_of(shapes, true).diagonal() < 0.3 * extent_of(shapes, false).diagonal()) {
-      view close = from;
+      camera close = from;
       close.fit = framing::hits;
       side.push_back({shapes, close, "close up"});
     }
@@ -111,7 +111,7 @@ image render_panels(std::span<const shape> shapes, const view &from, int width, 
                         (shapes[i].name.empty() ? "set " + std::to_string(i + 1) : shapes[i].name) + " alone"});
   }
   const int main_width = side.empty() ? w : static_cast<int>(w * 0.64);
-  view whole = from;
+  camera whole = from;
   whole.margin = std::max(whole.margin, 0.08); // room for captions
   c.paste(render(shapes, whole, main_width, h), 0, 0);
   for (std::size_t i = 0; i < shapes.size() && i < 8; ++i)
@@ -120,7 +120,7 @@ image render_panels(std::span<const shape> shapes, const view &from, int width, 
   for (int i = 0; i < n; ++i) {
     const int top = i * (h + gap) / n, bottom = (i + 1) * (h + gap) / n - gap;
     const panel &p = side[static_cast<std::size_t>(i)];
-    view v = p.from;
+    camera v = p.from;
     v.margin = std::max(v.margin, 0.08);
     c.paste(render(p.what, v, side_width, bottom - top), x, top);
     c.caption(x + 6 * scale, top + 6 * scale, p.caption);
@@ -128,4 +128,4 @@ image render_panels(std::span<const shape> shapes, const view &from, int width, 
   return c.picture;
 }
 
-} // namespace meetc::app
+} // namespace meetc::picture

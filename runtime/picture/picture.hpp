@@ -9,8 +9,8 @@
 // Limits: at most 63 shapes; hit elements are drawn up to a pixel or two wider than they are; occlusion
 // within a pixel or two of the intersection curve is decided in favour of the hits. Elements with NaN or
 // infinite coordinates or indices out of range are left out.
-#ifndef MEETC_APP_PICTURE_HPP
-#define MEETC_APP_PICTURE_HPP
+#ifndef MEETC_PICTURE_PICTURE_HPP
+#define MEETC_PICTURE_PICTURE_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-namespace meetc::app {
+namespace meetc::picture {
 
 struct colour {
   std::uint8_t r, g, b;
@@ -58,7 +58,7 @@ std::size_t hits(const shape &s);
 
 enum class framing : std::uint8_t { scene, hits };
 
-struct view {
+struct camera {
   double azimuth = 28;     // degrees about the upward axis, from the front (+z; with z up: -y)
   double elevation = 16;   // degrees above the horizon
   bool z_up = false;       // otherwise y points up
@@ -83,14 +83,14 @@ struct image {
 // The view turned, about the upward axis and by up to 30 degrees of elevation, to where the hit triangles
 // show the largest area, by their normals and by where they lie on the body; what hides them is not traced.
 // Unchanged without hit triangles.
-view facing_hits(std::span<const shape> shapes, view from);
+camera facing_hits(std::span<const shape> shapes, camera from);
 
 // One view of the scene. Sizes are clamped to 16..8192.
-image render(std::span<const shape> shapes, const view &from, int width, int height);
+image render(std::span<const shape> shapes, const camera &from, int width, int height);
 
 // The scene in one large panel with a caption; beside it, when there are hits, the scene close up where the
 // hits lie in a small part of it, and (for two shapes or more) the first two alone, each facing its hits.
-image render_panels(std::span<const shape> shapes, const view &from, int width, int height);
+image render_panels(std::span<const shape> shapes, const camera &from, int width, int height);
 
 // Text in a 5 by 7 bitmap font, `scale` pixels a dot, its upper left corner at (x, y); ASCII, clipped. A line
 // takes 8 * scale pixels, a character 6 * scale.
@@ -99,6 +99,6 @@ void draw_text(image &into, int x, int y, std::string_view text, int scale, colo
 // A PNG file in memory. Throws std::runtime_error when libpng fails or the image is malformed or empty.
 std::vector<std::uint8_t> encode_png(const image &picture);
 
-} // namespace meetc::app
+} // namespace meetc::picture
 
 #endif

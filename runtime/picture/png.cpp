@@ -1,10 +1,10 @@
 // PNG in memory by the simplified interface of libpng, which reports errors without longjmp.
-#include "picture/picture.hpp"
+#include "picture/image.hpp"
 
 #include <png.h>
 #include <stdexcept>
 
-namespace meetc::app {
+namespace meetc::picture {
 
 std::vector<std::uint8_t> encode_png(const image &picture) {
   const auto w = static_cast<std::size_t>(picture.width), h = static_cast<std::size_t>(picture.height);
@@ -24,4 +24,4 @@ std::vector<std::uint8_t> encode_png(const image &picture) {
   return out;
 }
 
-} // namespace meetc::app
+} // namespace meetc::picture

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace meetc::app::detail {
+namespace meetc::picture::detail {
 namespace {
 
 std::uint32_t pack(const vec &n, std::size_t number, bool edge) {
@@ -245,7 +245,7 @@ vec sample::direction() const {
   return {x, y, std::sqrt(std::max(0.0, 1 - x * x - y * y))};
 }
 
-void draw(const shape &s, std::size_t number, const projection &p, const view &from, double pixel, layer &surface,
+void draw(const shape &s, std::size_t number, const projection &p, const camera &from, double pixel, layer &surface,
           layer &marked) {
   if (s.what == form::triangles) {
     draw_triangles(s, number, p, from.smooth, pixel, surface, marked);
@@ -270,4 +270,4 @@ void draw(const shape &s, std::size_t number, const projection &p, const view &f
   }
 }
 
-} // namespace meetc::app::detail
+} // namespace meetc::picture::detail

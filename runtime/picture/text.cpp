@@ -1,9 +1,9 @@
 // Captions in a bitmap font: printable ASCII, 5 by 7, a byte a column, the lowest bit on top.
-#include "picture/picture.hpp"
+#include "picture/image.hpp"
 
 #include <array>
 
-namespace meetc::app {
+namespace meetc::picture {
 namespace {
 
 constexpr std::array<std::array<std::uint8_t, 5>, 95> font{{
@@ -66,4 +66,4 @@ void draw_text(image &into, int x, int y, std::string_view text, int scale, colo
   }
 }
 
-} // namespace meetc::app
+} // namespace meetc::picture

@@ -54,7 +54,7 @@ std::string text(const body &b, std::size_t i) {
 
 } // namespace
 
-body triangles_of(const meetc::app::mesh &m) {
+body triangles_of(const meetc::bodies::mesh &m) {
   body b{shape::triangle, {}};
   for (const std::uint32_t i : m.index)
     b.rows.insert(b.rows.end(), m.xyz.begin() + 3 * static_cast<std::ptrdiff_t>(i),

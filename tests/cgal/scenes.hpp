@@ -10,7 +10,7 @@
 
 namespace meetc::cgal_test {
 
-body triangles_of(const meetc::app::mesh &m);
+body triangles_of(const meetc::bodies::mesh &m);
 body segments_of(const std::vector<float> &rows);
 body spheres_of(const std::vector<float> &rows);
 

@@ -3,23 +3,23 @@
 #include "tests/cgal/scenes.hpp"
 
 using namespace meetc::cgal_test;
-namespace app = meetc::app;
+namespace bodies = meetc::bodies;
 
 namespace {
 
 body spheres(std::size_t n, std::uint64_t seed, double least = 0.02, double most = 0.15) {
-  return spheres_of(app::sphere_cloud(n, seed, least, most));
+  return spheres_of(bodies::sphere_cloud(n, seed, least, most));
 }
 body segments(std::size_t n, std::uint64_t seed, double length) {
-  return segments_of(app::segment_cloud(n, seed, length));
+  return segments_of(bodies::segment_cloud(n, seed, length));
 }
 
 } // namespace
 
 TEST_CASE("built-in: meshes at several poses") {
-  const body ball = triangles_of(app::icosphere(3)), ring = triangles_of(app::torus(48, 24)),
-             rope = triangles_of(app::knot(200, 12)), wheel = triangles_of(app::gear(12, 2)),
-             animal = triangles_of(app::blob(48));
+  const body ball = triangles_of(bodies::icosphere(3)), ring = triangles_of(bodies::torus(48, 24)),
+             rope = triangles_of(bodies::knot(200, 12)), wheel = triangles_of(bodies::gear(12, 2)),
+             animal = triangles_of(bodies::blob(48));
   CHECK(same_pairs("icosphere on itself, turned", ball, placed(ball, {{1, 2, 3}, 20, 1, {0, 0, 0}})) > 1000);
   CHECK(same_pairs("icosphere x torus", ball, placed(ring, {{1, 0, 0}, 30, 1, {0.25, 0, 0.1}})) > 200);
   CHECK(same_pairs("torus x knot", ring, placed(rope, {{0, 1, 0}, 77, 0.9, {0.05, 0.1, 0}})) > 500);
@@ -32,8 +32,8 @@ TEST_CASE("built-in: meshes at several poses") {
 }
 
 TEST_CASE("built-in: a mesh against itself, and moved by one last bit") {
-  for (const body &b : {triangles_of(app::icosphere(3)), triangles_of(app::torus(40, 20)),
-                        triangles_of(app::gear(8, 1)), triangles_of(app::block(6, 5, 4, 2))}) {
+  for (const body &b : {triangles_of(bodies::icosphere(3)), triangles_of(bodies::torus(40, 20)),
+                        triangles_of(bodies::gear(8, 1)), triangles_of(bodies::block(6, 5, 4, 2))}) {
     CHECK(same_pairs("self", b, b) > 10 * b.size());
     body near = b;
     for (std::size_t i = 0; i < near.rows.size(); ++i)
@@ -43,7 +43,7 @@ TEST_CASE("built-in: a mesh against itself, and moved by one last bit") {
 }
 
 TEST_CASE("built-in: blocks that share faces, edges and corners") {
-  const body block = triangles_of(app::block(8, 6, 4, 2));
+  const body block = triangles_of(bodies::block(8, 6, 4, 2));
   // Cells of 1/4: the block is 2 x 1.5 x 1. Exactly coplanar faces, in step and half a cell out of step.
   const double moves[][3] = {{2, 0, 0},      {2, 0.25, 0},      {2, 0.125, 0.125}, {0, 1.5, 0.0625}, {0, 0, 1},
                              {0.1, 0.2, 1},  {2, 1.5, 0},       {2, 1.5, 1},       {0.25, 0, 0},     {0.125, 0.125, 0},
@@ -59,8 +59,8 @@ TEST_CASE("built-in: blocks that share faces, edges and corners") {
 }
 
 TEST_CASE("built-in: segments and spheres against meshes and each other") {
-  const body ring = triangles_of(app::torus(48, 24)), block = triangles_of(app::block(8, 6, 4, 2)),
-             animal = triangles_of(app::blob(48));
+  const body ring = triangles_of(bodies::torus(48, 24)), block = triangles_of(bodies::block(8, 6, 4, 2)),
+             animal = triangles_of(bodies::blob(48));
   const body rods = segments(4000, 5, 0.4), balls = spheres(1500, 6);
   CHECK(same_pairs("segments x torus", rods, ring) > 500);
   CHECK(same_pairs("segments x blob", rods, animal) > 500);
@@ -93,8 +93,8 @@ TEST_CASE("built-in: segments and spheres against meshes and each other") {
 }
 
 TEST_CASE("built-in: tiny, huge and far from the origin, in float32") {
-  const body ring = triangles_of(app::torus(32, 16)),
-             rope = placed(triangles_of(app::knot(96, 8)), {{0, 1, 0}, 77, 0.9, {0.05, 0.1, 0}}),
+  const body ring = triangles_of(bodies::torus(32, 16)),
+             rope = placed(triangles_of(bodies::knot(96, 8)), {{0, 1, 0}, 77, 0.9, {0.05, 0.1, 0}}),
              rods = segments(1500, 5, 0.4), balls = spheres(500, 6);
   struct {
     float factor, offset;

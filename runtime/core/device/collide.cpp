@@ -29,13 +29,12 @@ const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const 
   throw device_error(std::string("no CUDA kernels were generated for ") + p.name);
 }
 
-class query {
+class device_query {
 public:
-  query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
-        const device_options &options)
+  device_query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
+               const device_options &options)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
-        options_(options),
-        keep_(options.mode == collide_mode::list || (options.mode == collide_mode::count && owned())) {}
+        options_(options), keep_(options.want != answer_kind::any && (options.want != answer_kind::count || owned())) {}
 
   device_result run() {
     result_.filter = options_.filter.value_or(on_.best_filter());
@@ -51,7 +50,7 @@ public:
       take_room();
       go_through({0, x_.objects(), 0, y_.objects()});
     }
-    if (options_.mode == collide_mode::any)
+    if (options_.want == answer_kind::any)
       result_.count = result_.count > 0;
     if (keep_)
       finish();
@@ -165,7 +164,7 @@ private:
       done += area(p);
       if (options_.progress)
         options_.progress(static_cast<double>(done) / static_cast<double>(area(whole)));
-      if (options_.mode == collide_mode::any && result_.count > 0)
+      if (options_.want == answer_kind::any && result_.count > 0)
         return;
     }
   }
@@ -273,26 +272,26 @@ private:
     std::vector<index_pair> &pairs = result_.pairs;
     if (spilled_.empty() && (keys_ == 0 || sort_on_device())) {
       check(to_pairs(buffers_.keys.data(), keys_, on_.stream()), "starting a kernel");
-      result_.count = keys_;
-      if (options_.mode == collide_mode::count)
+      if (options_.want == answer_kind::count) {
+        result_.count = keys_;
         return;
+      }
       check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
       const auto start = std::chrono::steady_clock::now();
       pairs.resize(keys_);
       check(cudaMemcpy(pairs.data(), buffers_.keys.data(), keys_ * sizeof(index_pair), cudaMemcpyDeviceToHost),
             "downloading pairs");
       download_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      return;
+    } else {
+      spill();
+      pairs = std::move(spilled_);
+      std::vector<index_pair> scratch;
+      sort_pairs(pairs.data(), pairs.size(), scratch);
+      if (owned())
+        meetc::drop_repeats(pairs);
     }
-    spill();
-    pairs = std::move(spilled_);
-    std::vector<index_pair> scratch;
-    sort_pairs(pairs.data(), pairs.size(), scratch);
-    if (owned())
-      meetc::drop_repeats(pairs);
-    result_.count = pairs.size();
-    if (options_.mode == collide_mode::count)
-      std::vector<index_pair>().swap(pairs);
+    answer_from_list(options_.want, items(options_.owner_a, a_.elements()), items(options_.owner_b, b_.elements()),
+                     result_);
   }
 
   device &on_;
@@ -321,7 +320,7 @@ device_result collide(device &on, device_set &a, device_set &b, const predicate_
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
   require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
-  device_result r = query(on, a, b, predicate, precision, options).run();
+  device_result r = device_query(on, a, b, predicate, precision, options).run();
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;
 }

@@ -1,4 +1,7 @@
-// core/device/collide.hpp: all touching pairs of two sets, on a CUDA device; the answers of core/collide.hpp.
+// core/device/collide.hpp: which elements of two sets touch, on a CUDA device; the answers of core/collide.hpp.
+//
+// The device finds pairs, and counts them. Flags and counts of elements are made on the host from the list of
+// pairs, so their memory grows with the pairs, on the device and for a while on the host.
 //
 // First the filter looks at every pair of groups of neighbours, or of elements: a matrix product whose signs tell which
 // enclosing balls may touch. Then, from list to list, come boxes and the reject stage, and the rungs. The product is cut
@@ -16,8 +19,9 @@
 namespace meetc {
 
 struct device_options {
-  collide_mode mode = collide_mode::list;
-  // Element -> item, of each side; empty: the element itself. Pairs are then of items, each once.
+  answer_kind want = answer_kind::pairs;
+  // Element -> item, of each side; empty: the element itself. Answers are then of items, as in
+  // collide_options.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   std::optional<cuda::filter> filter = {}; // nothing: the device's best
   cuda::grouping by = cuda::grouping::group;

@@ -18,7 +18,7 @@ public:
   std::uint32_t elements() const { return elements_; }
 
   // Takes the set under this pose from now on; from where it was uploaded, not from its last pose. The arithmetic is
-  // that of core/view.hpp, bit for bit. Throws input_error where a number leaves float32, std::invalid_argument where
+  // that of core/pose.hpp, bit for bit. Throws input_error where a number leaves float32, std::invalid_argument where
   // the kind cannot be moved, device_error. The set is then as it was before.
   void move(const pose &at);
 

@@ -37,7 +37,7 @@ inline std::string put(const std::string &name, std::string_view content) {
   return test_files::put(name, content).string();
 }
 
-inline std::string put_mesh(const std::string &name, const meetc::app::mesh &m) {
+inline std::string put_mesh(const std::string &name, const meetc::bodies::mesh &m) {
   meetc::io::write_ply(folder() / name, m.xyz, m.index);
   return at(name);
 }
@@ -47,18 +47,22 @@ struct said {
   std::string out, err;
 };
 
-// Through the shell, in the tests' folder: `meet` with the arguments, each passed as it is. `around` may
+// Through the shell, in the tests' folder: the program with the arguments, each passed as it is. `around` may
 // redirect.
-inline said run(const std::vector<std::string> &arguments, const std::string &around = "") {
+inline said run_program(const fs::path &program, const std::vector<std::string> &arguments,
+                        const std::string &around = "") {
   std::string words;
   for (const std::string &a : arguments)
     words += fmt::format(" '{}'", a);
   const std::string out = at("stdout.txt"), err = at("stderr.txt");
   fs::remove(out);
   const std::string command =
-      fmt::format("cd '{}' && '{}'{} >'{}' 2>'{}' {}", folder().string(), MEETC_MEET, words, out, err, around);
+      fmt::format("cd '{}' && '{}'{} >'{}' 2>'{}' {}", folder().string(), program.string(), words, out, err, around);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, get(out), get(err)};
+}
+inline said run(const std::vector<std::string> &arguments, const std::string &around = "") {
+  return run_program(MEETC_MEET, arguments, around);
 }
 
 // A run that must do well; gives its JSON, which is all that it prints.

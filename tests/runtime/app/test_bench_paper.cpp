@@ -52,7 +52,7 @@ void check_row(const json &row, const std::string &a, const std::string &b, cons
   CHECK(j["pairs"] > 0);
 }
 
-meetc::app::mesh larger(meetc::app::mesh m, float by) {
+meetc::bodies::mesh larger(meetc::bodies::mesh m, float by) {
   for (float &x : m.xyz)
     x *= by;
   return m;
@@ -65,7 +65,7 @@ bool is_png(const fs::path &path) {
 } // namespace
 
 TEST_CASE("bench paper: counts of built-in meshes are those of collide") {
-  using namespace meetc::app;
+  using namespace meetc::bodies;
   const json &j = built_in();
   CHECK(j["meshes"] == "built-in");
   CHECK(j["device"].is_null());
@@ -82,7 +82,7 @@ TEST_CASE("bench paper: counts of built-in meshes are those of collide") {
 }
 
 TEST_CASE("bench paper: counts of files, and of what is cut out of them, are those of collide") {
-  using namespace meetc::app;
+  using namespace meetc::bodies;
   // In the units that the pose is for.
   fs::create_directories(at("meshes"));
   put_mesh("meshes/bunny_1k.ply", larger(torus(25, 20), 0.08F));
@@ -207,9 +207,9 @@ TEST_CASE("bench paper: what is wrong is said in one line, and nothing is writte
   put("bare/bunny_1k.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
                            "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n");
   CHECK(with({"--data", "bare", "-o", "unmade"}) == "bare/bunny_1k.ply: holds no triangles");
-  put_mesh("bare/bunny_1k.ply", meetc::app::torus(25, 20));
+  put_mesh("bare/bunny_1k.ply", meetc::bodies::torus(25, 20));
   CHECK(with({"--data", "bare", "-o", "unmade"}) == "--data bare: holds no armadillo_*.ply");
-  put_mesh("bare/armadillo_big.ply", meetc::app::knot(400, 200));
+  put_mesh("bare/armadillo_big.ply", meetc::bodies::knot(400, 200));
   CHECK(with({"--data", "bare", "-o", "unmade"}) == "bare: no armadillo_*.ply of up to 100,000 triangles");
   put("bare/armadillo_bad.ply", "ply\nnonsense\n");
   CHECK(has(with({"--data", "bare", "-o", "unmade"}), "bare/armadillo_bad.ply"));

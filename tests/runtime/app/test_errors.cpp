@@ -9,7 +9,7 @@ using namespace fixture;
 namespace {
 
 void put_files() {
-  put_mesh("ball.ply", meetc::app::icosphere(1));
+  put_mesh("ball.ply", meetc::bodies::icosphere(1));
   put("balls.csv", "x,y,z,r\n1,0,0,0.5\n");
   put("rods.csv", "x0,y0,z0,x1,y1,z1\n0,0,0,2,0,0\n");
   put("points.csv", "x,y,z\n0,0,0\n");

@@ -15,7 +15,7 @@ std::string inspected(const std::string &a, const std::string &b) {
 } // namespace
 
 TEST_CASE("counts, boxes and predicates") {
-  put_mesh("ball.ply", meetc::app::icosphere(2));
+  put_mesh("ball.ply", meetc::bodies::icosphere(2));
   put("balls.csv", "x,y,z,r\n1,0,0,0.5\n9,0,0,1\n");
   const std::string out = inspected("ball.ply", "balls.csv");
   for (const char *const part :
@@ -62,7 +62,7 @@ TEST_CASE("degeneracies") {
 }
 
 TEST_CASE("the scene that the files require") {
-  put_mesh("ball.ply", meetc::app::icosphere(1));
+  put_mesh("ball.ply", meetc::bodies::icosphere(1));
   put("balls.csv", "x,y,z,r\n1,0,0,0.5\n");
   const said s = run({"inspect", "balls.csv", "ball.ply", "--scene", "robot-cell.toml", "--algebra", MEETC_ALGEBRA});
   INFO(s.err);
@@ -112,7 +112,7 @@ TEST_CASE("the scene's box is the least power of two that holds both files") {
 }
 
 TEST_CASE("what inspect refuses") {
-  put_mesh("ball.ply", meetc::app::icosphere(1));
+  put_mesh("ball.ply", meetc::bodies::icosphere(1));
   put("balls.csv", "x,y,z,r\n1,0,0,0.5\n");
   put("points.csv", "x,y,z\n1,0,0\n");
   CHECK(has(complaint({"inspect", "missing.ply", "ball.ply"}), "missing.ply: "));

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 using namespace fixture;
-using namespace meetc::app;
+using namespace meetc::bodies;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 
 using namespace fixture;
-using namespace meetc::app;
+using namespace meetc::bodies;
 
 namespace {
 

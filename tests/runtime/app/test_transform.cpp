@@ -58,11 +58,11 @@ TEST_CASE("radii take the scale") {
 }
 
 TEST_CASE("the same pairs under exact scaling and translation") {
-  put_mesh("ball.ply", meetc::app::icosphere(3));
-  meetc::app::mesh ring = meetc::app::torus(48, 24);
+  put_mesh("ball.ply", meetc::bodies::icosphere(3));
+  meetc::bodies::mesh ring = meetc::bodies::torus(48, 24);
   put_mesh("ring.ply", ring);
   const pair_list pairs = pairs_of({"ball.ply", "ring.ply"});
-  meetc::app::mesh ball = meetc::app::icosphere(3);
+  meetc::bodies::mesh ball = meetc::bodies::icosphere(3);
   for (float &c : ball.xyz)
     c *= 0x1p-60f;
   put_mesh("tiny.ply", ball);

@@ -1,4 +1,4 @@
-// Tables, charts, blind counting, and what is asked of a device.
+// Tables, brute force, and what is asked of a device.
 #include "tests/catch.hpp"
 
 #include "app/failure.hpp"
@@ -11,6 +11,8 @@
 #include <cmath>
 
 using namespace meetc::app;
+using namespace meetc::bench;
+using namespace meetc::bodies;
 
 TEST_CASE("a table as text, Markdown and JSON") {
   table t{"one", "A table", {{"n", "size|of it"}, {"r", "ratio"}}, {}, {"A note."}};
@@ -24,41 +26,17 @@ TEST_CASE("a table as text, Markdown and JSON") {
                       "\nA note.\n");
   CHECK(as_markdown(t) == "## A table\n\n| size of it | ratio |\n|---|---:|\n| 1,234,567 | 0.50 |\n"
                           "| a \"b\" | no device |\n\nA note.\n");
-  CHECK(as_json(t) == R"({"name":"one","rows":[{"n":1234567,"r":0.5},{"n":"a \"b\"","r":null}]})");
-  CHECK(of_ratio(INFINITY).json == "null");
+  CHECK(as_json(t).dump() == R"({"name":"one","rows":[{"n":1234567,"r":0.5},{"n":"a \"b\"","r":null}]})");
+  CHECK(of_ratio(INFINITY).value.is_null());
   CHECK(of_ratio(41.96).text == "42.0");
   CHECK(of_ratio(12345.6).text == "12,346");
 }
 
-TEST_CASE("a chart draws its points where they are, by powers of ten") {
-  const colour ink = palette::curve_red;
-  const auto inked = [&](const image &p) { // columns that hold ink below the legend: first and last
-    std::array<int, 4> box{p.width, 0, p.height, 0};
-    for (int y = 60; y < p.height; ++y)
-      for (int x = 0; x < p.width; ++x)
-        if (p.at(x, y) == ink)
-          box = {std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y)};
-    return box;
-  };
-  const auto drawn = [&](std::vector<std::pair<double, double>> points) {
-    return draw({"t", "x", "y", {{"c", ink, std::move(points)}}}, 600, 400);
-  };
-  const std::array<int, 4> two = inked(drawn({{1, 1}, {10000, 100}})),
-                           middle = inked(drawn({{1, 1}, {10000, 100}, {100, 10}}));
-  CHECK(two == middle); // (100, 10) lies half-way on both axes, so on the line
-  const std::array<int, 4> three = inked(drawn({{1, 1}, {100, 10}, {10000, 100}}));
-  CHECK(two == three);
-  CHECK(two[1] - two[0] > 300);
-  CHECK(two[3] - two[2] > 200);
-  const std::array<int, 4> none = inked(drawn({{1, 0}, {10, -1}, {100, NAN}}));
-  CHECK(none[1] == 0);
-}
-
-TEST_CASE("blind counting finds what the search finds, and its sample is a part of it") {
+TEST_CASE("brute force finds what the search finds, and its sample is a part of it") {
   const meetc::catalogue &all = cga::catalogue();
   const meetc::io::element_set a = of_mesh(all, torus(25, 20)), b = of_mesh(all, knot(100, 25));
   const choice by = choose(all, *a.kind, *b.kind, {}, {});
-  how h;
+  query h;
   h.by = by;
   const std::uint64_t pairs = collide_sets(a, b, h).pairs;
   REQUIRE(pairs > 0);
@@ -68,14 +46,14 @@ TEST_CASE("blind counting finds what the search finds, and its sample is a part 
       [](const float *, const float *, const meetc::index_pair *, std::size_t n, meetc::answer *out) {
         std::fill_n(out, n, meetc::answer::no);
       }};
-  const blind_times whole = time_blind(clock, tests, a, b, 5'000'000, 1);
+  const brute_force_times whole = time_brute_force(clock, tests, a, b, 5'000'000, 1);
   CHECK_FALSE(whole.sample);
   CHECK(whole.pairs == 5'000'000);
   CHECK(whole.of[0].yes == pairs);
   CHECK(whole.of[0].wrong_yes + whole.of[0].wrong_no == 0);
   CHECK(whole.of[3].wrong_no == pairs); // never yes
   CHECK(whole.of[3].wrong_yes == 0);
-  const blind_times part = time_blind(clock, tests, a, b, 200'000, 3);
+  const brute_force_times part = time_brute_force(clock, tests, a, b, 200'000, 3);
   CHECK(part.sample);
   CHECK(part.pairs <= 200'000);
   CHECK(part.pairs > 100'000);

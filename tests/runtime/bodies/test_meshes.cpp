@@ -12,7 +12,7 @@
 #include <set>
 #include <string>
 
-using namespace meetc::app;
+using namespace meetc::bodies;
 
 namespace {
 

@@ -23,11 +23,11 @@ void agree(const rows &a, const rows &b, const predicate_info &p) {
       CHECK(same(r.pairs, want.pairs));
       CHECK(r.count == want.pairs.size());
       CHECK(r.candidates == want.candidates);
-      o.mode = collide_mode::count;
+      o.want = answer_kind::count;
       const result counted = collide(x, y, p, rung::fp32, o);
       CHECK(counted.count == want.pairs.size());
       CHECK(counted.pairs.empty());
-      o.mode = collide_mode::any;
+      o.want = answer_kind::any;
       CHECK(collide(x, y, p, rung::fp32, o).count == !want.pairs.empty());
     }
 }
@@ -162,11 +162,11 @@ TEST_CASE("where everything overlaps, the count needs no list") {
   const rows a = some_boxes(3000, 0, 1, 17);
   const prepared x = prepare(view_of(a, boxes), boxes);
   collide_options o;
-  o.mode = collide_mode::count;
+  o.want = answer_kind::count;
   const result r = collide(x, x, box_box_hit, rung::fp32, o);
   CHECK(r.count == 9'000'000);
   CHECK(r.candidates == 9'000'000);
-  o.mode = collide_mode::any;
+  o.want = answer_kind::any;
   CHECK(collide(x, x, box_box_hit, rung::fp32, o).candidates < 100'000);
 }
 

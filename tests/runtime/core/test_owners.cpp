@@ -38,7 +38,7 @@ TEST_CASE("pairs of items, each once, sorted") {
         CHECK(std::equal(want.begin(), want.end(), r.pairs.begin(),
                          [](const auto &w, index_pair p) { return w.first == p.a && w.second == p.b; }));
         CHECK(r.count == want.size());
-        o.mode = collide_mode::count;
+        o.want = answer_kind::count;
         const result counted = collide(x, y, box_box_hit, rung::fp32, o);
         CHECK(counted.count == want.size());
         CHECK(counted.pairs.empty());

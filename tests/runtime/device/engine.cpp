@@ -203,13 +203,13 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
       }
       if (!o.all_modes)
         continue;
-      with.mode = collide_mode::count;
+      with.want = answer_kind::count;
       const device_result counted = collide(on_, da, db, p, r, with);
       if (counted.count != have.count || !counted.pairs.empty())
         fails("counted " + std::to_string(counted.count) + ", listed " + std::to_string(have.count));
       if (counted.candidates != have.candidates || counted.near_balls != have.near_balls)
         fails("counting looks at other candidates than listing");
-      with.mode = collide_mode::any;
+      with.want = answer_kind::any;
       const device_result any = collide(on_, da, db, p, r, with);
       if (any.count != (have.count > 0) || !any.pairs.empty())
         fails("any says " + std::to_string(any.count) + " of " + std::to_string(have.count));

@@ -158,7 +158,7 @@ private:
     device_set a(with_.on(), prepare(view_of(x), *p.a)), b(with_.on(), prepare(view_of(y), *p.b));
     device_options o;
     o.by = cuda::grouping::single;
-    o.mode = collide_mode::count;
+    o.want = answer_kind::count;
     return collide(with_.on(), a, b, p, rung::certified, o).near_balls;
   }
 

@@ -1,6 +1,6 @@
 // Pictures: the file decodes, hits are seen in every way they can lie, and no input does harm.
 #include "bodies/meshes.hpp"
-#include "picture/picture.hpp"
+#include "picture/render.hpp"
 
 #include "tests/catch.hpp"
 
@@ -10,7 +10,8 @@
 #include <png.h>
 #include <stdexcept>
 
-using namespace meetc::app;
+using namespace meetc::bodies;
+using namespace meetc::picture;
 
 namespace {
 
@@ -53,8 +54,8 @@ struct scene {
   }
 };
 
-view plain() {
-  view v;
+camera plain() {
+  camera v;
   v.supersample = 2;
   return v;
 }
@@ -107,7 +108,7 @@ TEST_CASE("one hit triangle far smaller than a pixel is seen") {
   const shape s{form::triangles, m.xyz, m.index, hit, palette::green, palette::pink, ""};
   const image far = render({&s, 1}, plain(), 200, 200);
   CHECK(count(far, palette::pink) >= 4);
-  view close = plain();
+  camera close = plain();
   close.fit = framing::hits;
   CHECK(count(render({&s, 1}, close, 200, 200), palette::pink) > 2000);
 }
@@ -118,14 +119,14 @@ TEST_CASE("a hidden hit shines through, the view that faces it shows it") {
     if (s.a.xyz[3 * std::size_t{s.a.index[3 * t]} + 2] < -0.9f)
       s.hit_a[t] = 1;
   const std::vector<shape> a{s.shapes()[0]};
-  view front = plain();
+  camera front = plain();
   front.azimuth = front.elevation = 0;
-  view opaque = front;
+  camera opaque = front;
   opaque.see_through = 0;
   const image none = render(a, opaque, 200, 200), some = render(a, front, 200, 200);
   CHECK(count(none, palette::yellow) == 0);
   CHECK(some.rgb != none.rgb);
-  const view turned = facing_hits(a, front);
+  const camera turned = facing_hits(a, front);
   CHECK(count(render(a, turned, 200, 200), palette::yellow) > 500);
 }
 
@@ -138,7 +139,7 @@ TEST_CASE("spheres and segments") {
   CHECK(elements(s[1]) == 2);
   CHECK(hits(s[0]) == 1);
   for (const bool perspective : {false, true}) {
-    view v = plain();
+    camera v = plain();
     v.perspective = perspective;
     const image i = render(s, v, 400, 300);
     CHECK(count(i, palette::orange) > 1000);
@@ -157,7 +158,7 @@ TEST_CASE("no scale does harm: the picture of 1e30 and of 1e-30 is that of 1") {
       for (float &v : m->xyz)
         v *= scale;
     CHECK(count(render(t.shapes(), plain(), 200, 150), palette::yellow) == seen);
-    view close = plain();
+    camera close = plain();
     close.fit = framing::hits;
     CHECK(not_background(render(t.shapes(), close, 100, 100)) > 1000);
     CHECK(not_background(render_panels(t.shapes(), plain(), 400, 300)) > 1000);
@@ -184,7 +185,7 @@ TEST_CASE("empty and broken input does no harm") {
           shape s{what, std::span(soup).first(floats), {}, all, palette::green, palette::pink, "x"};
           if (indexed)
             s.index = wild;
-          view v = plain();
+          camera v = plain();
           v.fit = fit;
           v.perspective = indexed;
           CHECK(render({&s, 1}, v, 48, 32).rgb.size() == 48 * 32 * 3);

@@ -1,0 +1,15 @@
+// app/boxes.hpp: how boxes lie to each other. Boxes are closed; one with lo > hi is empty.
+#ifndef MEETC_APP_BOXES_HPP
+#define MEETC_APP_BOXES_HPP
+
+#include "core/box.hpp"
+
+namespace meetc::app {
+
+bool is_empty(const box &b);
+bool disjoint(const box &x, const box &y); // not where one is empty
+bool inside(const box &inner, const box &outer);
+
+} // namespace meetc::app
+
+#endif

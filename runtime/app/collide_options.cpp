@@ -1,0 +1,89 @@
+// The options of `meet collide`.
+#include "app/choose.hpp"
+#include "app/collide_command.hpp"
+#include "app/option_values.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace meetc::app {
+
+namespace {
+
+// What CLI11 fills; strings where its own conversion says less than ours.
+struct arguments {
+  collide_request request;
+  std::string precision = "certified", device = "auto";
+  std::optional<std::string> translate, scale, matrix, threads;
+};
+
+void add_sets(CLI::App &c, arguments &to) {
+  c.add_option("A", to.request.a, files_help)->required()->type_name("FILE");
+  c.add_option("B", to.request.b, "The other set; the same file gives every ordered pair (i, j), i = j included")
+      ->required()
+      ->type_name("FILE");
+}
+
+void add_question(CLI::App &c, arguments &to) {
+  collide_request &q = to.request;
+  c.add_option("--predicate", q.predicate, "Which predicate decides, where several fit (meet inspect lists them)")
+      ->type_name("NAME");
+  c.add_option("--mode", q.mode, "What a sphere is; solid is the default")->type_name("solid|surface");
+  c.add_option("--precision", to.precision,
+               "certified, the default, is never wrong: fp32 with proved bounds first, and what that leaves unsure "
+               "goes on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the sign "
+               "of what rounding leaves")
+      ->type_name("fp32|fp64|fp64x2|exact|certified");
+  c.add_option("--device", to.device, "Where pairs are decided; auto, the default, is the CPU")
+      ->type_name("auto|cpu|cuda");
+  c.add_option(io::scale_option, to.scale, "Multiply B by s first: coordinates and radii")->type_name("s");
+  c.add_option(io::matrix_option, to.matrix,
+               "Then move B by m00,m01,..,m23: 12 numbers, row-major 3x4; for spheres a similarity")
+      ->type_name("NUMBERS");
+  c.add_option(io::translate_option, to.translate, "Then move B by x,y,z")->type_name("x,y,z");
+}
+
+void add_answers(CLI::App &c, arguments &to) {
+  collide_request &q = to.request;
+  c.add_flag("--any", q.any,
+             "Only whether anything touches: stops at the first pair found, so that pairs is 0 or 1; "
+             "which pair is not told")
+      ->disable_flag_override();
+  c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")->type_name("out.csv");
+  c.add_option("--color,--colour", q.colour,
+               "Write a.ply and b.ply with touched faces in bright colours into this folder")
+      ->type_name("DIR");
+  c.add_option("--image", q.image, "Write a picture in which what touches stands out")->type_name("out.png");
+  c.add_flag("--json", q.json, "Print one JSON object instead of the summary")->disable_flag_override();
+  c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
+}
+
+const collide_request &read(arguments &args) {
+  collide_request &q = args.request;
+  q.on = processor_named(args.device);
+  q.precision = precision_named(args.precision);
+  if (args.threads)
+    q.threads = threads_named(*args.threads);
+  if (args.scale)
+    q.move_b.scale = numbers<1>(io::scale_option, *args.scale)[0];
+  if (args.matrix)
+    q.move_b.matrix = numbers<12>(io::matrix_option, *args.matrix);
+  if (args.translate)
+    q.move_b.translate = numbers<3>(io::translate_option, *args.translate);
+  q.move_b.check();
+  return q;
+}
+
+} // namespace
+
+command add_collide(CLI::App &program, const catalogue &all) {
+  CLI::App &c = *program.add_subcommand("collide", "Find all touching pairs of the elements of two files");
+  const auto args = std::make_shared<arguments>();
+  add_sets(c, *args);
+  add_question(c, *args);
+  add_answers(c, *args);
+  return {&c, [&all, args] { return collide(all, read(*args)); }};
+}
+
+} // namespace meetc::app

@@ -1,0 +1,27 @@
+// app/command.hpp: a command of the program, as the program knows it.
+#ifndef MEETC_APP_COMMAND_HPP
+#define MEETC_APP_COMMAND_HPP
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace meetc::app {
+
+struct command {
+  CLI::App *parser = nullptr;
+  std::function<std::string()> run; // returns what goes to standard output; empty where there are parts
+  std::vector<command> parts = {};  // subcommands, of which one must be given
+  std::string part_is_missing = {}; // what is said where none is
+};
+
+// Adds a command and its options to the program's parser, which the command must not outlive.
+using add_command = std::function<command(CLI::App &program)>;
+
+} // namespace meetc::app
+
+#endif

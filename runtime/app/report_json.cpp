@@ -1,0 +1,56 @@
+// The answer of `meet collide` as JSON.
+#include "app/json.hpp"
+#include "app/report.hpp"
+
+namespace meetc::app {
+
+namespace {
+
+json side(const io::element_set &set) {
+  return {{"kind", set.kind->name}, {"elements", set.items}};
+}
+
+// In the order in which the rungs run; empty under a plain rung.
+json unsure(const collide_report &r) {
+  json out = json::object();
+  for (int i = 0; i < bounded_rungs && r.asked.precision == rung::certified; ++i)
+    out[name_of(static_cast<rung>(i))] = r.found.rungs.unsure[i];
+  return out;
+}
+
+json seconds(const collide_report &r) {
+  const answers &f = r.found;
+  json out = {{"read", with_decimals(r.read_seconds, 6)},
+              {"prepare", with_decimals(f.prepare_seconds, 6)},
+              {"collide", with_decimals(f.collide_seconds, 6)}};
+  if (r.asked.on == processor::cuda) {
+    out["start"] = with_decimals(f.start_seconds, 6);
+    out["device"] = with_decimals(f.device_seconds, 6);
+  }
+  return out;
+}
+
+} // namespace
+
+std::string as_json(const collide_report &r) {
+  const answers &f = r.found;
+  const bool on_device = r.asked.on == processor::cuda;
+  json out = {{"a", side(r.a)},
+              {"b", side(r.b)},
+              {"pairs", f.pairs},
+              {"touched_a", f.a.touched},
+              {"touched_b", f.b.touched},
+              {"precision", name_of(r.asked.precision)},
+              {"device", on_device ? "cuda" : "cpu"},
+              {"unsure", unsure(r)},
+              {"seconds", seconds(r)},
+              {"predicate", r.asked.by.predicate->name},
+              {"mode", r.asked.by.predicate->mode}};
+  if (on_device) {
+    out["device_name"] = f.device;
+    out["model"] = f.model;
+  }
+  return in_one_line(out) + '\n';
+}
+
+} // namespace meetc::app

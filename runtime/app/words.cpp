@@ -1,0 +1,32 @@
+#include "app/words.hpp"
+
+#include "app/boxes.hpp"
+#include "app/sets.hpp"
+
+#include <fmt/format.h>
+
+namespace meetc::app {
+
+std::string grouped(std::uint64_t n) {
+  std::string s = std::to_string(n);
+  for (std::size_t at = s.size(); at > 3; at -= 3)
+    s.insert(at - 3, 1, ',');
+  return s;
+}
+
+std::string counted(const io::element_set &set, std::uint64_t n) {
+  return fmt::format("{} {}{}", grouped(n), is_mesh(set) ? "face" : set.kind->name, n == 1 ? "" : "s");
+}
+
+std::string counted(const io::element_set &set) {
+  const std::string items = counted(set, set.items);
+  return set.items == set.elements ? items : fmt::format("{} ({} triangles)", items, grouped(set.elements));
+}
+
+std::string in_words(const box &b) {
+  if (is_empty(b))
+    return "empty";
+  return fmt::format("[{}, {}, {}] to [{}, {}, {}]", b.lo[0], b.lo[1], b.lo[2], b.hi[0], b.hi[1], b.hi[2]);
+}
+
+} // namespace meetc::app

@@ -1,0 +1,23 @@
+// app/words.hpp: counts and boxes as people read them.
+#ifndef MEETC_APP_WORDS_HPP
+#define MEETC_APP_WORDS_HPP
+
+#include "core/box.hpp"
+#include "io/element_set.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace meetc::app {
+
+// 345944 as "345,944".
+std::string grouped(std::uint64_t n);
+// "69,451 faces", "1 sphere"; polygons also as triangles.
+std::string counted(const io::element_set &set);
+std::string counted(const io::element_set &set, std::uint64_t n);
+// "[0, 0, 0] to [1, 1, 1]"
+std::string in_words(const box &b);
+
+} // namespace meetc::app
+
+#endif

@@ -1,0 +1,51 @@
+// bench/baselines.hpp: the classic floating-point tests that our predicates are compared with.
+//
+// Problem: a time says little without the time of what others use, taken in the same run.
+// Method: each test as its paper has it, as a plain function of two rows, in float or double, on host and
+// device. A row is x y z r (ball), three corners (triangle) or two ends (segment).
+// Source: Möller 1997, Guigue and Devillers 2003, Möller and Trumbore 1997 (cited beside each). Limits: these
+// are tests by rounded numbers; where the geometry is nearly degenerate they can be wrong, and Möller's
+// epsilons are lengths of the scene's own unit.
+#ifndef MEETC_BENCH_BASELINES_HPP
+#define MEETC_BENCH_BASELINES_HPP
+
+#include "bench/baseline_guigue_devillers.hpp"
+#include "bench/baseline_moller.hpp"
+#include "bench/baseline_vectors.hpp"
+
+namespace meetc::baselines {
+
+// Solid balls: d^2 <= (r1 + r2)^2.
+template <class T> MEETC_HD inline bool balls(const T *a, const T *b) {
+  const vec<T> d = corner(a, 0) - corner(b, 0);
+  const T reach = a[3] + b[3];
+  return dot(d, d) <= reach * reach;
+}
+
+// Segment a = (p, q) against triangle b: T. Möller and B. Trumbore, "Fast, minimum storage ray-triangle
+// intersection", Journal of Graphics Tools 2(1), 1997, without culling. The barycentric coordinates u, v and
+// the place t on the segment solve p + t (q - p) = (1 - u - v) b0 + u b1 + v b2 by Cramer's rule. The paper's
+// epsilon on the determinant is 1e-6; a segment in the triangle's plane is never a hit.
+template <class T> MEETC_HD inline bool moller_trumbore(const T *a, const T *b, T epsilon) {
+  const vec<T> p = corner(a, 0), way = corner(a, 1) - p;
+  const vec<T> edge1 = corner(b, 1) - corner(b, 0), edge2 = corner(b, 2) - corner(b, 0);
+  const vec<T> across = cross(way, edge2);
+  const T determinant = dot(edge1, across);
+  if (determinant == 0 || (determinant > -epsilon && determinant < epsilon))
+    return false;
+  const T inverse = 1 / determinant;
+  const vec<T> from = p - corner(b, 0);
+  const T u = dot(from, across) * inverse;
+  if (u < 0 || u > 1)
+    return false;
+  const vec<T> turned = cross(from, edge1);
+  const T v = dot(way, turned) * inverse;
+  if (v < 0 || u + v > 1)
+    return false;
+  const T t = dot(edge2, turned) * inverse;
+  return t >= 0 && t <= 1;
+}
+
+} // namespace meetc::baselines
+
+#endif

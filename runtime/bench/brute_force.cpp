@@ -1,0 +1,119 @@
+#include "bench/brute_force.hpp"
+
+#include "bench/baselines.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace meetc::bench {
+
+namespace {
+
+constexpr std::size_t block = 4096;
+constexpr std::uint64_t least_rows = 64; // of a in a sample, since rows differ in how early they are rejected
+
+// Every so many-th of n, to have no more than `wanted`.
+std::size_t stride_to(std::size_t n, std::uint64_t wanted) {
+  const std::uint64_t w = std::max<std::uint64_t>(1, wanted);
+  return std::max<std::size_t>(1, (n + w - 1) / w);
+}
+
+std::vector<float> rows_of(const io::element_set &set, std::size_t stride) {
+  const auto fields = static_cast<std::size_t>(set.kind->fields);
+  std::vector<float> rows((set.elements + stride - 1) / stride * fields);
+  for (std::size_t i = 0; i < set.elements; i += stride)
+    set.row(i, rows.data() + i / stride * fields);
+  return rows;
+}
+
+// One row of a, and all rows of b.
+struct sweep {
+  std::vector<float> a, b;
+  std::size_t fields_a, fields_b, rows_b;
+  std::vector<index_pair> pairs; // (0, j)
+
+  template <class Take> void run(decide_function test, std::vector<answer> &out, const Take &take) const {
+    for (std::size_t i = 0; i < a.size(); i += fields_a)
+      for (std::size_t j = 0; j < rows_b; j += block) {
+        const std::size_t n = std::min(block, rows_b - j);
+        test(a.data() + i, b.data() + j * fields_b, pairs.data(), n, out.data());
+        take(i, j, n);
+      }
+  }
+};
+
+template <int A, int B, class Test>
+void each(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out, const Test &test) {
+  for (std::size_t i = 0; i < n; ++i)
+    out[i] = test(a + std::size_t{pairs[i].a} * A, b + std::size_t{pairs[i].b} * B) ? answer::yes : answer::no;
+}
+
+} // namespace
+
+namespace classic {
+
+const decide_function balls = [](const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+  each<4, 4>(a, b, pairs, n, out, [](const float *x, const float *y) { return baselines::balls(x, y); });
+};
+const decide_function moller = [](const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+  each<9, 9>(a, b, pairs, n, out, [](const float *x, const float *y) {
+    return baselines::moller(x, y, static_cast<float>(baselines::moller_epsilon));
+  });
+};
+const decide_function moller_0 = [](const float *a, const float *b, const index_pair *pairs, std::size_t n,
+                                    answer *out) {
+  each<9, 9>(a, b, pairs, n, out, [](const float *x, const float *y) { return baselines::moller(x, y, 0.0F); });
+};
+const decide_function guigue_devillers = [](const float *a, const float *b, const index_pair *pairs, std::size_t n,
+                                            answer *out) {
+  each<9, 9>(a, b, pairs, n, out, [](const float *x, const float *y) { return baselines::guigue_devillers(x, y); });
+};
+const decide_function moller_trumbore = [](const float *a, const float *b, const index_pair *pairs, std::size_t n,
+                                           answer *out) {
+  each<6, 9>(a, b, pairs, n, out,
+             [](const float *x, const float *y) { return baselines::moller_trumbore(x, y, 0.0F); });
+};
+
+} // namespace classic
+
+brute_force_times time_brute_force(yardstick &by, std::span<const decide_function> tests, const io::element_set &a,
+                                   const io::element_set &b, std::uint64_t budget, int runs) {
+  const std::size_t stride_a =
+      stride_to(a.elements, std::max<std::uint64_t>(least_rows, budget / std::max<std::size_t>(1, b.elements)));
+  const std::size_t taken = (a.elements + stride_a - 1) / stride_a;
+  const std::size_t stride_b = stride_to(b.elements, budget / std::max<std::size_t>(1, taken));
+  sweep s{rows_of(a, stride_a),
+          rows_of(b, stride_b),
+          static_cast<std::size_t>(a.kind->fields),
+          static_cast<std::size_t>(b.kind->fields),
+          (b.elements + stride_b - 1) / stride_b,
+          std::vector<index_pair>(block)};
+  for (std::size_t j = 0; j < block; ++j)
+    s.pairs[j] = {0, static_cast<std::uint32_t>(j)};
+
+  brute_force_times times;
+  times.pairs = taken * s.rows_b;
+  times.sample = stride_a > 1 || stride_b > 1;
+  times.of.resize(tests.size());
+  std::vector<answer> first(block), out(block);
+  for (std::size_t t = 0; t < tests.size(); ++t)
+    s.run(tests[t], out, [&](std::size_t i, std::size_t j, std::size_t n) {
+      tests[0](s.a.data() + i, s.b.data() + j * s.fields_b, s.pairs.data(), n, first.data());
+      for (std::size_t k = 0; k < n; ++k) {
+        times.of[t].yes += out[k] == answer::yes;
+        times.of[t].wrong_yes += out[k] == answer::yes && first[k] != answer::yes;
+        times.of[t].wrong_no += out[k] != answer::yes && first[k] == answer::yes;
+      }
+    });
+  std::vector<std::function<void()>> works;
+  for (const decide_function test : tests)
+    works.emplace_back([&s, &out, test] { s.run(test, out, [](std::size_t, std::size_t, std::size_t) {}); });
+  const std::vector<double> measured = by.measure(works, runs);
+  const double share = static_cast<double>(std::max<std::uint64_t>(1, times.pairs)) /
+                       (static_cast<double>(a.elements) * static_cast<double>(b.elements));
+  for (std::size_t t = 0; t < tests.size(); ++t)
+    times.of[t].time = measured[t] / share;
+  return times;
+}
+
+} // namespace meetc::bench

@@ -1,0 +1,41 @@
+// bench/brute_force.hpp: every pair of two sets decided on one core, as the paper does it.
+//
+// Method: each test is called for blocks of pairs of one row of a with many rows of b; all tests take the
+// same blocks in turn. Where there are more pairs than the budget, rows are left out evenly on both sides,
+// and the time is scaled by the pairs that are left out: the work of brute force is proportional to them.
+#ifndef MEETC_BENCH_BRUTE_FORCE_HPP
+#define MEETC_BENCH_BRUTE_FORCE_HPP
+
+#include "bench/measure.hpp"
+#include "io/element_set.hpp"
+#include "meetc/support.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace meetc::bench {
+
+struct brute_force_time {
+  double time = 0;                           // for all pairs, the sample's scaled; in yardsticks
+  std::uint64_t yes = 0;                     // of the sample
+  std::uint64_t wrong_yes = 0, wrong_no = 0; // against the first test, of the sample
+};
+struct brute_force_times {
+  std::vector<brute_force_time> of; // a test each
+  std::uint64_t pairs = 0;          // of the sample
+  bool sample = false;              // not all pairs
+};
+
+// a and b are the predicate's first and second set.
+brute_force_times time_brute_force(yardstick &by, std::span<const decide_function> tests, const io::element_set &a,
+                                   const io::element_set &b, std::uint64_t budget, int runs);
+
+// The classic tests as functions of rows, for time_brute_force().
+namespace classic {
+extern const decide_function balls, moller, moller_0, guigue_devillers, moller_trumbore;
+}
+
+} // namespace meetc::bench
+
+#endif

@@ -1,0 +1,67 @@
+#include "bench/command.hpp"
+
+#include "app/option_values.hpp"
+#include "bench/gpu_command.hpp"
+#include "bench/paper_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace meetc::bench {
+
+namespace {
+
+app::command add_paper(CLI::App &bench, const catalogue &all) {
+  CLI::App &c = *bench.add_subcommand("paper", "The paper's tables and its figures 1 to 6 again");
+  const auto q = std::make_shared<paper_request>();
+  const auto threads = std::make_shared<std::optional<std::string>>();
+  c.add_option("-o", q->folder, "Also write paper.md and figure_1.png to figure_6.png into this folder")
+      ->type_name("DIR");
+  c.add_option("--data", q->data,
+               "A folder with bunny_1k.ply and armadillo_*.ply; without it built-in bodies of the same sizes serve")
+      ->type_name("DIR");
+  c.add_option("--device", q->device, "Fills the columns of the GPU; auto, the default: where there is one")
+      ->type_name("auto|cpu|cuda");
+  c.add_flag("--quick", q->quick, "The first rows only, in some seconds")->disable_flag_override();
+  c.add_flag("--json", q->json, "Print one JSON object instead of the tables")->disable_flag_override();
+  c.add_option("--threads", *threads,
+               "Threads of the searches for pairs; 0, the default, is all cores; what is timed on the CPU "
+               "runs on one")
+      ->type_name("N");
+  return {&c, [&all, q, threads] {
+            if (*threads)
+              q->threads = app::threads_named(**threads);
+            return paper(all, *q);
+          }};
+}
+
+app::command add_gpu(CLI::App &bench, const catalogue &all) {
+  CLI::App &c = *bench.add_subcommand("gpu", "Kernels and queries on the CUDA device, beside the classic tests");
+  const auto q = std::make_shared<gpu_request>();
+  c.add_option("-o", q->folder, "Also write gpu.md into this folder")->type_name("DIR");
+  c.add_option("--data", q->data,
+               "A folder with bunny_69k.ply and armadillo_345k.ply (with --quick the 5k ones); without it built-in "
+               "bodies of about the same sizes serve")
+      ->type_name("DIR");
+  c.add_option("--only", q->only, "Measure the scenes alone whose names hold this")->type_name("TEXT");
+  c.add_flag("--quick", q->quick, "Small sets, to see that it runs")->disable_flag_override();
+  c.add_flag("--json", q->json, "Print one JSON object instead of the tables")->disable_flag_override();
+  return {&c, [&all, q] { return gpu(all, *q); }};
+}
+
+} // namespace
+
+app::command add_bench(CLI::App &program, const catalogue &all) {
+  CLI::App &c = *program.add_subcommand("bench", "Measure: the paper's tables and figures again, and the CUDA device");
+  c.require_subcommand(1);
+  app::command out{&c, {}};
+  out.parts.push_back(add_paper(c, all));
+  out.parts.push_back(add_gpu(c, all));
+  out.part_is_missing = "what to measure is needed";
+  return out;
+}
+
+} // namespace meetc::bench

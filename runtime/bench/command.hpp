@@ -1,0 +1,15 @@
+// bench/command.hpp: `meet bench` and its subcommands.
+#ifndef MEETC_BENCH_COMMAND_HPP
+#define MEETC_BENCH_COMMAND_HPP
+
+#include "app/command.hpp"
+#include "meetc/support.hpp"
+
+namespace meetc::bench {
+
+// The command and its options. The catalogue must outlive it.
+app::command add_bench(CLI::App &program, const catalogue &all);
+
+} // namespace meetc::bench
+
+#endif

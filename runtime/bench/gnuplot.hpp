@@ -1,0 +1,19 @@
+// bench/gnuplot.hpp: the program gnuplot, which draws charts.
+#ifndef MEETC_BENCH_GNUPLOT_HPP
+#define MEETC_BENCH_GNUPLOT_HPP
+
+#include <filesystem>
+#include <string>
+
+namespace meetc::bench {
+
+// Throws app::failure, which says what is missing, where there is no gnuplot that runs.
+void need_gnuplot();
+
+// Runs a script whose terminal writes to standard output, which becomes the file. The user's own settings of
+// gnuplot are not read, so that the same script gives the same file. Throws app::failure where it fails.
+void run_gnuplot(const std::string &script, const std::filesystem::path &to);
+
+} // namespace meetc::bench
+
+#endif

@@ -1,0 +1,49 @@
+// bench/gpu_baselines.hpp: what the GPU's kernels are compared with: the classic tests on every pair, and the clock.
+#ifndef MEETC_BENCH_GPU_BASELINES_HPP
+#define MEETC_BENCH_GPU_BASELINES_HPP
+
+#include <cstddef>
+#include <cuda_runtime_api.h>
+
+namespace meetc::bench {
+
+// Each as in baselines.hpp, on packed rows in device memory.
+enum class baseline {
+  balls_fp32,
+  balls_fp64,
+  moller_fp32,
+  moller_0_fp32,
+  guigue_devillers_fp32,
+  moller_trumbore_0_fp32
+};
+constexpr const char *name_of(baseline p) {
+  switch (p) {
+  case baseline::balls_fp32:
+    return "plain Euclidean, fp32";
+  case baseline::balls_fp64:
+    return "plain Euclidean, fp64";
+  case baseline::moller_fp32:
+    return "Möller, his epsilon, fp32";
+  case baseline::moller_0_fp32:
+    return "Möller, epsilon 0, fp32";
+  case baseline::guigue_devillers_fp32:
+    return "Guigue-Devillers, fp32";
+  case baseline::moller_trumbore_0_fp32:
+    return "Möller-Trumbore, epsilon 0, fp32";
+  }
+  return "";
+}
+
+// Adds the number of pairs that the test accepts, of n by m, to *count. Every pair is tested.
+cudaError_t count_pairs(baseline by, const float *a, std::size_t n, const float *b, std::size_t m,
+                        unsigned long long *count, cudaStream_t stream);
+
+// Cycles of a multiprocessor, and nanoseconds, while one thread waits for about so many milliseconds.
+struct clock_reading {
+  unsigned long long cycles, nanoseconds;
+};
+cudaError_t read_clock(clock_reading *out, double milliseconds, cudaStream_t stream);
+
+} // namespace meetc::bench
+
+#endif

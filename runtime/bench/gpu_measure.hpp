@@ -1,0 +1,56 @@
+// bench/gpu_measure.hpp: one table of `meet bench gpu`: kernels and queries on the CUDA device, beside the classic tests.
+#ifndef MEETC_BENCH_GPU_MEASURE_HPP
+#define MEETC_BENCH_GPU_MEASURE_HPP
+
+#include "bench/gpu_baselines.hpp"
+#include "bench/gpu_scenes.hpp"
+#include "bench/gpu_timer.hpp"
+#include "bench/table.hpp"
+#include "core/device/collide.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace meetc::bench {
+
+class gpu_bench {
+public:
+  // Throws device_error, as all here.
+  gpu_bench(const catalogue &all, bool quick);
+
+  std::string device_in_words() const;
+  table measure(const gpu_scene &scene);
+  table measure_tangent();
+
+private:
+  struct counted_pairs {
+    std::optional<std::uint64_t> found; // nothing where a part of b was taken
+    double seconds;                     // scaled to all of it
+  };
+  struct filtered {
+    std::uint64_t found;
+    double seconds, hertz;
+  };
+  struct whole_query {
+    std::uint64_t found;
+    double seconds, with_transfers;
+  };
+
+  counted_pairs count(baseline by, const device_set &a, const device_set &b);
+  std::uint64_t counted_on_device();
+  filtered filter_alone(cuda::filter f, device_set &a, device_set &b);
+  whole_query query(cuda::filter f, cuda::grouping by, rung precision, const prepared &a, const prepared &b,
+                    device_set &on_a, device_set &on_b, const predicate_info &p);
+
+  const catalogue &all_;
+  bool quick_;
+  device on_;
+  gpu_timer timer_;
+  device_memory<index_pair> list_;
+  device_memory<unsigned long long> counts_;
+};
+
+} // namespace meetc::bench
+
+#endif

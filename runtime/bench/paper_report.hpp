@@ -1,0 +1,26 @@
+// bench/paper_report.hpp: what `meet bench paper` found, as text, as a page and as JSON.
+#ifndef MEETC_BENCH_PAPER_REPORT_HPP
+#define MEETC_BENCH_PAPER_REPORT_HPP
+
+#include "bench/paper_parts.hpp"
+
+#include <string>
+
+namespace meetc::bench {
+
+struct paper_report {
+  const paper_result &found;
+  const paper_bodies &bodies;
+  const bench_device *device; // null: none
+  bool from_files, quick;
+  int threads;
+  bool drawn; // the figures were
+};
+
+std::string as_text(const paper_report &r);
+std::string as_markdown(const paper_report &r, const std::string &command);
+std::string as_json(const paper_report &r); // one object and a newline
+
+} // namespace meetc::bench
+
+#endif

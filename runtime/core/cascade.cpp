@@ -1,0 +1,37 @@
+#include "core/cascade.hpp"
+
+#include "core/element_set.hpp"
+
+namespace meetc {
+
+// Nothing rounds here: reach and longest are stored numbers, and 2 box is exact or infinite.
+static bool lies_in(const element_set &set, float box) {
+  return set.reach <= box && set.longest <= 2 * box;
+}
+
+cascade::cascade(const predicate_info &of, rung precision) : predicate(&of) {
+  if (precision != rung::certified) {
+    rungs[0] = of.decide[static_cast<int>(precision)];
+    count = rungs[0] ? 1 : 0;
+    return;
+  }
+  bool whole = true;
+  for (int i = 0; i <= bounded_rungs; ++i) {
+    rungs[i] = i < bounded_rungs ? of.certify[i] : of.decide[static_cast<int>(rung::exact)];
+    whole = whole && rungs[i];
+  }
+  count = whole ? bounded_rungs + 1 : 0;
+}
+
+void cascade::enter_box(float box, const element_set &a, const element_set &b) {
+  if (count < 2 || box == 0)
+    return;
+  start.left_box_a = !lies_in(a, box);
+  start.left_box_b = !lies_in(b, box);
+  const float least = power_above(2 * box);
+  if (predicate->certify_in_box && !start.left_box_a && !start.left_box_b && least >= predicate->box_least &&
+      least <= predicate->box_most)
+    side = least;
+}
+
+} // namespace meetc

@@ -1,0 +1,39 @@
+// core/check.hpp: which element of a caller's view is not good, and why.
+#ifndef MEETC_CORE_CHECK_HPP
+#define MEETC_CORE_CHECK_HPP
+
+#include "core/pose.hpp"
+#include "core/view.hpp"
+
+#include <string>
+
+namespace meetc {
+
+enum class fault_kind : std::uint8_t {
+  none,
+  index, // the index of point `field` lies beyond the vertices
+  value, // the value of `field` is not finite
+  moved, // finite as stored; the pose takes it beyond float32
+  rule,  // the element breaks `rule` of its kind
+};
+
+struct fault {
+  fault_kind kind = fault_kind::none;
+  std::size_t element = 0;
+  int field = 0;
+  float value = 0;
+  std::uint32_t index = 0;
+  const char *rule = nullptr;
+
+  explicit operator bool() const { return kind != fault_kind::none; }
+};
+
+// The first fault in element order. Allocates one row.
+fault check(const view &elements, const kind_info &kind, const pose &at = {});
+
+// One line without a full stop: "element 7: r is nan".
+std::string describe(const fault &f, const kind_info &kind);
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,54 @@
+// core/prepared.hpp: a set that is ready to collide, in memory of its own.
+#ifndef MEETC_CORE_PREPARED_HPP
+#define MEETC_CORE_PREPARED_HPP
+
+#include "core/check.hpp"
+#include "core/pose.hpp"
+#include "core/view.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+
+namespace meetc {
+
+// What prepare() throws for a bad element.
+class input_error : public std::invalid_argument {
+public:
+  input_error(const fault &f, const kind_info &kind) : std::invalid_argument(describe(f, kind)), where(f) {}
+  fault where;
+};
+
+struct element_set;
+
+// Packed rows of kind().fields floats in spatial order, boxes, hierarchy. Immutable; may be used by several
+// calls at once. Only a prepared() that was moved from is empty of a set, and nothing but assigning to it or
+// destroying it is then allowed.
+class prepared {
+public:
+  prepared(prepared &&) noexcept;
+  prepared &operator=(prepared &&) noexcept;
+  ~prepared();
+
+  const kind_info &kind() const;
+  std::size_t elements() const;
+  // The closed box around all elements, finite, in the units of their coordinates; lo > hi for the empty set.
+  void bounds(float lo[3], float hi[3]) const;
+  const element_set &set() const { return *set_; }
+
+private:
+  friend prepared prepare(const view &, const kind_info &, const pose &, int);
+  prepared();
+  std::unique_ptr<std::byte[]> bytes_;
+  std::unique_ptr<element_set> set_;
+};
+
+// Copies the elements under the pose, on so many threads (0: all cores). A set without elements is allowed.
+// Throws input_error (an index beyond the vertices, a value that is not finite, a broken rule of the kind),
+// std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or more) or
+// std::bad_alloc.
+prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0);
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,17 @@
+// The program `meet`: which commands it has, and on which kernels they work.
+#include "app/collide_command.hpp"
+#include "app/demo_command.hpp"
+#include "app/inspect_command.hpp"
+#include "app/program.hpp"
+#include "bench/command.hpp"
+
+#include <cga/cga_runtime.hpp>
+
+int main(int argc, char **argv) {
+  const meetc::catalogue &all = cga::catalogue();
+  return meetc::app::run(argc, argv,
+                         {[&all](CLI::App &program) { return meetc::app::add_collide(program, all); },
+                          [&all](CLI::App &program) { return meetc::app::add_inspect(program, all); },
+                          [&all](CLI::App &program) { return meetc::app::add_demo(program, all); },
+                          [&all](CLI::App &program) { return meetc::bench::add_bench(program, all); }});
+}

@@ -1,0 +1,36 @@
+// picture/scene.hpp: what a picture shows.
+#ifndef MEETC_PICTURE_SCENE_HPP
+#define MEETC_PICTURE_SCENE_HPP
+
+#include "picture/image.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace meetc::picture {
+
+enum class form : std::uint8_t {
+  triangles, // rows: x y z of vertices; three indices a triangle, or no index: nine floats a triangle
+  spheres,   // rows: x y z r
+  segments   // rows: x0 y0 z0 x1 y1 z1
+};
+
+// One set of elements of a scene. The spans must outlive the call.
+struct shape {
+  form what = form::triangles;
+  std::span<const float> rows;
+  std::span<const std::uint32_t> index;
+  std::span<const std::uint8_t> hit; // one an element, non-zero: hit; missing ones count as not hit
+  colour base = palette::green;
+  colour hit_colour = palette::yellow;
+  std::string name; // for captions
+};
+
+std::size_t elements(const shape &s);
+std::size_t hits(const shape &s);
+
+} // namespace meetc::picture
+
+#endif

@@ -1,0 +1,113 @@
+// Charts: what gnuplot draws lies where it should, twice the same, and a missing gnuplot is said.
+#include "tests/catch.hpp"
+
+#include "app/failure.hpp"
+#include "bench/chart.hpp"
+#include "bench/gnuplot.hpp"
+#include "picture/image.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <png.h>
+#include <unistd.h>
+
+using namespace meetc::bench;
+using meetc::picture::image;
+
+namespace {
+
+std::filesystem::path here(const char *name) {
+  return std::filesystem::temp_directory_path() / ("meetc-" + std::to_string(::getpid()) + "-" + name);
+}
+
+std::string bytes_of(const std::filesystem::path &file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+image decode(const std::string &file) {
+  png_image head{};
+  head.version = PNG_IMAGE_VERSION;
+  REQUIRE(png_image_begin_read_from_memory(&head, file.data(), file.size()) != 0);
+  head.format = PNG_FORMAT_RGB;
+  image out{static_cast<int>(head.width), static_cast<int>(head.height), {}};
+  out.rgb.resize(PNG_IMAGE_SIZE(head));
+  REQUIRE(png_image_finish_read(&head, nullptr, out.rgb.data(), 0, nullptr) != 0);
+  return out;
+}
+
+using points = std::vector<std::pair<double, double>>;
+
+chart one_curve(points p) {
+  return {"A title", "x of a 'chart'", "y_of it", {{"the_curve", curve_colours::red, std::move(p)}}};
+}
+
+// The columns and rows of the curve's own colour below the legend: first and last; the last is 0 without any.
+std::array<int, 4> drawn(const chart &c) {
+  const std::filesystem::path file = here("drawn.png");
+  write_chart(file, c, 600, 400);
+  const image p = decode(bytes_of(file));
+  std::filesystem::remove(file);
+  REQUIRE(p.width == 600);
+  REQUIRE(p.height == 400);
+  std::array<int, 4> box{p.width, 0, p.height, 0};
+  for (int y = 40; y < p.height; ++y)
+    for (int x = 0; x < p.width; ++x)
+      if (p.at(x, y) == curve_colours::red)
+        box = {std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y)};
+  return box;
+}
+
+} // namespace
+
+TEST_CASE("a chart draws its points where they are, by powers of ten") {
+  const std::array<int, 4> two = drawn(one_curve({{1, 1}, {10000, 100}}));
+  // (100, 10) lies half-way on both axes, so on the line.
+  CHECK(drawn(one_curve({{1, 1}, {100, 10}, {10000, 100}})) == two);
+  CHECK(two[1] - two[0] > 300);
+  CHECK(two[3] - two[2] > 150);
+  // The same axes, which another curve spans: the half of it is half as long both ways, but for the points' size.
+  chart part = one_curve({{1, 1}, {100, 10}});
+  part.curves.push_back({"spans", curve_colours::cpu, {{1, 100}, {10000, 1}}});
+  const std::array<int, 4> half = drawn(part);
+  CHECK(half[0] == two[0]);
+  CHECK(std::abs(2 * (half[1] - half[0]) - (two[1] - two[0])) < 20);
+  CHECK(std::abs(2 * (half[3] - half[2]) - (two[3] - two[2])) < 40); // the legend takes another line
+}
+
+TEST_CASE("points that have no place on a chart by powers of ten are left out") {
+  const std::array<int, 4> none = drawn(one_curve({{1, 0}, {10, -1}, {100, NAN}, {INFINITY, 1}}));
+  CHECK(none[1] == 0);
+  CHECK(drawn(one_curve({}))[1] == 0);
+}
+
+TEST_CASE("the same chart is the same file, and its words are in the script") {
+  const chart c = one_curve({{1000, 0.5}, {1e6, 2000}});
+  const std::filesystem::path x = here("x.png"), y = here("y.png");
+  write_chart(x, c, 800, 450);
+  write_chart(y, c, 800, 450);
+  CHECK(bytes_of(x) == bytes_of(y));
+  std::filesystem::remove(x), std::filesystem::remove(y);
+  const std::string script = script_of(c, 800, 450);
+  for (const char *const part : {"set logscale xy", "'A title'", "'x of a ''chart'''", "'y_of it'", "'the_curve'",
+                                 "'1K' 1e3", "'1M' 1e6", "'0.1' 1e-1", "'10K' 1e4"})
+    CHECK(script.find(part) != std::string::npos);
+}
+
+TEST_CASE("a file that cannot be written, and a gnuplot that is not there, are said in a line") {
+  CHECK_THROWS_AS(write_chart(here("no-such-folder") / "x.png", one_curve({{1, 1}}), 600, 400), meetc::app::failure);
+  CHECK_NOTHROW(need_gnuplot());
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nowhere", 1);
+  try {
+    need_gnuplot();
+    FAIL("no failure");
+  } catch (const meetc::app::failure &e) {
+    CHECK(std::string(e.what()).find("gnuplot was not found") != std::string::npos);
+  }
+  CHECK_THROWS_AS(write_chart(here("x.png"), one_curve({{1, 1}}), 600, 400), meetc::app::failure);
+  ::setenv("PATH", path.c_str(), 1);
+}
