@@ -1,0 +1,41 @@
+# A program in C99, by the C compilers that are there: the numbers and the answers that the same program gets in C++.
+include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
+fresh_room(c)
+
+configure("${ROOM}/c" "-DCMAKE_PREFIX_PATH=${PREFIX}")
+build("${ROOM}/c")
+run("${ROOM}/c-build/in_cpp")
+set(wanted "${OUTPUT}")
+string(REGEX MATCHALL "\n" lines "${wanted}")
+list(LENGTH lines count)
+if(NOT count EQUAL 3000)
+  fail("${count} lines of answers")
+endif()
+run("${ROOM}/c-build/in_c")
+if(NOT OUTPUT STREQUAL wanted)
+  fail("C and C++ differ")
+endif()
+
+# The header alone is C99 to the letter, for each compiler and at each level; the answers stay.
+file(GLOB library "${ROOM}/c-build/librobot_cell*")
+foreach(compiler IN ITEMS gcc clang)
+  find_program(CC_${compiler} ${compiler})
+  if(CC_${compiler})
+    foreach(level IN ITEMS -O0 -O2 -O3)
+      run("${CC_${compiler}}" -std=c99 -pedantic -pedantic-errors -Wall -Wextra -Werror ${level}
+        "-I${ROOM}/c-build/robot_cell.generated" -c "${ROOM}/c/answers.c" -o "${ROOM}/answers.o")
+      run("${CXX}" "${ROOM}/answers.o" ${library} -lm -o "${ROOM}/answers")
+      run("${ROOM}/answers")
+      if(NOT OUTPUT STREQUAL wanted)
+        fail("${compiler} ${level} gets other answers")
+      endif()
+    endforeach()
+  endif()
+endforeach()
+
+# Below C99 it is one line.
+file(WRITE "${ROOM}/old.c" "#include <cell/cell.h>\nint main(void) { return 0; }\n")
+if(CC_gcc)
+  run_to_fail("${CC_gcc}" -std=c90 "-I${ROOM}/c-build/robot_cell.generated" -fsyntax-only "${ROOM}/old.c")
+  expect("cell.h needs C99: compile with -std=c99 or later")
+endif()
