@@ -61,6 +61,14 @@ struct target {
   std::string (*show)(const unit &, std::size_t kernel) = nullptr;
 };
 
+// The folders below the namespace's own that emitted files lie in, of C++ ("//" opens a comment) and of proofs ("#").
+inline constexpr const char *code_folders[] = {"detail", "src", "units"};
+inline constexpr const char *proof_folder = "proofs";
+
+// So many sources a language that include the predicates' own sources, which lie in <space>/src: for a build that has to
+// know the names of what it compiles before the scene is read.
+std::vector<file> umbrella_sources(const std::vector<file> &files, const lang::scene &s, int units);
+
 // All of them, in the order in which help lists them.
 std::span<const target> all();
 // Null where there is none of this name.

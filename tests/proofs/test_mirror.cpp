@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
 #include <cmath>
 #include <random>
 

@@ -118,6 +118,15 @@ std::string identifier(const std::string &name) {
                                            "reject_stage",
                                            "common_stage",
                                            "rare_stage",
+                                           "after_fp32",
+                                           "coincident",
+                                           "coincidences",
+                                           "detail",
+                                           "exactly",
+                                           "filter",
+                                           "whole_filter",
+                                           "whole_plain",
+                                           "axis",
                                            "catalogue",
                                            "ball_form",
                                            "NULL",
@@ -170,7 +179,7 @@ std::string kernel_function(const lower::request &r) {
 }
 
 std::string rule_test(const lower::enclosure &e, const std::string &number) {
-  return (e.rule == "> 0" ? "::meetc::is_positive(" : "::meetc::not_negative(") + number + ")";
+  return (e.rule == "> 0" ? "meetc::is_positive(" : "meetc::not_negative(") + number + ")";
 }
 
 } // namespace meetc::target

@@ -8,8 +8,12 @@ std::vector<file> cuda_files(const unit &u);
 // The launchers. Throws spec_error where the kernel is no predicate.
 std::string cuda_text(const unit &u, std::size_t kernel);
 
-// The header of the launchers, and that of touching balls as a matrix product.
+// The launchers' declarations, the source of the catalogue, and that of a predicate.
 std::string cuda_header(const unit &u);
+std::string cuda_catalogue(const unit &u);
+std::string cuda_launchers(const unit &u, const lower::kernel &k);
+
+// Touching balls as a matrix product.
 std::string ball_form_header(const unit &u);
 
 } // namespace meetc::target

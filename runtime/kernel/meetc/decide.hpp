@@ -1,0 +1,85 @@
+// The decision of a predicate over signs and over sets of signs, and the filter cascade of one pair of rows.
+#ifndef MEETC_DECIDE_HPP
+#define MEETC_DECIDE_HPP
+
+#include <meetc/exact.hpp>
+
+namespace meetc {
+
+// Runs the stages in order and stops at the first that decides.
+template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) {
+  sign s[P::atoms + 1];
+  if constexpr (P::reject_stage::atoms > 0) {
+    signs.template get<typename P::reject_stage>(s);
+    if (P::rejected(s))
+      return false;
+  }
+  if constexpr (P::common_stage::atoms > 0)
+    signs.template get<typename P::common_stage>(s);
+  if constexpr (P::rare_stage::atoms > 0)
+    if (P::needs_rare(s)) {
+      signs.template get<typename P::rare_stage>(s);
+      return P::whole(s);
+    }
+  return P::usual(s);
+}
+
+// The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure.
+template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const Signs &signs) {
+  found_signs<P> f;
+  if (!find_usual<P>(signs, f))
+    return answer::no;
+  if constexpr (P::rare_stage::atoms > 0) {
+    const truth rare = needs_rare_stage<P>(f);
+    if (can_be_true(rare)) {
+      if (can_be_false(rare)) { // perhaps: the next rung will know
+        for (int i = 0; i < P::rare_stage::atoms; ++i)
+          f.sets[P::rare_stage::first + i] = sign_set::all();
+        f.known = false;
+      } else {
+        f.known = signs.template get<typename P::rare_stage>(f.sets) && f.known;
+        if (f.known)
+          known_signs<typename P::rare_stage>(f.sets, f.s);
+      }
+      return f.known ? to_answer(P::whole(f.s)) : to_answer(P::whole(f.sets));
+    }
+  }
+  return usual_answer<P>(f);
+}
+
+// One rung of `certified` where the environment is known to be the standard one: no and yes are proved.
+template <class P, class A> MEETC_HD MEETC_INLINE answer certify_here(const float *row_a, const float *row_b) {
+  return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
+}
+// The same anywhere: unsure in any other environment.
+template <class P, class A> MEETC_HD inline answer certify(const float *row_a, const float *row_b) {
+  if (!standard_environment())
+    return answer::unsure;
+  return before_return(certify_here<P, A>(after_check(row_a), after_check(row_b)));
+}
+
+// The rungs of `certified` after fp32, in the standard environment. What few pairs need stays out of line.
+template <class P> MEETC_NOINLINE MEETC_HD inline bool decide_after_fp32(const float *row_a, const float *row_b) {
+  const answer x = certify_here<P, in_fp64>(row_a, row_b);
+  return x == answer::unsure ? decide<P>(exact_signs<P>(row_a, row_b)) : x == answer::yes;
+}
+// All rungs of `certified` for one pair: never wrong, for any valid operands, in any environment.
+template <class P> MEETC_HD inline bool decide_certified(const float *row_a, const float *row_b) {
+  if (!standard_environment())
+    return decide<P>(integer_signs<P>(row_a, row_b));
+  row_a = after_check(row_a), row_b = after_check(row_b);
+  const answer x = certify_here<P, in_fp32>(row_a, row_b);
+  return before_return(x == answer::unsure ? decide_after_fp32<P>(row_a, row_b) : x == answer::yes);
+}
+
+// One sign, for kernels that are nothing else.
+template <class P, class Signs> MEETC_HD inline sign decide_sign(const Signs &signs) {
+  sign s[P::atoms + 1];
+  if constexpr (P::common_stage::atoms > 0)
+    signs.template get<typename P::common_stage>(s);
+  return P::value(s);
+}
+
+} // namespace meetc
+
+#endif
