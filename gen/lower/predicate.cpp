@@ -6,8 +6,7 @@
 namespace meetc::lower {
 namespace {
 
-stage compile_stage(const poly::frame &local, const decision &signs, const std::vector<int> &atoms,
-                    const request &r) {
+stage compile_stage(const poly::frame &local, const decision &signs, const std::vector<int> &atoms, const request &r) {
   stage out;
   out.atoms = atoms;
   if (atoms.empty())

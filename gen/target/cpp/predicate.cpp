@@ -23,7 +23,8 @@ std::string stage_text(const lower::predicate &p, const lower::stage &st, const 
     slot.try_emplace(a, next);
   }
   const parts text = split_body(st.code, p.inputs_a, b && b->mixed, "      ");
-  std::string out = fmt::format("  // {}: signs {} to {}, degree {}.\n", what, first, slot.size() - 1, (b ? b->degree : 0));
+  std::string out =
+      fmt::format("  // {}: signs {} to {}, degree {}.\n", what, first, slot.size() - 1, (b ? b->degree : 0));
   const auto counted = [&](poly::residency r) { return count_text(ir::count(st.code, r)); };
   out += fmt::format("  // Once an object A: {}; B: {}; a pair: {}.\n", counted(poly::residency::a),
                      counted(poly::residency::b), counted(poly::residency::pair));
