@@ -53,9 +53,7 @@ int main(int argc, char **argv) {
   show_command->add_option("-e,--expression", s.expression,
                            "An expression in place of a kernel; --with names its operands");
   show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
-  show_command->add_option("--emit", s.emit, "Stage to print")
-      ->capture_default_str()
-      ->check(CLI::IsMember(stages()));
+  show_command->add_option("--emit", s.emit, "Stage to print")->capture_default_str()->check(CLI::IsMember(stages()));
 
   try {
     app.parse(argc, argv);

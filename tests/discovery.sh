@@ -19,7 +19,7 @@ for each in "$@"; do
   name=${each%%=*} program=${each#*=}
   [ -x "$program" ] || continue
   # Version 2 ends with the number of cases for its code; version 3 has another option.
-  if "$program" --help | grep -q -e --list-test-names-only; then
+  if [[ $("$program" --help) == *--list-test-names-only* ]]; then
     listed=$("$program" --list-test-names-only || true)
   else
     listed=$("$program" --list-tests --verbosity quiet)

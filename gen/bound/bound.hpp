@@ -99,7 +99,7 @@ struct coincidence {
 };
 
 struct kernel_bounds {
-  stage_bounds reject, common, rare;     // those that the predicate has
+  stage_bounds reject, common, rare; // those that the predicate has
   std::array<stage_bounds *, 3> stages() { return {&reject, &common, &rare}; }
   std::vector<coincidence> coincidences; // at most 32
   // Of each input: its axis where it only ever stands in differences with inputs of the same axis, else -1.

@@ -101,9 +101,7 @@ struct boxing {
     r.unrounded_error = (first ? y : x).unrounded_error * (first ? x : y).exact;
     return r;
   }
-  value fused(const ir::place &, const value &x, const value &y, const value &z) const {
-    return sum(product(x, y), z);
-  }
+  value fused(const ir::place &, const value &x, const value &y, const value &z) const { return sum(product(x, y), z); }
 };
 } // namespace
 

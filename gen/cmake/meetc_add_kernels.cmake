@@ -3,7 +3,7 @@
 #   meetc_add_kernels(robot_cell
 #     SCENE robot_cell.toml        # what to generate
 #     NAMESPACE cell               # its C++ namespace; #include <cell/cell.hpp>
-#     [BACKENDS cpp cuda]          # what to compile; the scene must emit it. Default: cpp
+#     [BACKENDS cpp cuda c]        # what to compile; the scene must emit it. Default: cpp
 #     [CHECKED_IN generated])      # compile the files of this folder instead; nothing is generated at build time
 #
 # makes the static library robot_cell, an ordinary target with its include path. It needs nothing of meetc once it is
@@ -84,8 +84,8 @@ function(meetc_add_kernels target)
   endif()
 
   foreach(backend IN LISTS arg_BACKENDS)
-    if(NOT backend MATCHES "^(cpp|cuda)$")
-      message(FATAL_ERROR "${me}: no backend '${backend}'; known: cpp, cuda")
+    if(NOT backend MATCHES "^(cpp|cuda|c)$")
+      message(FATAL_ERROR "${me}: no backend '${backend}'; known: cpp, cuda, c")
     endif()
   endforeach()
   get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
@@ -122,6 +122,11 @@ function(meetc_add_kernels target)
   set(headers "${folder}/meetc/support.hpp" "${folder}/${space}/${space}.hpp" "${folder}/${space}/kinds.hpp"
     "${folder}/${space}/${space}_runtime.hpp")
   set(generate ${meetc} generate "${scene}" --out "${folder}" --namespace "${space}" --units ${units})
+  if("c" IN_LIST arg_BACKENDS)
+    list(APPEND sources "${folder}/${space}/${space}_c.cpp")
+    list(APPEND headers "${folder}/${space}/${space}.h")
+    list(APPEND generate --require-backend c)
+  endif()
   if(cuda)
     list(APPEND sources "${folder}/${space}/${space}_cuda.cu")
     foreach(i RANGE 1 ${units})
@@ -241,7 +246,7 @@ function(meetc_install_kernels target)
   install(TARGETS ${target} EXPORT ${arg_EXPORT}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     INCLUDES DESTINATION "${arg_DESTINATION}")
-  install(DIRECTORY "${folder}/" DESTINATION "${arg_DESTINATION}" FILES_MATCHING PATTERN "*.hpp"
+  install(DIRECTORY "${folder}/" DESTINATION "${arg_DESTINATION}" FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h"
     PATTERN "proofs" EXCLUDE ${leave_out})
 endfunction()
 

@@ -6,23 +6,15 @@
 namespace meetc::lower {
 namespace {
 
-// A value that the program would have to negate last has its atom turned instead.
-stage compile_stage(const poly::frame &local, decision &signs, const std::vector<int> &atoms, const request &r) {
+stage compile_stage(const poly::frame &local, const decision &signs, const std::vector<int> &atoms, const request &r) {
   stage out;
   out.atoms = atoms;
   if (atoms.empty())
     return out;
   builder code(local, prefer::accuracy);
   std::vector<node_id> results;
-  for (const int a : atoms) {
-    const auto build = [&] { return code.build(signs.atoms()[static_cast<std::size_t>(a)], true); };
-    node_id result = build();
-    if (code.nodes().at(result).kind == op::negate) {
-      signs.turn(a);
-      result = build();
-    }
-    results.push_back(result);
-  }
+  for (const int a : atoms)
+    results.push_back(code.build(signs.atoms()[static_cast<std::size_t>(a)], true));
   out.code = code.finish(results);
   check_constants(out.code, r);
   return out;
@@ -59,9 +51,6 @@ std::optional<predicate> compile_sign(const model &m, const request &r) {
   for (const auto &[atom, exponent] : s->atoms)
     atoms.push_back(atom);
   out.common = compile_stage(*out.local, out.signs, atoms, r);
-  for (const auto &[atom, exponent] : out.value.atoms)
-    if (exponent == 1 && out.signs.is_turned(atom))
-      out.value.unit = -out.value.unit;
   return out;
 }
 

@@ -31,9 +31,7 @@ struct fusing {
   value constant(const ir::place &, const ir::rational &q) { return {to.constant(q)}; }
   value negate(const ir::place &, const value &x) { return {to.negate(x.id)}; }
   value add(const ir::place &at, const value &x, const value &y) {
-    return {fits(at, y)   ? to.fused(y.a, y.b, x.id)
-            : fits(at, x) ? to.fused(x.a, x.b, y.id)
-                          : to.add(x.id, y.id)};
+    return {fits(at, y) ? to.fused(y.a, y.b, x.id) : fits(at, x) ? to.fused(x.a, x.b, y.id) : to.add(x.id, y.id)};
   }
   value subtract(const ir::place &at, const value &x, const value &y) {
     return {fits(at, y)   ? to.fused(to.negate(y.a), y.b, x.id)

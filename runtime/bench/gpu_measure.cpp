@@ -3,6 +3,7 @@
 #include "app/failure.hpp"
 #include "app/sets.hpp"
 #include "app/words.hpp"
+#include "core/find.hpp"
 
 #include <cga/cga_cuda.hpp>
 #include <fmt/format.h>
@@ -19,13 +20,6 @@ constexpr int runs = 7;
 // has 2048, 8.0 half of it.
 double pairs_a_clock(const device_facts &f) {
   return f.major >= 9 ? 128 : 64;
-}
-
-const predicate_info &predicate_named(const catalogue &all, const std::string &name) {
-  for (int i = 0; i < all.predicate_count; ++i)
-    if (all.predicates[i].name == name)
-      return all.predicates[i];
-  throw app::failure(fmt::format("bench gpu: {} was not generated", name));
 }
 
 const char *name_of(cuda::filter f) {
@@ -76,7 +70,7 @@ table gpu_bench::measure(const gpu_scene &scene) {
   const auto [first, second] = scene.make();
   const prepared a = app::prepare(first), b = app::prepare(second);
   device_set on_a(on_, a), on_b(on_, b);
-  const predicate_info &p = predicate_named(all_, scene.predicate);
+  const predicate_info &p = find_predicate(all_, scene.predicate);
   const double pairs = static_cast<double>(a.elements()) * static_cast<double>(b.elements());
   table t;
   t.name = scene.predicate;
@@ -89,13 +83,13 @@ table gpu_bench::measure(const gpu_scene &scene) {
                {"of_limit", "of the|limit"},
                {"ms_with_transfers", "ms with|transfers"},
                {"tpairs_with_transfers", "Tpairs/s with|transfers"}};
-  double baseline = 0;
+  double first_seconds = 0;
   const auto add = [&](const std::string &name, std::optional<std::uint64_t> found, double seconds, double limit,
                        double whole) {
-    baseline = baseline > 0 ? baseline : seconds;
+    first_seconds = first_seconds > 0 ? first_seconds : seconds;
     t.rows.push_back(
         {of_words(name), found ? of_count(*found) : missing(""), of_milliseconds(seconds), of_rate(pairs / seconds),
-         of_ratio(baseline / seconds), limit > 0 ? of_share(pairs / seconds / limit) : missing(""),
+         of_ratio(first_seconds / seconds), limit > 0 ? of_share(pairs / seconds / limit) : missing(""),
          whole > 0 ? of_milliseconds(whole) : missing(""), whole > 0 ? of_rate(pairs / whole) : missing("")});
   };
   for (const baseline by : baselines_of(scene.predicate)) {
@@ -142,7 +136,7 @@ table gpu_bench::measure_tangent() {
                {"certified", "certified,|ms"},
                {"ratio", "certified /|plain"}};
   t.notes.push_back("Both count; the filter is the same. Unsure pairs touch in exactly one point.");
-  const predicate_info &p = predicate_named(all_, "ball_ball");
+  const predicate_info &p = find_predicate(all_, "ball_ball");
   for (const auto &make : tangent_scenes(all_, quick_)) {
     const tangent_scene s = make();
     const prepared a = app::prepare(s.a), b = app::prepare(s.b);

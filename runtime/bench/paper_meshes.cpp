@@ -67,16 +67,17 @@ table times_table(const paper_context &c) {
                {"search_certified_over_fp32", "in the search,|certified / fp32"}};
   for (const column &k : device_columns())
     t.columns.push_back(k);
-  t.notes = {"one core: the paper's way, every pair blindly, by the conformal predicate in fp32; its time is a "
-             "multiple of the first row's.",
-             "search: meet's way on one core, with a hierarchy of boxes, certified, both sets made ready."};
+  t.notes = {
+      "one core: the paper's way, brute force over every pair, by the conformal predicate in fp32; its time is a "
+      "multiple of the first row's.",
+      "search: meet's way on one core, with a hierarchy of boxes, certified, both sets made ready."};
   return t;
 }
 
 table baselines_table(const paper_context &c) {
   table t;
   t.name = "moller";
-  t.title = "R3 on the CPU and R(4,1) on the CPU (section 4.3, figure 6): every pair blindly, one core";
+  t.title = "R3 on the CPU and R(4,1) on the CPU (section 4.3, figure 6): brute force over every pair, one core";
   t.columns = {{"armadillo", c.bodies.armadillo_name() + "|triangles"},
                {"conformal_over_moller", "conformal|/ Möller"},
                {"certified_over_moller", "certified|/ Möller"},

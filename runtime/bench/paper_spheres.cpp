@@ -65,11 +65,12 @@ void add_spheres(const paper_context &c, paper_result &to) {
                {"search_certified_over_fp32", "in the search,|certified / fp32"}};
   for (const column &k : device_columns())
     t.columns.push_back(k);
-  t.notes = {"The paper does not give its radii. Here they shrink as n^(-1/3), so that a sphere touches half a "
-             "neighbour on average at every n; expected: what a cloud of random solid balls in a cube gives.",
-             "one core: every ordered pair blindly by the conformal predicate in fp32; Euclid: d^2 <= (r1 + r2)^2 "
-             "in "
-             "float."};
+  t.notes = {
+      "The paper does not give its radii. Here they shrink as n^(-1/3), so that a sphere touches half a "
+      "neighbour on average at every n; expected: what a cloud of random solid balls in a cube gives.",
+      "one core: every ordered pair, by brute force and the conformal predicate in fp32; Euclid: d^2 <= (r1 + r2)^2 "
+      "in "
+      "float."};
   curve core{"one core, every pair, conformal fp32", curve_colours::cpu, {}},
       searched{"one core, meet's search, certified", curve_colours::search, {}},
       device{"GPU, every pair, certified, with transfers", curve_colours::gpu, {}};

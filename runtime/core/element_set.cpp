@@ -12,11 +12,11 @@
 namespace meetc {
 namespace {
 
-// The largest |v| of every step-th number, by the bits: finite numbers are in the order of their magnitudes'
+// The largest |v| of every stride-th number, by the bits: finite numbers are in the order of their magnitudes'
 // bits, and integers are compared in vectors.
-float largest(const float *v, std::size_t n, std::size_t step) {
+float largest(const float *v, std::size_t n, std::size_t stride) {
   std::uint32_t most = 0;
-  for (std::size_t i = 0; i < n; i += step) {
+  for (std::size_t i = 0; i < n; i += stride) {
     std::uint32_t bits;
     std::memcpy(&bits, v + i, sizeof bits);
     most = std::max(most, bits & 0x7fffffff);
@@ -30,10 +30,10 @@ float largest(const float *v, std::size_t n, std::size_t step) {
 void widen(element_set &set, const float *rows, std::size_t count, std::mutex &lock) {
   const kind_info &kind = *set.kind;
   const auto fields = static_cast<std::size_t>(kind.fields);
-  const std::size_t n = count * fields, step = kind.points > 0 ? 1 : fields; // points: all are coordinates
-  for (std::size_t f = 0; f < step; ++f) {
+  const std::size_t n = count * fields, stride = kind.points > 0 ? 1 : fields; // points: all are coordinates
+  for (std::size_t f = 0; f < stride; ++f) {
     const float most =
-        kind.roles[f] == role::other ? std::numeric_limits<float>::infinity() : largest(rows + f, n - f, step);
+        kind.roles[f] == role::other ? std::numeric_limits<float>::infinity() : largest(rows + f, n - f, stride);
     const std::scoped_lock hold(lock);
     float &all = kind.roles[f] == role::length ? set.longest : set.reach;
     all = std::max(all, most);

@@ -34,7 +34,7 @@ struct alignas(64) extent {
   double size() const { return std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]}); }
 };
 
-// Ten bits, each moved to every third place.
+// Ten bits, each moved to every third position.
 std::uint32_t spread(std::uint32_t v) {
   v = (v | v << 16) & 0x030000ff;
   v = (v | v << 8) & 0x0300f00f;

@@ -91,7 +91,7 @@ bool holds_text(std::string_view line) {
 } // namespace
 
 element_set read_csv(const file_bytes &file, std::span<const kind_info *const> kinds, const transform &move) {
-  line_reader lines(file.view(), file.name);
+  line_reader lines(file.text(), file.name);
   std::string_view line;
   bool found = false;
   while (!found && lines.next(line))

@@ -15,7 +15,7 @@ struct file_bytes {
   std::unique_ptr<char[]> bytes;
   std::size_t size = 0;
 
-  std::string_view view() const { return {bytes.get(), size}; }
+  std::string_view text() const { return {bytes.get(), size}; }
 };
 
 // Copies rather than maps: a mapped file that another program cuts short ends this one by a signal. Throws

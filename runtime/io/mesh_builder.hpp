@@ -19,7 +19,7 @@ inline constexpr std::size_t most_elements = 0xffffffff;
 
 // Moves a point, rounds it, and calls fail(message) where a coordinate is not finite then.
 template <class Fail>
-std::array<float, 3> place_point(const transform &move, const std::array<double, 3> &read, const Fail &fail);
+std::array<float, 3> move_point(const transform &move, const std::array<double, 3> &read, const Fail &fail);
 
 class mesh_builder {
 public:
@@ -29,7 +29,7 @@ public:
 
   // `fail` takes a message and throws; it knows the place.
   template <class Fail> void add_vertex(const std::array<double, 3> &read, const Fail &fail) {
-    const std::array<float, 3> p = place_point(move_, read, fail);
+    const std::array<float, 3> p = move_point(move_, read, fail);
     set_.data.insert(set_.data.end(), p.begin(), p.end());
   }
   std::size_t vertices() const { return set_.data.size() / 3; }
@@ -51,7 +51,7 @@ private:
 void check_rules(const element_set &set, const std::string &file, const char *item);
 
 template <class Fail>
-std::array<float, 3> place_point(const transform &move, const std::array<double, 3> &read, const Fail &fail) {
+std::array<float, 3> move_point(const transform &move, const std::array<double, 3> &read, const Fail &fail) {
   const std::array<float, 3> p = round_point(move, read);
   for (std::size_t c = 0; c < 3; ++c)
     if (!std::isfinite(p[c]))

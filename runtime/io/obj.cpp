@@ -32,7 +32,7 @@ bool continues(std::string_view line) {
 class obj_reader {
 public:
   obj_reader(const file_bytes &file, const kind_info &triangle, const transform &move)
-      : file_(file), lines_(file.view(), file.name), mesh_(triangle, move),
+      : file_(file), lines_(file.text(), file.name), mesh_(triangle, move),
         target_(move.any() ? precision::float64 : precision::float32) {}
 
   element_set read() {

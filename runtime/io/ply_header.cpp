@@ -31,7 +31,7 @@ std::optional<ply_type> type_of(std::string_view name) {
 
 class header_reader {
 public:
-  explicit header_reader(const file_bytes &file) : lines_(file.view(), file.name) {}
+  explicit header_reader(const file_bytes &file) : lines_(file.text(), file.name) {}
 
   ply_header read() {
     std::string_view line;

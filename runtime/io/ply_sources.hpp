@@ -104,7 +104,7 @@ private:
 class ply_ascii_source {
 public:
   ply_ascii_source(const file_bytes &file, const ply_header &header, precision target)
-      : lines_(file.view(), file.name, header.body_offset, header.body_line), size_(file.size), target_(target) {}
+      : lines_(file.text(), file.name, header.body_offset, header.body_line), size_(file.size), target_(target) {}
 
   void begin(const ply_element &element) {
     element_ = &element;

@@ -41,10 +41,10 @@ element_set read_binary(const file_bytes &file, const kind_info &triangle, const
       std::array<double, 3> p{};
       for (std::size_t c = 0; c < 3; ++c)
         p[c] = static_cast<double>(load<float>(corners + 12 * corner + 4 * c, std::endian::little));
-      const std::array<float, 3> placed = place_point(move, p, [&](std::string_view what) {
+      const std::array<float, 3> moved = move_point(move, p, [&](std::string_view what) {
         throw error(fmt::format("{}: facet {}: corner {}: {}", file.name, facet, corner, what));
       });
-      set.data.insert(set.data.end(), placed.begin(), placed.end());
+      set.data.insert(set.data.end(), moved.begin(), moved.end());
     }
   }
   return finish(std::move(set), triangle, file.name);
@@ -53,7 +53,7 @@ element_set read_binary(const file_bytes &file, const kind_info &triangle, const
 class ascii_reader {
 public:
   ascii_reader(const file_bytes &file, const transform &move)
-      : lines_(file.view(), file.name), move_(move), target_(move.any() ? precision::float64 : precision::float32) {}
+      : lines_(file.text(), file.name), move_(move), target_(move.any() ? precision::float64 : precision::float32) {}
 
   element_set read() {
     while (advance()) {
@@ -121,10 +121,10 @@ private:
       if (!parse_decimal(word_, target_, c))
         lines_.fail(fmt::format("facet {}: corner {}: {} is not a number", facets_, corner, quote(word_)));
     }
-    const std::array<float, 3> placed = place_point(move_, p, [&](std::string_view what) {
+    const std::array<float, 3> moved = move_point(move_, p, [&](std::string_view what) {
       lines_.fail(fmt::format("facet {}: corner {}: {}", facets_, corner, what));
     });
-    set_.data.insert(set_.data.end(), placed.begin(), placed.end());
+    set_.data.insert(set_.data.end(), moved.begin(), moved.end());
   }
 
   line_reader lines_;
@@ -143,11 +143,11 @@ element_set read_stl(const file_bytes &file, const kind_info &triangle, const tr
     if (file.size == binary_header + binary_facet * count)
       return read_binary(file, triangle, move);
   }
-  std::string_view start = file.view();
+  std::string_view start = file.text();
   if (start.starts_with("\xef\xbb\xbf"))
     start.remove_prefix(3);
   start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
-  const bool text = file.view().find('\0') == std::string_view::npos;
+  const bool text = file.text().find('\0') == std::string_view::npos;
   if (text && lower_case(start.substr(0, 5)) == "solid")
     return finish(ascii_reader(file, move).read(), triangle, file.name);
   if (file.size < binary_header)

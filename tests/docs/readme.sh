@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # readme.sh MEETC MEET SOURCE: the README's commands run, its measured figures are those of docs/gpu.md, its example is
-# small, and every link of the README and of docs/ leads to a file.
+# small, and every link of the README and of docs/, and every file of this tree that they name, is there.
 set -euo pipefail
 meetc=$1 meet=$2
 cd "$3"
@@ -43,7 +43,7 @@ shown 'query, certified, wgmma, groups'
 shown 'Möller, epsilon 0, fp32'
 shown 'Möller, his epsilon, fp32'
 
-# ---- the example, and the links ----
+# ---- the example, the links, and the files that are named ----
 [ "$(wc -l <docs/examples/tiny.toml)" -le 10 ]
 bad=0
 for page in README.md docs/*.md; do
@@ -51,4 +51,14 @@ for page in README.md docs/*.md; do
     [ -e "$(dirname "$page")/${link%%#*}" ] || { echo "$page: leads nowhere: $link"; bad=1; }
   done < <(grep -oE '\]\([^)# ]+[^) ]*\)' "$page" | sed -E 's/^\]\((.*)\)$/\1/' | grep -vE '^https?:' || true)
 done
+while IFS= read -r named; do
+  file=${named%% *}
+  case $file in
+  gen/* | runtime/* | tests/* | docs/* | algebra_spec/* | generated/*) ;;
+  meetc/*.hpp) file=runtime/kernel/$file ;;
+  core/* | bench/* | io/*) file=runtime/$file ;;
+  *) continue ;;
+  esac
+  [ -e "$file" ] || { echo "README.md or docs/: no such file: $named"; bad=1; }
+done < <(grep -ohE '`[^`]+`' README.md docs/*.md | tr -d '`' | sort -u)
 exit $bad

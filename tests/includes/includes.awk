@@ -25,7 +25,7 @@ BEGIN {
     for (j = 1; j <= i; ++j)
       may["runtime/" order_runtime[i], "runtime/" order_runtime[j]] = 1
   }
-  # Shapes and predicates are known to the program alone. Generated code includes the kernel headers and its own.
+  # Shapes and predicates are known to the program and its benchmarks alone. Generated code includes the kernel headers and its own.
   rooms["generated"] = 1
   may["generated", "generated"] = may["generated", "runtime/kernel"] = 1
   may["runtime/app", "generated"] = may["runtime/bench", "generated"] = may["runtime/main", "generated"] = 1
@@ -44,7 +44,7 @@ function folder(path) {
 
 # The room that a file lies in, or "".
 function room_of(path,    room) {
-  if (path == "runtime/app/main.cpp" || path == "runtime/main.cpp")
+  if (path == "runtime/main.cpp")
     return "runtime/main"
   if (path ~ /^generated\//)
     return "generated"

@@ -31,7 +31,8 @@ int main(void) {
     printf("%d%d%d%d%d ", cell_segment_triangle_fp32(&s, &A), cell_segment_triangle_fp64(&s, &A),
            cell_segment_triangle_fp64x2(&s, &A), cell_segment_triangle(&s, &A), cell_segment_triangle_filter(&s, &A));
     printf("%d%d%d%d%d ", cell_triangle_triangle_fp32(&A, &B), cell_triangle_triangle_fp64(&A, &B),
-           cell_triangle_triangle_fp64x2(&A, &B), cell_triangle_triangle(&A, &B), cell_triangle_triangle_filter(&A, &B));
+           cell_triangle_triangle_fp64x2(&A, &B), cell_triangle_triangle(&A, &B),
+           cell_triangle_triangle_filter(&A, &B));
     printf("%d%d%d%d%d %d\n", cell_ball_triangle_fp32(&S, &A), cell_ball_triangle_fp64(&S, &A),
            cell_ball_triangle_fp64x2(&S, &A), cell_ball_triangle(&S, &A), cell_ball_triangle_filter(&S, &A),
            cell_valid_sphere(&S));

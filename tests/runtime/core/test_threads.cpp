@@ -96,7 +96,8 @@ TEST_CASE("flush-to-zero, as another library may set it, changes no answer and i
   const result r = collide(x, x, box_box_hit, rung::fp32, {.threads = 2});
   const unsigned after = _mm_getcsr();
   _mm_setcsr(before);
-  CHECK(after == flushing);
+  constexpr unsigned raised = _MM_EXCEPT_MASK; // flags that stay up after any inexact result; they change nothing
+  CHECK((after & ~raised) == (flushing & ~raised));
   CHECK(r.count == 2);
   float lo[3], hi[3];
   x.bounds(lo, hi);
