@@ -23,6 +23,7 @@ struct generate_options {
   std::vector<std::string> required_backends; // a build that compiles them says so here
   bool check = false, quiet = false;
   bool kernel_headers = true; // write meetc/ beside what is emitted
+  int units = 0;              // umbrella sources a language, see target::umbrella_sources()
 };
 struct verify_options {
   std::string scene;

@@ -26,6 +26,12 @@ int main(int argc, char **argv) {
   generate_command->add_flag(
       "--kernel-headers,!--no-kernel-headers", g.kernel_headers,
       "Write the headers in meetc/ that emitted code includes; not where the build has them elsewhere");
+  generate_command
+      ->add_option(
+          "--units", g.units,
+          "Also write so many sources a language that include those of the predicates, for a build that has to\n"
+          "know the names of its sources before the scene is read")
+      ->check(CLI::Range(0, 64));
   generate_command->add_flag("-q,--quiet", g.quiet, "Say nothing when all is well");
 
   verify_options v;

@@ -28,6 +28,14 @@ struct unit {
 // Headers, the runtime table and the CUDA launchers, as the scene's backends ask. Sorted by path.
 std::vector<file> cpp_files(const unit &u);
 
+// The folders below the namespace's own that emitted files lie in, of C++ ("//" opens a comment) and of proofs ("#").
+inline constexpr const char *code_folders[] = {"detail", "src", "units"};
+inline constexpr const char *proof_folder = "proofs";
+
+// So many sources a language that include the predicates' own sources, which lie in <space>/src: for a build that has to
+// know the names of what it compiles before the scene is read.
+std::vector<file> umbrella_sources(const std::vector<file> &files, const lang::scene &s, int units);
+
 std::string json(const lower::model &m, const lower::kernel &k);
 std::string latex(const lower::model &m, const lower::kernel &k);
 std::string poly_text(const lower::model &m, const lower::kernel &k);

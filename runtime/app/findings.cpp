@@ -15,20 +15,20 @@ bool zero_area(const float *row) {
   const grid g = grid_of(row, 9);
   // Differences take a bit more, the difference of two products another one.
   const int limbs = (2 * (g.bits() + 1) + 1) / 64 + 1;
-  std::uint64_t place[13][9];
+  std::uint64_t registers[13][9];
   for (int i = 0; i < 9; ++i)
-    to_limbs(row[i], g.low, limbs, place[i]);
+    to_limbs(row[i], g.low, limbs, registers[i]);
   bool zero = true;
   for (std::uint16_t k = 0; k < 3; ++k) {
-    using enum step_kind;
+    using enum opcode;
     const auto l = static_cast<std::uint16_t>((k + 1) % 3);
     const auto of = [](int corner, std::uint16_t axis) { return static_cast<std::uint16_t>(3 * corner + axis); };
-    const step cross[] = {{subtract, 9, of(1, k), k}, {subtract, 10, of(2, l), l}, {multiply, 11, 9, 10},
-                          {subtract, 9, of(1, l), l}, {subtract, 10, of(2, k), k}, {multiply, 12, 9, 10},
-                          {subtract, 11, 11, 12},     {take_sign, 0, 11, 0}};
+    const instruction cross[] = {{subtract, 9, of(1, k), k}, {subtract, 10, of(2, l), l}, {multiply, 11, 9, 10},
+                                 {subtract, 9, of(1, l), l}, {subtract, 10, of(2, k), k}, {multiply, 12, 9, 10},
+                                 {subtract, 11, 11, 12},     {take_sign, 0, 11, 0}};
     sign s = sign::zero;
-    for (const step &t : cross)
-      take_step(t, limbs, place, &s);
+    for (const instruction &t : cross)
+      execute(t, limbs, registers, &s);
     zero = zero && s == sign::zero;
   }
   return zero;

@@ -53,8 +53,8 @@ int sign_of(const mpz_class &z) {
 
 constexpr int widest = 27;
 
-void check_steps(int n) {
-  using enum meetc::step_kind;
+void check_instructions(int n) {
+  using enum meetc::opcode;
   INFO(n << " limbs");
   random_numbers random(static_cast<std::uint64_t>(n));
   bool same = true;
@@ -63,8 +63,8 @@ void check_steps(int n) {
     meetc::sign signs[2];
     draw(random, place[0], n), draw(random, place[1], n);
     const mpz_class x = value_of(place[0], n), y = value_of(place[1], n);
-    const auto run = [&](meetc::step_kind kind, int r, int a, int b) {
-      meetc::take_step(
+    const auto run = [&](meetc::opcode kind, int r, int a, int b) {
+      meetc::execute(
           {kind, static_cast<std::uint16_t>(r), static_cast<std::uint16_t>(a), static_cast<std::uint16_t>(b)}, n, place,
           signs);
       return value_of(place[r], n);
@@ -78,9 +78,9 @@ void check_steps(int n) {
     same = same && run(constant, 4, low, high) == wrapped(c, n);
     c += mpz_class(low) << 32;
     same = same && run(raise, 4, low, 0) == wrapped(c, n);
-    meetc::take_step({take_sign, 1, 0, 0}, n, place, signs);
+    meetc::execute({take_sign, 1, 0, 0}, n, place, signs);
     same = same && static_cast<int>(signs[1]) == sign_of(x);
-    meetc::take_step({take_sign, 0, 3, 0}, n, place, signs);
+    meetc::execute({take_sign, 0, 3, 0}, n, place, signs);
     same = same && signs[0] == meetc::sign::zero;
   }
   CHECK(same);
@@ -108,7 +108,7 @@ template <class I> bool converts(float v, int low) {
 
 TEST_CASE("integers: steps on limbs are GMP's arithmetic, modulo their width") {
   for (const int n : {1, 2, 3, 4, 5, 9, 14, 18, widest})
-    check_steps(n);
+    check_instructions(n);
 }
 
 TEST_CASE("integers: every shift of a mantissa lands in the right limbs") {

@@ -69,13 +69,13 @@ template <int Degree, int Growth> struct probe_stage {
     for (int i = 1; i < Degree; ++i)
       v[0] = v[0] * a[0];
   }
-  // Places 2 and 3 in turn; the last step takes the sign.
-  static constexpr int places = 4, step_count = Degree;
-  static meetc::step step_at(int i) {
+  // Registers 2 and 3 in turn; the last instruction takes the sign.
+  static constexpr int registers = 4, instruction_count = Degree;
+  static meetc::instruction instruction_at(int i) {
     const auto place = [](int k) { return static_cast<std::uint16_t>(k == 0 ? 0 : 2 + k % 2); };
     if (i + 1 < Degree)
-      return {meetc::step_kind::multiply, place(i + 1), place(i), 0};
-    return {meetc::step_kind::take_sign, 0, place(i), 0};
+      return {meetc::opcode::multiply, place(i + 1), place(i), 0};
+    return {meetc::opcode::take_sign, 0, place(i), 0};
   }
 };
 template <class Stage> struct probe {

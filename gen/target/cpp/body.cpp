@@ -62,14 +62,14 @@ public:
       break;
     case op::multiply:
       if (is_wide(id) && !is_wide(n.a) && !is_wide(n.b)) {
-        text = fmt::format("::meetc::times<W>({}, {})", plain(n.a), plain(n.b));
+        text = fmt::format("meetc::times<W>({}, {})", plain(n.a), plain(n.b));
         atom = true;
       } else {
         text = fmt::format("{} * {}", factor(n.a), factor(n.b));
       }
       break;
     case op::fused:
-      text = fmt::format("::meetc::fma({}, {}, {})", plain(n.a), plain(n.b), plain(n.c));
+      text = fmt::format("meetc::fma({}, {}, {})", plain(n.a), plain(n.b), plain(n.c));
       atom = true;
       break;
     }

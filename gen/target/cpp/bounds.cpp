@@ -43,7 +43,7 @@ std::string extent_text(const char *object, const std::vector<leaf> &leaves, int
   std::string most = "0.0f";
   std::string out = head;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
-    out += fmt::format("      const float m{} = ::meetc::larger({}, {});\n", i, most, leaf_text(leaves[i], inputs_a));
+    out += fmt::format("      const float m{} = meetc::larger({}, {});\n", i, most, leaf_text(leaves[i], inputs_a));
     most = fmt::format("m{}", i);
   }
   return out + fmt::format("      return {};\n    }}\n", most);
@@ -84,10 +84,10 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const lower::stage &
   }
   out += "    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi "
          "+ 1).\n";
-  out += lookup("::meetc::factors", "factor", factors);
+  out += lookup("meetc::factors", "factor", factors);
   out += "    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of "
          "two.\n";
-  out += lookup("::meetc::box_factor", "box", boxes);
+  out += lookup("meetc::box_factor", "box", boxes);
   out += lookup("int", "degree_of", degrees);
   out += "    // The coincidences of points that make the sign zero.\n";
   out += lookup("unsigned", "zero_if", zeros);

@@ -12,10 +12,10 @@ using ir::node;
 using ir::node_id;
 using ir::op;
 
-// Places are taken again once the value in them has been read for the last time.
+// Registers are taken again once the value in them has been read for the last time.
 class scheduler {
 public:
-  scheduler(const ir::program &p, int inputs) : p_(p), places_(inputs) {
+  scheduler(const ir::program &p, int inputs) : p_(p), register_count_(inputs) {
     const std::vector<node_id> order = ir::needed(p.nodes, p.results);
     for (const node_id id : order)
       for (const node_id operand : operands(id))
@@ -26,7 +26,7 @@ public:
       compute(id);
       for (std::size_t i = 0; i < p.results.size(); ++i)
         if (p.results[i] == id) {
-          add("take_sign", static_cast<int>(i), place_.at(id), 0);
+          add("take_sign", static_cast<int>(i), held_in_.at(id), 0);
           read(id);
         }
     }
@@ -34,7 +34,7 @@ public:
 
   std::string text() const {
     std::string list, line = "       ";
-    for (const std::string &s : steps_) {
+    for (const std::string &s : code_) {
       if (line.size() + s.size() > 108) {
         list += line + '\n';
         line = "       ";
@@ -42,19 +42,20 @@ public:
       line += ' ' + s + ',';
     }
     line.pop_back();
-    return fmt::format("    // The same program for integers of any width, a step an entry.\n"
-                       "    static constexpr int places = {}, step_count = {};\n"
-                       "    MEETC_HD static ::meetc::step step_at(int i) {{\n      using enum ::meetc::step_kind;\n"
-                       "      static constexpr ::meetc::step all[] = {{\n{}{}}};\n      return all[i];\n    }}\n",
-                       places_, steps_.size(), list, line);
+    return fmt::format("    // The same program as bytecode, for integers of any width.\n"
+                       "    static constexpr int registers = {}, instruction_count = {};\n"
+                       "    MEETC_HD static meetc::instruction instruction_at(int i) {{\n"
+                       "      using enum meetc::opcode;\n"
+                       "      static constexpr meetc::instruction all[] = {{\n{}{}}};\n      return all[i];\n    }}\n",
+                       register_count_, code_.size(), list, line);
   }
 
 private:
   const ir::program &p_;
-  int places_;
+  int register_count_;
   std::set<int> free_;
-  std::map<node_id, int> readers_, place_;
-  std::vector<std::string> steps_;
+  std::map<node_id, int> readers_, held_in_;
+  std::vector<std::string> code_;
 
   std::vector<node_id> operands(node_id id) const {
     const node &n = p_.nodes.at(id);
@@ -68,27 +69,27 @@ private:
   void add(const char *kind, int r, int a, int b) {
     if (std::max({r, a, b}) > 0xffff)
       throw std::logic_error("a stage has too many values");
-    steps_.push_back(fmt::format("{{{}, {}, {}, {}}}", kind, r, a, b));
+    code_.push_back(fmt::format("{{{}, {}, {}, {}}}", kind, r, a, b));
   }
   int take() {
     if (free_.empty())
-      return places_++;
+      return register_count_++;
     const int p = *free_.begin();
     free_.erase(free_.begin());
     return p;
   }
   void read(node_id id) {
     if (--readers_[id] == 0)
-      free_.insert(place_.at(id));
+      free_.insert(held_in_.at(id));
   }
   void compute(node_id id) {
     const node &n = p_.nodes.at(id);
     if (n.kind == op::input) {
-      place_[id] = n.a;
+      held_in_[id] = n.a;
       return;
     }
     const int r = take();
-    const auto at = [&](node_id operand) { return place_.at(operand); };
+    const auto at = [&](node_id operand) { return held_in_.at(operand); };
     switch (n.kind) {
     case op::input:
       break;
@@ -119,14 +120,14 @@ private:
       add("add", r, r, at(n.c));
       break;
     }
-    place_[id] = r;
+    held_in_[id] = r;
     for (const node_id operand : operands(id))
       read(operand);
   }
 };
 } // namespace
 
-std::string steps_text(const ir::program &p, int inputs) {
+std::string bytecode_text(const ir::program &p, int inputs) {
   return scheduler(p, inputs).text();
 }
 

@@ -1,4 +1,4 @@
-// A stage's program as steps on integers of any width (runtime/kernel/meetc/integers.hpp).
+// A stage's program as bytecode, for integers of any width (runtime/kernel/meetc/bytecode.hpp).
 #pragma once
 #include "gen/lower/kernel.hpp"
 
@@ -6,7 +6,7 @@
 
 namespace meetc::target {
 
-// The members places, step_count and step_at of a stage. Inputs stand in the first places.
-std::string steps_text(const ir::program &p, int inputs);
+// The members registers, instruction_count and instruction_at of a stage. Inputs stand in the first registers.
+std::string bytecode_text(const ir::program &p, int inputs);
 
 } // namespace meetc::target

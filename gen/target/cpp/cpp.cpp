@@ -83,7 +83,7 @@ std::string valid_text(const unit &u, const lang::kind &k) {
   const std::vector<lower::stored_real> reals = u.model.layout(k).reals;
   std::string holds;
   for (const lower::stored_real &r : reals)
-    holds += fmt::format("{}::meetc::is_finite(k.{})", holds.empty() ? "" : " &&\n      ", path_identifier(r.path));
+    holds += fmt::format("{}meetc::is_finite(k.{})", holds.empty() ? "" : " &&\n      ", path_identifier(r.path));
   std::string rule;
   if (k.rule) {
     const lower::enclosure e = lower::enclosing(u.model, k);
@@ -290,7 +290,7 @@ std::string open_header(const lang::scene &s, const std::string &name, const std
                                 space, name, space.size());
   for (const std::string &i : includes)
     out += fmt::format("#include <{}/{}>\n", space, i);
-  return out + fmt::format("\nstatic_assert(MEETC_SUPPORT_VERSION == 3, \"meetc/support.hpp is of another version; "
+  return out + fmt::format("\nstatic_assert(MEETC_SUPPORT_VERSION == 4, \"meetc/support.hpp is of another version; "
                            "regenerate\");\n\nnamespace {} {{\n\n",
                            space);
 }
@@ -365,7 +365,9 @@ std::vector<file> cpp_files(const unit &u) {
     out.push_back({space + "/ball_form.hpp", ball_form_header(u)});
   if (cuda && predicates) {
     out.push_back({space + '/' + space + "_cuda.hpp", cuda_header(u)});
-    out.push_back({space + '/' + space + "_cuda.cu", cuda_text(u)});
+    out.push_back({space + '/' + space + "_cuda.cu", cuda_catalogue(u)});
+    for (const lower::kernel *k : predicates_of(u))
+      out.push_back({fmt::format("{}/src/{}.cu", space, k->asked.name()), cuda_launchers(u, *k)});
   }
   for (std::size_t i = copied; i < out.size(); ++i) // the kernel headers are copied byte for byte
     out[i].text = broken_lines(out[i].text);

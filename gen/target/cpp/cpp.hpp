@@ -20,8 +20,10 @@ std::string shapes_header(const unit &u);
 std::string runtime_header(const unit &u);
 std::string runtime_source(const unit &u);
 
-// Launchers of the predicates on a CUDA device.
+// Launchers of the predicates on a CUDA device: their declarations, the source of the catalogue, and that of a predicate.
 std::string cuda_header(const unit &u);
+std::string cuda_catalogue(const unit &u);
+std::string cuda_launchers(const unit &u, const lower::kernel &k);
 
 // Touching balls as a matrix product, for scenes with a CUDA backend.
 std::string ball_form_header(const unit &u);

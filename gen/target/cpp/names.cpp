@@ -169,7 +169,7 @@ std::string kernel_function(const lower::request &r) {
 }
 
 std::string rule_test(const lower::enclosure &e, const std::string &number) {
-  return (e.rule == "> 0" ? "::meetc::is_positive(" : "::meetc::not_negative(") + number + ")";
+  return (e.rule == "> 0" ? "meetc::is_positive(" : "meetc::not_negative(") + number + ")";
 }
 
 } // namespace meetc::target

@@ -16,7 +16,7 @@ using lower::truth_node;
 std::string stage_text(const lower::predicate &p, const lower::stage &st, const bound::stage_bounds *b,
                        const char *name, const char *what, std::map<int, int> &slot) {
   if (st.atoms.empty())
-    return fmt::format("  using {} = ::meetc::no_stage;\n", name);
+    return fmt::format("  using {} = meetc::no_stage;\n", name);
   const int first = static_cast<int>(slot.size());
   for (const int a : st.atoms) {
     const int next = static_cast<int>(slot.size());
@@ -47,7 +47,7 @@ std::string stage_text(const lower::predicate &p, const lower::stage &st, const 
       "[[maybe_unused]] const T *fb, W *v) {{\n{}    }}\n",
       text.pair);
   if (b)
-    out += stage_bounds_text(*b, st, p.inputs_a) + steps_text(st.code, p.inputs_a + p.inputs_b);
+    out += stage_bounds_text(*b, st, p.inputs_a) + bytecode_text(st.code, p.inputs_a + p.inputs_b);
   return out + "  };\n";
 }
 
@@ -67,9 +67,9 @@ public:
     case truth_node::type::test: {
       std::string product;
       for (const auto &[atom, e] : n.sign.atoms)
-        product += fmt::format(fmt::runtime(e == 2 ? "{}::meetc::square(s[{}])" : "{}s[{}]"),
+        product += fmt::format(fmt::runtime(e == 2 ? "{}meetc::square(s[{}])" : "{}s[{}]"),
                                product.empty() ? "" : " * ", slot_.at(atom));
-      text = fmt::format("::meetc::in<{}>({})", n.flag, product);
+      text = fmt::format("meetc::in<{}>({})", n.flag, product);
       break;
     }
     case truth_node::type::both:
@@ -80,16 +80,16 @@ public:
         if (text.size() > 90)
           text = keep(text);
         const std::string next = name(n.args[i]);
-        text = fmt::format("::meetc::{}({}, {})", f, text, next);
+        text = fmt::format("meetc::{}({}, {})", f, text, next);
       }
       break;
     }
     case truth_node::type::negate:
-      text = fmt::format("::meetc::negate({})", name(n.args[0]));
+      text = fmt::format("meetc::negate({})", name(n.args[0]));
       break;
     case truth_node::type::choose: {
       const std::string c = name(n.args[0]), t = name(n.args[1]), e = name(n.args[2]);
-      text = fmt::format("::meetc::either(::meetc::both({0}, {1}), ::meetc::both(::meetc::negate({0}), {2}))", c, t, e);
+      text = fmt::format("meetc::either(meetc::both({0}, {1}), meetc::both(meetc::negate({0}), {2}))", c, t, e);
       break;
     }
     }
@@ -117,7 +117,7 @@ std::string truth_function(const lower::predicate &p, const std::map<int, int> &
   std::string value;
   for (const int id : any_of) {
     const std::string next = w.name(id);
-    value = value.empty() ? next : fmt::format("::meetc::either({}, {})", value, next);
+    value = value.empty() ? next : fmt::format("meetc::either({}, {})", value, next);
   }
   if (value.empty())
     value = "false";
@@ -158,11 +158,11 @@ std::string sign_text(const unit &u, std::size_t kernel) {
   if (bounds)
     out += kernel_bounds_text(*bounds, p.inputs_a);
   out += stage_text(p, p.common, bounds ? &bounds->common : nullptr, "common_stage", "The sign", slot);
-  std::string product = p.value.unit == 0       ? "::meetc::constant_sign<S>(::meetc::sign::zero)"
-                        : p.value.atoms.empty() ? "::meetc::constant_sign<S>(::meetc::sign::positive)"
+  std::string product = p.value.unit == 0       ? "meetc::constant_sign<S>(meetc::sign::zero)"
+                        : p.value.atoms.empty() ? "meetc::constant_sign<S>(meetc::sign::positive)"
                                                 : "";
   for (const auto &[atom, e] : p.value.atoms)
-    product += fmt::format(fmt::runtime(e == 2 ? "{}::meetc::square(s[{}])" : "{}s[{}]"), product.empty() ? "" : " * ",
+    product += fmt::format(fmt::runtime(e == 2 ? "{}meetc::square(s[{}])" : "{}s[{}]"), product.empty() ? "" : " * ",
                            slot.at(atom));
   if (p.value.unit < 0)
     product = "-(" + product + ")";
@@ -172,22 +172,20 @@ std::string sign_text(const unit &u, std::size_t kernel) {
                   product);
   const auto function = [&](const char *comment, const char *head, const char *suffix, const std::string &body) {
     out += fmt::format(
-        "// {}\n{}MEETC_HD inline ::meetc::sign {}{}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
+        "// {}\n{}MEETC_HD inline meetc::sign {}{}(const {}<float> &operand_a, const {}<float> &operand_b) {{\n"
         "{}}}\n",
         comment, head, kernel_function(k.asked), suffix, a, b, body);
   };
   if (u.asks("certified"))
     function(certified_comment, "", "",
-             fmt::format("  return ::meetc::sign_certified<{}_sign>(operand_a, operand_b);\n", name));
+             fmt::format("  return meetc::sign_certified<{}_sign>(operand_a, operand_b);\n", name));
   else if (u.asks("exact"))
-    function(exact_comment, "", "",
-             fmt::format("  return ::meetc::sign_exact<{}_sign>(operand_a, operand_b);\n", name));
+    function(exact_comment, "", "", fmt::format("  return meetc::sign_exact<{}_sign>(operand_a, operand_b);\n", name));
   if (u.asks("fp32") || u.asks("fp64") || u.asks("fp64x2"))
-    function(
-        plain_comment, "template <class T> ", "_plain",
-        fmt::format("  const ::meetc::rows_of<{0}_sign, {1}<float>, {2}<float>> rows(operand_a, operand_b);\n"
-                    "  return ::meetc::decide_sign<{0}_sign>(::meetc::plain_signs<{0}_sign, T>(rows.a, rows.b));\n",
-                    name, a, b));
+    function(plain_comment, "template <class T> ", "_plain",
+             fmt::format("  const meetc::rows_of<{0}_sign, {1}<float>, {2}<float>> rows(operand_a, operand_b);\n"
+                         "  return meetc::decide_sign<{0}_sign>(meetc::plain_signs<{0}_sign, T>(rows.a, rows.b));\n",
+                         name, a, b));
   return out;
 }
 
@@ -226,17 +224,17 @@ std::string predicate_text(const unit &u, std::size_t kernel) {
   };
   if (u.asks("certified")) {
     method(certified_comment, "", "bool", "hit",
-           fmt::format("    return ::meetc::hit_certified<{}>(operand_a, operand_b);\n", name));
-    method("The first rung alone, in fp32: no and yes are proved for valid operands.", "", "::meetc::answer", "filter",
-           fmt::format("    return ::meetc::filter_fp32<{}>(operand_a, operand_b);\n", name));
+           fmt::format("    return meetc::hit_certified<{}>(operand_a, operand_b);\n", name));
+    method("The first rung alone, in fp32: no and yes are proved for valid operands.", "", "meetc::answer", "filter",
+           fmt::format("    return meetc::filter_fp32<{}>(operand_a, operand_b);\n", name));
   } else if (u.asks("exact")) {
     method(exact_comment, "", "bool", "hit",
-           fmt::format("    return ::meetc::hit_exact<{}>(operand_a, operand_b);\n", name));
+           fmt::format("    return meetc::hit_exact<{}>(operand_a, operand_b);\n", name));
   }
   if (u.asks("fp32") || u.asks("fp64") || u.asks("fp64x2"))
     method(plain_comment, "template <class T> ", "bool", "plain",
-           fmt::format("    const ::meetc::rows_of<{0}, {1}<float>, {2}<float>> rows(operand_a, operand_b);\n"
-                       "    return ::meetc::decide<{0}>(::meetc::plain_signs<{0}, T>(rows.a, rows.b));\n",
+           fmt::format("    const meetc::rows_of<{0}, {1}<float>, {2}<float>> rows(operand_a, operand_b);\n"
+                       "    return meetc::decide<{0}>(meetc::plain_signs<{0}, T>(rows.a, rows.b));\n",
                        name, a, b));
   return out + "};\n";
 }

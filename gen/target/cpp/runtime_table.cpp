@@ -51,9 +51,9 @@ std::vector<std::string> roles_of(const unit &u, const lang::kind &k, const lowe
   int i = 0;
   for (const lower::stored_real &r : u.model.layout(k).reals) {
     static const char *const axes[] = {"x", "y", "z"};
-    roles.push_back(fmt::format("::meetc::role::{}", r.position && r.axis < 3 ? axes[r.axis]
-                                                     : i == e.pad             ? "length"
-                                                                              : "other"));
+    roles.push_back(fmt::format("meetc::role::{}", r.position && r.axis < 3 ? axes[r.axis]
+                                                   : i == e.pad             ? "length"
+                                                                            : "other"));
     ++i;
   }
   return roles;
@@ -66,13 +66,13 @@ std::string shape_text(const lower::enclosure &e, const std::string &name, const
     std::string lo, hi;
     for (const std::vector<int> &point : e.hull) {
       const std::string value = axis < point.size() ? fmt::format("row[{}]", point[axis]) : "0.0f";
-      lo = lo.empty() ? value : fmt::format("::meetc::least_of({}, {})", lo, value);
-      hi = hi.empty() ? value : fmt::format("::meetc::most_of({}, {})", hi, value);
+      lo = lo.empty() ? value : fmt::format("meetc::least_of({}, {})", lo, value);
+      hi = hi.empty() ? value : fmt::format("meetc::most_of({}, {})", hi, value);
     }
     if (e.pad >= 0) {
       // One rounding, then one step outwards: never too small.
-      lo = fmt::format("::meetc::step_down({} - row[{}])", lo, e.pad);
-      hi = fmt::format("::meetc::step_up({} + row[{}])", hi, e.pad);
+      lo = fmt::format("meetc::step_down({} - row[{}])", lo, e.pad);
+      hi = fmt::format("meetc::step_up({} + row[{}])", hi, e.pad);
     }
     box += fmt::format("    lo[{0}] = {1};\n    hi[{0}] = {2};\n", axis, lo, hi);
   }
@@ -82,8 +82,8 @@ std::string shape_text(const lower::enclosure &e, const std::string &name, const
   return fmt::format("struct {}_shape {{\n  static constexpr int fields = {}, hull = {}, pad = {};\n"
                      "  MEETC_HD static constexpr int place(int point, int axis) {{\n"
                      "    constexpr int all[] = {{{}}};\n    return all[3 * point + axis];\n  }}\n"
-                     "  MEETC_HD static constexpr ::meetc::role role_of(int field) {{\n"
-                     "    constexpr ::meetc::role all[] = {{{}}};\n    return all[field];\n  }}\n"
+                     "  MEETC_HD static constexpr meetc::role role_of(int field) {{\n"
+                     "    constexpr meetc::role all[] = {{{}}};\n    return all[field];\n  }}\n"
                      "  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {{\n{}  }}\n}};\n\n",
                      name, fields, e.hull.size(), e.pad, places, join(roles, ", "), box);
 }
@@ -106,7 +106,7 @@ std::string kind_entry(const unit &u, const lang::kind &k, const lower::enclosur
 
 std::string kind_functions(const unit &u, const lang::kind &k, const lower::enclosure &e) {
   const std::string name = identifier(k.name);
-  std::string out = fmt::format("const ::meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(u, k, e), ", "));
+  std::string out = fmt::format("const meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(u, k, e), ", "));
   if (e.rule_input >= 0)
     out += fmt::format("const char *{}_fault(const float *row) {{ return {} ? nullptr : \"{}\"; }}\n", name,
                        rule_test(e, fmt::format("row[{}]", e.rule_input)), e.rule_text);
@@ -117,7 +117,7 @@ std::string kind_functions(const unit &u, const lang::kind &k, const lower::encl
 
 std::string runtime_header(const unit &u) {
   return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, "file_runtime") +
-         "// The bounded kinds and the predicates on them.\nconst ::meetc::catalogue &catalogue();\n" +
+         "// The bounded kinds and the predicates on them.\nconst meetc::catalogue &catalogue();\n" +
          close_header(u.scene);
 }
 
@@ -157,7 +157,7 @@ std::string runtime_source(const unit &u) {
     entries += kind_entry(u, *k, e);
   }
   if (!kinds.empty())
-    out += functions + "const ::meetc::kind_info all_kinds[] = {\n" + entries + "};\n\n";
+    out += functions + "const meetc::kind_info all_kinds[] = {\n" + entries + "};\n\n";
   std::string rows;
   for (const lower::kernel *k : predicates_of(u)) {
     const auto place = [&](std::size_t i) {
@@ -166,24 +166,24 @@ std::string runtime_source(const unit &u) {
     const std::string name = identifier(k->asked.asked->name);
     const auto rung = [&](const char *r, const std::string &function) { return u.asks(r) ? function : "nullptr"; };
     const auto bounded = [&](const char *a) {
-      return rung("certified", fmt::format("::meetc::certify_pairs<{}, ::meetc::in_{}>", name, a));
+      return rung("certified", fmt::format("meetc::certify_pairs<{}, meetc::in_{}>", name, a));
     };
     rows += fmt::format(
         "  {{\"{}\", \"{}\", &all_kinds[{}], &all_kinds[{}],\n   {{{}, {}, {}, {}, {}}},\n", k->asked.asked->name,
-        k->asked.asked->mode, place(0), place(1), rung("fp32", fmt::format("::meetc::decide_plain<{}, float>", name)),
-        rung("fp64", fmt::format("::meetc::decide_plain<{}, double>", name)),
-        rung("fp64x2", fmt::format("::meetc::decide_plain<{}, ::meetc::double_double>", name)),
-        u.asks("certified") || u.asks("exact") ? fmt::format("::meetc::decide_exact<{}>", name) : "nullptr",
-        rung("certified", fmt::format("::meetc::decide_certified<{}>", name)));
+        k->asked.asked->mode, place(0), place(1), rung("fp32", fmt::format("meetc::decide_plain<{}, float>", name)),
+        rung("fp64", fmt::format("meetc::decide_plain<{}, double>", name)),
+        rung("fp64x2", fmt::format("meetc::decide_plain<{}, meetc::double_double>", name)),
+        u.asks("certified") || u.asks("exact") ? fmt::format("meetc::decide_exact<{}>", name) : "nullptr",
+        rung("certified", fmt::format("meetc::decide_certified<{}>", name)));
     rows += fmt::format("   {{{}, {}, {}}},\n   {}, {}, {}}},\n", bounded("fp32"), bounded("fp64"), bounded("fp64x2"),
-                        rung("certified", fmt::format("::meetc::certify_pairs_in_box<{}>", name)),
-                        u.asks("certified") ? fmt::format("::meetc::least_box<{}>()", name) : "0",
-                        u.asks("certified") ? fmt::format("::meetc::most_box<{}>()", name) : "0");
+                        rung("certified", fmt::format("meetc::certify_pairs_in_box<{}>", name)),
+                        u.asks("certified") ? fmt::format("meetc::least_box<{}>()", name) : "0",
+                        u.asks("certified") ? fmt::format("meetc::most_box<{}>()", name) : "0");
   }
   if (!rows.empty())
-    out += "const ::meetc::predicate_info all_predicates[] = {\n" + rows + "};\n\n";
+    out += "const meetc::predicate_info all_predicates[] = {\n" + rows + "};\n\n";
   out += fmt::format(
-      "}} // namespace\n\nconst ::meetc::catalogue &catalogue() {{\n  static const ::meetc::catalogue c{{\"{}\", {}, "
+      "}} // namespace\n\nconst meetc::catalogue &catalogue() {{\n  static const meetc::catalogue c{{\"{}\", {}, "
       "{}, {}, {}, {}}};\n  return c;\n}}\n\n}} // namespace {}\n",
       u.scene.space, kinds.empty() ? "nullptr" : "all_kinds", kinds.size(), rows.empty() ? "nullptr" : "all_predicates",
       predicates_of(u).size(), box_literal(u.scene.box), space);

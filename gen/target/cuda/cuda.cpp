@@ -1,5 +1,5 @@
-// The predicates on a CUDA device: launchers that decide lists of pairs, and the catalogue through which a runtime runs
-// all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
+// The predicates on a CUDA device: a source a predicate with its launchers, and the catalogue through which a runtime
+// runs all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 
@@ -9,70 +9,59 @@
 namespace meetc::target {
 namespace {
 
-// A rung and what runs it.
-using rung_case = std::pair<const char *, const char *>;
+constexpr const char *all_rungs[] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
 
-std::vector<rung_case> plain_cases(const unit &u) {
-  static const rung_case all[] = {{"fp32", "plain_step<P, float>"},
-                                  {"fp64", "plain_step<P, double>"},
-                                  {"fp64x2", "plain_step<P, ::meetc::double_double>"},
-                                  {"exact", "exact_step<P>"},
-                                  {"certified", "certified_step<P>"}};
-  std::vector<rung_case> out;
-  for (const rung_case &c : all)
-    if (u.asks(c.first) || (c.first == std::string("exact") && u.asks("certified")))
-      out.push_back(c);
-  return out;
-}
-
-std::string rungs_function(const char *name, const std::vector<rung_case> &cases) {
-  std::string out =
-      fmt::format("template <class P>\ncudaError_t {}(::meetc::rung rung, const float *a, const float *b, const "
-                  "::meetc::index_pair *pairs, std::size_t n,\n    ::meetc::answer *out, cudaStream_t stream) {{\n"
-                  "  using namespace ::meetc::cuda;\n  switch (rung) {{\n",
-                  name);
-  for (const auto &[r, step] : cases)
-    out += fmt::format("  case ::meetc::rung::{}:\n    return answer_list<P, {}>(a, b, pairs, n, out, stream);\n", r,
-                       step);
-  return out + "  default:\n    return cudaErrorInvalidValue;\n  }\n}\n";
+// The rungs that the scene asks for, as a constant for the launchers' templates.
+std::string rungs_constant(const unit &u) {
+  std::string bits;
+  for (const char *r : all_rungs)
+    if (u.asks(r))
+      bits += fmt::format("{}1U << static_cast<int>(meetc::rung::{})", bits.empty() ? "" : " |\n    ", r);
+  return fmt::format("inline constexpr unsigned rungs = {};\n", bits.empty() ? "0" : bits);
 }
 
 constexpr const char *parameters =
-    "(::meetc::rung rung, const float *a, const float *b, const ::meetc::index_pair *pairs,\n"
-    "    std::size_t n, ::meetc::answer *out, cudaStream_t stream)";
+    "(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,\n"
+    "    std::size_t n, meetc::answer *out, cudaStream_t stream)";
+
+constexpr const char *near_parameters =
+    "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b,\n"
+    "    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream)";
+constexpr const char *run_parameters =
+    "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b,\n"
+    "    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure, cudaStream_t stream)";
+
+std::string shape_of(const lang::kind &k) {
+  return identifier(k.name) + "_shape";
+}
 
 std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
-  std::string rungs,
-      out = "namespace {\n\nusing form = ball_form;\n\nconst ::meetc::cuda::kind_launchers all_kinds[] = {\n";
-  for (const lang::kind *k : kinds) {
-    const std::string shape = identifier(k->name) + "_shape";
-    out += fmt::format("  {{\"{0}\", {1}::fields, ::meetc::cuda::place<{1}>, ::meetc::cuda::enclose<{1}>, "
-                       "::meetc::cuda::columns<{1}, form>}},\n",
-                       k->name, shape);
-  }
-  for (const char *r : {"fp32", "fp64", "fp64x2", "exact", "certified"})
-    if (u.asks(r))
-      rungs += fmt::format("{}1U << static_cast<int>(::meetc::rung::{})", rungs.empty() ? "" : " | ", r);
-  out += fmt::format(
-      "}};\n\nconstexpr unsigned rungs = {};\n\nconst ::meetc::cuda::predicate_launchers all_predicates[] = {{\n",
-      rungs);
-  std::size_t count = 0;
+  std::string out = "namespace {\n\nusing form = ball_form;\n\nconst meetc::cuda::kind_launchers all_kinds[] = {\n";
+  for (const lang::kind *k : kinds)
+    out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::place<{1}>, meetc::cuda::enclose<{1}>, "
+                       "meetc::cuda::columns<{1}, form>}},\n",
+                       k->name, shape_of(*k));
+  out += "};\n\n"
+         "// A query with the predicate at this place of the catalogue.\n"
+         "template <int Place> cudaError_t pairs(const meetc::cuda::query &q, cudaStream_t stream) {\n"
+         "  return meetc::cuda::pairs(catalogue(), catalogue().predicates[Place], q, stream);\n}\n"
+         "template <int Place>\n"
+         "std::size_t workspace(std::uint32_t a, std::uint32_t b, unsigned long long list_capacity) {\n"
+         "  return meetc::cuda::query_workspace(catalogue(), catalogue().predicates[Place], a, b, list_capacity);\n"
+         "}\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
+  int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const auto place = [&](std::size_t i) {
       return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
     };
-    const auto shape = [&](std::size_t i) { return identifier(k->asked.kinds[i]->name) + "_shape"; };
-    out += fmt::format(
-        "  {{\"{0}\", {1}, {2}, ::meetc::cuda::run<::{3}::{4}, {5}, {6}, rungs>, ::meetc::cuda::pairs<::{3}::{4}, "
-        "{5}, {6}, form, rungs>, ::meetc::cuda::query_workspace<{5}, {6}>}},\n",
-        k->asked.asked->name, place(0), place(1), identifier(u.scene.space), identifier(k->asked.asked->name), shape(0),
-        shape(1));
+    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>}},\n",
+                       k->asked.asked->name, place(0), place(1), identifier(k->asked.asked->name), count);
     ++count;
   }
-  return out + fmt::format("}};\n\n}} // namespace\n\nconst ::meetc::cuda::catalogue &catalogue() {{\n"
-                           "  static const ::meetc::cuda::catalogue c{{\"{}\", all_kinds, {}, all_predicates, {}, "
-                           "::meetc::cuda::clear_extent, ::meetc::cuda::candidates<form>, ::meetc::cuda::probe}};\n"
+  return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
+                           "  static const meetc::cuda::catalogue c{{\"{}\", all_kinds, {}, all_predicates, {}, "
+                           "meetc::cuda::clear_extent, meetc::cuda::candidates<form>, meetc::cuda::probe}};\n"
                            "  return c;\n}}\n\n",
                            u.scene.space, kinds.size(), count);
 }
@@ -87,7 +76,7 @@ std::string cuda_header(const unit &u) {
                      space);
   out +=
       "// What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.\n"
-      "const ::meetc::cuda::catalogue &catalogue();\n\n"
+      "const meetc::cuda::catalogue &catalogue();\n\n"
       "// Decides n pairs of rows on the device: a, b, pairs and out are device pointers, rows are packed floats in\n"
       "// the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.\n"
       "// Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), "
@@ -98,40 +87,62 @@ std::string cuda_header(const unit &u) {
            "assume. Once a\n"
            "// process is enough, before the first certified answer is relied upon.\n"
            "cudaError_t self_test(unsigned *faults, cudaStream_t stream);\n";
+  out += "\n// The rungs that the scene asks for: bit r stands for the rung of value r.\n" + rungs_constant(u);
+  out += "\n// near() and run() are one step of a query on sets: see meetc::cuda::predicate_launchers.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
     if (u.asks("certified"))
       out += fmt::format("  static cudaError_t certify{};\n", parameters);
-    out += "};\n";
+    out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n}};\n", near_parameters,
+                       run_parameters);
   }
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
-std::string cuda_text(const unit &u) {
+std::string cuda_catalogue(const unit &u) {
   const std::string space = identifier(u.scene.space);
-  std::string out = banner(u.scene, "Launchers on a CUDA device.");
-  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n", space);
-  for (const lower::kernel *k : predicates_of(u))
-    out += fmt::format("#include <{}/{}.hpp>\n", space, k->asked.name());
-  out += "#include <meetc/cuda_probe.hpp>\n#include <meetc/cuda_query.hpp>\n\nnamespace {\n\n";
-  out += rungs_function("decide_by", plain_cases(u));
-  if (u.asks("certified"))
-    out += rungs_function("certify_by", {{"fp32", "certify_step<P, ::meetc::in_fp32>"},
-                                         {"fp64", "certify_step<P, ::meetc::in_fp64>"},
-                                         {"fp64x2", "certify_step<P, ::meetc::in_fp64x2>"}});
-  out += fmt::format("\n}} // namespace\n\nnamespace {} {{\nnamespace cuda {{\n\n", space);
+  std::string out = banner(u.scene, "The catalogue of launchers on a CUDA device.");
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
+                     "#include <meetc/cuda_filter.hpp>\n#include <meetc/cuda_probe.hpp>\n"
+                     "#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n\n"
+                     "namespace {0} {{\nnamespace cuda {{\n\n",
+                     space);
   out += catalogue_text(u);
   if (u.asks("certified"))
-    out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) { return ::meetc::launch_self_test(faults, "
-           "stream); "
-           "}\n\n";
-  for (const lower::kernel *k : predicates_of(u))
-    for (const char *function : {"decide", "certify"})
-      if (function == std::string("decide") || u.asks("certified"))
-        out += fmt::format(
-            "cudaError_t {0}::{2}{3} {{\n  return {2}_by<::{1}::{0}>(rung, a, b, pairs, n, out, stream);\n}}\n",
-            identifier(k->asked.asked->name), space, function, parameters);
+    out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) {\n"
+           "  return meetc::launch_self_test(faults, stream);\n}\n";
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
+}
+
+std::string cuda_launchers(const unit &u, const lower::kernel &k) {
+  const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
+  std::string out = banner(u.scene, fmt::format("Launchers of {} on a CUDA device.", k.asked.asked->name));
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n#include <{0}/shapes.hpp>\n"
+                     "#include <meetc/cuda_steps.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
+                     space, k.asked.name());
+  const std::string predicate = fmt::format("::{}::{}", space, name);
+  const std::string shapes = shape_of(*k.asked.kinds[0]) + ", " + shape_of(*k.asked.kinds[1]);
+  out += fmt::format("cudaError_t {0}::decide{2} {{\n"
+                     "  return meetc::cuda::decide_rows<{1}, rungs>(rung, a, b, pairs, n, out, stream);\n}}\n",
+                     name, predicate, parameters);
+  if (u.asks("certified"))
+    out += fmt::format("cudaError_t {0}::certify{2} {{\n"
+                       "  return meetc::cuda::certify_rows<{1}>(rung, a, b, pairs, n, out, stream);\n}}\n",
+                       name, predicate, parameters);
+  out += fmt::format("cudaError_t {0}::near{3} {{\n"
+                     "  return meetc::cuda::near<{1}, {2}, rungs>(which, a, b, in, kept, touching, stream);\n}}\n",
+                     name, predicate, shapes, near_parameters);
+  out += fmt::format("cudaError_t {0}::run{2} {{\n"
+                     "  return meetc::cuda::run<{1}, rungs>(which, a, b, in, yes, unsure, stream);\n}}\n",
+                     name, predicate, run_parameters);
+  return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
+}
+
+std::string cuda_text(const unit &u) {
+  std::string out;
+  for (const lower::kernel *k : predicates_of(u))
+    out += cuda_launchers(u, *k);
+  return out;
 }
 
 } // namespace meetc::target

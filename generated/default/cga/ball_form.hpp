@@ -5,7 +5,7 @@
 
 #include <meetc/support.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -34,7 +34,7 @@ struct ball_form {
 
   // f_0 to f_3, then f: products + 1 values. 4 multiplications, 3 additions.
   template <class T> MEETC_HD static void features_a(const T *x, T *f) {
-    const T t0 = ::meetc::fma(-x[3], x[3], ::meetc::fma(x[2], x[2], ::meetc::fma(x[1], x[1], x[0] * x[0])));
+    const T t0 = meetc::fma(-x[3], x[3], meetc::fma(x[2], x[2], meetc::fma(x[1], x[1], x[0] * x[0])));
     f[0] = x[0];
     f[1] = x[1];
     f[2] = x[2];
@@ -43,7 +43,7 @@ struct ball_form {
   }
   // g_0 to g_3, then g. 4 multiplications, 3 additions.
   template <class T> MEETC_HD static void features_b(const T *y, T *g) {
-    const T t0 = ::meetc::fma(-y[3], y[3], ::meetc::fma(y[2], y[2], ::meetc::fma(y[1], y[1], y[0] * y[0])));
+    const T t0 = meetc::fma(-y[3], y[3], meetc::fma(y[2], y[2], meetc::fma(y[1], y[1], y[0] * y[0])));
     g[0] = -y[0];
     g[1] = -y[1];
     g[2] = -y[2];

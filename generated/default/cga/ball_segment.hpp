@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -31,7 +31,7 @@ struct ball_segment {
     return all[i];
   }
 
-  using reject_stage = ::meetc::no_stage;
+  using reject_stage = meetc::no_stage;
   // The usual case: signs 0 to 4, degree 4.
   // Once an object A: 1 multiplication, 0 additions; B: 3 multiplications, 5 additions; a pair: 19 multiplications, 21 additions.
   struct common_stage {
@@ -48,7 +48,7 @@ struct ball_segment {
       const T t0 = b[3] - b[0];
       const T t1 = b[4] - b[1];
       const T t2 = b[5] - b[2];
-      const T t3 = ::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0));
+      const T t3 = meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
       f[0] = t0;
       f[1] = t1;
       f[2] = t2;
@@ -64,16 +64,15 @@ struct ball_segment {
       const T t3 = b[3] - a[0];
       const T t4 = b[4] - a[1];
       const T t5 = b[5] - a[2];
-      const T t6 = ::meetc::fma(-t2, fb[1], t1 * fb[2]);
-      const T t7 = ::meetc::fma(-t0, fb[2], t2 * fb[0]);
-      const T t8 = ::meetc::fma(-t1, fb[0], t0 * fb[1]);
-      const W t9 = ::meetc::fma(fa[0], fb[3], -::meetc::fma(t8, t8, ::meetc::fma(t7, t7, ::meetc::times<W>(t6,
-          t6))));
-      v[0] = W(-(fa[0] - ::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0))));
-      v[1] = W(-(fa[0] - ::meetc::fma(t5, t5, ::meetc::fma(t4, t4, t3 * t3))));
+      const T t6 = meetc::fma(-t2, fb[1], t1 * fb[2]);
+      const T t7 = meetc::fma(-t0, fb[2], t2 * fb[0]);
+      const T t8 = meetc::fma(-t1, fb[0], t0 * fb[1]);
+      const W t9 = meetc::fma(fa[0], fb[3], -meetc::fma(t8, t8, meetc::fma(t7, t7, meetc::times<W>(t6, t6))));
+      v[0] = W(-(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))));
+      v[1] = W(-(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3))));
       v[2] = -t9;
-      v[3] = W(::meetc::fma(t2, fb[2], ::meetc::fma(t1, fb[1], t0 * fb[0])));
-      v[4] = W(fb[3] + ::meetc::fma(t2, fb[2], ::meetc::fma(t1, fb[1], t0 * fb[0])));
+      v[3] = W(meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0])));
+      v[4] = W(fb[3] + meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0])));
     }
     // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
     static constexpr int window = 23;
@@ -81,16 +80,16 @@ struct ball_segment {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -25, floor_fp64 = -200, box_lowest = -25, box_highest = 27;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr ::meetc::factors all[] = {
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
+      static constexpr meetc::factors all[] = {
         {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
         {0xb01p-32f, 0xb01p-61, 0x801p-110}, {0x801p-33f, 0x801p-62, 0xc01p-112},
         {0xa01p-33f, 0xa01p-62, 0x801p-111}};
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr ::meetc::box_factor all[] = {
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
+      static constexpr meetc::box_factor all[] = {
         {0xe01p-33f, 0, 0, 2}, {0xe01p-33f, 0, 0, 2}, {0x801p-29f, 0, 2, 2}, {0x901p-33f, 0, 1, 1},
         {0xd01p-32f, 0, 1, 1}};
       return all[i];
@@ -107,13 +106,13 @@ struct ball_segment {
       return all[i];
     }
     MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = ::meetc::larger(0.0f, a[3]);
+      const float m0 = meetc::larger(0.0f, a[3]);
       return m0;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = ::meetc::larger(0.0f, b[3] - b[0]);
-      const float m1 = ::meetc::larger(m0, b[4] - b[1]);
-      const float m2 = ::meetc::larger(m1, b[5] - b[2]);
+      const float m0 = meetc::larger(0.0f, b[3] - b[0]);
+      const float m1 = meetc::larger(m0, b[4] - b[1]);
+      const float m2 = meetc::larger(m1, b[5] - b[2]);
       return m2;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
@@ -131,22 +130,21 @@ struct ball_segment {
       const T l8 = leaf(b[4] - b[1]);
       const T l9 = leaf(b[5] - b[2]);
       const T t0 = l3 * l3;
-      const T t1 = ::meetc::fma(l9, l9, ::meetc::fma(l8, l8, l7 * l7));
-      const T t2 = ::meetc::fma(l2, l8, l1 * l9);
-      const T t3 = ::meetc::fma(l0, l9, l2 * l7);
-      const T t4 = ::meetc::fma(l1, l7, l0 * l8);
-      const T t5 = ::meetc::fma(t0, t1, ::meetc::fma(t4, t4, ::meetc::fma(t3, t3, t2 * t2)));
-      m[0] = ::meetc::fma(l2, l2, ::meetc::fma(l1, l1, l0 * l0)) + t0;
-      m[1] = t0 + ::meetc::fma(l6, l6, ::meetc::fma(l5, l5, l4 * l4));
-      m[2] = t5;
-      m[3] = ::meetc::fma(l2, l9, ::meetc::fma(l1, l8, l0 * l7));
-      m[4] = t1 + ::meetc::fma(l2, l9, ::meetc::fma(l1, l8, l0 * l7));
+      const T t1 = meetc::fma(l9, l9, meetc::fma(l8, l8, l7 * l7));
+      const T t2 = meetc::fma(l2, l8, l1 * l9);
+      const T t3 = meetc::fma(l0, l9, l2 * l7);
+      const T t4 = meetc::fma(l1, l7, l0 * l8);
+      m[0] = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0)) + t0;
+      m[1] = t0 + meetc::fma(l6, l6, meetc::fma(l5, l5, l4 * l4));
+      m[2] = meetc::fma(t0, t1, meetc::fma(t4, t4, meetc::fma(t3, t3, t2 * t2)));
+      m[3] = meetc::fma(l2, l9, meetc::fma(l1, l8, l0 * l7));
+      m[4] = t1 + meetc::fma(l2, l9, meetc::fma(l1, l8, l0 * l7));
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 15, step_count = 61;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 15, instruction_count = 61;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 10, 4, 0}, {multiply, 11, 10, 10}, {subtract, 12, 5, 1}, {multiply, 13, 12, 12},
         {add, 13, 13, 11}, {subtract, 11, 6, 2}, {multiply, 14, 11, 11}, {add, 14, 14, 13},
         {multiply, 13, 3, 3}, {subtract, 3, 13, 14}, {negate, 14, 3, 0}, {take_sign, 0, 14, 0},
@@ -163,7 +161,7 @@ struct ball_segment {
       return all[i];
     }
   };
-  using rare_stage = ::meetc::no_stage;
+  using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
@@ -173,39 +171,39 @@ struct ball_segment {
     return false;
   }
   template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<3>(s[0]);
-    const auto b1 = ::meetc::in<3>(s[1]);
-    const auto b2 = ::meetc::in<3>(s[2]);
-    const auto b3 = ::meetc::in<1>(s[3] * s[4]);
-    const auto b4 = ::meetc::both(b2, b3);
-    const auto b5 = ::meetc::either(::meetc::either(b0, b1), b4);
+    const auto b0 = meetc::in<3>(s[0]);
+    const auto b1 = meetc::in<3>(s[1]);
+    const auto b2 = meetc::in<3>(s[2]);
+    const auto b3 = meetc::in<1>(s[3] * s[4]);
+    const auto b4 = meetc::both(b2, b3);
+    const auto b5 = meetc::either(meetc::either(b0, b1), b4);
     return b5;
   }
   template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<3>(s[0]);
-    const auto b1 = ::meetc::in<3>(s[1]);
-    const auto b2 = ::meetc::in<3>(s[2]);
-    const auto b3 = ::meetc::in<1>(s[3] * s[4]);
-    const auto b4 = ::meetc::both(b2, b3);
-    const auto b5 = ::meetc::either(::meetc::either(b0, b1), b4);
+    const auto b0 = meetc::in<3>(s[0]);
+    const auto b1 = meetc::in<3>(s[1]);
+    const auto b2 = meetc::in<3>(s[2]);
+    const auto b3 = meetc::in<1>(s[3] * s[4]);
+    const auto b4 = meetc::both(b2, b3);
+    const auto b5 = meetc::either(meetc::either(b0, b1), b4);
     return b5;
   }
 
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEETC_HD static bool hit(const sphere<float> &operand_a, const segment<float> &operand_b) {
-    return ::meetc::hit_certified<ball_segment>(operand_a, operand_b);
+    return meetc::hit_certified<ball_segment>(operand_a, operand_b);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static ::meetc::answer filter(const sphere<float> &operand_a, const segment<float> &operand_b) {
-    return ::meetc::filter_fp32<ball_segment>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const sphere<float> &operand_a, const segment<float> &operand_b) {
+    return meetc::filter_fp32<ball_segment>(operand_a, operand_b);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEETC_HD static bool plain(const sphere<float> &operand_a,
       const segment<float> &operand_b) {
-    const ::meetc::rows_of<ball_segment, sphere<float>, segment<float>> rows(operand_a, operand_b);
-    return ::meetc::decide<ball_segment>(::meetc::plain_signs<ball_segment, T>(rows.a, rows.b));
+    const meetc::rows_of<ball_segment, sphere<float>, segment<float>> rows(operand_a, operand_b);
+    return meetc::decide<ball_segment>(meetc::plain_signs<ball_segment, T>(rows.a, rows.b));
   }
 };
 

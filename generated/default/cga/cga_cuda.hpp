@@ -10,7 +10,7 @@ namespace cga {
 namespace cuda {
 
 // What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.
-const ::meetc::cuda::catalogue &catalogue();
+const meetc::cuda::catalogue &catalogue();
 
 // Decides n pairs of rows on the device: a, b, pairs and out are device pointers, rows are packed floats in
 // the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.
@@ -19,85 +19,154 @@ const ::meetc::cuda::catalogue &catalogue();
 // Bits of meetc::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds assume. Once a
 // process is enough, before the first certified answer is relied upon.
 cudaError_t self_test(unsigned *faults, cudaStream_t stream);
+
+// The rungs that the scene asks for: bit r stands for the rung of value r.
+inline constexpr unsigned rungs = 1U << static_cast<int>(meetc::rung::fp32) |
+    1U << static_cast<int>(meetc::rung::fp64) |
+    1U << static_cast<int>(meetc::rung::fp64x2) |
+    1U << static_cast<int>(meetc::rung::exact) |
+    1U << static_cast<int>(meetc::rung::certified);
+
+// near() and run() are one step of a query on sets: see meetc::cuda::predicate_launchers.
 struct segment_segment {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct point_triangle {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct segment_triangle {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct triangle_triangle {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct sphere_sphere {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct ball_ball {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct ball_segment {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct sphere_segment {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct ball_triangle {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 struct sphere_triangle {
-  static cudaError_t decide(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
-  static cudaError_t certify(::meetc::rung rung, const float *a, const float *b,
-      const ::meetc::index_pair *pairs,
-    std::size_t n, ::meetc::answer *out, cudaStream_t stream);
+  static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
+    std::size_t n, meetc::answer *out, cudaStream_t stream);
+  static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
+        cudaStream_t stream);
+  static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
+      const meetc::cuda::operand &b,
+    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
+        cudaStream_t stream);
 };
 
 } // namespace cuda

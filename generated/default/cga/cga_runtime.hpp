@@ -5,12 +5,12 @@
 
 #include <meetc/support.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // The bounded kinds and the predicates on them.
-const ::meetc::catalogue &catalogue();
+const meetc::catalogue &catalogue();
 
 } // namespace cga
 

@@ -5,7 +5,7 @@
 
 #include <meetc/support.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -20,9 +20,9 @@ template <class T> MEETC_HD inline void to_row(const point<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const point<T> &k) {
-  return ::meetc::is_finite(k.x) &&
-      ::meetc::is_finite(k.y) &&
-      ::meetc::is_finite(k.z);
+  return meetc::is_finite(k.x) &&
+      meetc::is_finite(k.y) &&
+      meetc::is_finite(k.z);
 }
 
 // direction: as it is stored, 3 numbers.
@@ -36,9 +36,9 @@ template <class T> MEETC_HD inline void to_row(const direction<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const direction<T> &k) {
-  return ::meetc::is_finite(k.x) &&
-      ::meetc::is_finite(k.y) &&
-      ::meetc::is_finite(k.z);
+  return meetc::is_finite(k.x) &&
+      meetc::is_finite(k.y) &&
+      meetc::is_finite(k.z);
 }
 
 // point_pair: as it is stored, 6 numbers.
@@ -55,12 +55,12 @@ template <class T> MEETC_HD inline void to_row(const point_pair<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const point_pair<T> &k) {
-  return ::meetc::is_finite(k.p.x) &&
-      ::meetc::is_finite(k.p.y) &&
-      ::meetc::is_finite(k.p.z) &&
-      ::meetc::is_finite(k.q.x) &&
-      ::meetc::is_finite(k.q.y) &&
-      ::meetc::is_finite(k.q.z);
+  return meetc::is_finite(k.p.x) &&
+      meetc::is_finite(k.p.y) &&
+      meetc::is_finite(k.p.z) &&
+      meetc::is_finite(k.q.x) &&
+      meetc::is_finite(k.q.y) &&
+      meetc::is_finite(k.q.z);
 }
 
 // flat_point: as it is stored, 3 numbers.
@@ -74,9 +74,9 @@ template <class T> MEETC_HD inline void to_row(const flat_point<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const flat_point<T> &k) {
-  return ::meetc::is_finite(k.p.x) &&
-      ::meetc::is_finite(k.p.y) &&
-      ::meetc::is_finite(k.p.z);
+  return meetc::is_finite(k.p.x) &&
+      meetc::is_finite(k.p.y) &&
+      meetc::is_finite(k.p.z);
 }
 
 // line: as it is stored, 6 numbers.
@@ -93,12 +93,12 @@ template <class T> MEETC_HD inline void to_row(const line<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const line<T> &k) {
-  return ::meetc::is_finite(k.p.x) &&
-      ::meetc::is_finite(k.p.y) &&
-      ::meetc::is_finite(k.p.z) &&
-      ::meetc::is_finite(k.q.x) &&
-      ::meetc::is_finite(k.q.y) &&
-      ::meetc::is_finite(k.q.z);
+  return meetc::is_finite(k.p.x) &&
+      meetc::is_finite(k.p.y) &&
+      meetc::is_finite(k.p.z) &&
+      meetc::is_finite(k.q.x) &&
+      meetc::is_finite(k.q.y) &&
+      meetc::is_finite(k.q.z);
 }
 
 // circle: as it is stored, 7 numbers.
@@ -118,13 +118,13 @@ template <class T> MEETC_HD inline void to_row(const circle<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const circle<T> &k) {
-  return ::meetc::is_finite(k.c.x) &&
-      ::meetc::is_finite(k.c.y) &&
-      ::meetc::is_finite(k.c.z) &&
-      ::meetc::is_finite(k.N.x) &&
-      ::meetc::is_finite(k.N.y) &&
-      ::meetc::is_finite(k.N.z) &&
-      ::meetc::is_finite(k.r);
+  return meetc::is_finite(k.c.x) &&
+      meetc::is_finite(k.c.y) &&
+      meetc::is_finite(k.c.z) &&
+      meetc::is_finite(k.N.x) &&
+      meetc::is_finite(k.N.y) &&
+      meetc::is_finite(k.N.z) &&
+      meetc::is_finite(k.r);
 }
 
 // plane: as it is stored, 4 numbers.
@@ -140,10 +140,10 @@ template <class T> MEETC_HD inline void to_row(const plane<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const plane<T> &k) {
-  return ::meetc::is_finite(k.N.x) &&
-      ::meetc::is_finite(k.N.y) &&
-      ::meetc::is_finite(k.N.z) &&
-      ::meetc::is_finite(k.d);
+  return meetc::is_finite(k.N.x) &&
+      meetc::is_finite(k.N.y) &&
+      meetc::is_finite(k.N.z) &&
+      meetc::is_finite(k.d);
 }
 
 // sphere: as it is stored, 4 numbers.
@@ -159,11 +159,11 @@ template <class T> MEETC_HD inline void to_row(const sphere<T> &k, T *out) {
 }
 // Whether all numbers are finite and r >= 0, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const sphere<T> &k) {
-  return ::meetc::is_finite(k.c.x) &&
-      ::meetc::is_finite(k.c.y) &&
-      ::meetc::is_finite(k.c.z) &&
-      ::meetc::is_finite(k.r) &&
-      ::meetc::not_negative(k.r);
+  return meetc::is_finite(k.c.x) &&
+      meetc::is_finite(k.c.y) &&
+      meetc::is_finite(k.c.z) &&
+      meetc::is_finite(k.r) &&
+      meetc::not_negative(k.r);
 }
 
 // segment: as it is stored, 6 numbers.
@@ -180,12 +180,12 @@ template <class T> MEETC_HD inline void to_row(const segment<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const segment<T> &k) {
-  return ::meetc::is_finite(k.p.x) &&
-      ::meetc::is_finite(k.p.y) &&
-      ::meetc::is_finite(k.p.z) &&
-      ::meetc::is_finite(k.q.x) &&
-      ::meetc::is_finite(k.q.y) &&
-      ::meetc::is_finite(k.q.z);
+  return meetc::is_finite(k.p.x) &&
+      meetc::is_finite(k.p.y) &&
+      meetc::is_finite(k.p.z) &&
+      meetc::is_finite(k.q.x) &&
+      meetc::is_finite(k.q.y) &&
+      meetc::is_finite(k.q.z);
 }
 
 // triangle: as it is stored, 9 numbers.
@@ -205,15 +205,15 @@ template <class T> MEETC_HD inline void to_row(const triangle<T> &k, T *out) {
 }
 // Whether all numbers are finite, on their bits: what predicates take for granted.
 template <class T> MEETC_HD inline bool valid(const triangle<T> &k) {
-  return ::meetc::is_finite(k.a.x) &&
-      ::meetc::is_finite(k.a.y) &&
-      ::meetc::is_finite(k.a.z) &&
-      ::meetc::is_finite(k.b.x) &&
-      ::meetc::is_finite(k.b.y) &&
-      ::meetc::is_finite(k.b.z) &&
-      ::meetc::is_finite(k.c.x) &&
-      ::meetc::is_finite(k.c.y) &&
-      ::meetc::is_finite(k.c.z);
+  return meetc::is_finite(k.a.x) &&
+      meetc::is_finite(k.a.y) &&
+      meetc::is_finite(k.a.z) &&
+      meetc::is_finite(k.b.x) &&
+      meetc::is_finite(k.b.y) &&
+      meetc::is_finite(k.b.z) &&
+      meetc::is_finite(k.c.x) &&
+      meetc::is_finite(k.c.y) &&
+      meetc::is_finite(k.c.z);
 }
 
 // The blade of a point: coefficients on e1, e2, e3, n, nb.
@@ -227,7 +227,7 @@ template <class T> MEETC_HD inline point_blade<T> blade(const point<T> &k) {
   B.e1 = k.x * T(2);
   B.e2 = T(2) * k.y;
   B.e3 = T(2) * k.z;
-  B.n = ::meetc::fma(k.z, k.z, ::meetc::fma(k.y, k.y, k.x * k.x));
+  B.n = meetc::fma(k.z, k.z, meetc::fma(k.y, k.y, k.x * k.x));
   B.nb = T(-1);
   return B;
 }
@@ -243,21 +243,21 @@ template <class T> MEETC_HD inline point_pair_blade<T> blade(const point_pair<T>
   const T t0 = k.q.x * T(2);
   const T t1 = T(2) * k.q.y;
   const T t2 = T(2) * k.q.z;
-  const T t3 = ::meetc::fma(k.q.z, k.q.z, ::meetc::fma(k.q.y, k.q.y, k.q.x * k.q.x));
+  const T t3 = meetc::fma(k.q.z, k.q.z, meetc::fma(k.q.y, k.q.y, k.q.x * k.q.x));
   const T t4 = T(2) * k.p.x;
   const T t5 = T(2) * k.p.y;
   const T t6 = T(2) * k.p.z;
-  const T t7 = ::meetc::fma(k.p.z, k.p.z, ::meetc::fma(k.p.y, k.p.y, k.p.x * k.p.x));
+  const T t7 = meetc::fma(k.p.z, k.p.z, meetc::fma(k.p.y, k.p.y, k.p.x * k.p.x));
   const T t8 = -t0;
   const T t9 = -t1;
-  B.e1_e2 = ::meetc::fma(t8, t5, t1 * t4);
-  B.e1_e3 = ::meetc::fma(t8, t6, t2 * t4);
-  B.e1_n = ::meetc::fma(t8, t7, t3 * t4);
+  B.e1_e2 = meetc::fma(t8, t5, t1 * t4);
+  B.e1_e3 = meetc::fma(t8, t6, t2 * t4);
+  B.e1_n = meetc::fma(t8, t7, t3 * t4);
   B.e1_nb = t0 - t4;
-  B.e2_e3 = ::meetc::fma(t9, t6, t2 * t5);
-  B.e2_n = ::meetc::fma(t9, t7, t3 * t5);
+  B.e2_e3 = meetc::fma(t9, t6, t2 * t5);
+  B.e2_n = meetc::fma(t9, t7, t3 * t5);
   B.e2_nb = t1 - t5;
-  B.e3_n = ::meetc::fma(-t2, t7, t3 * t6);
+  B.e3_n = meetc::fma(-t2, t7, t3 * t6);
   B.e3_nb = t2 - t6;
   B.n_nb = t3 - t7;
   return B;
@@ -287,10 +287,10 @@ template <class T = float> struct line_blade {
 template <class T> MEETC_HD inline line_blade<T> blade(const line<T> &k) {
   line_blade<T> B;
   const T t0 = -k.q.x;
-  B.e1_e2_n = ::meetc::fma(t0, k.p.y, k.q.y * k.p.x) * T(4);
-  B.e1_e3_n = T(4) * ::meetc::fma(t0, k.p.z, k.q.z * k.p.x);
+  B.e1_e2_n = meetc::fma(t0, k.p.y, k.q.y * k.p.x) * T(4);
+  B.e1_e3_n = T(4) * meetc::fma(t0, k.p.z, k.q.z * k.p.x);
   B.e1_n_nb = T(2) * (k.p.x - k.q.x);
-  B.e2_e3_n = T(4) * ::meetc::fma(-k.q.y, k.p.z, k.q.z * k.p.y);
+  B.e2_e3_n = T(4) * meetc::fma(-k.q.y, k.p.z, k.q.z * k.p.y);
   B.e2_n_nb = T(2) * (k.p.y - k.q.y);
   B.e3_n_nb = T(2) * (k.p.z - k.q.z);
   return B;
@@ -301,10 +301,10 @@ template <class T> MEETC_HD inline line_blade<T> line_from_direction(const point
     const direction<T> &v) {
   line_blade<T> B;
   const T t0 = -v.x;
-  B.e1_e2_n = ::meetc::fma(t0, p.y, v.y * p.x) * T(4);
-  B.e1_e3_n = T(4) * ::meetc::fma(t0, p.z, v.z * p.x);
+  B.e1_e2_n = meetc::fma(t0, p.y, v.y * p.x) * T(4);
+  B.e1_e3_n = T(4) * meetc::fma(t0, p.z, v.z * p.x);
   B.e1_n_nb = -(v.x * T(2));
-  B.e2_e3_n = T(4) * ::meetc::fma(-v.y, p.z, v.z * p.y);
+  B.e2_e3_n = T(4) * meetc::fma(-v.y, p.z, v.z * p.y);
   B.e2_n_nb = -(v.y * T(2));
   B.e3_n_nb = -(v.z * T(2));
   return B;
@@ -318,23 +318,23 @@ template <class T = float> struct circle_blade {
 // 19 multiplications, 11 additions.
 template <class T> MEETC_HD inline circle_blade<T> blade(const circle<T> &k) {
   circle_blade<T> B;
-  const T t0 = ::meetc::fma(k.N.z, k.c.z, ::meetc::fma(k.N.y, k.c.y, k.N.x * k.c.x));
+  const T t0 = meetc::fma(k.N.z, k.c.z, meetc::fma(k.N.y, k.c.y, k.N.x * k.c.x));
   const T t1 = k.c.x * T(2);
   const T t2 = k.c.y * T(2);
   const T t3 = k.c.z * T(2);
-  const T t4 = ::meetc::fma(-k.r, k.r, ::meetc::fma(k.c.z, k.c.z, ::meetc::fma(k.c.y, k.c.y, k.c.x * k.c.x)));
+  const T t4 = meetc::fma(-k.r, k.r, meetc::fma(k.c.z, k.c.z, meetc::fma(k.c.y, k.c.y, k.c.x * k.c.x)));
   const T t5 = -k.N.x;
   const T t6 = -k.N.y;
   B.e1_e2_e3 = t0 * T(2);
-  B.e1_e2_n = ::meetc::fma(-k.N.z, t4, t0 * t3);
+  B.e1_e2_n = meetc::fma(-k.N.z, t4, t0 * t3);
   B.e1_e2_nb = -k.N.z;
-  B.e1_e3_n = -::meetc::fma(t6, t4, t0 * t2);
+  B.e1_e3_n = -meetc::fma(t6, t4, t0 * t2);
   B.e1_e3_nb = k.N.y;
-  B.e1_n_nb = -(::meetc::fma(t6, t3, k.N.z * t2) * (T(1) / T(2)));
-  B.e2_e3_n = ::meetc::fma(t5, t4, t0 * t1);
+  B.e1_n_nb = -(meetc::fma(t6, t3, k.N.z * t2) * (T(1) / T(2)));
+  B.e2_e3_n = meetc::fma(t5, t4, t0 * t1);
   B.e2_e3_nb = t5;
-  B.e2_n_nb = ::meetc::fma(t5, t3, k.N.z * t1) * (T(1) / T(2));
-  B.e3_n_nb = -(::meetc::fma(t5, t2, k.N.y * t1) * (T(1) / T(2)));
+  B.e2_n_nb = meetc::fma(t5, t3, k.N.z * t1) * (T(1) / T(2));
+  B.e3_n_nb = -(meetc::fma(t5, t2, k.N.y * t1) * (T(1) / T(2)));
   return B;
 }
 // a ^ b ^ c
@@ -345,39 +345,39 @@ template <class T> MEETC_HD inline circle_blade<T> circle_from_points(const poin
   const T t0 = c.x * T(2);
   const T t1 = T(2) * c.y;
   const T t2 = T(2) * c.z;
-  const T t3 = ::meetc::fma(c.z, c.z, ::meetc::fma(c.y, c.y, c.x * c.x));
+  const T t3 = meetc::fma(c.z, c.z, meetc::fma(c.y, c.y, c.x * c.x));
   const T t4 = T(2) * b.x;
   const T t5 = T(2) * b.y;
   const T t6 = T(2) * b.z;
-  const T t7 = ::meetc::fma(b.z, b.z, ::meetc::fma(b.y, b.y, b.x * b.x));
+  const T t7 = meetc::fma(b.z, b.z, meetc::fma(b.y, b.y, b.x * b.x));
   const T t8 = T(2) * a.x;
   const T t9 = T(2) * a.y;
   const T t10 = T(2) * a.z;
-  const T t11 = ::meetc::fma(a.z, a.z, ::meetc::fma(a.y, a.y, a.x * a.x));
+  const T t11 = meetc::fma(a.z, a.z, meetc::fma(a.y, a.y, a.x * a.x));
   const T t12 = -t4;
-  const T t13 = ::meetc::fma(t12, t9, t5 * t8);
-  const T t14 = ::meetc::fma(t12, t10, t6 * t8);
+  const T t13 = meetc::fma(t12, t9, t5 * t8);
+  const T t14 = meetc::fma(t12, t10, t6 * t8);
   const T t15 = -t5;
-  const T t16 = ::meetc::fma(t15, t10, t6 * t9);
-  const T t17 = ::meetc::fma(t12, t11, t7 * t8);
-  const T t18 = ::meetc::fma(t15, t11, t7 * t9);
-  const T t19 = ::meetc::fma(-t6, t11, t7 * t10);
+  const T t16 = meetc::fma(t15, t10, t6 * t9);
+  const T t17 = meetc::fma(t12, t11, t7 * t8);
+  const T t18 = meetc::fma(t15, t11, t7 * t9);
+  const T t19 = meetc::fma(-t6, t11, t7 * t10);
   const T t20 = t4 - t8;
   const T t21 = t5 - t9;
   const T t22 = t6 - t10;
   const T t23 = t7 - t11;
   const T t24 = -t1;
   const T t25 = -t2;
-  B.e1_e2_e3 = ::meetc::fma(t0, t16, ::meetc::fma(t24, t14, t2 * t13));
-  B.e1_e2_n = ::meetc::fma(t0, t18, ::meetc::fma(t24, t17, t3 * t13));
-  B.e1_e2_nb = ::meetc::fma(t0, t21, -::meetc::fma(t1, t20, t13));
-  B.e1_e3_n = ::meetc::fma(t0, t19, ::meetc::fma(t25, t17, t3 * t14));
-  B.e1_e3_nb = ::meetc::fma(t0, t22, -::meetc::fma(t2, t20, t14));
-  B.e1_n_nb = ::meetc::fma(t0, t23, -::meetc::fma(t3, t20, t17));
-  B.e2_e3_n = ::meetc::fma(t1, t19, ::meetc::fma(t25, t18, t3 * t16));
-  B.e2_e3_nb = ::meetc::fma(t1, t22, -::meetc::fma(t2, t21, t16));
-  B.e2_n_nb = ::meetc::fma(t1, t23, -::meetc::fma(t3, t21, t18));
-  B.e3_n_nb = ::meetc::fma(t2, t23, -::meetc::fma(t3, t22, t19));
+  B.e1_e2_e3 = meetc::fma(t0, t16, meetc::fma(t24, t14, t2 * t13));
+  B.e1_e2_n = meetc::fma(t0, t18, meetc::fma(t24, t17, t3 * t13));
+  B.e1_e2_nb = meetc::fma(t0, t21, -meetc::fma(t1, t20, t13));
+  B.e1_e3_n = meetc::fma(t0, t19, meetc::fma(t25, t17, t3 * t14));
+  B.e1_e3_nb = meetc::fma(t0, t22, -meetc::fma(t2, t20, t14));
+  B.e1_n_nb = meetc::fma(t0, t23, -meetc::fma(t3, t20, t17));
+  B.e2_e3_n = meetc::fma(t1, t19, meetc::fma(t25, t18, t3 * t16));
+  B.e2_e3_nb = meetc::fma(t1, t22, -meetc::fma(t2, t21, t16));
+  B.e2_n_nb = meetc::fma(t1, t23, -meetc::fma(t3, t21, t18));
+  B.e3_n_nb = meetc::fma(t2, t23, -meetc::fma(t3, t22, t19));
   return B;
 }
 
@@ -410,16 +410,16 @@ template <class T> MEETC_HD inline plane_blade<T> plane_from_points(const point<
   const T t7 = T(2) * a.y;
   const T t8 = T(2) * a.z;
   const T t9 = -t3;
-  const T t10 = ::meetc::fma(t9, t7, t4 * t6);
-  const T t11 = ::meetc::fma(t9, t8, t5 * t6);
-  const T t12 = ::meetc::fma(-t4, t8, t5 * t7);
+  const T t10 = meetc::fma(t9, t7, t4 * t6);
+  const T t11 = meetc::fma(t9, t8, t5 * t6);
+  const T t12 = meetc::fma(-t4, t8, t5 * t7);
   const T t13 = t3 - t6;
   const T t14 = t4 - t7;
   const T t15 = t5 - t8;
-  B.e1_e2_e3_n = ::meetc::fma(t0, t12, ::meetc::fma(-t1, t11, t2 * t10));
-  B.e1_e2_n_nb = -::meetc::fma(t0, t14, -::meetc::fma(t1, t13, t10));
-  B.e1_e3_n_nb = -::meetc::fma(t0, t15, -::meetc::fma(t2, t13, t11));
-  B.e2_e3_n_nb = -::meetc::fma(t1, t15, -::meetc::fma(t2, t14, t12));
+  B.e1_e2_e3_n = meetc::fma(t0, t12, meetc::fma(-t1, t11, t2 * t10));
+  B.e1_e2_n_nb = -meetc::fma(t0, t14, -meetc::fma(t1, t13, t10));
+  B.e1_e3_n_nb = -meetc::fma(t0, t15, -meetc::fma(t2, t13, t11));
+  B.e2_e3_n_nb = -meetc::fma(t1, t15, -meetc::fma(t2, t14, t12));
   return B;
 }
 
@@ -431,7 +431,7 @@ template <class T = float> struct sphere_blade {
 // 4 multiplications, 3 additions.
 template <class T> MEETC_HD inline sphere_blade<T> blade(const sphere<T> &k) {
   sphere_blade<T> B;
-  const T t0 = ::meetc::fma(-k.r, k.r, ::meetc::fma(k.c.z, k.c.z, ::meetc::fma(k.c.y, k.c.y, k.c.x * k.c.x)));
+  const T t0 = meetc::fma(-k.r, k.r, meetc::fma(k.c.z, k.c.z, meetc::fma(k.c.y, k.c.y, k.c.x * k.c.x)));
   B.e1_e2_e3_n = t0;
   B.e1_e2_e3_nb = T(1);
   B.e1_e2_n_nb = k.c.z;
@@ -446,54 +446,50 @@ template <class T> MEETC_HD inline sphere_blade<T> sphere_from_points(const poin
   sphere_blade<T> B;
   const T t0 = T(2) * d.y;
   const T t1 = T(2) * d.z;
-  const T t2 = ::meetc::fma(d.z, d.z, ::meetc::fma(d.y, d.y, d.x * d.x));
+  const T t2 = meetc::fma(d.z, d.z, meetc::fma(d.y, d.y, d.x * d.x));
   const T t3 = T(2) * c.x;
   const T t4 = T(2) * c.y;
   const T t5 = T(2) * c.z;
-  const T t6 = ::meetc::fma(c.z, c.z, ::meetc::fma(c.y, c.y, c.x * c.x));
+  const T t6 = meetc::fma(c.z, c.z, meetc::fma(c.y, c.y, c.x * c.x));
   const T t7 = T(2) * b.x;
   const T t8 = T(2) * b.y;
   const T t9 = T(2) * b.z;
-  const T t10 = ::meetc::fma(b.z, b.z, ::meetc::fma(b.y, b.y, b.x * b.x));
+  const T t10 = meetc::fma(b.z, b.z, meetc::fma(b.y, b.y, b.x * b.x));
   const T t11 = T(2) * a.x;
   const T t12 = T(2) * a.y;
   const T t13 = T(2) * a.z;
-  const T t14 = ::meetc::fma(a.z, a.z, ::meetc::fma(a.y, a.y, a.x * a.x));
+  const T t14 = meetc::fma(a.z, a.z, meetc::fma(a.y, a.y, a.x * a.x));
   const T t15 = -t7;
-  const T t16 = ::meetc::fma(t15, t12, t8 * t11);
-  const T t17 = ::meetc::fma(t15, t13, t9 * t11);
+  const T t16 = meetc::fma(t15, t12, t8 * t11);
+  const T t17 = meetc::fma(t15, t13, t9 * t11);
   const T t18 = -t8;
-  const T t19 = ::meetc::fma(t18, t13, t9 * t12);
-  const T t20 = ::meetc::fma(t15, t14, t10 * t11);
-  const T t21 = ::meetc::fma(t18, t14, t10 * t12);
-  const T t22 = ::meetc::fma(-t9, t14, t10 * t13);
+  const T t19 = meetc::fma(t18, t13, t9 * t12);
+  const T t20 = meetc::fma(t15, t14, t10 * t11);
+  const T t21 = meetc::fma(t18, t14, t10 * t12);
+  const T t22 = meetc::fma(-t9, t14, t10 * t13);
   const T t23 = t7 - t11;
   const T t24 = t8 - t12;
   const T t25 = t9 - t13;
   const T t26 = t10 - t14;
   const T t27 = -t4;
-  const T t28 = ::meetc::fma(t3, t19, ::meetc::fma(t27, t17, t5 * t16));
+  const T t28 = meetc::fma(t3, t19, meetc::fma(t27, t17, t5 * t16));
   const T t29 = -t5;
-  const T t30 = ::meetc::fma(t3, t21, ::meetc::fma(t27, t20, t6 * t16));
-  const T t31 = ::meetc::fma(t3, t22, ::meetc::fma(t29, t20, t6 * t17));
-  const T t32 = ::meetc::fma(t4, t22, ::meetc::fma(t29, t21, t6 * t19));
-  const T t33 = ::meetc::fma(t3, t24, -::meetc::fma(t4, t23, t16));
-  const T t34 = ::meetc::fma(t3, t25, -::meetc::fma(t5, t23, t17));
-  const T t35 = ::meetc::fma(t4, t25, -::meetc::fma(t5, t24, t19));
-  const T t36 = ::meetc::fma(t3, t26, -::meetc::fma(t6, t23, t20));
-  const T t37 = ::meetc::fma(t4, t26, -::meetc::fma(t6, t24, t21));
-  const T t38 = ::meetc::fma(t5, t26, -::meetc::fma(t6, t25, t22));
+  const T t30 = meetc::fma(t3, t21, meetc::fma(t27, t20, t6 * t16));
+  const T t31 = meetc::fma(t3, t22, meetc::fma(t29, t20, t6 * t17));
+  const T t32 = meetc::fma(t4, t22, meetc::fma(t29, t21, t6 * t19));
+  const T t33 = meetc::fma(t3, t24, -meetc::fma(t4, t23, t16));
+  const T t34 = meetc::fma(t3, t25, -meetc::fma(t5, t23, t17));
+  const T t35 = meetc::fma(t4, t25, -meetc::fma(t5, t24, t19));
+  const T t36 = meetc::fma(t3, t26, -meetc::fma(t6, t23, t20));
+  const T t37 = meetc::fma(t4, t26, -meetc::fma(t6, t24, t21));
+  const T t38 = meetc::fma(t5, t26, -meetc::fma(t6, t25, t22));
   const T t39 = -(d.x * T(2));
-  const T t40 = ::meetc::fma(t39, t32, ::meetc::fma(t0, t31, ::meetc::fma(-t1, t30, t2 * t28)));
-  const T t41 = ::meetc::fma(t39, t35, ::meetc::fma(t0, t34, -::meetc::fma(t1, t33, t28)));
-  const T t42 = ::meetc::fma(t39, t37, ::meetc::fma(t0, t36, -::meetc::fma(t2, t33, t30)));
-  const T t43 = ::meetc::fma(t39, t38, ::meetc::fma(t1, t36, -::meetc::fma(t2, t34, t31)));
-  const T t44 = ::meetc::fma(-t0, t38, ::meetc::fma(t1, t37, -::meetc::fma(t2, t35, t32)));
+  const T t40 = meetc::fma(t39, t32, meetc::fma(t0, t31, meetc::fma(-t1, t30, t2 * t28)));
   B.e1_e2_e3_n = t40;
-  B.e1_e2_e3_nb = t41;
-  B.e1_e2_n_nb = t42;
-  B.e1_e3_n_nb = t43;
-  B.e2_e3_n_nb = t44;
+  B.e1_e2_e3_nb = meetc::fma(t39, t35, meetc::fma(t0, t34, -meetc::fma(t1, t33, t28)));
+  B.e1_e2_n_nb = meetc::fma(t39, t37, meetc::fma(t0, t36, -meetc::fma(t2, t33, t30)));
+  B.e1_e3_n_nb = meetc::fma(t39, t38, meetc::fma(t1, t36, -meetc::fma(t2, t34, t31)));
+  B.e2_e3_n_nb = meetc::fma(-t0, t38, meetc::fma(t1, t37, -meetc::fma(t2, t35, t32)));
   return B;
 }
 

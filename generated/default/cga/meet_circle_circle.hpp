@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -25,27 +25,27 @@ namespace cga {
 template <class T> MEETC_HD inline point_blade<T> meet(const circle_blade<T> &X, const circle_blade<T> &Y) {
   point_blade<T> B;
   const T t0 = -X.e1_e2_n;
-  const T t1 = ::meetc::fma(X.e1_e2_nb, Y.e1_e3_n, ::meetc::fma(t0, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
+  const T t1 = meetc::fma(X.e1_e2_nb, Y.e1_e3_n, meetc::fma(t0, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
   const T t2 = -X.e1_e3_nb;
-  const T t3 = ::meetc::fma(X.e1_n_nb, Y.e1_e2_e3, ::meetc::fma(t2, Y.e1_e2_n, ::meetc::fma(X.e1_e3_n,
-      Y.e1_e2_nb, t1)));
-  const T t4 = ::meetc::fma(X.e1_e2_nb, Y.e2_e3_n, ::meetc::fma(t0, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
-  const T t5 = ::meetc::fma(-Y.e1_e2_n, X.e2_e3_nb, ::meetc::fma(Y.e1_e2_nb, X.e2_e3_n, t4));
+  const T t3 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3, meetc::fma(t2, Y.e1_e2_n, meetc::fma(X.e1_e3_n, Y.e1_e2_nb,
+      t1)));
+  const T t4 = meetc::fma(X.e1_e2_nb, Y.e2_e3_n, meetc::fma(t0, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
+  const T t5 = meetc::fma(-Y.e1_e2_n, X.e2_e3_nb, meetc::fma(Y.e1_e2_nb, X.e2_e3_n, t4));
   const T t6 = -X.e1_e3_n;
-  const T t7 = ::meetc::fma(X.e1_e3_nb, Y.e2_e3_n, ::meetc::fma(t6, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
+  const T t7 = meetc::fma(X.e1_e3_nb, Y.e2_e3_n, meetc::fma(t6, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
   const T t8 = -Y.e1_e3_n;
-  const T t9 = ::meetc::fma(Y.e1_e2_e3, X.e3_n_nb, ::meetc::fma(t8, X.e2_e3_nb, ::meetc::fma(Y.e1_e3_nb,
-      X.e2_e3_n, t7)));
-  const T t10 = ::meetc::fma(X.e1_n_nb, Y.e2_e3_n, ::meetc::fma(t6, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
-  const T t11 = ::meetc::fma(Y.e1_e2_n, X.e3_n_nb, ::meetc::fma(t8, X.e2_n_nb, ::meetc::fma(Y.e1_n_nb,
-      X.e2_e3_n, t10)));
-  const T t12 = ::meetc::fma(X.e1_n_nb, Y.e2_e3_nb, ::meetc::fma(t2, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
-  const T t13 = ::meetc::fma(-Y.e1_e3_nb, X.e2_n_nb, ::meetc::fma(Y.e1_n_nb, X.e2_e3_nb, t12));
+  const T t9 = meetc::fma(Y.e1_e2_e3, X.e3_n_nb, meetc::fma(t8, X.e2_e3_nb, meetc::fma(Y.e1_e3_nb, X.e2_e3_n,
+      t7)));
+  const T t10 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(t6, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
+  const T t11 = meetc::fma(Y.e1_e2_n, X.e3_n_nb, meetc::fma(t8, X.e2_n_nb, meetc::fma(Y.e1_n_nb, X.e2_e3_n,
+      t10)));
+  const T t12 = meetc::fma(X.e1_n_nb, Y.e2_e3_nb, meetc::fma(t2, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
+  const T t13 = meetc::fma(-Y.e1_e3_nb, X.e2_n_nb, meetc::fma(Y.e1_n_nb, X.e2_e3_nb, t12));
   B.e1 = t3 * T(2);
-  B.e2 = T(2) * ::meetc::fma(Y.e1_e2_e3, X.e2_n_nb, t5);
+  B.e2 = T(2) * meetc::fma(Y.e1_e2_e3, X.e2_n_nb, t5);
   B.e3 = T(2) * t9;
   B.n = T(2) * t11;
-  B.nb = T(2) * ::meetc::fma(Y.e1_e2_nb, X.e3_n_nb, t13);
+  B.nb = T(2) * meetc::fma(Y.e1_e2_nb, X.e3_n_nb, t13);
   return B;
 }
 template <class T> MEETC_HD inline point_blade<T> meet(const circle<T> &X, const circle<T> &Y) {

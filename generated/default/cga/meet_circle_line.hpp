@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -21,15 +21,14 @@ namespace cga {
 template <class T> MEETC_HD inline point_blade<T> meet(const circle_blade<T> &X, const line_blade<T> &Y) {
   point_blade<T> B;
   const T t0 = -X.e1_e3_nb;
-  const T t1 = ::meetc::fma(t0, Y.e1_e2_n, ::meetc::fma(X.e1_e2_nb, Y.e1_e3_n, X.e1_e2_e3 * Y.e1_n_nb));
-  const T t2 = ::meetc::fma(-Y.e1_e2_n, X.e2_e3_nb, ::meetc::fma(X.e1_e2_nb, Y.e2_e3_n,
-      X.e1_e2_e3 * Y.e2_n_nb));
+  const T t1 = meetc::fma(t0, Y.e1_e2_n, meetc::fma(X.e1_e2_nb, Y.e1_e3_n, X.e1_e2_e3 * Y.e1_n_nb));
+  const T t2 = meetc::fma(-Y.e1_e2_n, X.e2_e3_nb, meetc::fma(X.e1_e2_nb, Y.e2_e3_n, X.e1_e2_e3 * Y.e2_n_nb));
   const T t3 = -Y.e1_e3_n;
-  const T t4 = ::meetc::fma(t3, X.e2_e3_nb, ::meetc::fma(X.e1_e3_nb, Y.e2_e3_n, X.e1_e2_e3 * Y.e3_n_nb));
-  const T t5 = ::meetc::fma(Y.e2_e3_n, X.e1_n_nb, ::meetc::fma(-Y.e2_n_nb, X.e1_e3_n, Y.e3_n_nb * X.e1_e2_n));
-  const T t6 = ::meetc::fma(Y.e1_e2_n, X.e3_n_nb, ::meetc::fma(t3, X.e2_n_nb, ::meetc::fma(Y.e1_n_nb,
-      X.e2_e3_n, t5)));
-  const T t7 = ::meetc::fma(Y.e1_n_nb, X.e2_e3_nb, ::meetc::fma(t0, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
+  const T t4 = meetc::fma(t3, X.e2_e3_nb, meetc::fma(X.e1_e3_nb, Y.e2_e3_n, X.e1_e2_e3 * Y.e3_n_nb));
+  const T t5 = meetc::fma(Y.e2_e3_n, X.e1_n_nb, meetc::fma(-Y.e2_n_nb, X.e1_e3_n, Y.e3_n_nb * X.e1_e2_n));
+  const T t6 = meetc::fma(Y.e1_e2_n, X.e3_n_nb, meetc::fma(t3, X.e2_n_nb, meetc::fma(Y.e1_n_nb, X.e2_e3_n,
+      t5)));
+  const T t7 = meetc::fma(Y.e1_n_nb, X.e2_e3_nb, meetc::fma(t0, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
   B.e1 = t1 * T(2);
   B.e2 = T(2) * t2;
   B.e3 = T(2) * t4;

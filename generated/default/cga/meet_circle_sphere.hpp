@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -25,23 +25,20 @@ namespace cga {
 template <class T> MEETC_HD inline point_pair_blade<T> meet(const circle_blade<T> &X,
     const sphere_blade<T> &Y) {
   point_pair_blade<T> B;
-  const T t0 = ::meetc::fma(X.e1_e2_nb, Y.e1_e2_e3_n, ::meetc::fma(-X.e1_e2_n, Y.e1_e2_e3_nb,
+  const T t0 = meetc::fma(X.e1_e2_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e2_n, Y.e1_e2_e3_nb,
       X.e1_e2_e3 * Y.e1_e2_n_nb));
   const T t1 = -Y.e1_e2_e3_nb;
-  const T t2 = ::meetc::fma(Y.e1_e2_e3_n, X.e1_e3_nb, ::meetc::fma(t1, X.e1_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb));
+  const T t2 = meetc::fma(Y.e1_e2_e3_n, X.e1_e3_nb, meetc::fma(t1, X.e1_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb));
   const T t3 = -Y.e1_e2_n_nb;
-  const T t4 = ::meetc::fma(Y.e1_e2_e3_n, X.e1_n_nb, ::meetc::fma(t3, X.e1_e3_n, X.e1_e2_n * Y.e1_e3_n_nb));
-  const T t5 = ::meetc::fma(Y.e1_e2_e3_nb, X.e1_n_nb, ::meetc::fma(t3, X.e1_e3_nb,
-      X.e1_e2_nb * Y.e1_e3_n_nb));
-  const T t6 = ::meetc::fma(Y.e1_e2_e3_n, X.e2_e3_nb, ::meetc::fma(t1, X.e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb));
-  const T t7 = ::meetc::fma(Y.e1_e2_e3_n, X.e2_n_nb, ::meetc::fma(t3, X.e2_e3_n, X.e1_e2_n * Y.e2_e3_n_nb));
-  const T t8 = ::meetc::fma(Y.e1_e2_e3_nb, X.e2_n_nb, ::meetc::fma(t3, X.e2_e3_nb,
-      X.e1_e2_nb * Y.e2_e3_n_nb));
+  const T t4 = meetc::fma(Y.e1_e2_e3_n, X.e1_n_nb, meetc::fma(t3, X.e1_e3_n, X.e1_e2_n * Y.e1_e3_n_nb));
+  const T t5 = meetc::fma(Y.e1_e2_e3_nb, X.e1_n_nb, meetc::fma(t3, X.e1_e3_nb, X.e1_e2_nb * Y.e1_e3_n_nb));
+  const T t6 = meetc::fma(Y.e1_e2_e3_n, X.e2_e3_nb, meetc::fma(t1, X.e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb));
+  const T t7 = meetc::fma(Y.e1_e2_e3_n, X.e2_n_nb, meetc::fma(t3, X.e2_e3_n, X.e1_e2_n * Y.e2_e3_n_nb));
+  const T t8 = meetc::fma(Y.e1_e2_e3_nb, X.e2_n_nb, meetc::fma(t3, X.e2_e3_nb, X.e1_e2_nb * Y.e2_e3_n_nb));
   const T t9 = -Y.e1_e3_n_nb;
-  const T t10 = ::meetc::fma(Y.e1_e2_e3_n, X.e3_n_nb, ::meetc::fma(t9, X.e2_e3_n, X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t11 = ::meetc::fma(Y.e1_e2_e3_nb, X.e3_n_nb, ::meetc::fma(t9, X.e2_e3_nb,
-      X.e1_e3_nb * Y.e2_e3_n_nb));
-  const T t12 = ::meetc::fma(Y.e1_e2_n_nb, X.e3_n_nb, ::meetc::fma(t9, X.e2_n_nb, X.e1_n_nb * Y.e2_e3_n_nb));
+  const T t10 = meetc::fma(Y.e1_e2_e3_n, X.e3_n_nb, meetc::fma(t9, X.e2_e3_n, X.e1_e3_n * Y.e2_e3_n_nb));
+  const T t11 = meetc::fma(Y.e1_e2_e3_nb, X.e3_n_nb, meetc::fma(t9, X.e2_e3_nb, X.e1_e3_nb * Y.e2_e3_n_nb));
+  const T t12 = meetc::fma(Y.e1_e2_n_nb, X.e3_n_nb, meetc::fma(t9, X.e2_n_nb, X.e1_n_nb * Y.e2_e3_n_nb));
   B.e1_e2 = t0 * T(2);
   B.e1_e3 = T(2) * t2;
   B.e1_n = T(2) * t4;

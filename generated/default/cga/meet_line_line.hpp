@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -16,9 +16,10 @@ namespace cga {
 // 6 multiplications, 5 additions.
 template <class T> MEETC_HD inline point_blade<T> meet(const line_blade<T> &X, const line_blade<T> &Y) {
   point_blade<T> B;
-  const T t0 = ::meetc::fma(X.e1_n_nb, Y.e2_e3_n, ::meetc::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
-  const T t1 = ::meetc::fma(-X.e2_n_nb, Y.e1_e3_n, ::meetc::fma(X.e2_e3_n, Y.e1_n_nb, t0));
-  B.n = ::meetc::fma(X.e3_n_nb, Y.e1_e2_n, t1) * T(2);
+  const T t0 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
+  const T t1 = meetc::fma(X.e3_n_nb, Y.e1_e2_n, meetc::fma(-X.e2_n_nb, Y.e1_e3_n, meetc::fma(X.e2_e3_n,
+      Y.e1_n_nb, t0)));
+  B.n = t1 * T(2);
   B.e1 = T(0);
   B.e2 = T(0);
   B.e3 = T(0);

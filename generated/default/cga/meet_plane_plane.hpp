@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -20,15 +20,15 @@ namespace cga {
 // 12 multiplications, 6 additions.
 template <class T> MEETC_HD inline line_blade<T> meet(const plane_blade<T> &X, const plane_blade<T> &Y) {
   line_blade<T> B;
-  const T t0 = ::meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(2);
+  const T t0 = meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(2);
   const T t1 = -Y.e1_e2_e3_n;
   const T t2 = -Y.e1_e2_n_nb;
-  const T t3 = T(2) * ::meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t3 = T(2) * meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
   B.e1_e2_n = -t0;
-  B.e1_e3_n = -(T(2) * ::meetc::fma(t1, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb));
-  B.e1_n_nb = -(T(2) * ::meetc::fma(t2, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb));
-  B.e2_e3_n = -(T(2) * ::meetc::fma(t1, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb));
-  B.e2_n_nb = -(T(2) * ::meetc::fma(t2, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb));
+  B.e1_e3_n = -(T(2) * meetc::fma(t1, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb));
+  B.e1_n_nb = -(T(2) * meetc::fma(t2, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb));
+  B.e2_e3_n = -(T(2) * meetc::fma(t1, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb));
+  B.e2_n_nb = -(T(2) * meetc::fma(t2, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb));
   B.e3_n_nb = -t3;
   return B;
 }

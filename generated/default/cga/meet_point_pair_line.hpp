@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -15,9 +15,9 @@ namespace cga {
 //       + 2*X.e2_nb*Y.e1_e3_n - 2*X.e3_nb*Y.e1_e2_n
 // 6 multiplications, 5 additions.
 template <class T> MEETC_HD inline T meet(const point_pair_blade<T> &X, const line_blade<T> &Y) {
-  const T t0 = ::meetc::fma(-X.e1_nb, Y.e2_e3_n, ::meetc::fma(-X.e1_e3, Y.e2_n_nb, X.e1_e2 * Y.e3_n_nb));
-  const T t1 = ::meetc::fma(-X.e3_nb, Y.e1_e2_n, ::meetc::fma(X.e2_nb, Y.e1_e3_n, ::meetc::fma(X.e2_e3,
-      Y.e1_n_nb, t0)));
+  const T t0 = meetc::fma(-X.e1_nb, Y.e2_e3_n, meetc::fma(-X.e1_e3, Y.e2_n_nb, X.e1_e2 * Y.e3_n_nb));
+  const T t1 = meetc::fma(-X.e3_nb, Y.e1_e2_n, meetc::fma(X.e2_nb, Y.e1_e3_n, meetc::fma(X.e2_e3, Y.e1_n_nb,
+      t0)));
   return t1 * T(2);
 }
 
@@ -30,9 +30,9 @@ template <class T> MEETC_HD inline T meet(const point_pair<T> &X, const line<T> 
   const T t3 = X.q.y - X.p.y;
   const T t4 = X.q.x - X.p.x;
   const T t5 = Y.q.x - Y.p.x;
-  const T t6 = ::meetc::fma(::meetc::fma(-t2, t4, t1 * t5), Y.p.y - X.p.y, ::meetc::fma(-t0, t1,
+  const T t6 = meetc::fma(meetc::fma(-t2, t4, t1 * t5), Y.p.y - X.p.y, meetc::fma(-t0, t1,
       t2 * t3) * (Y.p.x - X.p.x));
-  return ::meetc::fma(::meetc::fma(-t3, t5, t0 * t4), Y.p.z - X.p.z, t6) * T(16);
+  return meetc::fma(meetc::fma(-t3, t5, t0 * t4), Y.p.z - X.p.z, t6) * T(16);
 }
 
 } // namespace cga

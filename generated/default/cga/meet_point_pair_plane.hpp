@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -20,18 +20,17 @@ namespace cga {
 template <class T> MEETC_HD inline point_blade<T> meet(const point_pair_blade<T> &X,
     const plane_blade<T> &Y) {
   point_blade<T> B;
-  const T t0 = ::meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, ::meetc::fma(-X.e1_e3, Y.e1_e2_n_nb,
-      X.e1_e2 * Y.e1_e3_n_nb));
+  const T t0 = meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
   const T t1 = -Y.e1_e2_e3_n;
-  const T t2 = ::meetc::fma(t1, X.e2_nb, ::meetc::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t2 = meetc::fma(t1, X.e2_nb, meetc::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
   const T t3 = -Y.e1_e3_n_nb;
-  const T t4 = ::meetc::fma(t1, X.e3_nb, ::meetc::fma(t3, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
-  const T t5 = ::meetc::fma(Y.e1_e2_n_nb, X.e3_n, ::meetc::fma(t3, X.e2_n, Y.e2_e3_n_nb * X.e1_n));
-  const T t6 = ::meetc::fma(Y.e1_e2_n_nb, X.e3_nb, ::meetc::fma(t3, X.e2_nb, X.e1_nb * Y.e2_e3_n_nb));
+  const T t4 = T(2) * meetc::fma(t1, X.e3_nb, meetc::fma(t3, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
+  const T t5 = meetc::fma(Y.e1_e2_n_nb, X.e3_n, meetc::fma(t3, X.e2_n, Y.e2_e3_n_nb * X.e1_n));
+  const T t6 = meetc::fma(Y.e1_e2_n_nb, X.e3_nb, meetc::fma(t3, X.e2_nb, X.e1_nb * Y.e2_e3_n_nb));
   B.e1 = -(t0 * T(2));
   B.e2 = -(T(2) * t2);
-  B.e3 = -(T(2) * t4);
-  B.n = -(T(2) * ::meetc::fma(t1, X.n_nb, t5));
+  B.e3 = -t4;
+  B.n = -(T(2) * meetc::fma(t1, X.n_nb, t5));
   B.nb = -(T(2) * t6);
   return B;
 }

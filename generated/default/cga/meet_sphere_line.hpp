@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -25,13 +25,13 @@ namespace cga {
 template <class T> MEETC_HD inline point_pair_blade<T> meet(const sphere_blade<T> &X,
     const line_blade<T> &Y) {
   point_pair_blade<T> B;
-  const T t0 = ::meetc::fma(Y.e1_e2_n, X.e1_e3_n_nb, ::meetc::fma(-Y.e1_e3_n, X.e1_e2_n_nb,
+  const T t0 = meetc::fma(Y.e1_e2_n, X.e1_e3_n_nb, meetc::fma(-Y.e1_e3_n, X.e1_e2_n_nb,
       X.e1_e2_e3_n * Y.e1_n_nb));
-  const T t1 = ::meetc::fma(Y.e1_e2_n, X.e2_e3_n_nb, ::meetc::fma(-X.e1_e2_n_nb, Y.e2_e3_n,
+  const T t1 = meetc::fma(Y.e1_e2_n, X.e2_e3_n_nb, meetc::fma(-X.e1_e2_n_nb, Y.e2_e3_n,
       X.e1_e2_e3_n * Y.e2_n_nb));
   const T t2 = -X.e1_e3_n_nb;
-  const T t3 = ::meetc::fma(Y.e1_e3_n, X.e2_e3_n_nb, ::meetc::fma(t2, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
-  const T t4 = ::meetc::fma(Y.e1_n_nb, X.e2_e3_n_nb, ::meetc::fma(t2, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
+  const T t3 = meetc::fma(Y.e1_e3_n, X.e2_e3_n_nb, meetc::fma(t2, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
+  const T t4 = meetc::fma(Y.e1_n_nb, X.e2_e3_n_nb, meetc::fma(t2, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
   B.e1_e2 = -((X.e1_e2_e3_nb * Y.e1_e2_n) * T(2));
   B.e1_e3 = -(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n));
   B.e1_n = T(2) * t0;

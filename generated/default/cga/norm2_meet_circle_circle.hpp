@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -15,55 +15,54 @@ namespace cga {
 // 34 multiplications, 28 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const circle_blade<T> &Y) {
   const T t0 = -X.e1_e3_nb;
-  const T t1 = ::meetc::fma(X.e1_n_nb, Y.e2_e3_nb, ::meetc::fma(t0, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
+  const T t1 = meetc::fma(X.e1_n_nb, Y.e2_e3_nb, meetc::fma(t0, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
   const T t2 = -X.e2_n_nb;
-  const T t3 = ::meetc::fma(X.e3_n_nb, Y.e1_e2_nb, ::meetc::fma(t2, Y.e1_e3_nb, ::meetc::fma(X.e2_e3_nb,
-      Y.e1_n_nb, t1)));
+  const T t3 = meetc::fma(X.e3_n_nb, Y.e1_e2_nb, meetc::fma(t2, Y.e1_e3_nb, meetc::fma(X.e2_e3_nb, Y.e1_n_nb,
+      t1)));
   const T t4 = -X.e1_e2_n;
-  const T t5 = ::meetc::fma(X.e1_e2_nb, Y.e1_e3_n, ::meetc::fma(t4, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
-  const T t6 = ::meetc::fma(X.e1_n_nb, Y.e1_e2_e3, ::meetc::fma(t0, Y.e1_e2_n, ::meetc::fma(X.e1_e3_n,
-      Y.e1_e2_nb, t5)));
+  const T t5 = meetc::fma(X.e1_e2_nb, Y.e1_e3_n, meetc::fma(t4, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
+  const T t6 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3, meetc::fma(t0, Y.e1_e2_n, meetc::fma(X.e1_e3_n, Y.e1_e2_nb,
+      t5)));
   const T t7 = T(2) * t6;
-  const T t8 = ::meetc::fma(X.e1_e2_nb, Y.e2_e3_n, ::meetc::fma(t4, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
+  const T t8 = meetc::fma(X.e1_e2_nb, Y.e2_e3_n, meetc::fma(t4, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
   const T t9 = -X.e2_e3_nb;
-  const T t10 = ::meetc::fma(X.e2_n_nb, Y.e1_e2_e3, ::meetc::fma(t9, Y.e1_e2_n, ::meetc::fma(X.e2_e3_n,
-      Y.e1_e2_nb, t8)));
+  const T t10 = meetc::fma(X.e2_n_nb, Y.e1_e2_e3, meetc::fma(t9, Y.e1_e2_n, meetc::fma(X.e2_e3_n, Y.e1_e2_nb,
+      t8)));
   const T t11 = T(2) * t10;
   const T t12 = -X.e1_e3_n;
-  const T t13 = ::meetc::fma(X.e1_e3_nb, Y.e2_e3_n, ::meetc::fma(t12, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
-  const T t14 = ::meetc::fma(X.e3_n_nb, Y.e1_e2_e3, ::meetc::fma(t9, Y.e1_e3_n, ::meetc::fma(X.e2_e3_n,
-      Y.e1_e3_nb, t13)));
+  const T t13 = meetc::fma(X.e1_e3_nb, Y.e2_e3_n, meetc::fma(t12, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
+  const T t14 = meetc::fma(X.e3_n_nb, Y.e1_e2_e3, meetc::fma(t9, Y.e1_e3_n, meetc::fma(X.e2_e3_n, Y.e1_e3_nb,
+      t13)));
   const T t15 = T(2) * t14;
-  const T t16 = ::meetc::fma(X.e1_n_nb, Y.e2_e3_n, ::meetc::fma(t12, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
-  const T t17 = ::meetc::fma(X.e3_n_nb, Y.e1_e2_n, ::meetc::fma(t2, Y.e1_e3_n, ::meetc::fma(X.e2_e3_n,
-      Y.e1_n_nb, t16)));
-  const T t18 = ::meetc::fma(T(2) * t3, t17 * T(8), ::meetc::fma(t15, t15, ::meetc::fma(t11, t11, t7 * t7)));
+  const T t16 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(t12, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
+  const T t17 = meetc::fma(X.e3_n_nb, Y.e1_e2_n, meetc::fma(t2, Y.e1_e3_n, meetc::fma(X.e2_e3_n, Y.e1_n_nb,
+      t16)));
+  const T t18 = meetc::fma(T(2) * t3, t17 * T(8), meetc::fma(t15, t15, meetc::fma(t11, t11, t7 * t7)));
   return t18;
 }
 
 // norm2(meet(circle, circle)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 40 multiplications, 32 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const circle<T> &Y) {
-  const T t0 = ::meetc::fma(X.N.z, X.N.z, ::meetc::fma(X.N.y, X.N.y, X.N.x * X.N.x));
+  const T t0 = meetc::fma(X.N.z, X.N.z, meetc::fma(X.N.y, X.N.y, X.N.x * X.N.x));
   const T t1 = Y.c.x - X.c.x;
   const T t2 = Y.c.y - X.c.y;
   const T t3 = Y.c.z - X.c.z;
-  const T t4 = ::meetc::fma(t3, t3, ::meetc::fma(t2, t2, t1 * t1));
-  const T t5 = ::meetc::fma(Y.N.z, t3, ::meetc::fma(Y.N.y, t2, Y.N.x * t1));
-  const T t6 = ::meetc::fma(X.N.z, Y.N.z, ::meetc::fma(X.N.y, Y.N.y, X.N.x * Y.N.x));
-  const T t7 = ::meetc::fma(X.N.z, t3, ::meetc::fma(X.N.y, t2, X.N.x * t1));
+  const T t4 = meetc::fma(t3, t3, meetc::fma(t2, t2, t1 * t1));
+  const T t5 = meetc::fma(Y.N.z, t3, meetc::fma(Y.N.y, t2, Y.N.x * t1));
+  const T t6 = meetc::fma(X.N.z, Y.N.z, meetc::fma(X.N.y, Y.N.y, X.N.x * Y.N.x));
+  const T t7 = meetc::fma(X.N.z, t3, meetc::fma(X.N.y, t2, X.N.x * t1));
   const T t8 = Y.r * Y.r;
   const T t9 = t7 * t7;
   const T t10 = t4 * t4;
   const T t11 = t4 * T(2);
   const T t12 = X.r * X.r;
-  const T t13 = ::meetc::fma(X.r, X.r * ::meetc::fma(t0, (t12 - (t8 * T(2))) - t11, t9 * T(4)),
-      t0 * ::meetc::fma(Y.r, Y.r * (t8 - t11), t10));
-  const T t14 = ::meetc::fma(::meetc::fma(Y.N.z, Y.N.z, ::meetc::fma(Y.N.y, Y.N.y, Y.N.x * Y.N.x)), t13,
-      (t5 * (t5 * ::meetc::fma(t0, t8, -t9))) * T(4));
-  const T t15 = ::meetc::fma(-Y.r, Y.r * (t11 + (T(2) * t12 - t8)), ::meetc::fma(X.r, X.r * (t12 - t11),
-      t10));
-  const T t16 = ::meetc::fma(-t6, ::meetc::fma(t6, t15, T(4) * (t5 * (t7 * ((t8 + t12) - t4)))), t14);
+  const T t13 = meetc::fma(X.r, X.r * meetc::fma(t0, (t12 - (t8 * T(2))) - t11, t9 * T(4)),
+      t0 * meetc::fma(Y.r, Y.r * (t8 - t11), t10));
+  const T t14 = meetc::fma(meetc::fma(Y.N.z, Y.N.z, meetc::fma(Y.N.y, Y.N.y, Y.N.x * Y.N.x)), t13,
+      (t5 * (t5 * meetc::fma(t0, t8, -t9))) * T(4));
+  const T t15 = meetc::fma(-Y.r, Y.r * (t11 + (T(2) * t12 - t8)), meetc::fma(X.r, X.r * (t12 - t11), t10));
+  const T t16 = meetc::fma(-t6, meetc::fma(t6, t15, T(4) * (t5 * (t7 * ((t8 + t12) - t4)))), t14);
   return T(4) * t16;
 }
 

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -30,19 +30,19 @@ namespace cga {
 //       - 16*X.e2_e3_nb*X.e2_n_nb*Y.e1_e3_n*Y.e1_n_nb + 16*X.e2_e3_nb*X.e3_n_nb*Y.e1_e2_n*Y.e1_n_nb
 // 22 multiplications, 16 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const line_blade<T> &Y) {
-  const T t0 = ::meetc::fma(X.e1_n_nb, Y.e2_e3_n, ::meetc::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
-  const T t1 = ::meetc::fma(-X.e2_n_nb, Y.e1_e3_n, ::meetc::fma(X.e2_e3_n, Y.e1_n_nb, t0));
+  const T t0 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
+  const T t1 = meetc::fma(X.e3_n_nb, Y.e1_e2_n, meetc::fma(-X.e2_n_nb, Y.e1_e3_n, meetc::fma(X.e2_e3_n,
+      Y.e1_n_nb, t0)));
   const T t2 = -X.e1_e3_nb;
-  const T t3 = ::meetc::fma(t2, Y.e1_e2_n, ::meetc::fma(X.e1_e2_e3, Y.e1_n_nb, X.e1_e2_nb * Y.e1_e3_n));
+  const T t3 = meetc::fma(t2, Y.e1_e2_n, meetc::fma(X.e1_e2_e3, Y.e1_n_nb, X.e1_e2_nb * Y.e1_e3_n));
   const T t4 = T(2) * t3;
   const T t5 = -X.e2_e3_nb;
-  const T t6 = ::meetc::fma(t5, Y.e1_e2_n, ::meetc::fma(X.e1_e2_e3, Y.e2_n_nb, X.e1_e2_nb * Y.e2_e3_n));
+  const T t6 = meetc::fma(t5, Y.e1_e2_n, meetc::fma(X.e1_e2_e3, Y.e2_n_nb, X.e1_e2_nb * Y.e2_e3_n));
   const T t7 = T(2) * t6;
-  const T t8 = ::meetc::fma(t5, Y.e1_e3_n, ::meetc::fma(X.e1_e2_e3, Y.e3_n_nb, X.e1_e3_nb * Y.e2_e3_n));
+  const T t8 = meetc::fma(t5, Y.e1_e3_n, meetc::fma(X.e1_e2_e3, Y.e3_n_nb, X.e1_e3_nb * Y.e2_e3_n));
   const T t9 = T(2) * t8;
-  const T t10 = ::meetc::fma(X.e2_e3_nb, Y.e1_n_nb, ::meetc::fma(t2, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
-  const T t11 = ::meetc::fma(T(2) * t10, ::meetc::fma(X.e3_n_nb, Y.e1_e2_n, t1) * T(8), ::meetc::fma(t9, t9,
-      ::meetc::fma(t7, t7, t4 * t4)));
+  const T t10 = meetc::fma(X.e2_e3_nb, Y.e1_n_nb, meetc::fma(t2, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
+  const T t11 = meetc::fma(T(2) * t10, t1 * T(8), meetc::fma(t9, t9, meetc::fma(t7, t7, t4 * t4)));
   return t11;
 }
 
@@ -55,11 +55,11 @@ template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const line<T
   const T t3 = Y.q.x - Y.p.x;
   const T t4 = Y.q.y - Y.p.y;
   const T t5 = Y.q.z - Y.p.z;
-  const T t6 = ::meetc::fma(X.N.z, t2, ::meetc::fma(X.N.y, t1, X.N.x * t0));
-  const T t7 = ::meetc::fma(X.N.z, t5, ::meetc::fma(X.N.y, t4, X.N.x * t3));
-  const T t8 = ::meetc::fma(t7, X.r * X.r - ::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0)),
-      (::meetc::fma(t2, t5, ::meetc::fma(t1, t4, t0 * t3)) * t6) * T(2));
-  const T t9 = ::meetc::fma(-::meetc::fma(t5, t5, ::meetc::fma(t4, t4, t3 * t3)), t6 * t6, t7 * t8);
+  const T t6 = meetc::fma(X.N.z, t2, meetc::fma(X.N.y, t1, X.N.x * t0));
+  const T t7 = meetc::fma(X.N.z, t5, meetc::fma(X.N.y, t4, X.N.x * t3));
+  const T t8 = meetc::fma(t7, X.r * X.r - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)), (meetc::fma(t2, t5,
+      meetc::fma(t1, t4, t0 * t3)) * t6) * T(2));
+  const T t9 = meetc::fma(-meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)), t6 * t6, t7 * t8);
   return -(t9 * T(64));
 }
 

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -32,38 +32,33 @@ namespace cga {
 //       - 32*X.e2_n_nb*X.e3_n_nb*Y.e1_e2_n_nb*Y.e1_e3_n_nb + 16*X.e3_n_nb^2*Y.e1_e2_n_nb^2
 // 31 multiplications, 20 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const plane_blade<T> &Y) {
-  const T t0 = T(2) * ::meetc::fma(X.e1_e2_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e2_n_nb);
-  const T t1 = T(2) * ::meetc::fma(X.e1_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb);
-  const T t2 = T(2) * ::meetc::fma(X.e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb);
-  const T t3 = ::meetc::fma(X.e1_n_nb, Y.e1_e2_e3_n, ::meetc::fma(-X.e1_e3_n, Y.e1_e2_n_nb,
+  const T t0 = T(2) * meetc::fma(X.e1_e2_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e2_n_nb);
+  const T t1 = T(2) * meetc::fma(X.e1_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb);
+  const T t2 = T(2) * meetc::fma(X.e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb);
+  const T t3 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e1_e2_n_nb,
       X.e1_e2_n * Y.e1_e3_n_nb));
   const T t4 = -X.e2_e3_n;
-  const T t5 = ::meetc::fma(X.e2_n_nb, Y.e1_e2_e3_n, ::meetc::fma(t4, Y.e1_e2_n_nb,
-      X.e1_e2_n * Y.e2_e3_n_nb));
-  const T t6 = ::meetc::fma(X.e3_n_nb, Y.e1_e2_e3_n, ::meetc::fma(t4, Y.e1_e3_n_nb,
-      X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t7 = T(2) * ::meetc::fma(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
-  const T t8 = -X.e2_e3_nb;
-  const T t9 = ::meetc::fma(X.e3_n_nb, Y.e1_e2_n_nb, ::meetc::fma(-X.e2_n_nb, Y.e1_e3_n_nb,
+  const T t5 = meetc::fma(X.e2_n_nb, Y.e1_e2_e3_n, meetc::fma(t4, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb));
+  const T t6 = meetc::fma(X.e3_n_nb, Y.e1_e2_e3_n, meetc::fma(t4, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb));
+  const T t7 = -X.e2_e3_nb;
+  const T t8 = meetc::fma(X.e3_n_nb, Y.e1_e2_n_nb, meetc::fma(-X.e2_n_nb, Y.e1_e3_n_nb,
       X.e1_n_nb * Y.e2_e3_n_nb));
-  const T t10 = T(2) * t9;
-  const T t11 = ::meetc::fma(t7, t3 * T(8), ::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0)));
-  const T t12 = ::meetc::fma(T(2) * ::meetc::fma(t8, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb), t5 * T(8),
-      t11);
-  const T t13 = ::meetc::fma(T(2) * ::meetc::fma(t8, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb), t6 * T(8),
-      t12);
-  return -::meetc::fma(t10 * t10, T(-4), t13);
+  const T t9 = T(2) * t8;
+  const T t10 = meetc::fma(T(2) * meetc::fma(-X.e1_e3_nb, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e1_e3_n_nb), t3 * T(8),
+      meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)));
+  const T t11 = meetc::fma(T(2) * meetc::fma(t7, Y.e1_e2_n_nb, X.e1_e2_nb * Y.e2_e3_n_nb), t5 * T(8), t10);
+  const T t12 = meetc::fma(T(2) * meetc::fma(t7, Y.e1_e3_n_nb, X.e1_e3_nb * Y.e2_e3_n_nb), t6 * T(8), t11);
+  return -meetc::fma(t9 * t9, T(-4), t12);
 }
 
 // norm2(meet(circle, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 19 multiplications, 12 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const plane<T> &Y) {
-  const T t0 = ::meetc::fma(X.N.z, X.N.z, ::meetc::fma(X.N.y, X.N.y, X.N.x * X.N.x));
-  const T t1 = ::meetc::fma(X.N.z, Y.N.z, ::meetc::fma(X.N.y, Y.N.y, X.N.x * Y.N.x));
-  const T t2 = ::meetc::fma(X.c.z, Y.N.z, ::meetc::fma(X.c.y, Y.N.y, X.c.x * Y.N.x));
-  const T t3 = t0 * ::meetc::fma(Y.N.z, Y.N.z, ::meetc::fma(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
-  const T t4 = ::meetc::fma(-t0, ::meetc::fma(t2, t2 - (Y.d * T(2)), Y.d * Y.d),
-      X.r * (X.r * ::meetc::fma(-t1, t1, t3)));
+  const T t0 = meetc::fma(X.N.z, X.N.z, meetc::fma(X.N.y, X.N.y, X.N.x * X.N.x));
+  const T t1 = meetc::fma(X.N.z, Y.N.z, meetc::fma(X.N.y, Y.N.y, X.N.x * Y.N.x));
+  const T t2 = meetc::fma(X.c.z, Y.N.z, meetc::fma(X.c.y, Y.N.y, X.c.x * Y.N.x));
+  const T t3 = meetc::fma(-t1, t1, t0 * meetc::fma(Y.N.z, Y.N.z, meetc::fma(Y.N.y, Y.N.y, Y.N.x * Y.N.x)));
+  const T t4 = meetc::fma(-t0, meetc::fma(t2, t2 - (Y.d * T(2)), Y.d * Y.d), X.r * (X.r * t3));
   return t4 * T(4);
 }
 

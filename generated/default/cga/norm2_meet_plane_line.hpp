@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -16,7 +16,7 @@ namespace cga {
 //       - 32*X.e1_e3_n_nb*X.e2_e3_n_nb*Y.e1_n_nb*Y.e2_n_nb + 16*X.e2_e3_n_nb^2*Y.e1_n_nb^2
 // 4 multiplications, 2 additions.
 template <class T> MEETC_HD inline T norm2_meet(const plane_blade<T> &X, const line_blade<T> &Y) {
-  const T t0 = ::meetc::fma(X.e2_e3_n_nb, Y.e1_n_nb, ::meetc::fma(-X.e1_e3_n_nb, Y.e2_n_nb,
+  const T t0 = meetc::fma(X.e2_e3_n_nb, Y.e1_n_nb, meetc::fma(-X.e1_e3_n_nb, Y.e2_n_nb,
       X.e1_e2_n_nb * Y.e3_n_nb));
   return (t0 * t0) * T(16);
 }
@@ -24,8 +24,7 @@ template <class T> MEETC_HD inline T norm2_meet(const plane_blade<T> &X, const l
 // norm2(meet(plane, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 4 multiplications, 5 additions.
 template <class T> MEETC_HD inline T norm2_meet(const plane<T> &X, const line<T> &Y) {
-  const T t0 = ::meetc::fma(Y.q.z - Y.p.z, X.N.z, ::meetc::fma(Y.q.y - Y.p.y, X.N.y,
-      (Y.q.x - Y.p.x) * X.N.x));
+  const T t0 = meetc::fma(Y.q.z - Y.p.z, X.N.z, meetc::fma(Y.q.y - Y.p.y, X.N.y, (Y.q.x - Y.p.x) * X.N.x));
   return (t0 * t0) * T(16);
 }
 

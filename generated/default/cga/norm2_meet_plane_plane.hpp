@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -18,20 +18,20 @@ namespace cga {
 //       + 16*X.e2_e3_n_nb^2*Y.e1_e2_n_nb^2 + 16*X.e2_e3_n_nb^2*Y.e1_e3_n_nb^2
 // 9 multiplications, 5 additions.
 template <class T> MEETC_HD inline T norm2_meet(const plane_blade<T> &X, const plane_blade<T> &Y) {
-  const T t0 = T(2) * ::meetc::fma(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t0 = T(2) * meetc::fma(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
   const T t1 = -X.e2_e3_n_nb;
-  const T t2 = T(2) * ::meetc::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t3 = T(2) * ::meetc::fma(t1, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  return T(4) * ::meetc::fma(t3, t3, ::meetc::fma(t2, t2, t0 * t0));
+  const T t2 = T(2) * meetc::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t3 = T(2) * meetc::fma(t1, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  return T(4) * meetc::fma(t3, t3, meetc::fma(t2, t2, t0 * t0));
 }
 
 // norm2(meet(plane, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 9 multiplications, 5 additions.
 template <class T> MEETC_HD inline T norm2_meet(const plane<T> &X, const plane<T> &Y) {
-  const T t0 = ::meetc::fma(-X.N.z, Y.N.y, X.N.y * Y.N.z);
-  const T t1 = ::meetc::fma(-X.N.x, Y.N.z, X.N.z * Y.N.x);
-  const T t2 = ::meetc::fma(-X.N.y, Y.N.x, X.N.x * Y.N.y);
-  return ::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0));
+  const T t0 = meetc::fma(-X.N.z, Y.N.y, X.N.y * Y.N.z);
+  const T t1 = meetc::fma(-X.N.x, Y.N.z, X.N.z * Y.N.x);
+  const T t2 = meetc::fma(-X.N.y, Y.N.x, X.N.x * Y.N.y);
+  return meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
 }
 
 } // namespace cga

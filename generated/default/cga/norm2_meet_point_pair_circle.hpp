@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -40,12 +40,12 @@ namespace cga {
 //       - 8*X.e3_nb*X.n_nb*Y.e1_e2_e3*Y.e1_e2_n + 4*X.n_nb^2*Y.e1_e2_e3^2
 // 11 multiplications, 9 additions.
 template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, const circle_blade<T> &Y) {
-  const T t0 = ::meetc::fma(X.e1_n, Y.e2_e3_nb, ::meetc::fma(-X.e1_e3, Y.e2_n_nb, X.e1_e2 * Y.e3_n_nb));
-  const T t1 = ::meetc::fma(-X.e2_n, Y.e1_e3_nb, ::meetc::fma(X.e2_e3, Y.e1_n_nb, ::meetc::fma(-X.e1_nb,
-      Y.e2_e3_n, t0)));
-  const T t2 = ::meetc::fma(-X.e3_nb, Y.e1_e2_n, ::meetc::fma(X.e3_n, Y.e1_e2_nb, ::meetc::fma(X.e2_nb,
-      Y.e1_e3_n, t1)));
-  const T t3 = ::meetc::fma(X.n_nb, Y.e1_e2_e3, t2);
+  const T t0 = meetc::fma(X.e1_n, Y.e2_e3_nb, meetc::fma(-X.e1_e3, Y.e2_n_nb, X.e1_e2 * Y.e3_n_nb));
+  const T t1 = meetc::fma(-X.e2_n, Y.e1_e3_nb, meetc::fma(X.e2_e3, Y.e1_n_nb, meetc::fma(-X.e1_nb, Y.e2_e3_n,
+      t0)));
+  const T t2 = meetc::fma(-X.e3_nb, Y.e1_e2_n, meetc::fma(X.e3_n, Y.e1_e2_nb, meetc::fma(X.e2_nb, Y.e1_e3_n,
+      t1)));
+  const T t3 = meetc::fma(X.n_nb, Y.e1_e2_e3, t2);
   return (t3 * t3) * T(4);
 }
 
@@ -58,11 +58,10 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const ci
   const T t3 = Y.c.x - X.p.x;
   const T t4 = Y.c.y - X.p.y;
   const T t5 = Y.c.z - X.p.z;
-  const T t6 = ::meetc::fma(::meetc::fma(t2, t5, ::meetc::fma(t1, t4, t0 * t3)), T(2), -::meetc::fma(t2, t2,
-      ::meetc::fma(t1, t1, t0 * t0)));
-  const T t7 = ::meetc::fma(::meetc::fma(t2, Y.N.z, ::meetc::fma(t1, Y.N.y, t0 * Y.N.x)),
-      Y.r * Y.r - ::meetc::fma(t5, t5, ::meetc::fma(t4, t4, t3 * t3)), ::meetc::fma(Y.N.z, t5,
-      ::meetc::fma(Y.N.y, t4, Y.N.x * t3)) * t6);
+  const T t6 = meetc::fma(meetc::fma(t2, t5, meetc::fma(t1, t4, t0 * t3)), T(2), -meetc::fma(t2, t2,
+      meetc::fma(t1, t1, t0 * t0)));
+  const T t7 = meetc::fma(meetc::fma(t2, Y.N.z, meetc::fma(t1, Y.N.y, t0 * Y.N.x)), Y.r * Y.r - meetc::fma(t5,
+      t5, meetc::fma(t4, t4, t3 * t3)), meetc::fma(Y.N.z, t5, meetc::fma(Y.N.y, t4, Y.N.x * t3)) * t6);
   return (t7 * t7) * T(16);
 }
 

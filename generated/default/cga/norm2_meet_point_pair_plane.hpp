@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -28,32 +28,31 @@ namespace cga {
 //       - 16*X.e3_nb*X.n_nb*Y.e1_e2_e3_n*Y.e1_e2_n_nb
 // 20 multiplications, 14 additions.
 template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, const plane_blade<T> &Y) {
-  const T t0 = ::meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, ::meetc::fma(-X.e1_e3, Y.e1_e2_n_nb,
-      X.e1_e2 * Y.e1_e3_n_nb));
+  const T t0 = meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
   const T t1 = T(2) * t0;
   const T t2 = -X.e2_e3;
   const T t3 = -X.e2_nb;
-  const T t4 = ::meetc::fma(t3, Y.e1_e2_e3_n, ::meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t4 = meetc::fma(t3, Y.e1_e2_e3_n, meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
   const T t5 = T(2) * t4;
-  const T t6 = ::meetc::fma(-X.e3_nb, Y.e1_e2_e3_n, ::meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3 * Y.e2_e3_n_nb));
+  const T t6 = meetc::fma(-X.e3_nb, Y.e1_e2_e3_n, meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3 * Y.e2_e3_n_nb));
   const T t7 = T(2) * t6;
-  const T t8 = ::meetc::fma(X.e3_n, Y.e1_e2_n_nb, ::meetc::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
-  const T t9 = ::meetc::fma(X.e3_nb, Y.e1_e2_n_nb, ::meetc::fma(t3, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
-  const T t10 = ::meetc::fma(T(2) * t9, ::meetc::fma(-X.n_nb, Y.e1_e2_e3_n, t8) * T(8), ::meetc::fma(t7, t7,
-      ::meetc::fma(t5, t5, t1 * t1)));
+  const T t8 = meetc::fma(X.e3_n, Y.e1_e2_n_nb, meetc::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
+  const T t9 = meetc::fma(X.e3_nb, Y.e1_e2_n_nb, meetc::fma(t3, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
+  const T t10 = meetc::fma(T(2) * t9, meetc::fma(-X.n_nb, Y.e1_e2_e3_n, t8) * T(8), meetc::fma(t7, t7,
+      meetc::fma(t5, t5, t1 * t1)));
   return t10;
 }
 
 // norm2(meet(point_pair, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 14 multiplications, 14 additions.
 template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const plane<T> &Y) {
-  const T t0 = ::meetc::fma(Y.N.z, X.p.z, ::meetc::fma(Y.N.y, X.p.y, Y.N.x * X.p.x)) - Y.d;
-  const T t1 = ::meetc::fma(X.p.z, ::meetc::fma(-X.q.z, T(2), X.p.z), ::meetc::fma(X.q.z, X.q.z,
-      ::meetc::fma(X.q.y, X.q.y, X.q.x * X.q.x)));
-  const T t2 = ::meetc::fma(X.p.x, ::meetc::fma(-X.q.x, T(2), X.p.x), ::meetc::fma(X.p.y, ::meetc::fma(-X.q.y,
-      T(2), X.p.y), t1));
-  const T t3 = ::meetc::fma(Y.N.z, X.q.z, ::meetc::fma(Y.N.y, X.q.y, Y.N.x * X.q.x)) - Y.d;
-  return ((t0 * t2) * t3) * T(16);
+  const T t0 = meetc::fma(X.p.z, meetc::fma(-X.q.z, T(2), X.p.z), meetc::fma(X.q.z, X.q.z, meetc::fma(X.q.y,
+      X.q.y, X.q.x * X.q.x)));
+  const T t1 = meetc::fma(X.p.x, meetc::fma(-X.q.x, T(2), X.p.x), meetc::fma(X.p.y, meetc::fma(-X.q.y, T(2),
+      X.p.y), t0));
+  const T t2 = (meetc::fma(Y.N.z, X.p.z, meetc::fma(Y.N.y, X.p.y, Y.N.x * X.p.x)) - Y.d) * t1;
+  const T t3 = t2 * (meetc::fma(Y.N.z, X.q.z, meetc::fma(Y.N.y, X.q.y, Y.N.x * X.q.x)) - Y.d);
+  return t3 * T(16);
 }
 
 } // namespace cga

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -36,20 +36,19 @@ namespace cga {
 //       + 16*X.n_nb^2*Y.e1_e2_e3_n*Y.e1_e2_e3_nb
 // 24 multiplications, 18 additions.
 template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, const sphere_blade<T> &Y) {
-  const T t0 = ::meetc::fma(X.e1_n, Y.e1_e2_e3_nb, ::meetc::fma(-X.e1_e3, Y.e1_e2_n_nb,
-      X.e1_e2 * Y.e1_e3_n_nb));
-  const T t1 = T(2) * ::meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, t0);
+  const T t0 = meetc::fma(X.e1_n, Y.e1_e2_e3_nb, meetc::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
+  const T t1 = T(2) * meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, t0);
   const T t2 = -X.e2_e3;
-  const T t3 = ::meetc::fma(X.e2_n, Y.e1_e2_e3_nb, ::meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t3 = meetc::fma(X.e2_n, Y.e1_e2_e3_nb, meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
   const T t4 = -X.e2_nb;
-  const T t5 = T(2) * ::meetc::fma(t4, Y.e1_e2_e3_n, t3);
-  const T t6 = ::meetc::fma(X.e3_n, Y.e1_e2_e3_nb, ::meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3 * Y.e2_e3_n_nb));
-  const T t7 = T(2) * ::meetc::fma(-X.e3_nb, Y.e1_e2_e3_n, t6);
-  const T t8 = ::meetc::fma(X.e3_n, Y.e1_e2_n_nb, ::meetc::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
+  const T t5 = T(2) * meetc::fma(t4, Y.e1_e2_e3_n, t3);
+  const T t6 = meetc::fma(X.e3_n, Y.e1_e2_e3_nb, meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3 * Y.e2_e3_n_nb));
+  const T t7 = T(2) * meetc::fma(-X.e3_nb, Y.e1_e2_e3_n, t6);
+  const T t8 = meetc::fma(X.e3_n, Y.e1_e2_n_nb, meetc::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
   const T t9 = -X.n_nb;
-  const T t10 = ::meetc::fma(X.e3_nb, Y.e1_e2_n_nb, ::meetc::fma(t4, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
-  const T t11 = ::meetc::fma(T(2) * ::meetc::fma(t9, Y.e1_e2_e3_nb, t10), ::meetc::fma(t9, Y.e1_e2_e3_n,
-      t8) * T(8), ::meetc::fma(t7, t7, ::meetc::fma(t5, t5, t1 * t1)));
+  const T t10 = meetc::fma(X.e3_nb, Y.e1_e2_n_nb, meetc::fma(t4, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
+  const T t11 = meetc::fma(T(2) * meetc::fma(t9, Y.e1_e2_e3_nb, t10), meetc::fma(t9, Y.e1_e2_e3_n, t8) * T(8),
+      meetc::fma(t7, t7, meetc::fma(t5, t5, t1 * t1)));
   return t11;
 }
 
@@ -66,9 +65,9 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const sp
   const T t7 = Y.c.y - X.p.y;
   const T t8 = Y.c.z - X.p.z;
   const T t9 = Y.r * Y.r;
-  const T t10 = ::meetc::fma(t7, t2 * T(2) - t7, ::meetc::fma(t8, t4 * T(2) - t8, ((t9 - t1) - t3) - t5));
-  const T t11 = (t9 - ::meetc::fma(t8, t8, ::meetc::fma(t7, t7,
-      t6 * t6))) * (((t1 + t3) + t5) * ::meetc::fma(t6, t0 * T(2) - t6, t10));
+  const T t10 = meetc::fma(t7, t2 * T(2) - t7, meetc::fma(t8, t4 * T(2) - t8, ((t9 - t1) - t3) - t5));
+  const T t11 = (t9 - meetc::fma(t8, t8, meetc::fma(t7, t7, t6 * t6))) * (((t1 + t3) + t5) * meetc::fma(t6,
+      t0 * T(2) - t6, t10));
   return t11 * T(16);
 }
 

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -25,25 +25,25 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const 
   const T t0 = T(2) * (X.e1_e2_e3_nb * Y.e1_e2_e3_n);
   const T t1 = -X.e1_e3_n_nb;
   const T t2 = -X.e2_e3_n_nb;
-  const T t3 = T(2) * ::meetc::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
-  const T t4 = T(2) * ::meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t5 = T(2) * ::meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  const T t6 = ::meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8);
-  const T t7 = ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n_nb), ::meetc::fma(t1, Y.e1_e2_e3_n,
-      X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8), ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n_nb), t6, t0 * t0));
-  const T t8 = ::meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n_nb), ::meetc::fma(t2, Y.e1_e2_e3_n,
+  const T t3 = T(2) * meetc::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t4 = T(2) * meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t5 = T(2) * meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t6 = meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8);
+  const T t7 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n_nb), meetc::fma(t1, Y.e1_e2_e3_n,
+      X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8), meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n_nb), t6, t0 * t0));
+  const T t8 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n_nb), meetc::fma(t2, Y.e1_e2_e3_n,
       X.e1_e2_e3_n * Y.e2_e3_n_nb) * T(8), t7);
-  const T t9 = ::meetc::fma(T(-4), t5 * t5, ::meetc::fma(T(-4), t4 * t4, ::meetc::fma(t3 * t3, T(-4), t8)));
+  const T t9 = meetc::fma(T(-4), t5 * t5, meetc::fma(T(-4), t4 * t4, meetc::fma(t3 * t3, T(-4), t8)));
   return -t9;
 }
 
 // norm2(meet(sphere, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
 // 10 multiplications, 7 additions.
 template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const plane<T> &Y) {
-  const T t0 = ::meetc::fma(X.c.z, Y.N.z, ::meetc::fma(X.c.y, Y.N.y, X.c.x * Y.N.x));
-  const T t1 = ::meetc::fma(::meetc::fma(Y.N.z, Y.N.z, ::meetc::fma(Y.N.y, Y.N.y, Y.N.x * Y.N.x)), X.r * X.r,
+  const T t0 = meetc::fma(X.c.z, Y.N.z, meetc::fma(X.c.y, Y.N.y, X.c.x * Y.N.x));
+  const T t1 = meetc::fma(meetc::fma(Y.N.z, Y.N.z, meetc::fma(Y.N.y, Y.N.y, Y.N.x * Y.N.x)), X.r * X.r,
       -(Y.d * Y.d));
-  return ::meetc::fma(-t0, t0 - (Y.d * T(2)), t1) * T(4);
+  return meetc::fma(-t0, t0 - (Y.d * T(2)), t1) * T(4);
 }
 
 } // namespace cga

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -35,7 +35,7 @@ struct point_triangle {
     return all[i];
   }
 
-  using reject_stage = ::meetc::no_stage;
+  using reject_stage = meetc::no_stage;
   // The usual case: signs 0 to 18, degree 3.
   // Once an object A: 0 multiplications, 0 additions; B: 6 multiplications, 12 additions; a pair: 21 multiplications, 20 additions.
   struct common_stage {
@@ -52,12 +52,12 @@ struct point_triangle {
       const T t2 = b[8] - b[2];
       const T t3 = b[4] - b[1];
       const T t4 = -t0;
-      const T t5 = ::meetc::fma(t4, t1, t2 * t3);
+      const T t5 = meetc::fma(t4, t1, t2 * t3);
       const T t6 = b[3] - b[0];
       const T t7 = b[6] - b[0];
-      const T t8 = ::meetc::fma(-t2, t6, t1 * t7);
+      const T t8 = meetc::fma(-t2, t6, t1 * t7);
       const T t9 = -t3;
-      const T t10 = ::meetc::fma(t9, t7, t0 * t6);
+      const T t10 = meetc::fma(t9, t7, t0 * t6);
       const T t11 = b[7] - b[4];
       const T t12 = b[8] - b[5];
       const T t13 = -t6;
@@ -85,26 +85,26 @@ struct point_triangle {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
       const T t2 = b[2] - a[2];
-      const W t3 = ::meetc::fma(fb[8], t2, ::meetc::fma(fb[6], t1, ::meetc::times<W>(fb[5], t0)));
+      const W t3 = -meetc::fma(fb[8], t2, meetc::fma(fb[6], t1, meetc::times<W>(fb[5], t0)));
       const T t4 = b[4] - a[1];
       const T t5 = -(b[5] - a[2]);
       const T t6 = b[3] - a[0];
-      v[0] = -t3;
-      v[1] = W(::meetc::fma(fb[7], t2, fb[1] * t1));
-      v[2] = W(::meetc::fma(t5, fb[9], t4 * fb[10]));
-      v[3] = W(::meetc::fma(fb[4], t2, fb[2] * t1));
+      v[0] = t3;
+      v[1] = W(meetc::fma(fb[7], t2, fb[1] * t1));
+      v[2] = W(meetc::fma(t5, fb[9], t4 * fb[10]));
+      v[3] = W(meetc::fma(fb[4], t2, fb[2] * t1));
       v[4] = W(-t0);
       v[5] = W(-t6);
       v[6] = W(-(b[6] - a[0]));
-      v[7] = W(::meetc::fma(fb[11], t2, fb[1] * t0));
-      v[8] = W(::meetc::fma(t5, fb[12], fb[10] * t6));
-      v[9] = W(::meetc::fma(fb[13], t2, fb[2] * t0));
+      v[7] = W(meetc::fma(fb[11], t2, fb[1] * t0));
+      v[8] = W(meetc::fma(t5, fb[12], fb[10] * t6));
+      v[9] = W(meetc::fma(fb[13], t2, fb[2] * t0));
       v[10] = W(-t1);
       v[11] = W(-t4);
       v[12] = W(-(b[7] - a[1]));
-      v[13] = W(::meetc::fma(fb[11], t1, fb[3] * t0));
-      v[14] = W(::meetc::fma(-t4, fb[12], fb[9] * t6));
-      v[15] = W(::meetc::fma(fb[13], t1, fb[0] * t0));
+      v[13] = W(meetc::fma(fb[11], t1, fb[3] * t0));
+      v[14] = W(meetc::fma(-t4, fb[12], fb[9] * t6));
+      v[15] = W(meetc::fma(fb[13], t1, fb[0] * t0));
       v[16] = W(-t2);
       v[17] = W(t5);
       v[18] = W(-(b[8] - a[2]));
@@ -115,8 +115,8 @@ struct point_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr ::meetc::factors all[] = {
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
+      static constexpr meetc::factors all[] = {
         {0xe01p-33f, 0xe01p-62, 0xa01p-111}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
         {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
@@ -127,8 +127,8 @@ struct point_triangle {
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr ::meetc::box_factor all[] = {
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
+      static constexpr meetc::box_factor all[] = {
         {0x841p-31f, 0, 2, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
         {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
         {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1},
@@ -151,15 +151,15 @@ struct point_triangle {
       return 0.0f;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = ::meetc::larger(0.0f, b[7] - b[1]);
-      const float m1 = ::meetc::larger(m0, b[5] - b[2]);
-      const float m2 = ::meetc::larger(m1, b[8] - b[2]);
-      const float m3 = ::meetc::larger(m2, b[4] - b[1]);
-      const float m4 = ::meetc::larger(m3, b[3] - b[0]);
-      const float m5 = ::meetc::larger(m4, b[6] - b[0]);
-      const float m6 = ::meetc::larger(m5, b[7] - b[4]);
-      const float m7 = ::meetc::larger(m6, b[8] - b[5]);
-      const float m8 = ::meetc::larger(m7, b[6] - b[3]);
+      const float m0 = meetc::larger(0.0f, b[7] - b[1]);
+      const float m1 = meetc::larger(m0, b[5] - b[2]);
+      const float m2 = meetc::larger(m1, b[8] - b[2]);
+      const float m3 = meetc::larger(m2, b[4] - b[1]);
+      const float m4 = meetc::larger(m3, b[3] - b[0]);
+      const float m5 = meetc::larger(m4, b[6] - b[0]);
+      const float m6 = meetc::larger(m5, b[7] - b[4]);
+      const float m7 = meetc::larger(m6, b[8] - b[5]);
+      const float m8 = meetc::larger(m7, b[6] - b[3]);
       return m8;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
@@ -184,32 +184,32 @@ struct point_triangle {
       const T l15 = leaf(b[6] - b[3]);
       const T l16 = leaf(b[7] - a[1]);
       const T l17 = leaf(b[8] - a[2]);
-      const T t0 = ::meetc::fma(::meetc::fma(l2, l4, l1 * l5), l7, ::meetc::fma(l0, l1, l2 * l3) * l6);
-      m[0] = ::meetc::fma(::meetc::fma(l3, l5, l0 * l4), l8, t0);
-      m[1] = ::meetc::fma(l3, l8, l1 * l7);
-      m[2] = ::meetc::fma(l10, l11, l9 * l12);
-      m[3] = ::meetc::fma(l0, l8, l2 * l7);
+      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
+      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
+      m[1] = meetc::fma(l3, l8, l1 * l7);
+      m[2] = meetc::fma(l10, l11, l9 * l12);
+      m[3] = meetc::fma(l0, l8, l2 * l7);
       m[4] = l6;
       m[5] = l13;
       m[6] = l14;
-      m[7] = ::meetc::fma(l4, l8, l1 * l6);
-      m[8] = ::meetc::fma(l10, l15, l12 * l13);
-      m[9] = ::meetc::fma(l5, l8, l2 * l6);
+      m[7] = meetc::fma(l4, l8, l1 * l6);
+      m[8] = meetc::fma(l10, l15, l12 * l13);
+      m[9] = meetc::fma(l5, l8, l2 * l6);
       m[10] = l7;
       m[11] = l9;
       m[12] = l16;
-      m[13] = ::meetc::fma(l4, l7, l3 * l6);
-      m[14] = ::meetc::fma(l9, l15, l11 * l13);
-      m[15] = ::meetc::fma(l5, l7, l0 * l6);
+      m[13] = meetc::fma(l4, l7, l3 * l6);
+      m[14] = meetc::fma(l9, l15, l11 * l13);
+      m[15] = meetc::fma(l5, l7, l0 * l6);
       m[16] = l8;
       m[17] = l10;
       m[18] = l17;
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 24, step_count = 93;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 24, instruction_count = 93;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 12, 10, 4}, {subtract, 13, 8, 5}, {subtract, 14, 11, 5}, {subtract, 15, 7, 4},
         {multiply, 16, 14, 15}, {negate, 17, 12, 0}, {multiply, 18, 17, 13}, {add, 18, 18, 16},
         {subtract, 16, 6, 3}, {subtract, 19, 9, 3}, {multiply, 20, 13, 19}, {negate, 21, 14, 0},
@@ -235,7 +235,7 @@ struct point_triangle {
       return all[i];
     }
   };
-  using rare_stage = ::meetc::no_stage;
+  using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
@@ -245,137 +245,137 @@ struct point_triangle {
     return false;
   }
   template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<2>(s[0]);
-    const auto b1 = ::meetc::in<3>(s[1]);
-    const auto b2 = ::meetc::in<3>(s[2]);
-    const auto b3 = ::meetc::in<6>(s[3]);
-    const auto b4 = ::meetc::both(::meetc::both(b1, b2), b3);
-    const auto b5 = ::meetc::in<6>(s[1]);
-    const auto b6 = ::meetc::in<6>(s[2]);
-    const auto b7 = ::meetc::in<3>(s[3]);
-    const auto b8 = ::meetc::both(::meetc::both(b5, b6), b7);
-    const auto b9 = ::meetc::either(b4, b8);
-    const auto b10 = ::meetc::in<3>(s[4]);
-    const auto b11 = ::meetc::in<3>(s[5]);
-    const auto b12 = ::meetc::in<3>(s[6]);
-    const auto b13 = ::meetc::either(::meetc::either(b10, b11), b12);
-    const auto b14 = ::meetc::in<6>(s[4]);
-    const auto b15 = ::meetc::in<6>(s[5]);
-    const auto b16 = ::meetc::in<6>(s[6]);
-    const auto b17 = ::meetc::either(::meetc::either(b14, b15), b16);
-    const auto b18 = ::meetc::in<6>(s[7]);
-    const auto b19 = ::meetc::in<6>(s[8]);
-    const auto b20 = ::meetc::in<3>(s[9]);
-    const auto b21 = ::meetc::both(::meetc::both(b18, b19), b20);
-    const auto b22 = ::meetc::in<3>(s[7]);
-    const auto b23 = ::meetc::in<3>(s[8]);
-    const auto b24 = ::meetc::in<6>(s[9]);
-    const auto b25 = ::meetc::both(::meetc::both(b22, b23), b24);
-    const auto b26 = ::meetc::either(b21, b25);
-    const auto b27 = ::meetc::in<3>(s[10]);
-    const auto b28 = ::meetc::in<3>(s[11]);
-    const auto b29 = ::meetc::in<3>(s[12]);
-    const auto b30 = ::meetc::either(::meetc::either(b27, b28), b29);
-    const auto b31 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b0, b9), b13),
-        b17), b26), b30);
-    const auto b32 = ::meetc::in<6>(s[10]);
-    const auto b33 = ::meetc::in<6>(s[11]);
-    const auto b34 = ::meetc::in<6>(s[12]);
-    const auto b35 = ::meetc::either(::meetc::either(b32, b33), b34);
-    const auto b36 = ::meetc::in<3>(s[13]);
-    const auto b37 = ::meetc::in<3>(s[14]);
-    const auto b38 = ::meetc::in<6>(s[15]);
-    const auto b39 = ::meetc::both(::meetc::both(b36, b37), b38);
-    const auto b40 = ::meetc::in<6>(s[13]);
-    const auto b41 = ::meetc::in<6>(s[14]);
-    const auto b42 = ::meetc::in<3>(s[15]);
-    const auto b43 = ::meetc::both(::meetc::both(b40, b41), b42);
-    const auto b44 = ::meetc::either(b39, b43);
-    const auto b45 = ::meetc::in<3>(s[16]);
-    const auto b46 = ::meetc::in<3>(s[17]);
-    const auto b47 = ::meetc::in<3>(s[18]);
-    const auto b48 = ::meetc::either(::meetc::either(b45, b46), b47);
-    const auto b49 = ::meetc::in<6>(s[16]);
-    const auto b50 = ::meetc::in<6>(s[17]);
-    const auto b51 = ::meetc::in<6>(s[18]);
-    const auto b52 = ::meetc::either(::meetc::either(b49, b50), b51);
-    const auto b53 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(b31, b35), b44), b48), b52);
+    const auto b0 = meetc::in<2>(s[0]);
+    const auto b1 = meetc::in<3>(s[1]);
+    const auto b2 = meetc::in<3>(s[2]);
+    const auto b3 = meetc::in<6>(s[3]);
+    const auto b4 = meetc::both(meetc::both(b1, b2), b3);
+    const auto b5 = meetc::in<6>(s[1]);
+    const auto b6 = meetc::in<6>(s[2]);
+    const auto b7 = meetc::in<3>(s[3]);
+    const auto b8 = meetc::both(meetc::both(b5, b6), b7);
+    const auto b9 = meetc::either(b4, b8);
+    const auto b10 = meetc::in<3>(s[4]);
+    const auto b11 = meetc::in<3>(s[5]);
+    const auto b12 = meetc::in<3>(s[6]);
+    const auto b13 = meetc::either(meetc::either(b10, b11), b12);
+    const auto b14 = meetc::in<6>(s[4]);
+    const auto b15 = meetc::in<6>(s[5]);
+    const auto b16 = meetc::in<6>(s[6]);
+    const auto b17 = meetc::either(meetc::either(b14, b15), b16);
+    const auto b18 = meetc::in<6>(s[7]);
+    const auto b19 = meetc::in<6>(s[8]);
+    const auto b20 = meetc::in<3>(s[9]);
+    const auto b21 = meetc::both(meetc::both(b18, b19), b20);
+    const auto b22 = meetc::in<3>(s[7]);
+    const auto b23 = meetc::in<3>(s[8]);
+    const auto b24 = meetc::in<6>(s[9]);
+    const auto b25 = meetc::both(meetc::both(b22, b23), b24);
+    const auto b26 = meetc::either(b21, b25);
+    const auto b27 = meetc::in<3>(s[10]);
+    const auto b28 = meetc::in<3>(s[11]);
+    const auto b29 = meetc::in<3>(s[12]);
+    const auto b30 = meetc::either(meetc::either(b27, b28), b29);
+    const auto b31 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b9), b13), b17), b26),
+        b30);
+    const auto b32 = meetc::in<6>(s[10]);
+    const auto b33 = meetc::in<6>(s[11]);
+    const auto b34 = meetc::in<6>(s[12]);
+    const auto b35 = meetc::either(meetc::either(b32, b33), b34);
+    const auto b36 = meetc::in<3>(s[13]);
+    const auto b37 = meetc::in<3>(s[14]);
+    const auto b38 = meetc::in<6>(s[15]);
+    const auto b39 = meetc::both(meetc::both(b36, b37), b38);
+    const auto b40 = meetc::in<6>(s[13]);
+    const auto b41 = meetc::in<6>(s[14]);
+    const auto b42 = meetc::in<3>(s[15]);
+    const auto b43 = meetc::both(meetc::both(b40, b41), b42);
+    const auto b44 = meetc::either(b39, b43);
+    const auto b45 = meetc::in<3>(s[16]);
+    const auto b46 = meetc::in<3>(s[17]);
+    const auto b47 = meetc::in<3>(s[18]);
+    const auto b48 = meetc::either(meetc::either(b45, b46), b47);
+    const auto b49 = meetc::in<6>(s[16]);
+    const auto b50 = meetc::in<6>(s[17]);
+    const auto b51 = meetc::in<6>(s[18]);
+    const auto b52 = meetc::either(meetc::either(b49, b50), b51);
+    const auto b53 = meetc::both(meetc::both(meetc::both(meetc::both(b31, b35), b44), b48), b52);
     return b53;
   }
   template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<2>(s[0]);
-    const auto b1 = ::meetc::in<3>(s[1]);
-    const auto b2 = ::meetc::in<3>(s[2]);
-    const auto b3 = ::meetc::in<6>(s[3]);
-    const auto b4 = ::meetc::both(::meetc::both(b1, b2), b3);
-    const auto b5 = ::meetc::in<6>(s[1]);
-    const auto b6 = ::meetc::in<6>(s[2]);
-    const auto b7 = ::meetc::in<3>(s[3]);
-    const auto b8 = ::meetc::both(::meetc::both(b5, b6), b7);
-    const auto b9 = ::meetc::either(b4, b8);
-    const auto b10 = ::meetc::in<3>(s[4]);
-    const auto b11 = ::meetc::in<3>(s[5]);
-    const auto b12 = ::meetc::in<3>(s[6]);
-    const auto b13 = ::meetc::either(::meetc::either(b10, b11), b12);
-    const auto b14 = ::meetc::in<6>(s[4]);
-    const auto b15 = ::meetc::in<6>(s[5]);
-    const auto b16 = ::meetc::in<6>(s[6]);
-    const auto b17 = ::meetc::either(::meetc::either(b14, b15), b16);
-    const auto b18 = ::meetc::in<6>(s[7]);
-    const auto b19 = ::meetc::in<6>(s[8]);
-    const auto b20 = ::meetc::in<3>(s[9]);
-    const auto b21 = ::meetc::both(::meetc::both(b18, b19), b20);
-    const auto b22 = ::meetc::in<3>(s[7]);
-    const auto b23 = ::meetc::in<3>(s[8]);
-    const auto b24 = ::meetc::in<6>(s[9]);
-    const auto b25 = ::meetc::both(::meetc::both(b22, b23), b24);
-    const auto b26 = ::meetc::either(b21, b25);
-    const auto b27 = ::meetc::in<3>(s[10]);
-    const auto b28 = ::meetc::in<3>(s[11]);
-    const auto b29 = ::meetc::in<3>(s[12]);
-    const auto b30 = ::meetc::either(::meetc::either(b27, b28), b29);
-    const auto b31 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b0, b9), b13),
-        b17), b26), b30);
-    const auto b32 = ::meetc::in<6>(s[10]);
-    const auto b33 = ::meetc::in<6>(s[11]);
-    const auto b34 = ::meetc::in<6>(s[12]);
-    const auto b35 = ::meetc::either(::meetc::either(b32, b33), b34);
-    const auto b36 = ::meetc::in<3>(s[13]);
-    const auto b37 = ::meetc::in<3>(s[14]);
-    const auto b38 = ::meetc::in<6>(s[15]);
-    const auto b39 = ::meetc::both(::meetc::both(b36, b37), b38);
-    const auto b40 = ::meetc::in<6>(s[13]);
-    const auto b41 = ::meetc::in<6>(s[14]);
-    const auto b42 = ::meetc::in<3>(s[15]);
-    const auto b43 = ::meetc::both(::meetc::both(b40, b41), b42);
-    const auto b44 = ::meetc::either(b39, b43);
-    const auto b45 = ::meetc::in<3>(s[16]);
-    const auto b46 = ::meetc::in<3>(s[17]);
-    const auto b47 = ::meetc::in<3>(s[18]);
-    const auto b48 = ::meetc::either(::meetc::either(b45, b46), b47);
-    const auto b49 = ::meetc::in<6>(s[16]);
-    const auto b50 = ::meetc::in<6>(s[17]);
-    const auto b51 = ::meetc::in<6>(s[18]);
-    const auto b52 = ::meetc::either(::meetc::either(b49, b50), b51);
-    const auto b53 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(b31, b35), b44), b48), b52);
+    const auto b0 = meetc::in<2>(s[0]);
+    const auto b1 = meetc::in<3>(s[1]);
+    const auto b2 = meetc::in<3>(s[2]);
+    const auto b3 = meetc::in<6>(s[3]);
+    const auto b4 = meetc::both(meetc::both(b1, b2), b3);
+    const auto b5 = meetc::in<6>(s[1]);
+    const auto b6 = meetc::in<6>(s[2]);
+    const auto b7 = meetc::in<3>(s[3]);
+    const auto b8 = meetc::both(meetc::both(b5, b6), b7);
+    const auto b9 = meetc::either(b4, b8);
+    const auto b10 = meetc::in<3>(s[4]);
+    const auto b11 = meetc::in<3>(s[5]);
+    const auto b12 = meetc::in<3>(s[6]);
+    const auto b13 = meetc::either(meetc::either(b10, b11), b12);
+    const auto b14 = meetc::in<6>(s[4]);
+    const auto b15 = meetc::in<6>(s[5]);
+    const auto b16 = meetc::in<6>(s[6]);
+    const auto b17 = meetc::either(meetc::either(b14, b15), b16);
+    const auto b18 = meetc::in<6>(s[7]);
+    const auto b19 = meetc::in<6>(s[8]);
+    const auto b20 = meetc::in<3>(s[9]);
+    const auto b21 = meetc::both(meetc::both(b18, b19), b20);
+    const auto b22 = meetc::in<3>(s[7]);
+    const auto b23 = meetc::in<3>(s[8]);
+    const auto b24 = meetc::in<6>(s[9]);
+    const auto b25 = meetc::both(meetc::both(b22, b23), b24);
+    const auto b26 = meetc::either(b21, b25);
+    const auto b27 = meetc::in<3>(s[10]);
+    const auto b28 = meetc::in<3>(s[11]);
+    const auto b29 = meetc::in<3>(s[12]);
+    const auto b30 = meetc::either(meetc::either(b27, b28), b29);
+    const auto b31 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b9), b13), b17), b26),
+        b30);
+    const auto b32 = meetc::in<6>(s[10]);
+    const auto b33 = meetc::in<6>(s[11]);
+    const auto b34 = meetc::in<6>(s[12]);
+    const auto b35 = meetc::either(meetc::either(b32, b33), b34);
+    const auto b36 = meetc::in<3>(s[13]);
+    const auto b37 = meetc::in<3>(s[14]);
+    const auto b38 = meetc::in<6>(s[15]);
+    const auto b39 = meetc::both(meetc::both(b36, b37), b38);
+    const auto b40 = meetc::in<6>(s[13]);
+    const auto b41 = meetc::in<6>(s[14]);
+    const auto b42 = meetc::in<3>(s[15]);
+    const auto b43 = meetc::both(meetc::both(b40, b41), b42);
+    const auto b44 = meetc::either(b39, b43);
+    const auto b45 = meetc::in<3>(s[16]);
+    const auto b46 = meetc::in<3>(s[17]);
+    const auto b47 = meetc::in<3>(s[18]);
+    const auto b48 = meetc::either(meetc::either(b45, b46), b47);
+    const auto b49 = meetc::in<6>(s[16]);
+    const auto b50 = meetc::in<6>(s[17]);
+    const auto b51 = meetc::in<6>(s[18]);
+    const auto b52 = meetc::either(meetc::either(b49, b50), b51);
+    const auto b53 = meetc::both(meetc::both(meetc::both(meetc::both(b31, b35), b44), b48), b52);
     return b53;
   }
 
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEETC_HD static bool hit(const point<float> &operand_a, const triangle<float> &operand_b) {
-    return ::meetc::hit_certified<point_triangle>(operand_a, operand_b);
+    return meetc::hit_certified<point_triangle>(operand_a, operand_b);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static ::meetc::answer filter(const point<float> &operand_a, const triangle<float> &operand_b) {
-    return ::meetc::filter_fp32<point_triangle>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const point<float> &operand_a, const triangle<float> &operand_b) {
+    return meetc::filter_fp32<point_triangle>(operand_a, operand_b);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEETC_HD static bool plain(const point<float> &operand_a,
       const triangle<float> &operand_b) {
-    const ::meetc::rows_of<point_triangle, point<float>, triangle<float>> rows(operand_a, operand_b);
-    return ::meetc::decide<point_triangle>(::meetc::plain_signs<point_triangle, T>(rows.a, rows.b));
+    const meetc::rows_of<point_triangle, point<float>, triangle<float>> rows(operand_a, operand_b);
+    return meetc::decide<point_triangle>(meetc::plain_signs<point_triangle, T>(rows.a, rows.b));
   }
 };
 

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -36,7 +36,7 @@ struct segment_segment {
     return all[i];
   }
 
-  using reject_stage = ::meetc::no_stage;
+  using reject_stage = meetc::no_stage;
   // The usual case: signs 0 to 24, degree 3.
   // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 3 additions; a pair: 33 multiplications, 29 additions.
   struct common_stage {
@@ -77,8 +77,8 @@ struct segment_segment {
         [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
-      const W t2 = ::meetc::fma(::meetc::fma(fb[4], fa[2], fa[0] * fb[3]), t1,
-          ::meetc::times<W>(::meetc::fma(fb[2], fa[0], fb[1] * fa[1]), t0));
+      const W t2 = meetc::fma(meetc::fma(fb[4], fa[2], fa[0] * fb[3]), t1, meetc::times<W>(meetc::fma(fb[2],
+          fa[0], fb[1] * fa[1]), t0));
       const T t3 = b[2] - a[2];
       const T t4 = b[4] - a[1];
       const T t5 = b[5] - a[2];
@@ -86,27 +86,27 @@ struct segment_segment {
       const T t7 = b[2] - a[5];
       const T t8 = b[3] - a[0];
       const T t9 = b[0] - a[3];
-      v[0] = ::meetc::fma(::meetc::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2);
-      v[1] = W(::meetc::fma(fa[4], t1, fa[1] * t3));
-      v[2] = W(::meetc::fma(fa[4], t4, fa[1] * t5));
-      v[3] = W(::meetc::fma(fb[2], t3, fb[1] * t1));
-      v[4] = W(::meetc::fma(fb[2], t7, fb[1] * t6));
+      v[0] = meetc::fma(meetc::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2);
+      v[1] = W(meetc::fma(fa[4], t1, fa[1] * t3));
+      v[2] = W(meetc::fma(fa[4], t4, fa[1] * t5));
+      v[3] = W(meetc::fma(fb[2], t3, fb[1] * t1));
+      v[4] = W(meetc::fma(fb[2], t7, fb[1] * t6));
       v[5] = W(-t0);
       v[6] = W(-t8);
       v[7] = W(-t9);
       v[8] = W(-(b[3] - a[3]));
-      v[9] = W(::meetc::fma(fa[4], t0, fa[2] * t3));
-      v[10] = W(::meetc::fma(fa[4], t8, fa[2] * t5));
-      v[11] = W(::meetc::fma(fb[5], t3, fb[1] * t0));
-      v[12] = W(::meetc::fma(fb[5], t7, fb[1] * t9));
+      v[9] = W(meetc::fma(fa[4], t0, fa[2] * t3));
+      v[10] = W(meetc::fma(fa[4], t8, fa[2] * t5));
+      v[11] = W(meetc::fma(fb[5], t3, fb[1] * t0));
+      v[12] = W(meetc::fma(fb[5], t7, fb[1] * t9));
       v[13] = W(-t1);
       v[14] = W(-t4);
       v[15] = W(-t6);
       v[16] = W(-(b[4] - a[4]));
-      v[17] = W(::meetc::fma(fa[3], t0, fa[2] * t1));
-      v[18] = W(::meetc::fma(fa[3], t8, fa[2] * t4));
-      v[19] = W(::meetc::fma(fb[5], t1, fb[0] * t0));
-      v[20] = W(::meetc::fma(fb[5], t6, fb[0] * t9));
+      v[17] = W(meetc::fma(fa[3], t0, fa[2] * t1));
+      v[18] = W(meetc::fma(fa[3], t8, fa[2] * t4));
+      v[19] = W(meetc::fma(fb[5], t1, fb[0] * t0));
+      v[20] = W(meetc::fma(fb[5], t6, fb[0] * t9));
       v[21] = W(-t3);
       v[22] = W(-t5);
       v[23] = W(-t7);
@@ -118,8 +118,8 @@ struct segment_segment {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr ::meetc::factors all[] = {
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
+      static constexpr meetc::factors all[] = {
         {0xe01p-33f, 0xe01p-62, 0xa01p-111}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
@@ -132,8 +132,8 @@ struct segment_segment {
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr ::meetc::box_factor all[] = {
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
+      static constexpr meetc::box_factor all[] = {
         {0x841p-31f, 1, 1, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1},
         {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
         {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
@@ -155,15 +155,15 @@ struct segment_segment {
       return all[i];
     }
     MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = ::meetc::larger(0.0f, a[5] - a[2]);
-      const float m1 = ::meetc::larger(m0, a[4] - a[1]);
-      const float m2 = ::meetc::larger(m1, a[3] - a[0]);
+      const float m0 = meetc::larger(0.0f, a[5] - a[2]);
+      const float m1 = meetc::larger(m0, a[4] - a[1]);
+      const float m2 = meetc::larger(m1, a[3] - a[0]);
       return m2;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = ::meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = ::meetc::larger(m0, b[5] - b[2]);
-      const float m2 = ::meetc::larger(m1, b[3] - b[0]);
+      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
+      const float m1 = meetc::larger(m0, b[5] - b[2]);
+      const float m2 = meetc::larger(m1, b[3] - b[0]);
       return m2;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
@@ -188,38 +188,38 @@ struct segment_segment {
       const T l15 = leaf(b[3] - a[3]);
       const T l16 = leaf(b[4] - a[4]);
       const T l17 = leaf(b[5] - a[5]);
-      const T t0 = ::meetc::fma(::meetc::fma(l2, l4, l1 * l5), l7, ::meetc::fma(l0, l1, l2 * l3) * l6);
-      m[0] = ::meetc::fma(::meetc::fma(l3, l5, l0 * l4), l8, t0);
-      m[1] = ::meetc::fma(l1, l7, l3 * l8);
-      m[2] = ::meetc::fma(l1, l9, l3 * l10);
-      m[3] = ::meetc::fma(l0, l8, l2 * l7);
-      m[4] = ::meetc::fma(l0, l12, l2 * l11);
+      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
+      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
+      m[1] = meetc::fma(l1, l7, l3 * l8);
+      m[2] = meetc::fma(l1, l9, l3 * l10);
+      m[3] = meetc::fma(l0, l8, l2 * l7);
+      m[4] = meetc::fma(l0, l12, l2 * l11);
       m[5] = l6;
       m[6] = l13;
       m[7] = l14;
       m[8] = l15;
-      m[9] = ::meetc::fma(l1, l6, l4 * l8);
-      m[10] = ::meetc::fma(l1, l13, l4 * l10);
-      m[11] = ::meetc::fma(l5, l8, l2 * l6);
-      m[12] = ::meetc::fma(l5, l12, l2 * l14);
+      m[9] = meetc::fma(l1, l6, l4 * l8);
+      m[10] = meetc::fma(l1, l13, l4 * l10);
+      m[11] = meetc::fma(l5, l8, l2 * l6);
+      m[12] = meetc::fma(l5, l12, l2 * l14);
       m[13] = l7;
       m[14] = l9;
       m[15] = l11;
       m[16] = l16;
-      m[17] = ::meetc::fma(l3, l6, l4 * l7);
-      m[18] = ::meetc::fma(l3, l13, l4 * l9);
-      m[19] = ::meetc::fma(l5, l7, l0 * l6);
-      m[20] = ::meetc::fma(l5, l11, l0 * l14);
+      m[17] = meetc::fma(l3, l6, l4 * l7);
+      m[18] = meetc::fma(l3, l13, l4 * l9);
+      m[19] = meetc::fma(l5, l7, l0 * l6);
+      m[20] = meetc::fma(l5, l11, l0 * l14);
       m[21] = l8;
       m[22] = l10;
       m[23] = l12;
       m[24] = l17;
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 26, step_count = 110;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 26, instruction_count = 110;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 12, 10, 7}, {subtract, 13, 5, 2}, {subtract, 14, 11, 8}, {subtract, 15, 4, 1},
         {multiply, 16, 14, 15}, {negate, 17, 12, 0}, {multiply, 18, 17, 13}, {add, 18, 18, 16},
         {subtract, 16, 3, 0}, {subtract, 19, 9, 6}, {multiply, 20, 13, 19}, {negate, 21, 14, 0},
@@ -250,7 +250,7 @@ struct segment_segment {
       return all[i];
     }
   };
-  using rare_stage = ::meetc::no_stage;
+  using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
@@ -260,111 +260,111 @@ struct segment_segment {
     return false;
   }
   template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<2>(s[0]);
-    const auto b1 = ::meetc::in<3>(s[1] * s[2]);
-    const auto b2 = ::meetc::in<3>(s[3] * s[4]);
-    const auto b3 = ::meetc::in<3>(s[5]);
-    const auto b4 = ::meetc::in<3>(s[6]);
-    const auto b5 = ::meetc::in<3>(s[7]);
-    const auto b6 = ::meetc::in<3>(s[8]);
-    const auto b7 = ::meetc::either(::meetc::either(::meetc::either(b3, b4), b5), b6);
-    const auto b8 = ::meetc::in<6>(s[5]);
-    const auto b9 = ::meetc::in<6>(s[6]);
-    const auto b10 = ::meetc::in<6>(s[7]);
-    const auto b11 = ::meetc::in<6>(s[8]);
-    const auto b12 = ::meetc::either(::meetc::either(::meetc::either(b8, b9), b10), b11);
-    const auto b13 = ::meetc::in<3>(s[9] * s[10]);
-    const auto b14 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b0, b1), b2), b7),
-        b12), b13);
-    const auto b15 = ::meetc::in<3>(s[11] * s[12]);
-    const auto b16 = ::meetc::in<3>(s[13]);
-    const auto b17 = ::meetc::in<3>(s[14]);
-    const auto b18 = ::meetc::in<3>(s[15]);
-    const auto b19 = ::meetc::in<3>(s[16]);
-    const auto b20 = ::meetc::either(::meetc::either(::meetc::either(b16, b17), b18), b19);
-    const auto b21 = ::meetc::in<6>(s[13]);
-    const auto b22 = ::meetc::in<6>(s[14]);
-    const auto b23 = ::meetc::in<6>(s[15]);
-    const auto b24 = ::meetc::in<6>(s[16]);
-    const auto b25 = ::meetc::either(::meetc::either(::meetc::either(b21, b22), b23), b24);
-    const auto b26 = ::meetc::in<3>(s[17] * s[18]);
-    const auto b27 = ::meetc::in<3>(s[19] * s[20]);
-    const auto b28 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b14, b15), b20),
-        b25), b26), b27);
-    const auto b29 = ::meetc::in<3>(s[21]);
-    const auto b30 = ::meetc::in<3>(s[22]);
-    const auto b31 = ::meetc::in<3>(s[23]);
-    const auto b32 = ::meetc::in<3>(s[24]);
-    const auto b33 = ::meetc::either(::meetc::either(::meetc::either(b29, b30), b31), b32);
-    const auto b34 = ::meetc::in<6>(s[21]);
-    const auto b35 = ::meetc::in<6>(s[22]);
-    const auto b36 = ::meetc::in<6>(s[23]);
-    const auto b37 = ::meetc::in<6>(s[24]);
-    const auto b38 = ::meetc::either(::meetc::either(::meetc::either(b34, b35), b36), b37);
-    const auto b39 = ::meetc::both(::meetc::both(b28, b33), b38);
+    const auto b0 = meetc::in<2>(s[0]);
+    const auto b1 = meetc::in<3>(s[1] * s[2]);
+    const auto b2 = meetc::in<3>(s[3] * s[4]);
+    const auto b3 = meetc::in<3>(s[5]);
+    const auto b4 = meetc::in<3>(s[6]);
+    const auto b5 = meetc::in<3>(s[7]);
+    const auto b6 = meetc::in<3>(s[8]);
+    const auto b7 = meetc::either(meetc::either(meetc::either(b3, b4), b5), b6);
+    const auto b8 = meetc::in<6>(s[5]);
+    const auto b9 = meetc::in<6>(s[6]);
+    const auto b10 = meetc::in<6>(s[7]);
+    const auto b11 = meetc::in<6>(s[8]);
+    const auto b12 = meetc::either(meetc::either(meetc::either(b8, b9), b10), b11);
+    const auto b13 = meetc::in<3>(s[9] * s[10]);
+    const auto b14 = meetc::in<3>(s[11] * s[12]);
+    const auto b15 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b1), b2),
+        b7), b12), b13), b14);
+    const auto b16 = meetc::in<3>(s[13]);
+    const auto b17 = meetc::in<3>(s[14]);
+    const auto b18 = meetc::in<3>(s[15]);
+    const auto b19 = meetc::in<3>(s[16]);
+    const auto b20 = meetc::either(meetc::either(meetc::either(b16, b17), b18), b19);
+    const auto b21 = meetc::in<6>(s[13]);
+    const auto b22 = meetc::in<6>(s[14]);
+    const auto b23 = meetc::in<6>(s[15]);
+    const auto b24 = meetc::in<6>(s[16]);
+    const auto b25 = meetc::either(meetc::either(meetc::either(b21, b22), b23), b24);
+    const auto b26 = meetc::in<3>(s[17] * s[18]);
+    const auto b27 = meetc::in<3>(s[19] * s[20]);
+    const auto b28 = meetc::in<3>(s[21]);
+    const auto b29 = meetc::in<3>(s[22]);
+    const auto b30 = meetc::in<3>(s[23]);
+    const auto b31 = meetc::in<3>(s[24]);
+    const auto b32 = meetc::either(meetc::either(meetc::either(b28, b29), b30), b31);
+    const auto b33 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b15, b20), b25), b26), b27),
+        b32);
+    const auto b34 = meetc::in<6>(s[21]);
+    const auto b35 = meetc::in<6>(s[22]);
+    const auto b36 = meetc::in<6>(s[23]);
+    const auto b37 = meetc::in<6>(s[24]);
+    const auto b38 = meetc::either(meetc::either(meetc::either(b34, b35), b36), b37);
+    const auto b39 = meetc::both(b33, b38);
     return b39;
   }
   template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<2>(s[0]);
-    const auto b1 = ::meetc::in<3>(s[1] * s[2]);
-    const auto b2 = ::meetc::in<3>(s[3] * s[4]);
-    const auto b3 = ::meetc::in<3>(s[5]);
-    const auto b4 = ::meetc::in<3>(s[6]);
-    const auto b5 = ::meetc::in<3>(s[7]);
-    const auto b6 = ::meetc::in<3>(s[8]);
-    const auto b7 = ::meetc::either(::meetc::either(::meetc::either(b3, b4), b5), b6);
-    const auto b8 = ::meetc::in<6>(s[5]);
-    const auto b9 = ::meetc::in<6>(s[6]);
-    const auto b10 = ::meetc::in<6>(s[7]);
-    const auto b11 = ::meetc::in<6>(s[8]);
-    const auto b12 = ::meetc::either(::meetc::either(::meetc::either(b8, b9), b10), b11);
-    const auto b13 = ::meetc::in<3>(s[9] * s[10]);
-    const auto b14 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b0, b1), b2), b7),
-        b12), b13);
-    const auto b15 = ::meetc::in<3>(s[11] * s[12]);
-    const auto b16 = ::meetc::in<3>(s[13]);
-    const auto b17 = ::meetc::in<3>(s[14]);
-    const auto b18 = ::meetc::in<3>(s[15]);
-    const auto b19 = ::meetc::in<3>(s[16]);
-    const auto b20 = ::meetc::either(::meetc::either(::meetc::either(b16, b17), b18), b19);
-    const auto b21 = ::meetc::in<6>(s[13]);
-    const auto b22 = ::meetc::in<6>(s[14]);
-    const auto b23 = ::meetc::in<6>(s[15]);
-    const auto b24 = ::meetc::in<6>(s[16]);
-    const auto b25 = ::meetc::either(::meetc::either(::meetc::either(b21, b22), b23), b24);
-    const auto b26 = ::meetc::in<3>(s[17] * s[18]);
-    const auto b27 = ::meetc::in<3>(s[19] * s[20]);
-    const auto b28 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b14, b15), b20),
-        b25), b26), b27);
-    const auto b29 = ::meetc::in<3>(s[21]);
-    const auto b30 = ::meetc::in<3>(s[22]);
-    const auto b31 = ::meetc::in<3>(s[23]);
-    const auto b32 = ::meetc::in<3>(s[24]);
-    const auto b33 = ::meetc::either(::meetc::either(::meetc::either(b29, b30), b31), b32);
-    const auto b34 = ::meetc::in<6>(s[21]);
-    const auto b35 = ::meetc::in<6>(s[22]);
-    const auto b36 = ::meetc::in<6>(s[23]);
-    const auto b37 = ::meetc::in<6>(s[24]);
-    const auto b38 = ::meetc::either(::meetc::either(::meetc::either(b34, b35), b36), b37);
-    const auto b39 = ::meetc::both(::meetc::both(b28, b33), b38);
+    const auto b0 = meetc::in<2>(s[0]);
+    const auto b1 = meetc::in<3>(s[1] * s[2]);
+    const auto b2 = meetc::in<3>(s[3] * s[4]);
+    const auto b3 = meetc::in<3>(s[5]);
+    const auto b4 = meetc::in<3>(s[6]);
+    const auto b5 = meetc::in<3>(s[7]);
+    const auto b6 = meetc::in<3>(s[8]);
+    const auto b7 = meetc::either(meetc::either(meetc::either(b3, b4), b5), b6);
+    const auto b8 = meetc::in<6>(s[5]);
+    const auto b9 = meetc::in<6>(s[6]);
+    const auto b10 = meetc::in<6>(s[7]);
+    const auto b11 = meetc::in<6>(s[8]);
+    const auto b12 = meetc::either(meetc::either(meetc::either(b8, b9), b10), b11);
+    const auto b13 = meetc::in<3>(s[9] * s[10]);
+    const auto b14 = meetc::in<3>(s[11] * s[12]);
+    const auto b15 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b1), b2),
+        b7), b12), b13), b14);
+    const auto b16 = meetc::in<3>(s[13]);
+    const auto b17 = meetc::in<3>(s[14]);
+    const auto b18 = meetc::in<3>(s[15]);
+    const auto b19 = meetc::in<3>(s[16]);
+    const auto b20 = meetc::either(meetc::either(meetc::either(b16, b17), b18), b19);
+    const auto b21 = meetc::in<6>(s[13]);
+    const auto b22 = meetc::in<6>(s[14]);
+    const auto b23 = meetc::in<6>(s[15]);
+    const auto b24 = meetc::in<6>(s[16]);
+    const auto b25 = meetc::either(meetc::either(meetc::either(b21, b22), b23), b24);
+    const auto b26 = meetc::in<3>(s[17] * s[18]);
+    const auto b27 = meetc::in<3>(s[19] * s[20]);
+    const auto b28 = meetc::in<3>(s[21]);
+    const auto b29 = meetc::in<3>(s[22]);
+    const auto b30 = meetc::in<3>(s[23]);
+    const auto b31 = meetc::in<3>(s[24]);
+    const auto b32 = meetc::either(meetc::either(meetc::either(b28, b29), b30), b31);
+    const auto b33 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b15, b20), b25), b26), b27),
+        b32);
+    const auto b34 = meetc::in<6>(s[21]);
+    const auto b35 = meetc::in<6>(s[22]);
+    const auto b36 = meetc::in<6>(s[23]);
+    const auto b37 = meetc::in<6>(s[24]);
+    const auto b38 = meetc::either(meetc::either(meetc::either(b34, b35), b36), b37);
+    const auto b39 = meetc::both(b33, b38);
     return b39;
   }
 
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEETC_HD static bool hit(const segment<float> &operand_a, const segment<float> &operand_b) {
-    return ::meetc::hit_certified<segment_segment>(operand_a, operand_b);
+    return meetc::hit_certified<segment_segment>(operand_a, operand_b);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static ::meetc::answer filter(const segment<float> &operand_a, const segment<float> &operand_b) {
-    return ::meetc::filter_fp32<segment_segment>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const segment<float> &operand_a, const segment<float> &operand_b) {
+    return meetc::filter_fp32<segment_segment>(operand_a, operand_b);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEETC_HD static bool plain(const segment<float> &operand_a,
       const segment<float> &operand_b) {
-    const ::meetc::rows_of<segment_segment, segment<float>, segment<float>> rows(operand_a, operand_b);
-    return ::meetc::decide<segment_segment>(::meetc::plain_signs<segment_segment, T>(rows.a, rows.b));
+    const meetc::rows_of<segment_segment, segment<float>, segment<float>> rows(operand_a, operand_b);
+    return meetc::decide<segment_segment>(meetc::plain_signs<segment_segment, T>(rows.a, rows.b));
   }
 };
 

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -57,11 +57,11 @@ struct segment_triangle {
       const T t1 = b[5] - b[2];
       const T t2 = b[8] - b[2];
       const T t3 = b[4] - b[1];
-      const T t4 = ::meetc::fma(-t0, t1, t2 * t3);
+      const T t4 = meetc::fma(-t0, t1, t2 * t3);
       const T t5 = b[3] - b[0];
       const T t6 = b[6] - b[0];
-      const T t7 = ::meetc::fma(-t2, t5, t1 * t6);
-      const T t8 = ::meetc::fma(-t3, t6, t0 * t5);
+      const T t7 = meetc::fma(-t2, t5, t1 * t6);
+      const T t8 = meetc::fma(-t3, t6, t0 * t5);
       f[0] = t4;
       f[1] = t7;
       f[2] = t8;
@@ -70,9 +70,9 @@ struct segment_triangle {
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
         [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const W t0 = ::meetc::fma(fb[2], b[2] - a[2], ::meetc::fma(fb[1], b[1] - a[1], ::meetc::times<W>(fb[0],
+      const W t0 = meetc::fma(fb[2], b[2] - a[2], meetc::fma(fb[1], b[1] - a[1], meetc::times<W>(fb[0],
           b[0] - a[0])));
-      const W t1 = ::meetc::fma(fb[2], b[2] - a[5], ::meetc::fma(fb[1], b[1] - a[4], ::meetc::times<W>(fb[0],
+      const W t1 = meetc::fma(fb[2], b[2] - a[5], meetc::fma(fb[1], b[1] - a[4], meetc::times<W>(fb[0],
           b[0] - a[3])));
       v[0] = -t0;
       v[1] = -t1;
@@ -83,10 +83,10 @@ struct segment_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
         0xa01p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 0, 2, 1}; }
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 0, 2, 1}; }
     MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
     MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
@@ -98,12 +98,12 @@ struct segment_triangle {
       return 0.0f;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = ::meetc::larger(0.0f, b[7] - b[1]);
-      const float m1 = ::meetc::larger(m0, b[5] - b[2]);
-      const float m2 = ::meetc::larger(m1, b[8] - b[2]);
-      const float m3 = ::meetc::larger(m2, b[4] - b[1]);
-      const float m4 = ::meetc::larger(m3, b[3] - b[0]);
-      const float m5 = ::meetc::larger(m4, b[6] - b[0]);
+      const float m0 = meetc::larger(0.0f, b[7] - b[1]);
+      const float m1 = meetc::larger(m0, b[5] - b[2]);
+      const float m2 = meetc::larger(m1, b[8] - b[2]);
+      const float m3 = meetc::larger(m2, b[4] - b[1]);
+      const float m4 = meetc::larger(m3, b[3] - b[0]);
+      const float m5 = meetc::larger(m4, b[6] - b[0]);
       return m5;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
@@ -122,17 +122,17 @@ struct segment_triangle {
       const T l9 = leaf(b[0] - a[3]);
       const T l10 = leaf(b[1] - a[4]);
       const T l11 = leaf(b[2] - a[5]);
-      const T t0 = ::meetc::fma(l0, l1, l2 * l3);
-      const T t1 = ::meetc::fma(l2, l4, l1 * l5);
-      const T t2 = ::meetc::fma(l3, l5, l0 * l4);
-      m[0] = ::meetc::fma(t2, l8, ::meetc::fma(t1, l7, t0 * l6));
-      m[1] = ::meetc::fma(t2, l11, ::meetc::fma(t1, l10, t0 * l9));
+      const T t0 = meetc::fma(l0, l1, l2 * l3);
+      const T t1 = meetc::fma(l2, l4, l1 * l5);
+      const T t2 = meetc::fma(l3, l5, l0 * l4);
+      m[0] = meetc::fma(t2, l8, meetc::fma(t1, l7, t0 * l6));
+      m[1] = meetc::fma(t2, l11, meetc::fma(t1, l10, t0 * l9));
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 18, step_count = 38;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 18, instruction_count = 38;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 15, 13, 7}, {subtract, 13, 11, 8}, {subtract, 11, 14, 8}, {subtract, 14, 10, 7},
         {multiply, 10, 11, 14}, {negate, 16, 15, 0}, {multiply, 17, 16, 13}, {add, 17, 17, 10},
         {subtract, 10, 9, 6}, {subtract, 9, 12, 6}, {multiply, 12, 13, 9}, {negate, 13, 11, 0},
@@ -197,17 +197,16 @@ struct segment_triangle {
         [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
-      const W t2 = ::meetc::fma(::meetc::fma(fb[4], fa[2], fa[0] * fb[3]), t1,
-          ::meetc::times<W>(::meetc::fma(fb[2], fa[0], fb[1] * fa[1]), t0));
+      const W t2 = meetc::fma(meetc::fma(fb[4], fa[2], fa[0] * fb[3]), t1, meetc::times<W>(meetc::fma(fb[2],
+          fa[0], fb[1] * fa[1]), t0));
       const T t3 = b[2] - a[2];
-      const W t4 = ::meetc::times<W>(::meetc::fma(fa[4], fb[5], fa[1] * fb[6]), b[3] - a[0]);
-      const W t5 = ::meetc::fma(::meetc::fma(fa[3], fb[7], fa[2] * fb[5]), b[5] - a[2],
-          ::meetc::fma(::meetc::fma(fa[5], fb[6], fa[0] * fb[7]), b[4] - a[1], t4));
-      const W t6 = ::meetc::fma(t1, ::meetc::fma(fa[5], fb[9], fa[0] * fb[10]), ::meetc::times<W>(t0,
-          ::meetc::fma(fa[4], fb[8], fa[1] * fb[9])));
-      v[0] = ::meetc::fma(::meetc::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2);
-      v[1] = t5;
-      v[2] = ::meetc::fma(t3, ::meetc::fma(fa[3], fb[10], fa[2] * fb[8]), t6);
+      const W t4 = meetc::fma(meetc::fma(fa[5], fb[6], fa[0] * fb[7]), b[4] - a[1],
+          meetc::times<W>(meetc::fma(fa[4], fb[5], fa[1] * fb[6]), b[3] - a[0]));
+      const W t5 = meetc::fma(t1, meetc::fma(fa[5], fb[9], fa[0] * fb[10]), meetc::times<W>(t0,
+          meetc::fma(fa[4], fb[8], fa[1] * fb[9])));
+      v[0] = meetc::fma(meetc::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2);
+      v[1] = meetc::fma(meetc::fma(fa[3], fb[7], fa[2] * fb[5]), b[5] - a[2], t4);
+      v[2] = meetc::fma(t3, meetc::fma(fa[3], fb[10], fa[2] * fb[8]), t5);
     }
     // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
     static constexpr int window = 26;
@@ -215,10 +214,10 @@ struct segment_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
         0xa01p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
     MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
     MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
@@ -227,21 +226,21 @@ struct segment_triangle {
       return all[i];
     }
     MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = ::meetc::larger(0.0f, a[5] - a[2]);
-      const float m1 = ::meetc::larger(m0, a[4] - a[1]);
-      const float m2 = ::meetc::larger(m1, a[3] - a[0]);
+      const float m0 = meetc::larger(0.0f, a[5] - a[2]);
+      const float m1 = meetc::larger(m0, a[4] - a[1]);
+      const float m2 = meetc::larger(m1, a[3] - a[0]);
       return m2;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = ::meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = ::meetc::larger(m0, b[5] - b[2]);
-      const float m2 = ::meetc::larger(m1, b[3] - b[0]);
-      const float m3 = ::meetc::larger(m2, b[7] - b[4]);
-      const float m4 = ::meetc::larger(m3, b[8] - b[5]);
-      const float m5 = ::meetc::larger(m4, b[6] - b[3]);
-      const float m6 = ::meetc::larger(m5, b[7] - b[1]);
-      const float m7 = ::meetc::larger(m6, b[8] - b[2]);
-      const float m8 = ::meetc::larger(m7, b[6] - b[0]);
+      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
+      const float m1 = meetc::larger(m0, b[5] - b[2]);
+      const float m2 = meetc::larger(m1, b[3] - b[0]);
+      const float m3 = meetc::larger(m2, b[7] - b[4]);
+      const float m4 = meetc::larger(m3, b[8] - b[5]);
+      const float m5 = meetc::larger(m4, b[6] - b[3]);
+      const float m6 = meetc::larger(m5, b[7] - b[1]);
+      const float m7 = meetc::larger(m6, b[8] - b[2]);
+      const float m8 = meetc::larger(m7, b[6] - b[0]);
       return m8;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
@@ -266,18 +265,18 @@ struct segment_triangle {
       const T l15 = leaf(b[7] - b[1]);
       const T l16 = leaf(b[8] - b[2]);
       const T l17 = leaf(b[6] - b[0]);
-      const T t0 = ::meetc::fma(::meetc::fma(l2, l4, l1 * l5), l7, ::meetc::fma(l0, l1, l2 * l3) * l6);
-      const T t1 = ::meetc::fma(::meetc::fma(l4, l10, l1 * l11), l13, ::meetc::fma(l1, l9, l3 * l10) * l12);
-      const T t2 = ::meetc::fma(l7, ::meetc::fma(l4, l16, l1 * l17), l6 * ::meetc::fma(l1, l15, l3 * l16));
-      m[0] = ::meetc::fma(::meetc::fma(l3, l5, l0 * l4), l8, t0);
-      m[1] = ::meetc::fma(::meetc::fma(l3, l11, l4 * l9), l14, t1);
-      m[2] = ::meetc::fma(l8, ::meetc::fma(l3, l17, l4 * l15), t2);
+      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
+      const T t1 = meetc::fma(meetc::fma(l4, l10, l1 * l11), l13, meetc::fma(l1, l9, l3 * l10) * l12);
+      const T t2 = meetc::fma(l7, meetc::fma(l4, l16, l1 * l17), l6 * meetc::fma(l1, l15, l3 * l16));
+      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
+      m[1] = meetc::fma(meetc::fma(l3, l11, l4 * l9), l14, t1);
+      m[2] = meetc::fma(l8, meetc::fma(l3, l17, l4 * l15), t2);
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 27, step_count = 68;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 27, instruction_count = 68;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 15, 10, 7}, {subtract, 16, 5, 2}, {subtract, 5, 11, 8}, {subtract, 17, 4, 1},
         {multiply, 4, 5, 17}, {negate, 18, 15, 0}, {multiply, 19, 18, 16}, {add, 19, 19, 4},
         {subtract, 4, 3, 0}, {subtract, 3, 9, 6}, {multiply, 18, 16, 3}, {negate, 20, 5, 0},
@@ -371,51 +370,51 @@ struct segment_triangle {
       const T t18 = b[3] - a[3];
       const T t19 = b[4] - a[4];
       const T t20 = b[5] - a[5];
-      v[0] = ::meetc::fma(t2, fb[0], t0 * fb[1]);
-      v[1] = ::meetc::fma(t5, fb[2], t3 * fb[3]);
-      v[2] = ::meetc::fma(t2, fb[4], t0 * fb[5]);
+      v[0] = meetc::fma(t2, fb[0], t0 * fb[1]);
+      v[1] = meetc::fma(t5, fb[2], t3 * fb[3]);
+      v[2] = meetc::fma(t2, fb[4], t0 * fb[5]);
       v[3] = t7;
       v[4] = t9;
       v[5] = t10;
-      v[6] = ::meetc::fma(t2, fb[6], fb[1] * t6);
-      v[7] = ::meetc::fma(t5, fb[7], fb[3] * t8);
-      v[8] = ::meetc::fma(t2, fb[8], fb[5] * t6);
+      v[6] = meetc::fma(t2, fb[6], fb[1] * t6);
+      v[7] = meetc::fma(t5, fb[7], fb[3] * t8);
+      v[8] = meetc::fma(t2, fb[8], fb[5] * t6);
       v[9] = t11;
       v[10] = t12;
       v[11] = -t13;
-      v[12] = ::meetc::fma(t11, fb[6], fb[0] * t6);
-      v[13] = ::meetc::fma(t12, fb[7], fb[2] * t8);
-      v[14] = ::meetc::fma(t11, fb[8], fb[4] * t6);
+      v[12] = meetc::fma(t11, fb[6], fb[0] * t6);
+      v[13] = meetc::fma(t12, fb[7], fb[2] * t8);
+      v[14] = meetc::fma(t11, fb[8], fb[4] * t6);
       v[15] = t2;
       v[16] = t5;
       v[17] = -t14;
-      v[18] = ::meetc::fma(t11, fa[1], t1 * fa[0]);
-      v[19] = ::meetc::fma(t12, fa[1], t4 * fa[0]);
-      v[20] = ::meetc::fma(fb[9], t16, fb[1] * t15);
+      v[18] = meetc::fma(t11, fa[1], t1 * fa[0]);
+      v[19] = meetc::fma(t12, fa[1], t4 * fa[0]);
+      v[20] = meetc::fma(fb[9], t16, fb[1] * t15);
       v[21] = -t17;
       v[22] = -t18;
-      v[23] = ::meetc::fma(t7, fa[1], t1 * fa[2]);
-      v[24] = ::meetc::fma(t9, fa[1], t4 * fa[2]);
-      v[25] = ::meetc::fma(fb[10], t16, fb[1] * t17);
+      v[23] = meetc::fma(t7, fa[1], t1 * fa[2]);
+      v[24] = meetc::fma(t9, fa[1], t4 * fa[2]);
+      v[25] = meetc::fma(fb[10], t16, fb[1] * t17);
       v[26] = -t15;
       v[27] = -t19;
-      v[28] = ::meetc::fma(t7, fa[0], t0 * fa[2]);
-      v[29] = ::meetc::fma(t9, fa[0], t3 * fa[2]);
-      v[30] = ::meetc::fma(fb[10], t15, fb[0] * t17);
+      v[28] = meetc::fma(t7, fa[0], t0 * fa[2]);
+      v[29] = meetc::fma(t9, fa[0], t3 * fa[2]);
+      v[30] = meetc::fma(fb[10], t15, fb[0] * t17);
       v[31] = -t16;
       v[32] = -t20;
-      v[33] = ::meetc::fma(-t13, fa[1], t14 * fa[0]);
-      v[34] = ::meetc::fma(fb[11], t20, fb[3] * t19);
+      v[33] = meetc::fma(-t13, fa[1], t14 * fa[0]);
+      v[34] = meetc::fma(fb[11], t20, fb[3] * t19);
       v[35] = -(b[6] - a[3]);
-      v[36] = ::meetc::fma(t10, fa[1], t14 * fa[2]);
-      v[37] = ::meetc::fma(fb[12], t20, fb[3] * t18);
+      v[36] = meetc::fma(t10, fa[1], t14 * fa[2]);
+      v[37] = meetc::fma(fb[12], t20, fb[3] * t18);
       v[38] = -(b[7] - a[4]);
-      v[39] = ::meetc::fma(t10, fa[0], t13 * fa[2]);
-      v[40] = ::meetc::fma(fb[12], t19, fb[2] * t18);
+      v[39] = meetc::fma(t10, fa[0], t13 * fa[2]);
+      v[40] = meetc::fma(fb[12], t19, fb[2] * t18);
       v[41] = -(b[8] - a[5]);
-      v[42] = ::meetc::fma(fb[13], t16, fb[5] * t15);
-      v[43] = ::meetc::fma(fb[14], t16, fb[5] * t17);
-      v[44] = ::meetc::fma(fb[14], t15, fb[4] * t17);
+      v[42] = meetc::fma(fb[13], t16, fb[5] * t15);
+      v[43] = meetc::fma(fb[14], t16, fb[5] * t17);
+      v[44] = meetc::fma(fb[14], t15, fb[4] * t17);
     }
     // Exact where differences are integers below 2^window on a grid: fp64.
     static constexpr int window = 26;
@@ -423,8 +422,8 @@ struct segment_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 58;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr ::meetc::factors all[] = {
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
+      static constexpr meetc::factors all[] = {
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
         {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
@@ -445,8 +444,8 @@ struct segment_triangle {
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr ::meetc::box_factor all[] = {
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
+      static constexpr meetc::box_factor all[] = {
         {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
         {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1},
         {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
@@ -475,21 +474,21 @@ struct segment_triangle {
       return all[i];
     }
     MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = ::meetc::larger(0.0f, a[4] - a[1]);
-      const float m1 = ::meetc::larger(m0, a[5] - a[2]);
-      const float m2 = ::meetc::larger(m1, a[3] - a[0]);
+      const float m0 = meetc::larger(0.0f, a[4] - a[1]);
+      const float m1 = meetc::larger(m0, a[5] - a[2]);
+      const float m2 = meetc::larger(m1, a[3] - a[0]);
       return m2;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = ::meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = ::meetc::larger(m0, b[5] - b[2]);
-      const float m2 = ::meetc::larger(m1, b[7] - b[4]);
-      const float m3 = ::meetc::larger(m2, b[8] - b[5]);
-      const float m4 = ::meetc::larger(m3, b[7] - b[1]);
-      const float m5 = ::meetc::larger(m4, b[8] - b[2]);
-      const float m6 = ::meetc::larger(m5, b[3] - b[0]);
-      const float m7 = ::meetc::larger(m6, b[6] - b[3]);
-      const float m8 = ::meetc::larger(m7, b[6] - b[0]);
+      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
+      const float m1 = meetc::larger(m0, b[5] - b[2]);
+      const float m2 = meetc::larger(m1, b[7] - b[4]);
+      const float m3 = meetc::larger(m2, b[8] - b[5]);
+      const float m4 = meetc::larger(m3, b[7] - b[1]);
+      const float m5 = meetc::larger(m4, b[8] - b[2]);
+      const float m6 = meetc::larger(m5, b[3] - b[0]);
+      const float m7 = meetc::larger(m6, b[6] - b[3]);
+      const float m8 = meetc::larger(m7, b[6] - b[0]);
       return m8;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
@@ -526,57 +525,57 @@ struct segment_triangle {
       const T l27 = leaf(b[6] - a[3]);
       const T l28 = leaf(b[7] - a[4]);
       const T l29 = leaf(b[8] - a[5]);
-      m[0] = ::meetc::fma(l1, l2, l0 * l3);
-      m[1] = ::meetc::fma(l5, l6, l4 * l7);
-      m[2] = ::meetc::fma(l1, l8, l0 * l9);
+      m[0] = meetc::fma(l1, l2, l0 * l3);
+      m[1] = meetc::fma(l5, l6, l4 * l7);
+      m[2] = meetc::fma(l1, l8, l0 * l9);
       m[3] = l10;
       m[4] = l11;
       m[5] = l12;
-      m[6] = ::meetc::fma(l1, l13, l3 * l10);
-      m[7] = ::meetc::fma(l5, l14, l7 * l11);
-      m[8] = ::meetc::fma(l1, l15, l9 * l10);
+      m[6] = meetc::fma(l1, l13, l3 * l10);
+      m[7] = meetc::fma(l5, l14, l7 * l11);
+      m[8] = meetc::fma(l1, l15, l9 * l10);
       m[9] = l0;
       m[10] = l4;
       m[11] = l16;
-      m[12] = ::meetc::fma(l0, l13, l2 * l10);
-      m[13] = ::meetc::fma(l4, l14, l6 * l11);
-      m[14] = ::meetc::fma(l0, l15, l8 * l10);
+      m[12] = meetc::fma(l0, l13, l2 * l10);
+      m[13] = meetc::fma(l4, l14, l6 * l11);
+      m[14] = meetc::fma(l0, l15, l8 * l10);
       m[15] = l1;
       m[16] = l5;
       m[17] = l17;
-      m[18] = ::meetc::fma(l0, l19, l1 * l18);
-      m[19] = ::meetc::fma(l4, l19, l5 * l18);
-      m[20] = ::meetc::fma(l2, l21, l3 * l20);
+      m[18] = meetc::fma(l0, l19, l1 * l18);
+      m[19] = meetc::fma(l4, l19, l5 * l18);
+      m[20] = meetc::fma(l2, l21, l3 * l20);
       m[21] = l22;
       m[22] = l23;
-      m[23] = ::meetc::fma(l10, l19, l1 * l24);
-      m[24] = ::meetc::fma(l11, l19, l5 * l24);
-      m[25] = ::meetc::fma(l13, l21, l3 * l22);
+      m[23] = meetc::fma(l10, l19, l1 * l24);
+      m[24] = meetc::fma(l11, l19, l5 * l24);
+      m[25] = meetc::fma(l13, l21, l3 * l22);
       m[26] = l20;
       m[27] = l25;
-      m[28] = ::meetc::fma(l10, l18, l0 * l24);
-      m[29] = ::meetc::fma(l11, l18, l4 * l24);
-      m[30] = ::meetc::fma(l13, l20, l2 * l22);
+      m[28] = meetc::fma(l10, l18, l0 * l24);
+      m[29] = meetc::fma(l11, l18, l4 * l24);
+      m[30] = meetc::fma(l13, l20, l2 * l22);
       m[31] = l21;
       m[32] = l26;
-      m[33] = ::meetc::fma(l16, l19, l17 * l18);
-      m[34] = ::meetc::fma(l6, l26, l7 * l25);
+      m[33] = meetc::fma(l16, l19, l17 * l18);
+      m[34] = meetc::fma(l6, l26, l7 * l25);
       m[35] = l27;
-      m[36] = ::meetc::fma(l12, l19, l17 * l24);
-      m[37] = ::meetc::fma(l14, l26, l7 * l23);
+      m[36] = meetc::fma(l12, l19, l17 * l24);
+      m[37] = meetc::fma(l14, l26, l7 * l23);
       m[38] = l28;
-      m[39] = ::meetc::fma(l12, l18, l16 * l24);
-      m[40] = ::meetc::fma(l14, l25, l6 * l23);
+      m[39] = meetc::fma(l12, l18, l16 * l24);
+      m[40] = meetc::fma(l14, l25, l6 * l23);
       m[41] = l29;
-      m[42] = ::meetc::fma(l8, l21, l9 * l20);
-      m[43] = ::meetc::fma(l15, l21, l9 * l22);
-      m[44] = ::meetc::fma(l15, l20, l8 * l22);
+      m[42] = meetc::fma(l8, l21, l9 * l20);
+      m[43] = meetc::fma(l15, l21, l9 * l22);
+      m[44] = meetc::fma(l15, l20, l8 * l22);
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 39, step_count = 180;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 39, instruction_count = 180;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 15, 7, 1}, {subtract, 16, 8, 2}, {subtract, 17, 10, 7}, {subtract, 18, 11, 8},
         {multiply, 19, 15, 18}, {negate, 20, 16, 0}, {take_sign, 15, 20, 0}, {multiply, 21, 20, 17},
         {add, 21, 21, 19}, {take_sign, 0, 21, 0}, {subtract, 19, 10, 1}, {subtract, 21, 11, 2},
@@ -628,190 +627,190 @@ struct segment_triangle {
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<4>(s[0] * s[1]);
+    const auto b0 = meetc::in<4>(s[0] * s[1]);
     return b0;
   }
   template <class S> MEETC_HD static constexpr auto needs_rare([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<2>(s[0]);
-    const auto b1 = ::meetc::in<2>(s[1]);
-    const auto b2 = ::meetc::both(b0, b1);
+    const auto b0 = meetc::in<2>(s[0]);
+    const auto b1 = meetc::in<2>(s[1]);
+    const auto b2 = meetc::both(b0, b1);
     return b2;
   }
   template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<3>(s[0] * s[1]);
-    const auto b1 = ::meetc::in<6>(s[2]);
-    const auto b2 = ::meetc::in<6>(s[3]);
-    const auto b3 = ::meetc::in<3>(s[4]);
-    const auto b4 = ::meetc::both(::meetc::both(b1, b2), b3);
-    const auto b5 = ::meetc::in<3>(s[2]);
-    const auto b6 = ::meetc::in<3>(s[3]);
-    const auto b7 = ::meetc::in<6>(s[4]);
-    const auto b8 = ::meetc::both(::meetc::both(b5, b6), b7);
-    const auto b9 = ::meetc::either(b4, b8);
-    const auto b10 = ::meetc::both(b0, b9);
+    const auto b0 = meetc::in<3>(s[0] * s[1]);
+    const auto b1 = meetc::in<6>(s[2]);
+    const auto b2 = meetc::in<6>(s[3]);
+    const auto b3 = meetc::in<3>(s[4]);
+    const auto b4 = meetc::both(meetc::both(b1, b2), b3);
+    const auto b5 = meetc::in<3>(s[2]);
+    const auto b6 = meetc::in<3>(s[3]);
+    const auto b7 = meetc::in<6>(s[4]);
+    const auto b8 = meetc::both(meetc::both(b5, b6), b7);
+    const auto b9 = meetc::either(b4, b8);
+    const auto b10 = meetc::both(b0, b9);
     return b10;
   }
   template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<2>(s[0]);
-    const auto b1 = ::meetc::in<2>(s[1]);
-    const auto b2 = ::meetc::both(b0, b1);
-    const auto b3 = ::meetc::in<3>(s[5]);
-    const auto b4 = ::meetc::in<3>(s[6]);
-    const auto b5 = ::meetc::in<6>(s[7]);
-    const auto b6 = ::meetc::both(::meetc::both(b3, b4), b5);
-    const auto b7 = ::meetc::in<6>(s[5]);
-    const auto b8 = ::meetc::in<6>(s[6]);
-    const auto b9 = ::meetc::in<3>(s[7]);
-    const auto b10 = ::meetc::both(::meetc::both(b7, b8), b9);
-    const auto b11 = ::meetc::either(b6, b10);
-    const auto b12 = ::meetc::in<3>(s[8]);
-    const auto b13 = ::meetc::in<3>(s[9]);
-    const auto b14 = ::meetc::in<3>(s[10]);
-    const auto b15 = ::meetc::either(::meetc::either(b12, b13), b14);
-    const auto b16 = ::meetc::in<6>(s[8]);
-    const auto b17 = ::meetc::in<6>(s[9]);
-    const auto b18 = ::meetc::in<6>(s[10]);
-    const auto b19 = ::meetc::either(::meetc::either(b16, b17), b18);
-    const auto b20 = ::meetc::in<6>(s[11]);
-    const auto b21 = ::meetc::in<6>(s[12]);
-    const auto b22 = ::meetc::in<3>(s[13]);
-    const auto b23 = ::meetc::both(::meetc::both(b20, b21), b22);
-    const auto b24 = ::meetc::in<3>(s[11]);
-    const auto b25 = ::meetc::in<3>(s[12]);
-    const auto b26 = ::meetc::in<6>(s[13]);
-    const auto b27 = ::meetc::both(::meetc::both(b24, b25), b26);
-    const auto b28 = ::meetc::either(b23, b27);
-    const auto b29 = ::meetc::in<3>(s[14]);
-    const auto b30 = ::meetc::in<3>(s[15]);
-    const auto b31 = ::meetc::in<3>(s[16]);
-    const auto b32 = ::meetc::either(::meetc::either(b29, b30), b31);
-    const auto b33 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b0, b11), b15),
-        b19), b28), b32);
-    const auto b34 = ::meetc::in<6>(s[14]);
-    const auto b35 = ::meetc::in<6>(s[15]);
-    const auto b36 = ::meetc::in<6>(s[16]);
-    const auto b37 = ::meetc::either(::meetc::either(b34, b35), b36);
-    const auto b38 = ::meetc::in<3>(s[17]);
-    const auto b39 = ::meetc::in<3>(s[18]);
-    const auto b40 = ::meetc::in<6>(s[19]);
-    const auto b41 = ::meetc::both(::meetc::both(b38, b39), b40);
-    const auto b42 = ::meetc::in<6>(s[17]);
-    const auto b43 = ::meetc::in<6>(s[18]);
-    const auto b44 = ::meetc::in<3>(s[19]);
-    const auto b45 = ::meetc::both(::meetc::both(b42, b43), b44);
-    const auto b46 = ::meetc::either(b41, b45);
-    const auto b47 = ::meetc::in<3>(s[20]);
-    const auto b48 = ::meetc::in<3>(s[21]);
-    const auto b49 = ::meetc::in<3>(s[22]);
-    const auto b50 = ::meetc::either(::meetc::either(b47, b48), b49);
-    const auto b51 = ::meetc::in<6>(s[20]);
-    const auto b52 = ::meetc::in<6>(s[21]);
-    const auto b53 = ::meetc::in<6>(s[22]);
-    const auto b54 = ::meetc::either(::meetc::either(b51, b52), b53);
-    const auto b55 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(b33, b37), b46), b50), b54);
-    const auto b56 = ::meetc::in<2>(s[2]);
-    const auto b57 = ::meetc::in<3>(s[23] * s[24]);
-    const auto b58 = ::meetc::in<3>(s[5] * s[25]);
-    const auto b59 = ::meetc::in<3>(s[26]);
-    const auto b60 = ::meetc::in<3>(s[27]);
-    const auto b61 = ::meetc::either(::meetc::either(::meetc::either(b12, b13), b59), b60);
-    const auto b62 = ::meetc::in<6>(s[26]);
-    const auto b63 = ::meetc::in<6>(s[27]);
-    const auto b64 = ::meetc::either(::meetc::either(::meetc::either(b16, b17), b62), b63);
-    const auto b65 = ::meetc::in<3>(s[28] * s[29]);
-    const auto b66 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b56, b57), b58),
-        b61), b64), b65);
-    const auto b67 = ::meetc::in<3>(s[11] * s[30]);
-    const auto b68 = ::meetc::in<3>(s[31]);
-    const auto b69 = ::meetc::in<3>(s[32]);
-    const auto b70 = ::meetc::either(::meetc::either(::meetc::either(b29, b30), b68), b69);
-    const auto b71 = ::meetc::in<6>(s[31]);
-    const auto b72 = ::meetc::in<6>(s[32]);
-    const auto b73 = ::meetc::either(::meetc::either(::meetc::either(b34, b35), b71), b72);
-    const auto b74 = ::meetc::in<3>(s[33] * s[34]);
-    const auto b75 = ::meetc::in<3>(s[17] * s[35]);
-    const auto b76 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b66, b67), b70),
-        b73), b74), b75);
-    const auto b77 = ::meetc::in<3>(s[36]);
-    const auto b78 = ::meetc::in<3>(s[37]);
-    const auto b79 = ::meetc::either(::meetc::either(::meetc::either(b47, b48), b77), b78);
-    const auto b80 = ::meetc::in<6>(s[36]);
-    const auto b81 = ::meetc::in<6>(s[37]);
-    const auto b82 = ::meetc::either(::meetc::either(::meetc::either(b51, b52), b80), b81);
-    const auto b83 = ::meetc::both(::meetc::both(b76, b79), b82);
-    const auto b84 = ::meetc::in<2>(s[3]);
-    const auto b85 = ::meetc::in<3>(s[24] * s[38]);
-    const auto b86 = ::meetc::in<3>(s[6] * s[39]);
-    const auto b87 = ::meetc::in<3>(s[40]);
-    const auto b88 = ::meetc::either(::meetc::either(::meetc::either(b13, b14), b60), b87);
-    const auto b89 = ::meetc::in<6>(s[40]);
-    const auto b90 = ::meetc::either(::meetc::either(::meetc::either(b17, b18), b63), b89);
-    const auto b91 = ::meetc::in<3>(s[29] * s[41]);
-    const auto b92 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b84, b85), b86),
-        b88), b90), b91);
-    const auto b93 = ::meetc::in<3>(s[12] * s[42]);
-    const auto b94 = ::meetc::in<3>(s[43]);
-    const auto b95 = ::meetc::either(::meetc::either(::meetc::either(b30, b31), b69), b94);
-    const auto b96 = ::meetc::in<6>(s[43]);
-    const auto b97 = ::meetc::either(::meetc::either(::meetc::either(b35, b36), b72), b96);
-    const auto b98 = ::meetc::in<3>(s[34] * s[44]);
-    const auto b99 = ::meetc::in<3>(s[18] * s[45]);
-    const auto b100 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b92, b93), b95),
-        b97), b98), b99);
-    const auto b101 = ::meetc::in<3>(s[46]);
-    const auto b102 = ::meetc::either(::meetc::either(::meetc::either(b48, b49), b78), b101);
-    const auto b103 = ::meetc::in<6>(s[46]);
-    const auto b104 = ::meetc::either(::meetc::either(::meetc::either(b52, b53), b81), b103);
-    const auto b105 = ::meetc::both(::meetc::both(b100, b102), b104);
-    const auto b106 = ::meetc::in<2>(s[4]);
-    const auto b107 = ::meetc::in<3>(s[23] * s[38]);
-    const auto b108 = ::meetc::in<3>(s[7] * s[47]);
-    const auto b109 = ::meetc::either(::meetc::either(::meetc::either(b12, b14), b59), b87);
-    const auto b110 = ::meetc::either(::meetc::either(::meetc::either(b16, b18), b62), b89);
-    const auto b111 = ::meetc::in<3>(s[28] * s[41]);
-    const auto b112 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b106, b107),
-        b108), b109), b110), b111);
-    const auto b113 = ::meetc::in<3>(s[13] * s[48]);
-    const auto b114 = ::meetc::either(::meetc::either(::meetc::either(b29, b31), b68), b94);
-    const auto b115 = ::meetc::either(::meetc::either(::meetc::either(b34, b36), b71), b96);
-    const auto b116 = ::meetc::in<3>(s[33] * s[44]);
-    const auto b117 = ::meetc::in<3>(s[19] * s[49]);
-    const auto b118 = ::meetc::both(::meetc::both(::meetc::both(::meetc::both(::meetc::both(b112, b113),
-        b114), b115), b116), b117);
-    const auto b119 = ::meetc::either(::meetc::either(::meetc::either(b47, b49), b77), b101);
-    const auto b120 = ::meetc::either(::meetc::either(::meetc::either(b51, b53), b80), b103);
-    const auto b121 = ::meetc::both(::meetc::both(b118, b119), b120);
-    const auto b122 = ::meetc::either(::meetc::either(::meetc::either(b55, b83), b105), b121);
-    const auto b123 = ::meetc::in<3>(s[0] * s[1]);
-    const auto b124 = ::meetc::in<6>(s[2]);
-    const auto b125 = ::meetc::in<6>(s[3]);
-    const auto b126 = ::meetc::in<3>(s[4]);
-    const auto b127 = ::meetc::both(::meetc::both(b124, b125), b126);
-    const auto b128 = ::meetc::in<3>(s[2]);
-    const auto b129 = ::meetc::in<3>(s[3]);
-    const auto b130 = ::meetc::in<6>(s[4]);
-    const auto b131 = ::meetc::both(::meetc::both(b128, b129), b130);
-    const auto b132 = ::meetc::either(b127, b131);
-    const auto b133 = ::meetc::both(b123, b132);
-    const auto b134 = ::meetc::either(::meetc::both(b2, b122), ::meetc::both(::meetc::negate(b2), b133));
+    const auto b0 = meetc::in<2>(s[0]);
+    const auto b1 = meetc::in<2>(s[1]);
+    const auto b2 = meetc::both(b0, b1);
+    const auto b3 = meetc::in<3>(s[5]);
+    const auto b4 = meetc::in<3>(s[6]);
+    const auto b5 = meetc::in<6>(s[7]);
+    const auto b6 = meetc::both(meetc::both(b3, b4), b5);
+    const auto b7 = meetc::in<6>(s[5]);
+    const auto b8 = meetc::in<6>(s[6]);
+    const auto b9 = meetc::in<3>(s[7]);
+    const auto b10 = meetc::both(meetc::both(b7, b8), b9);
+    const auto b11 = meetc::either(b6, b10);
+    const auto b12 = meetc::in<3>(s[8]);
+    const auto b13 = meetc::in<3>(s[9]);
+    const auto b14 = meetc::in<3>(s[10]);
+    const auto b15 = meetc::either(meetc::either(b12, b13), b14);
+    const auto b16 = meetc::in<6>(s[8]);
+    const auto b17 = meetc::in<6>(s[9]);
+    const auto b18 = meetc::in<6>(s[10]);
+    const auto b19 = meetc::either(meetc::either(b16, b17), b18);
+    const auto b20 = meetc::in<6>(s[11]);
+    const auto b21 = meetc::in<6>(s[12]);
+    const auto b22 = meetc::in<3>(s[13]);
+    const auto b23 = meetc::both(meetc::both(b20, b21), b22);
+    const auto b24 = meetc::in<3>(s[11]);
+    const auto b25 = meetc::in<3>(s[12]);
+    const auto b26 = meetc::in<6>(s[13]);
+    const auto b27 = meetc::both(meetc::both(b24, b25), b26);
+    const auto b28 = meetc::either(b23, b27);
+    const auto b29 = meetc::in<3>(s[14]);
+    const auto b30 = meetc::in<3>(s[15]);
+    const auto b31 = meetc::in<3>(s[16]);
+    const auto b32 = meetc::either(meetc::either(b29, b30), b31);
+    const auto b33 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b11), b15), b19), b28),
+        b32);
+    const auto b34 = meetc::in<6>(s[14]);
+    const auto b35 = meetc::in<6>(s[15]);
+    const auto b36 = meetc::in<6>(s[16]);
+    const auto b37 = meetc::either(meetc::either(b34, b35), b36);
+    const auto b38 = meetc::in<3>(s[17]);
+    const auto b39 = meetc::in<3>(s[18]);
+    const auto b40 = meetc::in<6>(s[19]);
+    const auto b41 = meetc::both(meetc::both(b38, b39), b40);
+    const auto b42 = meetc::in<6>(s[17]);
+    const auto b43 = meetc::in<6>(s[18]);
+    const auto b44 = meetc::in<3>(s[19]);
+    const auto b45 = meetc::both(meetc::both(b42, b43), b44);
+    const auto b46 = meetc::either(b41, b45);
+    const auto b47 = meetc::in<3>(s[20]);
+    const auto b48 = meetc::in<3>(s[21]);
+    const auto b49 = meetc::in<3>(s[22]);
+    const auto b50 = meetc::either(meetc::either(b47, b48), b49);
+    const auto b51 = meetc::in<6>(s[20]);
+    const auto b52 = meetc::in<6>(s[21]);
+    const auto b53 = meetc::in<6>(s[22]);
+    const auto b54 = meetc::either(meetc::either(b51, b52), b53);
+    const auto b55 = meetc::both(meetc::both(meetc::both(meetc::both(b33, b37), b46), b50), b54);
+    const auto b56 = meetc::in<2>(s[2]);
+    const auto b57 = meetc::in<3>(s[23] * s[24]);
+    const auto b58 = meetc::in<3>(s[5] * s[25]);
+    const auto b59 = meetc::in<3>(s[26]);
+    const auto b60 = meetc::in<3>(s[27]);
+    const auto b61 = meetc::either(meetc::either(meetc::either(b12, b13), b59), b60);
+    const auto b62 = meetc::in<6>(s[26]);
+    const auto b63 = meetc::in<6>(s[27]);
+    const auto b64 = meetc::either(meetc::either(meetc::either(b16, b17), b62), b63);
+    const auto b65 = meetc::in<3>(s[28] * s[29]);
+    const auto b66 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b56, b57), b58), b61), b64),
+        b65);
+    const auto b67 = meetc::in<3>(s[11] * s[30]);
+    const auto b68 = meetc::in<3>(s[31]);
+    const auto b69 = meetc::in<3>(s[32]);
+    const auto b70 = meetc::either(meetc::either(meetc::either(b29, b30), b68), b69);
+    const auto b71 = meetc::in<6>(s[31]);
+    const auto b72 = meetc::in<6>(s[32]);
+    const auto b73 = meetc::either(meetc::either(meetc::either(b34, b35), b71), b72);
+    const auto b74 = meetc::in<3>(s[33] * s[34]);
+    const auto b75 = meetc::in<3>(s[17] * s[35]);
+    const auto b76 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b66, b67), b70), b73), b74),
+        b75);
+    const auto b77 = meetc::in<3>(s[36]);
+    const auto b78 = meetc::in<3>(s[37]);
+    const auto b79 = meetc::either(meetc::either(meetc::either(b47, b48), b77), b78);
+    const auto b80 = meetc::in<6>(s[36]);
+    const auto b81 = meetc::in<6>(s[37]);
+    const auto b82 = meetc::either(meetc::either(meetc::either(b51, b52), b80), b81);
+    const auto b83 = meetc::both(meetc::both(b76, b79), b82);
+    const auto b84 = meetc::in<2>(s[3]);
+    const auto b85 = meetc::in<3>(s[24] * s[38]);
+    const auto b86 = meetc::in<3>(s[6] * s[39]);
+    const auto b87 = meetc::in<3>(s[40]);
+    const auto b88 = meetc::either(meetc::either(meetc::either(b13, b14), b60), b87);
+    const auto b89 = meetc::in<6>(s[40]);
+    const auto b90 = meetc::either(meetc::either(meetc::either(b17, b18), b63), b89);
+    const auto b91 = meetc::in<3>(s[29] * s[41]);
+    const auto b92 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b84, b85), b86), b88), b90),
+        b91);
+    const auto b93 = meetc::in<3>(s[12] * s[42]);
+    const auto b94 = meetc::in<3>(s[43]);
+    const auto b95 = meetc::either(meetc::either(meetc::either(b30, b31), b69), b94);
+    const auto b96 = meetc::in<6>(s[43]);
+    const auto b97 = meetc::either(meetc::either(meetc::either(b35, b36), b72), b96);
+    const auto b98 = meetc::in<3>(s[34] * s[44]);
+    const auto b99 = meetc::in<3>(s[18] * s[45]);
+    const auto b100 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b92, b93), b95), b97), b98),
+        b99);
+    const auto b101 = meetc::in<3>(s[46]);
+    const auto b102 = meetc::either(meetc::either(meetc::either(b48, b49), b78), b101);
+    const auto b103 = meetc::in<6>(s[46]);
+    const auto b104 = meetc::either(meetc::either(meetc::either(b52, b53), b81), b103);
+    const auto b105 = meetc::both(meetc::both(b100, b102), b104);
+    const auto b106 = meetc::in<2>(s[4]);
+    const auto b107 = meetc::in<3>(s[23] * s[38]);
+    const auto b108 = meetc::in<3>(s[7] * s[47]);
+    const auto b109 = meetc::either(meetc::either(meetc::either(b12, b14), b59), b87);
+    const auto b110 = meetc::either(meetc::either(meetc::either(b16, b18), b62), b89);
+    const auto b111 = meetc::in<3>(s[28] * s[41]);
+    const auto b112 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b106, b107), b108), b109),
+        b110), b111);
+    const auto b113 = meetc::in<3>(s[13] * s[48]);
+    const auto b114 = meetc::either(meetc::either(meetc::either(b29, b31), b68), b94);
+    const auto b115 = meetc::either(meetc::either(meetc::either(b34, b36), b71), b96);
+    const auto b116 = meetc::in<3>(s[33] * s[44]);
+    const auto b117 = meetc::in<3>(s[19] * s[49]);
+    const auto b118 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b112, b113), b114), b115),
+        b116), b117);
+    const auto b119 = meetc::either(meetc::either(meetc::either(b47, b49), b77), b101);
+    const auto b120 = meetc::either(meetc::either(meetc::either(b51, b53), b80), b103);
+    const auto b121 = meetc::both(meetc::both(b118, b119), b120);
+    const auto b122 = meetc::either(meetc::either(meetc::either(b55, b83), b105), b121);
+    const auto b123 = meetc::in<3>(s[0] * s[1]);
+    const auto b124 = meetc::in<6>(s[2]);
+    const auto b125 = meetc::in<6>(s[3]);
+    const auto b126 = meetc::in<3>(s[4]);
+    const auto b127 = meetc::both(meetc::both(b124, b125), b126);
+    const auto b128 = meetc::in<3>(s[2]);
+    const auto b129 = meetc::in<3>(s[3]);
+    const auto b130 = meetc::in<6>(s[4]);
+    const auto b131 = meetc::both(meetc::both(b128, b129), b130);
+    const auto b132 = meetc::either(b127, b131);
+    const auto b133 = meetc::both(b123, b132);
+    const auto b134 = meetc::either(meetc::both(b2, b122), meetc::both(meetc::negate(b2), b133));
     return b134;
   }
 
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEETC_HD static bool hit(const segment<float> &operand_a, const triangle<float> &operand_b) {
-    return ::meetc::hit_certified<segment_triangle>(operand_a, operand_b);
+    return meetc::hit_certified<segment_triangle>(operand_a, operand_b);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static ::meetc::answer filter(const segment<float> &operand_a, const triangle<float> &operand_b) {
-    return ::meetc::filter_fp32<segment_triangle>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const segment<float> &operand_a, const triangle<float> &operand_b) {
+    return meetc::filter_fp32<segment_triangle>(operand_a, operand_b);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEETC_HD static bool plain(const segment<float> &operand_a,
       const triangle<float> &operand_b) {
-    const ::meetc::rows_of<segment_triangle, segment<float>, triangle<float>> rows(operand_a, operand_b);
-    return ::meetc::decide<segment_triangle>(::meetc::plain_signs<segment_triangle, T>(rows.a, rows.b));
+    const meetc::rows_of<segment_triangle, segment<float>, triangle<float>> rows(operand_a, operand_b);
+    return meetc::decide<segment_triangle>(meetc::plain_signs<segment_triangle, T>(rows.a, rows.b));
   }
 };
 

@@ -5,7 +5,7 @@
 
 #include <meetc/support.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -18,8 +18,8 @@ struct point_shape {
     constexpr int all[] = {0, 1, 2};
     return all[3 * point + axis];
   }
-  MEETC_HD static constexpr ::meetc::role role_of(int field) {
-    constexpr ::meetc::role all[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z};
+  MEETC_HD static constexpr meetc::role role_of(int field) {
+    constexpr meetc::role all[] = {meetc::role::x, meetc::role::y, meetc::role::z};
     return all[field];
   }
   MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {
@@ -38,18 +38,17 @@ struct sphere_shape {
     constexpr int all[] = {0, 1, 2};
     return all[3 * point + axis];
   }
-  MEETC_HD static constexpr ::meetc::role role_of(int field) {
-    constexpr ::meetc::role all[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z,
-        ::meetc::role::length};
+  MEETC_HD static constexpr meetc::role role_of(int field) {
+    constexpr meetc::role all[] = {meetc::role::x, meetc::role::y, meetc::role::z, meetc::role::length};
     return all[field];
   }
   MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {
-    lo[0] = ::meetc::step_down(row[0] - row[3]);
-    hi[0] = ::meetc::step_up(row[0] + row[3]);
-    lo[1] = ::meetc::step_down(row[1] - row[3]);
-    hi[1] = ::meetc::step_up(row[1] + row[3]);
-    lo[2] = ::meetc::step_down(row[2] - row[3]);
-    hi[2] = ::meetc::step_up(row[2] + row[3]);
+    lo[0] = meetc::step_down(row[0] - row[3]);
+    hi[0] = meetc::step_up(row[0] + row[3]);
+    lo[1] = meetc::step_down(row[1] - row[3]);
+    hi[1] = meetc::step_up(row[1] + row[3]);
+    lo[2] = meetc::step_down(row[2] - row[3]);
+    hi[2] = meetc::step_up(row[2] + row[3]);
   }
 };
 
@@ -59,18 +58,18 @@ struct segment_shape {
     constexpr int all[] = {0, 1, 2, 3, 4, 5};
     return all[3 * point + axis];
   }
-  MEETC_HD static constexpr ::meetc::role role_of(int field) {
-    constexpr ::meetc::role all[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z, ::meetc::role::x,
-        ::meetc::role::y, ::meetc::role::z};
+  MEETC_HD static constexpr meetc::role role_of(int field) {
+    constexpr meetc::role all[] = {meetc::role::x, meetc::role::y, meetc::role::z, meetc::role::x,
+        meetc::role::y, meetc::role::z};
     return all[field];
   }
   MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {
-    lo[0] = ::meetc::least_of(row[0], row[3]);
-    hi[0] = ::meetc::most_of(row[0], row[3]);
-    lo[1] = ::meetc::least_of(row[1], row[4]);
-    hi[1] = ::meetc::most_of(row[1], row[4]);
-    lo[2] = ::meetc::least_of(row[2], row[5]);
-    hi[2] = ::meetc::most_of(row[2], row[5]);
+    lo[0] = meetc::least_of(row[0], row[3]);
+    hi[0] = meetc::most_of(row[0], row[3]);
+    lo[1] = meetc::least_of(row[1], row[4]);
+    hi[1] = meetc::most_of(row[1], row[4]);
+    lo[2] = meetc::least_of(row[2], row[5]);
+    hi[2] = meetc::most_of(row[2], row[5]);
   }
 };
 
@@ -80,18 +79,18 @@ struct triangle_shape {
     constexpr int all[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     return all[3 * point + axis];
   }
-  MEETC_HD static constexpr ::meetc::role role_of(int field) {
-    constexpr ::meetc::role all[] = {::meetc::role::x, ::meetc::role::y, ::meetc::role::z, ::meetc::role::x,
-        ::meetc::role::y, ::meetc::role::z, ::meetc::role::x, ::meetc::role::y, ::meetc::role::z};
+  MEETC_HD static constexpr meetc::role role_of(int field) {
+    constexpr meetc::role all[] = {meetc::role::x, meetc::role::y, meetc::role::z, meetc::role::x,
+        meetc::role::y, meetc::role::z, meetc::role::x, meetc::role::y, meetc::role::z};
     return all[field];
   }
   MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {
-    lo[0] = ::meetc::least_of(::meetc::least_of(row[0], row[3]), row[6]);
-    hi[0] = ::meetc::most_of(::meetc::most_of(row[0], row[3]), row[6]);
-    lo[1] = ::meetc::least_of(::meetc::least_of(row[1], row[4]), row[7]);
-    hi[1] = ::meetc::most_of(::meetc::most_of(row[1], row[4]), row[7]);
-    lo[2] = ::meetc::least_of(::meetc::least_of(row[2], row[5]), row[8]);
-    hi[2] = ::meetc::most_of(::meetc::most_of(row[2], row[5]), row[8]);
+    lo[0] = meetc::least_of(meetc::least_of(row[0], row[3]), row[6]);
+    hi[0] = meetc::most_of(meetc::most_of(row[0], row[3]), row[6]);
+    lo[1] = meetc::least_of(meetc::least_of(row[1], row[4]), row[7]);
+    hi[1] = meetc::most_of(meetc::most_of(row[1], row[4]), row[7]);
+    lo[2] = meetc::least_of(meetc::least_of(row[2], row[5]), row[8]);
+    hi[2] = meetc::most_of(meetc::most_of(row[2], row[5]), row[8]);
   }
 };
 

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -44,7 +44,7 @@ struct side_sphere_point_sign {
       const T t0 = b[0] - a[0];
       const T t1 = b[1] - a[1];
       const T t2 = b[2] - a[2];
-      v[0] = -(fa[0] - ::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0)));
+      v[0] = -(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)));
     }
     // Exact where differences are integers below 2^window on a grid: fp64.
     static constexpr int window = 25;
@@ -52,15 +52,15 @@ struct side_sphere_point_sign {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 57;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
         0x801p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) { return {0xe01p-33f, 0, 0, 2}; }
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0xe01p-33f, 0, 0, 2}; }
     MEETC_HD static int degree_of([[maybe_unused]] int i) { return 2; }
     // The coincidences of points that make the sign zero.
     MEETC_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
     MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = ::meetc::larger(0.0f, a[3]);
+      const float m0 = meetc::larger(0.0f, a[3]);
       return m0;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
@@ -74,13 +74,13 @@ struct side_sphere_point_sign {
       const T l1 = leaf(b[1] - a[1]);
       const T l2 = leaf(b[2] - a[2]);
       const T l3 = leaf(a[3]);
-      m[0] = ::meetc::fma(l2, l2, ::meetc::fma(l1, l1, l0 * l0)) + l3 * l3;
+      m[0] = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0)) + l3 * l3;
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 8, step_count = 12;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 8, instruction_count = 12;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 7, 4, 0}, {multiply, 0, 7, 7}, {subtract, 4, 5, 1}, {multiply, 1, 4, 4}, {add, 1, 1, 0},
         {subtract, 0, 6, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {multiply, 0, 3, 3}, {subtract, 1, 0, 2},
         {negate, 0, 1, 0}, {take_sign, 0, 0, 0}};
@@ -90,14 +90,14 @@ struct side_sphere_point_sign {
   template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return -(s[0]); }
 };
 // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-MEETC_HD inline ::meetc::sign side(const sphere<float> &operand_a, const point<float> &operand_b) {
-  return ::meetc::sign_certified<side_sphere_point_sign>(operand_a, operand_b);
+MEETC_HD inline meetc::sign side(const sphere<float> &operand_a, const point<float> &operand_b) {
+  return meetc::sign_certified<side_sphere_point_sign>(operand_a, operand_b);
 }
 // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-template <class T> MEETC_HD inline ::meetc::sign side_plain(const sphere<float> &operand_a,
+template <class T> MEETC_HD inline meetc::sign side_plain(const sphere<float> &operand_a,
     const point<float> &operand_b) {
-  const ::meetc::rows_of<side_sphere_point_sign, sphere<float>, point<float>> rows(operand_a, operand_b);
-  return ::meetc::decide_sign<side_sphere_point_sign>(::meetc::plain_signs<side_sphere_point_sign, T>(rows.a,
+  const meetc::rows_of<side_sphere_point_sign, sphere<float>, point<float>> rows(operand_a, operand_b);
+  return meetc::decide_sign<side_sphere_point_sign>(meetc::plain_signs<side_sphere_point_sign, T>(rows.a,
       rows.b));
 }
 

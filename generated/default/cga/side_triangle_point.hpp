@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -42,11 +42,11 @@ struct side_triangle_point_sign {
       const T t1 = a[5] - a[2];
       const T t2 = a[8] - a[2];
       const T t3 = a[4] - a[1];
-      const T t4 = ::meetc::fma(-t0, t1, t2 * t3);
+      const T t4 = meetc::fma(-t0, t1, t2 * t3);
       const T t5 = a[3] - a[0];
       const T t6 = a[6] - a[0];
-      const T t7 = ::meetc::fma(-t2, t5, t1 * t6);
-      const T t8 = ::meetc::fma(-t3, t6, t0 * t5);
+      const T t7 = meetc::fma(-t2, t5, t1 * t6);
+      const T t8 = meetc::fma(-t3, t6, t0 * t5);
       f[0] = t4;
       f[1] = t7;
       f[2] = t8;
@@ -58,7 +58,7 @@ struct side_triangle_point_sign {
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
         [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const W t0 = ::meetc::fma(fa[2], b[2] - a[2], ::meetc::fma(fa[1], b[1] - a[1], ::meetc::times<W>(fa[0],
+      const W t0 = meetc::fma(fa[2], b[2] - a[2], meetc::fma(fa[1], b[1] - a[1], meetc::times<W>(fa[0],
           b[0] - a[0])));
       v[0] = -t0;
     }
@@ -68,20 +68,20 @@ struct side_triangle_point_sign {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
         0xa01p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 2, 0, 1}; }
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 2, 0, 1}; }
     MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
     // The coincidences of points that make the sign zero.
     MEETC_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x3fu; }
     MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = ::meetc::larger(0.0f, a[7] - a[1]);
-      const float m1 = ::meetc::larger(m0, a[5] - a[2]);
-      const float m2 = ::meetc::larger(m1, a[8] - a[2]);
-      const float m3 = ::meetc::larger(m2, a[4] - a[1]);
-      const float m4 = ::meetc::larger(m3, a[3] - a[0]);
-      const float m5 = ::meetc::larger(m4, a[6] - a[0]);
+      const float m0 = meetc::larger(0.0f, a[7] - a[1]);
+      const float m1 = meetc::larger(m0, a[5] - a[2]);
+      const float m2 = meetc::larger(m1, a[8] - a[2]);
+      const float m3 = meetc::larger(m2, a[4] - a[1]);
+      const float m4 = meetc::larger(m3, a[3] - a[0]);
+      const float m5 = meetc::larger(m4, a[6] - a[0]);
       return m5;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
@@ -100,14 +100,14 @@ struct side_triangle_point_sign {
       const T l6 = leaf(b[0] - a[0]);
       const T l7 = leaf(b[1] - a[1]);
       const T l8 = leaf(b[2] - a[2]);
-      const T t0 = ::meetc::fma(::meetc::fma(l2, l4, l1 * l5), l7, ::meetc::fma(l0, l1, l2 * l3) * l6);
-      m[0] = ::meetc::fma(::meetc::fma(l3, l5, l0 * l4), l8, t0);
+      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
+      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 15, step_count = 28;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 15, instruction_count = 28;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 12, 7, 1}, {subtract, 7, 5, 2}, {subtract, 5, 8, 2}, {subtract, 8, 4, 1},
         {multiply, 4, 5, 8}, {negate, 13, 12, 0}, {multiply, 14, 13, 7}, {add, 14, 14, 4},
         {subtract, 4, 3, 0}, {subtract, 3, 6, 0}, {multiply, 6, 7, 3}, {negate, 7, 5, 0}, {multiply, 5, 7, 4},
@@ -120,15 +120,15 @@ struct side_triangle_point_sign {
   template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return -(s[0]); }
 };
 // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-MEETC_HD inline ::meetc::sign side(const triangle<float> &operand_a, const point<float> &operand_b) {
-  return ::meetc::sign_certified<side_triangle_point_sign>(operand_a, operand_b);
+MEETC_HD inline meetc::sign side(const triangle<float> &operand_a, const point<float> &operand_b) {
+  return meetc::sign_certified<side_triangle_point_sign>(operand_a, operand_b);
 }
 // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-template <class T> MEETC_HD inline ::meetc::sign side_plain(const triangle<float> &operand_a,
+template <class T> MEETC_HD inline meetc::sign side_plain(const triangle<float> &operand_a,
     const point<float> &operand_b) {
-  const ::meetc::rows_of<side_triangle_point_sign, triangle<float>, point<float>> rows(operand_a, operand_b);
-  return ::meetc::decide_sign<side_triangle_point_sign>(::meetc::plain_signs<side_triangle_point_sign,
-      T>(rows.a, rows.b));
+  const meetc::rows_of<side_triangle_point_sign, triangle<float>, point<float>> rows(operand_a, operand_b);
+  return meetc::decide_sign<side_triangle_point_sign>(meetc::plain_signs<side_triangle_point_sign, T>(rows.a,
+      rows.b));
 }
 
 } // namespace cga

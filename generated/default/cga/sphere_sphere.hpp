@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -26,7 +26,7 @@ struct sphere_sphere {
     return all[i];
   }
 
-  using reject_stage = ::meetc::no_stage;
+  using reject_stage = meetc::no_stage;
   // The usual case: signs 0 to 1, degree 2.
   // Once an object A: 0 multiplications, 0 additions; B: 0 multiplications, 0 additions; a pair: 5 multiplications, 9 additions.
   struct common_stage {
@@ -47,10 +47,10 @@ struct sphere_sphere {
       const T t1 = b[1] - a[1];
       const T t2 = b[2] - a[2];
       const T t3 = a[3] + b[3];
-      const T t4 = -::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0));
+      const T t4 = -meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
       const T t5 = a[3] - b[3];
-      v[0] = -::meetc::fma(t3, t3, t4);
-      v[1] = -::meetc::fma(t5, t5, t4);
+      v[0] = -meetc::fma(t3, t3, t4);
+      v[1] = -meetc::fma(t5, t5, t4);
     }
     // Exact where differences are integers below 2^window on a grid: fp64.
     static constexpr int window = 25;
@@ -58,11 +58,11 @@ struct sphere_sphere {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 57;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
         0x801p-111}; }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr ::meetc::box_factor all[] = {
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
+      static constexpr meetc::box_factor all[] = {
         {0xa81p-32f, 0, 0, 2}, {0xf01p-33f, 0, 0, 2}};
       return all[i];
     }
@@ -70,11 +70,11 @@ struct sphere_sphere {
     // The coincidences of points that make the sign zero.
     MEETC_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
     MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = ::meetc::larger(0.0f, a[3]);
+      const float m0 = meetc::larger(0.0f, a[3]);
       return m0;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = ::meetc::larger(0.0f, b[3]);
+      const float m0 = meetc::larger(0.0f, b[3]);
       return m0;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
@@ -87,16 +87,16 @@ struct sphere_sphere {
       const T l3 = leaf(a[3]);
       const T l4 = leaf(b[3]);
       const T l5 = leaf(a[3] - b[3]);
-      const T t0 = ::meetc::fma(l2, l2, ::meetc::fma(l1, l1, l0 * l0));
+      const T t0 = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0));
       const T t1 = l3 + l4;
-      m[0] = ::meetc::fma(t1, t1, t0);
-      m[1] = ::meetc::fma(l5, l5, t0);
+      m[0] = meetc::fma(t1, t1, t0);
+      m[1] = meetc::fma(l5, l5, t0);
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 9, step_count = 19;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 9, instruction_count = 19;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 8, 4, 0}, {multiply, 0, 8, 8}, {subtract, 4, 5, 1}, {multiply, 1, 4, 4}, {add, 1, 1, 0},
         {subtract, 0, 6, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {add, 0, 3, 7}, {negate, 1, 2, 0},
         {multiply, 2, 0, 0}, {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}, {subtract, 0, 3, 7},
@@ -104,7 +104,7 @@ struct sphere_sphere {
       return all[i];
     }
   };
-  using rare_stage = ::meetc::no_stage;
+  using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
@@ -114,29 +114,29 @@ struct sphere_sphere {
     return false;
   }
   template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<3>(s[0] * s[1]);
+    const auto b0 = meetc::in<3>(s[0] * s[1]);
     return b0;
   }
   template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<3>(s[0] * s[1]);
+    const auto b0 = meetc::in<3>(s[0] * s[1]);
     return b0;
   }
 
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEETC_HD static bool hit(const sphere<float> &operand_a, const sphere<float> &operand_b) {
-    return ::meetc::hit_certified<sphere_sphere>(operand_a, operand_b);
+    return meetc::hit_certified<sphere_sphere>(operand_a, operand_b);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static ::meetc::answer filter(const sphere<float> &operand_a, const sphere<float> &operand_b) {
-    return ::meetc::filter_fp32<sphere_sphere>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const sphere<float> &operand_a, const sphere<float> &operand_b) {
+    return meetc::filter_fp32<sphere_sphere>(operand_a, operand_b);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEETC_HD static bool plain(const sphere<float> &operand_a,
       const sphere<float> &operand_b) {
-    const ::meetc::rows_of<sphere_sphere, sphere<float>, sphere<float>> rows(operand_a, operand_b);
-    return ::meetc::decide<sphere_sphere>(::meetc::plain_signs<sphere_sphere, T>(rows.a, rows.b));
+    const meetc::rows_of<sphere_sphere, sphere<float>, sphere<float>> rows(operand_a, operand_b);
+    return meetc::decide<sphere_sphere>(meetc::plain_signs<sphere_sphere, T>(rows.a, rows.b));
   }
 };
 

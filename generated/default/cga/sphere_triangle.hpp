@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 3, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
@@ -33,7 +33,7 @@ struct sphere_triangle {
     return all[i];
   }
 
-  using reject_stage = ::meetc::no_stage;
+  using reject_stage = meetc::no_stage;
   // The usual case: signs 0 to 15, degree 6.
   // Once an object A: 1 multiplication, 0 additions; B: 21 multiplications, 24 additions; a pair: 59 multiplications, 52 additions.
   struct common_stage {
@@ -50,20 +50,20 @@ struct sphere_triangle {
       const T t0 = b[3] - b[0];
       const T t1 = b[4] - b[1];
       const T t2 = b[5] - b[2];
-      const T t3 = ::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0));
+      const T t3 = meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
       const T t4 = b[6] - b[3];
       const T t5 = b[7] - b[4];
       const T t6 = b[8] - b[5];
-      const T t7 = ::meetc::fma(t6, t6, ::meetc::fma(t5, t5, t4 * t4));
+      const T t7 = meetc::fma(t6, t6, meetc::fma(t5, t5, t4 * t4));
       const T t8 = b[6] - b[0];
       const T t9 = b[7] - b[1];
       const T t10 = b[8] - b[2];
-      const T t11 = ::meetc::fma(t10, t10, ::meetc::fma(t9, t9, t8 * t8));
-      const T t12 = ::meetc::fma(t2, t10, ::meetc::fma(t1, t9, t0 * t8));
-      const T t13 = ::meetc::fma(-t2, t9, t1 * t10);
-      const T t14 = ::meetc::fma(-t0, t10, t2 * t8);
-      const T t15 = ::meetc::fma(-t1, t8, t0 * t9);
-      const T t16 = ::meetc::fma(t15, t15, ::meetc::fma(t14, t14, t13 * t13));
+      const T t11 = meetc::fma(t10, t10, meetc::fma(t9, t9, t8 * t8));
+      const T t12 = meetc::fma(t2, t10, meetc::fma(t1, t9, t0 * t8));
+      const T t13 = meetc::fma(-t2, t9, t1 * t10);
+      const T t14 = meetc::fma(-t0, t10, t2 * t8);
+      const T t15 = meetc::fma(-t1, t8, t0 * t9);
+      const T t16 = meetc::fma(t15, t15, meetc::fma(t14, t14, t13 * t13));
       const T t17 = -t3;
       const T t18 = t3 - t12;
       const T t19 = t11 - t12;
@@ -101,40 +101,40 @@ struct sphere_triangle {
       const T t6 = b[6] - a[0];
       const T t7 = b[7] - a[1];
       const T t8 = b[8] - a[2];
-      const T t9 = ::meetc::fma(t2, fb[2], ::meetc::fma(t1, fb[1], t0 * fb[0]));
+      const T t9 = meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0]));
       const T t10 = -t2;
-      const T t11 = ::meetc::fma(t10, fb[1], t1 * fb[2]);
+      const T t11 = meetc::fma(t10, fb[1], t1 * fb[2]);
       const T t12 = -t0;
-      const T t13 = ::meetc::fma(t12, fb[2], t2 * fb[0]);
+      const T t13 = meetc::fma(t12, fb[2], t2 * fb[0]);
       const T t14 = -t1;
-      const T t15 = ::meetc::fma(t14, fb[0], t0 * fb[1]);
-      const T t16 = ::meetc::fma(fa[0], fb[3], -::meetc::fma(t15, t15, ::meetc::fma(t13, t13, t11 * t11)));
-      const T t17 = ::meetc::fma(-t5, fb[5], t4 * fb[6]);
-      const T t18 = ::meetc::fma(-t3, fb[6], t5 * fb[4]);
-      const T t19 = ::meetc::fma(-t4, fb[4], t3 * fb[5]);
-      const T t20 = ::meetc::fma(fa[0], fb[7], -::meetc::fma(t19, t19, ::meetc::fma(t18, t18, t17 * t17)));
-      const T t21 = ::meetc::fma(t2, fb[10], ::meetc::fma(t1, fb[9], t0 * fb[8]));
-      const T t22 = ::meetc::fma(t10, fb[9], t1 * fb[10]);
-      const T t23 = ::meetc::fma(t12, fb[10], t2 * fb[8]);
-      const T t24 = ::meetc::fma(t14, fb[8], t0 * fb[9]);
-      const T t25 = ::meetc::fma(fa[0], fb[11], -::meetc::fma(t24, t24, ::meetc::fma(t23, t23, t22 * t22)));
-      const T t26 = ::meetc::fma(t2, fb[15], ::meetc::fma(t1, fb[14], t0 * fb[13]));
-      v[0] = -(fa[0] - ::meetc::fma(t2, t2, ::meetc::fma(t1, t1, t0 * t0)));
-      v[1] = -(fa[0] - ::meetc::fma(t5, t5, ::meetc::fma(t4, t4, t3 * t3)));
-      v[2] = -(fa[0] - ::meetc::fma(t8, t8, ::meetc::fma(t7, t7, t6 * t6)));
+      const T t15 = meetc::fma(t14, fb[0], t0 * fb[1]);
+      const T t16 = meetc::fma(fa[0], fb[3], -meetc::fma(t15, t15, meetc::fma(t13, t13, t11 * t11)));
+      const T t17 = meetc::fma(-t5, fb[5], t4 * fb[6]);
+      const T t18 = meetc::fma(-t3, fb[6], t5 * fb[4]);
+      const T t19 = meetc::fma(-t4, fb[4], t3 * fb[5]);
+      const T t20 = meetc::fma(fa[0], fb[7], -meetc::fma(t19, t19, meetc::fma(t18, t18, t17 * t17)));
+      const T t21 = meetc::fma(t2, fb[10], meetc::fma(t1, fb[9], t0 * fb[8]));
+      const T t22 = meetc::fma(t10, fb[9], t1 * fb[10]);
+      const T t23 = meetc::fma(t12, fb[10], t2 * fb[8]);
+      const T t24 = meetc::fma(t14, fb[8], t0 * fb[9]);
+      const T t25 = meetc::fma(fa[0], fb[11], -meetc::fma(t24, t24, meetc::fma(t23, t23, t22 * t22)));
+      const T t26 = meetc::fma(t2, fb[15], meetc::fma(t1, fb[14], t0 * fb[13]));
+      v[0] = -(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)));
+      v[1] = -(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)));
+      v[2] = -(fa[0] - meetc::fma(t8, t8, meetc::fma(t7, t7, t6 * t6)));
       v[3] = -t16;
       v[4] = t9;
       v[5] = fb[3] + t9;
       v[6] = -t20;
-      v[7] = ::meetc::fma(t5, fb[6], ::meetc::fma(t4, fb[5], t3 * fb[4]));
-      v[8] = fb[7] + ::meetc::fma(t5, fb[6], ::meetc::fma(t4, fb[5], t3 * fb[4]));
+      v[7] = meetc::fma(t5, fb[6], meetc::fma(t4, fb[5], t3 * fb[4]));
+      v[8] = fb[7] + meetc::fma(t5, fb[6], meetc::fma(t4, fb[5], t3 * fb[4]));
       v[9] = -t25;
       v[10] = fb[11] + t21;
       v[11] = t21;
-      v[12] = -::meetc::fma(-t26, t26, fa[0] * fb[16]);
-      v[13] = ::meetc::fma(fb[17], t21, t9 * fb[12]);
-      v[14] = ::meetc::fma(t9, fb[19], ::meetc::fma(t21, fb[18], fb[16]));
-      v[15] = ::meetc::fma(-t21, fb[12], t9 * fb[11]);
+      v[12] = -meetc::fma(-t26, t26, fa[0] * fb[16]);
+      v[13] = meetc::fma(fb[17], t21, t9 * fb[12]);
+      v[14] = meetc::fma(t9, fb[19], meetc::fma(t21, fb[18], fb[16]));
+      v[15] = meetc::fma(-t21, fb[12], t9 * fb[11]);
     }
     // Exact where differences are integers below 2^window on a grid: fp64.
     static constexpr int window = 7;
@@ -142,8 +142,8 @@ struct sphere_triangle {
     // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
     static constexpr int floor_fp32 = -17, floor_fp64 = -150, box_lowest = -17, box_highest = 17;
     // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static ::meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr ::meetc::factors all[] = {
+    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
+      static constexpr meetc::factors all[] = {
         {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
         {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xb01p-32f, 0xb01p-61, 0x801p-110},
         {0x801p-33f, 0x801p-62, 0xc01p-112}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
@@ -155,8 +155,8 @@ struct sphere_triangle {
       return all[i];
     }
     // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static ::meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr ::meetc::box_factor all[] = {
+    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
+      static constexpr meetc::box_factor all[] = {
         {0xe01p-33f, 0, 0, 2}, {0xe01p-33f, 0, 0, 2}, {0xe01p-33f, 0, 0, 2}, {0x801p-29f, 0, 2, 2},
         {0x901p-33f, 0, 1, 1}, {0xd01p-32f, 0, 1, 1}, {0x801p-29f, 0, 2, 2}, {0x901p-33f, 0, 1, 1},
         {0xd01p-32f, 0, 1, 1}, {0x801p-29f, 0, 2, 2}, {0xd01p-32f, 0, 1, 1}, {0x901p-33f, 0, 1, 1},
@@ -176,19 +176,19 @@ struct sphere_triangle {
       return all[i];
     }
     MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = ::meetc::larger(0.0f, a[3]);
+      const float m0 = meetc::larger(0.0f, a[3]);
       return m0;
     }
     MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = ::meetc::larger(0.0f, b[3] - b[0]);
-      const float m1 = ::meetc::larger(m0, b[4] - b[1]);
-      const float m2 = ::meetc::larger(m1, b[5] - b[2]);
-      const float m3 = ::meetc::larger(m2, b[6] - b[3]);
-      const float m4 = ::meetc::larger(m3, b[7] - b[4]);
-      const float m5 = ::meetc::larger(m4, b[8] - b[5]);
-      const float m6 = ::meetc::larger(m5, b[6] - b[0]);
-      const float m7 = ::meetc::larger(m6, b[7] - b[1]);
-      const float m8 = ::meetc::larger(m7, b[8] - b[2]);
+      const float m0 = meetc::larger(0.0f, b[3] - b[0]);
+      const float m1 = meetc::larger(m0, b[4] - b[1]);
+      const float m2 = meetc::larger(m1, b[5] - b[2]);
+      const float m3 = meetc::larger(m2, b[6] - b[3]);
+      const float m4 = meetc::larger(m3, b[7] - b[4]);
+      const float m5 = meetc::larger(m4, b[8] - b[5]);
+      const float m6 = meetc::larger(m5, b[6] - b[0]);
+      const float m7 = meetc::larger(m6, b[7] - b[1]);
+      const float m8 = meetc::larger(m7, b[8] - b[2]);
       return m8;
     }
     // The values on magnitudes of leaves, with every subtraction an addition.
@@ -215,51 +215,49 @@ struct sphere_triangle {
       const T l17 = leaf(b[7] - b[1]);
       const T l18 = leaf(b[8] - b[2]);
       const T t0 = l3 * l3;
-      const T t1 = ::meetc::fma(l12, l12, ::meetc::fma(l11, l11, l10 * l10));
-      const T t2 = ::meetc::fma(l2, l12, ::meetc::fma(l1, l11, l0 * l10));
-      const T t3 = ::meetc::fma(l2, l11, l1 * l12);
-      const T t4 = ::meetc::fma(l0, l12, l2 * l10);
-      const T t5 = ::meetc::fma(l1, l10, l0 * l11);
-      const T t6 = ::meetc::fma(t0, t1, ::meetc::fma(t5, t5, ::meetc::fma(t4, t4, t3 * t3)));
-      const T t7 = ::meetc::fma(l15, l15, ::meetc::fma(l14, l14, l13 * l13));
-      const T t8 = ::meetc::fma(l6, l14, l5 * l15);
-      const T t9 = ::meetc::fma(l4, l15, l6 * l13);
-      const T t10 = ::meetc::fma(l5, l13, l4 * l14);
-      const T t11 = ::meetc::fma(t0, t7, ::meetc::fma(t10, t10, ::meetc::fma(t9, t9, t8 * t8)));
-      const T t12 = ::meetc::fma(l18, l18, ::meetc::fma(l17, l17, l16 * l16));
-      const T t13 = ::meetc::fma(l2, l18, ::meetc::fma(l1, l17, l0 * l16));
-      const T t14 = ::meetc::fma(l2, l17, l1 * l18);
-      const T t15 = ::meetc::fma(l0, l18, l2 * l16);
-      const T t16 = ::meetc::fma(l1, l16, l0 * l17);
-      const T t17 = ::meetc::fma(t0, t12, ::meetc::fma(t16, t16, ::meetc::fma(t15, t15, t14 * t14)));
-      const T t18 = ::meetc::fma(l12, l18, ::meetc::fma(l11, l17, l10 * l16));
-      const T t19 = ::meetc::fma(l12, l17, l11 * l18);
-      const T t20 = ::meetc::fma(l10, l18, l12 * l16);
-      const T t21 = ::meetc::fma(l11, l16, l10 * l17);
-      const T t22 = ::meetc::fma(t21, t21, ::meetc::fma(t20, t20, t19 * t19));
-      const T t23 = ::meetc::fma(l2, t21, ::meetc::fma(l1, t20, l0 * t19));
-      m[0] = ::meetc::fma(l2, l2, ::meetc::fma(l1, l1, l0 * l0)) + t0;
-      m[1] = t0 + ::meetc::fma(l6, l6, ::meetc::fma(l5, l5, l4 * l4));
-      m[2] = t0 + ::meetc::fma(l9, l9, ::meetc::fma(l8, l8, l7 * l7));
-      m[3] = t6;
+      const T t1 = meetc::fma(l12, l12, meetc::fma(l11, l11, l10 * l10));
+      const T t2 = meetc::fma(l2, l12, meetc::fma(l1, l11, l0 * l10));
+      const T t3 = meetc::fma(l2, l11, l1 * l12);
+      const T t4 = meetc::fma(l0, l12, l2 * l10);
+      const T t5 = meetc::fma(l1, l10, l0 * l11);
+      const T t6 = meetc::fma(l15, l15, meetc::fma(l14, l14, l13 * l13));
+      const T t7 = meetc::fma(l6, l14, l5 * l15);
+      const T t8 = meetc::fma(l4, l15, l6 * l13);
+      const T t9 = meetc::fma(l5, l13, l4 * l14);
+      const T t10 = meetc::fma(l18, l18, meetc::fma(l17, l17, l16 * l16));
+      const T t11 = meetc::fma(l2, l18, meetc::fma(l1, l17, l0 * l16));
+      const T t12 = meetc::fma(l2, l17, l1 * l18);
+      const T t13 = meetc::fma(l0, l18, l2 * l16);
+      const T t14 = meetc::fma(l1, l16, l0 * l17);
+      const T t15 = meetc::fma(t0, t10, meetc::fma(t14, t14, meetc::fma(t13, t13, t12 * t12)));
+      const T t16 = meetc::fma(l12, l18, meetc::fma(l11, l17, l10 * l16));
+      const T t17 = meetc::fma(l12, l17, l11 * l18);
+      const T t18 = meetc::fma(l10, l18, l12 * l16);
+      const T t19 = meetc::fma(l11, l16, l10 * l17);
+      const T t20 = meetc::fma(t19, t19, meetc::fma(t18, t18, t17 * t17));
+      const T t21 = meetc::fma(l2, t19, meetc::fma(l1, t18, l0 * t17));
+      m[0] = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0)) + t0;
+      m[1] = t0 + meetc::fma(l6, l6, meetc::fma(l5, l5, l4 * l4));
+      m[2] = t0 + meetc::fma(l9, l9, meetc::fma(l8, l8, l7 * l7));
+      m[3] = meetc::fma(t0, t1, meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)));
       m[4] = t2;
       m[5] = t1 + t2;
-      m[6] = t11;
-      m[7] = ::meetc::fma(l6, l15, ::meetc::fma(l5, l14, l4 * l13));
-      m[8] = t7 + ::meetc::fma(l6, l15, ::meetc::fma(l5, l14, l4 * l13));
-      m[9] = t17;
-      m[10] = t12 + t13;
-      m[11] = t13;
-      m[12] = ::meetc::fma(t23, t23, t0 * t22);
-      m[13] = ::meetc::fma(t1, t13, t2 * t18);
-      m[14] = ::meetc::fma(t2, t12 + t18, ::meetc::fma(t13, t1 + t18, t22));
-      m[15] = ::meetc::fma(t13, t18, t2 * t12);
+      m[6] = meetc::fma(t0, t6, meetc::fma(t9, t9, meetc::fma(t8, t8, t7 * t7)));
+      m[7] = meetc::fma(l6, l15, meetc::fma(l5, l14, l4 * l13));
+      m[8] = t6 + meetc::fma(l6, l15, meetc::fma(l5, l14, l4 * l13));
+      m[9] = t15;
+      m[10] = t10 + t11;
+      m[11] = t11;
+      m[12] = meetc::fma(t21, t21, t0 * t20);
+      m[13] = meetc::fma(t1, t11, t2 * t16);
+      m[14] = meetc::fma(t2, t10 + t16, meetc::fma(t11, t1 + t16, t20));
+      m[15] = meetc::fma(t11, t16, t2 * t10);
     }
-    // The same program for integers of any width, a step an entry.
-    static constexpr int places = 29, step_count = 195;
-    MEETC_HD static ::meetc::step step_at(int i) {
-      using enum ::meetc::step_kind;
-      static constexpr ::meetc::step all[] = {
+    // The same program as bytecode, for integers of any width.
+    static constexpr int registers = 29, instruction_count = 195;
+    MEETC_HD static meetc::instruction instruction_at(int i) {
+      using enum meetc::opcode;
+      static constexpr meetc::instruction all[] = {
         {subtract, 13, 4, 0}, {multiply, 14, 13, 13}, {subtract, 15, 5, 1}, {multiply, 16, 15, 15},
         {add, 16, 16, 14}, {subtract, 14, 6, 2}, {multiply, 17, 14, 14}, {add, 17, 17, 16},
         {multiply, 16, 3, 3}, {subtract, 3, 16, 17}, {negate, 17, 3, 0}, {take_sign, 0, 17, 0},
@@ -307,7 +305,7 @@ struct sphere_triangle {
       return all[i];
     }
   };
-  using rare_stage = ::meetc::no_stage;
+  using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
@@ -317,89 +315,89 @@ struct sphere_triangle {
     return false;
   }
   template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<3>(s[0]);
-    const auto b1 = ::meetc::in<3>(s[1]);
-    const auto b2 = ::meetc::in<3>(s[2]);
-    const auto b3 = ::meetc::in<3>(s[3]);
-    const auto b4 = ::meetc::in<1>(s[4] * s[5]);
-    const auto b5 = ::meetc::both(b3, b4);
-    const auto b6 = ::meetc::in<3>(s[6]);
-    const auto b7 = ::meetc::in<1>(s[7] * s[8]);
-    const auto b8 = ::meetc::both(b6, b7);
-    const auto b9 = ::meetc::in<3>(s[9]);
-    const auto b10 = ::meetc::in<1>(s[10] * s[11]);
-    const auto b11 = ::meetc::both(b9, b10);
-    const auto b12 = ::meetc::either(::meetc::either(::meetc::either(::meetc::either(::meetc::either(b0, b1),
-        b2), b5), b8), b11);
-    const auto b13 = ::meetc::in<3>(s[12]);
-    const auto b14 = ::meetc::in<4>(s[13]);
-    const auto b15 = ::meetc::in<4>(s[14]);
-    const auto b16 = ::meetc::in<1>(s[15]);
-    const auto b17 = ::meetc::both(::meetc::both(b14, b15), b16);
-    const auto b18 = ::meetc::in<1>(s[13]);
-    const auto b19 = ::meetc::in<1>(s[14]);
-    const auto b20 = ::meetc::in<4>(s[15]);
-    const auto b21 = ::meetc::both(::meetc::both(b18, b19), b20);
-    const auto b22 = ::meetc::either(b17, b21);
-    const auto b23 = ::meetc::both(b13, b22);
-    const auto b24 = ::meetc::either(b12, b23);
-    const auto b25 = ::meetc::in<6>(s[0]);
-    const auto b26 = ::meetc::in<6>(s[1]);
-    const auto b27 = ::meetc::in<6>(s[2]);
-    const auto b28 = ::meetc::either(::meetc::either(b25, b26), b27);
-    const auto b29 = ::meetc::both(b24, b28);
+    const auto b0 = meetc::in<3>(s[0]);
+    const auto b1 = meetc::in<3>(s[1]);
+    const auto b2 = meetc::in<3>(s[2]);
+    const auto b3 = meetc::in<3>(s[3]);
+    const auto b4 = meetc::in<1>(s[4] * s[5]);
+    const auto b5 = meetc::both(b3, b4);
+    const auto b6 = meetc::in<3>(s[6]);
+    const auto b7 = meetc::in<1>(s[7] * s[8]);
+    const auto b8 = meetc::both(b6, b7);
+    const auto b9 = meetc::in<3>(s[9]);
+    const auto b10 = meetc::in<1>(s[10] * s[11]);
+    const auto b11 = meetc::both(b9, b10);
+    const auto b12 = meetc::either(meetc::either(meetc::either(meetc::either(meetc::either(b0, b1), b2), b5),
+        b8), b11);
+    const auto b13 = meetc::in<3>(s[12]);
+    const auto b14 = meetc::in<4>(s[13]);
+    const auto b15 = meetc::in<4>(s[14]);
+    const auto b16 = meetc::in<1>(s[15]);
+    const auto b17 = meetc::both(meetc::both(b14, b15), b16);
+    const auto b18 = meetc::in<1>(s[13]);
+    const auto b19 = meetc::in<1>(s[14]);
+    const auto b20 = meetc::in<4>(s[15]);
+    const auto b21 = meetc::both(meetc::both(b18, b19), b20);
+    const auto b22 = meetc::either(b17, b21);
+    const auto b23 = meetc::both(b13, b22);
+    const auto b24 = meetc::either(b12, b23);
+    const auto b25 = meetc::in<6>(s[0]);
+    const auto b26 = meetc::in<6>(s[1]);
+    const auto b27 = meetc::in<6>(s[2]);
+    const auto b28 = meetc::either(meetc::either(b25, b26), b27);
+    const auto b29 = meetc::both(b24, b28);
     return b29;
   }
   template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = ::meetc::in<3>(s[0]);
-    const auto b1 = ::meetc::in<3>(s[1]);
-    const auto b2 = ::meetc::in<3>(s[2]);
-    const auto b3 = ::meetc::in<3>(s[3]);
-    const auto b4 = ::meetc::in<1>(s[4] * s[5]);
-    const auto b5 = ::meetc::both(b3, b4);
-    const auto b6 = ::meetc::in<3>(s[6]);
-    const auto b7 = ::meetc::in<1>(s[7] * s[8]);
-    const auto b8 = ::meetc::both(b6, b7);
-    const auto b9 = ::meetc::in<3>(s[9]);
-    const auto b10 = ::meetc::in<1>(s[10] * s[11]);
-    const auto b11 = ::meetc::both(b9, b10);
-    const auto b12 = ::meetc::either(::meetc::either(::meetc::either(::meetc::either(::meetc::either(b0, b1),
-        b2), b5), b8), b11);
-    const auto b13 = ::meetc::in<3>(s[12]);
-    const auto b14 = ::meetc::in<4>(s[13]);
-    const auto b15 = ::meetc::in<4>(s[14]);
-    const auto b16 = ::meetc::in<1>(s[15]);
-    const auto b17 = ::meetc::both(::meetc::both(b14, b15), b16);
-    const auto b18 = ::meetc::in<1>(s[13]);
-    const auto b19 = ::meetc::in<1>(s[14]);
-    const auto b20 = ::meetc::in<4>(s[15]);
-    const auto b21 = ::meetc::both(::meetc::both(b18, b19), b20);
-    const auto b22 = ::meetc::either(b17, b21);
-    const auto b23 = ::meetc::both(b13, b22);
-    const auto b24 = ::meetc::either(b12, b23);
-    const auto b25 = ::meetc::in<6>(s[0]);
-    const auto b26 = ::meetc::in<6>(s[1]);
-    const auto b27 = ::meetc::in<6>(s[2]);
-    const auto b28 = ::meetc::either(::meetc::either(b25, b26), b27);
-    const auto b29 = ::meetc::both(b24, b28);
+    const auto b0 = meetc::in<3>(s[0]);
+    const auto b1 = meetc::in<3>(s[1]);
+    const auto b2 = meetc::in<3>(s[2]);
+    const auto b3 = meetc::in<3>(s[3]);
+    const auto b4 = meetc::in<1>(s[4] * s[5]);
+    const auto b5 = meetc::both(b3, b4);
+    const auto b6 = meetc::in<3>(s[6]);
+    const auto b7 = meetc::in<1>(s[7] * s[8]);
+    const auto b8 = meetc::both(b6, b7);
+    const auto b9 = meetc::in<3>(s[9]);
+    const auto b10 = meetc::in<1>(s[10] * s[11]);
+    const auto b11 = meetc::both(b9, b10);
+    const auto b12 = meetc::either(meetc::either(meetc::either(meetc::either(meetc::either(b0, b1), b2), b5),
+        b8), b11);
+    const auto b13 = meetc::in<3>(s[12]);
+    const auto b14 = meetc::in<4>(s[13]);
+    const auto b15 = meetc::in<4>(s[14]);
+    const auto b16 = meetc::in<1>(s[15]);
+    const auto b17 = meetc::both(meetc::both(b14, b15), b16);
+    const auto b18 = meetc::in<1>(s[13]);
+    const auto b19 = meetc::in<1>(s[14]);
+    const auto b20 = meetc::in<4>(s[15]);
+    const auto b21 = meetc::both(meetc::both(b18, b19), b20);
+    const auto b22 = meetc::either(b17, b21);
+    const auto b23 = meetc::both(b13, b22);
+    const auto b24 = meetc::either(b12, b23);
+    const auto b25 = meetc::in<6>(s[0]);
+    const auto b26 = meetc::in<6>(s[1]);
+    const auto b27 = meetc::in<6>(s[2]);
+    const auto b28 = meetc::either(meetc::either(b25, b26), b27);
+    const auto b29 = meetc::both(b24, b28);
     return b29;
   }
 
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
   MEETC_HD static bool hit(const sphere<float> &operand_a, const triangle<float> &operand_b) {
-    return ::meetc::hit_certified<sphere_triangle>(operand_a, operand_b);
+    return meetc::hit_certified<sphere_triangle>(operand_a, operand_b);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static ::meetc::answer filter(const sphere<float> &operand_a, const triangle<float> &operand_b) {
-    return ::meetc::filter_fp32<sphere_triangle>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const sphere<float> &operand_a, const triangle<float> &operand_b) {
+    return meetc::filter_fp32<sphere_triangle>(operand_a, operand_b);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
   template <class T> MEETC_HD static bool plain(const sphere<float> &operand_a,
       const triangle<float> &operand_b) {
-    const ::meetc::rows_of<sphere_triangle, sphere<float>, triangle<float>> rows(operand_a, operand_b);
-    return ::meetc::decide<sphere_triangle>(::meetc::plain_signs<sphere_triangle, T>(rows.a, rows.b));
+    const meetc::rows_of<sphere_triangle, sphere<float>, triangle<float>> rows(operand_a, operand_b);
+    return meetc::decide<sphere_triangle>(meetc::plain_signs<sphere_triangle, T>(rows.a, rows.b));
   }
 };
 

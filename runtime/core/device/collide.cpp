@@ -177,19 +177,16 @@ private:
     check(on_.kernels().candidates(result_.filter, x_, y_, p, list(buffers_.first, counter::candidates), stream),
           "starting the filter");
     const cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
-    const auto step = [&](cuda::step which, const cuda::pair_list &in, const cuda::pair_list &yes,
-                          const cuda::pair_list &unsure) {
-      check(predicate_.run(which, x_, y_, in, yes, unsure, stream), "starting a decision step");
-    };
-    step(cuda::first_step(precision_), list(buffers_.first, counter::candidates), list(buffers_.second, counter::kept),
-         count_only(counter::touching));
     cuda::pair_list in = list(buffers_.second, counter::kept);
+    check(predicate_.near(cuda::first_step(precision_), x_, y_, list(buffers_.first, counter::candidates), in,
+                          count_only(counter::touching).count, stream),
+          "starting the step that looks at boxes");
     static constexpr counter unsure[] = {counter::unsure_fp32, counter::unsure_fp64, counter::unsure_fp64x2,
                                          counter::unused};
     const cuda::ladder_steps steps = cuda::steps_of(precision_);
     for (int s = 0; s < steps.count; ++s) {
       const cuda::pair_list out = list(s % 2 == 0 ? buffers_.first : buffers_.second, unsure[s]);
-      step(steps.of[s], in, hits, out);
+      check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
       in = out;
     }
     check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),

@@ -8,7 +8,7 @@
 #ifndef MEETC_CUDA_PROBE_HPP
 #define MEETC_CUDA_PROBE_HPP
 
-#include <meetc/cuda_filter.hpp>
+#include <meetc/cuda_matrix.hpp>
 #include <meetc/self_test.hpp>
 
 namespace meetc::cuda {

@@ -1,96 +1,15 @@
-// The other stages of an all-pairs query: enclosing balls and columns of a set, and decisions on lists of pairs.
+// Decisions on lists of pairs.
 //
-// A Shape says where a kind's points and its radius lie in a row. Each decision step reads one list and appends to
-// others, so that the next step finds its pairs side by side. How long a list is, only the device knows: kernels are
-// launched for the whole device and walk the list in strides. Included by nvcc alone.
+// Each decision step reads one list and appends to others, so that the next step finds its pairs side by side. How long a
+// list is, only the device knows: kernels are launched for the whole device and walk the list in strides. Included by
+// nvcc alone.
 #ifndef MEETC_CUDA_STEPS_HPP
 #define MEETC_CUDA_STEPS_HPP
 
-#include <meetc/cuda_filter.hpp>
-#include <meetc/frame.hpp>
+#include <meetc/cuda_lists.hpp>
 #include <meetc/near.hpp>
 
-#include <algorithm>
-
 namespace meetc::cuda {
-
-// ---- a set ----
-
-inline constexpr int set_threads = 128;
-inline unsigned blocks_for(std::size_t n) {
-  return static_cast<unsigned>((n + set_threads - 1) / set_threads);
-}
-
-static __global__ void clear_extent_kernel(extent *around) {
-  clear(*around, static_cast<int>(threadIdx.x));
-}
-inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
-  clear_extent_kernel<<<1, 3, 0, stream>>>(around);
-  return cudaGetLastError();
-}
-
-template <class Shape>
-__global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows, unsigned n, extent *around) {
-  interval mine[3];
-  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads)
-    widen<Shape>(mine, rows + i * std::size_t{Shape::fields});
-  for (int k = 0; k < 3; ++k) {
-    for (int d = 16; d > 0; d /= 2)
-      mine[k] = joined(mine[k], {__shfl_xor_sync(~0U, mine[k].lo, d), __shfl_xor_sync(~0U, mine[k].hi, d)});
-    if (threadIdx.x % 32 == 0 && mine[k].lo <= mine[k].hi)
-      atomicMin(&around->low[k], ordered(mine[k].lo)), atomicMax(&around->high[k], ordered(mine[k].hi));
-  }
-}
-template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
-  if (n == 0)
-    return cudaSuccess;
-  const unsigned blocks = std::min(blocks_for(n), 1024U);
-  enclose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, around);
-  return cudaGetLastError();
-}
-
-// Writes the padding, too.
-template <class Shape, class Form, bool First, bool Halves>
-__global__ void __launch_bounds__(set_threads)
-    columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
-  const unsigned i = blockIdx.x * set_threads + threadIdx.x; // the grid is as long as the padded array
-  const std::uint32_t size = size_of(g);
-  double ball[4] = {0, 0, 0, 0};
-  placing where = placing::nowhere;
-  if (i < (n + size - 1) / size)
-    where = place_object<Shape>(frame_of(*around), c, rows, i * size, n - i * size < size ? n : i * size + size, ball);
-  if constexpr (Halves) {
-    alignas(16) std::uint16_t out[matrix_columns];
-    to_columns<Form, First>(ball, where, out);
-    auto *to = static_cast<std::uint16_t *>(columns);
-    for (int k = 0; k < matrix_columns; k += 8)
-      *reinterpret_cast<uint4 *>(to + matrix_place(i, k)) = *reinterpret_cast<const uint4 *>(out + k);
-  } else {
-    static_assert((Form::products + 1) * sizeof(float) == float_bytes);
-    float out[Form::products + 1];
-    to_floats<Form, First>(ball, where, out);
-    for (int k = 0; k <= Form::products; ++k)
-      static_cast<float *>(columns)[i * std::size_t{Form::products + 1} + k] = out[k];
-  }
-}
-template <class Shape, class Form>
-cudaError_t columns(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t n,
-                    const extent *around, void *out, cudaStream_t stream) {
-  if (n == 0)
-    return cudaSuccess;
-  const unsigned blocks = blocks_for(matrix_padded(operand{rows, n, g, nullptr}.objects()));
-  if (by != filter::float32 && first)
-    columns_kernel<Shape, Form, true, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
-  else if (by != filter::float32)
-    columns_kernel<Shape, Form, false, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
-  else if (first)
-    columns_kernel<Shape, Form, true, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
-  else
-    columns_kernel<Shape, Form, false, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
-  return cudaGetLastError();
-}
-
-// ---- decisions ----
 
 inline constexpr int step_threads = 128, step_blocks = 1056; // 8 for each of 132 multiprocessors
 
@@ -236,37 +155,90 @@ cudaError_t decide_list(const operand &a, const operand &b, pair_list in, pair_l
 }
 
 // Rungs that the scene asks for, as bits: 1 << rung.
+constexpr bool asks(unsigned rungs, rung r) {
+  return (rungs >> static_cast<int>(r) & 1) != 0;
+}
+
+// The launchers of one predicate for lists of pairs of rows.
+template <class P, unsigned Rungs>
+cudaError_t decide_rows(rung which, const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out,
+                        cudaStream_t stream) {
+  switch (which) {
+  case rung::fp32:
+    if constexpr (asks(Rungs, rung::fp32))
+      return answer_list<P, plain_step<P, float>>(a, b, pairs, n, out, stream);
+    break;
+  case rung::fp64:
+    if constexpr (asks(Rungs, rung::fp64))
+      return answer_list<P, plain_step<P, double>>(a, b, pairs, n, out, stream);
+    break;
+  case rung::fp64x2:
+    if constexpr (asks(Rungs, rung::fp64x2))
+      return answer_list<P, plain_step<P, double_double>>(a, b, pairs, n, out, stream);
+    break;
+  case rung::exact:
+    if constexpr (asks(Rungs, rung::exact) || asks(Rungs, rung::certified))
+      return answer_list<P, exact_step<P>>(a, b, pairs, n, out, stream);
+    break;
+  case rung::certified:
+    if constexpr (asks(Rungs, rung::certified))
+      return answer_list<P, certified_step<P>>(a, b, pairs, n, out, stream);
+    break;
+  }
+  return cudaErrorInvalidValue;
+}
+template <class P>
+cudaError_t certify_rows(rung which, const float *a, const float *b, const index_pair *pairs, std::size_t n,
+                         answer *out, cudaStream_t stream) {
+  switch (which) {
+  case rung::fp32:
+    return answer_list<P, certify_step<P, in_fp32>>(a, b, pairs, n, out, stream);
+  case rung::fp64:
+    return answer_list<P, certify_step<P, in_fp64>>(a, b, pairs, n, out, stream);
+  case rung::fp64x2:
+    return answer_list<P, certify_step<P, in_fp64x2>>(a, b, pairs, n, out, stream);
+  default:
+    return cudaErrorInvalidValue;
+  }
+}
+
 template <class P, class A, class B, unsigned Rungs>
+cudaError_t near(step which, const operand &a, const operand &b, pair_list in, pair_list kept,
+                 unsigned long long *touching, cudaStream_t stream) {
+  if (which == step::near_boxes) {
+    near_kernel<P, A, B, false><<<step_blocks, step_threads, 0, stream>>>(a, b, in, kept, touching);
+    return cudaGetLastError();
+  }
+  if constexpr (asks(Rungs, rung::certified))
+    if (which == step::near_reject) {
+      near_kernel<P, A, B, true><<<step_blocks, step_threads, 0, stream>>>(a, b, in, kept, touching);
+      return cudaGetLastError();
+    }
+  return cudaErrorInvalidValue;
+}
+
+template <class P, unsigned Rungs>
 cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                 cudaStream_t stream) {
-  constexpr auto asks = [](rung r) { return (Rungs >> static_cast<int>(r) & 1) != 0; };
-  constexpr bool certified = asks(rung::certified);
-  const auto near = [&](auto reject) {
-    near_kernel<P, A, B, decltype(reject)::value>
-        <<<step_blocks, step_threads, 0, stream>>>(a, b, in, yes, unsure.count);
-    return cudaGetLastError();
-  };
+  constexpr bool certified = asks(Rungs, rung::certified);
   switch (which) {
   case step::near_boxes:
-    return near(std::false_type());
   case step::near_reject:
-    if constexpr (certified)
-      return near(std::true_type());
     break;
   case step::plain_fp32:
-    if constexpr (asks(rung::fp32))
+    if constexpr (asks(Rungs, rung::fp32))
       return decide_list<P, plain_step<P, float>>(a, b, in, yes, unsure, stream);
     break;
   case step::plain_fp64:
-    if constexpr (asks(rung::fp64))
+    if constexpr (asks(Rungs, rung::fp64))
       return decide_list<P, plain_step<P, double>>(a, b, in, yes, unsure, stream);
     break;
   case step::plain_fp64x2:
-    if constexpr (asks(rung::fp64x2))
+    if constexpr (asks(Rungs, rung::fp64x2))
       return decide_list<P, plain_step<P, double_double>>(a, b, in, yes, unsure, stream);
     break;
   case step::exact:
-    if constexpr (asks(rung::exact) || certified)
+    if constexpr (asks(Rungs, rung::exact) || certified)
       return decide_list<P, exact_step<P>>(a, b, in, yes, unsure, stream);
     break;
   case step::certify_fp32:

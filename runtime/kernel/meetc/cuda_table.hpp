@@ -165,8 +165,12 @@ constexpr cover balls_for(rung precision) {
 struct predicate_launchers {
   const char *name;
   int kind_a, kind_b; // places in the catalogue's kinds
-  // Reads min(*in.count, in.capacity) pairs. near_*: they are of objects, are taken apart into pairs of slots, what is
-  // kept goes to `yes`, and the number of pairs with touching boxes is added to *unsure.count. Else: of slots; hits go to `yes` and what certify_* cannot tell to `unsure`.
+  // Reads min(*in.count, in.capacity) pairs of objects, takes them apart into pairs of slots, and appends those that the
+  // step keeps to `kept`; the number of pairs whose boxes touch is added to *touching. `which` is near_boxes or
+  // near_reject. cudaErrorInvalidValue where the scene does not ask for the rung.
+  cudaError_t (*near)(step which, const operand &a, const operand &b, pair_list in, pair_list kept,
+                      unsigned long long *touching, cudaStream_t stream);
+  // Reads min(*in.count, in.capacity) pairs of slots; hits go to `yes` and what certify_* cannot tell to `unsure`.
   // cudaErrorInvalidValue where the scene does not ask for the rung.
   cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                      cudaStream_t stream);
@@ -182,8 +186,8 @@ struct catalogue {
   const predicate_launchers *predicates;
   int predicate_count;
   cudaError_t (*clear_extent)(extent *around, cudaStream_t stream);
-  // Appends the pairs of objects in the part whose enclosing balls may touch. Both operands are grouped alike. Stops early, and may leave pairs out of the
-  // count, once the list is full.
+  // Appends the pairs of objects in the part whose enclosing balls may touch. Both operands are grouped alike. Once the
+  // list is full it stops early, and the count may leave pairs out.
   cudaError_t (*candidates)(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream);
   // Refutes the model of the matrix units, or does not; checks the arithmetic that the bounds assume.
   cudaError_t (*probe)(probe_result *out, cudaStream_t stream);

@@ -34,7 +34,7 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 #endif
 
 // The rare paths are kept out of line, and rolled up on the device: they cost little time and save much code. On the
-// device nothing is called out of line (see integers.hpp).
+// device nothing is called out of line (see bytecode.hpp).
 //
 // MEETC_INLINE marks arithmetic that a bound is claimed for, and what checks the compiler: both must be compiled as one
 // function, by one set of flags. A linker that finds two copies of an inline function keeps either, and the other may

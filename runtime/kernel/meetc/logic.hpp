@@ -43,6 +43,14 @@ MEETC_HD constexpr sign_set square(sign_set s) {
   return {static_cast<std::uint8_t>((s.bits & 2) | ((s.bits & 5) != 0) << 2)};
 }
 
+MEETC_HD constexpr bool is_known(sign_set s) {
+  return s.bits == 1 || s.bits == 2 || s.bits == 4;
+}
+// The sign of a set of one.
+MEETC_HD constexpr sign known_sign(sign_set s) {
+  return static_cast<sign>((s.bits >> 2) - (s.bits & 1));
+}
+
 template <class S> MEETC_HD constexpr S constant_sign(sign s) {
   if constexpr (requires { S::of(s); })
     return S::of(s);

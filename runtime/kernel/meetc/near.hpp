@@ -3,7 +3,7 @@
 #ifndef MEETC_NEAR_HPP
 #define MEETC_NEAR_HPP
 
-#include <meetc/rungs.hpp>
+#include <meetc/decide.hpp>
 
 namespace meetc {
 

@@ -5,10 +5,16 @@
 #ifndef MEETC_SUPPORT_HPP
 #define MEETC_SUPPORT_HPP
 
-#define MEETC_SUPPORT_VERSION 3
+#if __cplusplus < 202002L
+#error "meetc needs C++20: compile with -std=c++20"
+#endif
 
-#include <meetc/rungs.hpp>
+#define MEETC_SUPPORT_VERSION 4
+
+#include <meetc/boxes.hpp>
+#include <meetc/entry.hpp>
 #include <meetc/self_test.hpp>
 #include <meetc/table.hpp>
+#include <meetc/valid.hpp>
 
 #endif

@@ -2,7 +2,8 @@
 #ifndef MEETC_TABLE_HPP
 #define MEETC_TABLE_HPP
 
-#include <meetc/rungs.hpp>
+#include <meetc/boxes.hpp>
+#include <meetc/decide.hpp>
 
 #include <cstddef>
 

@@ -44,19 +44,19 @@ template <class P> std::vector<polynomial> polynomials(const poly::ring &numbers
   return out;
 }
 
-// The interpreter of steps once more, on polynomials. Places of inputs come first, as in run_limbs().
+// The interpreter of bytecode once more, on polynomials. Registers of inputs come first, as in run_limbs().
 template <class P> std::vector<polynomial> step_polynomials(const poly::ring &numbers) {
   const std::vector<symbol> row = variables<P>(numbers);
   std::vector<polynomial> out(static_cast<std::size_t>(P::atoms), polynomial(numbers));
   for_each_stage<P>([&]<class Stage>() {
-    symbol place[Stage::places];
+    symbol place[Stage::registers];
     for (std::size_t i = 0; i < row.size(); ++i)
       place[i] = row[i];
-    for (int i = 0; i < Stage::step_count; ++i) {
-      const meetc::step t = Stage::step_at(i);
+    for (int i = 0; i < Stage::instruction_count; ++i) {
+      const meetc::instruction t = Stage::instruction_at(i);
       const symbol a = place[t.a];
-      switch (t.kind) {
-        using enum meetc::step_kind;
+      switch (t.code) {
+        using enum meetc::opcode;
       case negate:
         place[t.r] = -a;
         break;

@@ -7,7 +7,8 @@
 #include "tests/gen/bound/counting.hpp"
 #include "tests/gen/bound/tiny.hpp"
 
-#include <meetc/rungs.hpp>
+#include <meetc/boxes.hpp>
+#include <meetc/decide.hpp>
 #include <string>
 #include <vector>
 

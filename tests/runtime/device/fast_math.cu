@@ -44,9 +44,8 @@ struct side {
     float row_a[P::inputs_a], row_b[P::inputs_b];
     to_row(p.a, row_a);
     to_row(p.b, row_b);
-    return {static_cast<int>(meetc::decide_certified_sign<P>(row_a, row_b)),
-            number_of(meetc::certify_sign<P, meetc::in_fp32>(row_a, row_b)),
-            number_of(meetc::certify_sign_here<P, meetc::in_fp32>(row_a, row_b))};
+    const int bare = number_of(meetc::certify_sign_here<P, meetc::in_fp32>(row_a, row_b));
+    return {static_cast<int>(cga::side(p.a, p.b)), meetc::standard_environment() ? bare : unsure, bare};
   }
 };
 

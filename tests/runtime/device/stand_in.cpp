@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 // ---- the CUDA runtime's calls ----
@@ -296,32 +297,34 @@ cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda
   return cudaSuccess;
 }
 
-// The predicate at this place of the catalogue, as the kernels have it.
-template <class P, class A, class B, int Which>
+// The steps of the predicate at this place of the catalogue, as the kernels have them.
+template <class P, class A, class B>
+cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list kept,
+                 unsigned long long *touching, cudaStream_t) {
+  const std::size_t n = std::min(*in.count, in.capacity);
+  const std::uint32_t size = cuda::size_of(a.by);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::uint32_t k = 0; k < size * size; ++k) {
+      const index_pair slots{in.pairs[i].a * size + k / size, in.pairs[i].b * size + k % size};
+      if (slots.a >= a.elements || slots.b >= b.elements)
+        continue;
+      const float *const row_a = a.rows + slots.a * std::size_t{A::fields};
+      const float *const row_b = b.rows + slots.b * std::size_t{B::fields};
+      if (!boxes_touch<A, B>(row_a, row_b))
+        continue;
+      ++*touching;
+      if constexpr (P::reject_stage::atoms > 0)
+        if (which == cuda::step::near_reject && standard_environment() && surely_rejected<P>(row_a, row_b))
+          continue;
+      append(kept, slots);
+    }
+  return cudaSuccess;
+}
+template <int Which>
 cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                 cudaStream_t) {
   const predicate_info &p = cga::catalogue().predicates[Which];
   const std::size_t n = std::min(*in.count, in.capacity);
-  if (which == cuda::step::near_boxes || which == cuda::step::near_reject) {
-    const std::uint32_t size = cuda::size_of(a.by);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::uint32_t k = 0; k < size * size; ++k) {
-        const index_pair slots{in.pairs[i].a * size + k / size, in.pairs[i].b * size + k % size};
-        if (slots.a >= a.elements || slots.b >= b.elements)
-          continue;
-        const float *const row_a = a.rows + slots.a * std::size_t{A::fields}, *const row_b =
-                                                                                  b.rows +
-                                                                                  slots.b * std::size_t{B::fields};
-        if (!boxes_touch<A, B>(row_a, row_b))
-          continue;
-        ++*unsure.count;
-        if constexpr (P::reject_stage::atoms > 0)
-          if (which == cuda::step::near_reject && standard_environment() && surely_rejected<P>(row_a, row_b))
-            continue;
-        append(yes, slots);
-      }
-    return cudaSuccess;
-  }
   std::vector<answer> answers(n);
   const int at = static_cast<int>(which) - static_cast<int>(cuda::step::plain_fp32);
   const decide_function decide = which >= cuda::step::certify_fp32
@@ -355,21 +358,26 @@ const ::meetc::cuda::catalogue &catalogue() {
   static std::vector<::meetc::cuda::predicate_launchers> predicates;
   const ::meetc::catalogue &all = ::cga::catalogue();
   const auto place_of = [&](const kind_info *k) { return static_cast<int>(k - all.kinds); };
-  const auto add = [&](int i, auto launch) {
-    predicates.push_back({all.predicates[i].name, place_of(all.predicates[i].a), place_of(all.predicates[i].b), launch,
-                          nullptr, nullptr});
+  const auto add = [&]<class P, class A, class B, int Which>(std::type_identity<P>, A, B,
+                                                             std::integral_constant<int, Which>) {
+    const predicate_info &p = all.predicates[Which];
+    predicates.push_back({p.name, place_of(p.a), place_of(p.b), near<P, A, B>, run<Which>, nullptr, nullptr});
   };
   if (predicates.empty()) {
-    add(0, run<::cga::segment_segment, segment_shape, segment_shape, 0>);
-    add(1, run<::cga::point_triangle, point_shape, triangle_shape, 1>);
-    add(2, run<::cga::segment_triangle, segment_shape, triangle_shape, 2>);
-    add(3, run<::cga::triangle_triangle, triangle_shape, triangle_shape, 3>);
-    add(4, run<::cga::sphere_sphere, sphere_shape, sphere_shape, 4>);
-    add(5, run<::cga::ball_ball, sphere_shape, sphere_shape, 5>);
-    add(6, run<::cga::ball_segment, sphere_shape, segment_shape, 6>);
-    add(7, run<::cga::sphere_segment, sphere_shape, segment_shape, 7>);
-    add(8, run<::cga::ball_triangle, sphere_shape, triangle_shape, 8>);
-    add(9, run<::cga::sphere_triangle, sphere_shape, triangle_shape, 9>);
+    add(std::type_identity<::cga::segment_segment>(), segment_shape(), segment_shape(),
+        std::integral_constant<int, 0>());
+    add(std::type_identity<::cga::point_triangle>(), point_shape(), triangle_shape(), std::integral_constant<int, 1>());
+    add(std::type_identity<::cga::segment_triangle>(), segment_shape(), triangle_shape(),
+        std::integral_constant<int, 2>());
+    add(std::type_identity<::cga::triangle_triangle>(), triangle_shape(), triangle_shape(),
+        std::integral_constant<int, 3>());
+    add(std::type_identity<::cga::sphere_sphere>(), sphere_shape(), sphere_shape(), std::integral_constant<int, 4>());
+    add(std::type_identity<::cga::ball_ball>(), sphere_shape(), sphere_shape(), std::integral_constant<int, 5>());
+    add(std::type_identity<::cga::ball_segment>(), sphere_shape(), segment_shape(), std::integral_constant<int, 6>());
+    add(std::type_identity<::cga::sphere_segment>(), sphere_shape(), segment_shape(), std::integral_constant<int, 7>());
+    add(std::type_identity<::cga::ball_triangle>(), sphere_shape(), triangle_shape(), std::integral_constant<int, 8>());
+    add(std::type_identity<::cga::sphere_triangle>(), sphere_shape(), triangle_shape(),
+        std::integral_constant<int, 9>());
   }
   static const ::meetc::cuda::catalogue c{"cga", kinds, 4, predicates.data(), 10, clear_extent, candidates, probe};
   return c;

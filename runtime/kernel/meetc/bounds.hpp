@@ -1,0 +1,150 @@
+// The semi-static filter: signs of values with an error bound that is computed beside them, from magnitudes.
+#ifndef MEETC_BOUNDS_HPP
+#define MEETC_BOUNDS_HPP
+
+#include <meetc/grid.hpp>
+#include <meetc/stages.hpp>
+
+#include <cmath>
+
+namespace meetc {
+
+// ---- with a bound ----
+
+// K with |computed - true| <= K M for a value and its magnitude M, by arithmetic.
+struct factors {
+  float fp32;
+  double fp64, fp64x2;
+};
+// The bound c alpha^a beta^b D^pair of a value in fp32, inside a box.
+struct box_factor {
+  float c;
+  signed char a, b, pair;
+};
+
+// The three arithmetics with bounds.
+struct in_fp32 {
+  using value = float;
+  using magnitude = float;
+  MEETC_HD static constexpr float factor(const factors &k) { return k.fp32; }
+  template <class Stage> MEETC_HD static constexpr int floor() { return Stage::floor_fp32; }
+};
+struct in_fp64 {
+  using value = double;
+  using magnitude = double;
+  MEETC_HD static constexpr double factor(const factors &k) { return k.fp64; }
+  template <class Stage> MEETC_HD static constexpr int floor() { return Stage::floor_fp64; }
+};
+struct in_fp64x2 {
+  using value = double_double;
+  using magnitude = double;
+  MEETC_HD static constexpr double factor(const factors &k) { return k.fp64x2; }
+  template <class Stage> MEETC_HD static constexpr int floor() { return Stage::floor_fp64; }
+};
+
+// 2^e in the type T, e <= 0.
+template <class T> MEETC_HD MEETC_INLINE constexpr T power_of_two(int e, T) {
+  T r = 1;
+  for (; e < 0; ++e)
+    r *= T(0.5);
+  return r;
+}
+
+// The magnitude of a leaf: at least `floor`, so that no product of magnitudes underflows, but zero stays zero: a
+// magnitude of zero proves a value of zero.
+template <class M> struct leaf_magnitude {
+  M floor;
+  MEETC_HD MEETC_INLINE M operator()(M difference) const {
+    const M m = magnitude_of(difference);
+    return m == M(0) ? M(0) : m > floor ? m : m != m ? m : floor;
+  }
+};
+
+// The signs that v can have when it is within `error` of the truth. NaN: any. A value that is not finite: any, since what
+// overflowed on the way to it need not have overflowed on the way to its bound, where a compiler has contracted one of the
+// two programs and not the other.
+template <class V, class E> MEETC_HD MEETC_INLINE sign_set within(const V &v, const E &error) {
+  const auto x = leading(v), size = magnitude_of(x);
+  const bool known = (size > error) & (size <= largest_finite(x));
+  return {static_cast<std::uint8_t>(!known ? 7 : x > 0 ? 4 : 1)};
+}
+
+template <class Stage> MEETC_HD inline bool all_known(const sign_set *s) {
+  int unsure = 0;
+  for (int i = 0; i < Stage::atoms; ++i)
+    unsure |= s[i].bits == 7;
+  return !unsure;
+}
+
+// No sign of the stage is known; false.
+template <class Stage> MEETC_HD inline bool nothing_known(sign_set *all) {
+  for (int i = 0; i < Stage::atoms; ++i)
+    all[Stage::first + i] = sign_set::all();
+  return false;
+}
+
+// Equal points make some polynomials vanish: their signs are zero, which no bound can tell from small numbers.
+template <class P, class Stage>
+MEETC_HD inline void zero_by_equal_points(const float *row_a, const float *row_b, sign_set *s) {
+  if constexpr (P::coincidences > 0) {
+    const std::uint32_t equal = P::coincident(row_a, row_b);
+    for (int i = 0; i < Stage::atoms; ++i)
+      if (Stage::zero_if(i) & equal)
+        s[i] = sign_set::of(sign::zero);
+  }
+}
+
+// Signs with the bound K M of arithmetic A. get() says whether every sign of the stage is known.
+template <class P, class A> struct bounded_signs {
+  using V = typename A::value;
+  using M = typename A::magnitude;
+  const float *row_a, *row_b;
+  MEETC_HD bounded_signs(const float *a, const float *b) : row_a(a), row_b(b) {}
+
+  template <class Stage> MEETC_HD MEETC_INLINE bool get(sign_set *all) const {
+    if (!computes_as_bounded())
+      return nothing_known<Stage>(all);
+    const rows_in<P, V> rows(row_a, row_b);
+    V v[Stage::atoms];
+    stage_values<Stage>(rows.a, rows.b, v);
+    M m[Stage::atoms];
+    const leaf_magnitude<M> leaf{power_of_two(A::template floor<Stage>(), M(0))};
+    if constexpr (std::is_same_v<V, M>) {
+      Stage::magnitudes(rows.a, rows.b, leaf, m);
+    } else {
+      const rows_in<P, M> plain(row_a, row_b);
+      Stage::magnitudes(plain.a, plain.b, leaf, m);
+    }
+    sign_set *s = all + Stage::first;
+    int unsure = 0;
+    for (int i = 0; i < Stage::atoms; ++i) {
+      s[i] = m[i] == M(0) ? sign_set::of(sign::zero) : within(v[i], A::factor(Stage::factor(i)) * m[i]);
+      unsure |= s[i].bits == 7;
+    }
+    if constexpr (P::coincidences > 0 || !std::is_same_v<M, float>)
+      return !unsure || settle<Stage>(v, m, s);
+    else
+      return !unsure;
+  }
+
+private:
+  // Zeros by equal points, and by the grid: a homogeneous polynomial of degree k with integer coefficients is a
+  // multiple of g^k where its inputs are multiples of g, so what is less than g^k is zero.
+  template <class Stage> MEETC_NOINLINE MEETC_HD bool settle(const V *v, const M *m, sign_set *s) const {
+    zero_by_equal_points<P, Stage>(row_a, row_b, s);
+    if (!compiled_as_written())
+      return all_known<Stage>(s);
+    if constexpr (!std::is_same_v<M, float>) {
+      const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
+      for (int i = 0; i < Stage::atoms; ++i)
+        if (s[i].bits == 7 &&
+            magnitude_of(v[i]) + A::factor(Stage::factor(i)) * m[i] < std::ldexp(M(0.5), low * Stage::degree_of(i)))
+          s[i] = sign_set::of(sign::zero);
+    }
+    return all_known<Stage>(s);
+  }
+};
+
+} // namespace meetc
+
+#endif

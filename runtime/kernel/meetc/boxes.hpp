@@ -1,0 +1,72 @@
+// The static filter: signs of values with an error bound that a box around all elements gives.
+#ifndef MEETC_BOXES_HPP
+#define MEETC_BOXES_HPP
+
+#include <meetc/bounds.hpp>
+#include <meetc/rounding.hpp>
+
+namespace meetc {
+
+enum class box_form : std::uint8_t { per_object, whole_box };
+
+// Signs in fp32 inside a box of side D, a power of two: every difference of two coordinates, every length and every
+// coordinate that stands alone (P::axis) is at most D, exactly. per_object also takes the objects' own extents, found
+// anew for each pair; whole_box ("static") takes D for them. Stage::box_lowest <= log2 D <= Stage::box_highest must
+// hold for every stage: see box_holds().
+template <class P, box_form F> struct boxed_signs {
+  rows_in<P, float> rows;
+  float d;
+  MEETC_HD boxed_signs(const float *a, const float *b, float side) : rows(a, b), d(side) {}
+
+  template <class Stage> MEETC_HD bool get(sign_set *all) const {
+    if (!computes_as_bounded())
+      return nothing_known<Stage>(all);
+    float v[Stage::atoms];
+    stage_values<Stage>(rows.a, rows.b, v);
+    float alpha = d, beta = d;
+    if constexpr (F == box_form::per_object) {
+      const float least = power_of_two(Stage::box_lowest, 0.0F);
+      // Over the computed leaves, not at them: a difference of a little more than a power of two is rounded to it.
+      alpha = power_over(Stage::extent_a(rows.a)), beta = power_over(Stage::extent_b(rows.b));
+      alpha = alpha < least ? least : alpha > d ? d : alpha, beta = beta < least ? least : beta > d ? d : beta;
+    }
+    sign_set *s = all + Stage::first;
+    int unsure = 0;
+    for (int i = 0; i < Stage::atoms; ++i) {
+      const box_factor f = Stage::box(i);
+      s[i] = within(v[i], f.c * power(alpha, f.a) * power(beta, f.b) * power(d, f.pair));
+      unsure |= s[i].bits == 7;
+    }
+    if constexpr (P::coincidences > 0)
+      if (unsure) {
+        zero_by_equal_points<P, Stage>(rows.a, rows.b, s);
+        return all_known<Stage>(s);
+      }
+    return !unsure;
+  }
+
+private:
+  MEETC_HD MEETC_INLINE static constexpr float power(float x, int n) {
+    float r = 1;
+    for (int i = 0; i < n; ++i)
+      r *= x;
+    return r;
+  }
+};
+
+// Whether the box form covers a box of this side.
+template <class P> MEETC_HD inline bool box_holds(float side) {
+  const auto holds = [side](auto stage) {
+    using Stage = decltype(stage);
+    if constexpr (Stage::atoms == 0)
+      return true;
+    else
+      return side >= power_of_two(Stage::box_lowest, 0.0F) && side <= 1 / power_of_two(-Stage::box_highest, 0.0F) &&
+             power_above(side) == side;
+  };
+  return holds(typename P::reject_stage()) && holds(typename P::common_stage()) && holds(typename P::rare_stage());
+}
+
+} // namespace meetc
+
+#endif

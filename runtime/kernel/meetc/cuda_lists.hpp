@@ -1,0 +1,82 @@
+// Lists of pairs that whole warps append to. Included by nvcc alone.
+#ifndef MEETC_CUDA_LISTS_HPP
+#define MEETC_CUDA_LISTS_HPP
+
+#include <meetc/cuda_table.hpp>
+
+namespace meetc::cuda {
+
+// The places of this lane's n entries, appended by the whole warp with one addition.
+__device__ inline unsigned long long places(unsigned n, unsigned long long *count) {
+  const unsigned lane = threadIdx.x % 32;
+  unsigned up_to = n;
+  for (unsigned d = 1; d < 32; d *= 2) {
+    const unsigned below = __shfl_up_sync(~0U, up_to, d);
+    up_to += lane >= d ? below : 0;
+  }
+  unsigned long long at = 0;
+  if (lane == 31 && up_to > 0)
+    at = atomicAdd(count, static_cast<unsigned long long>(up_to));
+  return __shfl_sync(~0U, at, 31) + up_to - n;
+}
+
+// Appends the pairs of this warp's lanes that are marked, up to Each of them a lane; bit k of `marks` is pair k. One
+// addition for all: many lists have one counter, and it takes one at a time.
+template <int Each>
+__device__ inline void append(unsigned marks, const index_pair (&pairs)[Each], const pair_list &to) {
+  const unsigned lane = threadIdx.x % 32;
+  unsigned total = 0;
+  unsigned lanes[Each];
+#pragma unroll
+  for (int k = 0; k < Each; ++k) {
+    lanes[k] = __ballot_sync(~0U, marks >> k & 1);
+    total += __popc(lanes[k]);
+  }
+  if (total == 0)
+    return;
+  unsigned long long at = 0;
+  if (lane == 0)
+    at = atomicAdd(to.count, static_cast<unsigned long long>(total));
+  at = __shfl_sync(~0U, at, 0);
+#pragma unroll
+  for (int k = 0; k < Each; ++k) {
+    const unsigned long long place = at + __popc(lanes[k] & ((1U << lane) - 1));
+    if ((marks >> k & 1) && place < to.capacity)
+      to.pairs[place] = pairs[k];
+    at += __popc(lanes[k]);
+  }
+}
+
+__device__ inline void write(const pair_list &to, unsigned long long at, std::uint32_t a, std::uint32_t b) {
+  if (at < to.capacity)
+    to.pairs[at] = {a, b};
+}
+
+// Drops the bits of pairs beyond the part: kernels go through whole tiles. pair(i) is the pair of bit i.
+template <class Pair> __device__ inline unsigned within(const part &of, unsigned bits, Pair &&pair) {
+  unsigned kept = bits;
+  for (unsigned left = bits; left; left &= left - 1) {
+    const index_pair p = pair(__ffs(left) - 1);
+    if (p.a >= of.end_a || p.b >= of.end_b)
+      kept &= ~(left & (~left + 1));
+  }
+  return kept;
+}
+// Appends the pairs of the bits; the whole warp calls it.
+template <class Pair>
+__device__ inline void append_bits(const part &of, unsigned bits, const pair_list &to, Pair &&pair) {
+  bits = within(of, bits, pair);
+  for (unsigned long long at = places(__popc(bits), to.count); bits; bits &= bits - 1, ++at) {
+    const index_pair p = pair(__ffs(bits) - 1);
+    write(to, at, p.a, p.b);
+  }
+}
+
+// The same for all lanes of the warp.
+__device__ inline bool full(const pair_list &l) {
+  return __shfl_sync(~0U, *static_cast<volatile unsigned long long *>(l.count), 0) > l.capacity;
+}
+
+} // namespace meetc::cuda
+
+#endif

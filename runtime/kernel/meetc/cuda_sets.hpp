@@ -1,0 +1,148 @@
+// What is done to one set on the device: placing it, its extent, and the columns that the filter reads. Included by nvcc alone.
+#ifndef MEETC_CUDA_SETS_HPP
+#define MEETC_CUDA_SETS_HPP
+
+#include <meetc/cuda_table.hpp>
+#include <meetc/frame.hpp>
+
+#include <algorithm>
+
+namespace meetc::cuda {
+
+inline constexpr int set_threads = 128;
+inline unsigned blocks_for(std::size_t n) {
+  return static_cast<unsigned>((n + set_threads - 1) / set_threads);
+}
+
+static __global__ void clear_extent_kernel(extent *around) {
+  clear(*around, static_cast<int>(threadIdx.x));
+}
+inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
+  clear_extent_kernel<<<1, 3, 0, stream>>>(around);
+  return cudaGetLastError();
+}
+
+template <class Shape>
+__global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows, unsigned n, extent *around) {
+  interval mine[3];
+  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads)
+    widen<Shape>(mine, rows + i * std::size_t{Shape::fields});
+  for (int k = 0; k < 3; ++k) {
+    for (int d = 16; d > 0; d /= 2)
+      mine[k] = joined(mine[k], {__shfl_xor_sync(~0U, mine[k].lo, d), __shfl_xor_sync(~0U, mine[k].hi, d)});
+    if (threadIdx.x % 32 == 0 && mine[k].lo <= mine[k].hi)
+      atomicMin(&around->low[k], ordered(mine[k].lo)), atomicMax(&around->high[k], ordered(mine[k].hi));
+  }
+}
+template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
+  if (n == 0)
+    return cudaSuccess;
+  const unsigned blocks = std::min(blocks_for(n), 1024U);
+  enclose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, around);
+  return cudaGetLastError();
+}
+
+// Writes the padding, too.
+template <class Shape, class Form, bool First, bool Halves>
+__global__ void __launch_bounds__(set_threads)
+    columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
+  const unsigned i = blockIdx.x * set_threads + threadIdx.x; // the grid is as long as the padded array
+  const std::uint32_t size = size_of(g);
+  double ball[4] = {0, 0, 0, 0};
+  placing where = placing::nowhere;
+  if (i < (n + size - 1) / size)
+    where = place_object<Shape>(frame_of(*around), c, rows, i * size, n - i * size < size ? n : i * size + size, ball);
+  if constexpr (Halves) {
+    alignas(16) std::uint16_t out[matrix_columns];
+    to_columns<Form, First>(ball, where, out);
+    auto *to = static_cast<std::uint16_t *>(columns);
+    for (int k = 0; k < matrix_columns; k += 8)
+      *reinterpret_cast<uint4 *>(to + matrix_place(i, k)) = *reinterpret_cast<const uint4 *>(out + k);
+  } else {
+    static_assert((Form::products + 1) * sizeof(float) == float_bytes);
+    float out[Form::products + 1];
+    to_floats<Form, First>(ball, where, out);
+    for (int k = 0; k <= Form::products; ++k)
+      static_cast<float *>(columns)[i * std::size_t{Form::products + 1} + k] = out[k];
+  }
+}
+template <class Shape, class Form>
+cudaError_t columns(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t n,
+                    const extent *around, void *out, cudaStream_t stream) {
+  if (n == 0)
+    return cudaSuccess;
+  const unsigned blocks = blocks_for(matrix_padded(operand{rows, n, g, nullptr}.objects()));
+  if (by != filter::float32 && first)
+    columns_kernel<Shape, Form, true, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
+  else if (by != filter::float32)
+    columns_kernel<Shape, Form, false, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
+  else if (first)
+    columns_kernel<Shape, Form, true, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
+  else
+    columns_kernel<Shape, Form, false, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
+  return cudaGetLastError();
+}
+
+__device__ inline float moved(const double *m, double x, double y, double z) {
+  return __double2float_rn(
+      __dadd_rn(__dadd_rn(__dadd_rn(__dmul_rn(m[0], x), __dmul_rn(m[1], y)), __dmul_rn(m[2], z)), m[3]));
+}
+
+template <class Shape>
+__global__ void __launch_bounds__(set_threads)
+    place_kernel(view v, placement at, const std::uint32_t *order, float *rows, unsigned long long *bad) {
+  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < v.elements; i += gridDim.x * set_threads) {
+    float in[Shape::fields], out[Shape::fields];
+    bool good = true;
+    const auto *bytes = reinterpret_cast<const char *>(v.data);
+    for (int f = 0; f < Shape::fields; ++f) {
+      // Indexed kinds are points alone, x y z each.
+      const std::size_t vertex =
+          v.index ? v.index[i * (std::size_t{Shape::fields} / 3) + static_cast<unsigned>(f / 3)] : i;
+      const bool there = !v.index || vertex < v.vertices;
+      good &= there;
+      if (there)
+        memcpy(in + f, bytes + vertex * v.stride_bytes + sizeof(float) * static_cast<unsigned>(v.index ? f % 3 : f),
+               sizeof(float));
+      else
+        in[f] = 0;
+      out[f] = in[f];
+    }
+    for (int f = 0; f < Shape::fields && !at.identity; ++f) {
+      if (Shape::role_of(f) == role::length) {
+        out[f] = __double2float_rn(__dmul_rn(in[f], at.length_scale));
+      } else if (Shape::role_of(f) == role::x) {
+        const bool has_z = f + 2 < Shape::fields && Shape::role_of(f + 2) == role::z;
+        const double x = in[f], y = in[f + 1], z = has_z ? in[f + 2] : 0.0F;
+        out[f] = moved(at.m, x, y, z);
+        out[f + 1] = moved(at.m + 4, x, y, z);
+        if (has_z)
+          out[f + 2] = moved(at.m + 8, x, y, z);
+      }
+    }
+    for (int f = 0; f < Shape::fields; ++f) {
+      good &= isfinite(out[f]);
+      rows[i * std::size_t{Shape::fields} + f] = out[f];
+    }
+    if (Shape::pad >= 0)
+      good &= out[Shape::pad < 0 ? 0 : Shape::pad] >= 0;
+    if (!good)
+      atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : i) << 32 | i);
+  }
+}
+template <class Shape>
+cudaError_t place(const view &v, const placement &at, const std::uint32_t *order, float *rows, unsigned long long *bad,
+                  cudaStream_t stream) {
+  const cudaError_t e = cudaMemsetAsync(bad, 0xff, sizeof *bad, stream);
+  if (e != cudaSuccess || v.elements == 0)
+    return e;
+  if (v.index && (Shape::fields % 3 != 0 || Shape::pad >= 0))
+    return cudaErrorInvalidValue; // no kind of points alone
+  const unsigned blocks = std::min(blocks_for(v.elements), 65536U);
+  place_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad);
+  return cudaGetLastError();
+}
+
+} // namespace meetc::cuda
+
+#endif

@@ -1,0 +1,57 @@
+// The stages of a predicate: how their programs are run on rows of any number type.
+//
+// A predicate P has stages (reject, common, rare; absent ones are no_stage), each a program from stored numbers to
+// values: object_a and object_b compute what one object alone decides, pair the rest. P::rejected, P::usual,
+// P::needs_rare and P::whole are its decision, for sign and for sign_set alike. Signs are numbered over all stages;
+// a stage's own begin at Stage::first.
+#ifndef MEETC_STAGES_HPP
+#define MEETC_STAGES_HPP
+
+#include <meetc/double_double.hpp>
+#include <meetc/logic.hpp>
+
+namespace meetc {
+
+struct no_stage {
+  static constexpr int atoms = 0, first = 0;
+};
+
+// The stage's values for rows of T; those of degree 3 and more in W.
+template <class Stage, class T, class W> MEETC_HD MEETC_INLINE void stage_values(const T *a, const T *b, W *v) {
+  T fields_a[Stage::fields_a + 1], fields_b[Stage::fields_b + 1];
+  fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare places, for stages that store nothing
+  Stage::object_a(a, fields_a);
+  Stage::object_b(b, fields_b);
+  Stage::template pair<T, W>(a, fields_a, b, fields_b, v);
+}
+
+template <class Stage, class T, class W = T> MEETC_HD MEETC_INLINE void stage_signs(const T *a, const T *b, sign *s) {
+  W v[Stage::atoms];
+  stage_values<Stage>(a, b, v);
+  for (int i = 0; i < Stage::atoms; ++i)
+    s[Stage::first + i] = sign_of(v[i]);
+}
+
+// The rows of a pair in another number type.
+template <class P, class T> struct rows_in {
+  T a[P::inputs_a], b[P::inputs_b];
+  MEETC_HD MEETC_INLINE rows_in(const float *row_a, const float *row_b) {
+    for (int i = 0; i < P::inputs_a; ++i)
+      a[i] = static_cast<T>(row_a[i]);
+    for (int i = 0; i < P::inputs_b; ++i)
+      b[i] = static_cast<T>(row_b[i]);
+  }
+};
+
+// ---- plain ----
+
+// A plain rung takes the sign of the computed value and says nothing about how wrong it can be.
+template <class P, class T> struct plain_signs {
+  rows_in<P, T> rows;
+  MEETC_HD plain_signs(const float *row_a, const float *row_b) : rows(row_a, row_b) {}
+  template <class Stage> MEETC_HD void get(sign *s) const { stage_signs<Stage>(rows.a, rows.b, s); }
+};
+
+} // namespace meetc
+
+#endif
