@@ -39,14 +39,62 @@ sign_value decision::sign_of(const poly::poly &p) {
   sign_value out{f.content > 0 ? 1 : -1, {}};
   for (const auto &[part, exponent] : f.parts) {
     const auto [it, fresh] = atom_ids_.try_emplace(part.key(), static_cast<int>(atoms_.size()));
-    if (fresh)
+    if (fresh) {
       atoms_.push_back(part);
+      texts_.emplace_back();
+    }
+    if (exponent % 2 && is_turned(it->second))
+      out.unit = -out.unit;
     out.atoms.emplace_back(it->second, exponent % 2 ? 1 : 2);
   }
   std::sort(out.atoms.begin(), out.atoms.end());
   memo->second = out;
   out.unit *= unit;
   return out;
+}
+
+namespace {
+sign_mask mirrored(sign_mask m) {
+  return (m & 2) | (m & 1) << 2 | m >> 2;
+}
+} // namespace
+
+void decision::turn(int atom) {
+  const auto at_odd = [atom](const sign_value &s) {
+    return std::find(s.atoms.begin(), s.atoms.end(), std::pair(atom, 1)) != s.atoms.end();
+  };
+  const auto i = static_cast<std::size_t>(atom);
+  atoms_[i] = atoms_[i].scaled(-1);
+  texts_[i].turned = !texts_[i].turned;
+  texts_[i].opposite = !texts_[i].opposite;
+  for (auto &[key, s] : signs_)
+    if (at_odd(s))
+      s.unit = -s.unit;
+  node_ids_.clear();
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    if (nodes_[n].kind == truth_node::type::test && at_odd(nodes_[n].sign))
+      nodes_[n].flag = mirrored(nodes_[n].flag);
+    node_ids_.emplace(nodes_[n], static_cast<int>(n));
+  }
+}
+
+std::string decision::text(int atom) const {
+  const name &n = texts_[static_cast<std::size_t>(atom)];
+  if (n.text.empty() || !n.opposite)
+    return n.text;
+  return n.text.back() == ')' ? '-' + n.text : "-(" + n.text + ')'; // a call, or a difference
+}
+
+void decision::describe(const sign_value &s, const std::string &text, long mark) {
+  const bool whole = s.atoms.size() == 1 && s.atoms.front().second == 1;
+  for (const auto &[atom, exponent] : s.atoms) {
+    name &n = texts_[static_cast<std::size_t>(atom)];
+    if (!n.text.empty() && n.given <= mark)
+      continue;
+    n.text = whole ? text : "a factor of " + text;
+    n.opposite = whole && s.unit < 0;
+    n.given = ++given_;
+  }
 }
 
 int decision::intern(truth_node n) {
@@ -63,7 +111,7 @@ int decision::constant(bool b) {
 int decision::test(const sign_value &s, sign_mask mask) {
   sign_value v = s;
   if (v.unit < 0) {
-    mask = (mask & 2) | (mask & 1) << 2 | mask >> 2;
+    mask = mirrored(mask);
     v.unit = 1;
   }
   if (v.unit == 0)

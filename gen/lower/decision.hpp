@@ -1,12 +1,13 @@
 // Decisions over sign atoms.
 //
-// An atom is the sign of an irreducible primitive polynomial whose leading coefficient is positive, so signs that
-// are equal (or opposite) are one atom however they were written. A sign value is a unit times a product of atoms;
+// An atom is the sign of an irreducible primitive polynomial whose leading coefficient is positive until it is turned, so
+// signs that are equal (or opposite) are one atom however they were written. A sign value is a unit times a product of atoms;
 // a truth is a hash-consed graph over tests of sign values.
 #pragma once
 #include "gen/poly/poly.hpp"
 
 #include <map>
+#include <string>
 #include <vector>
 
 namespace meetc::lower {
@@ -36,6 +37,15 @@ struct truth_node {
 class decision {
 public:
   sign_value sign_of(const poly::poly &p);
+  // Makes the atom the negative of its polynomial, and mirrors every test of it.
+  void turn(int atom);
+  bool is_turned(int atom) const { return texts_[static_cast<std::size_t>(atom)].turned; }
+
+  // What the spec calls an atom, "side(B, A.a)"; "" where nothing does.
+  std::string text(int atom) const;
+  // The spec writes this sign so. A name that was given since `mark` gives way, an older one stays.
+  void describe(const sign_value &s, const std::string &text, long mark);
+  long mark() const { return given_; }
   int constant(bool b);
   int test(const sign_value &s, sign_mask mask);
   int both(std::vector<int> args) { return connect(truth_node::type::both, std::move(args)); }
@@ -58,7 +68,16 @@ public:
   int usual(int id);
 
 private:
+  struct name {
+    std::string text;
+    bool opposite = false; // the text is of the negative atom
+    bool turned = false;
+    long given = 0;
+  };
+
   std::vector<poly::poly> atoms_;
+  std::vector<name> texts_; // by atom
+  long given_ = 0;
   std::map<std::string, int> atom_ids_;
   std::map<std::string, sign_value> signs_; // by key of the primitive polynomial, factored or not
   std::vector<truth_node> nodes_;

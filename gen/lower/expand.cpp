@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <optional>
 
 namespace meetc::lower {
@@ -73,10 +74,10 @@ value expander::operand(const lang::kind &k, const std::string &prefix) const {
   auto o = std::make_shared<object>(object{&k, {}, nullptr});
   for (const lang::field &f : k.store)
     if (f.type == "real")
-      o->fields.push_back({multivector(0, poly::poly::variable(ring_, ring_.find(prefix + f.name)))});
+      o->fields.push_back({multivector(0, poly::poly::variable(ring_, ring_.find(prefix + f.name))), prefix + f.name});
     else
       o->fields.push_back(operand(*model_.spec().find_kind(f.type), prefix + f.name + '.'));
-  return {std::shared_ptr<const object>(std::move(o))};
+  return {std::shared_ptr<const object>(std::move(o)), prefix.substr(0, prefix.empty() ? 0 : prefix.size() - 1)};
 }
 
 value expander::general(const std::vector<blade> &blades, const std::vector<std::string> &names) const {
@@ -140,6 +141,28 @@ void expander::charge(std::size_t work, const location &where) {
     throw spec_error(where, fmt::format("this expands to more than {} steps", most_steps));
 }
 
+std::string expander::said(const lang::expr &e, const environment &env) {
+  // From the last part to the first, so that the places of those before stay.
+  std::string out = lang::print(e);
+  const std::function<void(const lang::expr &)> replace = [&](const lang::expr &part) {
+    const bool bound = part.kind == op::name &&
+                       std::any_of(env.begin(), env.end(), [&](const auto &b) { return b.first == part.text; });
+    if (bound || part.kind == op::member) {
+      const long steps = steps_; // this is not work that the spec asks for
+      const std::string text = evaluate(part, env).text;
+      steps_ = steps;
+      if (!text.empty()) {
+        out.replace(part.where.offset - e.where.offset, part.where.length, text);
+        return;
+      }
+    }
+    for (auto arg = part.args.rbegin(); arg != part.args.rend(); ++arg)
+      replace(**arg);
+  };
+  replace(e);
+  return out;
+}
+
 struct expander::level {
   expander &of;
   explicit level(expander &x) : of(x) { ++of.depth_; }
@@ -166,8 +189,11 @@ value expander::evaluate(const lang::expr &e, const environment &env) {
     return index(e, env);
   case op::list: {
     auto items = std::make_shared<list>();
-    for (const auto &arg : e.args)
+    for (const auto &arg : e.args) {
       items->push_back(evaluate(*arg, env));
+      if (items->back().text.empty() && arg->kind == op::name)
+        items->back().text = arg->text;
+    }
     return {std::shared_ptr<const list>(std::move(items))};
   }
   case op::negate:
@@ -234,8 +260,14 @@ value expander::call(const lang::expr &e, const environment &env) {
   if (e.args.size() != want && (defined || asked || made || e.text == "sign" || e.text == "grade"))
     throw spec_error(
         e.where, fmt::format("'{}' takes {} argument{}, not {}", e.text, want, want == 1 ? "" : "s", e.args.size()));
+  const long before = signs_.mark();
+  const auto described = [&](value v) {
+    if (const auto *s = std::get_if<sign_value>(&v.is))
+      signs_.describe(*s, said(e, env), before);
+    return v;
+  };
   if (e.text == "sign")
-    return {signs_.sign_of(scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where))};
+    return described({signs_.sign_of(scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where))});
   if (e.text == "grade") {
     const int g = evaluate_multivector(*e.args[0], env).homogeneous_grade();
     if (g < 0)
@@ -263,7 +295,7 @@ value expander::call(const lang::expr &e, const environment &env) {
                                                 lang::print(*f->domain), join(grades, ", ")));
         }
       }
-      return evaluate(*f->body, inner);
+      return described(evaluate(*f->body, inner));
     }
     if (const lang::predicate *p = model_.spec().find_predicate(e.text)) {
       const environment inner = bind(*p, args, e.where);
@@ -280,7 +312,7 @@ value expander::call(const lang::expr &e, const environment &env) {
           throw spec_error(e.args[i]->where,
                            fmt::format("'{}' of {} is a {}, not {}", f.name, k->name, f.type, describe(args[i])));
       }
-      return {std::shared_ptr<const object>(std::move(o))};
+      return {std::shared_ptr<const object>(std::move(o)), said(e, env)};
     }
   } catch (spec_error &error) {
     error.add_step(lang::print(e), e.where);
@@ -366,7 +398,10 @@ value expander::compare(const lang::expr &e, const environment &env) {
   if (!sa && !sb) {
     const poly::poly difference = scalar_of(blade_of(a, e.args[0]->where), e.args[0]->where) -
                                   scalar_of(blade_of(b, e.args[1]->where), e.args[1]->where);
-    return {truth{signs_.test(signs_.sign_of(difference), mask_for(e.kind, 0))}};
+    const long before = signs_.mark();
+    const sign_value s = signs_.sign_of(difference);
+    signs_.describe(s, said(*e.args[0], env) + " - " + said(*e.args[1], env), before);
+    return {truth{signs_.test(s, mask_for(e.kind, 0))}};
   }
   if (sa && sb) {
     std::vector<int> cases;

@@ -25,6 +25,7 @@ struct truth {
 
 struct value {
   std::variant<multivector, sign_value, truth, std::shared_ptr<const object>, std::shared_ptr<const list>> is;
+  std::string text = {}; // how the operands' names say it, "A.c"; "" where they do not
 };
 
 using environment = std::vector<std::pair<std::string, value>>; // the last of a name counts
@@ -73,6 +74,8 @@ private:
   environment bind(const object &o) const;
   environment bind(const lang::predicate &p, const std::vector<value> &args, const location &where);
   int truth_of(const lang::expr &e, const environment &env);
+  // The expression with its names replaced by what they stand for: "side(t, s.p)" as "side(B, A.a)".
+  std::string said(const lang::expr &e, const environment &env);
   poly::poly scalar_of(const multivector &m, const location &where) const;
   static std::string describe(const value &v);
 };

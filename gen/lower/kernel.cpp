@@ -204,16 +204,24 @@ void check_constants(const program &p, const request &r) {
           r.where, fmt::format("'{}' needs the number {}, which is beyond 2^53", r.text, p.nodes.value(id).get_str()));
 }
 
-stage compile_stage(const poly::frame &local, const lower::decision &signs, const std::vector<int> &atoms,
-                    const request &r, bool exact) {
+// A value that the program would have to negate last has its atom turned instead.
+stage compile_stage(const poly::frame &local, lower::decision &signs, const std::vector<int> &atoms, const request &r,
+                    bool exact) {
   stage out;
   out.atoms = atoms;
   if (atoms.empty())
     return out;
   builder code(local, prefer::accuracy);
   std::vector<node_id> results;
-  for (const int a : atoms)
-    results.push_back(code.build(signs.atoms()[static_cast<std::size_t>(a)], true));
+  for (const int a : atoms) {
+    const auto build = [&] { return code.build(signs.atoms()[static_cast<std::size_t>(a)], true); };
+    node_id result = build();
+    if (code.nodes().at(result).kind == op::negate) {
+      signs.turn(a);
+      result = build();
+    }
+    results.push_back(result);
+  }
   out.code = code.finish(results);
   check_constants(out.code, r);
   if (!exact)
@@ -260,6 +268,9 @@ std::optional<predicate> compile_sign(const lower::model &m, const request &r, b
   for (const auto &[atom, exponent] : s->atoms)
     atoms.push_back(atom);
   out.common = compile_stage(*out.local, out.signs, atoms, r, exact);
+  for (const auto &[atom, exponent] : out.value.atoms)
+    if (exponent == 1 && out.signs.is_turned(atom))
+      out.value.unit = -out.value.unit;
   return out;
 }
 

@@ -1,5 +1,7 @@
 #include "app/findings.hpp"
 
+#include "meetc/bytecode.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -7,6 +7,8 @@
 #ifndef MEETC_TESTS_EXTREMES_CHECK_HPP
 #define MEETC_TESTS_EXTREMES_CHECK_HPP
 
+#include <meetc/boxes.hpp>
+#include <meetc/rest.hpp>
 #include <meetc/support.hpp>
 
 #include <cmath>

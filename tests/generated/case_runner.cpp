@@ -5,6 +5,8 @@
 // Cases are made of integers only (a conversion to float rounds once, in one way), so that they are the same
 // under any flags, too.
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
+#include <meetc/boxes.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>

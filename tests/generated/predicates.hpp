@@ -3,6 +3,8 @@
 #define MEETC_TESTS_GENERATED_PREDICATES_HPP
 
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
+#include <meetc/boxes.hpp>
 #include <vector>
 
 namespace meetc::generated_test {

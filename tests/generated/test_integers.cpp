@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <meetc/rest.hpp>
 #include <meetc/support.hpp>
 
 using namespace meetc::generated_test;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
 #include <cmath>
 #include <random>
 

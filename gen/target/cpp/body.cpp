@@ -35,8 +35,8 @@ public:
     }
   }
 
-  void name(node_id id, std::string text) { text_[id] = {std::move(text), true}; }
-  bool known(node_id id) const { return text_.count(id) > 0; }
+  void name(node_id id, std::string text, bool atom = true) { text_[id] = {std::move(text), atom}; }
+  bool used(node_id id) const { return uses_.count(id) > 0; }
 
   void write(node_id id, bool keep) {
     const node &n = p_.nodes.at(id);
@@ -87,7 +87,14 @@ public:
   bool is_wide(node_id id) const { return !wide_.empty() && wide_[static_cast<std::size_t>(id)]; }
   std::string plain(node_id id) const { return text_.at(id).first; }
   std::string take() { return std::move(out_); }
-  void line(const std::string &statement) { out_ += indent_ + statement + '\n'; }
+  void line(const std::string &statement, const std::string &remark = "") {
+    if (remark.empty())
+      out_ += indent_ + statement + '\n';
+    else if (indent_.size() + statement.size() + remark.size() < 106)
+      out_ += indent_ + statement + " // " + remark + '\n';
+    else
+      out_ += indent_ + "// " + remark + '\n' + indent_ + statement + '\n';
+  }
 
 private:
   const ir::program &p_;
@@ -125,11 +132,9 @@ std::string body(const ir::program &p, const body_names &names, const std::strin
   return w.take();
 }
 
-parts split_body(const ir::program &p, int inputs_a, bool mixed, const std::string &indent) {
+parts split_body(const ir::program &p, const std::function<std::string(int)> &input, bool mixed,
+                 const std::vector<std::string> &remarks, const std::string &indent) {
   using poly::residency;
-  const auto input = [inputs_a](int i) {
-    return i < inputs_a ? fmt::format("a[{}]", i) : fmt::format("b[{}]", i - inputs_a);
-  };
   const std::vector<node_id> order = ir::needed(p.nodes, p.results);
   const auto computed = [&](node_id id) {
     const op kind = p.nodes.at(id).kind;
@@ -137,8 +142,16 @@ parts split_body(const ir::program &p, int inputs_a, bool mixed, const std::stri
   };
   // A value of one object is stored when the pair reads it.
   std::set<node_id> stored;
+  std::map<node_id, node_id> negative_of; // what is read as the negative of a stored value, or of an input
   const auto read_by_pair = [&](node_id id) {
-    if (id >= 0 && computed(id) && p.nodes.where(id) != residency::pair && p.nodes.where(id) != residency::scene)
+    if (id < 0 || !computed(id) || p.nodes.where(id) == residency::pair || p.nodes.where(id) == residency::scene)
+      return;
+    if (p.nodes.at(id).kind == op::negate) {
+      const node_id of = p.nodes.at(id).a;
+      negative_of[id] = of;
+      id = of;
+    }
+    if (computed(id))
       stored.insert(id);
   };
   for (const node_id id : order)
@@ -156,10 +169,15 @@ parts split_body(const ir::program &p, int inputs_a, bool mixed, const std::stri
   parts out;
   std::map<node_id, std::string> field;
   const auto object = [&](residency where, const char *array, int &count) {
-    writer w(p, input, "T", indent, order);
-    for (const node_id id : order)
+    std::vector<node_id> here;
+    for (const node_id id : stored)
+      if (p.nodes.where(id) == where)
+        here.push_back(id);
+    const std::vector<node_id> needed = ir::needed(p.nodes, here);
+    writer w(p, input, "T", indent, needed);
+    for (const node_id id : needed)
       if (p.nodes.where(id) == where || !computed(id))
-        w.write(id, stored.count(id) > 0);
+        w.write(id, stored.count(id) > 0 && w.used(id));
     for (const node_id id : order)
       if (stored.count(id) && p.nodes.where(id) == where) {
         w.line(fmt::format("f[{}] = {};", count, w.plain(id)));
@@ -176,12 +194,15 @@ parts split_body(const ir::program &p, int inputs_a, bool mixed, const std::stri
   for (const node_id id : order) {
     if (const auto it = field.find(id); it != field.end())
       w.name(id, it->second);
+    else if (const auto negative = negative_of.find(id); negative != negative_of.end())
+      w.name(id, '-' + w.plain(negative->second), false);
     else if (!computed(id) || p.nodes.where(id) == residency::pair || p.nodes.where(id) == residency::scene)
       w.write(id, results[id] > 1);
   }
   for (std::size_t i = 0; i < p.results.size(); ++i)
     w.line(fmt::format(fmt::runtime(mixed && !w.is_wide(p.results[i]) ? "v[{}] = W({});" : "v[{}] = {};"), i,
-                       w.plain(p.results[i])));
+                       w.plain(p.results[i])),
+           remarks[i]);
   out.pair = w.take();
   return out;
 }

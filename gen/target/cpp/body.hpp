@@ -22,9 +22,11 @@ struct parts {
   int fields_a = 0, fields_b = 0;
   std::string object_a, object_b, pair;
 };
-// Inputs below inputs_a are a[i], the others b[i - inputs_a]; results are values v[i]. With `mixed`, values of degree 3
-// and more are of type W, the others of type T.
-parts split_body(const ir::program &p, int inputs_a, bool mixed, const std::string &indent);
+// `input` names the inputs; fields are f[i] where they are stored, fa[i] and fb[i] where they are read; results are values
+// v[i], each with its remark. With `mixed`, values of degree 3 and more are of type W, the others of type T. A negative is
+// never stored: what reads it negates.
+parts split_body(const ir::program &p, const std::function<std::string(int)> &input, bool mixed,
+                 const std::vector<std::string> &remarks, const std::string &indent);
 
 // "27 multiplications, 17 additions"; fused multiply-adds count as one of each.
 std::string count_text(const ir::counts &c);

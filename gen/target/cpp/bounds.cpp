@@ -10,43 +10,41 @@ namespace meetc::target {
 namespace {
 using bound::leaf;
 
-std::function<std::string(int)> inputs_of(int inputs_a) {
-  return [inputs_a](int i) { return i < inputs_a ? fmt::format("a[{}]", i) : fmt::format("b[{}]", i - inputs_a); };
-}
-
-std::string leaf_text(const leaf &l, int inputs_a) {
-  const auto input = inputs_of(inputs_a);
-  return l.subtrahend < 0 ? input(l.minuend) : fmt::format("{} - {}", input(l.minuend), input(l.subtrahend));
+std::string leaf_text(const leaf &l, const emitted_predicate &p) {
+  return l.subtrahend < 0 ? p.input(l.minuend) : fmt::format("{} - {}", p.input(l.minuend), p.input(l.subtrahend));
 }
 
 // A function of the sign's number that looks its value up; equal values for all become one constant.
 std::string lookup(const char *type, const char *name, const std::vector<std::string> &values) {
-  const std::string head = fmt::format("    MEETC_HD static {} {}([[maybe_unused]] int i) {{", type, name);
+  const std::string head = fmt::format("  MEETC_HD static {} {}(", type, name);
   if (std::all_of(values.begin(), values.end(), [&](const std::string &v) { return v == values.front(); }))
-    return fmt::format("{} return {}; }}\n", head, values.front());
-  std::string list, line = "       ";
+    return fmt::format("{}int) {{ return {}; }}\n", head, values.front());
+  std::string list, line = "     ";
   for (const std::string &v : values) {
     if (line.size() + v.size() > 108) {
       list += line + '\n';
-      line = "       ";
+      line = "     ";
     }
     line += fmt::format(" {},", v);
   }
   line.pop_back();
-  return fmt::format("{}\n      static constexpr {} all[] = {{\n{}{}}};\n      return all[i];\n    }}\n", head, type,
+  return fmt::format("{}int i) {{\n    static constexpr {} all[] = {{\n{}{}}};\n    return all[i];\n  }}\n", head, type,
                      list, line);
 }
 
-std::string extent_text(const char *object, const std::vector<leaf> &leaves, int inputs_a) {
-  const std::string head =
-      fmt::format("    MEETC_HD MEETC_INLINE static float extent_{0}([[maybe_unused]] const float *{0}) {{\n", object);
-  std::string most = "0.0f";
-  std::string out = head;
-  for (std::size_t i = 0; i < leaves.size(); ++i) {
-    out += fmt::format("      const float m{} = meetc::larger({}, {});\n", i, most, leaf_text(leaves[i], inputs_a));
-    most = fmt::format("m{}", i);
-  }
-  return out + fmt::format("      return {};\n    }}\n", most);
+std::string extent_text(const char *object, const std::vector<leaf> &leaves, const emitted_predicate &p) {
+  std::string most = "0.0f", body;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+    if (i + 1 < leaves.size()) {
+      body += fmt::format("    const float m{} = meetc::larger({}, {});\n", i, most, leaf_text(leaves[i], p));
+      most = fmt::format("m{}", i);
+    } else {
+      most = fmt::format("meetc::larger({}, {})", most, leaf_text(leaves[i], p));
+    }
+  body += fmt::format("    return {};\n", most);
+  const std::string operand = p.operands_in(body, "    ");
+  return fmt::format("  MEETC_HD MEETC_INLINE static float extent_{0}(const float *{1}) {{\n{2}{3}  }}\n", object,
+                     operand.empty() ? "" : fmt::format("row_{}", object), operand, body);
 }
 
 } // namespace
@@ -62,14 +60,17 @@ std::string hex_literal(const ir::rational &q, const char *suffix) {
   return fmt::format("0x{}p{}{}", m.get_str(16), e, suffix);
 }
 
-std::string stage_bounds_text(const bound::stage_bounds &b, const lower::stage &s, int inputs_a) {
+std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage &stage, const emitted_predicate &p) {
+  const lower::stage &s = *stage.code;
   std::string out =
-      fmt::format("    // Exact where differences are integers below 2^window on a grid: fp64{}.\n"
-                  "    static constexpr int window = {};\n    static constexpr bool mixed = {};\n"
-                  "    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.\n"
-                  "    static constexpr int floor_fp32 = {}, floor_fp64 = {}, box_lowest = {}, box_highest = {};\n",
-                  b.mixed ? ", and double-double from degree 3" : "", b.window, b.mixed, b.floor_fp32, b.floor_fp64,
-                  b.box_lowest, b.box_highest);
+      fmt::format("  // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
+                  "  static constexpr int degree = {}, growth = {};\n"
+                  "  // Exact where differences are integers below 2^window on a grid: fp64{}.\n"
+                  "  static constexpr int window = {};\n    static constexpr bool mixed = {};\n"
+                  "  // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.\n"
+                  "  static constexpr int floor_fp32 = {}, floor_fp64 = {}, box_lowest = {}, box_highest = {};\n",
+                  s.degree, s.growth, b.mixed ? ", and double-double from degree 3" : "", b.window, b.mixed,
+                  b.floor_fp32, b.floor_fp64, b.box_lowest, b.box_highest);
   std::vector<std::string> factors, boxes, degrees, zeros;
   for (std::size_t i = 0; i < s.atoms.size(); ++i) {
     const auto k = [&](const bound::arithmetic &a, const bound::roundings &r, const char *suffix) {
@@ -82,57 +83,62 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const lower::stage &
     degrees.push_back(fmt::format("{}", b.fp32[i].degree));
     zeros.push_back(fmt::format("0x{:x}u", b.zero_if[i]));
   }
-  out += "    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi "
+  out += "  // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi "
          "+ 1).\n";
   out += lookup("meetc::factors", "factor", factors);
-  out += "    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of "
+  out += "  // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of "
          "two.\n";
   out += lookup("meetc::box_factor", "box", boxes);
   out += lookup("int", "degree_of", degrees);
-  out += "    // The coincidences of points that make the sign zero.\n";
+  out += "  // The coincidences of points that make the sign zero.\n";
   out += lookup("unsigned", "zero_if", zeros);
-  out += extent_text("a", bound::leaves_of(b, poly::residency::a), inputs_a);
-  out += extent_text("b", bound::leaves_of(b, poly::residency::b), inputs_a);
+  out += extent_text("a", bound::leaves_of(b, poly::residency::a), p);
+  out += extent_text("b", bound::leaves_of(b, poly::residency::b), p);
   std::string text;
   for (std::size_t l = 0; l < b.leaves.size(); ++l)
-    text += fmt::format("      const T l{} = leaf({});\n", l, leaf_text(b.leaves[l], inputs_a));
+    text += fmt::format("    const T l{} = leaf({});\n", l, leaf_text(b.leaves[l], p));
   body_names names;
   names.input = [](int i) { return fmt::format("l{}", i); };
   names.result = [](std::size_t i, const std::string &v) { return fmt::format("m[{}] = {};", i, v); };
-  text += body(b.magnitudes, names, "      ");
-  out += fmt::format("    // The values on magnitudes of leaves, with every subtraction an addition.\n"
-                     "    template <class T, class Leaf>\n    MEETC_HD MEETC_INLINE static void "
-                     "magnitudes([[maybe_unused]] const T *a, "
-                     "[[maybe_unused]] const T *b, const Leaf &leaf, T *m) {{\n{}    }}\n",
-                     text);
+  text += body(b.magnitudes, names, "    ");
+  const std::string operands = p.operands_in(text, "    ");
+  const auto row = [&](const char *name) {
+    return fmt::format("const T *{}", operands.find(name) == std::string::npos ? "" : name);
+  };
+  out +=
+      fmt::format("  // The values on magnitudes of leaves, with every subtraction an addition.\n"
+                  "  template <class T, class Leaf>\n  MEETC_HD MEETC_INLINE static void magnitudes({}, {}, const Leaf "
+                  "&leaf, T *m) {{\n{}{}  }}\n",
+                  row("row_a"), row("row_b"), operands, text);
   return out;
 }
 
-std::string kernel_bounds_text(const bound::kernel_bounds &b, int inputs_a) {
-  const auto input = inputs_of(inputs_a);
+std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_predicate &p) {
   std::string tests;
   for (std::size_t i = 0; i < b.coincidences.size(); ++i) {
     std::string equal;
     for (std::size_t k = 0; k < b.coincidences[i].x.size(); ++k)
-      equal += fmt::format("{}({} == {})", equal.empty() ? "" : " & ", input(b.coincidences[i].x[k]),
-                           input(b.coincidences[i].y[k]));
+      equal += fmt::format("{}({} == {})", equal.empty() ? "" : " & ", p.input(b.coincidences[i].x[k]),
+                           p.input(b.coincidences[i].y[k]));
     tests += fmt::format("    bits |= static_cast<unsigned>({}) << {};\n", equal, i);
   }
-  std::string out =
-      fmt::format("  // Which points are equal, as bits: some signs are zero then, see zero_if.\n"
-                  "  static constexpr int coincidences = {};\n"
-                  "  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] "
-                  "const float *b) {{\n{}  }}\n",
-                  b.coincidences.size(),
-                  tests.empty() ? "    return 0;\n" : "    unsigned bits = 0;\n" + tests + "    return bits;\n");
+  const std::string operands = p.operands_in(tests, "    ");
+  const auto row = [&](const char *name) {
+    return fmt::format("const float *{}", operands.find(name) == std::string::npos ? "" : name);
+  };
+  std::string out = fmt::format("  // Which points are equal, as bits: some signs are zero then, see zero_if.\n"
+                                "  static constexpr int coincidences = {};\n"
+                                "  MEETC_HD static unsigned coincident({}, {}) {{\n{}  }}\n",
+                                b.coincidences.size(), row("row_a"), row("row_b"),
+                                tests.empty() ? "    return 0;\n"
+                                              : operands + "    unsigned bits = 0;\n" + tests + "    return bits;\n");
   std::string axes;
   for (const int axis : b.axes)
     axes += fmt::format("{}{}", axes.empty() ? "" : ", ", axis);
-  return out +
-         fmt::format("  // The axis of each input, or -1 where it stands alone.\n"
-                     "  MEETC_HD static constexpr int axis(int i) {{\n    constexpr int all[] = {{{}}};\n    return "
-                     "all[i];\n  }}\n",
-                     axes);
+  return out + fmt::format("  // The axis of each input, or -1 where it stands alone.\n"
+                           "  MEETC_HD static constexpr int axis(int i) {{\n    constexpr int all[] = {{{}}};\n    "
+                           "return all[i];\n  }}\n",
+                           axes);
 }
 
 } // namespace meetc::target

@@ -1,6 +1,6 @@
 // Error bounds as members of emitted stages and predicates.
 #pragma once
-#include "gen/bound/bound.hpp"
+#include "gen/target/cpp/predicate.hpp"
 
 #include <string>
 
@@ -10,8 +10,8 @@ namespace meetc::target {
 std::string hex_literal(const ir::rational &q, const char *suffix);
 
 // Members of a stage: factor, box, magnitudes, extents, zeros, window.
-std::string stage_bounds_text(const bound::stage_bounds &b, const lower::stage &s, int inputs_a);
+std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage &stage, const emitted_predicate &p);
 // Members of a predicate: coincidences, axes.
-std::string kernel_bounds_text(const bound::kernel_bounds &b, int inputs_a);
+std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_predicate &p);
 
 } // namespace meetc::target

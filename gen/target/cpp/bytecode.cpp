@@ -33,20 +33,20 @@ public:
   }
 
   std::string text() const {
-    std::string list, line = "       ";
+    std::string list, line = "     ";
     for (const std::string &s : code_) {
       if (line.size() + s.size() > 108) {
         list += line + '\n';
-        line = "       ";
+        line = "     ";
       }
       line += ' ' + s + ',';
     }
     line.pop_back();
-    return fmt::format("    // The same program as bytecode, for integers of any width.\n"
-                       "    static constexpr int registers = {}, instruction_count = {};\n"
-                       "    MEETC_HD static meetc::instruction instruction_at(int i) {{\n"
-                       "      using enum meetc::opcode;\n"
-                       "      static constexpr meetc::instruction all[] = {{\n{}{}}};\n      return all[i];\n    }}\n",
+    return fmt::format("  // The same program as bytecode, for integers of any width.\n"
+                       "  static constexpr int registers = {}, instruction_count = {};\n"
+                       "  MEETC_HD static meetc::instruction instruction_at(int i) {{\n"
+                       "    using enum meetc::opcode;\n"
+                       "    static constexpr meetc::instruction all[] = {{\n{}{}}};\n    return all[i];\n  }}\n",
                        register_count_, code_.size(), list, line);
   }
 

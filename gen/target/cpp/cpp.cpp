@@ -2,6 +2,7 @@
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/names.hpp"
+#include "gen/target/cpp/predicate.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -121,6 +122,22 @@ std::string struct_text(const unit &u, const lang::kind &k) {
   return out + "}\n" + valid_text(u, k) + "\n";
 }
 
+// The row of a kind as its struct, from the number `at` on; `at` moves behind it.
+std::string members_in_row(const unit &u, const lang::kind &k, int &at) {
+  std::string out;
+  for (const lang::field &f : k.store) {
+    const lang::kind *part = u.model.spec().find_kind(f.type);
+    out += (out.empty() ? "" : ", ") + (part ? '{' + members_in_row(u, *part, at) + '}' : fmt::format("row[{}]", at++));
+  }
+  return out;
+}
+std::string row_reader(const unit &u, const lang::kind &k) {
+  int at = 0;
+  const std::string members = members_in_row(u, k, at);
+  return fmt::format("template <class T> MEETC_HD MEETC_INLINE {0}<T> {0}_in(const T *row) {{\n  return {{{1}}};\n}}\n",
+                     identifier(k.name), members);
+}
+
 std::string blade_struct(const unit &u, const lang::kind &k) {
   const std::vector<blade> blades = lower::support(u.model, k);
   std::vector<std::string> fields;
@@ -179,6 +196,10 @@ std::string kinds_header(const unit &u) {
   const auto blades = blades_of(u);
   for (const lang::kind *k : kinds_of(u))
     out += struct_text(u, *k);
+  out += "// Kinds as their rows hold them.\nnamespace detail {\n";
+  for (const lang::kind *k : kinds_of(u))
+    out += row_reader(u, *k);
+  out += "} // namespace detail\n\n";
   for (const lang::kind *k : kinds_of(u))
     if (blades.count(k))
       out += blade_struct(u, *k) + maker_text(u, *k);
@@ -282,12 +303,15 @@ std::string banner(const lang::scene &s, const std::string &what, const char *co
                      MEETC_VERSION, join(names, ", "), content_hash(s), what);
 }
 
-std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes) {
+std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes,
+                        const std::vector<std::string> &kernel_headers) {
   const std::string space = identifier(s.space);
   // The length keeps guards apart where '_' could stand for the border of two names.
   std::string out = fmt::format("#ifndef MEETC_{2}_{0}_{1}_HPP\n#define MEETC_{2}_{0}_{1}_HPP\n\n#include "
                                 "<meetc/support.hpp>\n",
                                 space, name, space.size());
+  for (const std::string &i : kernel_headers)
+    out += fmt::format("#include <meetc/{}>\n", i);
   for (const std::string &i : includes)
     out += fmt::format("#include <{}/{}>\n", space, i);
   return out + fmt::format("\nstatic_assert(MEETC_SUPPORT_VERSION == 4, \"meetc/support.hpp is of another version; "
@@ -335,11 +359,24 @@ bool unit::has_backend(const char *backend) const {
 
 std::string cpp_text(const unit &u, std::size_t kernel) {
   const lower::kernel &k = u.kernels[kernel];
-  std::string out = banner(u.scene, k.asked.text);
-  out += open_header(u.scene, "kernel_" + k.asked.name(), {"kinds.hpp"});
-  out += k.is_sign ? sign_text(u, kernel) : k.is_predicate ? predicate_text(u, kernel) : formula_header(u, k);
-  return broken_lines(out + close_header(u.scene));
+  const std::string head = banner(u.scene, k.asked.text);
+  if (k.is_predicate)
+    return broken_lines(head + kernel_header(u, kernel));
+  return broken_lines(head + open_header(u.scene, "kernel_" + k.asked.name(), {"kinds.hpp"}) + formula_header(u, k) +
+                      close_header(u.scene));
 }
+
+namespace {
+// What belongs to a kernel of signs beside its own header.
+void add_parts(const unit &u, std::size_t kernel, std::vector<file> &out) {
+  const std::string space = identifier(u.scene.space), name = u.kernels[kernel].asked.name();
+  const emitted_predicate p(u, kernel);
+  if (p.bounds)
+    out.push_back({fmt::format("{}/detail/{}_bounds.hpp", space, name), bounds_header(p)});
+  out.push_back({fmt::format("{}/detail/{}_rest.hpp", space, name), rest_header(p)});
+  out.push_back({fmt::format("{}/src/{}.cpp", space, name), predicate_source(p)});
+}
+} // namespace
 
 std::vector<file> cpp_files(const unit &u) {
   const std::string space = identifier(u.scene.space);
@@ -353,10 +390,13 @@ std::vector<file> cpp_files(const unit &u) {
     headers.push_back(lower_include(k.asked.name()));
     out.push_back({space + '/' + headers.back(), cpp_text(u, i)});
     predicates = predicates || (k.is_predicate && !k.is_sign);
+    if (k.is_predicate)
+      add_parts(u, i, out);
   }
   std::sort(headers.begin() + 1, headers.end());
   out.push_back({space + '/' + space + ".hpp", banner(u.scene, "Everything that the scene asks for.") +
                                                    open_header(u.scene, "file_all", headers) + close_header(u.scene)});
+  out.push_back({space + "/header_only.hpp", header_only(u)});
   out.push_back({space + "/shapes.hpp", shapes_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});

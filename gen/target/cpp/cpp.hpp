@@ -5,11 +5,14 @@
 namespace meetc::target {
 
 std::string banner(const lang::scene &s, const std::string &what, const char *comment = "//");
-std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes = {});
+std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes = {},
+                        const std::vector<std::string> &kernel_headers = {});
 std::string close_header(const lang::scene &s);
 
-std::string predicate_text(const unit &u, std::size_t kernel);
-std::string sign_text(const unit &u, std::size_t kernel);
+// The header of a kernel that is made of signs, after its banner.
+std::string kernel_header(const unit &u, std::size_t kernel);
+// What the generated library compiles, for those who have headers alone.
+std::string header_only(const unit &u);
 
 std::vector<const lower::kernel *> predicates_of(const unit &u);
 // The kinds that predicates take.

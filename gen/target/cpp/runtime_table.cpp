@@ -2,6 +2,7 @@
 #include "gen/target/cpp/bounds.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
+#include "gen/target/cpp/predicate.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -116,7 +117,8 @@ std::string kind_functions(const unit &u, const lang::kind &k, const lower::encl
 } // namespace
 
 std::string runtime_header(const unit &u) {
-  return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, "file_runtime") +
+  return banner(u.scene, "What a runtime needs to know of this namespace.") +
+         open_header(u.scene, "file_runtime") +
          "// The bounded kinds and the predicates on them.\nconst meetc::catalogue &catalogue();\n" +
          close_header(u.scene);
 }
@@ -146,9 +148,14 @@ std::string runtime_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of kinds and predicates.");
   out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
+  out += fmt::format("\nnamespace {} {{\n\n", space);
+  std::string declared;
   for (const lower::kernel *k : predicates_of(u))
-    out += fmt::format("#include <{}/{}.hpp>\n", space, k->asked.name());
-  out += fmt::format("\nnamespace {} {{\nnamespace {{\n\n", space);
+    declared += fmt::format("meetc::predicate_info {}(const meetc::kind_info *a, const meetc::kind_info *b);\n",
+                            info_function(*k));
+  if (!declared.empty())
+    out += "namespace detail { // each in the source of its predicate\n" + declared + "} // namespace detail\n\n";
+  out += "namespace {\n\n";
   const auto kinds = element_kinds(u);
   std::string entries, functions;
   for (const lang::kind *k : kinds) {
@@ -163,30 +170,15 @@ std::string runtime_source(const unit &u) {
     const auto place = [&](std::size_t i) {
       return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
     };
-    const std::string name = identifier(k->asked.asked->name);
-    const auto rung = [&](const char *r, const std::string &function) { return u.asks(r) ? function : "nullptr"; };
-    const auto bounded = [&](const char *a) {
-      return rung("certified", fmt::format("meetc::certify_pairs<{}, meetc::in_{}>", name, a));
-    };
-    rows += fmt::format(
-        "  {{\"{}\", \"{}\", &all_kinds[{}], &all_kinds[{}],\n   {{{}, {}, {}, {}, {}}},\n", k->asked.asked->name,
-        k->asked.asked->mode, place(0), place(1), rung("fp32", fmt::format("meetc::decide_plain<{}, float>", name)),
-        rung("fp64", fmt::format("meetc::decide_plain<{}, double>", name)),
-        rung("fp64x2", fmt::format("meetc::decide_plain<{}, meetc::double_double>", name)),
-        u.asks("certified") || u.asks("exact") ? fmt::format("meetc::decide_exact<{}>", name) : "nullptr",
-        rung("certified", fmt::format("meetc::decide_certified<{}>", name)));
-    rows += fmt::format("   {{{}, {}, {}}},\n   {}, {}, {}}},\n", bounded("fp32"), bounded("fp64"), bounded("fp64x2"),
-                        rung("certified", fmt::format("meetc::certify_pairs_in_box<{}>", name)),
-                        u.asks("certified") ? fmt::format("meetc::least_box<{}>()", name) : "0",
-                        u.asks("certified") ? fmt::format("meetc::most_box<{}>()", name) : "0");
+    rows += fmt::format("    detail::{}(&all_kinds[{}], &all_kinds[{}]),\n", info_function(*k), place(0), place(1));
   }
   if (!rows.empty())
-    out += "const meetc::predicate_info all_predicates[] = {\n" + rows + "};\n\n";
+    rows = "  static const meetc::predicate_info all_predicates[] = {\n" + rows + "  };\n";
   out += fmt::format(
-      "}} // namespace\n\nconst meetc::catalogue &catalogue() {{\n  static const meetc::catalogue c{{\"{}\", {}, "
+      "}} // namespace\n\nconst meetc::catalogue &catalogue() {{\n{}  static const meetc::catalogue c{{\"{}\", {}, "
       "{}, {}, {}, {}}};\n  return c;\n}}\n\n}} // namespace {}\n",
-      u.scene.space, kinds.empty() ? "nullptr" : "all_kinds", kinds.size(), rows.empty() ? "nullptr" : "all_predicates",
-      predicates_of(u).size(), box_literal(u.scene.box), space);
+      rows, u.scene.space, kinds.empty() ? "nullptr" : "all_kinds", kinds.size(),
+      rows.empty() ? "nullptr" : "all_predicates", predicates_of(u).size(), box_literal(u.scene.box), space);
   return out;
 }
 

@@ -5,208 +5,98 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/ball_segment_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // ball_segment(S: sphere, s: segment), closed sets.
-//   hit if any(p in s.ends: side(S, p) >= 0)
+//   hit: any(p in s.ends: side(S, p) >= 0)
 //   or sign(norm2(meet(S, s))) >= 0 and side(wall(s, s.p), S.c) * side(wall(s, s.q), S.c) < 0
-struct ball_segment {
+struct ball_segment : detail::ball_segment_points {
   static constexpr int inputs_a = 4, inputs_b = 6, atoms = 5;
 
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 3;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    unsigned bits = 0;
-    bits |= static_cast<unsigned>((a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2])) << 0;
-    bits |= static_cast<unsigned>((a[0] == b[3]) & (a[1] == b[4]) & (a[2] == b[5])) << 1;
-    bits |= static_cast<unsigned>((b[0] == b[3]) & (b[1] == b[4]) & (b[2] == b[5])) << 2;
-    return bits;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, 0, 1, 2};
-    return all[i];
+  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
+  MEETC_HD static bool hit(const sphere<float> &S_, const segment<float> &s) {
+    return meetc::hit_certified<ball_segment>(S_, s);
   }
 
+  // The first rung alone, in fp32: no and yes are proved for valid operands.
+  MEETC_HD static meetc::answer filter(const sphere<float> &S_, const segment<float> &s) {
+    return meetc::filter_fp32<ball_segment>(S_, s);
+  }
+
+  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
+  template <class T> MEETC_HD static bool plain(const sphere<float> &S_, const segment<float> &s) {
+    return meetc::hit_plain<ball_segment, T>(S_, s);
+  }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static bool after_fp32(const float *row_a, const float *row_b);
+
   using reject_stage = meetc::no_stage;
+
   // The usual case: signs 0 to 4, degree 4.
-  // Once an object A: 1 multiplication, 0 additions; B: 3 multiplications, 5 additions; a pair: 19 multiplications, 21 additions.
-  struct common_stage {
+  // Once an object S_: 1 multiplication, 0 additions; s: 3 multiplications, 5 additions; a pair: 19 multiplications, 21 additions.
+  struct common_stage : detail::ball_segment_common_bounds {
     static constexpr int first = 0, atoms = 5, fields_a = 1, fields_b = 4;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 4, growth = 9;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[3] * a[3];
-      f[0] = t0;
+    using bytecode = detail::ball_segment_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto S_ = detail::sphere_in(row_a);
+      f[0] = S_.r * S_.r;
     }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[3] - b[0];
-      const T t1 = b[4] - b[1];
-      const T t2 = b[5] - b[2];
-      const T t3 = meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto s = detail::segment_in(row_b);
+      const T t0 = s.q.x - s.p.x;
+      const T t1 = s.q.y - s.p.y;
+      const T t2 = s.q.z - s.p.z;
       f[0] = t0;
       f[1] = t1;
       f[2] = t2;
-      f[3] = t3;
+      f[3] = meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
     }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
+    // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[0] - a[0];
-      const T t1 = b[1] - a[1];
-      const T t2 = b[2] - a[2];
-      const T t3 = b[3] - a[0];
-      const T t4 = b[4] - a[1];
-      const T t5 = b[5] - a[2];
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+      const auto S_ = detail::sphere_in(row_a);
+      const auto s = detail::segment_in(row_b);
+      const T t0 = s.p.x - S_.c.x;
+      const T t1 = s.p.y - S_.c.y;
+      const T t2 = s.p.z - S_.c.z;
+      const T t3 = s.q.x - S_.c.x;
+      const T t4 = s.q.y - S_.c.y;
+      const T t5 = s.q.z - S_.c.z;
       const T t6 = meetc::fma(-t2, fb[1], t1 * fb[2]);
       const T t7 = meetc::fma(-t0, fb[2], t2 * fb[0]);
       const T t8 = meetc::fma(-t1, fb[0], t0 * fb[1]);
       const W t9 = meetc::fma(fa[0], fb[3], -meetc::fma(t8, t8, meetc::fma(t7, t7, meetc::times<W>(t6, t6))));
-      v[0] = W(-(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))));
-      v[1] = W(-(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3))));
-      v[2] = -t9;
-      v[3] = W(meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0])));
+      v[0] = W(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))); // s[0] = side(S, s.p)
+      v[1] = W(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3))); // s[1] = side(S, s.q)
+      v[2] = t9; // s[2] = sign(norm2(meet(S, s)))
+      v[3] = W(meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0]))); // s[3] = -side(wall(s, s.p), S.c)
+      // s[4] = -side(wall(s, s.q), S.c)
       v[4] = W(fb[3] + meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0])));
     }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 23;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -25, floor_fp64 = -200, box_lowest = -25, box_highest = 27;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr meetc::factors all[] = {
-        {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
-        {0xb01p-32f, 0xb01p-61, 0x801p-110}, {0x801p-33f, 0x801p-62, 0xc01p-112},
-        {0xa01p-33f, 0xa01p-62, 0x801p-111}};
-      return all[i];
-    }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr meetc::box_factor all[] = {
-        {0xe01p-33f, 0, 0, 2}, {0xe01p-33f, 0, 0, 2}, {0x801p-29f, 0, 2, 2}, {0x901p-33f, 0, 1, 1},
-        {0xd01p-32f, 0, 1, 1}};
-      return all[i];
-    }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) {
-      static constexpr int all[] = {
-        2, 2, 4, 2, 2};
-      return all[i];
-    }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x0u, 0x0u, 0x4u, 0x5u, 0x6u};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[3]);
-      return m0;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[3] - b[0]);
-      const float m1 = meetc::larger(m0, b[4] - b[1]);
-      const float m2 = meetc::larger(m1, b[5] - b[2]);
-      return m2;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[0] - a[0]);
-      const T l1 = leaf(b[1] - a[1]);
-      const T l2 = leaf(b[2] - a[2]);
-      const T l3 = leaf(a[3]);
-      const T l4 = leaf(b[3] - a[0]);
-      const T l5 = leaf(b[4] - a[1]);
-      const T l6 = leaf(b[5] - a[2]);
-      const T l7 = leaf(b[3] - b[0]);
-      const T l8 = leaf(b[4] - b[1]);
-      const T l9 = leaf(b[5] - b[2]);
-      const T t0 = l3 * l3;
-      const T t1 = meetc::fma(l9, l9, meetc::fma(l8, l8, l7 * l7));
-      const T t2 = meetc::fma(l2, l8, l1 * l9);
-      const T t3 = meetc::fma(l0, l9, l2 * l7);
-      const T t4 = meetc::fma(l1, l7, l0 * l8);
-      m[0] = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0)) + t0;
-      m[1] = t0 + meetc::fma(l6, l6, meetc::fma(l5, l5, l4 * l4));
-      m[2] = meetc::fma(t0, t1, meetc::fma(t4, t4, meetc::fma(t3, t3, t2 * t2)));
-      m[3] = meetc::fma(l2, l9, meetc::fma(l1, l8, l0 * l7));
-      m[4] = t1 + meetc::fma(l2, l9, meetc::fma(l1, l8, l0 * l7));
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 15, instruction_count = 61;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 10, 4, 0}, {multiply, 11, 10, 10}, {subtract, 12, 5, 1}, {multiply, 13, 12, 12},
-        {add, 13, 13, 11}, {subtract, 11, 6, 2}, {multiply, 14, 11, 11}, {add, 14, 14, 13},
-        {multiply, 13, 3, 3}, {subtract, 3, 13, 14}, {negate, 14, 3, 0}, {take_sign, 0, 14, 0},
-        {subtract, 3, 7, 0}, {multiply, 0, 3, 3}, {subtract, 3, 8, 1}, {multiply, 1, 3, 3}, {add, 1, 1, 0},
-        {subtract, 0, 9, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {subtract, 0, 13, 2}, {negate, 1, 0, 0},
-        {take_sign, 1, 1, 0}, {subtract, 0, 7, 4}, {multiply, 1, 0, 0}, {subtract, 2, 8, 5},
-        {multiply, 3, 2, 2}, {add, 3, 3, 1}, {subtract, 1, 9, 6}, {multiply, 4, 1, 1}, {add, 4, 4, 3},
-        {multiply, 3, 10, 0}, {multiply, 5, 12, 2}, {add, 5, 5, 3}, {multiply, 3, 11, 1}, {add, 3, 3, 5},
-        {take_sign, 3, 3, 0}, {multiply, 5, 12, 1}, {negate, 6, 11, 0}, {multiply, 7, 6, 2}, {add, 7, 7, 5},
-        {multiply, 5, 11, 0}, {negate, 6, 10, 0}, {multiply, 8, 6, 1}, {add, 8, 8, 5}, {multiply, 1, 10, 2},
-        {negate, 2, 12, 0}, {multiply, 5, 2, 0}, {add, 5, 5, 1}, {multiply, 0, 7, 7}, {multiply, 1, 8, 8},
-        {add, 1, 1, 0}, {multiply, 0, 5, 5}, {add, 0, 0, 1}, {negate, 1, 0, 0}, {multiply, 0, 13, 4},
-        {add, 0, 0, 1}, {negate, 1, 0, 0}, {take_sign, 2, 1, 0}, {add, 0, 4, 3}, {take_sign, 4, 0, 0}};
-      return all[i];
-    }
   };
+
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
-    return false;
+  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+    const auto b0 = meetc::both(meetc::at_least_zero(s[2]), meetc::below_zero(s[3] * s[4]));
+    const auto b1 = meetc::either(meetc::at_least_zero(s[0]), meetc::at_least_zero(s[1]), b0);
+    return b1;
   }
-  template <class S> MEETC_HD static constexpr auto needs_rare([[maybe_unused]] const S *s) {
-    return false;
-  }
-  template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<3>(s[0]);
-    const auto b1 = meetc::in<3>(s[1]);
-    const auto b2 = meetc::in<3>(s[2]);
-    const auto b3 = meetc::in<1>(s[3] * s[4]);
-    const auto b4 = meetc::both(b2, b3);
-    const auto b5 = meetc::either(meetc::either(b0, b1), b4);
-    return b5;
-  }
-  template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<3>(s[0]);
-    const auto b1 = meetc::in<3>(s[1]);
-    const auto b2 = meetc::in<3>(s[2]);
-    const auto b3 = meetc::in<1>(s[3] * s[4]);
-    const auto b4 = meetc::both(b2, b3);
-    const auto b5 = meetc::either(meetc::either(b0, b1), b4);
-    return b5;
-  }
-
-  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-  MEETC_HD static bool hit(const sphere<float> &operand_a, const segment<float> &operand_b) {
-    return meetc::hit_certified<ball_segment>(operand_a, operand_b);
-  }
-
-  // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static meetc::answer filter(const sphere<float> &operand_a, const segment<float> &operand_b) {
-    return meetc::filter_fp32<ball_segment>(operand_a, operand_b);
-  }
-
-  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEETC_HD static bool plain(const sphere<float> &operand_a,
-      const segment<float> &operand_b) {
-    const meetc::rows_of<ball_segment, sphere<float>, segment<float>> rows(operand_a, operand_b);
-    return meetc::decide<ball_segment>(meetc::plain_signs<ball_segment, T>(rows.a, rows.b));
-  }
+  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/ball_segment_rest.hpp>
+#endif
 
 #endif

@@ -5,71 +5,66 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/ball_triangle_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // ball_triangle(S: sphere, t: triangle), closed sets.
-//   hit if any(p in t.corners: side(S, p) >= 0)
+//   hit: any(p in t.corners: side(S, p) >= 0)
 //   or any(e in t.edges: sign(norm2(meet(S, e))) >= 0
 //          and side(wall(e, e.p), S.c) * side(wall(e, e.q), S.c) < 0)
 //   or sign(norm2(meet(S, t))) >= 0 and inside(each(e in t.edges: side(e ^ (I*t), S.c)))
-struct ball_triangle {
+struct ball_triangle : detail::ball_triangle_points {
   static constexpr int inputs_a = 4, inputs_b = 9, atoms = 16;
 
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 6;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    unsigned bits = 0;
-    bits |= static_cast<unsigned>((a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2])) << 0;
-    bits |= static_cast<unsigned>((a[0] == b[3]) & (a[1] == b[4]) & (a[2] == b[5])) << 1;
-    bits |= static_cast<unsigned>((a[0] == b[6]) & (a[1] == b[7]) & (a[2] == b[8])) << 2;
-    bits |= static_cast<unsigned>((b[0] == b[3]) & (b[1] == b[4]) & (b[2] == b[5])) << 3;
-    bits |= static_cast<unsigned>((b[0] == b[6]) & (b[1] == b[7]) & (b[2] == b[8])) << 4;
-    bits |= static_cast<unsigned>((b[3] == b[6]) & (b[4] == b[7]) & (b[5] == b[8])) << 5;
-    return bits;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, 0, 1, 2, 0, 1, 2};
-    return all[i];
+  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
+  MEETC_HD static bool hit(const sphere<float> &S_, const triangle<float> &t) {
+    return meetc::hit_certified<ball_triangle>(S_, t);
   }
 
+  // The first rung alone, in fp32: no and yes are proved for valid operands.
+  MEETC_HD static meetc::answer filter(const sphere<float> &S_, const triangle<float> &t) {
+    return meetc::filter_fp32<ball_triangle>(S_, t);
+  }
+
+  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
+  template <class T> MEETC_HD static bool plain(const sphere<float> &S_, const triangle<float> &t) {
+    return meetc::hit_plain<ball_triangle, T>(S_, t);
+  }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static bool after_fp32(const float *row_a, const float *row_b);
+
   using reject_stage = meetc::no_stage;
+
   // The usual case: signs 0 to 15, degree 6.
-  // Once an object A: 1 multiplication, 0 additions; B: 21 multiplications, 24 additions; a pair: 59 multiplications, 52 additions.
-  struct common_stage {
-    static constexpr int first = 0, atoms = 16, fields_a = 1, fields_b = 20;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 6, growth = 13;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[3] * a[3];
-      f[0] = t0;
+  // Once an object S_: 1 multiplication, 0 additions; t: 21 multiplications, 24 additions; a pair: 59 multiplications, 52 additions.
+  struct common_stage : detail::ball_triangle_common_bounds {
+    static constexpr int first = 0, atoms = 16, fields_a = 1, fields_b = 19;
+    using bytecode = detail::ball_triangle_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto S_ = detail::sphere_in(row_a);
+      f[0] = S_.r * S_.r;
     }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[3] - b[0];
-      const T t1 = b[4] - b[1];
-      const T t2 = b[5] - b[2];
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto t = detail::triangle_in(row_b);
+      const T t0 = t.b.x - t.a.x;
+      const T t1 = t.b.y - t.a.y;
+      const T t2 = t.b.z - t.a.z;
       const T t3 = meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
-      const T t4 = b[6] - b[3];
-      const T t5 = b[7] - b[4];
-      const T t6 = b[8] - b[5];
-      const T t7 = meetc::fma(t6, t6, meetc::fma(t5, t5, t4 * t4));
-      const T t8 = b[6] - b[0];
-      const T t9 = b[7] - b[1];
-      const T t10 = b[8] - b[2];
-      const T t11 = meetc::fma(t10, t10, meetc::fma(t9, t9, t8 * t8));
-      const T t12 = meetc::fma(t2, t10, meetc::fma(t1, t9, t0 * t8));
-      const T t13 = meetc::fma(-t2, t9, t1 * t10);
-      const T t14 = meetc::fma(-t0, t10, t2 * t8);
-      const T t15 = meetc::fma(-t1, t8, t0 * t9);
-      const T t16 = meetc::fma(t15, t15, meetc::fma(t14, t14, t13 * t13));
-      const T t17 = -t3;
-      const T t18 = t3 - t12;
-      const T t19 = t11 - t12;
+      const T t4 = t.c.x - t.b.x;
+      const T t5 = t.c.y - t.b.y;
+      const T t6 = t.c.z - t.b.z;
+      const T t7 = t.c.x - t.a.x;
+      const T t8 = t.c.y - t.a.y;
+      const T t9 = t.c.z - t.a.z;
+      const T t10 = meetc::fma(t9, t9, meetc::fma(t8, t8, t7 * t7));
+      const T t11 = meetc::fma(t2, t9, meetc::fma(t1, t8, t0 * t7));
+      const T t12 = meetc::fma(-t2, t8, t1 * t9);
+      const T t13 = meetc::fma(-t0, t9, t2 * t7);
+      const T t14 = meetc::fma(-t1, t7, t0 * t8);
       f[0] = t0;
       f[1] = t1;
       f[2] = t2;
@@ -77,33 +72,33 @@ struct ball_triangle {
       f[4] = t4;
       f[5] = t5;
       f[6] = t6;
-      f[7] = t7;
-      f[8] = t8;
-      f[9] = t9;
-      f[10] = t10;
-      f[11] = t11;
-      f[12] = t12;
-      f[13] = t13;
-      f[14] = t14;
-      f[15] = t15;
-      f[16] = t16;
-      f[17] = t17;
-      f[18] = t18;
-      f[19] = t19;
+      f[7] = meetc::fma(t6, t6, meetc::fma(t5, t5, t4 * t4));
+      f[8] = t7;
+      f[9] = t8;
+      f[10] = t9;
+      f[11] = t10;
+      f[12] = t11;
+      f[13] = t12;
+      f[14] = t13;
+      f[15] = t14;
+      f[16] = meetc::fma(t14, t14, meetc::fma(t13, t13, t12 * t12));
+      f[17] = t3 - t11;
+      f[18] = t10 - t11;
     }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
+    // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[0] - a[0];
-      const T t1 = b[1] - a[1];
-      const T t2 = b[2] - a[2];
-      const T t3 = b[3] - a[0];
-      const T t4 = b[4] - a[1];
-      const T t5 = b[5] - a[2];
-      const T t6 = b[6] - a[0];
-      const T t7 = b[7] - a[1];
-      const T t8 = b[8] - a[2];
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+      const auto S_ = detail::sphere_in(row_a);
+      const auto t = detail::triangle_in(row_b);
+      const T t0 = t.a.x - S_.c.x;
+      const T t1 = t.a.y - S_.c.y;
+      const T t2 = t.a.z - S_.c.z;
+      const T t3 = t.b.x - S_.c.x;
+      const T t4 = t.b.y - S_.c.y;
+      const T t5 = t.b.z - S_.c.z;
+      const T t6 = t.c.x - S_.c.x;
+      const T t7 = t.c.y - S_.c.y;
+      const T t8 = t.c.z - S_.c.z;
       const T t9 = meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0]));
       const T t10 = -t2;
       const T t11 = meetc::fma(t10, fb[1], t1 * fb[2]);
@@ -122,278 +117,51 @@ struct ball_triangle {
       const T t24 = meetc::fma(t14, fb[8], t0 * fb[9]);
       const T t25 = meetc::fma(fa[0], fb[11], -meetc::fma(t24, t24, meetc::fma(t23, t23, t22 * t22)));
       const T t26 = meetc::fma(t2, fb[15], meetc::fma(t1, fb[14], t0 * fb[13]));
-      v[0] = -(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)));
-      v[1] = -(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)));
-      v[2] = -(fa[0] - meetc::fma(t8, t8, meetc::fma(t7, t7, t6 * t6)));
-      v[3] = -t16;
-      v[4] = t9;
-      v[5] = fb[3] + t9;
-      v[6] = -t20;
+      v[0] = fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)); // s[0] = side(S, t.a)
+      v[1] = fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)); // s[1] = side(S, t.b)
+      v[2] = fa[0] - meetc::fma(t8, t8, meetc::fma(t7, t7, t6 * t6)); // s[2] = side(S, t.c)
+      v[3] = t16; // s[3] = sign(norm2(meet(S, segment(t.a, t.b))))
+      v[4] = t9; // s[4] = -side(wall(segment(t.a, t.b), t.a), S.c)
+      v[5] = fb[3] + t9; // s[5] = -side(wall(segment(t.a, t.b), t.b), S.c)
+      v[6] = t20; // s[6] = sign(norm2(meet(S, segment(t.b, t.c))))
+      // s[7] = -side(wall(segment(t.b, t.c), t.b), S.c)
       v[7] = meetc::fma(t5, fb[6], meetc::fma(t4, fb[5], t3 * fb[4]));
+      // s[8] = -side(wall(segment(t.b, t.c), t.c), S.c)
       v[8] = fb[7] + meetc::fma(t5, fb[6], meetc::fma(t4, fb[5], t3 * fb[4]));
-      v[9] = -t25;
-      v[10] = fb[11] + t21;
-      v[11] = t21;
-      v[12] = -meetc::fma(-t26, t26, fa[0] * fb[16]);
-      v[13] = meetc::fma(fb[17], t21, t9 * fb[12]);
-      v[14] = meetc::fma(t9, fb[19], meetc::fma(t21, fb[18], fb[16]));
-      v[15] = meetc::fma(-t21, fb[12], t9 * fb[11]);
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64.
-    static constexpr int window = 7;
-    static constexpr bool mixed = false;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -17, floor_fp64 = -150, box_lowest = -17, box_highest = 17;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr meetc::factors all[] = {
-        {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
-        {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xb01p-32f, 0xb01p-61, 0x801p-110},
-        {0x801p-33f, 0x801p-62, 0xc01p-112}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
-        {0xb01p-32f, 0xb01p-61, 0x801p-110}, {0x801p-33f, 0x801p-62, 0xc01p-112},
-        {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xb01p-32f, 0xb01p-61, 0x801p-110},
-        {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0x801p-33f, 0x801p-62, 0xc01p-112},
-        {0x801p-31f, 0x801p-60, 0xc01p-110}, {0xb01p-32f, 0xb01p-61, 0x801p-110},
-        {0xc01p-32f, 0xc01p-61, 0xa01p-110}, {0xb01p-32f, 0xb01p-61, 0x801p-110}};
-      return all[i];
-    }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr meetc::box_factor all[] = {
-        {0xe01p-33f, 0, 0, 2}, {0xe01p-33f, 0, 0, 2}, {0xe01p-33f, 0, 0, 2}, {0x801p-29f, 0, 2, 2},
-        {0x901p-33f, 0, 1, 1}, {0xd01p-32f, 0, 1, 1}, {0x801p-29f, 0, 2, 2}, {0x901p-33f, 0, 1, 1},
-        {0xd01p-32f, 0, 1, 1}, {0x801p-29f, 0, 2, 2}, {0xd01p-32f, 0, 1, 1}, {0x901p-33f, 0, 1, 1},
-        {0x9e1p-27f, 0, 4, 2}, {0xac1p-29f, 0, 3, 1}, {0xfc1p-28f, 0, 3, 1}, {0xac1p-29f, 0, 3, 1}};
-      return all[i];
-    }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) {
-      static constexpr int all[] = {
-        2, 2, 2, 4, 2, 2, 4, 2, 2, 4, 2, 2, 6, 4, 4, 4};
-      return all[i];
-    }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x0u, 0x0u, 0x0u, 0x8u, 0x9u, 0xau, 0x20u, 0x22u, 0x24u, 0x10u, 0x14u, 0x11u, 0x38u, 0x3bu, 0x3eu,
-        0x3du};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[3]);
-      return m0;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[3] - b[0]);
-      const float m1 = meetc::larger(m0, b[4] - b[1]);
-      const float m2 = meetc::larger(m1, b[5] - b[2]);
-      const float m3 = meetc::larger(m2, b[6] - b[3]);
-      const float m4 = meetc::larger(m3, b[7] - b[4]);
-      const float m5 = meetc::larger(m4, b[8] - b[5]);
-      const float m6 = meetc::larger(m5, b[6] - b[0]);
-      const float m7 = meetc::larger(m6, b[7] - b[1]);
-      const float m8 = meetc::larger(m7, b[8] - b[2]);
-      return m8;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[0] - a[0]);
-      const T l1 = leaf(b[1] - a[1]);
-      const T l2 = leaf(b[2] - a[2]);
-      const T l3 = leaf(a[3]);
-      const T l4 = leaf(b[3] - a[0]);
-      const T l5 = leaf(b[4] - a[1]);
-      const T l6 = leaf(b[5] - a[2]);
-      const T l7 = leaf(b[6] - a[0]);
-      const T l8 = leaf(b[7] - a[1]);
-      const T l9 = leaf(b[8] - a[2]);
-      const T l10 = leaf(b[3] - b[0]);
-      const T l11 = leaf(b[4] - b[1]);
-      const T l12 = leaf(b[5] - b[2]);
-      const T l13 = leaf(b[6] - b[3]);
-      const T l14 = leaf(b[7] - b[4]);
-      const T l15 = leaf(b[8] - b[5]);
-      const T l16 = leaf(b[6] - b[0]);
-      const T l17 = leaf(b[7] - b[1]);
-      const T l18 = leaf(b[8] - b[2]);
-      const T t0 = l3 * l3;
-      const T t1 = meetc::fma(l12, l12, meetc::fma(l11, l11, l10 * l10));
-      const T t2 = meetc::fma(l2, l12, meetc::fma(l1, l11, l0 * l10));
-      const T t3 = meetc::fma(l2, l11, l1 * l12);
-      const T t4 = meetc::fma(l0, l12, l2 * l10);
-      const T t5 = meetc::fma(l1, l10, l0 * l11);
-      const T t6 = meetc::fma(l15, l15, meetc::fma(l14, l14, l13 * l13));
-      const T t7 = meetc::fma(l6, l14, l5 * l15);
-      const T t8 = meetc::fma(l4, l15, l6 * l13);
-      const T t9 = meetc::fma(l5, l13, l4 * l14);
-      const T t10 = meetc::fma(l18, l18, meetc::fma(l17, l17, l16 * l16));
-      const T t11 = meetc::fma(l2, l18, meetc::fma(l1, l17, l0 * l16));
-      const T t12 = meetc::fma(l2, l17, l1 * l18);
-      const T t13 = meetc::fma(l0, l18, l2 * l16);
-      const T t14 = meetc::fma(l1, l16, l0 * l17);
-      const T t15 = meetc::fma(t0, t10, meetc::fma(t14, t14, meetc::fma(t13, t13, t12 * t12)));
-      const T t16 = meetc::fma(l12, l18, meetc::fma(l11, l17, l10 * l16));
-      const T t17 = meetc::fma(l12, l17, l11 * l18);
-      const T t18 = meetc::fma(l10, l18, l12 * l16);
-      const T t19 = meetc::fma(l11, l16, l10 * l17);
-      const T t20 = meetc::fma(t19, t19, meetc::fma(t18, t18, t17 * t17));
-      const T t21 = meetc::fma(l2, t19, meetc::fma(l1, t18, l0 * t17));
-      m[0] = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0)) + t0;
-      m[1] = t0 + meetc::fma(l6, l6, meetc::fma(l5, l5, l4 * l4));
-      m[2] = t0 + meetc::fma(l9, l9, meetc::fma(l8, l8, l7 * l7));
-      m[3] = meetc::fma(t0, t1, meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)));
-      m[4] = t2;
-      m[5] = t1 + t2;
-      m[6] = meetc::fma(t0, t6, meetc::fma(t9, t9, meetc::fma(t8, t8, t7 * t7)));
-      m[7] = meetc::fma(l6, l15, meetc::fma(l5, l14, l4 * l13));
-      m[8] = t6 + meetc::fma(l6, l15, meetc::fma(l5, l14, l4 * l13));
-      m[9] = t15;
-      m[10] = t10 + t11;
-      m[11] = t11;
-      m[12] = meetc::fma(t21, t21, t0 * t20);
-      m[13] = meetc::fma(t1, t11, t2 * t16);
-      m[14] = meetc::fma(t2, t10 + t16, meetc::fma(t11, t1 + t16, t20));
-      m[15] = meetc::fma(t11, t16, t2 * t10);
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 29, instruction_count = 195;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 13, 4, 0}, {multiply, 14, 13, 13}, {subtract, 15, 5, 1}, {multiply, 16, 15, 15},
-        {add, 16, 16, 14}, {subtract, 14, 6, 2}, {multiply, 17, 14, 14}, {add, 17, 17, 16},
-        {multiply, 16, 3, 3}, {subtract, 3, 16, 17}, {negate, 17, 3, 0}, {take_sign, 0, 17, 0},
-        {subtract, 3, 7, 0}, {multiply, 17, 3, 3}, {subtract, 18, 8, 1}, {multiply, 19, 18, 18},
-        {add, 19, 19, 17}, {subtract, 17, 9, 2}, {multiply, 20, 17, 17}, {add, 20, 20, 19},
-        {subtract, 19, 16, 20}, {negate, 20, 19, 0}, {take_sign, 1, 20, 0}, {subtract, 19, 10, 0},
-        {multiply, 0, 19, 19}, {subtract, 19, 11, 1}, {multiply, 1, 19, 19}, {add, 1, 1, 0},
-        {subtract, 0, 12, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {subtract, 0, 16, 2}, {negate, 1, 0, 0},
-        {take_sign, 2, 1, 0}, {subtract, 0, 7, 4}, {multiply, 1, 0, 0}, {subtract, 2, 8, 5},
-        {multiply, 19, 2, 2}, {add, 19, 19, 1}, {subtract, 1, 9, 6}, {multiply, 20, 1, 1}, {add, 20, 20, 19},
-        {multiply, 19, 13, 0}, {multiply, 21, 15, 2}, {add, 21, 21, 19}, {multiply, 19, 14, 1},
-        {add, 19, 19, 21}, {take_sign, 4, 19, 0}, {multiply, 21, 15, 1}, {negate, 22, 14, 0},
-        {multiply, 23, 22, 2}, {add, 23, 23, 21}, {multiply, 21, 14, 0}, {negate, 24, 13, 0},
-        {multiply, 25, 24, 1}, {add, 25, 25, 21}, {multiply, 21, 13, 2}, {negate, 26, 15, 0},
-        {multiply, 27, 26, 0}, {add, 27, 27, 21}, {multiply, 21, 23, 23}, {multiply, 23, 25, 25},
-        {add, 23, 23, 21}, {multiply, 21, 27, 27}, {add, 21, 21, 23}, {negate, 23, 21, 0},
-        {multiply, 21, 16, 20}, {add, 21, 21, 23}, {negate, 23, 21, 0}, {take_sign, 3, 23, 0},
-        {add, 21, 20, 19}, {take_sign, 5, 21, 0}, {subtract, 21, 10, 7}, {multiply, 7, 21, 21},
-        {subtract, 23, 11, 8}, {multiply, 8, 23, 23}, {add, 8, 8, 7}, {subtract, 7, 12, 9},
-        {multiply, 9, 7, 7}, {add, 9, 9, 8}, {multiply, 8, 3, 21}, {multiply, 25, 18, 23}, {add, 25, 25, 8},
-        {multiply, 8, 17, 7}, {add, 8, 8, 25}, {take_sign, 7, 8, 0}, {multiply, 25, 18, 7},
-        {negate, 27, 17, 0}, {multiply, 28, 27, 23}, {add, 28, 28, 25}, {multiply, 25, 17, 21},
-        {negate, 17, 3, 0}, {multiply, 27, 17, 7}, {add, 27, 27, 25}, {multiply, 7, 3, 23},
-        {negate, 3, 18, 0}, {multiply, 17, 3, 21}, {add, 17, 17, 7}, {multiply, 3, 28, 28},
-        {multiply, 7, 27, 27}, {add, 7, 7, 3}, {multiply, 3, 17, 17}, {add, 3, 3, 7}, {negate, 7, 3, 0},
-        {multiply, 3, 16, 9}, {add, 3, 3, 7}, {negate, 7, 3, 0}, {take_sign, 6, 7, 0}, {add, 3, 9, 8},
-        {take_sign, 8, 3, 0}, {subtract, 3, 10, 4}, {multiply, 4, 3, 3}, {subtract, 7, 11, 5},
-        {multiply, 5, 7, 7}, {add, 5, 5, 4}, {subtract, 4, 12, 6}, {multiply, 6, 4, 4}, {add, 6, 6, 5},
-        {multiply, 5, 13, 3}, {multiply, 8, 15, 7}, {add, 8, 8, 5}, {multiply, 5, 14, 4}, {add, 5, 5, 8},
-        {take_sign, 11, 5, 0}, {multiply, 8, 15, 4}, {multiply, 9, 22, 7}, {add, 9, 9, 8},
-        {multiply, 8, 14, 3}, {multiply, 10, 24, 4}, {add, 10, 10, 8}, {multiply, 8, 13, 7},
-        {multiply, 11, 26, 3}, {add, 11, 11, 8}, {multiply, 8, 9, 9}, {multiply, 9, 10, 10}, {add, 9, 9, 8},
-        {multiply, 8, 11, 11}, {add, 8, 8, 9}, {negate, 9, 8, 0}, {multiply, 8, 16, 6}, {add, 8, 8, 9},
-        {negate, 9, 8, 0}, {take_sign, 9, 9, 0}, {add, 8, 6, 5}, {take_sign, 10, 8, 0}, {multiply, 8, 0, 3},
-        {multiply, 9, 2, 7}, {add, 9, 9, 8}, {multiply, 8, 1, 4}, {add, 8, 8, 9}, {multiply, 9, 2, 4},
-        {negate, 10, 1, 0}, {multiply, 11, 10, 7}, {add, 11, 11, 9}, {multiply, 9, 1, 3}, {negate, 1, 0, 0},
-        {multiply, 10, 1, 4}, {add, 10, 10, 9}, {multiply, 1, 0, 7}, {negate, 0, 2, 0}, {multiply, 2, 0, 3},
-        {add, 2, 2, 1}, {multiply, 0, 11, 11}, {multiply, 1, 10, 10}, {add, 1, 1, 0}, {multiply, 0, 2, 2},
-        {add, 0, 0, 1}, {multiply, 1, 19, 6}, {multiply, 3, 13, 11}, {multiply, 4, 15, 10}, {add, 4, 4, 3},
-        {multiply, 3, 14, 2}, {add, 3, 3, 4}, {multiply, 2, 16, 0}, {negate, 4, 3, 0}, {multiply, 7, 4, 3},
-        {add, 7, 7, 2}, {negate, 2, 7, 0}, {take_sign, 12, 2, 0}, {multiply, 2, 19, 8}, {negate, 3, 20, 0},
-        {multiply, 4, 3, 5}, {add, 4, 4, 2}, {take_sign, 13, 4, 0}, {subtract, 2, 20, 8}, {multiply, 3, 5, 2},
-        {add, 3, 3, 0}, {subtract, 0, 6, 8}, {multiply, 2, 19, 0}, {add, 2, 2, 3}, {take_sign, 14, 2, 0},
-        {negate, 0, 5, 0}, {multiply, 2, 0, 8}, {add, 2, 2, 1}, {take_sign, 15, 2, 0}};
-      return all[i];
+      v[9] = t25; // s[9] = sign(norm2(meet(S, segment(t.c, t.a))))
+      v[10] = fb[11] + t21; // s[10] = side(wall(segment(t.c, t.a), t.c), S.c)
+      v[11] = t21; // s[11] = side(wall(segment(t.c, t.a), t.a), S.c)
+      v[12] = meetc::fma(-t26, t26, fa[0] * fb[16]); // s[12] = sign(norm2(meet(S, t)))
+      v[13] = meetc::fma(-fb[3], t21, t9 * fb[12]); // s[13] = side(segment(t.a, t.b) ^ (I*t), S.c)
+      // s[14] = side(segment(t.b, t.c) ^ (I*t), S.c)
+      v[14] = meetc::fma(t9, fb[18], meetc::fma(t21, fb[17], fb[16]));
+      v[15] = meetc::fma(-t21, fb[12], t9 * fb[11]); // s[15] = -side(segment(t.c, t.a) ^ (I*t), S.c)
     }
   };
+
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
-    return false;
+  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+    const auto b0 = meetc::both(meetc::at_least_zero(s[3]), meetc::below_zero(s[4] * s[5]));
+    const auto b1 = meetc::both(meetc::at_least_zero(s[6]), meetc::below_zero(s[7] * s[8]));
+    const auto b2 = meetc::both(meetc::at_least_zero(s[9]), meetc::below_zero(s[10] * s[11]));
+    const auto b3 = meetc::both(meetc::above_zero(s[13]), meetc::above_zero(s[14]), meetc::below_zero(s[15]));
+    const auto b4 = meetc::both(meetc::below_zero(s[13]), meetc::below_zero(s[14]), meetc::above_zero(s[15]));
+    const auto b5 = meetc::either(meetc::at_least_zero(s[0]), meetc::at_least_zero(s[1]),
+        meetc::at_least_zero(s[2]), b0, b1, b2, meetc::both(meetc::at_least_zero(s[12]), meetc::either(b3,
+        b4)));
+    return b5;
   }
-  template <class S> MEETC_HD static constexpr auto needs_rare([[maybe_unused]] const S *s) {
-    return false;
-  }
-  template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<3>(s[0]);
-    const auto b1 = meetc::in<3>(s[1]);
-    const auto b2 = meetc::in<3>(s[2]);
-    const auto b3 = meetc::in<3>(s[3]);
-    const auto b4 = meetc::in<1>(s[4] * s[5]);
-    const auto b5 = meetc::both(b3, b4);
-    const auto b6 = meetc::in<3>(s[6]);
-    const auto b7 = meetc::in<1>(s[7] * s[8]);
-    const auto b8 = meetc::both(b6, b7);
-    const auto b9 = meetc::in<3>(s[9]);
-    const auto b10 = meetc::in<1>(s[10] * s[11]);
-    const auto b11 = meetc::both(b9, b10);
-    const auto b12 = meetc::either(meetc::either(meetc::either(meetc::either(meetc::either(b0, b1), b2), b5),
-        b8), b11);
-    const auto b13 = meetc::in<3>(s[12]);
-    const auto b14 = meetc::in<4>(s[13]);
-    const auto b15 = meetc::in<4>(s[14]);
-    const auto b16 = meetc::in<1>(s[15]);
-    const auto b17 = meetc::both(meetc::both(b14, b15), b16);
-    const auto b18 = meetc::in<1>(s[13]);
-    const auto b19 = meetc::in<1>(s[14]);
-    const auto b20 = meetc::in<4>(s[15]);
-    const auto b21 = meetc::both(meetc::both(b18, b19), b20);
-    const auto b22 = meetc::either(b17, b21);
-    const auto b23 = meetc::both(b13, b22);
-    const auto b24 = meetc::either(b12, b23);
-    return b24;
-  }
-  template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<3>(s[0]);
-    const auto b1 = meetc::in<3>(s[1]);
-    const auto b2 = meetc::in<3>(s[2]);
-    const auto b3 = meetc::in<3>(s[3]);
-    const auto b4 = meetc::in<1>(s[4] * s[5]);
-    const auto b5 = meetc::both(b3, b4);
-    const auto b6 = meetc::in<3>(s[6]);
-    const auto b7 = meetc::in<1>(s[7] * s[8]);
-    const auto b8 = meetc::both(b6, b7);
-    const auto b9 = meetc::in<3>(s[9]);
-    const auto b10 = meetc::in<1>(s[10] * s[11]);
-    const auto b11 = meetc::both(b9, b10);
-    const auto b12 = meetc::either(meetc::either(meetc::either(meetc::either(meetc::either(b0, b1), b2), b5),
-        b8), b11);
-    const auto b13 = meetc::in<3>(s[12]);
-    const auto b14 = meetc::in<4>(s[13]);
-    const auto b15 = meetc::in<4>(s[14]);
-    const auto b16 = meetc::in<1>(s[15]);
-    const auto b17 = meetc::both(meetc::both(b14, b15), b16);
-    const auto b18 = meetc::in<1>(s[13]);
-    const auto b19 = meetc::in<1>(s[14]);
-    const auto b20 = meetc::in<4>(s[15]);
-    const auto b21 = meetc::both(meetc::both(b18, b19), b20);
-    const auto b22 = meetc::either(b17, b21);
-    const auto b23 = meetc::both(b13, b22);
-    const auto b24 = meetc::either(b12, b23);
-    return b24;
-  }
-
-  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-  MEETC_HD static bool hit(const sphere<float> &operand_a, const triangle<float> &operand_b) {
-    return meetc::hit_certified<ball_triangle>(operand_a, operand_b);
-  }
-
-  // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static meetc::answer filter(const sphere<float> &operand_a, const triangle<float> &operand_b) {
-    return meetc::filter_fp32<ball_triangle>(operand_a, operand_b);
-  }
-
-  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEETC_HD static bool plain(const sphere<float> &operand_a,
-      const triangle<float> &operand_b) {
-    const meetc::rows_of<ball_triangle, sphere<float>, triangle<float>> rows(operand_a, operand_b);
-    return meetc::decide<ball_triangle>(meetc::plain_signs<ball_triangle, T>(rows.a, rows.b));
-  }
+  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/ball_triangle_rest.hpp>
+#endif
 
 #endif

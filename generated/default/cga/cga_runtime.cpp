@@ -2,18 +2,22 @@
 // The table of kinds and predicates.
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
-#include <cga/segment_segment.hpp>
-#include <cga/point_triangle.hpp>
-#include <cga/segment_triangle.hpp>
-#include <cga/triangle_triangle.hpp>
-#include <cga/sphere_sphere.hpp>
-#include <cga/ball_ball.hpp>
-#include <cga/ball_segment.hpp>
-#include <cga/sphere_segment.hpp>
-#include <cga/ball_triangle.hpp>
-#include <cga/sphere_triangle.hpp>
 
 namespace cga {
+
+namespace detail { // each in the source of its predicate
+meetc::predicate_info segment_segment_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info point_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info segment_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info triangle_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info sphere_sphere_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info ball_ball_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info ball_segment_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info sphere_segment_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info ball_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info sphere_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
+} // namespace detail
+
 namespace {
 
 const meetc::role point_roles[] = {meetc::role::x, meetc::role::y, meetc::role::z};
@@ -34,91 +38,21 @@ const meetc::kind_info all_kinds[] = {
   {"triangle", "x0,y0,z0,x1,y1,z1,x2,y2,z2", 9, triangle_roles, 3, triangle_shape::box, nullptr},
 };
 
-const meetc::predicate_info all_predicates[] = {
-  {"segment_segment", "", &all_kinds[2], &all_kinds[2],
-   {meetc::decide_plain<segment_segment, float>, meetc::decide_plain<segment_segment, double>,
-       meetc::decide_plain<segment_segment, meetc::double_double>, meetc::decide_exact<segment_segment>,
-       meetc::decide_certified<segment_segment>},
-   {meetc::certify_pairs<segment_segment, meetc::in_fp32>, meetc::certify_pairs<segment_segment,
-       meetc::in_fp64>, meetc::certify_pairs<segment_segment, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<segment_segment>, meetc::least_box<segment_segment>(),
-       meetc::most_box<segment_segment>()},
-  {"point_triangle", "", &all_kinds[0], &all_kinds[3],
-   {meetc::decide_plain<point_triangle, float>, meetc::decide_plain<point_triangle, double>,
-       meetc::decide_plain<point_triangle, meetc::double_double>, meetc::decide_exact<point_triangle>,
-       meetc::decide_certified<point_triangle>},
-   {meetc::certify_pairs<point_triangle, meetc::in_fp32>, meetc::certify_pairs<point_triangle,
-       meetc::in_fp64>, meetc::certify_pairs<point_triangle, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<point_triangle>, meetc::least_box<point_triangle>(),
-       meetc::most_box<point_triangle>()},
-  {"segment_triangle", "", &all_kinds[2], &all_kinds[3],
-   {meetc::decide_plain<segment_triangle, float>, meetc::decide_plain<segment_triangle, double>,
-       meetc::decide_plain<segment_triangle, meetc::double_double>, meetc::decide_exact<segment_triangle>,
-       meetc::decide_certified<segment_triangle>},
-   {meetc::certify_pairs<segment_triangle, meetc::in_fp32>, meetc::certify_pairs<segment_triangle,
-       meetc::in_fp64>, meetc::certify_pairs<segment_triangle, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<segment_triangle>, meetc::least_box<segment_triangle>(),
-       meetc::most_box<segment_triangle>()},
-  {"triangle_triangle", "", &all_kinds[3], &all_kinds[3],
-   {meetc::decide_plain<triangle_triangle, float>, meetc::decide_plain<triangle_triangle, double>,
-       meetc::decide_plain<triangle_triangle, meetc::double_double>, meetc::decide_exact<triangle_triangle>,
-       meetc::decide_certified<triangle_triangle>},
-   {meetc::certify_pairs<triangle_triangle, meetc::in_fp32>, meetc::certify_pairs<triangle_triangle,
-       meetc::in_fp64>, meetc::certify_pairs<triangle_triangle, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<triangle_triangle>, meetc::least_box<triangle_triangle>(),
-       meetc::most_box<triangle_triangle>()},
-  {"sphere_sphere", "surface", &all_kinds[1], &all_kinds[1],
-   {meetc::decide_plain<sphere_sphere, float>, meetc::decide_plain<sphere_sphere, double>,
-       meetc::decide_plain<sphere_sphere, meetc::double_double>, meetc::decide_exact<sphere_sphere>,
-       meetc::decide_certified<sphere_sphere>},
-   {meetc::certify_pairs<sphere_sphere, meetc::in_fp32>, meetc::certify_pairs<sphere_sphere, meetc::in_fp64>,
-       meetc::certify_pairs<sphere_sphere, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<sphere_sphere>, meetc::least_box<sphere_sphere>(),
-       meetc::most_box<sphere_sphere>()},
-  {"ball_ball", "solid", &all_kinds[1], &all_kinds[1],
-   {meetc::decide_plain<ball_ball, float>, meetc::decide_plain<ball_ball, double>,
-       meetc::decide_plain<ball_ball, meetc::double_double>, meetc::decide_exact<ball_ball>,
-       meetc::decide_certified<ball_ball>},
-   {meetc::certify_pairs<ball_ball, meetc::in_fp32>, meetc::certify_pairs<ball_ball, meetc::in_fp64>,
-       meetc::certify_pairs<ball_ball, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<ball_ball>, meetc::least_box<ball_ball>(), meetc::most_box<ball_ball>()},
-  {"ball_segment", "solid", &all_kinds[1], &all_kinds[2],
-   {meetc::decide_plain<ball_segment, float>, meetc::decide_plain<ball_segment, double>,
-       meetc::decide_plain<ball_segment, meetc::double_double>, meetc::decide_exact<ball_segment>,
-       meetc::decide_certified<ball_segment>},
-   {meetc::certify_pairs<ball_segment, meetc::in_fp32>, meetc::certify_pairs<ball_segment, meetc::in_fp64>,
-       meetc::certify_pairs<ball_segment, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<ball_segment>, meetc::least_box<ball_segment>(),
-       meetc::most_box<ball_segment>()},
-  {"sphere_segment", "surface", &all_kinds[1], &all_kinds[2],
-   {meetc::decide_plain<sphere_segment, float>, meetc::decide_plain<sphere_segment, double>,
-       meetc::decide_plain<sphere_segment, meetc::double_double>, meetc::decide_exact<sphere_segment>,
-       meetc::decide_certified<sphere_segment>},
-   {meetc::certify_pairs<sphere_segment, meetc::in_fp32>, meetc::certify_pairs<sphere_segment,
-       meetc::in_fp64>, meetc::certify_pairs<sphere_segment, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<sphere_segment>, meetc::least_box<sphere_segment>(),
-       meetc::most_box<sphere_segment>()},
-  {"ball_triangle", "solid", &all_kinds[1], &all_kinds[3],
-   {meetc::decide_plain<ball_triangle, float>, meetc::decide_plain<ball_triangle, double>,
-       meetc::decide_plain<ball_triangle, meetc::double_double>, meetc::decide_exact<ball_triangle>,
-       meetc::decide_certified<ball_triangle>},
-   {meetc::certify_pairs<ball_triangle, meetc::in_fp32>, meetc::certify_pairs<ball_triangle, meetc::in_fp64>,
-       meetc::certify_pairs<ball_triangle, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<ball_triangle>, meetc::least_box<ball_triangle>(),
-       meetc::most_box<ball_triangle>()},
-  {"sphere_triangle", "surface", &all_kinds[1], &all_kinds[3],
-   {meetc::decide_plain<sphere_triangle, float>, meetc::decide_plain<sphere_triangle, double>,
-       meetc::decide_plain<sphere_triangle, meetc::double_double>, meetc::decide_exact<sphere_triangle>,
-       meetc::decide_certified<sphere_triangle>},
-   {meetc::certify_pairs<sphere_triangle, meetc::in_fp32>, meetc::certify_pairs<sphere_triangle,
-       meetc::in_fp64>, meetc::certify_pairs<sphere_triangle, meetc::in_fp64x2>},
-   meetc::certify_pairs_in_box<sphere_triangle>, meetc::least_box<sphere_triangle>(),
-       meetc::most_box<sphere_triangle>()},
-};
-
 } // namespace
 
 const meetc::catalogue &catalogue() {
+  static const meetc::predicate_info all_predicates[] = {
+    detail::segment_segment_info(&all_kinds[2], &all_kinds[2]),
+    detail::point_triangle_info(&all_kinds[0], &all_kinds[3]),
+    detail::segment_triangle_info(&all_kinds[2], &all_kinds[3]),
+    detail::triangle_triangle_info(&all_kinds[3], &all_kinds[3]),
+    detail::sphere_sphere_info(&all_kinds[1], &all_kinds[1]),
+    detail::ball_ball_info(&all_kinds[1], &all_kinds[1]),
+    detail::ball_segment_info(&all_kinds[1], &all_kinds[2]),
+    detail::sphere_segment_info(&all_kinds[1], &all_kinds[2]),
+    detail::ball_triangle_info(&all_kinds[1], &all_kinds[3]),
+    detail::sphere_triangle_info(&all_kinds[1], &all_kinds[3]),
+  };
   static const meetc::catalogue c{"cga", all_kinds, 4, all_predicates, 10, 0.0f};
   return c;
 }

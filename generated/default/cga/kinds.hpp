@@ -216,6 +216,40 @@ template <class T> MEETC_HD inline bool valid(const triangle<T> &k) {
       meetc::is_finite(k.c.z);
 }
 
+// Kinds as their rows hold them.
+namespace detail {
+template <class T> MEETC_HD MEETC_INLINE point<T> point_in(const T *row) {
+  return {row[0], row[1], row[2]};
+}
+template <class T> MEETC_HD MEETC_INLINE direction<T> direction_in(const T *row) {
+  return {row[0], row[1], row[2]};
+}
+template <class T> MEETC_HD MEETC_INLINE point_pair<T> point_pair_in(const T *row) {
+  return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
+}
+template <class T> MEETC_HD MEETC_INLINE flat_point<T> flat_point_in(const T *row) {
+  return {{row[0], row[1], row[2]}};
+}
+template <class T> MEETC_HD MEETC_INLINE line<T> line_in(const T *row) {
+  return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
+}
+template <class T> MEETC_HD MEETC_INLINE circle<T> circle_in(const T *row) {
+  return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, row[6]};
+}
+template <class T> MEETC_HD MEETC_INLINE plane<T> plane_in(const T *row) {
+  return {{row[0], row[1], row[2]}, row[3]};
+}
+template <class T> MEETC_HD MEETC_INLINE sphere<T> sphere_in(const T *row) {
+  return {{row[0], row[1], row[2]}, row[3]};
+}
+template <class T> MEETC_HD MEETC_INLINE segment<T> segment_in(const T *row) {
+  return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
+}
+template <class T> MEETC_HD MEETC_INLINE triangle<T> triangle_in(const T *row) {
+  return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, {row[6], row[7], row[8]}};
+}
+} // namespace detail
+
 // The blade of a point: coefficients on e1, e2, e3, n, nb.
 template <class T = float> struct point_blade {
   T e1, e2, e3, n, nb;

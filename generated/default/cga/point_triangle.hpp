@@ -5,380 +5,141 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/point_triangle_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // point_triangle(p: point, t: triangle), closed sets.
-//   hit if side(t, p) == 0 and all(k in axes:
+//   hit: side(t, p) == 0 and all(k in axes:
 //         agree(each(e in t.edges: turn(k, e.p, e.q, p)))
 //     and overlap(k, [p], t.corners))
-struct point_triangle {
+struct point_triangle : detail::point_triangle_points {
   static constexpr int inputs_a = 3, inputs_b = 9, atoms = 19;
 
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 6;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    unsigned bits = 0;
-    bits |= static_cast<unsigned>((a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2])) << 0;
-    bits |= static_cast<unsigned>((a[0] == b[3]) & (a[1] == b[4]) & (a[2] == b[5])) << 1;
-    bits |= static_cast<unsigned>((a[0] == b[6]) & (a[1] == b[7]) & (a[2] == b[8])) << 2;
-    bits |= static_cast<unsigned>((b[0] == b[3]) & (b[1] == b[4]) & (b[2] == b[5])) << 3;
-    bits |= static_cast<unsigned>((b[0] == b[6]) & (b[1] == b[7]) & (b[2] == b[8])) << 4;
-    bits |= static_cast<unsigned>((b[3] == b[6]) & (b[4] == b[7]) & (b[5] == b[8])) << 5;
-    return bits;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
-    return all[i];
+  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
+  MEETC_HD static bool hit(const point<float> &p, const triangle<float> &t) {
+    return meetc::hit_certified<point_triangle>(p, t);
   }
 
+  // The first rung alone, in fp32: no and yes are proved for valid operands.
+  MEETC_HD static meetc::answer filter(const point<float> &p, const triangle<float> &t) {
+    return meetc::filter_fp32<point_triangle>(p, t);
+  }
+
+  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
+  template <class T> MEETC_HD static bool plain(const point<float> &p, const triangle<float> &t) {
+    return meetc::hit_plain<point_triangle, T>(p, t);
+  }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static bool after_fp32(const float *row_a, const float *row_b);
+
   using reject_stage = meetc::no_stage;
+
   // The usual case: signs 0 to 18, degree 3.
-  // Once an object A: 0 multiplications, 0 additions; B: 6 multiplications, 12 additions; a pair: 21 multiplications, 20 additions.
-  struct common_stage {
-    static constexpr int first = 0, atoms = 19, fields_a = 0, fields_b = 14;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 3, growth = 6;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
+  // Once an object p: 0 multiplications, 0 additions; t: 6 multiplications, 12 additions; a pair: 21 multiplications, 20 additions.
+  struct common_stage : detail::point_triangle_common_bounds {
+    static constexpr int first = 0, atoms = 19, fields_a = 0, fields_b = 12;
+    using bytecode = detail::point_triangle_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *, T *) {
     }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[7] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = b[8] - b[2];
-      const T t3 = b[4] - b[1];
-      const T t4 = -t0;
-      const T t5 = meetc::fma(t4, t1, t2 * t3);
-      const T t6 = b[3] - b[0];
-      const T t7 = b[6] - b[0];
-      const T t8 = meetc::fma(-t2, t6, t1 * t7);
-      const T t9 = -t3;
-      const T t10 = meetc::fma(t9, t7, t0 * t6);
-      const T t11 = b[7] - b[4];
-      const T t12 = b[8] - b[5];
-      const T t13 = -t6;
-      const T t14 = b[6] - b[3];
-      const T t15 = -t7;
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto t = detail::triangle_in(row_b);
+      const T t0 = t.c.y - t.a.y;
+      const T t1 = t.b.z - t.a.z;
+      const T t2 = t.c.z - t.a.z;
+      const T t3 = t.b.y - t.a.y;
+      const T t4 = t.b.x - t.a.x;
+      const T t5 = t.c.x - t.a.x;
       f[0] = t0;
       f[1] = t1;
       f[2] = t2;
       f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-      f[6] = t8;
-      f[7] = t9;
-      f[8] = t10;
-      f[9] = t11;
-      f[10] = t12;
-      f[11] = t13;
-      f[12] = t14;
-      f[13] = t15;
+      f[4] = meetc::fma(-t0, t1, t2 * t3);
+      f[5] = t4;
+      f[6] = t5;
+      f[7] = meetc::fma(-t2, t4, t1 * t5);
+      f[8] = meetc::fma(-t3, t5, t0 * t4);
+      f[9] = t.c.y - t.b.y;
+      f[10] = t.c.z - t.b.z;
+      f[11] = t.c.x - t.b.x;
     }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
+    // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[0] - a[0];
-      const T t1 = b[1] - a[1];
-      const T t2 = b[2] - a[2];
-      const W t3 = -meetc::fma(fb[8], t2, meetc::fma(fb[6], t1, meetc::times<W>(fb[5], t0)));
-      const T t4 = b[4] - a[1];
-      const T t5 = -(b[5] - a[2]);
-      const T t6 = b[3] - a[0];
-      v[0] = t3;
-      v[1] = W(meetc::fma(fb[7], t2, fb[1] * t1));
-      v[2] = W(meetc::fma(t5, fb[9], t4 * fb[10]));
-      v[3] = W(meetc::fma(fb[4], t2, fb[2] * t1));
-      v[4] = W(-t0);
-      v[5] = W(-t6);
-      v[6] = W(-(b[6] - a[0]));
-      v[7] = W(meetc::fma(fb[11], t2, fb[1] * t0));
-      v[8] = W(meetc::fma(t5, fb[12], fb[10] * t6));
-      v[9] = W(meetc::fma(fb[13], t2, fb[2] * t0));
-      v[10] = W(-t1);
-      v[11] = W(-t4);
-      v[12] = W(-(b[7] - a[1]));
-      v[13] = W(meetc::fma(fb[11], t1, fb[3] * t0));
-      v[14] = W(meetc::fma(-t4, fb[12], fb[9] * t6));
-      v[15] = W(meetc::fma(fb[13], t1, fb[0] * t0));
-      v[16] = W(-t2);
-      v[17] = W(t5);
-      v[18] = W(-(b[8] - a[2]));
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 26;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr meetc::factors all[] = {
-        {0xe01p-33f, 0xe01p-62, 0xa01p-111}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}};
-      return all[i];
-    }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr meetc::box_factor all[] = {
-        {0x841p-31f, 0, 2, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1},
-        {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}};
-      return all[i];
-    }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) {
-      static constexpr int all[] = {
-        3, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1};
-      return all[i];
-    }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x3fu, 0xbu, 0x26u, 0x15u, 0x1u, 0x2u, 0x4u, 0xbu, 0x26u, 0x15u, 0x1u, 0x2u, 0x4u, 0xbu, 0x26u, 0x15u,
-        0x1u, 0x2u, 0x4u};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      return 0.0f;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[7] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[8] - b[2]);
-      const float m3 = meetc::larger(m2, b[4] - b[1]);
-      const float m4 = meetc::larger(m3, b[3] - b[0]);
-      const float m5 = meetc::larger(m4, b[6] - b[0]);
-      const float m6 = meetc::larger(m5, b[7] - b[4]);
-      const float m7 = meetc::larger(m6, b[8] - b[5]);
-      const float m8 = meetc::larger(m7, b[6] - b[3]);
-      return m8;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[7] - b[1]);
-      const T l1 = leaf(b[5] - b[2]);
-      const T l2 = leaf(b[8] - b[2]);
-      const T l3 = leaf(b[4] - b[1]);
-      const T l4 = leaf(b[3] - b[0]);
-      const T l5 = leaf(b[6] - b[0]);
-      const T l6 = leaf(b[0] - a[0]);
-      const T l7 = leaf(b[1] - a[1]);
-      const T l8 = leaf(b[2] - a[2]);
-      const T l9 = leaf(b[4] - a[1]);
-      const T l10 = leaf(b[5] - a[2]);
-      const T l11 = leaf(b[7] - b[4]);
-      const T l12 = leaf(b[8] - b[5]);
-      const T l13 = leaf(b[3] - a[0]);
-      const T l14 = leaf(b[6] - a[0]);
-      const T l15 = leaf(b[6] - b[3]);
-      const T l16 = leaf(b[7] - a[1]);
-      const T l17 = leaf(b[8] - a[2]);
-      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
-      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
-      m[1] = meetc::fma(l3, l8, l1 * l7);
-      m[2] = meetc::fma(l10, l11, l9 * l12);
-      m[3] = meetc::fma(l0, l8, l2 * l7);
-      m[4] = l6;
-      m[5] = l13;
-      m[6] = l14;
-      m[7] = meetc::fma(l4, l8, l1 * l6);
-      m[8] = meetc::fma(l10, l15, l12 * l13);
-      m[9] = meetc::fma(l5, l8, l2 * l6);
-      m[10] = l7;
-      m[11] = l9;
-      m[12] = l16;
-      m[13] = meetc::fma(l4, l7, l3 * l6);
-      m[14] = meetc::fma(l9, l15, l11 * l13);
-      m[15] = meetc::fma(l5, l7, l0 * l6);
-      m[16] = l8;
-      m[17] = l10;
-      m[18] = l17;
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 24, instruction_count = 93;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 12, 10, 4}, {subtract, 13, 8, 5}, {subtract, 14, 11, 5}, {subtract, 15, 7, 4},
-        {multiply, 16, 14, 15}, {negate, 17, 12, 0}, {multiply, 18, 17, 13}, {add, 18, 18, 16},
-        {subtract, 16, 6, 3}, {subtract, 19, 9, 3}, {multiply, 20, 13, 19}, {negate, 21, 14, 0},
-        {multiply, 22, 21, 16}, {add, 22, 22, 20}, {multiply, 20, 12, 16}, {negate, 21, 15, 0},
-        {multiply, 23, 21, 19}, {add, 23, 23, 20}, {subtract, 20, 3, 0}, {multiply, 3, 18, 20},
-        {subtract, 18, 4, 1}, {multiply, 4, 22, 18}, {add, 4, 4, 3}, {subtract, 3, 5, 2},
-        {multiply, 5, 23, 3}, {add, 5, 5, 4}, {negate, 4, 5, 0}, {take_sign, 0, 4, 0}, {multiply, 4, 13, 18},
-        {negate, 5, 3, 0}, {take_sign, 16, 5, 0}, {multiply, 5, 21, 3}, {add, 5, 5, 4}, {take_sign, 1, 5, 0},
-        {subtract, 4, 7, 1}, {subtract, 5, 8, 2}, {subtract, 21, 10, 7}, {subtract, 7, 11, 8},
-        {multiply, 8, 4, 7}, {negate, 22, 5, 0}, {take_sign, 17, 22, 0}, {multiply, 5, 22, 21},
-        {add, 5, 5, 8}, {take_sign, 2, 5, 0}, {multiply, 5, 14, 18}, {multiply, 8, 17, 3}, {add, 8, 8, 5},
-        {take_sign, 3, 8, 0}, {negate, 5, 20, 0}, {take_sign, 4, 5, 0}, {subtract, 5, 6, 0},
-        {negate, 8, 5, 0}, {take_sign, 5, 8, 0}, {subtract, 8, 9, 0}, {negate, 0, 8, 0}, {take_sign, 6, 0, 0},
-        {multiply, 0, 13, 20}, {negate, 8, 16, 0}, {multiply, 13, 8, 3}, {add, 13, 13, 0},
-        {take_sign, 7, 13, 0}, {subtract, 0, 9, 6}, {multiply, 6, 7, 5}, {multiply, 7, 22, 0}, {add, 7, 7, 6},
-        {take_sign, 8, 7, 0}, {multiply, 6, 14, 20}, {negate, 7, 19, 0}, {multiply, 9, 7, 3}, {add, 9, 9, 6},
-        {take_sign, 9, 9, 0}, {negate, 3, 18, 0}, {take_sign, 10, 3, 0}, {negate, 3, 4, 0},
-        {take_sign, 11, 3, 0}, {subtract, 4, 10, 1}, {negate, 1, 4, 0}, {take_sign, 12, 1, 0},
-        {multiply, 1, 15, 20}, {multiply, 4, 8, 18}, {add, 4, 4, 1}, {take_sign, 13, 4, 0},
-        {multiply, 1, 21, 5}, {multiply, 4, 3, 0}, {add, 4, 4, 1}, {take_sign, 14, 4, 0},
-        {multiply, 0, 12, 20}, {multiply, 1, 7, 18}, {add, 1, 1, 0}, {take_sign, 15, 1, 0},
-        {subtract, 0, 11, 2}, {negate, 1, 0, 0}, {take_sign, 18, 1, 0}};
-      return all[i];
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
+      const auto p = detail::point_in(row_a);
+      const auto t = detail::triangle_in(row_b);
+      const T t0 = t.a.x - p.x;
+      const T t1 = t.a.y - p.y;
+      const T t2 = t.a.z - p.z;
+      const T t3 = t.b.y - p.y;
+      const T t4 = -(t.b.z - p.z);
+      const T t5 = t.b.x - p.x;
+      v[0] = meetc::fma(fb[8], t2, meetc::fma(fb[7], t1, meetc::times<W>(fb[4], t0))); // s[0] = -side(t, p)
+      v[1] = W(meetc::fma(-fb[3], t2, fb[1] * t1)); // s[1] = -turn(e1, t.a, t.b, p)
+      v[2] = W(meetc::fma(t4, fb[9], t3 * fb[10])); // s[2] = -turn(e1, t.b, t.c, p)
+      v[3] = W(meetc::fma(-fb[0], t2, fb[2] * t1)); // s[3] = turn(e1, t.c, t.a, p)
+      v[4] = W(t0); // s[4] = -(p[e1] - t.a[e1])
+      v[5] = W(t5); // s[5] = -(p[e1] - t.b[e1])
+      v[6] = W(t.c.x - p.x); // s[6] = -(p[e1] - t.c[e1])
+      v[7] = W(meetc::fma(-fb[5], t2, fb[1] * t0)); // s[7] = turn(e2, t.a, t.b, p)
+      v[8] = W(meetc::fma(t4, fb[11], fb[10] * t5)); // s[8] = turn(e2, t.b, t.c, p)
+      v[9] = W(meetc::fma(-fb[6], t2, fb[2] * t0)); // s[9] = -turn(e2, t.c, t.a, p)
+      v[10] = W(t1); // s[10] = -(p[e2] - t.a[e2])
+      v[11] = W(t3); // s[11] = -(p[e2] - t.b[e2])
+      v[12] = W(t.c.y - p.y); // s[12] = -(p[e2] - t.c[e2])
+      v[13] = W(meetc::fma(-fb[5], t1, fb[3] * t0)); // s[13] = -turn(e3, t.a, t.b, p)
+      v[14] = W(meetc::fma(-t3, fb[11], fb[9] * t5)); // s[14] = -turn(e3, t.b, t.c, p)
+      v[15] = W(meetc::fma(-fb[6], t1, fb[0] * t0)); // s[15] = turn(e3, t.c, t.a, p)
+      v[16] = W(t2); // s[16] = -(p[e3] - t.a[e3])
+      v[17] = W(t.b.z - p.z); // s[17] = -(p[e3] - t.b[e3])
+      v[18] = W(t.c.z - p.z); // s[18] = -(p[e3] - t.c[e3])
     }
   };
+
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
-    return false;
+  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+    const auto b0 = meetc::both(meetc::at_most_zero(s[1]), meetc::at_most_zero(s[2]),
+        meetc::at_least_zero(s[3]));
+    const auto b1 = meetc::both(meetc::at_least_zero(s[1]), meetc::at_least_zero(s[2]),
+        meetc::at_most_zero(s[3]));
+    const auto b2 = meetc::either(meetc::at_least_zero(s[4]), meetc::at_least_zero(s[5]),
+        meetc::at_least_zero(s[6]));
+    const auto b3 = meetc::either(meetc::at_most_zero(s[4]), meetc::at_most_zero(s[5]),
+        meetc::at_most_zero(s[6]));
+    const auto b4 = meetc::both(meetc::at_least_zero(s[7]), meetc::at_least_zero(s[8]),
+        meetc::at_most_zero(s[9]));
+    const auto b5 = meetc::both(meetc::at_most_zero(s[7]), meetc::at_most_zero(s[8]),
+        meetc::at_least_zero(s[9]));
+    const auto b6 = meetc::either(meetc::at_least_zero(s[10]), meetc::at_least_zero(s[11]),
+        meetc::at_least_zero(s[12]));
+    const auto b7 = meetc::either(meetc::at_most_zero(s[10]), meetc::at_most_zero(s[11]),
+        meetc::at_most_zero(s[12]));
+    const auto b8 = meetc::both(meetc::at_most_zero(s[13]), meetc::at_most_zero(s[14]),
+        meetc::at_least_zero(s[15]));
+    const auto b9 = meetc::both(meetc::at_least_zero(s[13]), meetc::at_least_zero(s[14]),
+        meetc::at_most_zero(s[15]));
+    const auto b10 = meetc::either(meetc::at_least_zero(s[16]), meetc::at_least_zero(s[17]),
+        meetc::at_least_zero(s[18]));
+    const auto b11 = meetc::either(meetc::at_most_zero(s[16]), meetc::at_most_zero(s[17]),
+        meetc::at_most_zero(s[18]));
+    const auto b12 = meetc::both(meetc::is_zero(s[0]), meetc::either(b0, b1), b2, b3, meetc::either(b4, b5),
+        b6, b7, meetc::either(b8, b9), b10, b11);
+    return b12;
   }
-  template <class S> MEETC_HD static constexpr auto needs_rare([[maybe_unused]] const S *s) {
-    return false;
-  }
-  template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<2>(s[0]);
-    const auto b1 = meetc::in<3>(s[1]);
-    const auto b2 = meetc::in<3>(s[2]);
-    const auto b3 = meetc::in<6>(s[3]);
-    const auto b4 = meetc::both(meetc::both(b1, b2), b3);
-    const auto b5 = meetc::in<6>(s[1]);
-    const auto b6 = meetc::in<6>(s[2]);
-    const auto b7 = meetc::in<3>(s[3]);
-    const auto b8 = meetc::both(meetc::both(b5, b6), b7);
-    const auto b9 = meetc::either(b4, b8);
-    const auto b10 = meetc::in<3>(s[4]);
-    const auto b11 = meetc::in<3>(s[5]);
-    const auto b12 = meetc::in<3>(s[6]);
-    const auto b13 = meetc::either(meetc::either(b10, b11), b12);
-    const auto b14 = meetc::in<6>(s[4]);
-    const auto b15 = meetc::in<6>(s[5]);
-    const auto b16 = meetc::in<6>(s[6]);
-    const auto b17 = meetc::either(meetc::either(b14, b15), b16);
-    const auto b18 = meetc::in<6>(s[7]);
-    const auto b19 = meetc::in<6>(s[8]);
-    const auto b20 = meetc::in<3>(s[9]);
-    const auto b21 = meetc::both(meetc::both(b18, b19), b20);
-    const auto b22 = meetc::in<3>(s[7]);
-    const auto b23 = meetc::in<3>(s[8]);
-    const auto b24 = meetc::in<6>(s[9]);
-    const auto b25 = meetc::both(meetc::both(b22, b23), b24);
-    const auto b26 = meetc::either(b21, b25);
-    const auto b27 = meetc::in<3>(s[10]);
-    const auto b28 = meetc::in<3>(s[11]);
-    const auto b29 = meetc::in<3>(s[12]);
-    const auto b30 = meetc::either(meetc::either(b27, b28), b29);
-    const auto b31 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b9), b13), b17), b26),
-        b30);
-    const auto b32 = meetc::in<6>(s[10]);
-    const auto b33 = meetc::in<6>(s[11]);
-    const auto b34 = meetc::in<6>(s[12]);
-    const auto b35 = meetc::either(meetc::either(b32, b33), b34);
-    const auto b36 = meetc::in<3>(s[13]);
-    const auto b37 = meetc::in<3>(s[14]);
-    const auto b38 = meetc::in<6>(s[15]);
-    const auto b39 = meetc::both(meetc::both(b36, b37), b38);
-    const auto b40 = meetc::in<6>(s[13]);
-    const auto b41 = meetc::in<6>(s[14]);
-    const auto b42 = meetc::in<3>(s[15]);
-    const auto b43 = meetc::both(meetc::both(b40, b41), b42);
-    const auto b44 = meetc::either(b39, b43);
-    const auto b45 = meetc::in<3>(s[16]);
-    const auto b46 = meetc::in<3>(s[17]);
-    const auto b47 = meetc::in<3>(s[18]);
-    const auto b48 = meetc::either(meetc::either(b45, b46), b47);
-    const auto b49 = meetc::in<6>(s[16]);
-    const auto b50 = meetc::in<6>(s[17]);
-    const auto b51 = meetc::in<6>(s[18]);
-    const auto b52 = meetc::either(meetc::either(b49, b50), b51);
-    const auto b53 = meetc::both(meetc::both(meetc::both(meetc::both(b31, b35), b44), b48), b52);
-    return b53;
-  }
-  template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<2>(s[0]);
-    const auto b1 = meetc::in<3>(s[1]);
-    const auto b2 = meetc::in<3>(s[2]);
-    const auto b3 = meetc::in<6>(s[3]);
-    const auto b4 = meetc::both(meetc::both(b1, b2), b3);
-    const auto b5 = meetc::in<6>(s[1]);
-    const auto b6 = meetc::in<6>(s[2]);
-    const auto b7 = meetc::in<3>(s[3]);
-    const auto b8 = meetc::both(meetc::both(b5, b6), b7);
-    const auto b9 = meetc::either(b4, b8);
-    const auto b10 = meetc::in<3>(s[4]);
-    const auto b11 = meetc::in<3>(s[5]);
-    const auto b12 = meetc::in<3>(s[6]);
-    const auto b13 = meetc::either(meetc::either(b10, b11), b12);
-    const auto b14 = meetc::in<6>(s[4]);
-    const auto b15 = meetc::in<6>(s[5]);
-    const auto b16 = meetc::in<6>(s[6]);
-    const auto b17 = meetc::either(meetc::either(b14, b15), b16);
-    const auto b18 = meetc::in<6>(s[7]);
-    const auto b19 = meetc::in<6>(s[8]);
-    const auto b20 = meetc::in<3>(s[9]);
-    const auto b21 = meetc::both(meetc::both(b18, b19), b20);
-    const auto b22 = meetc::in<3>(s[7]);
-    const auto b23 = meetc::in<3>(s[8]);
-    const auto b24 = meetc::in<6>(s[9]);
-    const auto b25 = meetc::both(meetc::both(b22, b23), b24);
-    const auto b26 = meetc::either(b21, b25);
-    const auto b27 = meetc::in<3>(s[10]);
-    const auto b28 = meetc::in<3>(s[11]);
-    const auto b29 = meetc::in<3>(s[12]);
-    const auto b30 = meetc::either(meetc::either(b27, b28), b29);
-    const auto b31 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b9), b13), b17), b26),
-        b30);
-    const auto b32 = meetc::in<6>(s[10]);
-    const auto b33 = meetc::in<6>(s[11]);
-    const auto b34 = meetc::in<6>(s[12]);
-    const auto b35 = meetc::either(meetc::either(b32, b33), b34);
-    const auto b36 = meetc::in<3>(s[13]);
-    const auto b37 = meetc::in<3>(s[14]);
-    const auto b38 = meetc::in<6>(s[15]);
-    const auto b39 = meetc::both(meetc::both(b36, b37), b38);
-    const auto b40 = meetc::in<6>(s[13]);
-    const auto b41 = meetc::in<6>(s[14]);
-    const auto b42 = meetc::in<3>(s[15]);
-    const auto b43 = meetc::both(meetc::both(b40, b41), b42);
-    const auto b44 = meetc::either(b39, b43);
-    const auto b45 = meetc::in<3>(s[16]);
-    const auto b46 = meetc::in<3>(s[17]);
-    const auto b47 = meetc::in<3>(s[18]);
-    const auto b48 = meetc::either(meetc::either(b45, b46), b47);
-    const auto b49 = meetc::in<6>(s[16]);
-    const auto b50 = meetc::in<6>(s[17]);
-    const auto b51 = meetc::in<6>(s[18]);
-    const auto b52 = meetc::either(meetc::either(b49, b50), b51);
-    const auto b53 = meetc::both(meetc::both(meetc::both(meetc::both(b31, b35), b44), b48), b52);
-    return b53;
-  }
-
-  // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-  MEETC_HD static bool hit(const point<float> &operand_a, const triangle<float> &operand_b) {
-    return meetc::hit_certified<point_triangle>(operand_a, operand_b);
-  }
-
-  // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static meetc::answer filter(const point<float> &operand_a, const triangle<float> &operand_b) {
-    return meetc::filter_fp32<point_triangle>(operand_a, operand_b);
-  }
-
-  // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEETC_HD static bool plain(const point<float> &operand_a,
-      const triangle<float> &operand_b) {
-    const meetc::rows_of<point_triangle, point<float>, triangle<float>> rows(operand_a, operand_b);
-    return meetc::decide<point_triangle>(meetc::plain_signs<point_triangle, T>(rows.a, rows.b));
-  }
+  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/point_triangle_rest.hpp>
+#endif
 
 #endif

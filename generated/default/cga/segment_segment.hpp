@@ -5,369 +5,132 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/segment_segment_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // segment_segment(s: segment, e: segment), closed sets.
-//   hit if twist(s, e) == 0 and all(k in axes:
+//   hit: twist(s, e) == 0 and all(k in axes:
 //         turn(k, s.p, s.q, e.p) * turn(k, s.p, s.q, e.q) <= 0
 //     and turn(k, e.p, e.q, s.p) * turn(k, e.p, e.q, s.q) <= 0
 //     and overlap(k, s.ends, e.ends))
-struct segment_segment {
+struct segment_segment : detail::segment_segment_points {
   static constexpr int inputs_a = 6, inputs_b = 6, atoms = 25;
 
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 6;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    unsigned bits = 0;
-    bits |= static_cast<unsigned>((a[0] == a[3]) & (a[1] == a[4]) & (a[2] == a[5])) << 0;
-    bits |= static_cast<unsigned>((a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2])) << 1;
-    bits |= static_cast<unsigned>((a[0] == b[3]) & (a[1] == b[4]) & (a[2] == b[5])) << 2;
-    bits |= static_cast<unsigned>((a[3] == b[0]) & (a[4] == b[1]) & (a[5] == b[2])) << 3;
-    bits |= static_cast<unsigned>((a[3] == b[3]) & (a[4] == b[4]) & (a[5] == b[5])) << 4;
-    bits |= static_cast<unsigned>((b[0] == b[3]) & (b[1] == b[4]) & (b[2] == b[5])) << 5;
-    return bits;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
-    return all[i];
-  }
-
-  using reject_stage = meetc::no_stage;
-  // The usual case: signs 0 to 24, degree 3.
-  // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 3 additions; a pair: 33 multiplications, 29 additions.
-  struct common_stage {
-    static constexpr int first = 0, atoms = 25, fields_a = 5, fields_b = 6;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 3, growth = 6;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[5] - a[2];
-      const T t1 = a[4] - a[1];
-      const T t2 = a[3] - a[0];
-      const T t3 = -t1;
-      const T t4 = -t0;
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-    }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[4] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = -t0;
-      const T t3 = b[3] - b[0];
-      const T t4 = -t1;
-      const T t5 = -t3;
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-    }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
-    template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[0] - a[0];
-      const T t1 = b[1] - a[1];
-      const W t2 = meetc::fma(meetc::fma(fb[4], fa[2], fa[0] * fb[3]), t1, meetc::times<W>(meetc::fma(fb[2],
-          fa[0], fb[1] * fa[1]), t0));
-      const T t3 = b[2] - a[2];
-      const T t4 = b[4] - a[1];
-      const T t5 = b[5] - a[2];
-      const T t6 = b[1] - a[4];
-      const T t7 = b[2] - a[5];
-      const T t8 = b[3] - a[0];
-      const T t9 = b[0] - a[3];
-      v[0] = meetc::fma(meetc::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2);
-      v[1] = W(meetc::fma(fa[4], t1, fa[1] * t3));
-      v[2] = W(meetc::fma(fa[4], t4, fa[1] * t5));
-      v[3] = W(meetc::fma(fb[2], t3, fb[1] * t1));
-      v[4] = W(meetc::fma(fb[2], t7, fb[1] * t6));
-      v[5] = W(-t0);
-      v[6] = W(-t8);
-      v[7] = W(-t9);
-      v[8] = W(-(b[3] - a[3]));
-      v[9] = W(meetc::fma(fa[4], t0, fa[2] * t3));
-      v[10] = W(meetc::fma(fa[4], t8, fa[2] * t5));
-      v[11] = W(meetc::fma(fb[5], t3, fb[1] * t0));
-      v[12] = W(meetc::fma(fb[5], t7, fb[1] * t9));
-      v[13] = W(-t1);
-      v[14] = W(-t4);
-      v[15] = W(-t6);
-      v[16] = W(-(b[4] - a[4]));
-      v[17] = W(meetc::fma(fa[3], t0, fa[2] * t1));
-      v[18] = W(meetc::fma(fa[3], t8, fa[2] * t4));
-      v[19] = W(meetc::fma(fb[5], t1, fb[0] * t0));
-      v[20] = W(meetc::fma(fb[5], t6, fb[0] * t9));
-      v[21] = W(-t3);
-      v[22] = W(-t5);
-      v[23] = W(-t7);
-      v[24] = W(-(b[5] - a[5]));
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 26;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr meetc::factors all[] = {
-        {0xe01p-33f, 0xe01p-62, 0xa01p-111}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0.0f, 0.0, 0.0}};
-      return all[i];
-    }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr meetc::box_factor all[] = {
-        {0x841p-31f, 1, 1, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
-        {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}};
-      return all[i];
-    }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) {
-      static constexpr int all[] = {
-        3, 2, 2, 2, 2, 1, 1, 1, 1, 2, 2, 2, 2, 1, 1, 1, 1, 2, 2, 2, 2, 1, 1, 1, 1};
-      return all[i];
-    }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x3fu, 0xbu, 0x15u, 0x26u, 0x38u, 0x2u, 0x4u, 0x8u, 0x10u, 0xbu, 0x15u, 0x26u, 0x38u, 0x2u, 0x4u,
-        0x8u, 0x10u, 0xbu, 0x15u, 0x26u, 0x38u, 0x2u, 0x4u, 0x8u, 0x10u};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[5] - a[2]);
-      const float m1 = meetc::larger(m0, a[4] - a[1]);
-      const float m2 = meetc::larger(m1, a[3] - a[0]);
-      return m2;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[3] - b[0]);
-      return m2;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[4] - b[1]);
-      const T l1 = leaf(a[5] - a[2]);
-      const T l2 = leaf(b[5] - b[2]);
-      const T l3 = leaf(a[4] - a[1]);
-      const T l4 = leaf(a[3] - a[0]);
-      const T l5 = leaf(b[3] - b[0]);
-      const T l6 = leaf(b[0] - a[0]);
-      const T l7 = leaf(b[1] - a[1]);
-      const T l8 = leaf(b[2] - a[2]);
-      const T l9 = leaf(b[4] - a[1]);
-      const T l10 = leaf(b[5] - a[2]);
-      const T l11 = leaf(b[1] - a[4]);
-      const T l12 = leaf(b[2] - a[5]);
-      const T l13 = leaf(b[3] - a[0]);
-      const T l14 = leaf(b[0] - a[3]);
-      const T l15 = leaf(b[3] - a[3]);
-      const T l16 = leaf(b[4] - a[4]);
-      const T l17 = leaf(b[5] - a[5]);
-      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
-      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
-      m[1] = meetc::fma(l1, l7, l3 * l8);
-      m[2] = meetc::fma(l1, l9, l3 * l10);
-      m[3] = meetc::fma(l0, l8, l2 * l7);
-      m[4] = meetc::fma(l0, l12, l2 * l11);
-      m[5] = l6;
-      m[6] = l13;
-      m[7] = l14;
-      m[8] = l15;
-      m[9] = meetc::fma(l1, l6, l4 * l8);
-      m[10] = meetc::fma(l1, l13, l4 * l10);
-      m[11] = meetc::fma(l5, l8, l2 * l6);
-      m[12] = meetc::fma(l5, l12, l2 * l14);
-      m[13] = l7;
-      m[14] = l9;
-      m[15] = l11;
-      m[16] = l16;
-      m[17] = meetc::fma(l3, l6, l4 * l7);
-      m[18] = meetc::fma(l3, l13, l4 * l9);
-      m[19] = meetc::fma(l5, l7, l0 * l6);
-      m[20] = meetc::fma(l5, l11, l0 * l14);
-      m[21] = l8;
-      m[22] = l10;
-      m[23] = l12;
-      m[24] = l17;
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 26, instruction_count = 110;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 12, 10, 7}, {subtract, 13, 5, 2}, {subtract, 14, 11, 8}, {subtract, 15, 4, 1},
-        {multiply, 16, 14, 15}, {negate, 17, 12, 0}, {multiply, 18, 17, 13}, {add, 18, 18, 16},
-        {subtract, 16, 3, 0}, {subtract, 19, 9, 6}, {multiply, 20, 13, 19}, {negate, 21, 14, 0},
-        {multiply, 22, 21, 16}, {add, 22, 22, 20}, {multiply, 20, 12, 16}, {negate, 21, 15, 0},
-        {multiply, 23, 21, 19}, {add, 23, 23, 20}, {subtract, 20, 6, 0}, {multiply, 24, 18, 20},
-        {subtract, 18, 7, 1}, {multiply, 25, 22, 18}, {add, 25, 25, 24}, {subtract, 22, 8, 2},
-        {multiply, 24, 23, 22}, {add, 24, 24, 25}, {take_sign, 0, 24, 0}, {multiply, 23, 15, 22},
-        {negate, 24, 13, 0}, {multiply, 13, 24, 18}, {add, 13, 13, 23}, {take_sign, 1, 13, 0},
-        {subtract, 13, 10, 1}, {subtract, 1, 11, 2}, {multiply, 2, 15, 1}, {multiply, 15, 24, 13},
-        {add, 15, 15, 2}, {take_sign, 2, 15, 0}, {multiply, 2, 14, 18}, {negate, 15, 22, 0},
-        {take_sign, 21, 15, 0}, {multiply, 15, 17, 22}, {add, 15, 15, 2}, {take_sign, 3, 15, 0},
-        {subtract, 2, 7, 4}, {subtract, 7, 8, 5}, {multiply, 8, 14, 2}, {negate, 15, 7, 0},
-        {take_sign, 23, 15, 0}, {multiply, 15, 17, 7}, {add, 15, 15, 8}, {take_sign, 4, 15, 0},
-        {negate, 8, 20, 0}, {take_sign, 5, 8, 0}, {subtract, 8, 9, 0}, {negate, 0, 8, 0},
-        {take_sign, 6, 0, 0}, {subtract, 0, 6, 3}, {negate, 6, 0, 0}, {take_sign, 7, 6, 0},
-        {subtract, 6, 9, 3}, {negate, 3, 6, 0}, {take_sign, 8, 3, 0}, {multiply, 3, 16, 22},
-        {multiply, 6, 24, 20}, {add, 6, 6, 3}, {take_sign, 9, 6, 0}, {multiply, 3, 16, 1},
-        {multiply, 6, 24, 8}, {add, 6, 6, 3}, {take_sign, 10, 6, 0}, {multiply, 3, 14, 20},
-        {negate, 6, 19, 0}, {multiply, 9, 6, 22}, {add, 9, 9, 3}, {take_sign, 11, 9, 0}, {multiply, 3, 14, 0},
-        {multiply, 9, 6, 7}, {add, 9, 9, 3}, {take_sign, 12, 9, 0}, {negate, 3, 18, 0}, {take_sign, 13, 3, 0},
-        {negate, 3, 13, 0}, {take_sign, 14, 3, 0}, {negate, 3, 2, 0}, {take_sign, 15, 3, 0},
-        {subtract, 3, 10, 4}, {negate, 4, 3, 0}, {take_sign, 16, 4, 0}, {multiply, 3, 16, 18},
-        {multiply, 4, 21, 20}, {add, 4, 4, 3}, {take_sign, 17, 4, 0}, {multiply, 3, 16, 13},
-        {multiply, 4, 21, 8}, {add, 4, 4, 3}, {take_sign, 18, 4, 0}, {multiply, 3, 12, 20},
-        {multiply, 4, 6, 18}, {add, 4, 4, 3}, {take_sign, 19, 4, 0}, {multiply, 3, 12, 0},
-        {multiply, 0, 6, 2}, {add, 0, 0, 3}, {take_sign, 20, 0, 0}, {negate, 0, 1, 0}, {take_sign, 22, 0, 0},
-        {subtract, 0, 11, 5}, {negate, 1, 0, 0}, {take_sign, 24, 1, 0}};
-      return all[i];
-    }
-  };
-  using rare_stage = meetc::no_stage;
-
-  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
-    return false;
-  }
-  template <class S> MEETC_HD static constexpr auto needs_rare([[maybe_unused]] const S *s) {
-    return false;
-  }
-  template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<2>(s[0]);
-    const auto b1 = meetc::in<3>(s[1] * s[2]);
-    const auto b2 = meetc::in<3>(s[3] * s[4]);
-    const auto b3 = meetc::in<3>(s[5]);
-    const auto b4 = meetc::in<3>(s[6]);
-    const auto b5 = meetc::in<3>(s[7]);
-    const auto b6 = meetc::in<3>(s[8]);
-    const auto b7 = meetc::either(meetc::either(meetc::either(b3, b4), b5), b6);
-    const auto b8 = meetc::in<6>(s[5]);
-    const auto b9 = meetc::in<6>(s[6]);
-    const auto b10 = meetc::in<6>(s[7]);
-    const auto b11 = meetc::in<6>(s[8]);
-    const auto b12 = meetc::either(meetc::either(meetc::either(b8, b9), b10), b11);
-    const auto b13 = meetc::in<3>(s[9] * s[10]);
-    const auto b14 = meetc::in<3>(s[11] * s[12]);
-    const auto b15 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b1), b2),
-        b7), b12), b13), b14);
-    const auto b16 = meetc::in<3>(s[13]);
-    const auto b17 = meetc::in<3>(s[14]);
-    const auto b18 = meetc::in<3>(s[15]);
-    const auto b19 = meetc::in<3>(s[16]);
-    const auto b20 = meetc::either(meetc::either(meetc::either(b16, b17), b18), b19);
-    const auto b21 = meetc::in<6>(s[13]);
-    const auto b22 = meetc::in<6>(s[14]);
-    const auto b23 = meetc::in<6>(s[15]);
-    const auto b24 = meetc::in<6>(s[16]);
-    const auto b25 = meetc::either(meetc::either(meetc::either(b21, b22), b23), b24);
-    const auto b26 = meetc::in<3>(s[17] * s[18]);
-    const auto b27 = meetc::in<3>(s[19] * s[20]);
-    const auto b28 = meetc::in<3>(s[21]);
-    const auto b29 = meetc::in<3>(s[22]);
-    const auto b30 = meetc::in<3>(s[23]);
-    const auto b31 = meetc::in<3>(s[24]);
-    const auto b32 = meetc::either(meetc::either(meetc::either(b28, b29), b30), b31);
-    const auto b33 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b15, b20), b25), b26), b27),
-        b32);
-    const auto b34 = meetc::in<6>(s[21]);
-    const auto b35 = meetc::in<6>(s[22]);
-    const auto b36 = meetc::in<6>(s[23]);
-    const auto b37 = meetc::in<6>(s[24]);
-    const auto b38 = meetc::either(meetc::either(meetc::either(b34, b35), b36), b37);
-    const auto b39 = meetc::both(b33, b38);
-    return b39;
-  }
-  template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<2>(s[0]);
-    const auto b1 = meetc::in<3>(s[1] * s[2]);
-    const auto b2 = meetc::in<3>(s[3] * s[4]);
-    const auto b3 = meetc::in<3>(s[5]);
-    const auto b4 = meetc::in<3>(s[6]);
-    const auto b5 = meetc::in<3>(s[7]);
-    const auto b6 = meetc::in<3>(s[8]);
-    const auto b7 = meetc::either(meetc::either(meetc::either(b3, b4), b5), b6);
-    const auto b8 = meetc::in<6>(s[5]);
-    const auto b9 = meetc::in<6>(s[6]);
-    const auto b10 = meetc::in<6>(s[7]);
-    const auto b11 = meetc::in<6>(s[8]);
-    const auto b12 = meetc::either(meetc::either(meetc::either(b8, b9), b10), b11);
-    const auto b13 = meetc::in<3>(s[9] * s[10]);
-    const auto b14 = meetc::in<3>(s[11] * s[12]);
-    const auto b15 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b1), b2),
-        b7), b12), b13), b14);
-    const auto b16 = meetc::in<3>(s[13]);
-    const auto b17 = meetc::in<3>(s[14]);
-    const auto b18 = meetc::in<3>(s[15]);
-    const auto b19 = meetc::in<3>(s[16]);
-    const auto b20 = meetc::either(meetc::either(meetc::either(b16, b17), b18), b19);
-    const auto b21 = meetc::in<6>(s[13]);
-    const auto b22 = meetc::in<6>(s[14]);
-    const auto b23 = meetc::in<6>(s[15]);
-    const auto b24 = meetc::in<6>(s[16]);
-    const auto b25 = meetc::either(meetc::either(meetc::either(b21, b22), b23), b24);
-    const auto b26 = meetc::in<3>(s[17] * s[18]);
-    const auto b27 = meetc::in<3>(s[19] * s[20]);
-    const auto b28 = meetc::in<3>(s[21]);
-    const auto b29 = meetc::in<3>(s[22]);
-    const auto b30 = meetc::in<3>(s[23]);
-    const auto b31 = meetc::in<3>(s[24]);
-    const auto b32 = meetc::either(meetc::either(meetc::either(b28, b29), b30), b31);
-    const auto b33 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b15, b20), b25), b26), b27),
-        b32);
-    const auto b34 = meetc::in<6>(s[21]);
-    const auto b35 = meetc::in<6>(s[22]);
-    const auto b36 = meetc::in<6>(s[23]);
-    const auto b37 = meetc::in<6>(s[24]);
-    const auto b38 = meetc::either(meetc::either(meetc::either(b34, b35), b36), b37);
-    const auto b39 = meetc::both(b33, b38);
-    return b39;
-  }
-
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-  MEETC_HD static bool hit(const segment<float> &operand_a, const segment<float> &operand_b) {
-    return meetc::hit_certified<segment_segment>(operand_a, operand_b);
+  MEETC_HD static bool hit(const segment<float> &s, const segment<float> &e) {
+    return meetc::hit_certified<segment_segment>(s, e);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static meetc::answer filter(const segment<float> &operand_a, const segment<float> &operand_b) {
-    return meetc::filter_fp32<segment_segment>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const segment<float> &s, const segment<float> &e) {
+    return meetc::filter_fp32<segment_segment>(s, e);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEETC_HD static bool plain(const segment<float> &operand_a,
-      const segment<float> &operand_b) {
-    const meetc::rows_of<segment_segment, segment<float>, segment<float>> rows(operand_a, operand_b);
-    return meetc::decide<segment_segment>(meetc::plain_signs<segment_segment, T>(rows.a, rows.b));
+  template <class T> MEETC_HD static bool plain(const segment<float> &s, const segment<float> &e) {
+    return meetc::hit_plain<segment_segment, T>(s, e);
   }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static bool after_fp32(const float *row_a, const float *row_b);
+
+  using reject_stage = meetc::no_stage;
+
+  // The usual case: signs 0 to 24, degree 3.
+  // Once an object s: 0 multiplications, 3 additions; e: 0 multiplications, 3 additions; a pair: 33 multiplications, 29 additions.
+  struct common_stage : detail::segment_segment_common_bounds {
+    static constexpr int first = 0, atoms = 25, fields_a = 3, fields_b = 3;
+    using bytecode = detail::segment_segment_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto s = detail::segment_in(row_a);
+      f[0] = s.q.z - s.p.z;
+      f[1] = s.q.y - s.p.y;
+      f[2] = s.q.x - s.p.x;
+    }
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto e = detail::segment_in(row_b);
+      f[0] = e.q.y - e.p.y;
+      f[1] = e.q.z - e.p.z;
+      f[2] = e.q.x - e.p.x;
+    }
+    // The values whose signs are wanted; W holds those of degree 3 and more.
+    template <class T, class W = T>
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+      const auto s = detail::segment_in(row_a);
+      const auto e = detail::segment_in(row_b);
+      const T t0 = e.p.x - s.p.x;
+      const T t1 = e.p.y - s.p.y;
+      const W t2 = meetc::fma(meetc::fma(-fb[1], fa[2], fa[0] * fb[2]), t1, meetc::times<W>(meetc::fma(-fb[0],
+          fa[0], fb[1] * fa[1]), t0));
+      const T t3 = e.p.z - s.p.z;
+      const T t4 = e.q.y - s.p.y;
+      const T t5 = e.q.z - s.p.z;
+      const T t6 = e.p.y - s.q.y;
+      const T t7 = e.p.z - s.q.z;
+      const T t8 = e.q.x - s.p.x;
+      const T t9 = e.p.x - s.q.x;
+      v[0] = meetc::fma(meetc::fma(-fa[1], fb[2], fb[0] * fa[2]), t3, t2); // s[0] = twist(s, e)
+      v[1] = W(meetc::fma(-fa[0], t1, fa[1] * t3)); // s[1] = -turn(e1, s.p, s.q, e.p)
+      v[2] = W(meetc::fma(-fa[0], t4, fa[1] * t5)); // s[2] = -turn(e1, s.p, s.q, e.q)
+      v[3] = W(meetc::fma(-fb[0], t3, fb[1] * t1)); // s[3] = -turn(e1, e.p, e.q, s.p)
+      v[4] = W(meetc::fma(-fb[0], t7, fb[1] * t6)); // s[4] = -turn(e1, e.p, e.q, s.q)
+      v[5] = W(t0); // s[5] = -(s.p[e1] - e.p[e1])
+      v[6] = W(t8); // s[6] = -(s.p[e1] - e.q[e1])
+      v[7] = W(t9); // s[7] = -(s.q[e1] - e.p[e1])
+      v[8] = W(e.q.x - s.q.x); // s[8] = -(s.q[e1] - e.q[e1])
+      v[9] = W(meetc::fma(-fa[0], t0, fa[2] * t3)); // s[9] = turn(e2, s.p, s.q, e.p)
+      v[10] = W(meetc::fma(-fa[0], t8, fa[2] * t5)); // s[10] = turn(e2, s.p, s.q, e.q)
+      v[11] = W(meetc::fma(-fb[2], t3, fb[1] * t0)); // s[11] = turn(e2, e.p, e.q, s.p)
+      v[12] = W(meetc::fma(-fb[2], t7, fb[1] * t9)); // s[12] = turn(e2, e.p, e.q, s.q)
+      v[13] = W(t1); // s[13] = -(s.p[e2] - e.p[e2])
+      v[14] = W(t4); // s[14] = -(s.p[e2] - e.q[e2])
+      v[15] = W(t6); // s[15] = -(s.q[e2] - e.p[e2])
+      v[16] = W(e.q.y - s.q.y); // s[16] = -(s.q[e2] - e.q[e2])
+      v[17] = W(meetc::fma(-fa[1], t0, fa[2] * t1)); // s[17] = -turn(e3, s.p, s.q, e.p)
+      v[18] = W(meetc::fma(-fa[1], t8, fa[2] * t4)); // s[18] = -turn(e3, s.p, s.q, e.q)
+      v[19] = W(meetc::fma(-fb[2], t1, fb[0] * t0)); // s[19] = -turn(e3, e.p, e.q, s.p)
+      v[20] = W(meetc::fma(-fb[2], t6, fb[0] * t9)); // s[20] = -turn(e3, e.p, e.q, s.q)
+      v[21] = W(t3); // s[21] = -(s.p[e3] - e.p[e3])
+      v[22] = W(t5); // s[22] = -(s.p[e3] - e.q[e3])
+      v[23] = W(t7); // s[23] = -(s.q[e3] - e.p[e3])
+      v[24] = W(e.q.z - s.q.z); // s[24] = -(s.q[e3] - e.q[e3])
+    }
+  };
+
+  using rare_stage = meetc::no_stage;
+
+  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
+  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+    const auto b0 = meetc::either(meetc::at_least_zero(s[5]), meetc::at_least_zero(s[6]),
+        meetc::at_least_zero(s[7]), meetc::at_least_zero(s[8]));
+    const auto b1 = meetc::either(meetc::at_most_zero(s[5]), meetc::at_most_zero(s[6]),
+        meetc::at_most_zero(s[7]), meetc::at_most_zero(s[8]));
+    const auto b2 = meetc::either(meetc::at_least_zero(s[13]), meetc::at_least_zero(s[14]),
+        meetc::at_least_zero(s[15]), meetc::at_least_zero(s[16]));
+    const auto b3 = meetc::either(meetc::at_most_zero(s[13]), meetc::at_most_zero(s[14]),
+        meetc::at_most_zero(s[15]), meetc::at_most_zero(s[16]));
+    const auto b4 = meetc::either(meetc::at_least_zero(s[21]), meetc::at_least_zero(s[22]),
+        meetc::at_least_zero(s[23]), meetc::at_least_zero(s[24]));
+    const auto b5 = meetc::either(meetc::at_most_zero(s[21]), meetc::at_most_zero(s[22]),
+        meetc::at_most_zero(s[23]), meetc::at_most_zero(s[24]));
+    const auto b6 = meetc::both(meetc::is_zero(s[0]), meetc::at_most_zero(s[1] * s[2]),
+        meetc::at_most_zero(s[3] * s[4]), b0, b1, meetc::at_most_zero(s[9] * s[10]),
+        meetc::at_most_zero(s[11] * s[12]), b2, b3, meetc::at_most_zero(s[17] * s[18]),
+        meetc::at_most_zero(s[19] * s[20]), b4, b5);
+    return b6;
+  }
+  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/segment_segment_rest.hpp>
+#endif
 
 #endif

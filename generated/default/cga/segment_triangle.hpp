@@ -5,6 +5,7 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/segment_triangle_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -13,807 +14,136 @@ namespace cga {
 // segment_triangle(s: segment, t: triangle), closed sets.
 //   sp = side(t, s.p)
 //   sq = side(t, s.q)
-//   miss if sp*sq > 0
-//   hit if if sp == 0 and sq == 0
+//   miss: sp*sq > 0
+//   hit: if sp == 0 and sq == 0
 //   then point_triangle(s.p, t) or any(e in t.edges: segment_segment(s, e))
 //   else sp*sq <= 0 and agree(each(e in t.edges: twist(s, e)))
-struct segment_triangle {
+struct segment_triangle : detail::segment_triangle_points {
   static constexpr int inputs_a = 6, inputs_b = 9, atoms = 50;
 
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 10;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    unsigned bits = 0;
-    bits |= static_cast<unsigned>((a[0] == a[3]) & (a[1] == a[4]) & (a[2] == a[5])) << 0;
-    bits |= static_cast<unsigned>((a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2])) << 1;
-    bits |= static_cast<unsigned>((a[0] == b[3]) & (a[1] == b[4]) & (a[2] == b[5])) << 2;
-    bits |= static_cast<unsigned>((a[0] == b[6]) & (a[1] == b[7]) & (a[2] == b[8])) << 3;
-    bits |= static_cast<unsigned>((a[3] == b[0]) & (a[4] == b[1]) & (a[5] == b[2])) << 4;
-    bits |= static_cast<unsigned>((a[3] == b[3]) & (a[4] == b[4]) & (a[5] == b[5])) << 5;
-    bits |= static_cast<unsigned>((a[3] == b[6]) & (a[4] == b[7]) & (a[5] == b[8])) << 6;
-    bits |= static_cast<unsigned>((b[0] == b[3]) & (b[1] == b[4]) & (b[2] == b[5])) << 7;
-    bits |= static_cast<unsigned>((b[0] == b[6]) & (b[1] == b[7]) & (b[2] == b[8])) << 8;
-    bits |= static_cast<unsigned>((b[3] == b[6]) & (b[4] == b[7]) & (b[5] == b[8])) << 9;
-    return bits;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
-    return all[i];
-  }
-
-  // Decides most misses: signs 0 to 1, degree 3.
-  // Once an object A: 0 multiplications, 0 additions; B: 6 multiplications, 9 additions; a pair: 6 multiplications, 10 additions.
-  struct reject_stage {
-    static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 3;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 3, growth = 6;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-    }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[7] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = b[8] - b[2];
-      const T t3 = b[4] - b[1];
-      const T t4 = meetc::fma(-t0, t1, t2 * t3);
-      const T t5 = b[3] - b[0];
-      const T t6 = b[6] - b[0];
-      const T t7 = meetc::fma(-t2, t5, t1 * t6);
-      const T t8 = meetc::fma(-t3, t6, t0 * t5);
-      f[0] = t4;
-      f[1] = t7;
-      f[2] = t8;
-    }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
-    template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const W t0 = meetc::fma(fb[2], b[2] - a[2], meetc::fma(fb[1], b[1] - a[1], meetc::times<W>(fb[0],
-          b[0] - a[0])));
-      const W t1 = meetc::fma(fb[2], b[2] - a[5], meetc::fma(fb[1], b[1] - a[4], meetc::times<W>(fb[0],
-          b[0] - a[3])));
-      v[0] = -t0;
-      v[1] = -t1;
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 26;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
-        0xa01p-111}; }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 0, 2, 1}; }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x38eu, 0x3f0u};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      return 0.0f;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[7] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[8] - b[2]);
-      const float m3 = meetc::larger(m2, b[4] - b[1]);
-      const float m4 = meetc::larger(m3, b[3] - b[0]);
-      const float m5 = meetc::larger(m4, b[6] - b[0]);
-      return m5;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[7] - b[1]);
-      const T l1 = leaf(b[5] - b[2]);
-      const T l2 = leaf(b[8] - b[2]);
-      const T l3 = leaf(b[4] - b[1]);
-      const T l4 = leaf(b[3] - b[0]);
-      const T l5 = leaf(b[6] - b[0]);
-      const T l6 = leaf(b[0] - a[0]);
-      const T l7 = leaf(b[1] - a[1]);
-      const T l8 = leaf(b[2] - a[2]);
-      const T l9 = leaf(b[0] - a[3]);
-      const T l10 = leaf(b[1] - a[4]);
-      const T l11 = leaf(b[2] - a[5]);
-      const T t0 = meetc::fma(l0, l1, l2 * l3);
-      const T t1 = meetc::fma(l2, l4, l1 * l5);
-      const T t2 = meetc::fma(l3, l5, l0 * l4);
-      m[0] = meetc::fma(t2, l8, meetc::fma(t1, l7, t0 * l6));
-      m[1] = meetc::fma(t2, l11, meetc::fma(t1, l10, t0 * l9));
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 18, instruction_count = 38;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 15, 13, 7}, {subtract, 13, 11, 8}, {subtract, 11, 14, 8}, {subtract, 14, 10, 7},
-        {multiply, 10, 11, 14}, {negate, 16, 15, 0}, {multiply, 17, 16, 13}, {add, 17, 17, 10},
-        {subtract, 10, 9, 6}, {subtract, 9, 12, 6}, {multiply, 12, 13, 9}, {negate, 13, 11, 0},
-        {multiply, 11, 13, 10}, {add, 11, 11, 12}, {multiply, 12, 15, 10}, {negate, 10, 14, 0},
-        {multiply, 13, 10, 9}, {add, 13, 13, 12}, {subtract, 9, 6, 0}, {multiply, 0, 17, 9},
-        {subtract, 9, 7, 1}, {multiply, 1, 11, 9}, {add, 1, 1, 0}, {subtract, 0, 8, 2}, {multiply, 2, 13, 0},
-        {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}, {subtract, 0, 6, 3}, {multiply, 1, 17, 0},
-        {subtract, 0, 7, 4}, {multiply, 2, 11, 0}, {add, 2, 2, 1}, {subtract, 0, 8, 5}, {multiply, 1, 13, 0},
-        {add, 1, 1, 2}, {negate, 0, 1, 0}, {take_sign, 1, 0, 0}};
-      return all[i];
-    }
-  };
-  // The usual case: signs 2 to 4, degree 3.
-  // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 9 additions; a pair: 27 multiplications, 21 additions.
-  struct common_stage {
-    static constexpr int first = 2, atoms = 3, fields_a = 6, fields_b = 11;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 3, growth = 6;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[5] - a[2];
-      const T t1 = a[4] - a[1];
-      const T t2 = a[3] - a[0];
-      const T t3 = -t1;
-      const T t4 = -t0;
-      const T t5 = -t2;
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-    }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[4] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = -t0;
-      const T t3 = b[3] - b[0];
-      const T t4 = -t1;
-      const T t5 = b[7] - b[4];
-      const T t6 = b[8] - b[5];
-      const T t7 = b[6] - b[3];
-      const T t8 = b[7] - b[1];
-      const T t9 = b[8] - b[2];
-      const T t10 = b[6] - b[0];
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-      f[6] = t6;
-      f[7] = t7;
-      f[8] = t8;
-      f[9] = t9;
-      f[10] = t10;
-    }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
-    template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[0] - a[0];
-      const T t1 = b[1] - a[1];
-      const W t2 = meetc::fma(meetc::fma(fb[4], fa[2], fa[0] * fb[3]), t1, meetc::times<W>(meetc::fma(fb[2],
-          fa[0], fb[1] * fa[1]), t0));
-      const T t3 = b[2] - a[2];
-      const W t4 = meetc::fma(meetc::fma(fa[5], fb[6], fa[0] * fb[7]), b[4] - a[1],
-          meetc::times<W>(meetc::fma(fa[4], fb[5], fa[1] * fb[6]), b[3] - a[0]));
-      const W t5 = meetc::fma(t1, meetc::fma(fa[5], fb[9], fa[0] * fb[10]), meetc::times<W>(t0,
-          meetc::fma(fa[4], fb[8], fa[1] * fb[9])));
-      v[0] = meetc::fma(meetc::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2);
-      v[1] = meetc::fma(meetc::fma(fa[3], fb[7], fa[2] * fb[5]), b[5] - a[2], t4);
-      v[2] = meetc::fma(t3, meetc::fma(fa[3], fb[10], fa[2] * fb[8]), t5);
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 26;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
-        0xa01p-111}; }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0xb7u, 0x26du, 0x15bu};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[5] - a[2]);
-      const float m1 = meetc::larger(m0, a[4] - a[1]);
-      const float m2 = meetc::larger(m1, a[3] - a[0]);
-      return m2;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[3] - b[0]);
-      const float m3 = meetc::larger(m2, b[7] - b[4]);
-      const float m4 = meetc::larger(m3, b[8] - b[5]);
-      const float m5 = meetc::larger(m4, b[6] - b[3]);
-      const float m6 = meetc::larger(m5, b[7] - b[1]);
-      const float m7 = meetc::larger(m6, b[8] - b[2]);
-      const float m8 = meetc::larger(m7, b[6] - b[0]);
-      return m8;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[4] - b[1]);
-      const T l1 = leaf(a[5] - a[2]);
-      const T l2 = leaf(b[5] - b[2]);
-      const T l3 = leaf(a[4] - a[1]);
-      const T l4 = leaf(a[3] - a[0]);
-      const T l5 = leaf(b[3] - b[0]);
-      const T l6 = leaf(b[0] - a[0]);
-      const T l7 = leaf(b[1] - a[1]);
-      const T l8 = leaf(b[2] - a[2]);
-      const T l9 = leaf(b[7] - b[4]);
-      const T l10 = leaf(b[8] - b[5]);
-      const T l11 = leaf(b[6] - b[3]);
-      const T l12 = leaf(b[3] - a[0]);
-      const T l13 = leaf(b[4] - a[1]);
-      const T l14 = leaf(b[5] - a[2]);
-      const T l15 = leaf(b[7] - b[1]);
-      const T l16 = leaf(b[8] - b[2]);
-      const T l17 = leaf(b[6] - b[0]);
-      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
-      const T t1 = meetc::fma(meetc::fma(l4, l10, l1 * l11), l13, meetc::fma(l1, l9, l3 * l10) * l12);
-      const T t2 = meetc::fma(l7, meetc::fma(l4, l16, l1 * l17), l6 * meetc::fma(l1, l15, l3 * l16));
-      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
-      m[1] = meetc::fma(meetc::fma(l3, l11, l4 * l9), l14, t1);
-      m[2] = meetc::fma(l8, meetc::fma(l3, l17, l4 * l15), t2);
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 27, instruction_count = 68;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 15, 10, 7}, {subtract, 16, 5, 2}, {subtract, 5, 11, 8}, {subtract, 17, 4, 1},
-        {multiply, 4, 5, 17}, {negate, 18, 15, 0}, {multiply, 19, 18, 16}, {add, 19, 19, 4},
-        {subtract, 4, 3, 0}, {subtract, 3, 9, 6}, {multiply, 18, 16, 3}, {negate, 20, 5, 0},
-        {multiply, 5, 20, 4}, {add, 5, 5, 18}, {multiply, 18, 15, 4}, {negate, 15, 17, 0},
-        {multiply, 20, 15, 3}, {add, 20, 20, 18}, {subtract, 3, 6, 0}, {multiply, 18, 19, 3},
-        {subtract, 19, 7, 1}, {multiply, 21, 5, 19}, {add, 21, 21, 18}, {subtract, 5, 8, 2},
-        {multiply, 18, 20, 5}, {add, 18, 18, 21}, {take_sign, 0, 18, 0}, {subtract, 18, 13, 10},
-        {subtract, 20, 14, 11}, {multiply, 21, 17, 20}, {negate, 22, 16, 0}, {multiply, 23, 22, 18},
-        {add, 23, 23, 21}, {subtract, 21, 12, 9}, {multiply, 24, 16, 21}, {negate, 25, 4, 0},
-        {multiply, 26, 25, 20}, {add, 26, 26, 24}, {multiply, 20, 4, 18}, {multiply, 18, 15, 21},
-        {add, 18, 18, 20}, {subtract, 20, 9, 0}, {multiply, 0, 23, 20}, {subtract, 9, 10, 1},
-        {multiply, 1, 26, 9}, {add, 1, 1, 0}, {subtract, 0, 11, 2}, {multiply, 2, 18, 0}, {add, 2, 2, 1},
-        {take_sign, 1, 2, 0}, {subtract, 0, 13, 7}, {subtract, 1, 14, 8}, {multiply, 2, 17, 1},
-        {multiply, 7, 22, 0}, {add, 7, 7, 2}, {subtract, 2, 12, 6}, {multiply, 6, 16, 2},
-        {multiply, 8, 25, 1}, {add, 8, 8, 6}, {multiply, 1, 4, 0}, {multiply, 0, 15, 2}, {add, 0, 0, 1},
-        {multiply, 1, 3, 7}, {multiply, 2, 19, 8}, {add, 2, 2, 1}, {multiply, 1, 5, 0}, {add, 1, 1, 2},
-        {take_sign, 2, 1, 0}};
-      return all[i];
-    }
-  };
-  // The rare case: signs 5 to 49, degree 2.
-  // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 9 additions; a pair: 54 multiplications, 45 additions.
-  struct rare_stage {
-    static constexpr int first = 5, atoms = 45, fields_a = 3, fields_b = 15;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 2, growth = 3;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[4] - a[1];
-      const T t1 = a[5] - a[2];
-      const T t2 = a[3] - a[0];
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-    }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[4] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = b[7] - b[4];
-      const T t3 = b[8] - b[5];
-      const T t4 = b[7] - b[1];
-      const T t5 = b[8] - b[2];
-      const T t6 = b[3] - b[0];
-      const T t7 = b[6] - b[3];
-      const T t8 = b[6] - b[0];
-      const T t9 = -t0;
-      const T t10 = -t6;
-      const T t11 = -t2;
-      const T t12 = -t7;
-      const T t13 = -t4;
-      const T t14 = -t8;
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-      f[6] = t6;
-      f[7] = t7;
-      f[8] = t8;
-      f[9] = t9;
-      f[10] = t10;
-      f[11] = t11;
-      f[12] = t12;
-      f[13] = t13;
-      f[14] = t14;
-    }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
-    template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[1] - a[1];
-      const T t1 = b[2] - a[2];
-      const T t2 = -t1;
-      const T t3 = b[4] - a[1];
-      const T t4 = b[5] - a[2];
-      const T t5 = -t4;
-      const T t6 = b[0] - a[0];
-      const T t7 = -t6;
-      const T t8 = b[3] - a[0];
-      const T t9 = -t8;
-      const T t10 = -(b[6] - a[0]);
-      const T t11 = -t0;
-      const T t12 = -t3;
-      const T t13 = b[7] - a[1];
-      const T t14 = b[8] - a[2];
-      const T t15 = b[1] - a[4];
-      const T t16 = b[2] - a[5];
-      const T t17 = b[0] - a[3];
-      const T t18 = b[3] - a[3];
-      const T t19 = b[4] - a[4];
-      const T t20 = b[5] - a[5];
-      v[0] = meetc::fma(t2, fb[0], t0 * fb[1]);
-      v[1] = meetc::fma(t5, fb[2], t3 * fb[3]);
-      v[2] = meetc::fma(t2, fb[4], t0 * fb[5]);
-      v[3] = t7;
-      v[4] = t9;
-      v[5] = t10;
-      v[6] = meetc::fma(t2, fb[6], fb[1] * t6);
-      v[7] = meetc::fma(t5, fb[7], fb[3] * t8);
-      v[8] = meetc::fma(t2, fb[8], fb[5] * t6);
-      v[9] = t11;
-      v[10] = t12;
-      v[11] = -t13;
-      v[12] = meetc::fma(t11, fb[6], fb[0] * t6);
-      v[13] = meetc::fma(t12, fb[7], fb[2] * t8);
-      v[14] = meetc::fma(t11, fb[8], fb[4] * t6);
-      v[15] = t2;
-      v[16] = t5;
-      v[17] = -t14;
-      v[18] = meetc::fma(t11, fa[1], t1 * fa[0]);
-      v[19] = meetc::fma(t12, fa[1], t4 * fa[0]);
-      v[20] = meetc::fma(fb[9], t16, fb[1] * t15);
-      v[21] = -t17;
-      v[22] = -t18;
-      v[23] = meetc::fma(t7, fa[1], t1 * fa[2]);
-      v[24] = meetc::fma(t9, fa[1], t4 * fa[2]);
-      v[25] = meetc::fma(fb[10], t16, fb[1] * t17);
-      v[26] = -t15;
-      v[27] = -t19;
-      v[28] = meetc::fma(t7, fa[0], t0 * fa[2]);
-      v[29] = meetc::fma(t9, fa[0], t3 * fa[2]);
-      v[30] = meetc::fma(fb[10], t15, fb[0] * t17);
-      v[31] = -t16;
-      v[32] = -t20;
-      v[33] = meetc::fma(-t13, fa[1], t14 * fa[0]);
-      v[34] = meetc::fma(fb[11], t20, fb[3] * t19);
-      v[35] = -(b[6] - a[3]);
-      v[36] = meetc::fma(t10, fa[1], t14 * fa[2]);
-      v[37] = meetc::fma(fb[12], t20, fb[3] * t18);
-      v[38] = -(b[7] - a[4]);
-      v[39] = meetc::fma(t10, fa[0], t13 * fa[2]);
-      v[40] = meetc::fma(fb[12], t19, fb[2] * t18);
-      v[41] = -(b[8] - a[5]);
-      v[42] = meetc::fma(fb[13], t16, fb[5] * t15);
-      v[43] = meetc::fma(fb[14], t16, fb[5] * t17);
-      v[44] = meetc::fma(fb[14], t15, fb[4] * t17);
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64.
-    static constexpr int window = 26;
-    static constexpr bool mixed = false;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 58;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr meetc::factors all[] = {
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}};
-      return all[i];
-    }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr meetc::box_factor all[] = {
-        {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
-        {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
-        {0xa01p-34f, 0, 1, 1}};
-      return all[i];
-    }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) {
-      static constexpr int all[] = {
-        2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2,
-        2, 1, 2, 2, 1, 2, 2, 1, 2, 2, 2};
-      return all[i];
-    }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x86u, 0x20cu, 0x10au, 0x2u, 0x4u, 0x8u, 0x86u, 0x20cu, 0x10au, 0x2u, 0x4u, 0x8u, 0x86u, 0x20cu,
-        0x10au, 0x2u, 0x4u, 0x8u, 0x13u, 0x25u, 0xb0u, 0x10u, 0x20u, 0x13u, 0x25u, 0xb0u, 0x10u, 0x20u, 0x13u,
-        0x25u, 0xb0u, 0x10u, 0x20u, 0x49u, 0x260u, 0x40u, 0x49u, 0x260u, 0x40u, 0x49u, 0x260u, 0x40u, 0x150u,
-        0x150u, 0x150u};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[4] - a[1]);
-      const float m1 = meetc::larger(m0, a[5] - a[2]);
-      const float m2 = meetc::larger(m1, a[3] - a[0]);
-      return m2;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[7] - b[4]);
-      const float m3 = meetc::larger(m2, b[8] - b[5]);
-      const float m4 = meetc::larger(m3, b[7] - b[1]);
-      const float m5 = meetc::larger(m4, b[8] - b[2]);
-      const float m6 = meetc::larger(m5, b[3] - b[0]);
-      const float m7 = meetc::larger(m6, b[6] - b[3]);
-      const float m8 = meetc::larger(m7, b[6] - b[0]);
-      return m8;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[1] - a[1]);
-      const T l1 = leaf(b[2] - a[2]);
-      const T l2 = leaf(b[4] - b[1]);
-      const T l3 = leaf(b[5] - b[2]);
-      const T l4 = leaf(b[4] - a[1]);
-      const T l5 = leaf(b[5] - a[2]);
-      const T l6 = leaf(b[7] - b[4]);
-      const T l7 = leaf(b[8] - b[5]);
-      const T l8 = leaf(b[7] - b[1]);
-      const T l9 = leaf(b[8] - b[2]);
-      const T l10 = leaf(b[0] - a[0]);
-      const T l11 = leaf(b[3] - a[0]);
-      const T l12 = leaf(b[6] - a[0]);
-      const T l13 = leaf(b[3] - b[0]);
-      const T l14 = leaf(b[6] - b[3]);
-      const T l15 = leaf(b[6] - b[0]);
-      const T l16 = leaf(b[7] - a[1]);
-      const T l17 = leaf(b[8] - a[2]);
-      const T l18 = leaf(a[4] - a[1]);
-      const T l19 = leaf(a[5] - a[2]);
-      const T l20 = leaf(b[1] - a[4]);
-      const T l21 = leaf(b[2] - a[5]);
-      const T l22 = leaf(b[0] - a[3]);
-      const T l23 = leaf(b[3] - a[3]);
-      const T l24 = leaf(a[3] - a[0]);
-      const T l25 = leaf(b[4] - a[4]);
-      const T l26 = leaf(b[5] - a[5]);
-      const T l27 = leaf(b[6] - a[3]);
-      const T l28 = leaf(b[7] - a[4]);
-      const T l29 = leaf(b[8] - a[5]);
-      m[0] = meetc::fma(l1, l2, l0 * l3);
-      m[1] = meetc::fma(l5, l6, l4 * l7);
-      m[2] = meetc::fma(l1, l8, l0 * l9);
-      m[3] = l10;
-      m[4] = l11;
-      m[5] = l12;
-      m[6] = meetc::fma(l1, l13, l3 * l10);
-      m[7] = meetc::fma(l5, l14, l7 * l11);
-      m[8] = meetc::fma(l1, l15, l9 * l10);
-      m[9] = l0;
-      m[10] = l4;
-      m[11] = l16;
-      m[12] = meetc::fma(l0, l13, l2 * l10);
-      m[13] = meetc::fma(l4, l14, l6 * l11);
-      m[14] = meetc::fma(l0, l15, l8 * l10);
-      m[15] = l1;
-      m[16] = l5;
-      m[17] = l17;
-      m[18] = meetc::fma(l0, l19, l1 * l18);
-      m[19] = meetc::fma(l4, l19, l5 * l18);
-      m[20] = meetc::fma(l2, l21, l3 * l20);
-      m[21] = l22;
-      m[22] = l23;
-      m[23] = meetc::fma(l10, l19, l1 * l24);
-      m[24] = meetc::fma(l11, l19, l5 * l24);
-      m[25] = meetc::fma(l13, l21, l3 * l22);
-      m[26] = l20;
-      m[27] = l25;
-      m[28] = meetc::fma(l10, l18, l0 * l24);
-      m[29] = meetc::fma(l11, l18, l4 * l24);
-      m[30] = meetc::fma(l13, l20, l2 * l22);
-      m[31] = l21;
-      m[32] = l26;
-      m[33] = meetc::fma(l16, l19, l17 * l18);
-      m[34] = meetc::fma(l6, l26, l7 * l25);
-      m[35] = l27;
-      m[36] = meetc::fma(l12, l19, l17 * l24);
-      m[37] = meetc::fma(l14, l26, l7 * l23);
-      m[38] = l28;
-      m[39] = meetc::fma(l12, l18, l16 * l24);
-      m[40] = meetc::fma(l14, l25, l6 * l23);
-      m[41] = l29;
-      m[42] = meetc::fma(l8, l21, l9 * l20);
-      m[43] = meetc::fma(l15, l21, l9 * l22);
-      m[44] = meetc::fma(l15, l20, l8 * l22);
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 39, instruction_count = 180;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 15, 7, 1}, {subtract, 16, 8, 2}, {subtract, 17, 10, 7}, {subtract, 18, 11, 8},
-        {multiply, 19, 15, 18}, {negate, 20, 16, 0}, {take_sign, 15, 20, 0}, {multiply, 21, 20, 17},
-        {add, 21, 21, 19}, {take_sign, 0, 21, 0}, {subtract, 19, 10, 1}, {subtract, 21, 11, 2},
-        {subtract, 22, 13, 10}, {subtract, 23, 14, 11}, {multiply, 24, 19, 23}, {negate, 25, 21, 0},
-        {take_sign, 16, 25, 0}, {multiply, 26, 25, 22}, {add, 26, 26, 24}, {take_sign, 1, 26, 0},
-        {subtract, 24, 13, 7}, {subtract, 26, 14, 8}, {multiply, 27, 15, 26}, {multiply, 28, 20, 24},
-        {add, 28, 28, 27}, {take_sign, 2, 28, 0}, {subtract, 27, 6, 0}, {negate, 28, 27, 0},
-        {take_sign, 3, 28, 0}, {subtract, 29, 9, 0}, {negate, 30, 29, 0}, {take_sign, 4, 30, 0},
-        {subtract, 31, 12, 0}, {negate, 32, 31, 0}, {take_sign, 5, 32, 0}, {subtract, 31, 9, 6},
-        {multiply, 33, 18, 27}, {multiply, 34, 20, 31}, {add, 34, 34, 33}, {take_sign, 6, 34, 0},
-        {subtract, 33, 12, 9}, {multiply, 34, 23, 29}, {multiply, 35, 25, 33}, {add, 35, 35, 34},
-        {take_sign, 7, 35, 0}, {subtract, 25, 12, 6}, {multiply, 34, 26, 27}, {multiply, 35, 20, 25},
-        {add, 35, 35, 34}, {take_sign, 8, 35, 0}, {negate, 20, 15, 0}, {take_sign, 9, 20, 0},
-        {negate, 34, 19, 0}, {take_sign, 10, 34, 0}, {subtract, 35, 13, 1}, {negate, 36, 35, 0},
-        {take_sign, 11, 36, 0}, {multiply, 37, 17, 27}, {multiply, 38, 20, 31}, {add, 38, 38, 37},
-        {take_sign, 12, 38, 0}, {multiply, 37, 22, 29}, {multiply, 29, 34, 33}, {add, 29, 29, 37},
-        {take_sign, 13, 29, 0}, {multiply, 29, 24, 27}, {multiply, 27, 20, 25}, {add, 27, 27, 29},
-        {take_sign, 14, 27, 0}, {subtract, 27, 14, 2}, {negate, 29, 27, 0}, {take_sign, 17, 29, 0},
-        {subtract, 29, 4, 1}, {subtract, 1, 5, 2}, {multiply, 2, 16, 29}, {multiply, 37, 20, 1},
-        {add, 37, 37, 2}, {take_sign, 18, 37, 0}, {multiply, 2, 21, 29}, {multiply, 20, 34, 1},
-        {add, 20, 20, 2}, {take_sign, 19, 20, 0}, {subtract, 2, 7, 4}, {subtract, 7, 8, 5},
-        {multiply, 8, 18, 2}, {negate, 20, 7, 0}, {take_sign, 31, 20, 0}, {negate, 20, 17, 0},
-        {multiply, 34, 20, 7}, {add, 34, 34, 8}, {take_sign, 20, 34, 0}, {subtract, 8, 6, 3},
-        {negate, 6, 8, 0}, {take_sign, 21, 6, 0}, {subtract, 6, 9, 3}, {negate, 9, 6, 0},
-        {take_sign, 22, 9, 0}, {subtract, 9, 3, 0}, {multiply, 0, 16, 9}, {multiply, 16, 28, 1},
-        {add, 16, 16, 0}, {take_sign, 23, 16, 0}, {multiply, 0, 21, 9}, {multiply, 16, 30, 1},
-        {add, 16, 16, 0}, {take_sign, 24, 16, 0}, {multiply, 0, 18, 8}, {negate, 16, 31, 0},
-        {multiply, 18, 16, 7}, {add, 18, 18, 0}, {take_sign, 25, 18, 0}, {negate, 0, 2, 0},
-        {take_sign, 26, 0, 0}, {subtract, 0, 10, 4}, {negate, 10, 0, 0}, {take_sign, 27, 10, 0},
-        {multiply, 10, 15, 9}, {multiply, 15, 28, 29}, {add, 15, 15, 10}, {take_sign, 28, 15, 0},
-        {multiply, 10, 19, 9}, {multiply, 15, 30, 29}, {add, 15, 15, 10}, {take_sign, 29, 15, 0},
-        {multiply, 10, 17, 8}, {multiply, 15, 16, 2}, {add, 15, 15, 10}, {take_sign, 30, 15, 0},
-        {subtract, 10, 11, 5}, {negate, 11, 10, 0}, {take_sign, 32, 11, 0}, {multiply, 11, 27, 29},
-        {multiply, 15, 36, 1}, {add, 15, 15, 11}, {take_sign, 33, 15, 0}, {multiply, 11, 23, 0},
-        {negate, 15, 22, 0}, {multiply, 16, 15, 10}, {add, 16, 16, 11}, {take_sign, 34, 16, 0},
-        {subtract, 11, 12, 3}, {negate, 3, 11, 0}, {take_sign, 35, 3, 0}, {multiply, 3, 27, 9},
-        {multiply, 11, 32, 1}, {add, 11, 11, 3}, {take_sign, 36, 11, 0}, {multiply, 1, 23, 6},
-        {negate, 3, 33, 0}, {multiply, 11, 3, 10}, {add, 11, 11, 1}, {take_sign, 37, 11, 0},
-        {subtract, 1, 13, 4}, {negate, 4, 1, 0}, {take_sign, 38, 4, 0}, {multiply, 1, 35, 9},
-        {multiply, 4, 32, 29}, {add, 4, 4, 1}, {take_sign, 39, 4, 0}, {multiply, 1, 22, 6},
-        {multiply, 4, 3, 0}, {add, 4, 4, 1}, {take_sign, 40, 4, 0}, {subtract, 0, 14, 5}, {negate, 1, 0, 0},
-        {take_sign, 41, 1, 0}, {multiply, 0, 26, 2}, {negate, 1, 24, 0}, {multiply, 3, 1, 7}, {add, 3, 3, 0},
-        {take_sign, 42, 3, 0}, {multiply, 0, 26, 8}, {negate, 1, 25, 0}, {multiply, 3, 1, 7}, {add, 3, 3, 0},
-        {take_sign, 43, 3, 0}, {multiply, 0, 24, 8}, {multiply, 3, 1, 2}, {add, 3, 3, 0},
-        {take_sign, 44, 3, 0}};
-      return all[i];
-    }
-  };
-
-  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<4>(s[0] * s[1]);
-    return b0;
-  }
-  template <class S> MEETC_HD static constexpr auto needs_rare([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<2>(s[0]);
-    const auto b1 = meetc::in<2>(s[1]);
-    const auto b2 = meetc::both(b0, b1);
-    return b2;
-  }
-  template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<3>(s[0] * s[1]);
-    const auto b1 = meetc::in<6>(s[2]);
-    const auto b2 = meetc::in<6>(s[3]);
-    const auto b3 = meetc::in<3>(s[4]);
-    const auto b4 = meetc::both(meetc::both(b1, b2), b3);
-    const auto b5 = meetc::in<3>(s[2]);
-    const auto b6 = meetc::in<3>(s[3]);
-    const auto b7 = meetc::in<6>(s[4]);
-    const auto b8 = meetc::both(meetc::both(b5, b6), b7);
-    const auto b9 = meetc::either(b4, b8);
-    const auto b10 = meetc::both(b0, b9);
-    return b10;
-  }
-  template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<2>(s[0]);
-    const auto b1 = meetc::in<2>(s[1]);
-    const auto b2 = meetc::both(b0, b1);
-    const auto b3 = meetc::in<3>(s[5]);
-    const auto b4 = meetc::in<3>(s[6]);
-    const auto b5 = meetc::in<6>(s[7]);
-    const auto b6 = meetc::both(meetc::both(b3, b4), b5);
-    const auto b7 = meetc::in<6>(s[5]);
-    const auto b8 = meetc::in<6>(s[6]);
-    const auto b9 = meetc::in<3>(s[7]);
-    const auto b10 = meetc::both(meetc::both(b7, b8), b9);
-    const auto b11 = meetc::either(b6, b10);
-    const auto b12 = meetc::in<3>(s[8]);
-    const auto b13 = meetc::in<3>(s[9]);
-    const auto b14 = meetc::in<3>(s[10]);
-    const auto b15 = meetc::either(meetc::either(b12, b13), b14);
-    const auto b16 = meetc::in<6>(s[8]);
-    const auto b17 = meetc::in<6>(s[9]);
-    const auto b18 = meetc::in<6>(s[10]);
-    const auto b19 = meetc::either(meetc::either(b16, b17), b18);
-    const auto b20 = meetc::in<6>(s[11]);
-    const auto b21 = meetc::in<6>(s[12]);
-    const auto b22 = meetc::in<3>(s[13]);
-    const auto b23 = meetc::both(meetc::both(b20, b21), b22);
-    const auto b24 = meetc::in<3>(s[11]);
-    const auto b25 = meetc::in<3>(s[12]);
-    const auto b26 = meetc::in<6>(s[13]);
-    const auto b27 = meetc::both(meetc::both(b24, b25), b26);
-    const auto b28 = meetc::either(b23, b27);
-    const auto b29 = meetc::in<3>(s[14]);
-    const auto b30 = meetc::in<3>(s[15]);
-    const auto b31 = meetc::in<3>(s[16]);
-    const auto b32 = meetc::either(meetc::either(b29, b30), b31);
-    const auto b33 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b11), b15), b19), b28),
-        b32);
-    const auto b34 = meetc::in<6>(s[14]);
-    const auto b35 = meetc::in<6>(s[15]);
-    const auto b36 = meetc::in<6>(s[16]);
-    const auto b37 = meetc::either(meetc::either(b34, b35), b36);
-    const auto b38 = meetc::in<3>(s[17]);
-    const auto b39 = meetc::in<3>(s[18]);
-    const auto b40 = meetc::in<6>(s[19]);
-    const auto b41 = meetc::both(meetc::both(b38, b39), b40);
-    const auto b42 = meetc::in<6>(s[17]);
-    const auto b43 = meetc::in<6>(s[18]);
-    const auto b44 = meetc::in<3>(s[19]);
-    const auto b45 = meetc::both(meetc::both(b42, b43), b44);
-    const auto b46 = meetc::either(b41, b45);
-    const auto b47 = meetc::in<3>(s[20]);
-    const auto b48 = meetc::in<3>(s[21]);
-    const auto b49 = meetc::in<3>(s[22]);
-    const auto b50 = meetc::either(meetc::either(b47, b48), b49);
-    const auto b51 = meetc::in<6>(s[20]);
-    const auto b52 = meetc::in<6>(s[21]);
-    const auto b53 = meetc::in<6>(s[22]);
-    const auto b54 = meetc::either(meetc::either(b51, b52), b53);
-    const auto b55 = meetc::both(meetc::both(meetc::both(meetc::both(b33, b37), b46), b50), b54);
-    const auto b56 = meetc::in<2>(s[2]);
-    const auto b57 = meetc::in<3>(s[23] * s[24]);
-    const auto b58 = meetc::in<3>(s[5] * s[25]);
-    const auto b59 = meetc::in<3>(s[26]);
-    const auto b60 = meetc::in<3>(s[27]);
-    const auto b61 = meetc::either(meetc::either(meetc::either(b12, b13), b59), b60);
-    const auto b62 = meetc::in<6>(s[26]);
-    const auto b63 = meetc::in<6>(s[27]);
-    const auto b64 = meetc::either(meetc::either(meetc::either(b16, b17), b62), b63);
-    const auto b65 = meetc::in<3>(s[28] * s[29]);
-    const auto b66 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b56, b57), b58), b61), b64),
-        b65);
-    const auto b67 = meetc::in<3>(s[11] * s[30]);
-    const auto b68 = meetc::in<3>(s[31]);
-    const auto b69 = meetc::in<3>(s[32]);
-    const auto b70 = meetc::either(meetc::either(meetc::either(b29, b30), b68), b69);
-    const auto b71 = meetc::in<6>(s[31]);
-    const auto b72 = meetc::in<6>(s[32]);
-    const auto b73 = meetc::either(meetc::either(meetc::either(b34, b35), b71), b72);
-    const auto b74 = meetc::in<3>(s[33] * s[34]);
-    const auto b75 = meetc::in<3>(s[17] * s[35]);
-    const auto b76 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b66, b67), b70), b73), b74),
-        b75);
-    const auto b77 = meetc::in<3>(s[36]);
-    const auto b78 = meetc::in<3>(s[37]);
-    const auto b79 = meetc::either(meetc::either(meetc::either(b47, b48), b77), b78);
-    const auto b80 = meetc::in<6>(s[36]);
-    const auto b81 = meetc::in<6>(s[37]);
-    const auto b82 = meetc::either(meetc::either(meetc::either(b51, b52), b80), b81);
-    const auto b83 = meetc::both(meetc::both(b76, b79), b82);
-    const auto b84 = meetc::in<2>(s[3]);
-    const auto b85 = meetc::in<3>(s[24] * s[38]);
-    const auto b86 = meetc::in<3>(s[6] * s[39]);
-    const auto b87 = meetc::in<3>(s[40]);
-    const auto b88 = meetc::either(meetc::either(meetc::either(b13, b14), b60), b87);
-    const auto b89 = meetc::in<6>(s[40]);
-    const auto b90 = meetc::either(meetc::either(meetc::either(b17, b18), b63), b89);
-    const auto b91 = meetc::in<3>(s[29] * s[41]);
-    const auto b92 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b84, b85), b86), b88), b90),
-        b91);
-    const auto b93 = meetc::in<3>(s[12] * s[42]);
-    const auto b94 = meetc::in<3>(s[43]);
-    const auto b95 = meetc::either(meetc::either(meetc::either(b30, b31), b69), b94);
-    const auto b96 = meetc::in<6>(s[43]);
-    const auto b97 = meetc::either(meetc::either(meetc::either(b35, b36), b72), b96);
-    const auto b98 = meetc::in<3>(s[34] * s[44]);
-    const auto b99 = meetc::in<3>(s[18] * s[45]);
-    const auto b100 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b92, b93), b95), b97), b98),
-        b99);
-    const auto b101 = meetc::in<3>(s[46]);
-    const auto b102 = meetc::either(meetc::either(meetc::either(b48, b49), b78), b101);
-    const auto b103 = meetc::in<6>(s[46]);
-    const auto b104 = meetc::either(meetc::either(meetc::either(b52, b53), b81), b103);
-    const auto b105 = meetc::both(meetc::both(b100, b102), b104);
-    const auto b106 = meetc::in<2>(s[4]);
-    const auto b107 = meetc::in<3>(s[23] * s[38]);
-    const auto b108 = meetc::in<3>(s[7] * s[47]);
-    const auto b109 = meetc::either(meetc::either(meetc::either(b12, b14), b59), b87);
-    const auto b110 = meetc::either(meetc::either(meetc::either(b16, b18), b62), b89);
-    const auto b111 = meetc::in<3>(s[28] * s[41]);
-    const auto b112 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b106, b107), b108), b109),
-        b110), b111);
-    const auto b113 = meetc::in<3>(s[13] * s[48]);
-    const auto b114 = meetc::either(meetc::either(meetc::either(b29, b31), b68), b94);
-    const auto b115 = meetc::either(meetc::either(meetc::either(b34, b36), b71), b96);
-    const auto b116 = meetc::in<3>(s[33] * s[44]);
-    const auto b117 = meetc::in<3>(s[19] * s[49]);
-    const auto b118 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b112, b113), b114), b115),
-        b116), b117);
-    const auto b119 = meetc::either(meetc::either(meetc::either(b47, b49), b77), b101);
-    const auto b120 = meetc::either(meetc::either(meetc::either(b51, b53), b80), b103);
-    const auto b121 = meetc::both(meetc::both(b118, b119), b120);
-    const auto b122 = meetc::either(meetc::either(meetc::either(b55, b83), b105), b121);
-    const auto b123 = meetc::in<3>(s[0] * s[1]);
-    const auto b124 = meetc::in<6>(s[2]);
-    const auto b125 = meetc::in<6>(s[3]);
-    const auto b126 = meetc::in<3>(s[4]);
-    const auto b127 = meetc::both(meetc::both(b124, b125), b126);
-    const auto b128 = meetc::in<3>(s[2]);
-    const auto b129 = meetc::in<3>(s[3]);
-    const auto b130 = meetc::in<6>(s[4]);
-    const auto b131 = meetc::both(meetc::both(b128, b129), b130);
-    const auto b132 = meetc::either(b127, b131);
-    const auto b133 = meetc::both(b123, b132);
-    const auto b134 = meetc::either(meetc::both(b2, b122), meetc::both(meetc::negate(b2), b133));
-    return b134;
-  }
-
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-  MEETC_HD static bool hit(const segment<float> &operand_a, const triangle<float> &operand_b) {
-    return meetc::hit_certified<segment_triangle>(operand_a, operand_b);
+  MEETC_HD static bool hit(const segment<float> &s, const triangle<float> &t) {
+    return meetc::hit_certified<segment_triangle>(s, t);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static meetc::answer filter(const segment<float> &operand_a, const triangle<float> &operand_b) {
-    return meetc::filter_fp32<segment_triangle>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const segment<float> &s, const triangle<float> &t) {
+    return meetc::filter_fp32<segment_triangle>(s, t);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEETC_HD static bool plain(const segment<float> &operand_a,
-      const triangle<float> &operand_b) {
-    const meetc::rows_of<segment_triangle, segment<float>, triangle<float>> rows(operand_a, operand_b);
-    return meetc::decide<segment_triangle>(meetc::plain_signs<segment_triangle, T>(rows.a, rows.b));
+  template <class T> MEETC_HD static bool plain(const segment<float> &s, const triangle<float> &t) {
+    return meetc::hit_plain<segment_triangle, T>(s, t);
   }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static bool after_fp32(const float *row_a, const float *row_b);
+  static meetc::answer whole_filter(const float *row_a, const float *row_b);
+  template <class T> static bool whole_plain(const float *row_a, const float *row_b);
+
+  // Decides most misses: signs 0 to 1, degree 3.
+  // Once an object s: 0 multiplications, 0 additions; t: 6 multiplications, 9 additions; a pair: 6 multiplications, 10 additions.
+  struct reject_stage : detail::segment_triangle_reject_bounds {
+    static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 3;
+    using bytecode = detail::segment_triangle_reject_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *, T *) {
+    }
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto t = detail::triangle_in(row_b);
+      const T t0 = t.c.y - t.a.y;
+      const T t1 = t.b.z - t.a.z;
+      const T t2 = t.c.z - t.a.z;
+      const T t3 = t.b.y - t.a.y;
+      const T t4 = t.b.x - t.a.x;
+      const T t5 = t.c.x - t.a.x;
+      f[0] = meetc::fma(-t0, t1, t2 * t3);
+      f[1] = meetc::fma(-t2, t4, t1 * t5);
+      f[2] = meetc::fma(-t3, t5, t0 * t4);
+    }
+    // The values whose signs are wanted; W holds those of degree 3 and more.
+    template <class T, class W = T>
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
+      const auto s = detail::segment_in(row_a);
+      const auto t = detail::triangle_in(row_b);
+      const W t0 = meetc::fma(fb[2], t.a.z - s.p.z, meetc::fma(fb[1], t.a.y - s.p.y, meetc::times<W>(fb[0],
+          t.a.x - s.p.x)));
+      const W t1 = meetc::fma(fb[2], t.a.z - s.q.z, meetc::fma(fb[1], t.a.y - s.q.y, meetc::times<W>(fb[0],
+          t.a.x - s.q.x)));
+      v[0] = t0; // s[0] = -side(t, s.p)
+      v[1] = t1; // s[1] = -side(t, s.q)
+    }
+  };
+
+  // The usual case: signs 2 to 4, degree 3.
+  // Once an object s: 0 multiplications, 3 additions; t: 0 multiplications, 9 additions; a pair: 27 multiplications, 21 additions.
+  struct common_stage : detail::segment_triangle_common_bounds {
+    static constexpr int first = 2, atoms = 3, fields_a = 3, fields_b = 9;
+    using bytecode = detail::segment_triangle_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto s = detail::segment_in(row_a);
+      f[0] = s.q.z - s.p.z;
+      f[1] = s.q.y - s.p.y;
+      f[2] = s.q.x - s.p.x;
+    }
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto t = detail::triangle_in(row_b);
+      f[0] = t.b.y - t.a.y;
+      f[1] = t.b.z - t.a.z;
+      f[2] = t.b.x - t.a.x;
+      f[3] = t.c.y - t.b.y;
+      f[4] = t.c.z - t.b.z;
+      f[5] = t.c.x - t.b.x;
+      f[6] = t.c.y - t.a.y;
+      f[7] = t.c.z - t.a.z;
+      f[8] = t.c.x - t.a.x;
+    }
+    // The values whose signs are wanted; W holds those of degree 3 and more.
+    template <class T, class W = T>
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+      const auto s = detail::segment_in(row_a);
+      const auto t = detail::triangle_in(row_b);
+      const T t0 = t.a.x - s.p.x;
+      const T t1 = t.a.y - s.p.y;
+      const W t2 = meetc::fma(meetc::fma(-fb[1], fa[2], fa[0] * fb[2]), t1, meetc::times<W>(meetc::fma(-fb[0],
+          fa[0], fb[1] * fa[1]), t0));
+      const T t3 = t.a.z - s.p.z;
+      const W t4 = meetc::fma(meetc::fma(-fa[2], fb[4], fa[0] * fb[5]), t.b.y - s.p.y,
+          meetc::times<W>(meetc::fma(-fa[0], fb[3], fa[1] * fb[4]), t.b.x - s.p.x));
+      const W t5 = meetc::fma(t1, meetc::fma(-fa[2], fb[7], fa[0] * fb[8]), meetc::times<W>(t0,
+          meetc::fma(-fa[0], fb[6], fa[1] * fb[7])));
+      // s[2] = twist(s, segment(t.a, t.b))
+      v[0] = meetc::fma(meetc::fma(-fa[1], fb[2], fb[0] * fa[2]), t3, t2);
+      // s[3] = twist(s, segment(t.b, t.c))
+      v[1] = meetc::fma(meetc::fma(-fa[1], fb[5], fa[2] * fb[3]), t.b.z - s.p.z, t4);
+      // s[4] = -twist(s, segment(t.c, t.a))
+      v[2] = meetc::fma(t3, meetc::fma(-fa[1], fb[8], fa[2] * fb[6]), t5);
+    }
+  };
+
+  struct rare_stage; // detail/segment_triangle_rest.hpp
+
+  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
+  template <class S> MEETC_HD static constexpr auto rejected(const S *s) {
+    return meetc::above_zero(s[0] * s[1]);
+  }
+  template <class S> MEETC_HD static constexpr auto needs_rare(const S *s) {
+    return meetc::both(meetc::is_zero(s[0]), meetc::is_zero(s[1]));
+  }
+  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+    const auto b0 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
+        meetc::at_most_zero(s[4]));
+    const auto b1 = meetc::both(meetc::at_most_zero(s[2]), meetc::at_most_zero(s[3]),
+        meetc::at_least_zero(s[4]));
+    const auto b2 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b0, b1));
+    return b2;
+  }
+  template <class S> MEETC_HD static constexpr auto whole(const S *s); // detail/segment_triangle_rest.hpp
 };
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/segment_triangle_rest.hpp>
+#endif
 
 #endif

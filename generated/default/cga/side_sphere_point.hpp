@@ -5,102 +5,59 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/side_sphere_point_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // side(sphere, point): one sign.
-struct side_sphere_point_sign {
+struct side_sphere_point_sign : detail::side_sphere_point_sign_points {
   static constexpr int inputs_a = 4, inputs_b = 3, atoms = 1;
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 0;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    return 0;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, -1, 0, 1, 2};
-    return all[i];
-  }
+
   // The sign: signs 0 to 0, degree 2.
-  // Once an object A: 1 multiplication, 0 additions; B: 0 multiplications, 0 additions; a pair: 3 multiplications, 6 additions.
-  struct common_stage {
+  // Once an object X: 1 multiplication, 0 additions; Y: 0 multiplications, 0 additions; a pair: 3 multiplications, 6 additions.
+  struct common_stage : detail::side_sphere_point_sign_common_bounds {
     static constexpr int first = 0, atoms = 1, fields_a = 1, fields_b = 0;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 2, growth = 5;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[3] * a[3];
-      f[0] = t0;
+    using bytecode = detail::side_sphere_point_sign_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto X = detail::sphere_in(row_a);
+      f[0] = X.r * X.r;
     }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *, T *) {
     }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
+    // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[0] - a[0];
-      const T t1 = b[1] - a[1];
-      const T t2 = b[2] - a[2];
-      v[0] = -(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)));
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64.
-    static constexpr int window = 25;
-    static constexpr bool mixed = false;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 57;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xa01p-33f, 0xa01p-62,
-        0x801p-111}; }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0xe01p-33f, 0, 0, 2}; }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) { return 2; }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x0u; }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[3]);
-      return m0;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      return 0.0f;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[0] - a[0]);
-      const T l1 = leaf(b[1] - a[1]);
-      const T l2 = leaf(b[2] - a[2]);
-      const T l3 = leaf(a[3]);
-      m[0] = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0)) + l3 * l3;
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 8, instruction_count = 12;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 7, 4, 0}, {multiply, 0, 7, 7}, {subtract, 4, 5, 1}, {multiply, 1, 4, 4}, {add, 1, 1, 0},
-        {subtract, 0, 6, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {multiply, 0, 3, 3}, {subtract, 1, 0, 2},
-        {negate, 0, 1, 0}, {take_sign, 0, 0, 0}};
-      return all[i];
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *, W *v) {
+      const auto X = detail::sphere_in(row_a);
+      const auto Y = detail::point_in(row_b);
+      const T t0 = Y.x - X.c.x;
+      const T t1 = Y.y - X.c.y;
+      const T t2 = Y.z - X.c.z;
+      v[0] = fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)); // s[0] = side(X, Y)
     }
   };
-  template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return -(s[0]); }
+
+  template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return s[0]; }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static meetc::sign after_fp32(const float *row_a, const float *row_b);
 };
+
 // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-MEETC_HD inline meetc::sign side(const sphere<float> &operand_a, const point<float> &operand_b) {
-  return meetc::sign_certified<side_sphere_point_sign>(operand_a, operand_b);
+MEETC_HD inline meetc::sign side(const sphere<float> &X, const point<float> &Y) {
+  return meetc::sign_certified<side_sphere_point_sign>(X, Y);
 }
+
 // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-template <class T> MEETC_HD inline meetc::sign side_plain(const sphere<float> &operand_a,
-    const point<float> &operand_b) {
-  const meetc::rows_of<side_sphere_point_sign, sphere<float>, point<float>> rows(operand_a, operand_b);
-  return meetc::decide_sign<side_sphere_point_sign>(meetc::plain_signs<side_sphere_point_sign, T>(rows.a,
-      rows.b));
+template <class T> MEETC_HD inline meetc::sign side_plain(const sphere<float> &X, const point<float> &Y) {
+  return meetc::sign_plain<side_sphere_point_sign, T>(X, Y);
 }
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/side_sphere_point_rest.hpp>
+#endif
 
 #endif

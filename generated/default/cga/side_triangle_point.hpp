@@ -5,132 +5,66 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/side_triangle_point_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // side(triangle, point): one sign.
-struct side_triangle_point_sign {
+struct side_triangle_point_sign : detail::side_triangle_point_sign_points {
   static constexpr int inputs_a = 9, inputs_b = 3, atoms = 1;
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 6;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    unsigned bits = 0;
-    bits |= static_cast<unsigned>((a[0] == a[3]) & (a[1] == a[4]) & (a[2] == a[5])) << 0;
-    bits |= static_cast<unsigned>((a[0] == a[6]) & (a[1] == a[7]) & (a[2] == a[8])) << 1;
-    bits |= static_cast<unsigned>((a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2])) << 2;
-    bits |= static_cast<unsigned>((a[3] == a[6]) & (a[4] == a[7]) & (a[5] == a[8])) << 3;
-    bits |= static_cast<unsigned>((a[3] == b[0]) & (a[4] == b[1]) & (a[5] == b[2])) << 4;
-    bits |= static_cast<unsigned>((a[6] == b[0]) & (a[7] == b[1]) & (a[8] == b[2])) << 5;
-    return bits;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
-    return all[i];
-  }
+
   // The sign: signs 0 to 0, degree 3.
-  // Once an object A: 6 multiplications, 9 additions; B: 0 multiplications, 0 additions; a pair: 3 multiplications, 5 additions.
-  struct common_stage {
+  // Once an object X: 6 multiplications, 9 additions; Y: 0 multiplications, 0 additions; a pair: 3 multiplications, 5 additions.
+  struct common_stage : detail::side_triangle_point_sign_common_bounds {
     static constexpr int first = 0, atoms = 1, fields_a = 3, fields_b = 0;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 3, growth = 6;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[7] - a[1];
-      const T t1 = a[5] - a[2];
-      const T t2 = a[8] - a[2];
-      const T t3 = a[4] - a[1];
-      const T t4 = meetc::fma(-t0, t1, t2 * t3);
-      const T t5 = a[3] - a[0];
-      const T t6 = a[6] - a[0];
-      const T t7 = meetc::fma(-t2, t5, t1 * t6);
-      const T t8 = meetc::fma(-t3, t6, t0 * t5);
-      f[0] = t4;
-      f[1] = t7;
-      f[2] = t8;
+    using bytecode = detail::side_triangle_point_sign_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto X = detail::triangle_in(row_a);
+      const T t0 = X.c.y - X.a.y;
+      const T t1 = X.b.z - X.a.z;
+      const T t2 = X.c.z - X.a.z;
+      const T t3 = X.b.y - X.a.y;
+      const T t4 = X.b.x - X.a.x;
+      const T t5 = X.c.x - X.a.x;
+      f[0] = meetc::fma(-t0, t1, t2 * t3);
+      f[1] = meetc::fma(-t2, t4, t1 * t5);
+      f[2] = meetc::fma(-t3, t5, t0 * t4);
     }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *, T *) {
     }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
+    // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const W t0 = meetc::fma(fa[2], b[2] - a[2], meetc::fma(fa[1], b[1] - a[1], meetc::times<W>(fa[0],
-          b[0] - a[0])));
-      v[0] = -t0;
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 26;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
-        0xa01p-111}; }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 2, 0, 1}; }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x3fu; }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[7] - a[1]);
-      const float m1 = meetc::larger(m0, a[5] - a[2]);
-      const float m2 = meetc::larger(m1, a[8] - a[2]);
-      const float m3 = meetc::larger(m2, a[4] - a[1]);
-      const float m4 = meetc::larger(m3, a[3] - a[0]);
-      const float m5 = meetc::larger(m4, a[6] - a[0]);
-      return m5;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      return 0.0f;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(a[7] - a[1]);
-      const T l1 = leaf(a[5] - a[2]);
-      const T l2 = leaf(a[8] - a[2]);
-      const T l3 = leaf(a[4] - a[1]);
-      const T l4 = leaf(a[3] - a[0]);
-      const T l5 = leaf(a[6] - a[0]);
-      const T l6 = leaf(b[0] - a[0]);
-      const T l7 = leaf(b[1] - a[1]);
-      const T l8 = leaf(b[2] - a[2]);
-      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
-      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 15, instruction_count = 28;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 12, 7, 1}, {subtract, 7, 5, 2}, {subtract, 5, 8, 2}, {subtract, 8, 4, 1},
-        {multiply, 4, 5, 8}, {negate, 13, 12, 0}, {multiply, 14, 13, 7}, {add, 14, 14, 4},
-        {subtract, 4, 3, 0}, {subtract, 3, 6, 0}, {multiply, 6, 7, 3}, {negate, 7, 5, 0}, {multiply, 5, 7, 4},
-        {add, 5, 5, 6}, {multiply, 6, 12, 4}, {negate, 4, 8, 0}, {multiply, 7, 4, 3}, {add, 7, 7, 6},
-        {subtract, 3, 9, 0}, {multiply, 0, 14, 3}, {subtract, 3, 10, 1}, {multiply, 1, 5, 3}, {add, 1, 1, 0},
-        {subtract, 0, 11, 2}, {multiply, 2, 7, 0}, {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}};
-      return all[i];
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *, W *v) {
+      const auto X = detail::triangle_in(row_a);
+      const auto Y = detail::point_in(row_b);
+      const W t0 = meetc::fma(fa[2], Y.z - X.a.z, meetc::fma(fa[1], Y.y - X.a.y, meetc::times<W>(fa[0],
+          Y.x - X.a.x)));
+      v[0] = t0; // s[0] = side(X, Y)
     }
   };
-  template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return -(s[0]); }
+
+  template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return s[0]; }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static meetc::sign after_fp32(const float *row_a, const float *row_b);
 };
+
 // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-MEETC_HD inline meetc::sign side(const triangle<float> &operand_a, const point<float> &operand_b) {
-  return meetc::sign_certified<side_triangle_point_sign>(operand_a, operand_b);
+MEETC_HD inline meetc::sign side(const triangle<float> &X, const point<float> &Y) {
+  return meetc::sign_certified<side_triangle_point_sign>(X, Y);
 }
+
 // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-template <class T> MEETC_HD inline meetc::sign side_plain(const triangle<float> &operand_a,
-    const point<float> &operand_b) {
-  const meetc::rows_of<side_triangle_point_sign, triangle<float>, point<float>> rows(operand_a, operand_b);
-  return meetc::decide_sign<side_triangle_point_sign>(meetc::plain_signs<side_triangle_point_sign, T>(rows.a,
-      rows.b));
+template <class T> MEETC_HD inline meetc::sign side_plain(const triangle<float> &X, const point<float> &Y) {
+  return meetc::sign_plain<side_triangle_point_sign, T>(X, Y);
 }
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/side_triangle_point_rest.hpp>
+#endif
 
 #endif

@@ -5,1602 +5,236 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/triangle_triangle_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // triangle_triangle(A: triangle, B: triangle), closed sets.
-//   miss if apart(B, A.corners)
-//   miss if apart(A, B.corners)
-//   hit if any(e in A.edges: segment_triangle(e, B))
+//   miss: apart(B, A.corners)
+//   miss: apart(A, B.corners)
+//   hit: any(e in A.edges: segment_triangle(e, B))
 //   or any(e in B.edges: segment_triangle(e, A))
-struct triangle_triangle {
+struct triangle_triangle : detail::triangle_triangle_points {
   static constexpr int inputs_a = 9, inputs_b = 9, atoms = 96;
 
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 15;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    unsigned bits = 0;
-    bits |= static_cast<unsigned>((a[0] == a[3]) & (a[1] == a[4]) & (a[2] == a[5])) << 0;
-    bits |= static_cast<unsigned>((a[0] == a[6]) & (a[1] == a[7]) & (a[2] == a[8])) << 1;
-    bits |= static_cast<unsigned>((a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2])) << 2;
-    bits |= static_cast<unsigned>((a[0] == b[3]) & (a[1] == b[4]) & (a[2] == b[5])) << 3;
-    bits |= static_cast<unsigned>((a[0] == b[6]) & (a[1] == b[7]) & (a[2] == b[8])) << 4;
-    bits |= static_cast<unsigned>((a[3] == a[6]) & (a[4] == a[7]) & (a[5] == a[8])) << 5;
-    bits |= static_cast<unsigned>((a[3] == b[0]) & (a[4] == b[1]) & (a[5] == b[2])) << 6;
-    bits |= static_cast<unsigned>((a[3] == b[3]) & (a[4] == b[4]) & (a[5] == b[5])) << 7;
-    bits |= static_cast<unsigned>((a[3] == b[6]) & (a[4] == b[7]) & (a[5] == b[8])) << 8;
-    bits |= static_cast<unsigned>((a[6] == b[0]) & (a[7] == b[1]) & (a[8] == b[2])) << 9;
-    bits |= static_cast<unsigned>((a[6] == b[3]) & (a[7] == b[4]) & (a[8] == b[5])) << 10;
-    bits |= static_cast<unsigned>((a[6] == b[6]) & (a[7] == b[7]) & (a[8] == b[8])) << 11;
-    bits |= static_cast<unsigned>((b[0] == b[3]) & (b[1] == b[4]) & (b[2] == b[5])) << 12;
-    bits |= static_cast<unsigned>((b[0] == b[6]) & (b[1] == b[7]) & (b[2] == b[8])) << 13;
-    bits |= static_cast<unsigned>((b[3] == b[6]) & (b[4] == b[7]) & (b[5] == b[8])) << 14;
-    return bits;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
-    return all[i];
-  }
-
-  // Decides most misses: signs 0 to 5, degree 3.
-  // Once an object A: 6 multiplications, 9 additions; B: 6 multiplications, 9 additions; a pair: 18 multiplications, 27 additions.
-  struct reject_stage {
-    static constexpr int first = 0, atoms = 6, fields_a = 3, fields_b = 3;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 3, growth = 6;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[7] - a[1];
-      const T t1 = a[5] - a[2];
-      const T t2 = a[8] - a[2];
-      const T t3 = a[4] - a[1];
-      const T t4 = meetc::fma(-t0, t1, t2 * t3);
-      const T t5 = a[3] - a[0];
-      const T t6 = a[6] - a[0];
-      const T t7 = meetc::fma(-t2, t5, t1 * t6);
-      const T t8 = meetc::fma(-t3, t6, t0 * t5);
-      f[0] = t4;
-      f[1] = t7;
-      f[2] = t8;
-    }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[7] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = b[8] - b[2];
-      const T t3 = b[4] - b[1];
-      const T t4 = meetc::fma(-t0, t1, t2 * t3);
-      const T t5 = b[3] - b[0];
-      const T t6 = b[6] - b[0];
-      const T t7 = meetc::fma(-t2, t5, t1 * t6);
-      const T t8 = meetc::fma(-t3, t6, t0 * t5);
-      f[0] = t4;
-      f[1] = t7;
-      f[2] = t8;
-    }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
-    template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[0] - a[0];
-      const T t1 = b[1] - a[1];
-      const T t2 = b[2] - a[2];
-      const W t3 = -meetc::fma(fb[2], t2, meetc::fma(fb[1], t1, meetc::times<W>(fb[0], t0)));
-      const W t4 = meetc::fma(fb[2], b[2] - a[5], meetc::fma(fb[1], b[1] - a[4], meetc::times<W>(fb[0],
-          b[0] - a[3])));
-      const W t5 = meetc::fma(fb[2], b[2] - a[8], meetc::fma(fb[1], b[1] - a[7], meetc::times<W>(fb[0],
-          b[0] - a[6])));
-      const W t6 = -meetc::fma(t2, fa[2], meetc::fma(t1, fa[1], meetc::times<W>(t0, fa[0])));
-      const W t7 = meetc::fma(fa[2], b[5] - a[2], meetc::fma(fa[1], b[4] - a[1], meetc::times<W>(fa[0],
-          b[3] - a[0])));
-      const W t8 = meetc::fma(fa[2], b[8] - a[2], meetc::fma(fa[1], b[7] - a[1], meetc::times<W>(fa[0],
-          b[6] - a[0])));
-      v[0] = t3;
-      v[1] = -t4;
-      v[2] = -t5;
-      v[3] = t6;
-      v[4] = -t7;
-      v[5] = -t8;
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 26;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
-        0xa01p-111}; }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr meetc::box_factor all[] = {
-        {0x841p-31f, 0, 2, 1}, {0x841p-31f, 0, 2, 1}, {0x841p-31f, 0, 2, 1}, {0x841p-31f, 2, 0, 1},
-        {0x841p-31f, 2, 0, 1}, {0x841p-31f, 2, 0, 1}};
-      return all[i];
-    }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x701cu, 0x71c0u, 0x7e00u, 0x267u, 0x4abu, 0x933u};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[7] - a[1]);
-      const float m1 = meetc::larger(m0, a[5] - a[2]);
-      const float m2 = meetc::larger(m1, a[8] - a[2]);
-      const float m3 = meetc::larger(m2, a[4] - a[1]);
-      const float m4 = meetc::larger(m3, a[3] - a[0]);
-      const float m5 = meetc::larger(m4, a[6] - a[0]);
-      return m5;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[7] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[8] - b[2]);
-      const float m3 = meetc::larger(m2, b[4] - b[1]);
-      const float m4 = meetc::larger(m3, b[3] - b[0]);
-      const float m5 = meetc::larger(m4, b[6] - b[0]);
-      return m5;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[7] - b[1]);
-      const T l1 = leaf(b[5] - b[2]);
-      const T l2 = leaf(b[8] - b[2]);
-      const T l3 = leaf(b[4] - b[1]);
-      const T l4 = leaf(b[3] - b[0]);
-      const T l5 = leaf(b[6] - b[0]);
-      const T l6 = leaf(b[0] - a[0]);
-      const T l7 = leaf(b[1] - a[1]);
-      const T l8 = leaf(b[2] - a[2]);
-      const T l9 = leaf(b[0] - a[3]);
-      const T l10 = leaf(b[1] - a[4]);
-      const T l11 = leaf(b[2] - a[5]);
-      const T l12 = leaf(b[0] - a[6]);
-      const T l13 = leaf(b[1] - a[7]);
-      const T l14 = leaf(b[2] - a[8]);
-      const T l15 = leaf(a[7] - a[1]);
-      const T l16 = leaf(a[5] - a[2]);
-      const T l17 = leaf(a[8] - a[2]);
-      const T l18 = leaf(a[4] - a[1]);
-      const T l19 = leaf(a[3] - a[0]);
-      const T l20 = leaf(a[6] - a[0]);
-      const T l21 = leaf(b[3] - a[0]);
-      const T l22 = leaf(b[4] - a[1]);
-      const T l23 = leaf(b[5] - a[2]);
-      const T l24 = leaf(b[6] - a[0]);
-      const T l25 = leaf(b[7] - a[1]);
-      const T l26 = leaf(b[8] - a[2]);
-      const T t0 = meetc::fma(l0, l1, l2 * l3);
-      const T t1 = meetc::fma(l2, l4, l1 * l5);
-      const T t2 = meetc::fma(l3, l5, l0 * l4);
-      const T t3 = meetc::fma(l15, l16, l17 * l18);
-      const T t4 = meetc::fma(l17, l19, l16 * l20);
-      const T t5 = meetc::fma(l18, l20, l15 * l19);
-      m[0] = meetc::fma(t2, l8, meetc::fma(t1, l7, t0 * l6));
-      m[1] = meetc::fma(t2, l11, meetc::fma(t1, l10, t0 * l9));
-      m[2] = meetc::fma(t2, l14, meetc::fma(t1, l13, t0 * l12));
-      m[3] = meetc::fma(l8, t5, meetc::fma(l7, t4, l6 * t3));
-      m[4] = meetc::fma(t5, l23, meetc::fma(t4, l22, t3 * l21));
-      m[5] = meetc::fma(t5, l26, meetc::fma(t4, l25, t3 * l24));
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 27, instruction_count = 93;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 18, 16, 10}, {subtract, 19, 14, 11}, {subtract, 20, 17, 11}, {subtract, 21, 13, 10},
-        {multiply, 22, 20, 21}, {negate, 23, 18, 0}, {multiply, 24, 23, 19}, {add, 24, 24, 22},
-        {subtract, 22, 12, 9}, {subtract, 23, 15, 9}, {multiply, 25, 19, 23}, {negate, 19, 20, 0},
-        {multiply, 20, 19, 22}, {add, 20, 20, 25}, {multiply, 19, 18, 22}, {negate, 18, 21, 0},
-        {multiply, 21, 18, 23}, {add, 21, 21, 19}, {subtract, 18, 9, 0}, {multiply, 19, 24, 18},
-        {subtract, 22, 10, 1}, {multiply, 23, 20, 22}, {add, 23, 23, 19}, {subtract, 19, 11, 2},
-        {multiply, 25, 21, 19}, {add, 25, 25, 23}, {negate, 23, 25, 0}, {take_sign, 0, 23, 0},
-        {subtract, 23, 9, 3}, {multiply, 25, 24, 23}, {subtract, 23, 10, 4}, {multiply, 26, 20, 23},
-        {add, 26, 26, 25}, {subtract, 23, 11, 5}, {multiply, 25, 21, 23}, {add, 25, 25, 26},
-        {negate, 23, 25, 0}, {take_sign, 1, 23, 0}, {subtract, 23, 9, 6}, {multiply, 9, 24, 23},
-        {subtract, 23, 10, 7}, {multiply, 10, 20, 23}, {add, 10, 10, 9}, {subtract, 9, 11, 8},
-        {multiply, 11, 21, 9}, {add, 11, 11, 10}, {negate, 9, 11, 0}, {take_sign, 2, 9, 0},
-        {subtract, 9, 7, 1}, {subtract, 7, 5, 2}, {subtract, 5, 8, 2}, {subtract, 8, 4, 1},
-        {multiply, 4, 5, 8}, {negate, 10, 9, 0}, {multiply, 11, 10, 7}, {add, 11, 11, 4}, {subtract, 4, 3, 0},
-        {subtract, 3, 6, 0}, {multiply, 6, 7, 3}, {negate, 7, 5, 0}, {multiply, 5, 7, 4}, {add, 5, 5, 6},
-        {multiply, 6, 9, 4}, {negate, 4, 8, 0}, {multiply, 7, 4, 3}, {add, 7, 7, 6}, {multiply, 3, 18, 11},
-        {multiply, 4, 22, 5}, {add, 4, 4, 3}, {multiply, 3, 19, 7}, {add, 3, 3, 4}, {negate, 4, 3, 0},
-        {take_sign, 3, 4, 0}, {subtract, 3, 12, 0}, {multiply, 4, 11, 3}, {subtract, 3, 13, 1},
-        {multiply, 6, 5, 3}, {add, 6, 6, 4}, {subtract, 3, 14, 2}, {multiply, 4, 7, 3}, {add, 4, 4, 6},
-        {negate, 3, 4, 0}, {take_sign, 4, 3, 0}, {subtract, 3, 15, 0}, {multiply, 0, 11, 3},
-        {subtract, 3, 16, 1}, {multiply, 1, 5, 3}, {add, 1, 1, 0}, {subtract, 0, 17, 2}, {multiply, 2, 7, 0},
-        {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 5, 0, 0}};
-      return all[i];
-    }
-  };
-  // The usual case: signs 6 to 14, degree 3.
-  // Once an object A: 0 multiplications, 9 additions; B: 0 multiplications, 9 additions; a pair: 81 multiplications, 57 additions.
-  struct common_stage {
-    static constexpr int first = 6, atoms = 9, fields_a = 12, fields_b = 18;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 3, growth = 6;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[5] - a[2];
-      const T t1 = a[4] - a[1];
-      const T t2 = a[3] - a[0];
-      const T t3 = -t1;
-      const T t4 = -t0;
-      const T t5 = -t2;
-      const T t6 = a[8] - a[5];
-      const T t7 = a[7] - a[4];
-      const T t8 = a[6] - a[3];
-      const T t9 = a[8] - a[2];
-      const T t10 = a[7] - a[1];
-      const T t11 = a[6] - a[0];
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-      f[6] = t6;
-      f[7] = t7;
-      f[8] = t8;
-      f[9] = t9;
-      f[10] = t10;
-      f[11] = t11;
-    }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[4] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = -t0;
-      const T t3 = b[3] - b[0];
-      const T t4 = -t1;
-      const T t5 = b[7] - b[4];
-      const T t6 = b[8] - b[5];
-      const T t7 = b[6] - b[3];
-      const T t8 = b[7] - b[1];
-      const T t9 = b[8] - b[2];
-      const T t10 = b[6] - b[0];
-      const T t11 = -t3;
-      const T t12 = -t5;
-      const T t13 = -t6;
-      const T t14 = -t7;
-      const T t15 = -t8;
-      const T t16 = -t9;
-      const T t17 = -t10;
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-      f[6] = t6;
-      f[7] = t7;
-      f[8] = t8;
-      f[9] = t9;
-      f[10] = t10;
-      f[11] = t11;
-      f[12] = t12;
-      f[13] = t13;
-      f[14] = t14;
-      f[15] = t15;
-      f[16] = t16;
-      f[17] = t17;
-    }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
-    template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[0] - a[0];
-      const T t1 = b[1] - a[1];
-      const W t2 = meetc::fma(meetc::fma(fb[4], fa[2], fa[0] * fb[3]), t1, meetc::times<W>(meetc::fma(fb[2],
-          fa[0], fb[1] * fa[1]), t0));
-      const T t3 = b[2] - a[2];
-      const T t4 = b[3] - a[0];
-      const T t5 = b[4] - a[1];
-      const W t6 = meetc::fma(meetc::fma(fa[5], fb[6], fa[0] * fb[7]), t5, meetc::times<W>(meetc::fma(fa[4],
-          fb[5], fa[1] * fb[6]), t4));
-      const T t7 = b[5] - a[2];
-      const W t8 = meetc::fma(t1, meetc::fma(fa[5], fb[9], fa[0] * fb[10]), meetc::times<W>(t0,
-          meetc::fma(fa[4], fb[8], fa[1] * fb[9])));
-      const T t9 = b[0] - a[3];
-      const T t10 = b[1] - a[4];
-      const W t11 = meetc::fma(meetc::fma(fb[4], fa[8], fb[3] * fa[6]), t10, meetc::times<W>(meetc::fma(fb[2],
-          fa[6], fb[1] * fa[7]), t9));
-      const T t12 = b[2] - a[5];
-      const W t13 = meetc::fma(meetc::fma(fb[13], fa[8], fb[7] * fa[6]), b[4] - a[4],
-          meetc::times<W>(meetc::fma(fb[12], fa[6], fb[6] * fa[7]), b[3] - a[3]));
-      const W t14 = meetc::fma(t10, meetc::fma(fb[16], fa[8], fb[10] * fa[6]), meetc::times<W>(t9,
-          meetc::fma(fb[15], fa[6], fb[9] * fa[7])));
-      const W t15 = meetc::fma(t1, meetc::fma(fb[4], fa[11], fb[3] * fa[9]), meetc::times<W>(t0,
-          meetc::fma(fb[2], fa[9], fb[1] * fa[10])));
-      const W t16 = meetc::fma(t5, meetc::fma(fb[13], fa[11], fb[7] * fa[9]), meetc::times<W>(t4,
-          meetc::fma(fb[12], fa[9], fb[6] * fa[10])));
-      const W t17 = meetc::fma(t1, meetc::fma(fb[16], fa[11], fb[10] * fa[9]), meetc::times<W>(t0,
-          meetc::fma(fb[15], fa[9], fb[9] * fa[10])));
-      v[0] = meetc::fma(meetc::fma(fa[3], fb[3], fb[0] * fa[2]), t3, t2);
-      v[1] = meetc::fma(meetc::fma(fa[3], fb[7], fa[2] * fb[5]), t7, t6);
-      v[2] = meetc::fma(t3, meetc::fma(fa[3], fb[10], fa[2] * fb[8]), t8);
-      v[3] = meetc::fma(meetc::fma(fb[11], fa[7], fb[0] * fa[8]), t12, t11);
-      v[4] = meetc::fma(meetc::fma(fb[14], fa[7], fb[5] * fa[8]), b[5] - a[5], t13);
-      v[5] = meetc::fma(t12, meetc::fma(fb[17], fa[7], fb[8] * fa[8]), t14);
-      v[6] = meetc::fma(t3, meetc::fma(fb[11], fa[10], fb[0] * fa[11]), t15);
-      v[7] = meetc::fma(t7, meetc::fma(fb[14], fa[10], fb[5] * fa[11]), t16);
-      v[8] = meetc::fma(t3, meetc::fma(fb[17], fa[10], fb[8] * fa[11]), t17);
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 26;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
-        0xa01p-111}; }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x10cdu, 0x4199u, 0x2155u, 0x16e0u, 0x4da0u, 0x2b60u, 0x160eu, 0x4c1au, 0x2a16u};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[5] - a[2]);
-      const float m1 = meetc::larger(m0, a[4] - a[1]);
-      const float m2 = meetc::larger(m1, a[3] - a[0]);
-      const float m3 = meetc::larger(m2, a[8] - a[5]);
-      const float m4 = meetc::larger(m3, a[7] - a[4]);
-      const float m5 = meetc::larger(m4, a[6] - a[3]);
-      const float m6 = meetc::larger(m5, a[8] - a[2]);
-      const float m7 = meetc::larger(m6, a[7] - a[1]);
-      const float m8 = meetc::larger(m7, a[6] - a[0]);
-      return m8;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[3] - b[0]);
-      const float m3 = meetc::larger(m2, b[7] - b[4]);
-      const float m4 = meetc::larger(m3, b[8] - b[5]);
-      const float m5 = meetc::larger(m4, b[6] - b[3]);
-      const float m6 = meetc::larger(m5, b[7] - b[1]);
-      const float m7 = meetc::larger(m6, b[8] - b[2]);
-      const float m8 = meetc::larger(m7, b[6] - b[0]);
-      return m8;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[4] - b[1]);
-      const T l1 = leaf(a[5] - a[2]);
-      const T l2 = leaf(b[5] - b[2]);
-      const T l3 = leaf(a[4] - a[1]);
-      const T l4 = leaf(a[3] - a[0]);
-      const T l5 = leaf(b[3] - b[0]);
-      const T l6 = leaf(b[0] - a[0]);
-      const T l7 = leaf(b[1] - a[1]);
-      const T l8 = leaf(b[2] - a[2]);
-      const T l9 = leaf(b[7] - b[4]);
-      const T l10 = leaf(b[8] - b[5]);
-      const T l11 = leaf(b[6] - b[3]);
-      const T l12 = leaf(b[3] - a[0]);
-      const T l13 = leaf(b[4] - a[1]);
-      const T l14 = leaf(b[5] - a[2]);
-      const T l15 = leaf(b[7] - b[1]);
-      const T l16 = leaf(b[8] - b[2]);
-      const T l17 = leaf(b[6] - b[0]);
-      const T l18 = leaf(a[8] - a[5]);
-      const T l19 = leaf(a[7] - a[4]);
-      const T l20 = leaf(a[6] - a[3]);
-      const T l21 = leaf(b[0] - a[3]);
-      const T l22 = leaf(b[1] - a[4]);
-      const T l23 = leaf(b[2] - a[5]);
-      const T l24 = leaf(b[3] - a[3]);
-      const T l25 = leaf(b[4] - a[4]);
-      const T l26 = leaf(b[5] - a[5]);
-      const T l27 = leaf(a[8] - a[2]);
-      const T l28 = leaf(a[7] - a[1]);
-      const T l29 = leaf(a[6] - a[0]);
-      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
-      const T t1 = meetc::fma(meetc::fma(l4, l10, l1 * l11), l13, meetc::fma(l1, l9, l3 * l10) * l12);
-      const T t2 = meetc::fma(l7, meetc::fma(l4, l16, l1 * l17), l6 * meetc::fma(l1, l15, l3 * l16));
-      const T t3 = meetc::fma(meetc::fma(l2, l20, l5 * l18), l22, meetc::fma(l0, l18, l2 * l19) * l21);
-      const T t4 = meetc::fma(meetc::fma(l10, l20, l11 * l18), l25, meetc::fma(l9, l18, l10 * l19) * l24);
-      const T t5 = meetc::fma(l22, meetc::fma(l16, l20, l17 * l18), l21 * meetc::fma(l15, l18, l16 * l19));
-      const T t6 = meetc::fma(l7, meetc::fma(l2, l29, l5 * l27), l6 * meetc::fma(l0, l27, l2 * l28));
-      const T t7 = meetc::fma(l13, meetc::fma(l10, l29, l11 * l27), l12 * meetc::fma(l9, l27, l10 * l28));
-      const T t8 = meetc::fma(l7, meetc::fma(l16, l29, l17 * l27), l6 * meetc::fma(l15, l27, l16 * l28));
-      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
-      m[1] = meetc::fma(meetc::fma(l3, l11, l4 * l9), l14, t1);
-      m[2] = meetc::fma(l8, meetc::fma(l3, l17, l4 * l15), t2);
-      m[3] = meetc::fma(meetc::fma(l5, l19, l0 * l20), l23, t3);
-      m[4] = meetc::fma(meetc::fma(l11, l19, l9 * l20), l26, t4);
-      m[5] = meetc::fma(l23, meetc::fma(l17, l19, l15 * l20), t5);
-      m[6] = meetc::fma(l8, meetc::fma(l5, l28, l0 * l29), t6);
-      m[7] = meetc::fma(l14, meetc::fma(l11, l28, l9 * l29), t7);
-      m[8] = meetc::fma(l8, meetc::fma(l17, l28, l15 * l29), t8);
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 43, instruction_count = 177;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 18, 13, 10}, {subtract, 19, 5, 2}, {subtract, 20, 14, 11}, {subtract, 21, 4, 1},
-        {multiply, 22, 20, 21}, {negate, 23, 18, 0}, {multiply, 24, 23, 19}, {add, 24, 24, 22},
-        {subtract, 22, 3, 0}, {subtract, 25, 12, 9}, {multiply, 26, 19, 25}, {negate, 27, 20, 0},
-        {multiply, 28, 27, 22}, {add, 28, 28, 26}, {multiply, 26, 18, 22}, {negate, 29, 21, 0},
-        {multiply, 30, 29, 25}, {add, 30, 30, 26}, {subtract, 26, 9, 0}, {multiply, 31, 24, 26},
-        {subtract, 24, 10, 1}, {multiply, 32, 28, 24}, {add, 32, 32, 31}, {subtract, 28, 11, 2},
-        {multiply, 31, 30, 28}, {add, 31, 31, 32}, {take_sign, 0, 31, 0}, {subtract, 30, 16, 13},
-        {subtract, 31, 17, 14}, {multiply, 32, 21, 31}, {negate, 33, 19, 0}, {multiply, 34, 33, 30},
-        {add, 34, 34, 32}, {subtract, 32, 15, 12}, {multiply, 35, 19, 32}, {negate, 36, 22, 0},
-        {multiply, 37, 36, 31}, {add, 37, 37, 35}, {multiply, 35, 22, 30}, {multiply, 38, 29, 32},
-        {add, 38, 38, 35}, {subtract, 35, 12, 0}, {multiply, 39, 34, 35}, {subtract, 34, 13, 1},
-        {multiply, 40, 37, 34}, {add, 40, 40, 39}, {subtract, 37, 14, 2}, {multiply, 39, 38, 37},
-        {add, 39, 39, 40}, {take_sign, 1, 39, 0}, {subtract, 38, 16, 10}, {subtract, 16, 17, 11},
-        {multiply, 17, 21, 16}, {multiply, 21, 33, 38}, {add, 21, 21, 17}, {subtract, 17, 15, 9},
-        {multiply, 15, 19, 17}, {multiply, 19, 36, 16}, {add, 19, 19, 15}, {multiply, 15, 22, 38},
-        {multiply, 22, 29, 17}, {add, 22, 22, 15}, {multiply, 15, 26, 21}, {multiply, 21, 24, 19},
-        {add, 21, 21, 15}, {multiply, 15, 28, 22}, {add, 15, 15, 21}, {take_sign, 2, 15, 0},
-        {subtract, 15, 8, 5}, {subtract, 19, 7, 4}, {multiply, 21, 20, 19}, {multiply, 22, 23, 15},
-        {add, 22, 22, 21}, {subtract, 21, 6, 3}, {multiply, 29, 25, 15}, {multiply, 33, 27, 21},
-        {add, 33, 33, 29}, {multiply, 29, 18, 21}, {negate, 36, 25, 0}, {multiply, 39, 36, 19},
-        {add, 39, 39, 29}, {subtract, 29, 9, 3}, {multiply, 9, 22, 29}, {subtract, 22, 10, 4},
-        {multiply, 10, 33, 22}, {add, 10, 10, 9}, {subtract, 9, 11, 5}, {multiply, 11, 39, 9},
-        {add, 11, 11, 10}, {take_sign, 3, 11, 0}, {multiply, 10, 31, 19}, {negate, 11, 30, 0},
-        {multiply, 33, 11, 15}, {add, 33, 33, 10}, {multiply, 10, 32, 15}, {negate, 39, 31, 0},
-        {multiply, 40, 39, 21}, {add, 40, 40, 10}, {multiply, 10, 30, 21}, {negate, 41, 32, 0},
-        {multiply, 42, 41, 19}, {add, 42, 42, 10}, {subtract, 10, 12, 3}, {multiply, 3, 33, 10},
-        {subtract, 10, 13, 4}, {multiply, 4, 40, 10}, {add, 4, 4, 3}, {subtract, 3, 14, 5},
-        {multiply, 5, 42, 3}, {add, 5, 5, 4}, {take_sign, 4, 5, 0}, {multiply, 3, 16, 19}, {negate, 4, 38, 0},
-        {multiply, 5, 4, 15}, {add, 5, 5, 3}, {multiply, 3, 17, 15}, {negate, 10, 16, 0},
-        {multiply, 12, 10, 21}, {add, 12, 12, 3}, {multiply, 3, 38, 21}, {negate, 13, 17, 0},
-        {multiply, 14, 13, 19}, {add, 14, 14, 3}, {multiply, 3, 29, 5}, {multiply, 5, 22, 12}, {add, 5, 5, 3},
-        {multiply, 3, 9, 14}, {add, 3, 3, 5}, {take_sign, 5, 3, 0}, {subtract, 3, 8, 2}, {subtract, 2, 7, 1},
-        {multiply, 1, 20, 2}, {multiply, 5, 23, 3}, {add, 5, 5, 1}, {subtract, 1, 6, 0}, {multiply, 0, 25, 3},
-        {multiply, 6, 27, 1}, {add, 6, 6, 0}, {multiply, 0, 18, 1}, {multiply, 7, 36, 2}, {add, 7, 7, 0},
-        {multiply, 0, 26, 5}, {multiply, 5, 24, 6}, {add, 5, 5, 0}, {multiply, 0, 28, 7}, {add, 0, 0, 5},
-        {take_sign, 6, 0, 0}, {multiply, 0, 31, 2}, {multiply, 5, 11, 3}, {add, 5, 5, 0},
-        {multiply, 0, 32, 3}, {multiply, 6, 39, 1}, {add, 6, 6, 0}, {multiply, 0, 30, 1},
-        {multiply, 7, 41, 2}, {add, 7, 7, 0}, {multiply, 0, 35, 5}, {multiply, 5, 34, 6}, {add, 5, 5, 0},
-        {multiply, 0, 37, 7}, {add, 0, 0, 5}, {take_sign, 7, 0, 0}, {multiply, 0, 16, 2}, {multiply, 5, 4, 3},
-        {add, 5, 5, 0}, {multiply, 0, 17, 3}, {multiply, 3, 10, 1}, {add, 3, 3, 0}, {multiply, 0, 38, 1},
-        {multiply, 1, 13, 2}, {add, 1, 1, 0}, {multiply, 0, 26, 5}, {multiply, 2, 24, 3}, {add, 2, 2, 0},
-        {multiply, 0, 28, 1}, {add, 0, 0, 2}, {take_sign, 8, 0, 0}};
-      return all[i];
-    }
-  };
-  // The rare case: signs 15 to 95, degree 2.
-  // Once an object A: 0 multiplications, 9 additions; B: 0 multiplications, 9 additions; a pair: 108 multiplications, 81 additions.
-  struct rare_stage {
-    static constexpr int first = 15, atoms = 81, fields_a = 9, fields_b = 15;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 2, growth = 3;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[4] - a[1];
-      const T t1 = a[5] - a[2];
-      const T t2 = a[3] - a[0];
-      const T t3 = a[7] - a[4];
-      const T t4 = a[8] - a[5];
-      const T t5 = a[6] - a[3];
-      const T t6 = a[7] - a[1];
-      const T t7 = a[8] - a[2];
-      const T t8 = a[6] - a[0];
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-      f[6] = t6;
-      f[7] = t7;
-      f[8] = t8;
-    }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[4] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = b[7] - b[4];
-      const T t3 = b[8] - b[5];
-      const T t4 = b[7] - b[1];
-      const T t5 = b[8] - b[2];
-      const T t6 = b[3] - b[0];
-      const T t7 = b[6] - b[3];
-      const T t8 = b[6] - b[0];
-      const T t9 = -t0;
-      const T t10 = -t6;
-      const T t11 = -t2;
-      const T t12 = -t7;
-      const T t13 = -t4;
-      const T t14 = -t8;
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-      f[6] = t6;
-      f[7] = t7;
-      f[8] = t8;
-      f[9] = t9;
-      f[10] = t10;
-      f[11] = t11;
-      f[12] = t12;
-      f[13] = t13;
-      f[14] = t14;
-    }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
-    template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const T t0 = b[1] - a[1];
-      const T t1 = b[2] - a[2];
-      const T t2 = -t1;
-      const T t3 = b[4] - a[1];
-      const T t4 = b[5] - a[2];
-      const T t5 = -t4;
-      const T t6 = b[0] - a[0];
-      const T t7 = -t6;
-      const T t8 = b[3] - a[0];
-      const T t9 = -t8;
-      const T t10 = -(b[6] - a[0]);
-      const T t11 = -t0;
-      const T t12 = -t3;
-      const T t13 = b[7] - a[1];
-      const T t14 = -t13;
-      const T t15 = b[8] - a[2];
-      const T t16 = b[1] - a[4];
-      const T t17 = b[2] - a[5];
-      const T t18 = b[0] - a[3];
-      const T t19 = -t18;
-      const T t20 = b[3] - a[3];
-      const T t21 = -t20;
-      const T t22 = b[4] - a[4];
-      const T t23 = b[5] - a[5];
-      const T t24 = -(b[6] - a[3]);
-      const T t25 = b[7] - a[4];
-      const T t26 = b[8] - a[5];
-      const T t27 = b[1] - a[7];
-      const T t28 = b[2] - a[8];
-      const T t29 = b[0] - a[6];
-      const T t30 = b[3] - a[6];
-      const T t31 = b[4] - a[7];
-      const T t32 = b[5] - a[8];
-      v[0] = meetc::fma(t2, fb[0], t0 * fb[1]);
-      v[1] = meetc::fma(t5, fb[2], t3 * fb[3]);
-      v[2] = meetc::fma(t2, fb[4], t0 * fb[5]);
-      v[3] = t7;
-      v[4] = t9;
-      v[5] = t10;
-      v[6] = meetc::fma(t2, fb[6], fb[1] * t6);
-      v[7] = meetc::fma(t5, fb[7], fb[3] * t8);
-      v[8] = meetc::fma(t2, fb[8], fb[5] * t6);
-      v[9] = t11;
-      v[10] = t12;
-      v[11] = t14;
-      v[12] = meetc::fma(t11, fb[6], fb[0] * t6);
-      v[13] = meetc::fma(t12, fb[7], fb[2] * t8);
-      v[14] = meetc::fma(t11, fb[8], fb[4] * t6);
-      v[15] = t2;
-      v[16] = t5;
-      v[17] = -t15;
-      v[18] = meetc::fma(t11, fa[1], t1 * fa[0]);
-      v[19] = meetc::fma(t12, fa[1], t4 * fa[0]);
-      v[20] = meetc::fma(fb[9], t17, fb[1] * t16);
-      v[21] = t19;
-      v[22] = t21;
-      v[23] = meetc::fma(t7, fa[1], t1 * fa[2]);
-      v[24] = meetc::fma(t9, fa[1], t4 * fa[2]);
-      v[25] = meetc::fma(fb[10], t17, fb[1] * t18);
-      v[26] = -t16;
-      v[27] = -t22;
-      v[28] = meetc::fma(t7, fa[0], t0 * fa[2]);
-      v[29] = meetc::fma(t9, fa[0], t3 * fa[2]);
-      v[30] = meetc::fma(fb[10], t16, fb[0] * t18);
-      v[31] = -t17;
-      v[32] = -t23;
-      v[33] = meetc::fma(t14, fa[1], t15 * fa[0]);
-      v[34] = meetc::fma(fb[11], t23, fb[3] * t22);
-      v[35] = t24;
-      v[36] = meetc::fma(t10, fa[1], t15 * fa[2]);
-      v[37] = meetc::fma(fb[12], t23, fb[3] * t20);
-      v[38] = -t25;
-      v[39] = meetc::fma(t10, fa[0], t13 * fa[2]);
-      v[40] = meetc::fma(fb[12], t22, fb[2] * t20);
-      v[41] = -t26;
-      v[42] = meetc::fma(fb[13], t17, fb[5] * t16);
-      v[43] = meetc::fma(fb[14], t17, fb[5] * t18);
-      v[44] = meetc::fma(fb[14], t16, fb[4] * t18);
-      v[45] = meetc::fma(-t16, fa[4], t17 * fa[3]);
-      v[46] = meetc::fma(-t22, fa[4], t23 * fa[3]);
-      v[47] = meetc::fma(fb[9], t28, fb[1] * t27);
-      v[48] = -t29;
-      v[49] = -t30;
-      v[50] = meetc::fma(t19, fa[4], t17 * fa[5]);
-      v[51] = meetc::fma(t21, fa[4], t23 * fa[5]);
-      v[52] = meetc::fma(fb[10], t28, fb[1] * t29);
-      v[53] = -t27;
-      v[54] = -t31;
-      v[55] = meetc::fma(t19, fa[3], t16 * fa[5]);
-      v[56] = meetc::fma(t21, fa[3], t22 * fa[5]);
-      v[57] = meetc::fma(fb[10], t27, fb[0] * t29);
-      v[58] = -t28;
-      v[59] = -t32;
-      v[60] = meetc::fma(-t25, fa[4], t26 * fa[3]);
-      v[61] = meetc::fma(fb[11], t32, fb[3] * t31);
-      v[62] = -(b[6] - a[6]);
-      v[63] = meetc::fma(t24, fa[4], t26 * fa[5]);
-      v[64] = meetc::fma(fb[12], t32, fb[3] * t30);
-      v[65] = -(b[7] - a[7]);
-      v[66] = meetc::fma(t24, fa[3], t25 * fa[5]);
-      v[67] = meetc::fma(fb[12], t31, fb[2] * t30);
-      v[68] = -(b[8] - a[8]);
-      v[69] = meetc::fma(fb[13], t28, fb[5] * t27);
-      v[70] = meetc::fma(fb[14], t28, fb[5] * t29);
-      v[71] = meetc::fma(fb[14], t27, fb[4] * t29);
-      v[72] = meetc::fma(t11, fa[7], t1 * fa[6]);
-      v[73] = meetc::fma(t12, fa[7], t4 * fa[6]);
-      v[74] = meetc::fma(t7, fa[7], t1 * fa[8]);
-      v[75] = meetc::fma(t9, fa[7], t4 * fa[8]);
-      v[76] = meetc::fma(t7, fa[6], t0 * fa[8]);
-      v[77] = meetc::fma(t9, fa[6], t3 * fa[8]);
-      v[78] = meetc::fma(t14, fa[7], t15 * fa[6]);
-      v[79] = meetc::fma(t10, fa[7], t15 * fa[8]);
-      v[80] = meetc::fma(t10, fa[6], t13 * fa[8]);
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64.
-    static constexpr int window = 26;
-    static constexpr bool mixed = false;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 58;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) {
-      static constexpr meetc::factors all[] = {
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
-        {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}};
-      return all[i];
-    }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) {
-      static constexpr meetc::box_factor all[] = {
-        {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1},
-        {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
-        {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1},
-        {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1},
-        {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
-        {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1},
-        {0xa01p-34f, 1, 0, 1}, {0xa01p-34f, 1, 0, 1}};
-      return all[i];
-    }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) {
-      static constexpr int all[] = {
-        2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2,
-        2, 1, 2, 2, 1, 2, 2, 1, 2, 2, 2, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2, 2, 2, 1, 1, 2, 2, 1, 2, 2, 1, 2, 2,
-        1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2};
-      return all[i];
-    }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) {
-      static constexpr unsigned all[] = {
-        0x100cu, 0x4018u, 0x2014u, 0x4u, 0x8u, 0x10u, 0x100cu, 0x4018u, 0x2014u, 0x4u, 0x8u, 0x10u, 0x100cu,
-        0x4018u, 0x2014u, 0x4u, 0x8u, 0x10u, 0x45u, 0x89u, 0x10c0u, 0x40u, 0x80u, 0x45u, 0x89u, 0x10c0u,
-        0x40u, 0x80u, 0x45u, 0x89u, 0x10c0u, 0x40u, 0x80u, 0x111u, 0x4180u, 0x100u, 0x111u, 0x4180u, 0x100u,
-        0x111u, 0x4180u, 0x100u, 0x2140u, 0x2140u, 0x2140u, 0x260u, 0x4a0u, 0x1600u, 0x200u, 0x400u, 0x260u,
-        0x4a0u, 0x1600u, 0x200u, 0x400u, 0x260u, 0x4a0u, 0x1600u, 0x200u, 0x400u, 0x920u, 0x4c00u, 0x800u,
-        0x920u, 0x4c00u, 0x800u, 0x920u, 0x4c00u, 0x800u, 0x2a00u, 0x2a00u, 0x2a00u, 0x206u, 0x40au, 0x206u,
-        0x40au, 0x206u, 0x40au, 0x812u, 0x812u, 0x812u};
-      return all[i];
-    }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[4] - a[1]);
-      const float m1 = meetc::larger(m0, a[5] - a[2]);
-      const float m2 = meetc::larger(m1, a[3] - a[0]);
-      const float m3 = meetc::larger(m2, a[7] - a[4]);
-      const float m4 = meetc::larger(m3, a[8] - a[5]);
-      const float m5 = meetc::larger(m4, a[6] - a[3]);
-      const float m6 = meetc::larger(m5, a[7] - a[1]);
-      const float m7 = meetc::larger(m6, a[8] - a[2]);
-      const float m8 = meetc::larger(m7, a[6] - a[0]);
-      return m8;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[7] - b[4]);
-      const float m3 = meetc::larger(m2, b[8] - b[5]);
-      const float m4 = meetc::larger(m3, b[7] - b[1]);
-      const float m5 = meetc::larger(m4, b[8] - b[2]);
-      const float m6 = meetc::larger(m5, b[3] - b[0]);
-      const float m7 = meetc::larger(m6, b[6] - b[3]);
-      const float m8 = meetc::larger(m7, b[6] - b[0]);
-      return m8;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[1] - a[1]);
-      const T l1 = leaf(b[2] - a[2]);
-      const T l2 = leaf(b[4] - b[1]);
-      const T l3 = leaf(b[5] - b[2]);
-      const T l4 = leaf(b[4] - a[1]);
-      const T l5 = leaf(b[5] - a[2]);
-      const T l6 = leaf(b[7] - b[4]);
-      const T l7 = leaf(b[8] - b[5]);
-      const T l8 = leaf(b[7] - b[1]);
-      const T l9 = leaf(b[8] - b[2]);
-      const T l10 = leaf(b[0] - a[0]);
-      const T l11 = leaf(b[3] - a[0]);
-      const T l12 = leaf(b[6] - a[0]);
-      const T l13 = leaf(b[3] - b[0]);
-      const T l14 = leaf(b[6] - b[3]);
-      const T l15 = leaf(b[6] - b[0]);
-      const T l16 = leaf(b[7] - a[1]);
-      const T l17 = leaf(b[8] - a[2]);
-      const T l18 = leaf(a[4] - a[1]);
-      const T l19 = leaf(a[5] - a[2]);
-      const T l20 = leaf(b[1] - a[4]);
-      const T l21 = leaf(b[2] - a[5]);
-      const T l22 = leaf(b[0] - a[3]);
-      const T l23 = leaf(b[3] - a[3]);
-      const T l24 = leaf(a[3] - a[0]);
-      const T l25 = leaf(b[4] - a[4]);
-      const T l26 = leaf(b[5] - a[5]);
-      const T l27 = leaf(b[6] - a[3]);
-      const T l28 = leaf(b[7] - a[4]);
-      const T l29 = leaf(b[8] - a[5]);
-      const T l30 = leaf(a[7] - a[4]);
-      const T l31 = leaf(a[8] - a[5]);
-      const T l32 = leaf(b[1] - a[7]);
-      const T l33 = leaf(b[2] - a[8]);
-      const T l34 = leaf(b[0] - a[6]);
-      const T l35 = leaf(b[3] - a[6]);
-      const T l36 = leaf(a[6] - a[3]);
-      const T l37 = leaf(b[4] - a[7]);
-      const T l38 = leaf(b[5] - a[8]);
-      const T l39 = leaf(b[6] - a[6]);
-      const T l40 = leaf(b[7] - a[7]);
-      const T l41 = leaf(b[8] - a[8]);
-      const T l42 = leaf(a[7] - a[1]);
-      const T l43 = leaf(a[8] - a[2]);
-      const T l44 = leaf(a[6] - a[0]);
-      m[0] = meetc::fma(l1, l2, l0 * l3);
-      m[1] = meetc::fma(l5, l6, l4 * l7);
-      m[2] = meetc::fma(l1, l8, l0 * l9);
-      m[3] = l10;
-      m[4] = l11;
-      m[5] = l12;
-      m[6] = meetc::fma(l1, l13, l3 * l10);
-      m[7] = meetc::fma(l5, l14, l7 * l11);
-      m[8] = meetc::fma(l1, l15, l9 * l10);
-      m[9] = l0;
-      m[10] = l4;
-      m[11] = l16;
-      m[12] = meetc::fma(l0, l13, l2 * l10);
-      m[13] = meetc::fma(l4, l14, l6 * l11);
-      m[14] = meetc::fma(l0, l15, l8 * l10);
-      m[15] = l1;
-      m[16] = l5;
-      m[17] = l17;
-      m[18] = meetc::fma(l0, l19, l1 * l18);
-      m[19] = meetc::fma(l4, l19, l5 * l18);
-      m[20] = meetc::fma(l2, l21, l3 * l20);
-      m[21] = l22;
-      m[22] = l23;
-      m[23] = meetc::fma(l10, l19, l1 * l24);
-      m[24] = meetc::fma(l11, l19, l5 * l24);
-      m[25] = meetc::fma(l13, l21, l3 * l22);
-      m[26] = l20;
-      m[27] = l25;
-      m[28] = meetc::fma(l10, l18, l0 * l24);
-      m[29] = meetc::fma(l11, l18, l4 * l24);
-      m[30] = meetc::fma(l13, l20, l2 * l22);
-      m[31] = l21;
-      m[32] = l26;
-      m[33] = meetc::fma(l16, l19, l17 * l18);
-      m[34] = meetc::fma(l6, l26, l7 * l25);
-      m[35] = l27;
-      m[36] = meetc::fma(l12, l19, l17 * l24);
-      m[37] = meetc::fma(l14, l26, l7 * l23);
-      m[38] = l28;
-      m[39] = meetc::fma(l12, l18, l16 * l24);
-      m[40] = meetc::fma(l14, l25, l6 * l23);
-      m[41] = l29;
-      m[42] = meetc::fma(l8, l21, l9 * l20);
-      m[43] = meetc::fma(l15, l21, l9 * l22);
-      m[44] = meetc::fma(l15, l20, l8 * l22);
-      m[45] = meetc::fma(l20, l31, l21 * l30);
-      m[46] = meetc::fma(l25, l31, l26 * l30);
-      m[47] = meetc::fma(l2, l33, l3 * l32);
-      m[48] = l34;
-      m[49] = l35;
-      m[50] = meetc::fma(l22, l31, l21 * l36);
-      m[51] = meetc::fma(l23, l31, l26 * l36);
-      m[52] = meetc::fma(l13, l33, l3 * l34);
-      m[53] = l32;
-      m[54] = l37;
-      m[55] = meetc::fma(l22, l30, l20 * l36);
-      m[56] = meetc::fma(l23, l30, l25 * l36);
-      m[57] = meetc::fma(l13, l32, l2 * l34);
-      m[58] = l33;
-      m[59] = l38;
-      m[60] = meetc::fma(l28, l31, l29 * l30);
-      m[61] = meetc::fma(l6, l38, l7 * l37);
-      m[62] = l39;
-      m[63] = meetc::fma(l27, l31, l29 * l36);
-      m[64] = meetc::fma(l14, l38, l7 * l35);
-      m[65] = l40;
-      m[66] = meetc::fma(l27, l30, l28 * l36);
-      m[67] = meetc::fma(l14, l37, l6 * l35);
-      m[68] = l41;
-      m[69] = meetc::fma(l8, l33, l9 * l32);
-      m[70] = meetc::fma(l15, l33, l9 * l34);
-      m[71] = meetc::fma(l15, l32, l8 * l34);
-      m[72] = meetc::fma(l0, l43, l1 * l42);
-      m[73] = meetc::fma(l4, l43, l5 * l42);
-      m[74] = meetc::fma(l10, l43, l1 * l44);
-      m[75] = meetc::fma(l11, l43, l5 * l44);
-      m[76] = meetc::fma(l10, l42, l0 * l44);
-      m[77] = meetc::fma(l11, l42, l4 * l44);
-      m[78] = meetc::fma(l16, l43, l17 * l42);
-      m[79] = meetc::fma(l12, l43, l17 * l44);
-      m[80] = meetc::fma(l12, l42, l16 * l44);
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 57, instruction_count = 321;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 18, 10, 1}, {subtract, 19, 11, 2}, {subtract, 20, 13, 10}, {subtract, 21, 14, 11},
-        {multiply, 22, 18, 21}, {negate, 23, 19, 0}, {take_sign, 15, 23, 0}, {multiply, 24, 23, 20},
-        {add, 24, 24, 22}, {take_sign, 0, 24, 0}, {subtract, 22, 13, 1}, {subtract, 24, 14, 2},
-        {subtract, 25, 16, 13}, {subtract, 26, 17, 14}, {multiply, 27, 22, 26}, {negate, 28, 24, 0},
-        {take_sign, 16, 28, 0}, {multiply, 29, 28, 25}, {add, 29, 29, 27}, {take_sign, 1, 29, 0},
-        {subtract, 27, 16, 10}, {subtract, 29, 17, 11}, {multiply, 30, 18, 29}, {multiply, 31, 23, 27},
-        {add, 31, 31, 30}, {take_sign, 2, 31, 0}, {subtract, 30, 9, 0}, {negate, 31, 30, 0},
-        {take_sign, 3, 31, 0}, {subtract, 32, 12, 0}, {negate, 33, 32, 0}, {take_sign, 4, 33, 0},
-        {subtract, 34, 15, 0}, {negate, 35, 34, 0}, {take_sign, 5, 35, 0}, {subtract, 34, 12, 9},
-        {multiply, 36, 21, 30}, {multiply, 37, 23, 34}, {add, 37, 37, 36}, {take_sign, 6, 37, 0},
-        {subtract, 36, 15, 12}, {multiply, 37, 26, 32}, {multiply, 38, 28, 36}, {add, 38, 38, 37},
-        {take_sign, 7, 38, 0}, {subtract, 28, 15, 9}, {multiply, 37, 29, 30}, {multiply, 38, 23, 28},
-        {add, 38, 38, 37}, {take_sign, 8, 38, 0}, {negate, 23, 18, 0}, {take_sign, 9, 23, 0},
-        {negate, 37, 22, 0}, {take_sign, 10, 37, 0}, {subtract, 38, 16, 1}, {negate, 39, 38, 0},
-        {take_sign, 11, 39, 0}, {multiply, 40, 20, 30}, {multiply, 41, 23, 34}, {add, 41, 41, 40},
-        {take_sign, 12, 41, 0}, {multiply, 40, 25, 32}, {multiply, 32, 37, 36}, {add, 32, 32, 40},
-        {take_sign, 13, 32, 0}, {multiply, 32, 27, 30}, {multiply, 30, 23, 28}, {add, 30, 30, 32},
-        {take_sign, 14, 30, 0}, {subtract, 30, 17, 2}, {negate, 32, 30, 0}, {take_sign, 17, 32, 0},
-        {subtract, 32, 4, 1}, {subtract, 40, 5, 2}, {multiply, 41, 19, 32}, {multiply, 42, 23, 40},
-        {add, 42, 42, 41}, {take_sign, 18, 42, 0}, {multiply, 41, 24, 32}, {multiply, 42, 37, 40},
-        {add, 42, 42, 41}, {take_sign, 19, 42, 0}, {subtract, 41, 10, 4}, {subtract, 42, 11, 5},
-        {multiply, 43, 21, 41}, {negate, 44, 42, 0}, {take_sign, 31, 44, 0}, {negate, 44, 20, 0},
-        {multiply, 45, 44, 42}, {add, 45, 45, 43}, {take_sign, 20, 45, 0}, {subtract, 43, 9, 3},
-        {negate, 45, 43, 0}, {take_sign, 21, 45, 0}, {subtract, 46, 12, 3}, {negate, 47, 46, 0},
-        {take_sign, 22, 47, 0}, {subtract, 48, 3, 0}, {multiply, 49, 19, 48}, {multiply, 50, 31, 40},
-        {add, 50, 50, 49}, {take_sign, 23, 50, 0}, {multiply, 49, 24, 48}, {multiply, 50, 33, 40},
-        {add, 50, 50, 49}, {take_sign, 24, 50, 0}, {multiply, 49, 21, 43}, {negate, 50, 34, 0},
-        {multiply, 34, 50, 42}, {add, 34, 34, 49}, {take_sign, 25, 34, 0}, {negate, 34, 41, 0},
-        {take_sign, 26, 34, 0}, {subtract, 49, 13, 4}, {negate, 51, 49, 0}, {take_sign, 27, 51, 0},
-        {multiply, 52, 18, 48}, {multiply, 53, 31, 32}, {add, 53, 53, 52}, {take_sign, 28, 53, 0},
-        {multiply, 52, 22, 48}, {multiply, 53, 33, 32}, {add, 53, 53, 52}, {take_sign, 29, 53, 0},
-        {multiply, 52, 20, 43}, {multiply, 53, 50, 41}, {add, 53, 53, 52}, {take_sign, 30, 53, 0},
-        {subtract, 52, 14, 5}, {negate, 53, 52, 0}, {take_sign, 32, 53, 0}, {multiply, 53, 30, 32},
-        {multiply, 54, 39, 40}, {add, 54, 54, 53}, {take_sign, 33, 54, 0}, {multiply, 53, 26, 49},
-        {negate, 54, 25, 0}, {multiply, 55, 54, 52}, {add, 55, 55, 53}, {take_sign, 34, 55, 0},
-        {subtract, 53, 15, 3}, {negate, 55, 53, 0}, {take_sign, 35, 55, 0}, {multiply, 53, 30, 48},
-        {multiply, 56, 35, 40}, {add, 56, 56, 53}, {take_sign, 36, 56, 0}, {multiply, 40, 26, 46},
-        {negate, 53, 36, 0}, {multiply, 36, 53, 52}, {add, 36, 36, 40}, {take_sign, 37, 36, 0},
-        {subtract, 36, 16, 4}, {negate, 40, 36, 0}, {take_sign, 38, 40, 0}, {multiply, 56, 38, 48},
-        {multiply, 48, 35, 32}, {add, 48, 48, 56}, {take_sign, 39, 48, 0}, {multiply, 32, 25, 46},
-        {multiply, 46, 53, 49}, {add, 46, 46, 32}, {take_sign, 40, 46, 0}, {subtract, 32, 17, 5},
-        {negate, 46, 32, 0}, {take_sign, 41, 46, 0}, {multiply, 46, 29, 41}, {negate, 48, 27, 0},
-        {multiply, 56, 48, 42}, {add, 56, 56, 46}, {take_sign, 42, 56, 0}, {multiply, 46, 29, 43},
-        {negate, 56, 28, 0}, {multiply, 28, 56, 42}, {add, 28, 28, 46}, {take_sign, 43, 28, 0},
-        {multiply, 28, 27, 43}, {multiply, 43, 56, 41}, {add, 43, 43, 28}, {take_sign, 44, 43, 0},
-        {subtract, 28, 7, 4}, {subtract, 4, 8, 5}, {multiply, 5, 42, 28}, {multiply, 43, 34, 4},
-        {add, 43, 43, 5}, {take_sign, 45, 43, 0}, {multiply, 5, 52, 28}, {multiply, 34, 51, 4},
-        {add, 34, 34, 5}, {take_sign, 46, 34, 0}, {subtract, 5, 10, 7}, {subtract, 10, 11, 8},
-        {multiply, 11, 21, 5}, {negate, 34, 10, 0}, {take_sign, 58, 34, 0}, {multiply, 34, 44, 10},
-        {add, 34, 34, 11}, {take_sign, 47, 34, 0}, {subtract, 11, 9, 6}, {negate, 9, 11, 0},
-        {take_sign, 48, 9, 0}, {subtract, 9, 12, 6}, {negate, 12, 9, 0}, {take_sign, 49, 12, 0},
-        {subtract, 12, 6, 3}, {multiply, 3, 42, 12}, {multiply, 34, 45, 4}, {add, 34, 34, 3},
-        {take_sign, 50, 34, 0}, {multiply, 3, 52, 12}, {multiply, 34, 47, 4}, {add, 34, 34, 3},
-        {take_sign, 51, 34, 0}, {multiply, 3, 21, 11}, {multiply, 21, 50, 10}, {add, 21, 21, 3},
-        {take_sign, 52, 21, 0}, {negate, 3, 5, 0}, {take_sign, 53, 3, 0}, {subtract, 3, 13, 7},
-        {negate, 13, 3, 0}, {take_sign, 54, 13, 0}, {multiply, 13, 41, 12}, {multiply, 21, 45, 28},
-        {add, 21, 21, 13}, {take_sign, 55, 21, 0}, {multiply, 13, 49, 12}, {multiply, 21, 47, 28},
-        {add, 21, 21, 13}, {take_sign, 56, 21, 0}, {multiply, 13, 20, 11}, {multiply, 20, 50, 5},
-        {add, 20, 20, 13}, {take_sign, 57, 20, 0}, {subtract, 13, 14, 8}, {negate, 14, 13, 0},
-        {take_sign, 59, 14, 0}, {multiply, 14, 32, 28}, {multiply, 20, 40, 4}, {add, 20, 20, 14},
-        {take_sign, 60, 20, 0}, {multiply, 14, 26, 3}, {multiply, 20, 54, 13}, {add, 20, 20, 14},
-        {take_sign, 61, 20, 0}, {subtract, 14, 15, 6}, {negate, 15, 14, 0}, {take_sign, 62, 15, 0},
-        {multiply, 14, 32, 12}, {multiply, 15, 55, 4}, {add, 15, 15, 14}, {take_sign, 63, 15, 0},
-        {multiply, 4, 26, 9}, {multiply, 14, 53, 13}, {add, 14, 14, 4}, {take_sign, 64, 14, 0},
-        {subtract, 4, 16, 7}, {negate, 13, 4, 0}, {take_sign, 65, 13, 0}, {multiply, 4, 36, 12},
-        {multiply, 12, 55, 28}, {add, 12, 12, 4}, {take_sign, 66, 12, 0}, {multiply, 4, 25, 9},
-        {multiply, 9, 53, 3}, {add, 9, 9, 4}, {take_sign, 67, 9, 0}, {subtract, 3, 17, 8}, {negate, 4, 3, 0},
-        {take_sign, 68, 4, 0}, {multiply, 3, 29, 5}, {multiply, 4, 48, 10}, {add, 4, 4, 3},
-        {take_sign, 69, 4, 0}, {multiply, 3, 29, 11}, {multiply, 4, 56, 10}, {add, 4, 4, 3},
-        {take_sign, 70, 4, 0}, {multiply, 3, 27, 11}, {multiply, 4, 56, 5}, {add, 4, 4, 3},
-        {take_sign, 71, 4, 0}, {subtract, 3, 7, 1}, {subtract, 1, 8, 2}, {multiply, 2, 19, 3},
-        {multiply, 4, 23, 1}, {add, 4, 4, 2}, {take_sign, 72, 4, 0}, {multiply, 2, 24, 3},
-        {multiply, 4, 37, 1}, {add, 4, 4, 2}, {take_sign, 73, 4, 0}, {subtract, 2, 6, 0},
-        {multiply, 0, 19, 2}, {multiply, 4, 31, 1}, {add, 4, 4, 0}, {take_sign, 74, 4, 0},
-        {multiply, 0, 24, 2}, {multiply, 4, 33, 1}, {add, 4, 4, 0}, {take_sign, 75, 4, 0},
-        {multiply, 0, 18, 2}, {multiply, 4, 31, 3}, {add, 4, 4, 0}, {take_sign, 76, 4, 0},
-        {multiply, 0, 22, 2}, {multiply, 4, 33, 3}, {add, 4, 4, 0}, {take_sign, 77, 4, 0},
-        {multiply, 0, 30, 3}, {multiply, 4, 39, 1}, {add, 4, 4, 0}, {take_sign, 78, 4, 0},
-        {multiply, 0, 30, 2}, {multiply, 4, 35, 1}, {add, 4, 4, 0}, {take_sign, 79, 4, 0},
-        {multiply, 0, 38, 2}, {multiply, 1, 35, 3}, {add, 1, 1, 0}, {take_sign, 80, 1, 0}};
-      return all[i];
-    }
-  };
-
-  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<4>(s[0]);
-    const auto b1 = meetc::in<4>(s[1]);
-    const auto b2 = meetc::in<4>(s[2]);
-    const auto b3 = meetc::both(meetc::both(b0, b1), b2);
-    const auto b4 = meetc::in<1>(s[0]);
-    const auto b5 = meetc::in<1>(s[1]);
-    const auto b6 = meetc::in<1>(s[2]);
-    const auto b7 = meetc::both(meetc::both(b4, b5), b6);
-    const auto b8 = meetc::either(b3, b7);
-    const auto b9 = meetc::in<1>(s[3]);
-    const auto b10 = meetc::in<1>(s[4]);
-    const auto b11 = meetc::in<1>(s[5]);
-    const auto b12 = meetc::both(meetc::both(b9, b10), b11);
-    const auto b13 = meetc::in<4>(s[3]);
-    const auto b14 = meetc::in<4>(s[4]);
-    const auto b15 = meetc::in<4>(s[5]);
-    const auto b16 = meetc::both(meetc::both(b13, b14), b15);
-    const auto b17 = meetc::either(b12, b16);
-    return meetc::either(b8, b17);
-  }
-  template <class S> MEETC_HD static constexpr auto needs_rare([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<2>(s[0]);
-    const auto b1 = meetc::in<2>(s[1]);
-    const auto b2 = meetc::both(b0, b1);
-    const auto b3 = meetc::in<2>(s[2]);
-    const auto b4 = meetc::both(b1, b3);
-    const auto b5 = meetc::both(b0, b3);
-    const auto b6 = meetc::in<2>(s[3]);
-    const auto b7 = meetc::in<2>(s[4]);
-    const auto b8 = meetc::both(b6, b7);
-    const auto b9 = meetc::in<2>(s[5]);
-    const auto b10 = meetc::both(b7, b9);
-    const auto b11 = meetc::both(b6, b9);
-    return meetc::either(meetc::either(meetc::either(meetc::either(meetc::either(b2, b4), b5), b8), b10),
-        b11);
-  }
-  template <class S> MEETC_HD static constexpr auto usual([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<3>(s[0] * s[1]);
-    const auto b1 = meetc::in<6>(s[6]);
-    const auto b2 = meetc::in<6>(s[7]);
-    const auto b3 = meetc::in<3>(s[8]);
-    const auto b4 = meetc::both(meetc::both(b1, b2), b3);
-    const auto b5 = meetc::in<3>(s[6]);
-    const auto b6 = meetc::in<3>(s[7]);
-    const auto b7 = meetc::in<6>(s[8]);
-    const auto b8 = meetc::both(meetc::both(b5, b6), b7);
-    const auto b9 = meetc::either(b4, b8);
-    const auto b10 = meetc::both(b0, b9);
-    const auto b11 = meetc::in<3>(s[1] * s[2]);
-    const auto b12 = meetc::in<6>(s[9]);
-    const auto b13 = meetc::in<6>(s[10]);
-    const auto b14 = meetc::in<3>(s[11]);
-    const auto b15 = meetc::both(meetc::both(b12, b13), b14);
-    const auto b16 = meetc::in<3>(s[9]);
-    const auto b17 = meetc::in<3>(s[10]);
-    const auto b18 = meetc::in<6>(s[11]);
-    const auto b19 = meetc::both(meetc::both(b16, b17), b18);
-    const auto b20 = meetc::either(b15, b19);
-    const auto b21 = meetc::both(b11, b20);
-    const auto b22 = meetc::in<3>(s[0] * s[2]);
-    const auto b23 = meetc::in<3>(s[12]);
-    const auto b24 = meetc::in<3>(s[13]);
-    const auto b25 = meetc::in<6>(s[14]);
-    const auto b26 = meetc::both(meetc::both(b23, b24), b25);
-    const auto b27 = meetc::in<6>(s[12]);
-    const auto b28 = meetc::in<6>(s[13]);
-    const auto b29 = meetc::in<3>(s[14]);
-    const auto b30 = meetc::both(meetc::both(b27, b28), b29);
-    const auto b31 = meetc::either(b26, b30);
-    const auto b32 = meetc::both(b22, b31);
-    const auto b33 = meetc::in<3>(s[3] * s[4]);
-    const auto b34 = meetc::both(meetc::both(b1, b12), b23);
-    const auto b35 = meetc::both(meetc::both(b5, b16), b27);
-    const auto b36 = meetc::either(b34, b35);
-    const auto b37 = meetc::both(b33, b36);
-    const auto b38 = meetc::in<3>(s[4] * s[5]);
-    const auto b39 = meetc::both(meetc::both(b2, b13), b24);
-    const auto b40 = meetc::both(meetc::both(b6, b17), b28);
-    const auto b41 = meetc::either(b39, b40);
-    const auto b42 = meetc::both(b38, b41);
-    const auto b43 = meetc::in<3>(s[3] * s[5]);
-    const auto b44 = meetc::both(meetc::both(b3, b14), b25);
-    const auto b45 = meetc::both(meetc::both(b7, b18), b29);
-    const auto b46 = meetc::either(b44, b45);
-    const auto b47 = meetc::both(b43, b46);
-    const auto b48 = meetc::either(meetc::either(meetc::either(meetc::either(meetc::either(b10, b21), b32),
-        b37), b42), b47);
-    return b48;
-  }
-  template <class S> MEETC_HD static constexpr auto whole([[maybe_unused]] const S *s) {
-    const auto b0 = meetc::in<2>(s[0]);
-    const auto b1 = meetc::in<2>(s[1]);
-    const auto b2 = meetc::both(b0, b1);
-    const auto b3 = meetc::in<3>(s[15]);
-    const auto b4 = meetc::in<3>(s[16]);
-    const auto b5 = meetc::in<6>(s[17]);
-    const auto b6 = meetc::both(meetc::both(b3, b4), b5);
-    const auto b7 = meetc::in<6>(s[15]);
-    const auto b8 = meetc::in<6>(s[16]);
-    const auto b9 = meetc::in<3>(s[17]);
-    const auto b10 = meetc::both(meetc::both(b7, b8), b9);
-    const auto b11 = meetc::either(b6, b10);
-    const auto b12 = meetc::in<3>(s[18]);
-    const auto b13 = meetc::in<3>(s[19]);
-    const auto b14 = meetc::in<3>(s[20]);
-    const auto b15 = meetc::either(meetc::either(b12, b13), b14);
-    const auto b16 = meetc::in<6>(s[18]);
-    const auto b17 = meetc::in<6>(s[19]);
-    const auto b18 = meetc::in<6>(s[20]);
-    const auto b19 = meetc::either(meetc::either(b16, b17), b18);
-    const auto b20 = meetc::in<6>(s[21]);
-    const auto b21 = meetc::in<6>(s[22]);
-    const auto b22 = meetc::in<3>(s[23]);
-    const auto b23 = meetc::both(meetc::both(b20, b21), b22);
-    const auto b24 = meetc::in<3>(s[21]);
-    const auto b25 = meetc::in<3>(s[22]);
-    const auto b26 = meetc::in<6>(s[23]);
-    const auto b27 = meetc::both(meetc::both(b24, b25), b26);
-    const auto b28 = meetc::either(b23, b27);
-    const auto b29 = meetc::in<3>(s[24]);
-    const auto b30 = meetc::in<3>(s[25]);
-    const auto b31 = meetc::in<3>(s[26]);
-    const auto b32 = meetc::either(meetc::either(b29, b30), b31);
-    const auto b33 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b0, b11), b15), b19), b28),
-        b32);
-    const auto b34 = meetc::in<6>(s[24]);
-    const auto b35 = meetc::in<6>(s[25]);
-    const auto b36 = meetc::in<6>(s[26]);
-    const auto b37 = meetc::either(meetc::either(b34, b35), b36);
-    const auto b38 = meetc::in<3>(s[27]);
-    const auto b39 = meetc::in<3>(s[28]);
-    const auto b40 = meetc::in<6>(s[29]);
-    const auto b41 = meetc::both(meetc::both(b38, b39), b40);
-    const auto b42 = meetc::in<6>(s[27]);
-    const auto b43 = meetc::in<6>(s[28]);
-    const auto b44 = meetc::in<3>(s[29]);
-    const auto b45 = meetc::both(meetc::both(b42, b43), b44);
-    const auto b46 = meetc::either(b41, b45);
-    const auto b47 = meetc::in<3>(s[30]);
-    const auto b48 = meetc::in<3>(s[31]);
-    const auto b49 = meetc::in<3>(s[32]);
-    const auto b50 = meetc::either(meetc::either(b47, b48), b49);
-    const auto b51 = meetc::in<6>(s[30]);
-    const auto b52 = meetc::in<6>(s[31]);
-    const auto b53 = meetc::in<6>(s[32]);
-    const auto b54 = meetc::either(meetc::either(b51, b52), b53);
-    const auto b55 = meetc::both(meetc::both(meetc::both(meetc::both(b33, b37), b46), b50), b54);
-    const auto b56 = meetc::in<2>(s[6]);
-    const auto b57 = meetc::in<3>(s[33] * s[34]);
-    const auto b58 = meetc::in<3>(s[15] * s[35]);
-    const auto b59 = meetc::in<3>(s[36]);
-    const auto b60 = meetc::in<3>(s[37]);
-    const auto b61 = meetc::either(meetc::either(meetc::either(b12, b13), b59), b60);
-    const auto b62 = meetc::in<6>(s[36]);
-    const auto b63 = meetc::in<6>(s[37]);
-    const auto b64 = meetc::either(meetc::either(meetc::either(b16, b17), b62), b63);
-    const auto b65 = meetc::in<3>(s[38] * s[39]);
-    const auto b66 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b56, b57), b58), b61), b64),
-        b65);
-    const auto b67 = meetc::in<3>(s[21] * s[40]);
-    const auto b68 = meetc::in<3>(s[41]);
-    const auto b69 = meetc::in<3>(s[42]);
-    const auto b70 = meetc::either(meetc::either(meetc::either(b29, b30), b68), b69);
-    const auto b71 = meetc::in<6>(s[41]);
-    const auto b72 = meetc::in<6>(s[42]);
-    const auto b73 = meetc::either(meetc::either(meetc::either(b34, b35), b71), b72);
-    const auto b74 = meetc::in<3>(s[43] * s[44]);
-    const auto b75 = meetc::in<3>(s[27] * s[45]);
-    const auto b76 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b66, b67), b70), b73), b74),
-        b75);
-    const auto b77 = meetc::in<3>(s[46]);
-    const auto b78 = meetc::in<3>(s[47]);
-    const auto b79 = meetc::either(meetc::either(meetc::either(b47, b48), b77), b78);
-    const auto b80 = meetc::in<6>(s[46]);
-    const auto b81 = meetc::in<6>(s[47]);
-    const auto b82 = meetc::either(meetc::either(meetc::either(b51, b52), b80), b81);
-    const auto b83 = meetc::both(meetc::both(b76, b79), b82);
-    const auto b84 = meetc::in<2>(s[7]);
-    const auto b85 = meetc::in<3>(s[34] * s[48]);
-    const auto b86 = meetc::in<3>(s[16] * s[49]);
-    const auto b87 = meetc::in<3>(s[50]);
-    const auto b88 = meetc::either(meetc::either(meetc::either(b13, b14), b60), b87);
-    const auto b89 = meetc::in<6>(s[50]);
-    const auto b90 = meetc::either(meetc::either(meetc::either(b17, b18), b63), b89);
-    const auto b91 = meetc::in<3>(s[39] * s[51]);
-    const auto b92 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b84, b85), b86), b88), b90),
-        b91);
-    const auto b93 = meetc::in<3>(s[22] * s[52]);
-    const auto b94 = meetc::in<3>(s[53]);
-    const auto b95 = meetc::either(meetc::either(meetc::either(b30, b31), b69), b94);
-    const auto b96 = meetc::in<6>(s[53]);
-    const auto b97 = meetc::either(meetc::either(meetc::either(b35, b36), b72), b96);
-    const auto b98 = meetc::in<3>(s[44] * s[54]);
-    const auto b99 = meetc::in<3>(s[28] * s[55]);
-    const auto b100 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b92, b93), b95), b97), b98),
-        b99);
-    const auto b101 = meetc::in<3>(s[56]);
-    const auto b102 = meetc::either(meetc::either(meetc::either(b48, b49), b78), b101);
-    const auto b103 = meetc::in<6>(s[56]);
-    const auto b104 = meetc::either(meetc::either(meetc::either(b52, b53), b81), b103);
-    const auto b105 = meetc::both(meetc::both(b100, b102), b104);
-    const auto b106 = meetc::in<2>(s[8]);
-    const auto b107 = meetc::in<3>(s[33] * s[48]);
-    const auto b108 = meetc::in<3>(s[17] * s[57]);
-    const auto b109 = meetc::either(meetc::either(meetc::either(b12, b14), b59), b87);
-    const auto b110 = meetc::either(meetc::either(meetc::either(b16, b18), b62), b89);
-    const auto b111 = meetc::in<3>(s[38] * s[51]);
-    const auto b112 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b106, b107), b108), b109),
-        b110), b111);
-    const auto b113 = meetc::in<3>(s[23] * s[58]);
-    const auto b114 = meetc::either(meetc::either(meetc::either(b29, b31), b68), b94);
-    const auto b115 = meetc::either(meetc::either(meetc::either(b34, b36), b71), b96);
-    const auto b116 = meetc::in<3>(s[43] * s[54]);
-    const auto b117 = meetc::in<3>(s[29] * s[59]);
-    const auto b118 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b112, b113), b114), b115),
-        b116), b117);
-    const auto b119 = meetc::either(meetc::either(meetc::either(b47, b49), b77), b101);
-    const auto b120 = meetc::either(meetc::either(meetc::either(b51, b53), b80), b103);
-    const auto b121 = meetc::both(meetc::both(b118, b119), b120);
-    const auto b122 = meetc::either(meetc::either(meetc::either(b55, b83), b105), b121);
-    const auto b123 = meetc::in<3>(s[0] * s[1]);
-    const auto b124 = meetc::in<6>(s[6]);
-    const auto b125 = meetc::in<6>(s[7]);
-    const auto b126 = meetc::in<3>(s[8]);
-    const auto b127 = meetc::both(meetc::both(b124, b125), b126);
-    const auto b128 = meetc::in<3>(s[6]);
-    const auto b129 = meetc::in<3>(s[7]);
-    const auto b130 = meetc::in<6>(s[8]);
-    const auto b131 = meetc::both(meetc::both(b128, b129), b130);
-    const auto b132 = meetc::either(b127, b131);
-    const auto b133 = meetc::both(b123, b132);
-    const auto b134 = meetc::either(meetc::both(b2, b122), meetc::both(meetc::negate(b2), b133));
-    const auto b135 = meetc::in<2>(s[2]);
-    const auto b136 = meetc::both(b1, b135);
-    const auto b137 = meetc::in<3>(s[35]);
-    const auto b138 = meetc::in<3>(s[49]);
-    const auto b139 = meetc::in<6>(s[57]);
-    const auto b140 = meetc::both(meetc::both(b137, b138), b139);
-    const auto b141 = meetc::in<6>(s[35]);
-    const auto b142 = meetc::in<6>(s[49]);
-    const auto b143 = meetc::in<3>(s[57]);
-    const auto b144 = meetc::both(meetc::both(b141, b142), b143);
-    const auto b145 = meetc::either(b140, b144);
-    const auto b146 = meetc::either(meetc::either(b59, b60), b87);
-    const auto b147 = meetc::either(meetc::either(b62, b63), b89);
-    const auto b148 = meetc::in<6>(s[40]);
-    const auto b149 = meetc::in<6>(s[52]);
-    const auto b150 = meetc::in<3>(s[58]);
-    const auto b151 = meetc::both(meetc::both(b148, b149), b150);
-    const auto b152 = meetc::in<3>(s[40]);
-    const auto b153 = meetc::in<3>(s[52]);
-    const auto b154 = meetc::in<6>(s[58]);
-    const auto b155 = meetc::both(meetc::both(b152, b153), b154);
-    const auto b156 = meetc::either(b151, b155);
-    const auto b157 = meetc::either(meetc::either(b68, b69), b94);
-    const auto b158 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b1, b145), b146), b147),
-        b156), b157);
-    const auto b159 = meetc::either(meetc::either(b71, b72), b96);
-    const auto b160 = meetc::in<3>(s[45]);
-    const auto b161 = meetc::in<3>(s[55]);
-    const auto b162 = meetc::in<6>(s[59]);
-    const auto b163 = meetc::both(meetc::both(b160, b161), b162);
-    const auto b164 = meetc::in<6>(s[45]);
-    const auto b165 = meetc::in<6>(s[55]);
-    const auto b166 = meetc::in<3>(s[59]);
-    const auto b167 = meetc::both(meetc::both(b164, b165), b166);
-    const auto b168 = meetc::either(b163, b167);
-    const auto b169 = meetc::either(meetc::either(b77, b78), b101);
-    const auto b170 = meetc::either(meetc::either(b80, b81), b103);
-    const auto b171 = meetc::both(meetc::both(meetc::both(meetc::both(b158, b159), b168), b169), b170);
-    const auto b172 = meetc::in<2>(s[9]);
-    const auto b173 = meetc::in<3>(s[60] * s[61]);
-    const auto b174 = meetc::in<3>(s[35] * s[62]);
-    const auto b175 = meetc::in<3>(s[63]);
-    const auto b176 = meetc::in<3>(s[64]);
-    const auto b177 = meetc::either(meetc::either(meetc::either(b59, b60), b175), b176);
-    const auto b178 = meetc::in<6>(s[63]);
-    const auto b179 = meetc::in<6>(s[64]);
-    const auto b180 = meetc::either(meetc::either(meetc::either(b62, b63), b178), b179);
-    const auto b181 = meetc::in<3>(s[65] * s[66]);
-    const auto b182 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b172, b173), b174), b177),
-        b180), b181);
-    const auto b183 = meetc::in<3>(s[40] * s[67]);
-    const auto b184 = meetc::in<3>(s[68]);
-    const auto b185 = meetc::in<3>(s[69]);
-    const auto b186 = meetc::either(meetc::either(meetc::either(b68, b69), b184), b185);
-    const auto b187 = meetc::in<6>(s[68]);
-    const auto b188 = meetc::in<6>(s[69]);
-    const auto b189 = meetc::either(meetc::either(meetc::either(b71, b72), b187), b188);
-    const auto b190 = meetc::in<3>(s[70] * s[71]);
-    const auto b191 = meetc::in<3>(s[45] * s[72]);
-    const auto b192 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b182, b183), b186), b189),
-        b190), b191);
-    const auto b193 = meetc::in<3>(s[73]);
-    const auto b194 = meetc::in<3>(s[74]);
-    const auto b195 = meetc::either(meetc::either(meetc::either(b77, b78), b193), b194);
-    const auto b196 = meetc::in<6>(s[73]);
-    const auto b197 = meetc::in<6>(s[74]);
-    const auto b198 = meetc::either(meetc::either(meetc::either(b80, b81), b196), b197);
-    const auto b199 = meetc::both(meetc::both(b192, b195), b198);
-    const auto b200 = meetc::in<2>(s[10]);
-    const auto b201 = meetc::in<3>(s[61] * s[75]);
-    const auto b202 = meetc::in<3>(s[49] * s[76]);
-    const auto b203 = meetc::in<3>(s[77]);
-    const auto b204 = meetc::either(meetc::either(meetc::either(b60, b87), b176), b203);
-    const auto b205 = meetc::in<6>(s[77]);
-    const auto b206 = meetc::either(meetc::either(meetc::either(b63, b89), b179), b205);
-    const auto b207 = meetc::in<3>(s[66] * s[78]);
-    const auto b208 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b200, b201), b202), b204),
-        b206), b207);
-    const auto b209 = meetc::in<3>(s[52] * s[79]);
-    const auto b210 = meetc::in<3>(s[80]);
-    const auto b211 = meetc::either(meetc::either(meetc::either(b69, b94), b185), b210);
-    const auto b212 = meetc::in<6>(s[80]);
-    const auto b213 = meetc::either(meetc::either(meetc::either(b72, b96), b188), b212);
-    const auto b214 = meetc::in<3>(s[71] * s[81]);
-    const auto b215 = meetc::in<3>(s[55] * s[82]);
-    const auto b216 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b208, b209), b211), b213),
-        b214), b215);
-    const auto b217 = meetc::in<3>(s[83]);
-    const auto b218 = meetc::either(meetc::either(meetc::either(b78, b101), b194), b217);
-    const auto b219 = meetc::in<6>(s[83]);
-    const auto b220 = meetc::either(meetc::either(meetc::either(b81, b103), b197), b219);
-    const auto b221 = meetc::both(meetc::both(b216, b218), b220);
-    const auto b222 = meetc::in<2>(s[11]);
-    const auto b223 = meetc::in<3>(s[60] * s[75]);
-    const auto b224 = meetc::in<3>(s[57] * s[84]);
-    const auto b225 = meetc::either(meetc::either(meetc::either(b59, b87), b175), b203);
-    const auto b226 = meetc::either(meetc::either(meetc::either(b62, b89), b178), b205);
-    const auto b227 = meetc::in<3>(s[65] * s[78]);
-    const auto b228 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b222, b223), b224), b225),
-        b226), b227);
-    const auto b229 = meetc::in<3>(s[58] * s[85]);
-    const auto b230 = meetc::either(meetc::either(meetc::either(b68, b94), b184), b210);
-    const auto b231 = meetc::either(meetc::either(meetc::either(b71, b96), b187), b212);
-    const auto b232 = meetc::in<3>(s[70] * s[81]);
-    const auto b233 = meetc::in<3>(s[59] * s[86]);
-    const auto b234 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b228, b229), b230), b231),
-        b232), b233);
-    const auto b235 = meetc::either(meetc::either(meetc::either(b77, b101), b193), b217);
-    const auto b236 = meetc::either(meetc::either(meetc::either(b80, b103), b196), b219);
-    const auto b237 = meetc::both(meetc::both(b234, b235), b236);
-    const auto b238 = meetc::either(meetc::either(meetc::either(b171, b199), b221), b237);
-    const auto b239 = meetc::in<3>(s[1] * s[2]);
-    const auto b240 = meetc::in<6>(s[9]);
-    const auto b241 = meetc::in<6>(s[10]);
-    const auto b242 = meetc::in<3>(s[11]);
-    const auto b243 = meetc::both(meetc::both(b240, b241), b242);
-    const auto b244 = meetc::in<3>(s[9]);
-    const auto b245 = meetc::in<3>(s[10]);
-    const auto b246 = meetc::in<6>(s[11]);
-    const auto b247 = meetc::both(meetc::both(b244, b245), b246);
-    const auto b248 = meetc::either(b243, b247);
-    const auto b249 = meetc::both(b239, b248);
-    const auto b250 = meetc::either(meetc::both(b136, b238), meetc::both(meetc::negate(b136), b249));
-    const auto b251 = meetc::both(b0, b135);
-    const auto b252 = meetc::in<3>(s[62]);
-    const auto b253 = meetc::in<3>(s[76]);
-    const auto b254 = meetc::in<6>(s[84]);
-    const auto b255 = meetc::both(meetc::both(b252, b253), b254);
-    const auto b256 = meetc::in<6>(s[62]);
-    const auto b257 = meetc::in<6>(s[76]);
-    const auto b258 = meetc::in<3>(s[84]);
-    const auto b259 = meetc::both(meetc::both(b256, b257), b258);
-    const auto b260 = meetc::either(b255, b259);
-    const auto b261 = meetc::either(meetc::either(b175, b176), b203);
-    const auto b262 = meetc::either(meetc::either(b178, b179), b205);
-    const auto b263 = meetc::in<6>(s[67]);
-    const auto b264 = meetc::in<6>(s[79]);
-    const auto b265 = meetc::in<3>(s[85]);
-    const auto b266 = meetc::both(meetc::both(b263, b264), b265);
-    const auto b267 = meetc::in<3>(s[67]);
-    const auto b268 = meetc::in<3>(s[79]);
-    const auto b269 = meetc::in<6>(s[85]);
-    const auto b270 = meetc::both(meetc::both(b267, b268), b269);
-    const auto b271 = meetc::either(b266, b270);
-    const auto b272 = meetc::either(meetc::either(b184, b185), b210);
-    const auto b273 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b135, b260), b261), b262),
-        b271), b272);
-    const auto b274 = meetc::either(meetc::either(b187, b188), b212);
-    const auto b275 = meetc::in<3>(s[72]);
-    const auto b276 = meetc::in<3>(s[82]);
-    const auto b277 = meetc::in<6>(s[86]);
-    const auto b278 = meetc::both(meetc::both(b275, b276), b277);
-    const auto b279 = meetc::in<6>(s[72]);
-    const auto b280 = meetc::in<6>(s[82]);
-    const auto b281 = meetc::in<3>(s[86]);
-    const auto b282 = meetc::both(meetc::both(b279, b280), b281);
-    const auto b283 = meetc::either(b278, b282);
-    const auto b284 = meetc::either(meetc::either(b193, b194), b217);
-    const auto b285 = meetc::either(meetc::either(b196, b197), b219);
-    const auto b286 = meetc::both(meetc::both(meetc::both(meetc::both(b273, b274), b283), b284), b285);
-    const auto b287 = meetc::in<2>(s[12]);
-    const auto b288 = meetc::in<3>(s[87] * s[88]);
-    const auto b289 = meetc::in<3>(s[15] * s[62]);
-    const auto b290 = meetc::either(meetc::either(meetc::either(b12, b13), b175), b176);
-    const auto b291 = meetc::either(meetc::either(meetc::either(b16, b17), b178), b179);
-    const auto b292 = meetc::in<3>(s[89] * s[90]);
-    const auto b293 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b287, b288), b289), b290),
-        b291), b292);
-    const auto b294 = meetc::in<3>(s[21] * s[67]);
-    const auto b295 = meetc::either(meetc::either(meetc::either(b29, b30), b184), b185);
-    const auto b296 = meetc::either(meetc::either(meetc::either(b34, b35), b187), b188);
-    const auto b297 = meetc::in<3>(s[91] * s[92]);
-    const auto b298 = meetc::in<3>(s[27] * s[72]);
-    const auto b299 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b293, b294), b295), b296),
-        b297), b298);
-    const auto b300 = meetc::either(meetc::either(meetc::either(b47, b48), b193), b194);
-    const auto b301 = meetc::either(meetc::either(meetc::either(b51, b52), b196), b197);
-    const auto b302 = meetc::both(meetc::both(b299, b300), b301);
-    const auto b303 = meetc::in<2>(s[13]);
-    const auto b304 = meetc::in<3>(s[88] * s[93]);
-    const auto b305 = meetc::in<3>(s[16] * s[76]);
-    const auto b306 = meetc::either(meetc::either(meetc::either(b13, b14), b176), b203);
-    const auto b307 = meetc::either(meetc::either(meetc::either(b17, b18), b179), b205);
-    const auto b308 = meetc::in<3>(s[90] * s[94]);
-    const auto b309 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b303, b304), b305), b306),
-        b307), b308);
-    const auto b310 = meetc::in<3>(s[22] * s[79]);
-    const auto b311 = meetc::either(meetc::either(meetc::either(b30, b31), b185), b210);
-    const auto b312 = meetc::either(meetc::either(meetc::either(b35, b36), b188), b212);
-    const auto b313 = meetc::in<3>(s[92] * s[95]);
-    const auto b314 = meetc::in<3>(s[28] * s[82]);
-    const auto b315 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b309, b310), b311), b312),
-        b313), b314);
-    const auto b316 = meetc::either(meetc::either(meetc::either(b48, b49), b194), b217);
-    const auto b317 = meetc::either(meetc::either(meetc::either(b52, b53), b197), b219);
-    const auto b318 = meetc::both(meetc::both(b315, b316), b317);
-    const auto b319 = meetc::in<2>(s[14]);
-    const auto b320 = meetc::in<3>(s[87] * s[93]);
-    const auto b321 = meetc::in<3>(s[17] * s[84]);
-    const auto b322 = meetc::either(meetc::either(meetc::either(b12, b14), b175), b203);
-    const auto b323 = meetc::either(meetc::either(meetc::either(b16, b18), b178), b205);
-    const auto b324 = meetc::in<3>(s[89] * s[94]);
-    const auto b325 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b319, b320), b321), b322),
-        b323), b324);
-    const auto b326 = meetc::in<3>(s[23] * s[85]);
-    const auto b327 = meetc::either(meetc::either(meetc::either(b29, b31), b184), b210);
-    const auto b328 = meetc::either(meetc::either(meetc::either(b34, b36), b187), b212);
-    const auto b329 = meetc::in<3>(s[91] * s[95]);
-    const auto b330 = meetc::in<3>(s[29] * s[86]);
-    const auto b331 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b325, b326), b327), b328),
-        b329), b330);
-    const auto b332 = meetc::either(meetc::either(meetc::either(b47, b49), b193), b217);
-    const auto b333 = meetc::either(meetc::either(meetc::either(b51, b53), b196), b219);
-    const auto b334 = meetc::both(meetc::both(b331, b332), b333);
-    const auto b335 = meetc::either(meetc::either(meetc::either(b286, b302), b318), b334);
-    const auto b336 = meetc::in<3>(s[0] * s[2]);
-    const auto b337 = meetc::in<3>(s[12]);
-    const auto b338 = meetc::in<3>(s[13]);
-    const auto b339 = meetc::in<6>(s[14]);
-    const auto b340 = meetc::both(meetc::both(b337, b338), b339);
-    const auto b341 = meetc::in<6>(s[12]);
-    const auto b342 = meetc::in<6>(s[13]);
-    const auto b343 = meetc::in<3>(s[14]);
-    const auto b344 = meetc::both(meetc::both(b341, b342), b343);
-    const auto b345 = meetc::either(b340, b344);
-    const auto b346 = meetc::both(b336, b345);
-    const auto b347 = meetc::either(meetc::both(b251, b335), meetc::both(meetc::negate(b251), b346));
-    const auto b348 = meetc::in<2>(s[3]);
-    const auto b349 = meetc::in<2>(s[4]);
-    const auto b350 = meetc::both(b348, b349);
-    const auto b351 = meetc::in<3>(s[33]);
-    const auto b352 = meetc::in<3>(s[60]);
-    const auto b353 = meetc::in<6>(s[87]);
-    const auto b354 = meetc::both(meetc::both(b351, b352), b353);
-    const auto b355 = meetc::in<6>(s[33]);
-    const auto b356 = meetc::in<6>(s[60]);
-    const auto b357 = meetc::in<3>(s[87]);
-    const auto b358 = meetc::both(meetc::both(b355, b356), b357);
-    const auto b359 = meetc::either(b354, b358);
-    const auto b360 = meetc::either(meetc::either(b16, b62), b178);
-    const auto b361 = meetc::either(meetc::either(b12, b59), b175);
-    const auto b362 = meetc::in<6>(s[38]);
-    const auto b363 = meetc::in<6>(s[65]);
-    const auto b364 = meetc::in<3>(s[89]);
-    const auto b365 = meetc::both(meetc::both(b362, b363), b364);
-    const auto b366 = meetc::in<3>(s[38]);
-    const auto b367 = meetc::in<3>(s[65]);
-    const auto b368 = meetc::in<6>(s[89]);
-    const auto b369 = meetc::both(meetc::both(b366, b367), b368);
-    const auto b370 = meetc::either(b365, b369);
-    const auto b371 = meetc::either(meetc::either(b34, b71), b187);
-    const auto b372 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b348, b359), b360), b361),
-        b370), b371);
-    const auto b373 = meetc::either(meetc::either(b29, b68), b184);
-    const auto b374 = meetc::in<3>(s[43]);
-    const auto b375 = meetc::in<3>(s[70]);
-    const auto b376 = meetc::in<6>(s[91]);
-    const auto b377 = meetc::both(meetc::both(b374, b375), b376);
-    const auto b378 = meetc::in<6>(s[43]);
-    const auto b379 = meetc::in<6>(s[70]);
-    const auto b380 = meetc::in<3>(s[91]);
-    const auto b381 = meetc::both(meetc::both(b378, b379), b380);
-    const auto b382 = meetc::either(b377, b381);
-    const auto b383 = meetc::either(meetc::either(b51, b80), b196);
-    const auto b384 = meetc::either(meetc::either(b47, b77), b193);
-    const auto b385 = meetc::both(meetc::both(meetc::both(meetc::both(b372, b373), b382), b383), b384);
-    const auto b386 = meetc::either(meetc::either(meetc::either(b83, b199), b302), b385);
-    const auto b387 = meetc::in<3>(s[3] * s[4]);
-    const auto b388 = meetc::both(meetc::both(b124, b240), b337);
-    const auto b389 = meetc::both(meetc::both(b128, b244), b341);
-    const auto b390 = meetc::either(b388, b389);
-    const auto b391 = meetc::both(b387, b390);
-    const auto b392 = meetc::either(meetc::both(b350, b386), meetc::both(meetc::negate(b350), b391));
-    const auto b393 = meetc::in<2>(s[5]);
-    const auto b394 = meetc::both(b349, b393);
-    const auto b395 = meetc::in<3>(s[34]);
-    const auto b396 = meetc::in<3>(s[61]);
-    const auto b397 = meetc::in<6>(s[88]);
-    const auto b398 = meetc::both(meetc::both(b395, b396), b397);
-    const auto b399 = meetc::in<6>(s[34]);
-    const auto b400 = meetc::in<6>(s[61]);
-    const auto b401 = meetc::in<3>(s[88]);
-    const auto b402 = meetc::both(meetc::both(b399, b400), b401);
-    const auto b403 = meetc::either(b398, b402);
-    const auto b404 = meetc::either(meetc::either(b17, b63), b179);
-    const auto b405 = meetc::either(meetc::either(b13, b60), b176);
-    const auto b406 = meetc::in<6>(s[39]);
-    const auto b407 = meetc::in<6>(s[66]);
-    const auto b408 = meetc::in<3>(s[90]);
-    const auto b409 = meetc::both(meetc::both(b406, b407), b408);
-    const auto b410 = meetc::in<3>(s[39]);
-    const auto b411 = meetc::in<3>(s[66]);
-    const auto b412 = meetc::in<6>(s[90]);
-    const auto b413 = meetc::both(meetc::both(b410, b411), b412);
-    const auto b414 = meetc::either(b409, b413);
-    const auto b415 = meetc::either(meetc::either(b35, b72), b188);
-    const auto b416 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b349, b403), b404), b405),
-        b414), b415);
-    const auto b417 = meetc::either(meetc::either(b30, b69), b185);
-    const auto b418 = meetc::in<3>(s[44]);
-    const auto b419 = meetc::in<3>(s[71]);
-    const auto b420 = meetc::in<6>(s[92]);
-    const auto b421 = meetc::both(meetc::both(b418, b419), b420);
-    const auto b422 = meetc::in<6>(s[44]);
-    const auto b423 = meetc::in<6>(s[71]);
-    const auto b424 = meetc::in<3>(s[92]);
-    const auto b425 = meetc::both(meetc::both(b422, b423), b424);
-    const auto b426 = meetc::either(b421, b425);
-    const auto b427 = meetc::either(meetc::either(b52, b81), b197);
-    const auto b428 = meetc::either(meetc::either(b48, b78), b194);
-    const auto b429 = meetc::both(meetc::both(meetc::both(meetc::both(b416, b417), b426), b427), b428);
-    const auto b430 = meetc::either(meetc::either(meetc::either(b105, b221), b318), b429);
-    const auto b431 = meetc::in<3>(s[4] * s[5]);
-    const auto b432 = meetc::both(meetc::both(b125, b241), b338);
-    const auto b433 = meetc::both(meetc::both(b129, b245), b342);
-    const auto b434 = meetc::either(b432, b433);
-    const auto b435 = meetc::both(b431, b434);
-    const auto b436 = meetc::either(meetc::both(b394, b430), meetc::both(meetc::negate(b394), b435));
-    const auto b437 = meetc::both(b348, b393);
-    const auto b438 = meetc::in<3>(s[48]);
-    const auto b439 = meetc::in<3>(s[75]);
-    const auto b440 = meetc::in<6>(s[93]);
-    const auto b441 = meetc::both(meetc::both(b438, b439), b440);
-    const auto b442 = meetc::in<6>(s[48]);
-    const auto b443 = meetc::in<6>(s[75]);
-    const auto b444 = meetc::in<3>(s[93]);
-    const auto b445 = meetc::both(meetc::both(b442, b443), b444);
-    const auto b446 = meetc::either(b441, b445);
-    const auto b447 = meetc::either(meetc::either(b18, b89), b205);
-    const auto b448 = meetc::either(meetc::either(b14, b87), b203);
-    const auto b449 = meetc::in<6>(s[51]);
-    const auto b450 = meetc::in<6>(s[78]);
-    const auto b451 = meetc::in<3>(s[94]);
-    const auto b452 = meetc::both(meetc::both(b449, b450), b451);
-    const auto b453 = meetc::in<3>(s[51]);
-    const auto b454 = meetc::in<3>(s[78]);
-    const auto b455 = meetc::in<6>(s[94]);
-    const auto b456 = meetc::both(meetc::both(b453, b454), b455);
-    const auto b457 = meetc::either(b452, b456);
-    const auto b458 = meetc::either(meetc::either(b36, b96), b212);
-    const auto b459 = meetc::both(meetc::both(meetc::both(meetc::both(meetc::both(b393, b446), b447), b448),
-        b457), b458);
-    const auto b460 = meetc::either(meetc::either(b31, b94), b210);
-    const auto b461 = meetc::in<3>(s[54]);
-    const auto b462 = meetc::in<3>(s[81]);
-    const auto b463 = meetc::in<6>(s[95]);
-    const auto b464 = meetc::both(meetc::both(b461, b462), b463);
-    const auto b465 = meetc::in<6>(s[54]);
-    const auto b466 = meetc::in<6>(s[81]);
-    const auto b467 = meetc::in<3>(s[95]);
-    const auto b468 = meetc::both(meetc::both(b465, b466), b467);
-    const auto b469 = meetc::either(b464, b468);
-    const auto b470 = meetc::either(meetc::either(b53, b103), b219);
-    const auto b471 = meetc::either(meetc::either(b49, b101), b217);
-    const auto b472 = meetc::both(meetc::both(meetc::both(meetc::both(b459, b460), b469), b470), b471);
-    const auto b473 = meetc::either(meetc::either(meetc::either(b121, b237), b334), b472);
-    const auto b474 = meetc::in<3>(s[3] * s[5]);
-    const auto b475 = meetc::both(meetc::both(b126, b242), b339);
-    const auto b476 = meetc::both(meetc::both(b130, b246), b343);
-    const auto b477 = meetc::either(b475, b476);
-    const auto b478 = meetc::both(b474, b477);
-    const auto b479 = meetc::either(meetc::both(b437, b473), meetc::both(meetc::negate(b437), b478));
-    const auto b480 = meetc::either(meetc::either(meetc::either(meetc::either(meetc::either(b134, b250),
-        b347), b392), b436), b479);
-    return b480;
-  }
-
   // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-  MEETC_HD static bool hit(const triangle<float> &operand_a, const triangle<float> &operand_b) {
-    return meetc::hit_certified<triangle_triangle>(operand_a, operand_b);
+  MEETC_HD static bool hit(const triangle<float> &A, const triangle<float> &B) {
+    return meetc::hit_certified<triangle_triangle>(A, B);
   }
 
   // The first rung alone, in fp32: no and yes are proved for valid operands.
-  MEETC_HD static meetc::answer filter(const triangle<float> &operand_a, const triangle<float> &operand_b) {
-    return meetc::filter_fp32<triangle_triangle>(operand_a, operand_b);
+  MEETC_HD static meetc::answer filter(const triangle<float> &A, const triangle<float> &B) {
+    return meetc::filter_fp32<triangle_triangle>(A, B);
   }
 
   // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-  template <class T> MEETC_HD static bool plain(const triangle<float> &operand_a,
-      const triangle<float> &operand_b) {
-    const meetc::rows_of<triangle_triangle, triangle<float>, triangle<float>> rows(operand_a, operand_b);
-    return meetc::decide<triangle_triangle>(meetc::plain_signs<triangle_triangle, T>(rows.a, rows.b));
+  template <class T> MEETC_HD static bool plain(const triangle<float> &A, const triangle<float> &B) {
+    return meetc::hit_plain<triangle_triangle, T>(A, B);
   }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static bool after_fp32(const float *row_a, const float *row_b);
+  static meetc::answer whole_filter(const float *row_a, const float *row_b);
+  template <class T> static bool whole_plain(const float *row_a, const float *row_b);
+
+  // Decides most misses: signs 0 to 5, degree 3.
+  // Once an object A: 6 multiplications, 9 additions; B: 6 multiplications, 9 additions; a pair: 18 multiplications, 27 additions.
+  struct reject_stage : detail::triangle_triangle_reject_bounds {
+    static constexpr int first = 0, atoms = 6, fields_a = 3, fields_b = 3;
+    using bytecode = detail::triangle_triangle_reject_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto A = detail::triangle_in(row_a);
+      const T t0 = A.c.y - A.a.y;
+      const T t1 = A.b.z - A.a.z;
+      const T t2 = A.c.z - A.a.z;
+      const T t3 = A.b.y - A.a.y;
+      const T t4 = A.b.x - A.a.x;
+      const T t5 = A.c.x - A.a.x;
+      f[0] = meetc::fma(-t0, t1, t2 * t3);
+      f[1] = meetc::fma(-t2, t4, t1 * t5);
+      f[2] = meetc::fma(-t3, t5, t0 * t4);
+    }
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto B = detail::triangle_in(row_b);
+      const T t0 = B.c.y - B.a.y;
+      const T t1 = B.b.z - B.a.z;
+      const T t2 = B.c.z - B.a.z;
+      const T t3 = B.b.y - B.a.y;
+      const T t4 = B.b.x - B.a.x;
+      const T t5 = B.c.x - B.a.x;
+      f[0] = meetc::fma(-t0, t1, t2 * t3);
+      f[1] = meetc::fma(-t2, t4, t1 * t5);
+      f[2] = meetc::fma(-t3, t5, t0 * t4);
+    }
+    // The values whose signs are wanted; W holds those of degree 3 and more.
+    template <class T, class W = T>
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+      const auto A = detail::triangle_in(row_a);
+      const auto B = detail::triangle_in(row_b);
+      const T t0 = B.a.x - A.a.x;
+      const T t1 = B.a.y - A.a.y;
+      const T t2 = B.a.z - A.a.z;
+      const W t3 = meetc::fma(fb[2], B.a.z - A.b.z, meetc::fma(fb[1], B.a.y - A.b.y, meetc::times<W>(fb[0],
+          B.a.x - A.b.x)));
+      const W t4 = meetc::fma(fb[2], B.a.z - A.c.z, meetc::fma(fb[1], B.a.y - A.c.y, meetc::times<W>(fb[0],
+          B.a.x - A.c.x)));
+      const W t5 = meetc::fma(fa[2], B.b.z - A.a.z, meetc::fma(fa[1], B.b.y - A.a.y, meetc::times<W>(fa[0],
+          B.b.x - A.a.x)));
+      const W t6 = meetc::fma(fa[2], B.c.z - A.a.z, meetc::fma(fa[1], B.c.y - A.a.y, meetc::times<W>(fa[0],
+          B.c.x - A.a.x)));
+      // s[0] = -side(B, A.a)
+      v[0] = meetc::fma(fb[2], t2, meetc::fma(fb[1], t1, meetc::times<W>(fb[0], t0)));
+      v[1] = t3; // s[1] = -side(B, A.b)
+      v[2] = t4; // s[2] = -side(B, A.c)
+      v[3] = meetc::fma(t2, fa[2], meetc::fma(t1, fa[1], meetc::times<W>(t0, fa[0]))); // s[3] = side(A, B.a)
+      v[4] = t5; // s[4] = side(A, B.b)
+      v[5] = t6; // s[5] = side(A, B.c)
+    }
+  };
+
+  // The usual case: signs 6 to 14, degree 3.
+  // Once an object A: 0 multiplications, 9 additions; B: 0 multiplications, 9 additions; a pair: 81 multiplications, 57 additions.
+  struct common_stage : detail::triangle_triangle_common_bounds {
+    static constexpr int first = 6, atoms = 9, fields_a = 9, fields_b = 9;
+    using bytecode = detail::triangle_triangle_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto A = detail::triangle_in(row_a);
+      f[0] = A.b.z - A.a.z;
+      f[1] = A.b.y - A.a.y;
+      f[2] = A.b.x - A.a.x;
+      f[3] = A.c.z - A.b.z;
+      f[4] = A.c.y - A.b.y;
+      f[5] = A.c.x - A.b.x;
+      f[6] = A.c.z - A.a.z;
+      f[7] = A.c.y - A.a.y;
+      f[8] = A.c.x - A.a.x;
+    }
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto B = detail::triangle_in(row_b);
+      f[0] = B.b.y - B.a.y;
+      f[1] = B.b.z - B.a.z;
+      f[2] = B.b.x - B.a.x;
+      f[3] = B.c.y - B.b.y;
+      f[4] = B.c.z - B.b.z;
+      f[5] = B.c.x - B.b.x;
+      f[6] = B.c.y - B.a.y;
+      f[7] = B.c.z - B.a.z;
+      f[8] = B.c.x - B.a.x;
+    }
+    // The values whose signs are wanted; W holds those of degree 3 and more.
+    template <class T, class W = T>
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+      const auto A = detail::triangle_in(row_a);
+      const auto B = detail::triangle_in(row_b);
+      const T t0 = B.a.x - A.a.x;
+      const T t1 = B.a.y - A.a.y;
+      const W t2 = meetc::fma(meetc::fma(-fb[1], fa[2], fa[0] * fb[2]), t1, meetc::times<W>(meetc::fma(-fb[0],
+          fa[0], fb[1] * fa[1]), t0));
+      const T t3 = B.a.z - A.a.z;
+      const T t4 = B.b.x - A.a.x;
+      const T t5 = B.b.y - A.a.y;
+      const W t6 = meetc::fma(meetc::fma(-fa[2], fb[4], fa[0] * fb[5]), t5, meetc::times<W>(meetc::fma(-fa[0],
+          fb[3], fa[1] * fb[4]), t4));
+      const T t7 = B.b.z - A.a.z;
+      const W t8 = meetc::fma(t1, meetc::fma(-fa[2], fb[7], fa[0] * fb[8]), meetc::times<W>(t0,
+          meetc::fma(-fa[0], fb[6], fa[1] * fb[7])));
+      const T t9 = B.a.x - A.b.x;
+      const T t10 = B.a.y - A.b.y;
+      const W t11 = meetc::fma(meetc::fma(-fb[1], fa[5], fb[2] * fa[3]), t10,
+          meetc::times<W>(meetc::fma(-fb[0], fa[3], fb[1] * fa[4]), t9));
+      const T t12 = B.a.z - A.b.z;
+      const W t13 = meetc::fma(meetc::fma(-fb[4], fa[5], fb[5] * fa[3]), B.b.y - A.b.y,
+          meetc::times<W>(meetc::fma(-fb[3], fa[3], fb[4] * fa[4]), B.b.x - A.b.x));
+      const W t14 = meetc::fma(t10, meetc::fma(-fb[7], fa[5], fb[8] * fa[3]), meetc::times<W>(t9,
+          meetc::fma(-fb[6], fa[3], fb[7] * fa[4])));
+      const W t15 = meetc::fma(t1, meetc::fma(-fb[1], fa[8], fb[2] * fa[6]), meetc::times<W>(t0,
+          meetc::fma(-fb[0], fa[6], fb[1] * fa[7])));
+      const W t16 = meetc::fma(t5, meetc::fma(-fb[4], fa[8], fb[5] * fa[6]), meetc::times<W>(t4,
+          meetc::fma(-fb[3], fa[6], fb[4] * fa[7])));
+      const W t17 = meetc::fma(t1, meetc::fma(-fb[7], fa[8], fb[8] * fa[6]), meetc::times<W>(t0,
+          meetc::fma(-fb[6], fa[6], fb[7] * fa[7])));
+      // s[6] = twist(segment(A.a, A.b), segment(B.a, B.b))
+      v[0] = meetc::fma(meetc::fma(-fa[1], fb[2], fb[0] * fa[2]), t3, t2);
+      // s[7] = twist(segment(A.a, A.b), segment(B.b, B.c))
+      v[1] = meetc::fma(meetc::fma(-fa[1], fb[5], fa[2] * fb[3]), t7, t6);
+      // s[8] = -twist(segment(A.a, A.b), segment(B.c, B.a))
+      v[2] = meetc::fma(t3, meetc::fma(-fa[1], fb[8], fa[2] * fb[6]), t8);
+      // s[9] = twist(segment(A.b, A.c), segment(B.a, B.b))
+      v[3] = meetc::fma(meetc::fma(-fb[2], fa[4], fb[0] * fa[5]), t12, t11);
+      // s[10] = twist(segment(A.b, A.c), segment(B.b, B.c))
+      v[4] = meetc::fma(meetc::fma(-fb[5], fa[4], fb[3] * fa[5]), B.b.z - A.b.z, t13);
+      // s[11] = -twist(segment(A.b, A.c), segment(B.c, B.a))
+      v[5] = meetc::fma(t12, meetc::fma(-fb[8], fa[4], fb[6] * fa[5]), t14);
+      // s[12] = -twist(segment(A.c, A.a), segment(B.a, B.b))
+      v[6] = meetc::fma(t3, meetc::fma(-fb[2], fa[7], fb[0] * fa[8]), t15);
+      // s[13] = -twist(segment(A.c, A.a), segment(B.b, B.c))
+      v[7] = meetc::fma(t7, meetc::fma(-fb[5], fa[7], fb[3] * fa[8]), t16);
+      // s[14] = twist(segment(A.c, A.a), segment(B.c, B.a))
+      v[8] = meetc::fma(t3, meetc::fma(-fb[8], fa[7], fb[6] * fa[8]), t17);
+    }
+  };
+
+  struct rare_stage; // detail/triangle_triangle_rest.hpp
+
+  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
+  template <class S> MEETC_HD static constexpr auto rejected(const S *s) {
+    const auto b0 = meetc::both(meetc::below_zero(s[0]), meetc::below_zero(s[1]), meetc::below_zero(s[2]));
+    const auto b1 = meetc::both(meetc::above_zero(s[0]), meetc::above_zero(s[1]), meetc::above_zero(s[2]));
+    const auto b2 = meetc::both(meetc::above_zero(s[3]), meetc::above_zero(s[4]), meetc::above_zero(s[5]));
+    const auto b3 = meetc::both(meetc::below_zero(s[3]), meetc::below_zero(s[4]), meetc::below_zero(s[5]));
+    return meetc::either(meetc::either(b0, b1), meetc::either(b2, b3));
+  }
+  template <class S> MEETC_HD static constexpr auto needs_rare(const S *s) {
+    const auto b0 = meetc::is_zero(s[0]);
+    const auto b1 = meetc::is_zero(s[1]);
+    const auto b2 = meetc::is_zero(s[2]);
+    const auto b3 = meetc::is_zero(s[3]);
+    const auto b4 = meetc::is_zero(s[4]);
+    const auto b5 = meetc::is_zero(s[5]);
+    return meetc::either(meetc::both(b0, b1), meetc::both(b1, b2), meetc::both(b0, b2), meetc::both(b3, b4),
+        meetc::both(b4, b5), meetc::both(b3, b5));
+  }
+  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+    const auto b0 = meetc::at_least_zero(s[6]);
+    const auto b1 = meetc::at_least_zero(s[7]);
+    const auto b2 = meetc::at_most_zero(s[8]);
+    const auto b3 = meetc::at_most_zero(s[6]);
+    const auto b4 = meetc::at_most_zero(s[7]);
+    const auto b5 = meetc::at_least_zero(s[8]);
+    const auto b6 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(meetc::both(b0, b1, b2),
+        meetc::both(b3, b4, b5)));
+    const auto b7 = meetc::at_least_zero(s[9]);
+    const auto b8 = meetc::at_least_zero(s[10]);
+    const auto b9 = meetc::at_most_zero(s[11]);
+    const auto b10 = meetc::at_most_zero(s[9]);
+    const auto b11 = meetc::at_most_zero(s[10]);
+    const auto b12 = meetc::at_least_zero(s[11]);
+    const auto b13 = meetc::either(meetc::both(b7, b8, b9), meetc::both(b10, b11, b12));
+    const auto b14 = meetc::at_most_zero(s[12]);
+    const auto b15 = meetc::at_most_zero(s[13]);
+    const auto b16 = meetc::at_least_zero(s[14]);
+    const auto b17 = meetc::at_least_zero(s[12]);
+    const auto b18 = meetc::at_least_zero(s[13]);
+    const auto b19 = meetc::at_most_zero(s[14]);
+    const auto b20 = meetc::either(meetc::both(b14, b15, b16), meetc::both(b17, b18, b19));
+    const auto b21 = meetc::either(meetc::both(b0, b7, b14), meetc::both(b3, b10, b17));
+    const auto b22 = meetc::either(meetc::both(b1, b8, b15), meetc::both(b4, b11, b18));
+    const auto b23 = meetc::either(meetc::both(b2, b9, b16), meetc::both(b5, b12, b19));
+    const auto b24 = meetc::either(b6, meetc::both(meetc::at_most_zero(s[1] * s[2]), b13),
+        meetc::both(meetc::at_most_zero(s[0] * s[2]), b20), meetc::both(meetc::at_most_zero(s[3] * s[4]),
+        b21), meetc::both(meetc::at_most_zero(s[4] * s[5]), b22),
+        meetc::both(meetc::at_most_zero(s[3] * s[5]), b23));
+    return b24;
+  }
+  template <class S> MEETC_HD static constexpr auto whole(const S *s); // detail/triangle_triangle_rest.hpp
 };
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/triangle_triangle_rest.hpp>
+#endif
 
 #endif

@@ -5,138 +5,64 @@
 
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
+#include <cga/detail/twist_segment_segment_bounds.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
 namespace cga {
 
 // twist(segment, segment): one sign.
-struct twist_segment_segment_sign {
+struct twist_segment_segment_sign : detail::twist_segment_segment_sign_points {
   static constexpr int inputs_a = 6, inputs_b = 6, atoms = 1;
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
-  static constexpr int coincidences = 6;
-  MEETC_HD static unsigned coincident([[maybe_unused]] const float *a, [[maybe_unused]] const float *b) {
-    unsigned bits = 0;
-    bits |= static_cast<unsigned>((a[0] == a[3]) & (a[1] == a[4]) & (a[2] == a[5])) << 0;
-    bits |= static_cast<unsigned>((a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2])) << 1;
-    bits |= static_cast<unsigned>((a[0] == b[3]) & (a[1] == b[4]) & (a[2] == b[5])) << 2;
-    bits |= static_cast<unsigned>((a[3] == b[0]) & (a[4] == b[1]) & (a[5] == b[2])) << 3;
-    bits |= static_cast<unsigned>((a[3] == b[3]) & (a[4] == b[4]) & (a[5] == b[5])) << 4;
-    bits |= static_cast<unsigned>((b[0] == b[3]) & (b[1] == b[4]) & (b[2] == b[5])) << 5;
-    return bits;
-  }
-  // The axis of each input, or -1 where it stands alone.
-  MEETC_HD static constexpr int axis(int i) {
-    constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
-    return all[i];
-  }
+
   // The sign: signs 0 to 0, degree 3.
-  // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 3 additions; a pair: 9 multiplications, 8 additions.
-  struct common_stage {
-    static constexpr int first = 0, atoms = 1, fields_a = 4, fields_b = 5;
-    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
-    static constexpr int degree = 3, growth = 6;
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_a([[maybe_unused]] const T *a, [[maybe_unused]] T *f) {
-      const T t0 = a[5] - a[2];
-      const T t1 = a[4] - a[1];
-      const T t2 = a[3] - a[0];
-      const T t3 = -t1;
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
+  // Once an object X: 0 multiplications, 3 additions; Y: 0 multiplications, 3 additions; a pair: 9 multiplications, 8 additions.
+  struct common_stage : detail::twist_segment_segment_sign_common_bounds {
+    static constexpr int first = 0, atoms = 1, fields_a = 3, fields_b = 3;
+    using bytecode = detail::twist_segment_segment_sign_common_bytecode;
+    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+      const auto X = detail::segment_in(row_a);
+      f[0] = X.q.z - X.p.z;
+      f[1] = X.q.y - X.p.y;
+      f[2] = X.q.x - X.p.x;
     }
-    template <class T>
-    MEETC_HD MEETC_INLINE static void object_b([[maybe_unused]] const T *b, [[maybe_unused]] T *f) {
-      const T t0 = b[4] - b[1];
-      const T t1 = b[5] - b[2];
-      const T t2 = -t0;
-      const T t3 = b[3] - b[0];
-      const T t4 = -t1;
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
+    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+      const auto Y = detail::segment_in(row_b);
+      f[0] = Y.q.y - Y.p.y;
+      f[1] = Y.q.z - Y.p.z;
+      f[2] = Y.q.x - Y.p.x;
     }
-    // The values, whose signs are wanted; W holds those of degree 3 and more.
+    // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair([[maybe_unused]] const T *a, [[maybe_unused]] const T *fa,
-        [[maybe_unused]] const T *b, [[maybe_unused]] const T *fb, W *v) {
-      const W t0 = meetc::fma(meetc::fma(fb[4], fa[2], fa[0] * fb[3]), b[1] - a[1],
-          meetc::times<W>(meetc::fma(fb[2], fa[0], fb[1] * fa[1]), b[0] - a[0]));
-      v[0] = meetc::fma(meetc::fma(fa[3], fb[3], fb[0] * fa[2]), b[2] - a[2], t0);
-    }
-    // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
-    static constexpr int window = 26;
-    static constexpr bool mixed = true;
-    // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
-    static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
-    // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
-    MEETC_HD static meetc::factors factor([[maybe_unused]] int i) { return {0xe01p-33f, 0xe01p-62,
-        0xa01p-111}; }
-    // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
-    MEETC_HD static meetc::box_factor box([[maybe_unused]] int i) { return {0x841p-31f, 1, 1, 1}; }
-    MEETC_HD static int degree_of([[maybe_unused]] int i) { return 3; }
-    // The coincidences of points that make the sign zero.
-    MEETC_HD static unsigned zero_if([[maybe_unused]] int i) { return 0x3fu; }
-    MEETC_HD MEETC_INLINE static float extent_a([[maybe_unused]] const float *a) {
-      const float m0 = meetc::larger(0.0f, a[5] - a[2]);
-      const float m1 = meetc::larger(m0, a[4] - a[1]);
-      const float m2 = meetc::larger(m1, a[3] - a[0]);
-      return m2;
-    }
-    MEETC_HD MEETC_INLINE static float extent_b([[maybe_unused]] const float *b) {
-      const float m0 = meetc::larger(0.0f, b[4] - b[1]);
-      const float m1 = meetc::larger(m0, b[5] - b[2]);
-      const float m2 = meetc::larger(m1, b[3] - b[0]);
-      return m2;
-    }
-    // The values on magnitudes of leaves, with every subtraction an addition.
-    template <class T, class Leaf>
-    MEETC_HD MEETC_INLINE static void magnitudes([[maybe_unused]] const T *a, [[maybe_unused]] const T *b,
-        const Leaf &leaf, T *m) {
-      const T l0 = leaf(b[4] - b[1]);
-      const T l1 = leaf(a[5] - a[2]);
-      const T l2 = leaf(b[5] - b[2]);
-      const T l3 = leaf(a[4] - a[1]);
-      const T l4 = leaf(a[3] - a[0]);
-      const T l5 = leaf(b[3] - b[0]);
-      const T l6 = leaf(b[0] - a[0]);
-      const T l7 = leaf(b[1] - a[1]);
-      const T l8 = leaf(b[2] - a[2]);
-      const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
-      m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
-    }
-    // The same program as bytecode, for integers of any width.
-    static constexpr int registers = 15, instruction_count = 27;
-    MEETC_HD static meetc::instruction instruction_at(int i) {
-      using enum meetc::opcode;
-      static constexpr meetc::instruction all[] = {
-        {subtract, 12, 10, 7}, {subtract, 10, 5, 2}, {subtract, 5, 11, 8}, {subtract, 11, 4, 1},
-        {multiply, 4, 5, 11}, {negate, 13, 12, 0}, {multiply, 14, 13, 10}, {add, 14, 14, 4},
-        {subtract, 4, 3, 0}, {subtract, 3, 9, 6}, {multiply, 9, 10, 3}, {negate, 10, 5, 0},
-        {multiply, 5, 10, 4}, {add, 5, 5, 9}, {multiply, 9, 12, 4}, {negate, 4, 11, 0}, {multiply, 10, 4, 3},
-        {add, 10, 10, 9}, {subtract, 3, 6, 0}, {multiply, 0, 14, 3}, {subtract, 3, 7, 1}, {multiply, 1, 5, 3},
-        {add, 1, 1, 0}, {subtract, 0, 8, 2}, {multiply, 2, 10, 0}, {add, 2, 2, 1}, {take_sign, 0, 2, 0}};
-      return all[i];
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+      const auto X = detail::segment_in(row_a);
+      const auto Y = detail::segment_in(row_b);
+      const W t0 = meetc::fma(meetc::fma(-fb[1], fa[2], fa[0] * fb[2]), Y.p.y - X.p.y,
+          meetc::times<W>(meetc::fma(-fb[0], fa[0], fb[1] * fa[1]), Y.p.x - X.p.x));
+      v[0] = meetc::fma(meetc::fma(-fa[1], fb[2], fb[0] * fa[2]), Y.p.z - X.p.z, t0); // s[0] = twist(X, Y)
     }
   };
+
   template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return s[0]; }
+
+  // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
+  static meetc::sign after_fp32(const float *row_a, const float *row_b);
 };
+
 // Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.
-MEETC_HD inline meetc::sign twist(const segment<float> &operand_a, const segment<float> &operand_b) {
-  return meetc::sign_certified<twist_segment_segment_sign>(operand_a, operand_b);
+MEETC_HD inline meetc::sign twist(const segment<float> &X, const segment<float> &Y) {
+  return meetc::sign_certified<twist_segment_segment_sign>(X, Y);
 }
+
 // By the sign of the value computed in T (float, double); says nothing about how wrong it can be.
-template <class T> MEETC_HD inline meetc::sign twist_plain(const segment<float> &operand_a,
-    const segment<float> &operand_b) {
-  const meetc::rows_of<twist_segment_segment_sign, segment<float>, segment<float>> rows(operand_a, operand_b);
-  return meetc::decide_sign<twist_segment_segment_sign>(meetc::plain_signs<twist_segment_segment_sign,
-      T>(rows.a, rows.b));
+template <class T> MEETC_HD inline meetc::sign twist_plain(const segment<float> &X, const segment<float> &Y) {
+  return meetc::sign_plain<twist_segment_segment_sign, T>(X, Y);
 }
 
 } // namespace cga
+
+#if defined(__CUDACC__) // on the device all is inline
+#include <cga/detail/twist_segment_segment_rest.hpp>
+#endif
 
 #endif

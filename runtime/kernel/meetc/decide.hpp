@@ -24,44 +24,27 @@ template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) 
   return P::usual(s);
 }
 
-// The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure. A reject stage
-// that is unsure is no reason to stop, since the decision is right without it. While every sign is known the logic
-// of signs is taken, which is several times faster than that of sets.
+// The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure.
 template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const Signs &signs) {
-  sign_set sets[P::atoms + 1];
-  sign s[P::atoms + 1];
-  bool known = true;
-  if constexpr (P::reject_stage::atoms > 0) {
-    known = signs.template get<typename P::reject_stage>(sets);
-    if (known) {
-      known_signs<typename P::reject_stage>(sets, s);
-      if (P::rejected(s))
-        return answer::no;
-    } else if (!can_be_false(P::rejected(sets))) {
-      return answer::no;
-    }
-  }
-  if constexpr (P::common_stage::atoms > 0) {
-    known = signs.template get<typename P::common_stage>(sets) && known;
-    if (known)
-      known_signs<typename P::common_stage>(sets, s);
-  }
+  found_signs<P> f;
+  if (!find_usual<P>(signs, f))
+    return answer::no;
   if constexpr (P::rare_stage::atoms > 0) {
-    const truth rare = known ? to_truth(P::needs_rare(s)) : to_truth(P::needs_rare(sets));
+    const truth rare = needs_rare_stage<P>(f);
     if (can_be_true(rare)) {
       if (can_be_false(rare)) { // perhaps: the next rung will know
         for (int i = 0; i < P::rare_stage::atoms; ++i)
-          sets[P::rare_stage::first + i] = sign_set::all();
-        known = false;
+          f.sets[P::rare_stage::first + i] = sign_set::all();
+        f.known = false;
       } else {
-        known = signs.template get<typename P::rare_stage>(sets) && known;
-        if (known)
-          known_signs<typename P::rare_stage>(sets, s);
+        f.known = signs.template get<typename P::rare_stage>(f.sets) && f.known;
+        if (f.known)
+          known_signs<typename P::rare_stage>(f.sets, f.s);
       }
-      return known ? to_answer(P::whole(s)) : to_answer(P::whole(sets));
+      return f.known ? to_answer(P::whole(f.s)) : to_answer(P::whole(f.sets));
     }
   }
-  return known ? to_answer(P::usual(s)) : to_answer(P::usual(sets));
+  return usual_answer<P>(f);
 }
 
 // One rung of `certified` where the environment is known to be the standard one: no and yes are proved.
@@ -94,12 +77,6 @@ template <class P, class Signs> MEETC_HD inline sign decide_sign(const Signs &si
   sign s[P::atoms + 1];
   if constexpr (P::common_stage::atoms > 0)
     signs.template get<typename P::common_stage>(s);
-  return P::value(s);
-}
-template <class P, class A> MEETC_HD MEETC_INLINE sign_set certify_sign_here(const float *row_a, const float *row_b) {
-  sign_set s[P::atoms + 1];
-  if constexpr (P::common_stage::atoms > 0)
-    bounded_signs<P, A>(row_a, row_b).template get<typename P::common_stage>(s);
   return P::value(s);
 }
 

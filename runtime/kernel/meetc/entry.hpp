@@ -1,11 +1,15 @@
 // What emitted entry points call, for operands as they are stored.
 //
 // to_row() is the operands' own. It reads them after the check of the environment, and once more for what few pairs
-// need, so that the rows of the others can stay in registers.
+// need, so that the rows of the others can stay in registers. What few pairs need is compiled in the generated library,
+// P::after_fp32 and its like; on a device, where nothing is called out of line, it is inline.
 #ifndef MEETC_ENTRY_HPP
 #define MEETC_ENTRY_HPP
 
-#include <meetc/decide.hpp>
+#include <meetc/usual.hpp>
+#if defined(__CUDACC__)
+#include <meetc/rest.hpp>
+#endif
 
 namespace meetc {
 
@@ -20,42 +24,109 @@ MEETC_NOINLINE MEETC_HD inline auto rarely(const A &x, const B &y, F &&f) {
   return f(rows.a, rows.b);
 }
 
+// The library's functions, as function objects.
+template <class P> struct after_fp32 {
+  MEETC_HD auto operator()(const float *a, const float *b) const {
+#if !defined(__CUDA_ARCH__)
+    return P::after_fp32(a, b);
+#else
+    if constexpr (requires { P::value(static_cast<const sign *>(nullptr)); })
+      return decide_rest_sign<P>(a, b);
+    else
+      return decide_rest<P>(a, b);
+#endif
+  }
+};
+template <class P> struct exactly {
+  MEETC_HD auto operator()(const float *a, const float *b) const {
+#if !defined(__CUDA_ARCH__)
+    return P::exactly(a, b);
+#else
+    if constexpr (requires { P::value(static_cast<const sign *>(nullptr)); })
+      return decide_exactly_sign<P>(a, b);
+    else
+      return decide_exactly<P>(a, b);
+#endif
+  }
+};
+template <class P> struct whole_filter {
+  MEETC_HD answer operator()(const float *a, const float *b) const {
+#if !defined(__CUDA_ARCH__)
+    return P::whole_filter(a, b);
+#else
+    return certify<P, in_fp32>(a, b);
+#endif
+  }
+};
+
 template <class P, class A, class B> MEETC_HD inline bool hit_certified(const A &x, const B &y) {
   if (!standard_environment())
-    return rarely<P>(x, y, [](const float *a, const float *b) { return decide<P>(integer_signs<P>(a, b)); });
+    return rarely<P>(x, y, after_fp32<P>());
   const A &p = *after_check(&x);
   const B &q = *after_check(&y);
   const rows_of<P, A, B> rows(p, q);
-  const answer by_fp32 = certify_here<P, in_fp32>(rows.a, rows.b);
-  if (by_fp32 != answer::unsure)
-    return before_return(by_fp32 == answer::yes);
-  return before_return(rarely<P>(*after_check(&p), *after_check(&q),
-                                 [](const float *a, const float *b) { return decide_after_fp32<P>(a, b); }));
+  const first_answer by_fp32 = look<P, in_fp32>(rows.a, rows.b);
+  if (by_fp32 == first_answer::no || by_fp32 == first_answer::yes)
+    return before_return(by_fp32 == first_answer::yes);
+  return before_return(rarely<P>(*after_check(&p), *after_check(&q), after_fp32<P>()));
 }
 template <class P, class A, class B> MEETC_HD inline bool hit_exact(const A &x, const B &y) {
-  return before_return(rarely<P>(x, y, [](const float *a, const float *b) { return decide<P>(exact_signs<P>(a, b)); }));
+  return rarely<P>(x, y, exactly<P>());
 }
 template <class P, class A, class B> MEETC_HD inline answer filter_fp32(const A &x, const B &y) {
   if (!standard_environment())
     return answer::unsure;
-  const rows_of<P, A, B> rows(*after_check(&x), *after_check(&y));
-  return before_return(certify_here<P, in_fp32>(rows.a, rows.b));
+  const A &p = *after_check(&x);
+  const B &q = *after_check(&y);
+  const rows_of<P, A, B> rows(p, q);
+  const first_answer by_fp32 = look<P, in_fp32>(rows.a, rows.b);
+  if constexpr (has_rare_stage<P>)
+    if (by_fp32 == first_answer::rare)
+      return before_return(rarely<P>(*after_check(&p), *after_check(&q), whole_filter<P>()));
+  return before_return(static_cast<answer>(by_fp32));
 }
+template <class P, class T, class A, class B> MEETC_HD inline bool hit_plain(const A &x, const B &y) {
+  const rows_of<P, A, B> rows(x, y);
+  const plain_signs<P, T> signs(rows.a, rows.b);
+  sign s[P::atoms + 1];
+  if constexpr (P::reject_stage::atoms > 0) {
+    signs.template get<typename P::reject_stage>(s);
+    if (P::rejected(s))
+      return false;
+  }
+  if constexpr (P::common_stage::atoms > 0)
+    signs.template get<typename P::common_stage>(s);
+  if constexpr (has_rare_stage<P>)
+    if (P::needs_rare(s)) {
+#if !defined(__CUDA_ARCH__)
+      return P::template whole_plain<T>(rows.a, rows.b);
+#else
+      return decide<P>(signs);
+#endif
+    }
+  return P::usual(s);
+}
+
 template <class P, class A, class B> MEETC_HD inline sign sign_certified(const A &x, const B &y) {
   if (!standard_environment())
-    return rarely<P>(x, y, [](const float *a, const float *b) { return decide_sign<P>(integer_signs<P>(a, b)); });
+    return rarely<P>(x, y, after_fp32<P>());
   const A &p = *after_check(&x);
   const B &q = *after_check(&y);
   const rows_of<P, A, B> rows(p, q);
   const sign_set by_fp32 = certify_sign_here<P, in_fp32>(rows.a, rows.b);
   if (is_known(by_fp32))
     return before_return(known_sign(by_fp32));
-  return before_return(rarely<P>(*after_check(&p), *after_check(&q),
-                                 [](const float *a, const float *b) { return decide_sign<P>(exact_signs<P>(a, b)); }));
+  return before_return(rarely<P>(*after_check(&p), *after_check(&q), after_fp32<P>()));
 }
 template <class P, class A, class B> MEETC_HD inline sign sign_exact(const A &x, const B &y) {
-  return before_return(
-      rarely<P>(x, y, [](const float *a, const float *b) { return decide_sign<P>(exact_signs<P>(a, b)); }));
+  return rarely<P>(x, y, exactly<P>());
+}
+template <class P, class T, class A, class B> MEETC_HD inline sign sign_plain(const A &x, const B &y) {
+  const rows_of<P, A, B> rows(x, y);
+  sign s[P::atoms + 1];
+  if constexpr (P::common_stage::atoms > 0)
+    plain_signs<P, T>(rows.a, rows.b).template get<typename P::common_stage>(s);
+  return P::value(s);
 }
 
 } // namespace meetc

@@ -2,15 +2,10 @@
 #ifndef MEETC_EXACT_HPP
 #define MEETC_EXACT_HPP
 
-#include <meetc/bounds.hpp>
 #include <meetc/bytecode.hpp>
+#include <meetc/usual.hpp>
 
 namespace meetc {
-
-template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, sign *s) {
-  for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
-    s[i] = known_sign(sets[i]);
-}
 
 // Integers on the grid of the pair's own numbers, as wide as the stage needs. Depends on nothing: neither on compiler
 // flags nor on the control word.
@@ -44,7 +39,7 @@ private:
   template <class Stage> MEETC_NOINLINE MEETC_HD void run_limbs(int need, sign *s) const {
     // Finite numbers span 277 bits, 2^-149 to 2^128; the bits of infinity and NaN are read as numbers below 2^129.
     constexpr int most = (Stage::degree * 278 + Stage::growth) / 64 + 1;
-    std::uint64_t registers[Stage::registers][most];
+    std::uint64_t registers[Stage::bytecode::registers][most];
     const int limbs = need / 64 + 1; // and a bit for the sign
     MEETC_ROLLED
     for (int i = 0; i < P::inputs_a; ++i)
@@ -53,8 +48,8 @@ private:
     for (int i = 0; i < P::inputs_b; ++i)
       to_limbs(b[i], common.low, limbs, registers[P::inputs_a + i]);
     MEETC_ROLLED
-    for (int i = 0; i < Stage::instruction_count; ++i)
-      execute<most>(Stage::instruction_at(i), limbs, registers, s + Stage::first);
+    for (int i = 0; i < Stage::bytecode::instruction_count; ++i)
+      execute<most>(Stage::bytecode::instruction_at(i), limbs, registers, s + Stage::first);
   }
 };
 

@@ -103,6 +103,16 @@ MEETC_HD constexpr truth either(truth a, bool b) {
 MEETC_HD constexpr truth either(bool a, truth b) {
   return either(to_truth(a), b);
 }
+// Of three and more, from the left.
+template <class A, class B, class C, class... More> MEETC_HD constexpr auto both(A a, B b, C c, More... more) {
+  return both(both(a, b), c, more...);
+}
+template <class A, class B, class C, class... More> MEETC_HD constexpr auto either(A a, B b, C c, More... more) {
+  return either(either(a, b), c, more...);
+}
+template <class C, class A, class B> MEETC_HD constexpr auto choose(C condition, A then, B otherwise) {
+  return either(both(condition, then), both(negate(condition), otherwise));
+}
 MEETC_HD constexpr bool can_be_true(bool a) {
   return a;
 }
@@ -128,6 +138,26 @@ template <int Mask> MEETC_HD constexpr bool in(sign s) {
 }
 template <int Mask> MEETC_HD constexpr truth in(sign_set s) {
   return {static_cast<std::uint8_t>(((s.bits & ~Mask & 7) != 0) | ((s.bits & Mask) != 0) << 1)};
+}
+
+// The same by name, as emitted decisions have them.
+template <class S> MEETC_HD constexpr auto below_zero(S s) {
+  return in<1>(s);
+}
+template <class S> MEETC_HD constexpr auto is_zero(S s) {
+  return in<2>(s);
+}
+template <class S> MEETC_HD constexpr auto at_most_zero(S s) {
+  return in<3>(s);
+}
+template <class S> MEETC_HD constexpr auto above_zero(S s) {
+  return in<4>(s);
+}
+template <class S> MEETC_HD constexpr auto not_zero(S s) {
+  return in<5>(s);
+}
+template <class S> MEETC_HD constexpr auto at_least_zero(S s) {
+  return in<6>(s);
 }
 
 } // namespace meetc

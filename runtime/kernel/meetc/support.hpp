@@ -1,7 +1,7 @@
-// meetc/support.hpp: the one header that generated code includes.
+// meetc/support.hpp: what every generated header includes.
 //
-// Signs, three-valued answers, the arithmetics and rungs of a decision, and the plain types through which generated
-// code meets a runtime. Host and device, C++20, no dependency but a compiler.
+// Signs, three-valued answers, the arithmetic of the rungs as far as most pairs take it, and the plain types through which
+// generated code meets a runtime. Host and device, C++20, no dependency but a compiler.
 #ifndef MEETC_SUPPORT_HPP
 #define MEETC_SUPPORT_HPP
 
@@ -11,8 +11,8 @@
 
 #define MEETC_SUPPORT_VERSION 4
 
-#include <meetc/boxes.hpp>
 #include <meetc/entry.hpp>
+#include <meetc/rounding.hpp>
 #include <meetc/self_test.hpp>
 #include <meetc/table.hpp>
 #include <meetc/valid.hpp>

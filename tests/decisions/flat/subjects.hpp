@@ -5,6 +5,7 @@
 #include "tests/decisions/flat/formulas.hpp"
 
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
 
 namespace meetc::decisions_test {
 

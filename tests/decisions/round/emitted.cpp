@@ -1,6 +1,7 @@
 #include "tests/decisions/round/emitted.hpp"
 
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
 #include <fmt/format.h>
 #include <stdexcept>
 

@@ -7,6 +7,8 @@
 #include "words.hpp"
 
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
+#include <meetc/boxes.hpp>
 
 #include <algorithm>
 #include <cstdio>

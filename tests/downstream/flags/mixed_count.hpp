@@ -3,6 +3,8 @@
 #include "rows.hpp"
 
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
+#include <meetc/boxes.hpp>
 
 #ifndef MIXED_CALLER
 #define MIXED_CALLER

@@ -5,6 +5,8 @@
 #include "words.hpp"
 
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
+#include <meetc/boxes.hpp>
 
 #include <cstdio>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "tests/gen/bound/stages.hpp"
 
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
 #include <map>
 #include <stdexcept>
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cga/cga.hpp>
+#include <cga/header_only.hpp>
 
 using namespace meetc;
 using namespace meetc::compiler_test;

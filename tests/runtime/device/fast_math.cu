@@ -4,6 +4,7 @@
 #include "cuda_test.hpp"
 
 #include <cga/ball_ball.hpp>
+#include <cga/header_only.hpp>
 #include <cga/point_triangle.hpp>
 #include <cga/segment_triangle.hpp>
 #include <cga/side_triangle_point.hpp>

@@ -5,6 +5,7 @@
 #include <cga/ball_triangle.hpp>
 #include <cga/cga_cuda.hpp>
 #include <cga/triangle_triangle.hpp>
+#include <meetc/boxes.hpp>
 
 namespace cuda_test {
 namespace {

@@ -1,0 +1,54 @@
+// The parts of an emitted predicate, between the files that write them.
+#pragma once
+#include "gen/target/cpp/cpp.hpp"
+
+#include <functional>
+#include <map>
+
+namespace meetc::target {
+
+// A stage as it is emitted: "reject", "common" or "rare".
+struct emitted_stage {
+  const char *name;
+  const lower::stage *code;
+  const bound::stage_bounds *bounds; // null where no rung needs them
+  int first;                         // the number of its first sign
+};
+
+// A kernel that is made of signs, with the names that its parts have in the text.
+struct emitted_predicate {
+  const unit &of;
+  const lower::kernel &kernel;
+  const bound::kernel_bounds *bounds;
+  std::string name;           // of its struct
+  std::string kind_a, kind_b; // identifiers
+  std::string a, b;           // the operands
+  std::map<int, int> slot;    // the number of an atom's sign
+  std::vector<emitted_stage> stages;
+
+  emitted_predicate(const unit &u, std::size_t number);
+  const emitted_stage *stage(const std::string &which) const; // null where it is not there
+  bool has_rare() const { return stage("rare") != nullptr; }
+  bool asks_plain() const { return of.asks("fp32") || of.asks("fp64") || of.asks("fp64x2"); }
+  std::string input(int i) const; // "A.c.y"
+  // Declarations of the operands that a text mentions, read from the rows row_a and row_b of the type T.
+  std::string operands_in(const std::string &text, const std::string &indent) const;
+};
+
+// "struct reject_stage ..."; `scope` goes before the name where the stage is defined outside of its predicate.
+std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const std::string &scope);
+// A function of the decision that holds where any of the truths does.
+std::string truth_function(const emitted_predicate &p, const char *name, const std::vector<int> &any_of,
+                           const std::string &scope);
+
+// The files in detail/: bounds of the stages before the rare one; all that only the rungs after fp32 need.
+std::string bounds_header(const emitted_predicate &p);
+std::string rest_header(const emitted_predicate &p);
+// Definitions of what is compiled in the generated library; `head` goes before each.
+std::string out_of_line(const emitted_predicate &p, const std::string &head);
+// The source of the library that compiles it.
+std::string predicate_source(const emitted_predicate &p);
+// "triangle_triangle_info": the function in detail:: that gives a predicate's entry of the runtime's table.
+std::string info_function(const lower::kernel &k);
+
+} // namespace meetc::target

@@ -1,0 +1,32 @@
+// What few pairs need, for rows: the rungs after fp32. On a host the generated library compiles it, and the entry points
+// call it there; see entry.hpp.
+#ifndef MEETC_REST_HPP
+#define MEETC_REST_HPP
+
+#include <meetc/decide.hpp>
+
+namespace meetc {
+
+// The answer where fp32 has none, in any environment.
+template <class P> MEETC_HD inline bool decide_rest(const float *row_a, const float *row_b) {
+  if (!standard_environment())
+    return decide<P>(integer_signs<P>(row_a, row_b));
+  return before_return(decide_after_fp32<P>(after_check(row_a), after_check(row_b)));
+}
+template <class P> MEETC_HD inline bool decide_exactly(const float *row_a, const float *row_b) {
+  return before_return(decide<P>(exact_signs<P>(row_a, row_b)));
+}
+
+// The same of one sign.
+template <class P> MEETC_HD inline sign decide_rest_sign(const float *row_a, const float *row_b) {
+  if (!standard_environment())
+    return decide_sign<P>(integer_signs<P>(row_a, row_b));
+  return before_return(decide_sign<P>(exact_signs<P>(after_check(row_a), after_check(row_b))));
+}
+template <class P> MEETC_HD inline sign decide_exactly_sign(const float *row_a, const float *row_b) {
+  return before_return(decide_sign<P>(exact_signs<P>(row_a, row_b)));
+}
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,76 @@
+// A pair's decision as far as most pairs take it: the reject stage and the usual case, on sets of signs.
+//
+// While every sign is known the logic of signs is taken, which is several times faster than that of sets.
+#ifndef MEETC_USUAL_HPP
+#define MEETC_USUAL_HPP
+
+#include <meetc/bounds.hpp>
+
+namespace meetc {
+
+// Sets of one sign each as those signs.
+template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, sign *s) {
+  for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
+    s[i] = known_sign(sets[i]);
+}
+
+// The signs that a rung with a bound has found so far.
+template <class P> struct found_signs {
+  sign_set sets[P::atoms + 1];
+  sign s[P::atoms + 1]; // where all are known
+  bool known = true;
+};
+
+// Whether the predicate has a rare stage; not whether it has been defined.
+template <class P> inline constexpr bool has_rare_stage = !std::is_same_v<typename P::rare_stage, no_stage>;
+
+// Runs the reject stage and that of the usual case; false: the pair is a miss. A reject stage that is unsure is no reason to
+// stop, since the decision is right without it.
+template <class P, class Signs> MEETC_HD MEETC_INLINE bool find_usual(const Signs &signs, found_signs<P> &f) {
+  if constexpr (P::reject_stage::atoms > 0) {
+    f.known = signs.template get<typename P::reject_stage>(f.sets);
+    if (f.known) {
+      known_signs<typename P::reject_stage>(f.sets, f.s);
+      if (P::rejected(f.s))
+        return false;
+    } else if (!can_be_false(P::rejected(f.sets))) {
+      return false;
+    }
+  }
+  if constexpr (P::common_stage::atoms > 0) {
+    f.known = signs.template get<typename P::common_stage>(f.sets) && f.known;
+    if (f.known)
+      known_signs<typename P::common_stage>(f.sets, f.s);
+  }
+  return true;
+}
+template <class P> MEETC_HD MEETC_INLINE truth needs_rare_stage(const found_signs<P> &f) {
+  return f.known ? to_truth(P::needs_rare(f.s)) : to_truth(P::needs_rare(f.sets));
+}
+template <class P> MEETC_HD MEETC_INLINE answer usual_answer(const found_signs<P> &f) {
+  return f.known ? to_answer(P::usual(f.s)) : to_answer(P::usual(f.sets));
+}
+
+// What a bounded rung says without the rare stage; `rare`: the rare stage has to say it.
+enum class first_answer : std::uint8_t { no, yes, unsure, rare };
+template <class P, class A> MEETC_HD MEETC_INLINE first_answer look(const float *row_a, const float *row_b) {
+  found_signs<P> f;
+  if (!find_usual<P>(bounded_signs<P, A>(row_a, row_b), f))
+    return first_answer::no;
+  if constexpr (has_rare_stage<P>)
+    if (can_be_true(needs_rare_stage<P>(f)))
+      return first_answer::rare;
+  return static_cast<first_answer>(usual_answer<P>(f));
+}
+
+// The set of one sign, for kernels that are nothing else.
+template <class P, class A> MEETC_HD MEETC_INLINE sign_set certify_sign_here(const float *row_a, const float *row_b) {
+  sign_set s[P::atoms + 1];
+  if constexpr (P::common_stage::atoms > 0)
+    bounded_signs<P, A>(row_a, row_b).template get<typename P::common_stage>(s);
+  return P::value(s);
+}
+
+} // namespace meetc
+
+#endif
