@@ -78,6 +78,13 @@ void decision::turn(int atom) {
   }
 }
 
+sign_value decision::turned(sign_value s) const {
+  for (const auto &[atom, exponent] : s.atoms)
+    if (exponent == 1 && is_turned(atom))
+      s.unit = -s.unit;
+  return s;
+}
+
 std::string decision::text(int atom) const {
   const name &n = texts_[static_cast<std::size_t>(atom)];
   if (n.text.empty() || !n.opposite)

@@ -39,6 +39,8 @@ public:
   sign_value sign_of(const poly::poly &p);
   // Makes the atom the negative of its polynomial, and mirrors every test of it.
   void turn(int atom);
+  // A sign that was taken before atoms were turned, as it is now.
+  sign_value turned(sign_value s) const;
   bool is_turned(int atom) const { return texts_[static_cast<std::size_t>(atom)].turned; }
 
   // What the spec calls an atom, "side(B, A.a)"; "" where nothing does.

@@ -1,4 +1,4 @@
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/calls.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -268,11 +268,11 @@ std::optional<predicate> compile_sign(const lower::model &m, const request &r, b
   for (const auto &[atom, exponent] : s->atoms)
     atoms.push_back(atom);
   out.common = compile_stage(*out.local, out.signs, atoms, r, exact);
-  for (const auto &[atom, exponent] : out.value.atoms)
-    if (exponent == 1 && out.signs.is_turned(atom))
-      out.value.unit = -out.value.unit;
+  out.value = out.signs.turned(out.value);
   return out;
 }
+
+} // namespace
 
 predicate compile_predicate(const lower::model &m, const request &r, bool exact) {
   predicate out = with_operands(m, r);
@@ -280,7 +280,7 @@ predicate compile_predicate(const lower::model &m, const request &r, bool exact)
   std::vector<lower::value> operands;
   for (std::size_t i = 0; i < r.kinds.size(); ++i)
     operands.push_back(expand.operand(*r.kinds[i], r.names[i] + '.'));
-  out.truths = expand.evaluate_predicate(*r.asked, operands);
+  out.truths = expand.evaluate_predicate(*r.asked, operands, &out.taken);
   out.conditions = out.signs.conditions_of(out.truths.hit);
   out.usual = out.signs.usual(out.truths.hit);
   std::set<int> seen;
@@ -301,10 +301,11 @@ predicate compile_predicate(const lower::model &m, const request &r, bool exact)
   out.reject = compile_stage(*out.local, out.signs, reject, r, exact);
   out.common = compile_stage(*out.local, out.signs, usual, r, exact);
   out.rare = compile_stage(*out.local, out.signs, rare, r, exact);
+  for (sign_value &s : out.taken)
+    s = out.signs.turned(s);
+  find_calls(m, expand.calls(), exact, out);
   return out;
 }
-
-} // namespace
 
 std::vector<blade> support(const lower::model &m, const lang::kind &k, bool declared) {
   std::set<blade> blades;

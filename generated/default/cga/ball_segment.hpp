@@ -83,14 +83,14 @@ struct ball_segment : detail::ball_segment_points {
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
     const auto b0 = meetc::both(meetc::at_least_zero(s[2]), meetc::below_zero(s[3] * s[4]));
     const auto b1 = meetc::either(meetc::at_least_zero(s[0]), meetc::at_least_zero(s[1]), b0);
     return b1;
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

@@ -142,9 +142,9 @@ struct ball_triangle : detail::ball_triangle_points {
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
     const auto b0 = meetc::both(meetc::at_least_zero(s[3]), meetc::below_zero(s[4] * s[5]));
     const auto b1 = meetc::both(meetc::at_least_zero(s[6]), meetc::below_zero(s[7] * s[8]));
     const auto b2 = meetc::both(meetc::at_least_zero(s[9]), meetc::below_zero(s[10] * s[11]));
@@ -155,7 +155,7 @@ struct ball_triangle : detail::ball_triangle_points {
         b4)));
     return b5;
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

@@ -102,9 +102,9 @@ struct point_triangle : detail::point_triangle_points {
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
     const auto b0 = meetc::both(meetc::at_most_zero(s[1]), meetc::at_most_zero(s[2]),
         meetc::at_least_zero(s[3]));
     const auto b1 = meetc::both(meetc::at_least_zero(s[1]), meetc::at_least_zero(s[2]),
@@ -133,7 +133,7 @@ struct point_triangle : detail::point_triangle_points {
         b6, b7, meetc::either(b8, b9), b10, b11);
     return b12;
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

@@ -103,9 +103,9 @@ struct segment_segment : detail::segment_segment_points {
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
     const auto b0 = meetc::either(meetc::at_least_zero(s[5]), meetc::at_least_zero(s[6]),
         meetc::at_least_zero(s[7]), meetc::at_least_zero(s[8]));
     const auto b1 = meetc::either(meetc::at_most_zero(s[5]), meetc::at_most_zero(s[6]),
@@ -124,7 +124,7 @@ struct segment_segment : detail::segment_segment_points {
         meetc::at_most_zero(s[19] * s[20]), b4, b5);
     return b6;
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

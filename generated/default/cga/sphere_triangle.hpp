@@ -6,6 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 #include <cga/detail/sphere_triangle_bounds.hpp>
+#include <cga/ball_triangle.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -139,22 +140,18 @@ struct sphere_triangle : detail::sphere_triangle_points {
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
-    const auto b0 = meetc::both(meetc::at_least_zero(s[3]), meetc::below_zero(s[4] * s[5]));
-    const auto b1 = meetc::both(meetc::at_least_zero(s[6]), meetc::below_zero(s[7] * s[8]));
-    const auto b2 = meetc::both(meetc::at_least_zero(s[9]), meetc::below_zero(s[10] * s[11]));
-    const auto b3 = meetc::both(meetc::above_zero(s[13]), meetc::above_zero(s[14]), meetc::below_zero(s[15]));
-    const auto b4 = meetc::both(meetc::below_zero(s[13]), meetc::below_zero(s[14]), meetc::above_zero(s[15]));
-    const auto b5 = meetc::either(meetc::at_least_zero(s[0]), meetc::at_least_zero(s[1]),
-        meetc::at_least_zero(s[2]), b0, b1, b2, meetc::both(meetc::at_least_zero(s[12]), meetc::either(b3,
-        b4)));
-    const auto b6 = meetc::either(meetc::at_most_zero(s[0]), meetc::at_most_zero(s[1]),
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
+    // ball_triangle(S, t)
+    const S e0[] = {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[10], s[11], s[12], s[13],
+        s[14], s[15]};
+    const auto b0 = ball_triangle::usual(e0);
+    const auto b1 = meetc::either(meetc::at_most_zero(s[0]), meetc::at_most_zero(s[1]),
         meetc::at_most_zero(s[2]));
-    return meetc::both(b5, b6);
+    return meetc::both(b0, b1);
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

@@ -6,6 +6,8 @@
 #include <meetc/support.hpp>
 #include <meetc/rest.hpp>
 #include <cga/segment_triangle.hpp>
+#include <cga/detail/point_triangle_rest.hpp>
+#include <cga/detail/segment_segment_rest.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -370,85 +372,31 @@ struct segment_triangle::rare_stage : detail::segment_triangle_rare_bounds {
   }
 };
 
-template <class S> MEETC_HD constexpr auto segment_triangle::whole(const S *s) {
-    const auto b0 = meetc::is_zero(s[0]);
-    const auto b1 = meetc::both(meetc::at_most_zero(s[5]), meetc::at_most_zero(s[6]),
-        meetc::at_least_zero(s[7]));
-    const auto b2 = meetc::both(meetc::at_least_zero(s[5]), meetc::at_least_zero(s[6]),
-        meetc::at_most_zero(s[7]));
-    const auto b3 = meetc::at_least_zero(s[8]);
-    const auto b4 = meetc::at_least_zero(s[9]);
-    const auto b5 = meetc::at_least_zero(s[10]);
-    const auto b6 = meetc::at_most_zero(s[8]);
-    const auto b7 = meetc::at_most_zero(s[9]);
-    const auto b8 = meetc::at_most_zero(s[10]);
-    const auto b9 = meetc::both(meetc::at_least_zero(s[11]), meetc::at_least_zero(s[12]),
-        meetc::at_most_zero(s[13]));
-    const auto b10 = meetc::both(meetc::at_most_zero(s[11]), meetc::at_most_zero(s[12]),
-        meetc::at_least_zero(s[13]));
-    const auto b11 = meetc::at_least_zero(s[14]);
-    const auto b12 = meetc::at_least_zero(s[15]);
-    const auto b13 = meetc::at_least_zero(s[16]);
-    const auto b14 = meetc::at_most_zero(s[14]);
-    const auto b15 = meetc::at_most_zero(s[15]);
-    const auto b16 = meetc::at_most_zero(s[16]);
-    const auto b17 = meetc::both(meetc::at_most_zero(s[17]), meetc::at_most_zero(s[18]),
-        meetc::at_least_zero(s[19]));
-    const auto b18 = meetc::both(meetc::at_least_zero(s[17]), meetc::at_least_zero(s[18]),
-        meetc::at_most_zero(s[19]));
-    const auto b19 = meetc::at_least_zero(s[20]);
-    const auto b20 = meetc::at_least_zero(s[21]);
-    const auto b21 = meetc::at_least_zero(s[22]);
-    const auto b22 = meetc::at_most_zero(s[20]);
-    const auto b23 = meetc::at_most_zero(s[21]);
-    const auto b24 = meetc::at_most_zero(s[22]);
-    const auto b25 = meetc::both(b0, meetc::either(b1, b2), meetc::either(b3, b4, b5), meetc::either(b6, b7,
-        b8), meetc::either(b9, b10), meetc::either(b11, b12, b13), meetc::either(b14, b15, b16),
-        meetc::either(b17, b18), meetc::either(b19, b20, b21), meetc::either(b22, b23, b24));
-    const auto b26 = meetc::at_least_zero(s[26]);
-    const auto b27 = meetc::at_least_zero(s[27]);
-    const auto b28 = meetc::at_most_zero(s[26]);
-    const auto b29 = meetc::at_most_zero(s[27]);
-    const auto b30 = meetc::at_least_zero(s[31]);
-    const auto b31 = meetc::at_least_zero(s[32]);
-    const auto b32 = meetc::at_most_zero(s[31]);
-    const auto b33 = meetc::at_most_zero(s[32]);
-    const auto b34 = meetc::at_least_zero(s[36]);
-    const auto b35 = meetc::at_least_zero(s[37]);
-    const auto b36 = meetc::at_most_zero(s[36]);
-    const auto b37 = meetc::at_most_zero(s[37]);
-    const auto b38 = meetc::both(meetc::is_zero(s[2]), meetc::at_most_zero(s[23] * s[24]),
-        meetc::at_most_zero(s[5] * s[25]), meetc::either(b3, b4, b26, b27), meetc::either(b6, b7, b28, b29),
-        meetc::at_most_zero(s[28] * s[29]), meetc::at_most_zero(s[11] * s[30]), meetc::either(b11, b12, b30,
-        b31), meetc::either(b14, b15, b32, b33), meetc::at_most_zero(s[33] * s[34]),
-        meetc::at_most_zero(s[17] * s[35]), meetc::either(b19, b20, b34, b35), meetc::either(b22, b23, b36,
-        b37));
-    const auto b39 = meetc::at_least_zero(s[40]);
-    const auto b40 = meetc::at_most_zero(s[40]);
-    const auto b41 = meetc::at_least_zero(s[43]);
-    const auto b42 = meetc::at_most_zero(s[43]);
-    const auto b43 = meetc::at_least_zero(s[46]);
-    const auto b44 = meetc::at_most_zero(s[46]);
-    const auto b45 = meetc::both(meetc::is_zero(s[3]), meetc::at_most_zero(s[24] * s[38]),
-        meetc::at_most_zero(s[6] * s[39]), meetc::either(b4, b5, b27, b39), meetc::either(b7, b8, b29, b40),
-        meetc::at_most_zero(s[29] * s[41]), meetc::at_most_zero(s[12] * s[42]), meetc::either(b12, b13, b31,
-        b41), meetc::either(b15, b16, b33, b42), meetc::at_most_zero(s[34] * s[44]),
-        meetc::at_most_zero(s[18] * s[45]), meetc::either(b20, b21, b35, b43), meetc::either(b23, b24, b37,
-        b44));
-    const auto b46 = meetc::both(meetc::is_zero(s[4]), meetc::at_most_zero(s[23] * s[38]),
-        meetc::at_most_zero(s[7] * s[47]), meetc::either(b3, b5, b26, b39), meetc::either(b6, b8, b28, b40),
-        meetc::at_most_zero(s[28] * s[41]), meetc::at_most_zero(s[13] * s[48]), meetc::either(b11, b13, b30,
-        b41), meetc::either(b14, b16, b32, b42), meetc::at_most_zero(s[33] * s[44]),
-        meetc::at_most_zero(s[19] * s[49]), meetc::either(b19, b21, b34, b43), meetc::either(b22, b24, b36,
-        b44));
-    const auto b47 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
+template <class S> MEETC_HD MEETC_LARGE constexpr auto segment_triangle::whole(const S *s) {
+    // point_triangle(s.p, t)
+    const S e0[] = {s[0], s[5], s[6], s[7], s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15], s[16],
+        s[17], s[18], s[19], s[20], s[21], s[22]};
+    const auto b0 = point_triangle::whole(e0);
+    // segment_segment(s, segment(t.a, t.b))
+    const S e1[] = {s[2], s[23], s[24], s[5], s[25], s[8], s[9], s[26], s[27], s[28], s[29], s[11], s[30],
+        s[14], s[15], s[31], s[32], s[33], s[34], s[17], s[35], s[20], s[21], s[36], s[37]};
+    const auto b1 = segment_segment::whole(e1);
+    // segment_segment(s, segment(t.b, t.c))
+    const S e2[] = {s[3], s[24], s[38], s[6], s[39], s[9], s[10], s[27], s[40], s[29], s[41], s[12], s[42],
+        s[15], s[16], s[32], s[43], s[34], s[44], s[18], s[45], s[21], s[22], s[37], s[46]};
+    const auto b2 = segment_segment::whole(e2);
+    // segment_segment(s, segment(t.c, t.a))
+    const S e3[] = {-s[4], s[38], s[23], -s[7], -s[47], s[10], s[8], s[40], s[26], s[41], s[28], -s[13],
+        -s[48], s[16], s[14], s[43], s[31], s[44], s[33], -s[19], -s[49], s[22], s[20], s[46], s[36]};
+    const auto b3 = segment_segment::whole(e3);
+    const auto b4 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
         meetc::at_most_zero(s[4]));
-    const auto b48 = meetc::both(meetc::at_most_zero(s[2]), meetc::at_most_zero(s[3]),
+    const auto b5 = meetc::both(meetc::at_most_zero(s[2]), meetc::at_most_zero(s[3]),
         meetc::at_least_zero(s[4]));
-    const auto b49 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b47, b48));
-    const auto b50 = meetc::choose(meetc::both(b0, meetc::is_zero(s[1])), meetc::either(b25, b38, b45, b46),
-        b49);
-    return b50;
+    const auto b6 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b4, b5));
+    const auto b7 = meetc::choose(meetc::both(meetc::is_zero(s[0]), meetc::is_zero(s[1])), meetc::either(b0,
+        b1, b2, b3), b6);
+    return b7;
 }
 
 } // namespace cga

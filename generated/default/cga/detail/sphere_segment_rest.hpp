@@ -6,6 +6,7 @@
 #include <meetc/support.hpp>
 #include <meetc/rest.hpp>
 #include <cga/sphere_segment.hpp>
+#include <cga/detail/ball_segment_rest.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 

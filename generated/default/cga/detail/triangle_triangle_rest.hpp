@@ -6,6 +6,9 @@
 #include <meetc/support.hpp>
 #include <meetc/rest.hpp>
 #include <cga/triangle_triangle.hpp>
+#include <cga/detail/point_triangle_rest.hpp>
+#include <cga/detail/segment_segment_rest.hpp>
+#include <cga/detail/segment_triangle_rest.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -579,252 +582,44 @@ struct triangle_triangle::rare_stage : detail::triangle_triangle_rare_bounds {
   }
 };
 
-template <class S> MEETC_HD constexpr auto triangle_triangle::whole(const S *s) {
-    const auto b0 = meetc::is_zero(s[0]);
-    const auto b1 = meetc::is_zero(s[1]);
-    const auto b2 = meetc::both(meetc::at_most_zero(s[15]), meetc::at_most_zero(s[16]),
-        meetc::at_least_zero(s[17]));
-    const auto b3 = meetc::both(meetc::at_least_zero(s[15]), meetc::at_least_zero(s[16]),
-        meetc::at_most_zero(s[17]));
-    const auto b4 = meetc::at_least_zero(s[18]);
-    const auto b5 = meetc::at_least_zero(s[19]);
-    const auto b6 = meetc::at_least_zero(s[20]);
-    const auto b7 = meetc::at_most_zero(s[18]);
-    const auto b8 = meetc::at_most_zero(s[19]);
-    const auto b9 = meetc::at_most_zero(s[20]);
-    const auto b10 = meetc::both(meetc::at_least_zero(s[21]), meetc::at_least_zero(s[22]),
-        meetc::at_most_zero(s[23]));
-    const auto b11 = meetc::both(meetc::at_most_zero(s[21]), meetc::at_most_zero(s[22]),
-        meetc::at_least_zero(s[23]));
-    const auto b12 = meetc::at_least_zero(s[24]);
-    const auto b13 = meetc::at_least_zero(s[25]);
-    const auto b14 = meetc::at_least_zero(s[26]);
-    const auto b15 = meetc::at_most_zero(s[24]);
-    const auto b16 = meetc::at_most_zero(s[25]);
-    const auto b17 = meetc::at_most_zero(s[26]);
-    const auto b18 = meetc::both(meetc::at_most_zero(s[27]), meetc::at_most_zero(s[28]),
-        meetc::at_least_zero(s[29]));
-    const auto b19 = meetc::both(meetc::at_least_zero(s[27]), meetc::at_least_zero(s[28]),
-        meetc::at_most_zero(s[29]));
-    const auto b20 = meetc::at_least_zero(s[30]);
-    const auto b21 = meetc::at_least_zero(s[31]);
-    const auto b22 = meetc::at_least_zero(s[32]);
-    const auto b23 = meetc::at_most_zero(s[30]);
-    const auto b24 = meetc::at_most_zero(s[31]);
-    const auto b25 = meetc::at_most_zero(s[32]);
-    const auto b26 = meetc::both(b0, meetc::either(b2, b3), meetc::either(b4, b5, b6), meetc::either(b7, b8,
-        b9), meetc::either(b10, b11), meetc::either(b12, b13, b14), meetc::either(b15, b16, b17),
-        meetc::either(b18, b19), meetc::either(b20, b21, b22), meetc::either(b23, b24, b25));
-    const auto b27 = meetc::at_least_zero(s[36]);
-    const auto b28 = meetc::at_least_zero(s[37]);
-    const auto b29 = meetc::at_most_zero(s[36]);
-    const auto b30 = meetc::at_most_zero(s[37]);
-    const auto b31 = meetc::at_least_zero(s[41]);
-    const auto b32 = meetc::at_least_zero(s[42]);
-    const auto b33 = meetc::at_most_zero(s[41]);
-    const auto b34 = meetc::at_most_zero(s[42]);
-    const auto b35 = meetc::at_least_zero(s[46]);
-    const auto b36 = meetc::at_least_zero(s[47]);
-    const auto b37 = meetc::at_most_zero(s[46]);
-    const auto b38 = meetc::at_most_zero(s[47]);
-    const auto b39 = meetc::both(meetc::is_zero(s[6]), meetc::at_most_zero(s[33] * s[34]),
-        meetc::at_most_zero(s[15] * s[35]), meetc::either(b4, b5, b27, b28), meetc::either(b7, b8, b29, b30),
-        meetc::at_most_zero(s[38] * s[39]), meetc::at_most_zero(s[21] * s[40]), meetc::either(b12, b13, b31,
-        b32), meetc::either(b15, b16, b33, b34), meetc::at_most_zero(s[43] * s[44]),
-        meetc::at_most_zero(s[27] * s[45]), meetc::either(b20, b21, b35, b36), meetc::either(b23, b24, b37,
-        b38));
-    const auto b40 = meetc::at_least_zero(s[50]);
-    const auto b41 = meetc::at_most_zero(s[50]);
-    const auto b42 = meetc::at_least_zero(s[53]);
-    const auto b43 = meetc::at_most_zero(s[53]);
-    const auto b44 = meetc::at_least_zero(s[56]);
-    const auto b45 = meetc::at_most_zero(s[56]);
-    const auto b46 = meetc::both(meetc::is_zero(s[7]), meetc::at_most_zero(s[34] * s[48]),
-        meetc::at_most_zero(s[16] * s[49]), meetc::either(b5, b6, b28, b40), meetc::either(b8, b9, b30, b41),
-        meetc::at_most_zero(s[39] * s[51]), meetc::at_most_zero(s[22] * s[52]), meetc::either(b13, b14, b32,
-        b42), meetc::either(b16, b17, b34, b43), meetc::at_most_zero(s[44] * s[54]),
-        meetc::at_most_zero(s[28] * s[55]), meetc::either(b21, b22, b36, b44), meetc::either(b24, b25, b38,
-        b45));
-    const auto b47 = meetc::both(meetc::is_zero(s[8]), meetc::at_most_zero(s[33] * s[48]),
-        meetc::at_most_zero(s[17] * s[57]), meetc::either(b4, b6, b27, b40), meetc::either(b7, b9, b29, b41),
-        meetc::at_most_zero(s[38] * s[51]), meetc::at_most_zero(s[23] * s[58]), meetc::either(b12, b14, b31,
-        b42), meetc::either(b15, b17, b33, b43), meetc::at_most_zero(s[43] * s[54]),
-        meetc::at_most_zero(s[29] * s[59]), meetc::either(b20, b22, b35, b44), meetc::either(b23, b25, b37,
-        b45));
-    const auto b48 = meetc::at_least_zero(s[6]);
-    const auto b49 = meetc::at_least_zero(s[7]);
-    const auto b50 = meetc::at_most_zero(s[8]);
-    const auto b51 = meetc::at_most_zero(s[6]);
-    const auto b52 = meetc::at_most_zero(s[7]);
-    const auto b53 = meetc::at_least_zero(s[8]);
-    const auto b54 = meetc::either(meetc::both(b48, b49, b50), meetc::both(b51, b52, b53));
-    const auto b55 = meetc::choose(meetc::both(b0, b1), meetc::either(b26, b39, b46, b47),
-        meetc::both(meetc::at_most_zero(s[0] * s[1]), b54));
-    const auto b56 = meetc::is_zero(s[2]);
-    const auto b57 = meetc::both(meetc::at_most_zero(s[35]), meetc::at_most_zero(s[49]),
-        meetc::at_least_zero(s[57]));
-    const auto b58 = meetc::both(meetc::at_least_zero(s[35]), meetc::at_least_zero(s[49]),
-        meetc::at_most_zero(s[57]));
-    const auto b59 = meetc::both(meetc::at_least_zero(s[40]), meetc::at_least_zero(s[52]),
-        meetc::at_most_zero(s[58]));
-    const auto b60 = meetc::both(meetc::at_most_zero(s[40]), meetc::at_most_zero(s[52]),
-        meetc::at_least_zero(s[58]));
-    const auto b61 = meetc::both(meetc::at_most_zero(s[45]), meetc::at_most_zero(s[55]),
-        meetc::at_least_zero(s[59]));
-    const auto b62 = meetc::both(meetc::at_least_zero(s[45]), meetc::at_least_zero(s[55]),
-        meetc::at_most_zero(s[59]));
-    const auto b63 = meetc::both(b1, meetc::either(b57, b58), meetc::either(b27, b28, b40), meetc::either(b29,
-        b30, b41), meetc::either(b59, b60), meetc::either(b31, b32, b42), meetc::either(b33, b34, b43),
-        meetc::either(b61, b62), meetc::either(b35, b36, b44), meetc::either(b37, b38, b45));
-    const auto b64 = meetc::at_least_zero(s[63]);
-    const auto b65 = meetc::at_least_zero(s[64]);
-    const auto b66 = meetc::at_most_zero(s[63]);
-    const auto b67 = meetc::at_most_zero(s[64]);
-    const auto b68 = meetc::at_least_zero(s[68]);
-    const auto b69 = meetc::at_least_zero(s[69]);
-    const auto b70 = meetc::at_most_zero(s[68]);
-    const auto b71 = meetc::at_most_zero(s[69]);
-    const auto b72 = meetc::at_least_zero(s[73]);
-    const auto b73 = meetc::at_least_zero(s[74]);
-    const auto b74 = meetc::at_most_zero(s[73]);
-    const auto b75 = meetc::at_most_zero(s[74]);
-    const auto b76 = meetc::both(meetc::is_zero(s[9]), meetc::at_most_zero(s[60] * s[61]),
-        meetc::at_most_zero(s[35] * s[62]), meetc::either(b27, b28, b64, b65), meetc::either(b29, b30, b66,
-        b67), meetc::at_most_zero(s[65] * s[66]), meetc::at_most_zero(s[40] * s[67]), meetc::either(b31, b32,
-        b68, b69), meetc::either(b33, b34, b70, b71), meetc::at_most_zero(s[70] * s[71]),
-        meetc::at_most_zero(s[45] * s[72]), meetc::either(b35, b36, b72, b73), meetc::either(b37, b38, b74,
-        b75));
-    const auto b77 = meetc::at_least_zero(s[77]);
-    const auto b78 = meetc::at_most_zero(s[77]);
-    const auto b79 = meetc::at_least_zero(s[80]);
-    const auto b80 = meetc::at_most_zero(s[80]);
-    const auto b81 = meetc::at_least_zero(s[83]);
-    const auto b82 = meetc::at_most_zero(s[83]);
-    const auto b83 = meetc::both(meetc::is_zero(s[10]), meetc::at_most_zero(s[61] * s[75]),
-        meetc::at_most_zero(s[49] * s[76]), meetc::either(b28, b40, b65, b77), meetc::either(b30, b41, b67,
-        b78), meetc::at_most_zero(s[66] * s[78]), meetc::at_most_zero(s[52] * s[79]), meetc::either(b32, b42,
-        b69, b79), meetc::either(b34, b43, b71, b80), meetc::at_most_zero(s[71] * s[81]),
-        meetc::at_most_zero(s[55] * s[82]), meetc::either(b36, b44, b73, b81), meetc::either(b38, b45, b75,
-        b82));
-    const auto b84 = meetc::both(meetc::is_zero(s[11]), meetc::at_most_zero(s[60] * s[75]),
-        meetc::at_most_zero(s[57] * s[84]), meetc::either(b27, b40, b64, b77), meetc::either(b29, b41, b66,
-        b78), meetc::at_most_zero(s[65] * s[78]), meetc::at_most_zero(s[58] * s[85]), meetc::either(b31, b42,
-        b68, b79), meetc::either(b33, b43, b70, b80), meetc::at_most_zero(s[70] * s[81]),
-        meetc::at_most_zero(s[59] * s[86]), meetc::either(b35, b44, b72, b81), meetc::either(b37, b45, b74,
-        b82));
-    const auto b85 = meetc::at_least_zero(s[9]);
-    const auto b86 = meetc::at_least_zero(s[10]);
-    const auto b87 = meetc::at_most_zero(s[11]);
-    const auto b88 = meetc::at_most_zero(s[9]);
-    const auto b89 = meetc::at_most_zero(s[10]);
-    const auto b90 = meetc::at_least_zero(s[11]);
-    const auto b91 = meetc::either(meetc::both(b85, b86, b87), meetc::both(b88, b89, b90));
-    const auto b92 = meetc::choose(meetc::both(b1, b56), meetc::either(b63, b76, b83, b84),
-        meetc::both(meetc::at_most_zero(s[1] * s[2]), b91));
-    const auto b93 = meetc::both(meetc::at_most_zero(s[62]), meetc::at_most_zero(s[76]),
-        meetc::at_least_zero(s[84]));
-    const auto b94 = meetc::both(meetc::at_least_zero(s[62]), meetc::at_least_zero(s[76]),
-        meetc::at_most_zero(s[84]));
-    const auto b95 = meetc::both(meetc::at_least_zero(s[67]), meetc::at_least_zero(s[79]),
-        meetc::at_most_zero(s[85]));
-    const auto b96 = meetc::both(meetc::at_most_zero(s[67]), meetc::at_most_zero(s[79]),
-        meetc::at_least_zero(s[85]));
-    const auto b97 = meetc::both(meetc::at_most_zero(s[72]), meetc::at_most_zero(s[82]),
-        meetc::at_least_zero(s[86]));
-    const auto b98 = meetc::both(meetc::at_least_zero(s[72]), meetc::at_least_zero(s[82]),
-        meetc::at_most_zero(s[86]));
-    const auto b99 = meetc::both(b56, meetc::either(b93, b94), meetc::either(b64, b65, b77),
-        meetc::either(b66, b67, b78), meetc::either(b95, b96), meetc::either(b68, b69, b79),
-        meetc::either(b70, b71, b80), meetc::either(b97, b98), meetc::either(b72, b73, b81),
-        meetc::either(b74, b75, b82));
-    const auto b100 = meetc::both(meetc::is_zero(s[12]), meetc::at_most_zero(s[87] * s[88]),
-        meetc::at_most_zero(s[15] * s[62]), meetc::either(b4, b5, b64, b65), meetc::either(b7, b8, b66, b67),
-        meetc::at_most_zero(s[89] * s[90]), meetc::at_most_zero(s[21] * s[67]), meetc::either(b12, b13, b68,
-        b69), meetc::either(b15, b16, b70, b71), meetc::at_most_zero(s[91] * s[92]),
-        meetc::at_most_zero(s[27] * s[72]), meetc::either(b20, b21, b72, b73), meetc::either(b23, b24, b74,
-        b75));
-    const auto b101 = meetc::both(meetc::is_zero(s[13]), meetc::at_most_zero(s[88] * s[93]),
-        meetc::at_most_zero(s[16] * s[76]), meetc::either(b5, b6, b65, b77), meetc::either(b8, b9, b67, b78),
-        meetc::at_most_zero(s[90] * s[94]), meetc::at_most_zero(s[22] * s[79]), meetc::either(b13, b14, b69,
-        b79), meetc::either(b16, b17, b71, b80), meetc::at_most_zero(s[92] * s[95]),
-        meetc::at_most_zero(s[28] * s[82]), meetc::either(b21, b22, b73, b81), meetc::either(b24, b25, b75,
-        b82));
-    const auto b102 = meetc::both(meetc::is_zero(s[14]), meetc::at_most_zero(s[87] * s[93]),
-        meetc::at_most_zero(s[17] * s[84]), meetc::either(b4, b6, b64, b77), meetc::either(b7, b9, b66, b78),
-        meetc::at_most_zero(s[89] * s[94]), meetc::at_most_zero(s[23] * s[85]), meetc::either(b12, b14, b68,
-        b79), meetc::either(b15, b17, b70, b80), meetc::at_most_zero(s[91] * s[95]),
-        meetc::at_most_zero(s[29] * s[86]), meetc::either(b20, b22, b72, b81), meetc::either(b23, b25, b74,
-        b82));
-    const auto b103 = meetc::at_most_zero(s[12]);
-    const auto b104 = meetc::at_most_zero(s[13]);
-    const auto b105 = meetc::at_least_zero(s[14]);
-    const auto b106 = meetc::at_least_zero(s[12]);
-    const auto b107 = meetc::at_least_zero(s[13]);
-    const auto b108 = meetc::at_most_zero(s[14]);
-    const auto b109 = meetc::either(meetc::both(b103, b104, b105), meetc::both(b106, b107, b108));
-    const auto b110 = meetc::choose(meetc::both(b0, b56), meetc::either(b99, b100, b101, b102),
-        meetc::both(meetc::at_most_zero(s[0] * s[2]), b109));
-    const auto b111 = meetc::is_zero(s[3]);
-    const auto b112 = meetc::is_zero(s[4]);
-    const auto b113 = meetc::both(meetc::at_most_zero(s[33]), meetc::at_most_zero(s[60]),
-        meetc::at_least_zero(s[87]));
-    const auto b114 = meetc::both(meetc::at_least_zero(s[33]), meetc::at_least_zero(s[60]),
-        meetc::at_most_zero(s[87]));
-    const auto b115 = meetc::both(meetc::at_least_zero(s[38]), meetc::at_least_zero(s[65]),
-        meetc::at_most_zero(s[89]));
-    const auto b116 = meetc::both(meetc::at_most_zero(s[38]), meetc::at_most_zero(s[65]),
-        meetc::at_least_zero(s[89]));
-    const auto b117 = meetc::both(meetc::at_most_zero(s[43]), meetc::at_most_zero(s[70]),
-        meetc::at_least_zero(s[91]));
-    const auto b118 = meetc::both(meetc::at_least_zero(s[43]), meetc::at_least_zero(s[70]),
-        meetc::at_most_zero(s[91]));
-    const auto b119 = meetc::both(b111, meetc::either(b113, b114), meetc::either(b7, b29, b66),
-        meetc::either(b4, b27, b64), meetc::either(b115, b116), meetc::either(b15, b33, b70),
-        meetc::either(b12, b31, b68), meetc::either(b117, b118), meetc::either(b23, b37, b74),
-        meetc::either(b20, b35, b72));
-    const auto b120 = meetc::either(meetc::both(b48, b85, b103), meetc::both(b51, b88, b106));
-    const auto b121 = meetc::choose(meetc::both(b111, b112), meetc::either(b39, b76, b100, b119),
-        meetc::both(meetc::at_most_zero(s[3] * s[4]), b120));
-    const auto b122 = meetc::is_zero(s[5]);
-    const auto b123 = meetc::both(meetc::at_most_zero(s[34]), meetc::at_most_zero(s[61]),
-        meetc::at_least_zero(s[88]));
-    const auto b124 = meetc::both(meetc::at_least_zero(s[34]), meetc::at_least_zero(s[61]),
-        meetc::at_most_zero(s[88]));
-    const auto b125 = meetc::both(meetc::at_least_zero(s[39]), meetc::at_least_zero(s[66]),
-        meetc::at_most_zero(s[90]));
-    const auto b126 = meetc::both(meetc::at_most_zero(s[39]), meetc::at_most_zero(s[66]),
-        meetc::at_least_zero(s[90]));
-    const auto b127 = meetc::both(meetc::at_most_zero(s[44]), meetc::at_most_zero(s[71]),
-        meetc::at_least_zero(s[92]));
-    const auto b128 = meetc::both(meetc::at_least_zero(s[44]), meetc::at_least_zero(s[71]),
-        meetc::at_most_zero(s[92]));
-    const auto b129 = meetc::both(b112, meetc::either(b123, b124), meetc::either(b8, b30, b67),
-        meetc::either(b5, b28, b65), meetc::either(b125, b126), meetc::either(b16, b34, b71),
-        meetc::either(b13, b32, b69), meetc::either(b127, b128), meetc::either(b24, b38, b75),
-        meetc::either(b21, b36, b73));
-    const auto b130 = meetc::either(meetc::both(b49, b86, b104), meetc::both(b52, b89, b107));
-    const auto b131 = meetc::choose(meetc::both(b112, b122), meetc::either(b46, b83, b101, b129),
-        meetc::both(meetc::at_most_zero(s[4] * s[5]), b130));
-    const auto b132 = meetc::both(meetc::at_most_zero(s[48]), meetc::at_most_zero(s[75]),
-        meetc::at_least_zero(s[93]));
-    const auto b133 = meetc::both(meetc::at_least_zero(s[48]), meetc::at_least_zero(s[75]),
-        meetc::at_most_zero(s[93]));
-    const auto b134 = meetc::both(meetc::at_least_zero(s[51]), meetc::at_least_zero(s[78]),
-        meetc::at_most_zero(s[94]));
-    const auto b135 = meetc::both(meetc::at_most_zero(s[51]), meetc::at_most_zero(s[78]),
-        meetc::at_least_zero(s[94]));
-    const auto b136 = meetc::both(meetc::at_most_zero(s[54]), meetc::at_most_zero(s[81]),
-        meetc::at_least_zero(s[95]));
-    const auto b137 = meetc::both(meetc::at_least_zero(s[54]), meetc::at_least_zero(s[81]),
-        meetc::at_most_zero(s[95]));
-    const auto b138 = meetc::both(b122, meetc::either(b132, b133), meetc::either(b9, b41, b78),
-        meetc::either(b6, b40, b77), meetc::either(b134, b135), meetc::either(b17, b43, b80),
-        meetc::either(b14, b42, b79), meetc::either(b136, b137), meetc::either(b25, b45, b82),
-        meetc::either(b22, b44, b81));
-    const auto b139 = meetc::either(meetc::both(b50, b87, b105), meetc::both(b53, b90, b108));
-    const auto b140 = meetc::choose(meetc::both(b111, b122), meetc::either(b47, b84, b102, b138),
-        meetc::both(meetc::at_most_zero(s[3] * s[5]), b139));
-    return meetc::either(b55, b92, b110, b121, b131, b140);
+template <class S> MEETC_HD MEETC_LARGE constexpr auto triangle_triangle::whole(const S *s) {
+    // segment_triangle(segment(A.a, A.b), B)
+    const S e0[] = {s[0], s[1], s[6], s[7], s[8], s[15], s[16], s[17], s[18], s[19], s[20], s[21], s[22],
+        s[23], s[24], s[25], s[26], s[27], s[28], s[29], s[30], s[31], s[32], s[33], s[34], s[35], s[36],
+        s[37], s[38], s[39], s[40], s[41], s[42], s[43], s[44], s[45], s[46], s[47], s[48], s[49], s[50],
+        s[51], s[52], s[53], s[54], s[55], s[56], s[57], s[58], s[59]};
+    const auto b0 = segment_triangle::whole(e0);
+    // segment_triangle(segment(A.b, A.c), B)
+    const S e1[] = {s[1], s[2], s[9], s[10], s[11], s[35], s[49], s[57], s[36], s[37], s[50], s[40], s[52],
+        s[58], s[41], s[42], s[53], s[45], s[55], s[59], s[46], s[47], s[56], s[60], s[61], s[62], s[63],
+        s[64], s[65], s[66], s[67], s[68], s[69], s[70], s[71], s[72], s[73], s[74], s[75], s[76], s[77],
+        s[78], s[79], s[80], s[81], s[82], s[83], s[84], s[85], s[86]};
+    const auto b1 = segment_triangle::whole(e1);
+    // segment_triangle(segment(A.c, A.a), B)
+    const S e2[] = {s[2], s[0], -s[12], -s[13], -s[14], s[62], s[76], s[84], s[63], s[64], s[77], s[67],
+        s[79], s[85], s[68], s[69], s[80], s[72], s[82], s[86], s[73], s[74], s[83], -s[87], -s[88], s[15],
+        s[18], s[19], -s[89], -s[90], s[21], s[24], s[25], -s[91], -s[92], s[27], s[30], s[31], -s[93], s[16],
+        s[20], -s[94], s[22], s[26], -s[95], s[28], s[32], s[17], s[23], s[29]};
+    const auto b2 = segment_triangle::whole(e2);
+    // segment_triangle(segment(B.a, B.b), A)
+    const S e3[] = {-s[3], -s[4], s[6], s[9], s[12], s[33], s[60], s[87], -s[18], -s[36], -s[63], s[38],
+        s[65], s[89], -s[24], -s[41], -s[68], s[43], s[70], s[91], -s[30], -s[46], -s[73], s[15], s[35],
+        s[34], -s[19], -s[37], s[21], s[40], s[39], -s[25], -s[42], s[27], s[45], s[44], -s[31], -s[47],
+        s[62], s[61], -s[64], s[67], s[66], -s[69], s[72], s[71], -s[74], s[88], s[90], s[92]};
+    const auto b3 = segment_triangle::whole(e3);
+    // segment_triangle(segment(B.b, B.c), A)
+    const S e4[] = {-s[4], -s[5], s[7], s[10], s[13], s[34], s[61], s[88], -s[19], -s[37], -s[64], s[39],
+        s[66], s[90], -s[25], -s[42], -s[69], s[44], s[71], s[92], -s[31], -s[47], -s[74], s[16], s[49],
+        s[48], -s[20], -s[50], s[22], s[52], s[51], -s[26], -s[53], s[28], s[55], s[54], -s[32], -s[56],
+        s[76], s[75], -s[77], s[79], s[78], -s[80], s[82], s[81], -s[83], s[93], s[94], s[95]};
+    const auto b4 = segment_triangle::whole(e4);
+    // segment_triangle(segment(B.c, B.a), A)
+    const S e5[] = {-s[5], -s[3], -s[8], -s[11], -s[14], s[48], s[75], s[93], -s[20], -s[50], -s[77], s[51],
+        s[78], s[94], -s[26], -s[53], -s[80], s[54], s[81], s[95], -s[32], -s[56], -s[83], -s[17], -s[57],
+        s[33], -s[18], -s[36], -s[23], -s[58], s[38], -s[24], -s[41], -s[29], -s[59], s[43], -s[30], -s[46],
+        -s[84], s[60], -s[63], -s[85], s[65], -s[68], -s[86], s[70], -s[73], s[87], s[89], s[91]};
+    const auto b5 = segment_triangle::whole(e5);
+    return meetc::either(b0, b1, b2, b3, b4, b5);
 }
 
 } // namespace cga
