@@ -204,24 +204,16 @@ void check_constants(const program &p, const request &r) {
           r.where, fmt::format("'{}' needs the number {}, which is beyond 2^53", r.text, p.nodes.value(id).get_str()));
 }
 
-// A value that the program would have to negate last has its atom turned instead.
-stage compile_stage(const poly::frame &local, lower::decision &signs, const std::vector<int> &atoms, const request &r,
-                    bool exact) {
+stage compile_stage(const poly::frame &local, const lower::decision &signs, const std::vector<int> &atoms,
+                    const request &r, bool exact) {
   stage out;
   out.atoms = atoms;
   if (atoms.empty())
     return out;
   builder code(local, prefer::accuracy);
   std::vector<node_id> results;
-  for (const int a : atoms) {
-    const auto build = [&] { return code.build(signs.atoms()[static_cast<std::size_t>(a)], true); };
-    node_id result = build();
-    if (code.nodes().at(result).kind == op::negate) {
-      signs.turn(a);
-      result = build();
-    }
-    results.push_back(result);
-  }
+  for (const int a : atoms)
+    results.push_back(code.build(signs.atoms()[static_cast<std::size_t>(a)], true));
   out.code = code.finish(results);
   check_constants(out.code, r);
   if (!exact)

@@ -71,8 +71,8 @@ struct segment_triangle : detail::segment_triangle_points {
           t.a.x - s.p.x)));
       const W t1 = meetc::fma(fb[2], t.a.z - s.q.z, meetc::fma(fb[1], t.a.y - s.q.y, meetc::times<W>(fb[0],
           t.a.x - s.q.x)));
-      v[0] = t0; // s[0] = -side(t, s.p)
-      v[1] = t1; // s[1] = -side(t, s.q)
+      v[0] = -t0; // s[0] = side(t, s.p)
+      v[1] = -t1; // s[1] = side(t, s.q)
     }
   };
 

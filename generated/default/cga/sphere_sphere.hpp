@@ -56,8 +56,8 @@ struct sphere_sphere : detail::sphere_sphere_points {
       const T t3 = S_.r + T_.r;
       const T t4 = -meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
       const T t5 = S_.r - T_.r;
-      v[0] = meetc::fma(t3, t3, t4); // s[0] = -a factor of sign(norm2(meet(S, T)))
-      v[1] = meetc::fma(t5, t5, t4); // s[1] = -a factor of sign(norm2(meet(S, T)))
+      v[0] = -meetc::fma(t3, t3, t4); // s[0] = a factor of sign(norm2(meet(S, T)))
+      v[1] = -meetc::fma(t5, t5, t4); // s[1] = a factor of sign(norm2(meet(S, T)))
     }
   };
 

@@ -79,21 +79,22 @@ struct triangle_triangle : detail::triangle_triangle_points {
       const T t0 = B.a.x - A.a.x;
       const T t1 = B.a.y - A.a.y;
       const T t2 = B.a.z - A.a.z;
-      const W t3 = meetc::fma(fb[2], B.a.z - A.b.z, meetc::fma(fb[1], B.a.y - A.b.y, meetc::times<W>(fb[0],
+      const W t3 = -meetc::fma(fb[2], t2, meetc::fma(fb[1], t1, meetc::times<W>(fb[0], t0)));
+      const W t4 = meetc::fma(fb[2], B.a.z - A.b.z, meetc::fma(fb[1], B.a.y - A.b.y, meetc::times<W>(fb[0],
           B.a.x - A.b.x)));
-      const W t4 = meetc::fma(fb[2], B.a.z - A.c.z, meetc::fma(fb[1], B.a.y - A.c.y, meetc::times<W>(fb[0],
+      const W t5 = meetc::fma(fb[2], B.a.z - A.c.z, meetc::fma(fb[1], B.a.y - A.c.y, meetc::times<W>(fb[0],
           B.a.x - A.c.x)));
-      const W t5 = meetc::fma(fa[2], B.b.z - A.a.z, meetc::fma(fa[1], B.b.y - A.a.y, meetc::times<W>(fa[0],
+      const W t6 = -meetc::fma(t2, fa[2], meetc::fma(t1, fa[1], meetc::times<W>(t0, fa[0])));
+      const W t7 = meetc::fma(fa[2], B.b.z - A.a.z, meetc::fma(fa[1], B.b.y - A.a.y, meetc::times<W>(fa[0],
           B.b.x - A.a.x)));
-      const W t6 = meetc::fma(fa[2], B.c.z - A.a.z, meetc::fma(fa[1], B.c.y - A.a.y, meetc::times<W>(fa[0],
+      const W t8 = meetc::fma(fa[2], B.c.z - A.a.z, meetc::fma(fa[1], B.c.y - A.a.y, meetc::times<W>(fa[0],
           B.c.x - A.a.x)));
-      // s[0] = -side(B, A.a)
-      v[0] = meetc::fma(fb[2], t2, meetc::fma(fb[1], t1, meetc::times<W>(fb[0], t0)));
-      v[1] = t3; // s[1] = -side(B, A.b)
-      v[2] = t4; // s[2] = -side(B, A.c)
-      v[3] = meetc::fma(t2, fa[2], meetc::fma(t1, fa[1], meetc::times<W>(t0, fa[0]))); // s[3] = side(A, B.a)
-      v[4] = t5; // s[4] = side(A, B.b)
-      v[5] = t6; // s[5] = side(A, B.c)
+      v[0] = t3; // s[0] = side(B, A.a)
+      v[1] = -t4; // s[1] = side(B, A.b)
+      v[2] = -t5; // s[2] = side(B, A.c)
+      v[3] = t6; // s[3] = -side(A, B.a)
+      v[4] = -t7; // s[4] = -side(A, B.b)
+      v[5] = -t8; // s[5] = -side(A, B.c)
     }
   };
 
@@ -183,10 +184,10 @@ struct triangle_triangle : detail::triangle_triangle_points {
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *s) {
-    const auto b0 = meetc::both(meetc::below_zero(s[0]), meetc::below_zero(s[1]), meetc::below_zero(s[2]));
-    const auto b1 = meetc::both(meetc::above_zero(s[0]), meetc::above_zero(s[1]), meetc::above_zero(s[2]));
-    const auto b2 = meetc::both(meetc::above_zero(s[3]), meetc::above_zero(s[4]), meetc::above_zero(s[5]));
-    const auto b3 = meetc::both(meetc::below_zero(s[3]), meetc::below_zero(s[4]), meetc::below_zero(s[5]));
+    const auto b0 = meetc::both(meetc::above_zero(s[0]), meetc::above_zero(s[1]), meetc::above_zero(s[2]));
+    const auto b1 = meetc::both(meetc::below_zero(s[0]), meetc::below_zero(s[1]), meetc::below_zero(s[2]));
+    const auto b2 = meetc::both(meetc::below_zero(s[3]), meetc::below_zero(s[4]), meetc::below_zero(s[5]));
+    const auto b3 = meetc::both(meetc::above_zero(s[3]), meetc::above_zero(s[4]), meetc::above_zero(s[5]));
     return meetc::either(meetc::either(b0, b1), meetc::either(b2, b3));
   }
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *s) {
