@@ -43,8 +43,6 @@ sign_value decision::sign_of(const poly::poly &p) {
       atoms_.push_back(part);
       texts_.emplace_back();
     }
-    if (exponent % 2 && is_turned(it->second))
-      out.unit = -out.unit;
     out.atoms.emplace_back(it->second, exponent % 2 ? 1 : 2);
   }
   std::sort(out.atoms.begin(), out.atoms.end());
@@ -58,25 +56,6 @@ sign_mask mirrored(sign_mask m) {
   return (m & 2) | (m & 1) << 2 | m >> 2;
 }
 } // namespace
-
-void decision::turn(int atom) {
-  const auto at_odd = [atom](const sign_value &s) {
-    return std::find(s.atoms.begin(), s.atoms.end(), std::pair(atom, 1)) != s.atoms.end();
-  };
-  const auto i = static_cast<std::size_t>(atom);
-  atoms_[i] = atoms_[i].scaled(-1);
-  texts_[i].turned = !texts_[i].turned;
-  texts_[i].opposite = !texts_[i].opposite;
-  for (auto &[key, s] : signs_)
-    if (at_odd(s))
-      s.unit = -s.unit;
-  node_ids_.clear();
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    if (nodes_[n].kind == truth_node::type::test && at_odd(nodes_[n].sign))
-      nodes_[n].flag = mirrored(nodes_[n].flag);
-    node_ids_.emplace(nodes_[n], static_cast<int>(n));
-  }
-}
 
 std::string decision::text(int atom) const {
   const name &n = texts_[static_cast<std::size_t>(atom)];

@@ -1,6 +1,6 @@
 // Decisions over sign atoms.
 //
-// An atom is the sign of an irreducible primitive polynomial whose leading coefficient is positive until it is turned, so
+// An atom is the sign of an irreducible primitive polynomial whose leading coefficient is positive, so
 // signs that are equal (or opposite) are one atom however they were written. A sign value is a unit times a product of atoms;
 // a truth is a hash-consed graph over tests of sign values.
 #pragma once
@@ -37,10 +37,6 @@ struct truth_node {
 class decision {
 public:
   sign_value sign_of(const poly::poly &p);
-  // Makes the atom the negative of its polynomial, and mirrors every test of it.
-  void turn(int atom);
-  bool is_turned(int atom) const { return texts_[static_cast<std::size_t>(atom)].turned; }
-
   // What the spec calls an atom, "side(B, A.a)"; "" where nothing does.
   std::string text(int atom) const;
   // The spec writes this sign so. A name that was given since `mark` gives way, an older one stays.
@@ -71,7 +67,6 @@ private:
   struct name {
     std::string text;
     bool opposite = false; // the text is of the negative atom
-    bool turned = false;
     long given = 0;
   };
 

@@ -135,6 +135,11 @@ int expander::truth_of(const lang::expr &e, const environment &env) {
   throw spec_error(e.where, fmt::format("{} where a truth is needed; compare it, as in 's > 0'", describe(v)));
 }
 
+sign_value expander::sign_of(const poly::poly &p) {
+  taken_.push_back(signs_.sign_of(p));
+  return taken_.back();
+}
+
 void expander::charge(std::size_t work, const location &where) {
   steps_ += static_cast<long>(work);
   if (steps_ > most_steps)
@@ -267,7 +272,7 @@ value expander::call(const lang::expr &e, const environment &env) {
     return v;
   };
   if (e.text == "sign")
-    return described({signs_.sign_of(scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where))});
+    return described({sign_of(scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where))});
   if (e.text == "grade") {
     const int g = evaluate_multivector(*e.args[0], env).homogeneous_grade();
     if (g < 0)
@@ -298,8 +303,11 @@ value expander::call(const lang::expr &e, const environment &env) {
       return described(evaluate(*f->body, inner));
     }
     if (const lang::predicate *p = model_.spec().find_predicate(e.text)) {
+      const std::size_t first = taken_.size();
       const environment inner = bind(*p, args, e.where);
-      return {truth{truth_of(*p->hit, inner)}};
+      const int id = truth_of(*p->hit, inner);
+      calls_.push_back({id, p, said(e, env), {taken_.begin() + static_cast<std::ptrdiff_t>(first), taken_.end()}});
+      return {truth{id}};
     }
     if (const lang::kind *k = model_.spec().find_kind(e.text)) {
       auto o = std::make_shared<object>(object{k, args, nullptr});
@@ -335,12 +343,20 @@ environment expander::bind(const lang::predicate &p, const std::vector<value> &a
   return env;
 }
 
-staged expander::evaluate_predicate(const lang::predicate &p, const std::vector<value> &args) {
+staged expander::evaluate_predicate(const lang::predicate &p, const std::vector<value> &args,
+                                    std::vector<sign_value> *taken) {
+  const auto first = static_cast<std::ptrdiff_t>(taken_.size());
   const environment env = bind(p, args, p.where);
+  const auto lets = static_cast<std::ptrdiff_t>(taken_.size());
   staged out;
   for (const auto &r : p.reject)
     out.reject.push_back(truth_of(*r, env));
+  const auto hit = static_cast<std::ptrdiff_t>(taken_.size());
   out.hit = truth_of(*p.hit, env);
+  if (taken) {
+    taken->assign(taken_.begin() + first, taken_.begin() + lets);
+    taken->insert(taken->end(), taken_.begin() + hit, taken_.end());
+  }
   return out;
 }
 
@@ -399,7 +415,7 @@ value expander::compare(const lang::expr &e, const environment &env) {
     const poly::poly difference = scalar_of(blade_of(a, e.args[0]->where), e.args[0]->where) -
                                   scalar_of(blade_of(b, e.args[1]->where), e.args[1]->where);
     const long before = signs_.mark();
-    const sign_value s = signs_.sign_of(difference);
+    const sign_value s = sign_of(difference);
     signs_.describe(s, said(*e.args[0], env) + " - " + said(*e.args[1], env), before);
     return {truth{signs_.test(s, mask_for(e.kind, 0))}};
   }

@@ -28,6 +28,14 @@ struct value {
   std::string text = {}; // how the operands' names say it, "A.c"; "" where they do not
 };
 
+// Where a predicate calls another one: the truth that it is there, and each sign that the call took, in order.
+struct predicate_call {
+  int truth;
+  const lang::predicate *callee;
+  std::string text; // "segment_triangle(segment(A.a, A.b), B)"
+  std::vector<sign_value> signs;
+};
+
 using environment = std::vector<std::pair<std::string, value>>; // the last of a name counts
 
 class expander {
@@ -46,9 +54,12 @@ public:
   value evaluate(const lang::expr &e, const environment &env);
   multivector evaluate_multivector(const lang::expr &e, const environment &env);
   multivector blade_of(const value &v, const location &where);
-  staged evaluate_predicate(const lang::predicate &p, const std::vector<value> &args);
+  // `taken`: the signs that the hit takes, in order.
+  staged evaluate_predicate(const lang::predicate &p, const std::vector<value> &args, std::vector<sign_value> *taken);
 
   const metric &basis() const { return *basis_; }
+  const std::vector<predicate_call> &calls() const { return calls_; }
+  const std::vector<sign_value> &signs_taken() const { return taken_; }
 
 private:
   const model &model_;
@@ -57,6 +68,8 @@ private:
   const metric *basis_;
   std::vector<std::vector<rational>> declared_vectors_; // in the basis of expansion
   std::vector<std::pair<std::string, value>> constants_;
+  std::vector<sign_value> taken_; // in order
+  std::vector<predicate_call> calls_;
   long steps_ = 0;
   int depth_ = 0;
 
@@ -76,6 +89,7 @@ private:
   int truth_of(const lang::expr &e, const environment &env);
   // The expression with its names replaced by what they stand for: "side(t, s.p)" as "side(B, A.a)".
   std::string said(const lang::expr &e, const environment &env);
+  sign_value sign_of(const poly::poly &p); // and takes it down
   poly::poly scalar_of(const multivector &m, const location &where) const;
   static std::string describe(const value &v);
 };

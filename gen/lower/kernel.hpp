@@ -57,6 +57,15 @@ struct stage {
   program code;           // results follow `atoms`
 };
 
+struct predicate;
+// A part of a decision that is another predicate's, on other signs.
+struct sub_decision {
+  std::shared_ptr<const predicate> callee;
+  std::string name, text;        // of the callee; "segment_triangle(segment(A.a, A.b), B)"
+  int whole = 0, usual = 0;      // truths of the calling decision
+  std::vector<sign_value> signs; // what stands for each of callee->order()
+};
+
 struct predicate {
   std::shared_ptr<poly::ring> numbers;
   std::vector<std::string> stored_inputs;
@@ -64,10 +73,15 @@ struct predicate {
   std::shared_ptr<poly::frame> local;
   lower::decision signs;
   lower::staged truths;
-  std::vector<int> conditions; // any true: the rare stage is needed
-  int usual = 0;               // the hit when none is
-  lower::sign_value value;     // of a sign kernel, which has the common stage alone
-  stage reject, common, rare;  // empty atoms: the stage is not there
+  std::vector<int> conditions;   // any true: the rare stage is needed
+  int usual = 0;                 // the hit when none is
+  lower::sign_value value;       // of a sign kernel, which has the common stage alone
+  stage reject, common, rare;    // empty atoms: the stage is not there
+  std::vector<sign_value> taken; // every sign that the hit takes, in the order of the spec
+  std::vector<sub_decision> calls;
+
+  // The atoms in the order in which the stages find them.
+  std::vector<int> order() const;
 };
 
 // The stages in the order in which they run, of a predicate or of anything else that is had by stage (bounds).

@@ -1,4 +1,5 @@
 // Kernels that are made of signs: predicates by stages, and single signs.
+#include "gen/lower/calls.hpp"
 #include "gen/lower/compile.hpp"
 
 #include <set>
@@ -60,7 +61,7 @@ predicate compile_predicate(const model &m, const request &r) {
   std::vector<value> operands;
   for (std::size_t i = 0; i < r.kinds.size(); ++i)
     operands.push_back(expand.operand(*r.kinds[i], r.names[i] + '.'));
-  out.truths = expand.evaluate_predicate(*r.asked, operands);
+  out.truths = expand.evaluate_predicate(*r.asked, operands, &out.taken);
   out.conditions = out.signs.conditions_of(out.truths.hit);
   out.usual = out.signs.usual(out.truths.hit);
   std::set<int> seen;
@@ -81,6 +82,7 @@ predicate compile_predicate(const model &m, const request &r) {
   out.reject = compile_stage(*out.local, out.signs, reject, r);
   out.common = compile_stage(*out.local, out.signs, usual, r);
   out.rare = compile_stage(*out.local, out.signs, rare, r);
+  find_calls(m, expand.calls(), out);
   return out;
 }
 

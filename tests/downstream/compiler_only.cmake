@@ -9,6 +9,8 @@ find_program(GXX g++)
 find_program(CLANGXX clang++)
 set(found "")
 foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
+  run_to_fail("${compiler}" -std=c++17 "-I${ROOM}/generated" -c "${ROOM}/plain/app.cpp" -o "${ROOM}/app.o")
+  expect("meetc needs C++20: compile with -std=c++20")
   # The user's flags may be any: what is certified must not depend on them.
   foreach(flags IN ITEMS "-O0" "-O3;-march=native")
     run("${compiler}" -std=c++20 ${flags} -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror

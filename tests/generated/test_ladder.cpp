@@ -70,6 +70,7 @@ template <int Degree, int Growth> struct probe_stage {
       v[0] = v[0] * a[0];
   }
   // Registers 2 and 3 in turn; the last instruction takes the sign.
+  using bytecode = probe_stage;
   static constexpr int registers = 4, instruction_count = Degree;
   static meetc::instruction instruction_at(int i) {
     const auto place = [](int k) { return static_cast<std::uint16_t>(k == 0 ? 0 : 2 + k % 2); };

@@ -3,6 +3,7 @@
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/names.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace meetc::target {
@@ -98,6 +99,11 @@ const emitted_stage *emitted_predicate::stage(const std::string &which) const {
   return nullptr;
 }
 
+bool emitted_predicate::of_scene(const lower::sub_decision &c) const {
+  return std::any_of(of.kernels.begin(), of.kernels.end(),
+                     [&](const lower::kernel &k) { return k.asked.asked && k.asked.asked->name == c.name; });
+}
+
 std::string emitted_predicate::input(int i) const {
   const std::string &path = kernel.decision.stored_inputs[static_cast<std::size_t>(i)]; // "A.c.y"
   return (i < kernel.decision.inputs_a ? a : b) + '.' + path_identifier(path.substr(path.find('.') + 1));
@@ -189,10 +195,12 @@ std::string predicate_text(const unit &u, std::size_t number) {
   out += truth_function(p, "rejected", d.truths.reject, "");
   out += truth_function(p, "needs_rare", d.conditions, "");
   out += truth_function(p, "usual", {d.usual}, "");
-  out += p.has_rare() ? fmt::format("  template <class S> MEETC_HD static constexpr auto whole(const S *s); // "
-                                    "detail/{}_rest.hpp\n",
-                                    p.kernel.asked.name())
-                      : "  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }\n";
+  out += p.has_rare()
+             ? fmt::format("  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // "
+                           "detail/{}_rest.hpp\n",
+                           p.kernel.asked.name())
+             : "  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); "
+               "}\n";
   return out + "};\n";
 }
 
@@ -202,6 +210,8 @@ std::string kernel_header(const unit &u, std::size_t number) {
   std::vector<std::string> includes{"kinds.hpp"};
   if (p.bounds)
     includes.push_back(fmt::format("detail/{}_bounds.hpp", name));
+  for (const std::string &callee : called_by(p))
+    includes.push_back(callee + ".hpp");
   return open_header(u.scene, "kernel_" + name, includes) +
          (p.kernel.is_sign ? sign_text(u, number) : predicate_text(u, number)) +
          fmt::format(

@@ -30,6 +30,7 @@ struct emitted_predicate {
   const emitted_stage *stage(const std::string &which) const; // null where it is not there
   bool has_rare() const { return stage("rare") != nullptr; }
   bool asks_plain() const { return of.asks("fp32") || of.asks("fp64") || of.asks("fp64x2"); }
+  bool of_scene(const lower::sub_decision &c) const;
   std::string input(int i) const; // "A.c.y"
   // Declarations of the operands that a text mentions, read from the rows row_a and row_b of the type T.
   std::string operands_in(const std::string &text, const std::string &indent) const;
@@ -38,8 +39,11 @@ struct emitted_predicate {
 // "struct reject_stage ..."; `scope` goes before the name where the stage is defined outside of its predicate.
 std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const std::string &scope);
 // A function of the decision that holds where any of the truths does.
-std::string truth_function(const emitted_predicate &p, const char *name, const std::vector<int> &any_of,
+std::string truth_function(const emitted_predicate &p, const std::string &name, const std::vector<int> &any_of,
                            const std::string &scope);
+
+// The predicates whose decisions this one's calls: those that the scene asks for, too.
+std::vector<std::string> called_by(const emitted_predicate &p);
 
 // The files in detail/: bounds of the stages before the rare one; all that only the rungs after fp32 need.
 std::string bounds_header(const emitted_predicate &p);

@@ -117,8 +117,7 @@ std::string kind_functions(const unit &u, const lang::kind &k, const lower::encl
 } // namespace
 
 std::string runtime_header(const unit &u) {
-  return banner(u.scene, "What a runtime needs to know of this namespace.") +
-         open_header(u.scene, "file_runtime") +
+  return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, "file_runtime") +
          "// The bounded kinds and the predicates on them.\nconst meetc::catalogue &catalogue();\n" +
          close_header(u.scene);
 }

@@ -22,9 +22,10 @@ std::string detail_name(const emitted_predicate &p, const emitted_stage &s, cons
   return fmt::format("{}_{}_{}", p.name, s.name, what);
 }
 
-// A parameter of a pointer, without its name where the text does not mention it.
-std::string pointer(const char *type, const char *name, const std::string &text) {
-  return text.find(name) == std::string::npos ? fmt::format("{} *", type) : fmt::format("{} *{}", type, name);
+// A parameter of a pointer, without its name where the text does not use it.
+std::string pointer(const char *type, const std::string &name, const std::string &text) {
+  const bool used = text.find(name + '[') != std::string::npos || text.find('(' + name + ')') != std::string::npos;
+  return used ? fmt::format("{} *{}", type, name) : fmt::format("{} *", type);
 }
 
 std::string function_of_object(const emitted_predicate &p, const char *name, const char *row, const std::string &body,
@@ -88,12 +89,15 @@ std::string bounds_header(const emitted_predicate &p) {
 
 std::string rest_header(const emitted_predicate &p) {
   const std::string name = p.kernel.asked.name();
+  std::vector<std::string> includes{name + ".hpp"};
+  for (const std::string &callee : called_by(p))
+    includes.push_back(fmt::format("detail/{}_rest.hpp", callee));
   std::string out =
       banner(p.of.scene,
              fmt::format("What only few pairs need of {}: the rare case, and the program as bytecode for the "
                          "exact rung.",
                          p.kernel.asked.text)) +
-      opened(p, "rest", {name + ".hpp"}, {"rest.hpp"});
+      opened(p, "rest", includes, {"rest.hpp"});
   if (p.bounds) {
     out += "namespace detail {\n\n";
     for (const emitted_stage &s : p.stages) {

@@ -1,6 +1,8 @@
 // The decision over signs as C++ functions.
+#include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace meetc::target {
@@ -14,7 +16,12 @@ constexpr const char *test_names[] = {"",           "below_zero", "is_zero",    
 // The truths that the roots need, as statements b0, b1, ... where they are long or used more than once.
 class truth_writer {
 public:
-  truth_writer(const emitted_predicate &p, const std::vector<int> &roots) : p_(p), d_(p.kernel.decision.signs) {
+  // `usual`: called decisions are taken as they usually are, on the signs that are known before the rare stage.
+  truth_writer(const emitted_predicate &p, const std::vector<int> &roots, bool usual)
+      : p_(p), d_(p.kernel.decision.signs), usual_(usual) {
+    for (const lower::sub_decision &c : p.kernel.decision.calls)
+      if (p.of_scene(c) && can_be_called(c))
+        calls_.emplace(usual ? c.usual : c.whole, &c);
     for (const int r : roots)
       count(r);
   }
@@ -22,19 +29,16 @@ public:
   std::string name(int id) {
     if (const auto it = names_.find(id); it != names_.end())
       return it->second;
+    if (const auto call = calls_.find(id); call != calls_.end())
+      return names_[id] = called(*call->second);
     const truth_node &n = d_.at(id);
     std::string text;
     switch (n.kind) {
     case truth_node::type::constant:
       return names_[id] = n.flag ? "true" : "false";
-    case truth_node::type::test: {
-      std::string product;
-      for (const auto &[atom, e] : n.sign.atoms)
-        product += fmt::format(fmt::runtime(e == 2 ? "{}meetc::square(s[{}])" : "{}s[{}]"),
-                               product.empty() ? "" : " * ", p_.slot.at(atom));
-      text = fmt::format("meetc::{}({})", test_names[n.flag], product);
+    case truth_node::type::test:
+      text = fmt::format("meetc::{}({})", test_names[n.flag], sign(n.sign));
       break;
-    }
     case truth_node::type::both:
     case truth_node::type::either: {
       std::vector<std::string> args;
@@ -66,13 +70,48 @@ private:
   static constexpr std::size_t longest = 64;
   const emitted_predicate &p_;
   const lower::decision &d_;
+  bool usual_;
+  std::map<int, const lower::sub_decision *> calls_; // by the truth that stands there
   std::map<int, int> uses_;
   std::map<int, std::string> names_;
   std::string out_;
-  int next_ = 0;
+  int next_ = 0, next_call_ = 0;
+
+  // How many of its signs the callee reads.
+  std::size_t signs_read(const lower::sub_decision &c) const {
+    return c.signs.size() - (usual_ ? c.callee->rare.atoms.size() : 0);
+  }
+  bool can_be_called(const lower::sub_decision &c) const {
+    const emitted_stage *rare = p_.stage("rare");
+    for (std::size_t i = 0; i < signs_read(c); ++i)
+      for (const auto &[atom, e] : c.signs[i].atoms)
+        if (const auto at = p_.slot.find(atom); at == p_.slot.end() || (usual_ && rare && at->second >= rare->first))
+          return false;
+    return true;
+  }
+  std::string sign(const lower::sign_value &s) const {
+    if (s.atoms.empty())
+      return fmt::format("meetc::constant_sign<S>(meetc::sign::{})", s.unit < 0   ? "negative"
+                                                                     : s.unit > 0 ? "positive"
+                                                                                  : "zero");
+    std::string product;
+    for (const auto &[atom, e] : s.atoms)
+      product += fmt::format(fmt::runtime(e == 2 ? "{}meetc::square(s[{}])" : "{}s[{}]"), product.empty() ? "" : " * ",
+                             p_.slot.at(atom));
+    return s.unit > 0 ? product : s.atoms.size() > 1 ? "-(" + product + ')' : '-' + product;
+  }
+  // A call on the callee's own signs, gathered from these.
+  std::string called(const lower::sub_decision &c) {
+    std::vector<std::string> signs;
+    for (std::size_t i = 0; i < signs_read(c); ++i)
+      signs.push_back(sign(c.signs[i]));
+    const std::string array = fmt::format("e{}", next_call_++);
+    out_ += fmt::format("    // {}\n    const S {}[] = {{{}}};\n", c.text, array, joined(signs));
+    return keep(fmt::format("{}::{}({})", identifier(c.name), usual_ ? "usual" : "whole", array));
+  }
 
   void count(int id) {
-    if (++uses_[id] == 1)
+    if (++uses_[id] == 1 && calls_.count(id) == 0)
       for (const int a : d_.at(id).args)
         count(a);
   }
@@ -91,17 +130,25 @@ private:
 
 } // namespace
 
-std::string truth_function(const emitted_predicate &p, const char *name, const std::vector<int> &any_of,
+std::string truth_function(const emitted_predicate &p, const std::string &name, const std::vector<int> &any_of,
                            const std::string &scope) {
-  truth_writer w(p, any_of);
+  truth_writer w(p, any_of, name != "whole");
   const std::string value = w.any(any_of), body = w.take();
   const bool reads = (body + value).find("s[") != std::string::npos;
-  const std::string head =
-      fmt::format("{}template <class S> MEETC_HD {}constexpr auto {}{}(const S *{}) {{", scope.empty() ? "  " : "",
-                  scope.empty() ? "static " : "", scope, name, reads ? "s" : "");
+  const std::string head = fmt::format("{}template <class S> MEETC_HD {} {}constexpr auto {}{}(const S *{}) {{",
+                                       scope.empty() ? "  " : "", name == "whole" ? "MEETC_LARGE" : "MEETC_INLINED",
+                                       scope.empty() ? "static " : "", scope, name, reads ? "s" : "");
   if (body.empty() && head.size() + value.size() < 95)
     return fmt::format("{} return {}; }}\n", head, value);
   return fmt::format("{}\n{}    return {};\n{}}}\n", head, body, value, scope.empty() ? "  " : "");
+}
+
+std::vector<std::string> called_by(const emitted_predicate &p) {
+  std::vector<std::string> out;
+  for (const lower::sub_decision &c : p.kernel.decision.calls)
+    if (p.of_scene(c) && std::find(out.begin(), out.end(), c.name) == out.end())
+      out.push_back(c.name);
+  return out;
 }
 
 } // namespace meetc::target

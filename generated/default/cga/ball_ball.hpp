@@ -54,20 +54,20 @@ struct ball_ball : detail::ball_ball_points {
       const T t1 = T_.c.y - S_.c.y;
       const T t2 = T_.c.z - S_.c.z;
       const T t3 = S_.r + T_.r;
-      // s[0] = sign(((I*S) | (I*T)) + 4*S.r*T.r)
-      v[0] = meetc::fma(t3, t3, -meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)));
+      // s[0] = -sign(((I*S) | (I*T)) + 4*S.r*T.r)
+      v[0] = -meetc::fma(t3, t3, -meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)));
     }
   };
 
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
-    return meetc::at_least_zero(s[0]);
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
+    return meetc::at_most_zero(s[0]);
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

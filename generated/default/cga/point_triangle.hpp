@@ -74,66 +74,67 @@ struct point_triangle : detail::point_triangle_points {
       const T t0 = t.a.x - p.x;
       const T t1 = t.a.y - p.y;
       const T t2 = t.a.z - p.z;
-      const T t3 = t.b.y - p.y;
-      const T t4 = -(t.b.z - p.z);
-      const T t5 = t.b.x - p.x;
-      v[0] = meetc::fma(fb[8], t2, meetc::fma(fb[7], t1, meetc::times<W>(fb[4], t0))); // s[0] = -side(t, p)
+      const W t3 = -meetc::fma(fb[8], t2, meetc::fma(fb[7], t1, meetc::times<W>(fb[4], t0)));
+      const T t4 = t.b.y - p.y;
+      const T t5 = -(t.b.z - p.z);
+      const T t6 = t.b.x - p.x;
+      v[0] = t3; // s[0] = side(t, p)
       v[1] = W(meetc::fma(-fb[3], t2, fb[1] * t1)); // s[1] = -turn(e1, t.a, t.b, p)
-      v[2] = W(meetc::fma(t4, fb[9], t3 * fb[10])); // s[2] = -turn(e1, t.b, t.c, p)
+      v[2] = W(meetc::fma(t5, fb[9], t4 * fb[10])); // s[2] = -turn(e1, t.b, t.c, p)
       v[3] = W(meetc::fma(-fb[0], t2, fb[2] * t1)); // s[3] = turn(e1, t.c, t.a, p)
-      v[4] = W(t0); // s[4] = -(p[e1] - t.a[e1])
-      v[5] = W(t5); // s[5] = -(p[e1] - t.b[e1])
-      v[6] = W(t.c.x - p.x); // s[6] = -(p[e1] - t.c[e1])
+      v[4] = W(-t0); // s[4] = p[e1] - t.a[e1]
+      v[5] = W(-t6); // s[5] = p[e1] - t.b[e1]
+      v[6] = W(-(t.c.x - p.x)); // s[6] = p[e1] - t.c[e1]
       v[7] = W(meetc::fma(-fb[5], t2, fb[1] * t0)); // s[7] = turn(e2, t.a, t.b, p)
-      v[8] = W(meetc::fma(t4, fb[11], fb[10] * t5)); // s[8] = turn(e2, t.b, t.c, p)
+      v[8] = W(meetc::fma(t5, fb[11], fb[10] * t6)); // s[8] = turn(e2, t.b, t.c, p)
       v[9] = W(meetc::fma(-fb[6], t2, fb[2] * t0)); // s[9] = -turn(e2, t.c, t.a, p)
-      v[10] = W(t1); // s[10] = -(p[e2] - t.a[e2])
-      v[11] = W(t3); // s[11] = -(p[e2] - t.b[e2])
-      v[12] = W(t.c.y - p.y); // s[12] = -(p[e2] - t.c[e2])
+      v[10] = W(-t1); // s[10] = p[e2] - t.a[e2]
+      v[11] = W(-t4); // s[11] = p[e2] - t.b[e2]
+      v[12] = W(-(t.c.y - p.y)); // s[12] = p[e2] - t.c[e2]
       v[13] = W(meetc::fma(-fb[5], t1, fb[3] * t0)); // s[13] = -turn(e3, t.a, t.b, p)
-      v[14] = W(meetc::fma(-t3, fb[11], fb[9] * t5)); // s[14] = -turn(e3, t.b, t.c, p)
+      v[14] = W(meetc::fma(-t4, fb[11], fb[9] * t6)); // s[14] = -turn(e3, t.b, t.c, p)
       v[15] = W(meetc::fma(-fb[6], t1, fb[0] * t0)); // s[15] = turn(e3, t.c, t.a, p)
-      v[16] = W(t2); // s[16] = -(p[e3] - t.a[e3])
-      v[17] = W(t.b.z - p.z); // s[17] = -(p[e3] - t.b[e3])
-      v[18] = W(t.c.z - p.z); // s[18] = -(p[e3] - t.c[e3])
+      v[16] = W(-t2); // s[16] = p[e3] - t.a[e3]
+      v[17] = W(t5); // s[17] = p[e3] - t.b[e3]
+      v[18] = W(-(t.c.z - p.z)); // s[18] = p[e3] - t.c[e3]
     }
   };
 
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
     const auto b0 = meetc::both(meetc::at_most_zero(s[1]), meetc::at_most_zero(s[2]),
         meetc::at_least_zero(s[3]));
     const auto b1 = meetc::both(meetc::at_least_zero(s[1]), meetc::at_least_zero(s[2]),
         meetc::at_most_zero(s[3]));
-    const auto b2 = meetc::either(meetc::at_least_zero(s[4]), meetc::at_least_zero(s[5]),
-        meetc::at_least_zero(s[6]));
-    const auto b3 = meetc::either(meetc::at_most_zero(s[4]), meetc::at_most_zero(s[5]),
+    const auto b2 = meetc::either(meetc::at_most_zero(s[4]), meetc::at_most_zero(s[5]),
         meetc::at_most_zero(s[6]));
+    const auto b3 = meetc::either(meetc::at_least_zero(s[4]), meetc::at_least_zero(s[5]),
+        meetc::at_least_zero(s[6]));
     const auto b4 = meetc::both(meetc::at_least_zero(s[7]), meetc::at_least_zero(s[8]),
         meetc::at_most_zero(s[9]));
     const auto b5 = meetc::both(meetc::at_most_zero(s[7]), meetc::at_most_zero(s[8]),
         meetc::at_least_zero(s[9]));
-    const auto b6 = meetc::either(meetc::at_least_zero(s[10]), meetc::at_least_zero(s[11]),
-        meetc::at_least_zero(s[12]));
-    const auto b7 = meetc::either(meetc::at_most_zero(s[10]), meetc::at_most_zero(s[11]),
+    const auto b6 = meetc::either(meetc::at_most_zero(s[10]), meetc::at_most_zero(s[11]),
         meetc::at_most_zero(s[12]));
+    const auto b7 = meetc::either(meetc::at_least_zero(s[10]), meetc::at_least_zero(s[11]),
+        meetc::at_least_zero(s[12]));
     const auto b8 = meetc::both(meetc::at_most_zero(s[13]), meetc::at_most_zero(s[14]),
         meetc::at_least_zero(s[15]));
     const auto b9 = meetc::both(meetc::at_least_zero(s[13]), meetc::at_least_zero(s[14]),
         meetc::at_most_zero(s[15]));
-    const auto b10 = meetc::either(meetc::at_least_zero(s[16]), meetc::at_least_zero(s[17]),
-        meetc::at_least_zero(s[18]));
-    const auto b11 = meetc::either(meetc::at_most_zero(s[16]), meetc::at_most_zero(s[17]),
+    const auto b10 = meetc::either(meetc::at_most_zero(s[16]), meetc::at_most_zero(s[17]),
         meetc::at_most_zero(s[18]));
+    const auto b11 = meetc::either(meetc::at_least_zero(s[16]), meetc::at_least_zero(s[17]),
+        meetc::at_least_zero(s[18]));
     const auto b12 = meetc::both(meetc::is_zero(s[0]), meetc::either(b0, b1), b2, b3, meetc::either(b4, b5),
         b6, b7, meetc::either(b8, b9), b10, b11);
     return b12;
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

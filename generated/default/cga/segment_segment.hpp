@@ -77,54 +77,54 @@ struct segment_segment : detail::segment_segment_points {
       v[2] = W(meetc::fma(-fa[0], t4, fa[1] * t5)); // s[2] = -turn(e1, s.p, s.q, e.q)
       v[3] = W(meetc::fma(-fb[0], t3, fb[1] * t1)); // s[3] = -turn(e1, e.p, e.q, s.p)
       v[4] = W(meetc::fma(-fb[0], t7, fb[1] * t6)); // s[4] = -turn(e1, e.p, e.q, s.q)
-      v[5] = W(t0); // s[5] = -(s.p[e1] - e.p[e1])
-      v[6] = W(t8); // s[6] = -(s.p[e1] - e.q[e1])
-      v[7] = W(t9); // s[7] = -(s.q[e1] - e.p[e1])
-      v[8] = W(e.q.x - s.q.x); // s[8] = -(s.q[e1] - e.q[e1])
+      v[5] = W(-t0); // s[5] = s.p[e1] - e.p[e1]
+      v[6] = W(-t8); // s[6] = s.p[e1] - e.q[e1]
+      v[7] = W(-t9); // s[7] = s.q[e1] - e.p[e1]
+      v[8] = W(-(e.q.x - s.q.x)); // s[8] = s.q[e1] - e.q[e1]
       v[9] = W(meetc::fma(-fa[0], t0, fa[2] * t3)); // s[9] = turn(e2, s.p, s.q, e.p)
       v[10] = W(meetc::fma(-fa[0], t8, fa[2] * t5)); // s[10] = turn(e2, s.p, s.q, e.q)
       v[11] = W(meetc::fma(-fb[2], t3, fb[1] * t0)); // s[11] = turn(e2, e.p, e.q, s.p)
       v[12] = W(meetc::fma(-fb[2], t7, fb[1] * t9)); // s[12] = turn(e2, e.p, e.q, s.q)
-      v[13] = W(t1); // s[13] = -(s.p[e2] - e.p[e2])
-      v[14] = W(t4); // s[14] = -(s.p[e2] - e.q[e2])
-      v[15] = W(t6); // s[15] = -(s.q[e2] - e.p[e2])
-      v[16] = W(e.q.y - s.q.y); // s[16] = -(s.q[e2] - e.q[e2])
+      v[13] = W(-t1); // s[13] = s.p[e2] - e.p[e2]
+      v[14] = W(-t4); // s[14] = s.p[e2] - e.q[e2]
+      v[15] = W(-t6); // s[15] = s.q[e2] - e.p[e2]
+      v[16] = W(-(e.q.y - s.q.y)); // s[16] = s.q[e2] - e.q[e2]
       v[17] = W(meetc::fma(-fa[1], t0, fa[2] * t1)); // s[17] = -turn(e3, s.p, s.q, e.p)
       v[18] = W(meetc::fma(-fa[1], t8, fa[2] * t4)); // s[18] = -turn(e3, s.p, s.q, e.q)
       v[19] = W(meetc::fma(-fb[2], t1, fb[0] * t0)); // s[19] = -turn(e3, e.p, e.q, s.p)
       v[20] = W(meetc::fma(-fb[2], t6, fb[0] * t9)); // s[20] = -turn(e3, e.p, e.q, s.q)
-      v[21] = W(t3); // s[21] = -(s.p[e3] - e.p[e3])
-      v[22] = W(t5); // s[22] = -(s.p[e3] - e.q[e3])
-      v[23] = W(t7); // s[23] = -(s.q[e3] - e.p[e3])
-      v[24] = W(e.q.z - s.q.z); // s[24] = -(s.q[e3] - e.q[e3])
+      v[21] = W(-t3); // s[21] = s.p[e3] - e.p[e3]
+      v[22] = W(-t5); // s[22] = s.p[e3] - e.q[e3]
+      v[23] = W(-t7); // s[23] = s.q[e3] - e.p[e3]
+      v[24] = W(-(e.q.z - s.q.z)); // s[24] = s.q[e3] - e.q[e3]
     }
   };
 
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
-    const auto b0 = meetc::either(meetc::at_least_zero(s[5]), meetc::at_least_zero(s[6]),
-        meetc::at_least_zero(s[7]), meetc::at_least_zero(s[8]));
-    const auto b1 = meetc::either(meetc::at_most_zero(s[5]), meetc::at_most_zero(s[6]),
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
+    const auto b0 = meetc::either(meetc::at_most_zero(s[5]), meetc::at_most_zero(s[6]),
         meetc::at_most_zero(s[7]), meetc::at_most_zero(s[8]));
-    const auto b2 = meetc::either(meetc::at_least_zero(s[13]), meetc::at_least_zero(s[14]),
-        meetc::at_least_zero(s[15]), meetc::at_least_zero(s[16]));
-    const auto b3 = meetc::either(meetc::at_most_zero(s[13]), meetc::at_most_zero(s[14]),
+    const auto b1 = meetc::either(meetc::at_least_zero(s[5]), meetc::at_least_zero(s[6]),
+        meetc::at_least_zero(s[7]), meetc::at_least_zero(s[8]));
+    const auto b2 = meetc::either(meetc::at_most_zero(s[13]), meetc::at_most_zero(s[14]),
         meetc::at_most_zero(s[15]), meetc::at_most_zero(s[16]));
-    const auto b4 = meetc::either(meetc::at_least_zero(s[21]), meetc::at_least_zero(s[22]),
-        meetc::at_least_zero(s[23]), meetc::at_least_zero(s[24]));
-    const auto b5 = meetc::either(meetc::at_most_zero(s[21]), meetc::at_most_zero(s[22]),
+    const auto b3 = meetc::either(meetc::at_least_zero(s[13]), meetc::at_least_zero(s[14]),
+        meetc::at_least_zero(s[15]), meetc::at_least_zero(s[16]));
+    const auto b4 = meetc::either(meetc::at_most_zero(s[21]), meetc::at_most_zero(s[22]),
         meetc::at_most_zero(s[23]), meetc::at_most_zero(s[24]));
+    const auto b5 = meetc::either(meetc::at_least_zero(s[21]), meetc::at_least_zero(s[22]),
+        meetc::at_least_zero(s[23]), meetc::at_least_zero(s[24]));
     const auto b6 = meetc::both(meetc::is_zero(s[0]), meetc::at_most_zero(s[1] * s[2]),
         meetc::at_most_zero(s[3] * s[4]), b0, b1, meetc::at_most_zero(s[9] * s[10]),
         meetc::at_most_zero(s[11] * s[12]), b2, b3, meetc::at_most_zero(s[17] * s[18]),
         meetc::at_most_zero(s[19] * s[20]), b4, b5);
     return b6;
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

@@ -6,6 +6,8 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 #include <cga/detail/segment_triangle_bounds.hpp>
+#include <cga/point_triangle.hpp>
+#include <cga/segment_segment.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -69,8 +71,8 @@ struct segment_triangle : detail::segment_triangle_points {
           t.a.x - s.p.x)));
       const W t1 = meetc::fma(fb[2], t.a.z - s.q.z, meetc::fma(fb[1], t.a.y - s.q.y, meetc::times<W>(fb[0],
           t.a.x - s.q.x)));
-      v[0] = t0; // s[0] = -side(t, s.p)
-      v[1] = t1; // s[1] = -side(t, s.q)
+      v[0] = -t0; // s[0] = side(t, s.p)
+      v[1] = -t1; // s[1] = side(t, s.q)
     }
   };
 
@@ -123,13 +125,13 @@ struct segment_triangle : detail::segment_triangle_points {
   struct rare_stage; // detail/segment_triangle_rest.hpp
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *s) {
     return meetc::above_zero(s[0] * s[1]);
   }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *s) {
     return meetc::both(meetc::is_zero(s[0]), meetc::is_zero(s[1]));
   }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
     const auto b0 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
         meetc::at_most_zero(s[4]));
     const auto b1 = meetc::both(meetc::at_most_zero(s[2]), meetc::at_most_zero(s[3]),
@@ -137,7 +139,7 @@ struct segment_triangle : detail::segment_triangle_points {
     const auto b2 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b0, b1));
     return b2;
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s); // detail/segment_triangle_rest.hpp
+  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/segment_triangle_rest.hpp
 };
 
 } // namespace cga

@@ -34,11 +34,11 @@ struct side_sphere_point_sign : detail::side_sphere_point_sign_points {
       const T t0 = Y.x - X.c.x;
       const T t1 = Y.y - X.c.y;
       const T t2 = Y.z - X.c.z;
-      v[0] = fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)); // s[0] = side(X, Y)
+      v[0] = -(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))); // s[0] = -side(X, Y)
     }
   };
 
-  template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return s[0]; }
+  template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return -s[0]; }
 
   // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
   static meetc::sign after_fp32(const float *row_a, const float *row_b);

@@ -41,11 +41,11 @@ struct side_triangle_point_sign : detail::side_triangle_point_sign_points {
       const auto Y = detail::point_in(row_b);
       const W t0 = meetc::fma(fa[2], Y.z - X.a.z, meetc::fma(fa[1], Y.y - X.a.y, meetc::times<W>(fa[0],
           Y.x - X.a.x)));
-      v[0] = t0; // s[0] = side(X, Y)
+      v[0] = -t0; // s[0] = -side(X, Y)
     }
   };
 
-  template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return s[0]; }
+  template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return -s[0]; }
 
   // Compiled in the generated library, or where <cga/header_only.hpp> is included: what few pairs need.
   static meetc::sign after_fp32(const float *row_a, const float *row_b);

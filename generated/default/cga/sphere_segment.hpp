@@ -6,6 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 #include <cga/detail/sphere_segment_bounds.hpp>
+#include <cga/ball_segment.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -70,9 +71,9 @@ struct sphere_segment : detail::sphere_segment_points {
       const T t7 = meetc::fma(-t0, fb[2], t2 * fb[0]);
       const T t8 = meetc::fma(-t1, fb[0], t0 * fb[1]);
       const W t9 = meetc::fma(fa[0], fb[3], -meetc::fma(t8, t8, meetc::fma(t7, t7, meetc::times<W>(t6, t6))));
-      v[0] = W(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))); // s[0] = side(S, s.p)
-      v[1] = W(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3))); // s[1] = side(S, s.q)
-      v[2] = t9; // s[2] = sign(norm2(meet(S, s)))
+      v[0] = W(-(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)))); // s[0] = -side(S, s.p)
+      v[1] = W(-(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)))); // s[1] = -side(S, s.q)
+      v[2] = -t9; // s[2] = -sign(norm2(meet(S, s)))
       v[3] = W(meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0]))); // s[3] = -side(wall(s, s.p), S.c)
       // s[4] = -side(wall(s, s.q), S.c)
       v[4] = W(fb[3] + meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0])));
@@ -82,15 +83,16 @@ struct sphere_segment : detail::sphere_segment_points {
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
-    const auto b0 = meetc::both(meetc::at_least_zero(s[2]), meetc::below_zero(s[3] * s[4]));
-    const auto b1 = meetc::either(meetc::at_least_zero(s[0]), meetc::at_least_zero(s[1]), b0);
-    const auto b2 = meetc::either(meetc::at_most_zero(s[0]), meetc::at_most_zero(s[1]));
-    return meetc::both(b1, b2);
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
+    // ball_segment(S, s)
+    const S e0[] = {s[0], s[1], s[2], s[3], s[4]};
+    const auto b0 = ball_segment::usual(e0);
+    const auto b1 = meetc::either(meetc::at_least_zero(s[0]), meetc::at_least_zero(s[1]));
+    return meetc::both(b0, b1);
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

@@ -47,7 +47,7 @@ struct sphere_sphere : detail::sphere_sphere_points {
     }
     // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *, W *v) {
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto S_ = detail::sphere_in(row_a);
       const auto T_ = detail::sphere_in(row_b);
       const T t0 = T_.c.x - S_.c.x;
@@ -56,20 +56,20 @@ struct sphere_sphere : detail::sphere_sphere_points {
       const T t3 = S_.r + T_.r;
       const T t4 = -meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
       const T t5 = S_.r - T_.r;
-      v[0] = meetc::fma(t3, t3, t4); // s[0] = -a factor of sign(norm2(meet(S, T)))
-      v[1] = meetc::fma(t5, t5, t4); // s[1] = -a factor of sign(norm2(meet(S, T)))
+      v[0] = -meetc::fma(t3, t3, t4); // s[0] = a factor of sign(norm2(meet(S, T)))
+      v[1] = -meetc::fma(t5, t5, t4); // s[1] = a factor of sign(norm2(meet(S, T)))
     }
   };
 
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
     return meetc::at_most_zero(s[0] * s[1]);
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

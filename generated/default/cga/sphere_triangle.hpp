@@ -6,6 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 #include <cga/detail/sphere_triangle_bounds.hpp>
+#include <cga/ball_triangle.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -114,21 +115,21 @@ struct sphere_triangle : detail::sphere_triangle_points {
       const T t24 = meetc::fma(t14, fb[8], t0 * fb[9]);
       const T t25 = meetc::fma(fa[0], fb[11], -meetc::fma(t24, t24, meetc::fma(t23, t23, t22 * t22)));
       const T t26 = meetc::fma(t2, fb[15], meetc::fma(t1, fb[14], t0 * fb[13]));
-      v[0] = fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0)); // s[0] = side(S, t.a)
-      v[1] = fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)); // s[1] = side(S, t.b)
-      v[2] = fa[0] - meetc::fma(t8, t8, meetc::fma(t7, t7, t6 * t6)); // s[2] = side(S, t.c)
-      v[3] = t16; // s[3] = sign(norm2(meet(S, segment(t.a, t.b))))
+      v[0] = -(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))); // s[0] = -side(S, t.a)
+      v[1] = -(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3))); // s[1] = -side(S, t.b)
+      v[2] = -(fa[0] - meetc::fma(t8, t8, meetc::fma(t7, t7, t6 * t6))); // s[2] = -side(S, t.c)
+      v[3] = -t16; // s[3] = -sign(norm2(meet(S, segment(t.a, t.b))))
       v[4] = t9; // s[4] = -side(wall(segment(t.a, t.b), t.a), S.c)
       v[5] = fb[3] + t9; // s[5] = -side(wall(segment(t.a, t.b), t.b), S.c)
-      v[6] = t20; // s[6] = sign(norm2(meet(S, segment(t.b, t.c))))
+      v[6] = -t20; // s[6] = -sign(norm2(meet(S, segment(t.b, t.c))))
       // s[7] = -side(wall(segment(t.b, t.c), t.b), S.c)
       v[7] = meetc::fma(t5, fb[6], meetc::fma(t4, fb[5], t3 * fb[4]));
       // s[8] = -side(wall(segment(t.b, t.c), t.c), S.c)
       v[8] = fb[7] + meetc::fma(t5, fb[6], meetc::fma(t4, fb[5], t3 * fb[4]));
-      v[9] = t25; // s[9] = sign(norm2(meet(S, segment(t.c, t.a))))
+      v[9] = -t25; // s[9] = -sign(norm2(meet(S, segment(t.c, t.a))))
       v[10] = fb[11] + t21; // s[10] = side(wall(segment(t.c, t.a), t.c), S.c)
       v[11] = t21; // s[11] = side(wall(segment(t.c, t.a), t.a), S.c)
-      v[12] = meetc::fma(-t26, t26, fa[0] * fb[16]); // s[12] = sign(norm2(meet(S, t)))
+      v[12] = -meetc::fma(-t26, t26, fa[0] * fb[16]); // s[12] = -sign(norm2(meet(S, t)))
       v[13] = meetc::fma(-fb[3], t21, t9 * fb[12]); // s[13] = side(segment(t.a, t.b) ^ (I*t), S.c)
       // s[14] = side(segment(t.b, t.c) ^ (I*t), S.c)
       v[14] = meetc::fma(t9, fb[18], meetc::fma(t21, fb[17], fb[16]));
@@ -139,22 +140,18 @@ struct sphere_triangle : detail::sphere_triangle_points {
   using rare_stage = meetc::no_stage;
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *) { return false; }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
-    const auto b0 = meetc::both(meetc::at_least_zero(s[3]), meetc::below_zero(s[4] * s[5]));
-    const auto b1 = meetc::both(meetc::at_least_zero(s[6]), meetc::below_zero(s[7] * s[8]));
-    const auto b2 = meetc::both(meetc::at_least_zero(s[9]), meetc::below_zero(s[10] * s[11]));
-    const auto b3 = meetc::both(meetc::above_zero(s[13]), meetc::above_zero(s[14]), meetc::below_zero(s[15]));
-    const auto b4 = meetc::both(meetc::below_zero(s[13]), meetc::below_zero(s[14]), meetc::above_zero(s[15]));
-    const auto b5 = meetc::either(meetc::at_least_zero(s[0]), meetc::at_least_zero(s[1]),
-        meetc::at_least_zero(s[2]), b0, b1, b2, meetc::both(meetc::at_least_zero(s[12]), meetc::either(b3,
-        b4)));
-    const auto b6 = meetc::either(meetc::at_most_zero(s[0]), meetc::at_most_zero(s[1]),
-        meetc::at_most_zero(s[2]));
-    return meetc::both(b5, b6);
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *) { return false; }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
+    // ball_triangle(S, t)
+    const S e0[] = {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9], s[10], s[11], s[12], s[13],
+        s[14], s[15]};
+    const auto b0 = ball_triangle::usual(e0);
+    const auto b1 = meetc::either(meetc::at_least_zero(s[0]), meetc::at_least_zero(s[1]),
+        meetc::at_least_zero(s[2]));
+    return meetc::both(b0, b1);
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s) { return usual(s); }
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); }
 };
 
 } // namespace cga

@@ -6,6 +6,9 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 #include <cga/detail/triangle_triangle_bounds.hpp>
+#include <cga/point_triangle.hpp>
+#include <cga/segment_segment.hpp>
+#include <cga/segment_triangle.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -76,21 +79,22 @@ struct triangle_triangle : detail::triangle_triangle_points {
       const T t0 = B.a.x - A.a.x;
       const T t1 = B.a.y - A.a.y;
       const T t2 = B.a.z - A.a.z;
-      const W t3 = meetc::fma(fb[2], B.a.z - A.b.z, meetc::fma(fb[1], B.a.y - A.b.y, meetc::times<W>(fb[0],
+      const W t3 = -meetc::fma(fb[2], t2, meetc::fma(fb[1], t1, meetc::times<W>(fb[0], t0)));
+      const W t4 = meetc::fma(fb[2], B.a.z - A.b.z, meetc::fma(fb[1], B.a.y - A.b.y, meetc::times<W>(fb[0],
           B.a.x - A.b.x)));
-      const W t4 = meetc::fma(fb[2], B.a.z - A.c.z, meetc::fma(fb[1], B.a.y - A.c.y, meetc::times<W>(fb[0],
+      const W t5 = meetc::fma(fb[2], B.a.z - A.c.z, meetc::fma(fb[1], B.a.y - A.c.y, meetc::times<W>(fb[0],
           B.a.x - A.c.x)));
-      const W t5 = meetc::fma(fa[2], B.b.z - A.a.z, meetc::fma(fa[1], B.b.y - A.a.y, meetc::times<W>(fa[0],
+      const W t6 = -meetc::fma(t2, fa[2], meetc::fma(t1, fa[1], meetc::times<W>(t0, fa[0])));
+      const W t7 = meetc::fma(fa[2], B.b.z - A.a.z, meetc::fma(fa[1], B.b.y - A.a.y, meetc::times<W>(fa[0],
           B.b.x - A.a.x)));
-      const W t6 = meetc::fma(fa[2], B.c.z - A.a.z, meetc::fma(fa[1], B.c.y - A.a.y, meetc::times<W>(fa[0],
+      const W t8 = meetc::fma(fa[2], B.c.z - A.a.z, meetc::fma(fa[1], B.c.y - A.a.y, meetc::times<W>(fa[0],
           B.c.x - A.a.x)));
-      // s[0] = -side(B, A.a)
-      v[0] = meetc::fma(fb[2], t2, meetc::fma(fb[1], t1, meetc::times<W>(fb[0], t0)));
-      v[1] = t3; // s[1] = -side(B, A.b)
-      v[2] = t4; // s[2] = -side(B, A.c)
-      v[3] = meetc::fma(t2, fa[2], meetc::fma(t1, fa[1], meetc::times<W>(t0, fa[0]))); // s[3] = side(A, B.a)
-      v[4] = t5; // s[4] = side(A, B.b)
-      v[5] = t6; // s[5] = side(A, B.c)
+      v[0] = t3; // s[0] = side(B, A.a)
+      v[1] = -t4; // s[1] = side(B, A.b)
+      v[2] = -t5; // s[2] = side(B, A.c)
+      v[3] = t6; // s[3] = -side(A, B.a)
+      v[4] = -t7; // s[4] = -side(A, B.b)
+      v[5] = -t8; // s[5] = -side(A, B.c)
     }
   };
 
@@ -179,14 +183,14 @@ struct triangle_triangle : detail::triangle_triangle_points {
   struct rare_stage; // detail/triangle_triangle_rest.hpp
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
-  template <class S> MEETC_HD static constexpr auto rejected(const S *s) {
-    const auto b0 = meetc::both(meetc::below_zero(s[0]), meetc::below_zero(s[1]), meetc::below_zero(s[2]));
-    const auto b1 = meetc::both(meetc::above_zero(s[0]), meetc::above_zero(s[1]), meetc::above_zero(s[2]));
-    const auto b2 = meetc::both(meetc::above_zero(s[3]), meetc::above_zero(s[4]), meetc::above_zero(s[5]));
-    const auto b3 = meetc::both(meetc::below_zero(s[3]), meetc::below_zero(s[4]), meetc::below_zero(s[5]));
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *s) {
+    const auto b0 = meetc::both(meetc::above_zero(s[0]), meetc::above_zero(s[1]), meetc::above_zero(s[2]));
+    const auto b1 = meetc::both(meetc::below_zero(s[0]), meetc::below_zero(s[1]), meetc::below_zero(s[2]));
+    const auto b2 = meetc::both(meetc::below_zero(s[3]), meetc::below_zero(s[4]), meetc::below_zero(s[5]));
+    const auto b3 = meetc::both(meetc::above_zero(s[3]), meetc::above_zero(s[4]), meetc::above_zero(s[5]));
     return meetc::either(meetc::either(b0, b1), meetc::either(b2, b3));
   }
-  template <class S> MEETC_HD static constexpr auto needs_rare(const S *s) {
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto needs_rare(const S *s) {
     const auto b0 = meetc::is_zero(s[0]);
     const auto b1 = meetc::is_zero(s[1]);
     const auto b2 = meetc::is_zero(s[2]);
@@ -196,39 +200,28 @@ struct triangle_triangle : detail::triangle_triangle_points {
     return meetc::either(meetc::both(b0, b1), meetc::both(b1, b2), meetc::both(b0, b2), meetc::both(b3, b4),
         meetc::both(b4, b5), meetc::both(b3, b5));
   }
-  template <class S> MEETC_HD static constexpr auto usual(const S *s) {
-    const auto b0 = meetc::at_least_zero(s[6]);
-    const auto b1 = meetc::at_least_zero(s[7]);
-    const auto b2 = meetc::at_most_zero(s[8]);
-    const auto b3 = meetc::at_most_zero(s[6]);
-    const auto b4 = meetc::at_most_zero(s[7]);
-    const auto b5 = meetc::at_least_zero(s[8]);
-    const auto b6 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(meetc::both(b0, b1, b2),
-        meetc::both(b3, b4, b5)));
-    const auto b7 = meetc::at_least_zero(s[9]);
-    const auto b8 = meetc::at_least_zero(s[10]);
-    const auto b9 = meetc::at_most_zero(s[11]);
-    const auto b10 = meetc::at_most_zero(s[9]);
-    const auto b11 = meetc::at_most_zero(s[10]);
-    const auto b12 = meetc::at_least_zero(s[11]);
-    const auto b13 = meetc::either(meetc::both(b7, b8, b9), meetc::both(b10, b11, b12));
-    const auto b14 = meetc::at_most_zero(s[12]);
-    const auto b15 = meetc::at_most_zero(s[13]);
-    const auto b16 = meetc::at_least_zero(s[14]);
-    const auto b17 = meetc::at_least_zero(s[12]);
-    const auto b18 = meetc::at_least_zero(s[13]);
-    const auto b19 = meetc::at_most_zero(s[14]);
-    const auto b20 = meetc::either(meetc::both(b14, b15, b16), meetc::both(b17, b18, b19));
-    const auto b21 = meetc::either(meetc::both(b0, b7, b14), meetc::both(b3, b10, b17));
-    const auto b22 = meetc::either(meetc::both(b1, b8, b15), meetc::both(b4, b11, b18));
-    const auto b23 = meetc::either(meetc::both(b2, b9, b16), meetc::both(b5, b12, b19));
-    const auto b24 = meetc::either(b6, meetc::both(meetc::at_most_zero(s[1] * s[2]), b13),
-        meetc::both(meetc::at_most_zero(s[0] * s[2]), b20), meetc::both(meetc::at_most_zero(s[3] * s[4]),
-        b21), meetc::both(meetc::at_most_zero(s[4] * s[5]), b22),
-        meetc::both(meetc::at_most_zero(s[3] * s[5]), b23));
-    return b24;
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto usual(const S *s) {
+    // segment_triangle(segment(A.a, A.b), B)
+    const S e0[] = {s[0], s[1], s[6], s[7], s[8]};
+    const auto b0 = segment_triangle::usual(e0);
+    // segment_triangle(segment(A.b, A.c), B)
+    const S e1[] = {s[1], s[2], s[9], s[10], s[11]};
+    const auto b1 = segment_triangle::usual(e1);
+    // segment_triangle(segment(A.c, A.a), B)
+    const S e2[] = {s[2], s[0], -s[12], -s[13], -s[14]};
+    const auto b2 = segment_triangle::usual(e2);
+    // segment_triangle(segment(B.a, B.b), A)
+    const S e3[] = {-s[3], -s[4], s[6], s[9], s[12]};
+    const auto b3 = segment_triangle::usual(e3);
+    // segment_triangle(segment(B.b, B.c), A)
+    const S e4[] = {-s[4], -s[5], s[7], s[10], s[13]};
+    const auto b4 = segment_triangle::usual(e4);
+    // segment_triangle(segment(B.c, B.a), A)
+    const S e5[] = {-s[5], -s[3], -s[8], -s[11], -s[14]};
+    const auto b5 = segment_triangle::usual(e5);
+    return meetc::either(b0, b1, b2, b3, b4, b5);
   }
-  template <class S> MEETC_HD static constexpr auto whole(const S *s); // detail/triangle_triangle_rest.hpp
+  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/triangle_triangle_rest.hpp
 };
 
 } // namespace cga

@@ -39,13 +39,20 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 // MEETC_INLINE marks arithmetic that a bound is claimed for, and what checks the compiler: both must be compiled as one
 // function, by one set of flags. A linker that finds two copies of an inline function keeps either, and the other may
 // have been compiled under `#pragma GCC optimize("Ofast")`.
+//
+// MEETC_INLINED marks decisions over signs, which are a few instructions where they stand; MEETC_LARGE those of the rare
+// case, which a host may call.
 #if defined(__CUDA_ARCH__)
 #define MEETC_NOINLINE
 #define MEETC_INLINE inline
+#define MEETC_INLINED __forceinline__
+#define MEETC_LARGE __forceinline__
 #define MEETC_ROLLED _Pragma("unroll 1")
 #else
 #define MEETC_NOINLINE __attribute__((noinline))
 #define MEETC_INLINE __attribute__((always_inline)) inline
+#define MEETC_INLINED __attribute__((always_inline)) inline
+#define MEETC_LARGE
 #define MEETC_ROLLED
 #endif
 

@@ -5,6 +5,7 @@
 #include <meetc/environment.hpp>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace meetc {
 
@@ -52,10 +53,10 @@ MEETC_HD constexpr sign known_sign(sign_set s) {
 }
 
 template <class S> MEETC_HD constexpr S constant_sign(sign s) {
-  if constexpr (requires { S::of(s); })
-    return S::of(s);
-  else
+  if constexpr (std::is_same_v<S, sign>)
     return s;
+  else
+    return S::of(s);
 }
 
 // A three-valued truth: bit 0 can be false, bit 1 can be true.

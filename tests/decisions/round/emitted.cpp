@@ -50,11 +50,11 @@ template <class P> std::vector<polynomial> step_polynomials(const poly::ring &nu
   const std::vector<symbol> row = variables<P>(numbers);
   std::vector<polynomial> out(static_cast<std::size_t>(P::atoms), polynomial(numbers));
   for_each_stage<P>([&]<class Stage>() {
-    symbol place[Stage::registers];
+    symbol place[Stage::bytecode::registers];
     for (std::size_t i = 0; i < row.size(); ++i)
       place[i] = row[i];
-    for (int i = 0; i < Stage::instruction_count; ++i) {
-      const meetc::instruction t = Stage::instruction_at(i);
+    for (int i = 0; i < Stage::bytecode::instruction_count; ++i) {
+      const meetc::instruction t = Stage::bytecode::instruction_at(i);
       const symbol a = place[t.a];
       switch (t.code) {
         using enum meetc::opcode;

@@ -15,13 +15,13 @@ namespace detail {
 
 struct ball_ball_common_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 9, instruction_count = 13;
+  static constexpr int registers = 9, instruction_count = 14;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
       {subtract, 8, 4, 0}, {multiply, 0, 8, 8}, {subtract, 4, 5, 1}, {multiply, 1, 4, 4}, {add, 1, 1, 0},
       {subtract, 0, 6, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {add, 0, 3, 7}, {negate, 1, 2, 0},
-      {multiply, 2, 0, 0}, {add, 2, 2, 1}, {take_sign, 0, 2, 0}};
+      {multiply, 2, 0, 0}, {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}};
     return all[i];
   }
 };

@@ -15,23 +15,23 @@ namespace detail {
 
 struct ball_segment_common_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 15, instruction_count = 58;
+  static constexpr int registers = 15, instruction_count = 61;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
       {subtract, 10, 4, 0}, {multiply, 11, 10, 10}, {subtract, 12, 5, 1}, {multiply, 13, 12, 12},
       {add, 13, 13, 11}, {subtract, 11, 6, 2}, {multiply, 14, 11, 11}, {add, 14, 14, 13},
-      {multiply, 13, 3, 3}, {subtract, 3, 13, 14}, {take_sign, 0, 3, 0}, {subtract, 3, 7, 0},
-      {multiply, 0, 3, 3}, {subtract, 3, 8, 1}, {multiply, 1, 3, 3}, {add, 1, 1, 0}, {subtract, 0, 9, 2},
-      {multiply, 2, 0, 0}, {add, 2, 2, 1}, {subtract, 0, 13, 2}, {take_sign, 1, 0, 0}, {subtract, 0, 7, 4},
-      {multiply, 1, 0, 0}, {subtract, 2, 8, 5}, {multiply, 3, 2, 2}, {add, 3, 3, 1}, {subtract, 1, 9, 6},
-      {multiply, 4, 1, 1}, {add, 4, 4, 3}, {multiply, 3, 10, 0}, {multiply, 5, 12, 2}, {add, 5, 5, 3},
-      {multiply, 3, 11, 1}, {add, 3, 3, 5}, {take_sign, 3, 3, 0}, {multiply, 5, 12, 1}, {negate, 6, 11, 0},
-      {multiply, 7, 6, 2}, {add, 7, 7, 5}, {multiply, 5, 11, 0}, {negate, 6, 10, 0}, {multiply, 8, 6, 1},
-      {add, 8, 8, 5}, {multiply, 1, 10, 2}, {negate, 2, 12, 0}, {multiply, 5, 2, 0}, {add, 5, 5, 1},
-      {multiply, 0, 7, 7}, {multiply, 1, 8, 8}, {add, 1, 1, 0}, {multiply, 0, 5, 5}, {add, 0, 0, 1},
-      {negate, 1, 0, 0}, {multiply, 0, 13, 4}, {add, 0, 0, 1}, {take_sign, 2, 0, 0}, {add, 0, 4, 3},
-      {take_sign, 4, 0, 0}};
+      {multiply, 13, 3, 3}, {subtract, 3, 13, 14}, {negate, 14, 3, 0}, {take_sign, 0, 14, 0},
+      {subtract, 3, 7, 0}, {multiply, 0, 3, 3}, {subtract, 3, 8, 1}, {multiply, 1, 3, 3}, {add, 1, 1, 0},
+      {subtract, 0, 9, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {subtract, 0, 13, 2}, {negate, 1, 0, 0},
+      {take_sign, 1, 1, 0}, {subtract, 0, 7, 4}, {multiply, 1, 0, 0}, {subtract, 2, 8, 5},
+      {multiply, 3, 2, 2}, {add, 3, 3, 1}, {subtract, 1, 9, 6}, {multiply, 4, 1, 1}, {add, 4, 4, 3},
+      {multiply, 3, 10, 0}, {multiply, 5, 12, 2}, {add, 5, 5, 3}, {multiply, 3, 11, 1}, {add, 3, 3, 5},
+      {take_sign, 3, 3, 0}, {multiply, 5, 12, 1}, {negate, 6, 11, 0}, {multiply, 7, 6, 2}, {add, 7, 7, 5},
+      {multiply, 5, 11, 0}, {negate, 6, 10, 0}, {multiply, 8, 6, 1}, {add, 8, 8, 5}, {multiply, 1, 10, 2},
+      {negate, 2, 12, 0}, {multiply, 5, 2, 0}, {add, 5, 5, 1}, {multiply, 0, 7, 7}, {multiply, 1, 8, 8},
+      {add, 1, 1, 0}, {multiply, 0, 5, 5}, {add, 0, 0, 1}, {negate, 1, 0, 0}, {multiply, 0, 13, 4},
+      {add, 0, 0, 1}, {negate, 1, 0, 0}, {take_sign, 2, 1, 0}, {add, 0, 4, 3}, {take_sign, 4, 0, 0}};
     return all[i];
   }
 };

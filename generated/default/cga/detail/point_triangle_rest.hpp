@@ -15,7 +15,7 @@ namespace detail {
 
 struct point_triangle_common_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 24, instruction_count = 85;
+  static constexpr int registers = 24, instruction_count = 93;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
@@ -23,22 +23,23 @@ struct point_triangle_common_bytecode {
       {multiply, 16, 14, 15}, {negate, 17, 12, 0}, {multiply, 18, 17, 13}, {add, 18, 18, 16},
       {subtract, 16, 6, 3}, {subtract, 19, 9, 3}, {multiply, 20, 13, 19}, {negate, 21, 14, 0},
       {multiply, 22, 21, 16}, {add, 22, 22, 20}, {multiply, 20, 12, 16}, {negate, 21, 15, 0},
-      {multiply, 23, 21, 19}, {add, 23, 23, 20}, {subtract, 20, 3, 0}, {take_sign, 4, 20, 0},
-      {multiply, 3, 18, 20}, {subtract, 18, 4, 1}, {take_sign, 10, 18, 0}, {multiply, 4, 22, 18},
-      {add, 4, 4, 3}, {subtract, 3, 5, 2}, {take_sign, 16, 3, 0}, {multiply, 5, 23, 3}, {add, 5, 5, 4},
-      {take_sign, 0, 5, 0}, {multiply, 4, 13, 18}, {multiply, 5, 21, 3}, {add, 5, 5, 4}, {take_sign, 1, 5, 0},
-      {subtract, 4, 7, 1}, {take_sign, 11, 4, 0}, {subtract, 5, 8, 2}, {take_sign, 17, 5, 0},
-      {subtract, 21, 10, 7}, {subtract, 7, 11, 8}, {multiply, 8, 4, 7}, {negate, 22, 5, 0},
-      {multiply, 5, 22, 21}, {add, 5, 5, 8}, {take_sign, 2, 5, 0}, {multiply, 5, 14, 18},
-      {multiply, 8, 17, 3}, {add, 8, 8, 5}, {take_sign, 3, 8, 0}, {subtract, 5, 6, 0}, {take_sign, 5, 5, 0},
-      {subtract, 8, 9, 0}, {take_sign, 6, 8, 0}, {multiply, 0, 13, 20}, {negate, 8, 16, 0},
+      {multiply, 23, 21, 19}, {add, 23, 23, 20}, {subtract, 20, 3, 0}, {multiply, 3, 18, 20},
+      {subtract, 18, 4, 1}, {multiply, 4, 22, 18}, {add, 4, 4, 3}, {subtract, 3, 5, 2}, {multiply, 5, 23, 3},
+      {add, 5, 5, 4}, {negate, 4, 5, 0}, {take_sign, 0, 4, 0}, {multiply, 4, 13, 18}, {negate, 5, 3, 0},
+      {take_sign, 16, 5, 0}, {multiply, 5, 21, 3}, {add, 5, 5, 4}, {take_sign, 1, 5, 0}, {subtract, 4, 7, 1},
+      {subtract, 5, 8, 2}, {subtract, 21, 10, 7}, {subtract, 7, 11, 8}, {multiply, 8, 4, 7},
+      {negate, 22, 5, 0}, {take_sign, 17, 22, 0}, {multiply, 5, 22, 21}, {add, 5, 5, 8}, {take_sign, 2, 5, 0},
+      {multiply, 5, 14, 18}, {multiply, 8, 17, 3}, {add, 8, 8, 5}, {take_sign, 3, 8, 0}, {negate, 5, 20, 0},
+      {take_sign, 4, 5, 0}, {subtract, 5, 6, 0}, {negate, 8, 5, 0}, {take_sign, 5, 8, 0}, {subtract, 8, 9, 0},
+      {negate, 0, 8, 0}, {take_sign, 6, 0, 0}, {multiply, 0, 13, 20}, {negate, 8, 16, 0},
       {multiply, 13, 8, 3}, {add, 13, 13, 0}, {take_sign, 7, 13, 0}, {subtract, 0, 9, 6}, {multiply, 6, 7, 5},
       {multiply, 7, 22, 0}, {add, 7, 7, 6}, {take_sign, 8, 7, 0}, {multiply, 6, 14, 20}, {negate, 7, 19, 0},
-      {multiply, 9, 7, 3}, {add, 9, 9, 6}, {take_sign, 9, 9, 0}, {subtract, 3, 10, 1}, {take_sign, 12, 3, 0},
-      {multiply, 1, 15, 20}, {multiply, 3, 8, 18}, {add, 3, 3, 1}, {take_sign, 13, 3, 0},
-      {multiply, 1, 21, 5}, {negate, 3, 4, 0}, {multiply, 4, 3, 0}, {add, 4, 4, 1}, {take_sign, 14, 4, 0},
+      {multiply, 9, 7, 3}, {add, 9, 9, 6}, {take_sign, 9, 9, 0}, {negate, 3, 18, 0}, {take_sign, 10, 3, 0},
+      {negate, 3, 4, 0}, {take_sign, 11, 3, 0}, {subtract, 4, 10, 1}, {negate, 1, 4, 0},
+      {take_sign, 12, 1, 0}, {multiply, 1, 15, 20}, {multiply, 4, 8, 18}, {add, 4, 4, 1},
+      {take_sign, 13, 4, 0}, {multiply, 1, 21, 5}, {multiply, 4, 3, 0}, {add, 4, 4, 1}, {take_sign, 14, 4, 0},
       {multiply, 0, 12, 20}, {multiply, 1, 7, 18}, {add, 1, 1, 0}, {take_sign, 15, 1, 0},
-      {subtract, 0, 11, 2}, {take_sign, 18, 0, 0}};
+      {subtract, 0, 11, 2}, {negate, 1, 0, 0}, {take_sign, 18, 1, 0}};
     return all[i];
   }
 };

@@ -15,7 +15,7 @@ namespace detail {
 
 struct segment_segment_common_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 26, instruction_count = 98;
+  static constexpr int registers = 26, instruction_count = 110;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
@@ -23,26 +23,28 @@ struct segment_segment_common_bytecode {
       {multiply, 16, 14, 15}, {negate, 17, 12, 0}, {multiply, 18, 17, 13}, {add, 18, 18, 16},
       {subtract, 16, 3, 0}, {subtract, 19, 9, 6}, {multiply, 20, 13, 19}, {negate, 21, 14, 0},
       {multiply, 22, 21, 16}, {add, 22, 22, 20}, {multiply, 20, 12, 16}, {negate, 21, 15, 0},
-      {multiply, 23, 21, 19}, {add, 23, 23, 20}, {subtract, 20, 6, 0}, {take_sign, 5, 20, 0},
-      {multiply, 24, 18, 20}, {subtract, 18, 7, 1}, {take_sign, 13, 18, 0}, {multiply, 25, 22, 18},
-      {add, 25, 25, 24}, {subtract, 22, 8, 2}, {take_sign, 21, 22, 0}, {multiply, 24, 23, 22},
-      {add, 24, 24, 25}, {take_sign, 0, 24, 0}, {multiply, 23, 15, 22}, {negate, 24, 13, 0},
-      {multiply, 13, 24, 18}, {add, 13, 13, 23}, {take_sign, 1, 13, 0}, {subtract, 13, 10, 1},
-      {take_sign, 14, 13, 0}, {subtract, 1, 11, 2}, {take_sign, 22, 1, 0}, {multiply, 2, 15, 1},
-      {multiply, 15, 24, 13}, {add, 15, 15, 2}, {take_sign, 2, 15, 0}, {multiply, 2, 14, 18},
-      {multiply, 15, 17, 22}, {add, 15, 15, 2}, {take_sign, 3, 15, 0}, {subtract, 2, 7, 4},
-      {take_sign, 15, 2, 0}, {subtract, 7, 8, 5}, {take_sign, 23, 7, 0}, {multiply, 8, 14, 2},
-      {multiply, 15, 17, 7}, {add, 15, 15, 8}, {take_sign, 4, 15, 0}, {subtract, 8, 9, 0},
-      {take_sign, 6, 8, 0}, {subtract, 0, 6, 3}, {take_sign, 7, 0, 0}, {subtract, 6, 9, 3},
-      {take_sign, 8, 6, 0}, {multiply, 3, 16, 22}, {multiply, 6, 24, 20}, {add, 6, 6, 3},
-      {take_sign, 9, 6, 0}, {multiply, 3, 16, 1}, {multiply, 1, 24, 8}, {add, 1, 1, 3}, {take_sign, 10, 1, 0},
-      {multiply, 1, 14, 20}, {negate, 3, 19, 0}, {multiply, 6, 3, 22}, {add, 6, 6, 1}, {take_sign, 11, 6, 0},
-      {multiply, 1, 14, 0}, {multiply, 6, 3, 7}, {add, 6, 6, 1}, {take_sign, 12, 6, 0}, {subtract, 1, 10, 4},
-      {take_sign, 16, 1, 0}, {multiply, 1, 16, 18}, {multiply, 4, 21, 20}, {add, 4, 4, 1},
-      {take_sign, 17, 4, 0}, {multiply, 1, 16, 13}, {multiply, 4, 21, 8}, {add, 4, 4, 1},
-      {take_sign, 18, 4, 0}, {multiply, 1, 12, 20}, {multiply, 4, 3, 18}, {add, 4, 4, 1},
-      {take_sign, 19, 4, 0}, {multiply, 1, 12, 0}, {multiply, 0, 3, 2}, {add, 0, 0, 1}, {take_sign, 20, 0, 0},
-      {subtract, 0, 11, 5}, {take_sign, 24, 0, 0}};
+      {multiply, 23, 21, 19}, {add, 23, 23, 20}, {subtract, 20, 6, 0}, {multiply, 24, 18, 20},
+      {subtract, 18, 7, 1}, {multiply, 25, 22, 18}, {add, 25, 25, 24}, {subtract, 22, 8, 2},
+      {multiply, 24, 23, 22}, {add, 24, 24, 25}, {take_sign, 0, 24, 0}, {multiply, 23, 15, 22},
+      {negate, 24, 13, 0}, {multiply, 13, 24, 18}, {add, 13, 13, 23}, {take_sign, 1, 13, 0},
+      {subtract, 13, 10, 1}, {subtract, 1, 11, 2}, {multiply, 2, 15, 1}, {multiply, 15, 24, 13},
+      {add, 15, 15, 2}, {take_sign, 2, 15, 0}, {multiply, 2, 14, 18}, {negate, 15, 22, 0},
+      {take_sign, 21, 15, 0}, {multiply, 15, 17, 22}, {add, 15, 15, 2}, {take_sign, 3, 15, 0},
+      {subtract, 2, 7, 4}, {subtract, 7, 8, 5}, {multiply, 8, 14, 2}, {negate, 15, 7, 0},
+      {take_sign, 23, 15, 0}, {multiply, 15, 17, 7}, {add, 15, 15, 8}, {take_sign, 4, 15, 0},
+      {negate, 8, 20, 0}, {take_sign, 5, 8, 0}, {subtract, 8, 9, 0}, {negate, 0, 8, 0}, {take_sign, 6, 0, 0},
+      {subtract, 0, 6, 3}, {negate, 6, 0, 0}, {take_sign, 7, 6, 0}, {subtract, 6, 9, 3}, {negate, 3, 6, 0},
+      {take_sign, 8, 3, 0}, {multiply, 3, 16, 22}, {multiply, 6, 24, 20}, {add, 6, 6, 3},
+      {take_sign, 9, 6, 0}, {multiply, 3, 16, 1}, {multiply, 6, 24, 8}, {add, 6, 6, 3}, {take_sign, 10, 6, 0},
+      {multiply, 3, 14, 20}, {negate, 6, 19, 0}, {multiply, 9, 6, 22}, {add, 9, 9, 3}, {take_sign, 11, 9, 0},
+      {multiply, 3, 14, 0}, {multiply, 9, 6, 7}, {add, 9, 9, 3}, {take_sign, 12, 9, 0}, {negate, 3, 18, 0},
+      {take_sign, 13, 3, 0}, {negate, 3, 13, 0}, {take_sign, 14, 3, 0}, {negate, 3, 2, 0},
+      {take_sign, 15, 3, 0}, {subtract, 3, 10, 4}, {negate, 4, 3, 0}, {take_sign, 16, 4, 0},
+      {multiply, 3, 16, 18}, {multiply, 4, 21, 20}, {add, 4, 4, 3}, {take_sign, 17, 4, 0},
+      {multiply, 3, 16, 13}, {multiply, 4, 21, 8}, {add, 4, 4, 3}, {take_sign, 18, 4, 0},
+      {multiply, 3, 12, 20}, {multiply, 4, 6, 18}, {add, 4, 4, 3}, {take_sign, 19, 4, 0},
+      {multiply, 3, 12, 0}, {multiply, 0, 6, 2}, {add, 0, 0, 3}, {take_sign, 20, 0, 0}, {negate, 0, 1, 0},
+      {take_sign, 22, 0, 0}, {subtract, 0, 11, 5}, {negate, 1, 0, 0}, {take_sign, 24, 1, 0}};
     return all[i];
   }
 };

@@ -6,6 +6,8 @@
 #include <meetc/support.hpp>
 #include <meetc/rest.hpp>
 #include <cga/segment_triangle.hpp>
+#include <cga/detail/point_triangle_rest.hpp>
+#include <cga/detail/segment_segment_rest.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -15,7 +17,7 @@ namespace detail {
 
 struct segment_triangle_reject_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 18, instruction_count = 36;
+  static constexpr int registers = 18, instruction_count = 38;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
@@ -25,9 +27,9 @@ struct segment_triangle_reject_bytecode {
       {multiply, 11, 13, 10}, {add, 11, 11, 12}, {multiply, 12, 15, 10}, {negate, 10, 14, 0},
       {multiply, 13, 10, 9}, {add, 13, 13, 12}, {subtract, 9, 6, 0}, {multiply, 0, 17, 9},
       {subtract, 9, 7, 1}, {multiply, 1, 11, 9}, {add, 1, 1, 0}, {subtract, 0, 8, 2}, {multiply, 2, 13, 0},
-      {add, 2, 2, 1}, {take_sign, 0, 2, 0}, {subtract, 0, 6, 3}, {multiply, 1, 17, 0}, {subtract, 0, 7, 4},
-      {multiply, 2, 11, 0}, {add, 2, 2, 1}, {subtract, 0, 8, 5}, {multiply, 1, 13, 0}, {add, 1, 1, 2},
-      {take_sign, 1, 1, 0}};
+      {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}, {subtract, 0, 6, 3}, {multiply, 1, 17, 0},
+      {subtract, 0, 7, 4}, {multiply, 2, 11, 0}, {add, 2, 2, 1}, {subtract, 0, 8, 5}, {multiply, 1, 13, 0},
+      {add, 1, 1, 2}, {negate, 0, 1, 0}, {take_sign, 1, 0, 0}};
     return all[i];
   }
 };
@@ -221,49 +223,51 @@ struct segment_triangle_rare_bounds {
 
 struct segment_triangle_rare_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 37, instruction_count = 170;
+  static constexpr int registers = 39, instruction_count = 180;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
-      {subtract, 15, 7, 1}, {take_sign, 9, 15, 0}, {subtract, 16, 8, 2}, {take_sign, 15, 16, 0},
-      {subtract, 17, 10, 7}, {subtract, 18, 11, 8}, {multiply, 19, 15, 18}, {negate, 20, 16, 0},
-      {multiply, 21, 20, 17}, {add, 21, 21, 19}, {take_sign, 0, 21, 0}, {subtract, 19, 10, 1},
-      {take_sign, 10, 19, 0}, {subtract, 21, 11, 2}, {take_sign, 16, 21, 0}, {subtract, 22, 13, 10},
-      {subtract, 23, 14, 11}, {multiply, 24, 19, 23}, {negate, 25, 21, 0}, {multiply, 26, 25, 22},
-      {add, 26, 26, 24}, {take_sign, 1, 26, 0}, {subtract, 24, 13, 7}, {subtract, 26, 14, 8},
-      {multiply, 27, 15, 26}, {multiply, 28, 20, 24}, {add, 28, 28, 27}, {take_sign, 2, 28, 0},
-      {subtract, 27, 6, 0}, {take_sign, 3, 27, 0}, {subtract, 28, 9, 0}, {take_sign, 4, 28, 0},
-      {subtract, 29, 12, 0}, {take_sign, 5, 29, 0}, {subtract, 30, 9, 6}, {multiply, 31, 18, 27},
-      {multiply, 32, 20, 30}, {add, 32, 32, 31}, {take_sign, 6, 32, 0}, {subtract, 31, 12, 9},
-      {multiply, 32, 23, 28}, {multiply, 33, 25, 31}, {add, 33, 33, 32}, {take_sign, 7, 33, 0},
-      {subtract, 25, 12, 6}, {multiply, 32, 26, 27}, {multiply, 33, 20, 25}, {add, 33, 33, 32},
-      {take_sign, 8, 33, 0}, {subtract, 20, 13, 1}, {take_sign, 11, 20, 0}, {multiply, 32, 17, 27},
-      {negate, 33, 15, 0}, {multiply, 34, 33, 30}, {add, 34, 34, 32}, {take_sign, 12, 34, 0},
-      {multiply, 32, 22, 28}, {negate, 34, 19, 0}, {multiply, 35, 34, 31}, {add, 35, 35, 32},
-      {take_sign, 13, 35, 0}, {multiply, 32, 24, 27}, {multiply, 35, 33, 25}, {add, 35, 35, 32},
-      {take_sign, 14, 35, 0}, {subtract, 32, 14, 2}, {take_sign, 17, 32, 0}, {subtract, 35, 4, 1},
-      {subtract, 1, 5, 2}, {multiply, 2, 16, 35}, {multiply, 36, 33, 1}, {add, 36, 36, 2},
-      {take_sign, 18, 36, 0}, {multiply, 2, 21, 35}, {multiply, 33, 34, 1}, {add, 33, 33, 2},
-      {take_sign, 19, 33, 0}, {subtract, 2, 7, 4}, {take_sign, 26, 2, 0}, {subtract, 7, 8, 5},
-      {take_sign, 31, 7, 0}, {multiply, 8, 18, 2}, {negate, 33, 17, 0}, {multiply, 34, 33, 7},
-      {add, 34, 34, 8}, {take_sign, 20, 34, 0}, {subtract, 8, 6, 3}, {take_sign, 21, 8, 0},
-      {subtract, 6, 9, 3}, {take_sign, 22, 6, 0}, {subtract, 9, 3, 0}, {multiply, 0, 16, 9},
-      {negate, 16, 27, 0}, {multiply, 27, 16, 1}, {add, 27, 27, 0}, {take_sign, 23, 27, 0},
-      {multiply, 0, 21, 9}, {negate, 21, 28, 0}, {multiply, 27, 21, 1}, {add, 27, 27, 0},
-      {take_sign, 24, 27, 0}, {multiply, 0, 18, 8}, {negate, 18, 30, 0}, {multiply, 27, 18, 7},
-      {add, 27, 27, 0}, {take_sign, 25, 27, 0}, {subtract, 0, 10, 4}, {take_sign, 27, 0, 0},
-      {multiply, 10, 15, 9}, {multiply, 15, 16, 35}, {add, 15, 15, 10}, {take_sign, 28, 15, 0},
-      {multiply, 10, 19, 9}, {multiply, 15, 21, 35}, {add, 15, 15, 10}, {take_sign, 29, 15, 0},
-      {multiply, 10, 17, 8}, {multiply, 15, 18, 2}, {add, 15, 15, 10}, {take_sign, 30, 15, 0},
-      {subtract, 10, 11, 5}, {take_sign, 32, 10, 0}, {multiply, 11, 32, 35}, {negate, 15, 20, 0},
-      {multiply, 16, 15, 1}, {add, 16, 16, 11}, {take_sign, 33, 16, 0}, {multiply, 11, 23, 0},
-      {negate, 15, 22, 0}, {multiply, 16, 15, 10}, {add, 16, 16, 11}, {take_sign, 34, 16, 0},
-      {subtract, 11, 12, 3}, {take_sign, 35, 11, 0}, {multiply, 3, 32, 9}, {negate, 11, 29, 0},
-      {multiply, 12, 11, 1}, {add, 12, 12, 3}, {take_sign, 36, 12, 0}, {multiply, 1, 23, 6},
-      {negate, 3, 31, 0}, {multiply, 12, 3, 10}, {add, 12, 12, 1}, {take_sign, 37, 12, 0},
-      {subtract, 1, 13, 4}, {take_sign, 38, 1, 0}, {multiply, 1, 20, 9}, {multiply, 4, 11, 35},
-      {add, 4, 4, 1}, {take_sign, 39, 4, 0}, {multiply, 1, 22, 6}, {multiply, 4, 3, 0}, {add, 4, 4, 1},
-      {take_sign, 40, 4, 0}, {subtract, 0, 14, 5}, {take_sign, 41, 0, 0}, {multiply, 0, 26, 2},
+      {subtract, 15, 7, 1}, {subtract, 16, 8, 2}, {subtract, 17, 10, 7}, {subtract, 18, 11, 8},
+      {multiply, 19, 15, 18}, {negate, 20, 16, 0}, {take_sign, 15, 20, 0}, {multiply, 21, 20, 17},
+      {add, 21, 21, 19}, {take_sign, 0, 21, 0}, {subtract, 19, 10, 1}, {subtract, 21, 11, 2},
+      {subtract, 22, 13, 10}, {subtract, 23, 14, 11}, {multiply, 24, 19, 23}, {negate, 25, 21, 0},
+      {take_sign, 16, 25, 0}, {multiply, 26, 25, 22}, {add, 26, 26, 24}, {take_sign, 1, 26, 0},
+      {subtract, 24, 13, 7}, {subtract, 26, 14, 8}, {multiply, 27, 15, 26}, {multiply, 28, 20, 24},
+      {add, 28, 28, 27}, {take_sign, 2, 28, 0}, {subtract, 27, 6, 0}, {negate, 28, 27, 0},
+      {take_sign, 3, 28, 0}, {subtract, 29, 9, 0}, {negate, 30, 29, 0}, {take_sign, 4, 30, 0},
+      {subtract, 31, 12, 0}, {negate, 32, 31, 0}, {take_sign, 5, 32, 0}, {subtract, 31, 9, 6},
+      {multiply, 33, 18, 27}, {multiply, 34, 20, 31}, {add, 34, 34, 33}, {take_sign, 6, 34, 0},
+      {subtract, 33, 12, 9}, {multiply, 34, 23, 29}, {multiply, 35, 25, 33}, {add, 35, 35, 34},
+      {take_sign, 7, 35, 0}, {subtract, 25, 12, 6}, {multiply, 34, 26, 27}, {multiply, 35, 20, 25},
+      {add, 35, 35, 34}, {take_sign, 8, 35, 0}, {negate, 20, 15, 0}, {take_sign, 9, 20, 0},
+      {negate, 34, 19, 0}, {take_sign, 10, 34, 0}, {subtract, 35, 13, 1}, {negate, 36, 35, 0},
+      {take_sign, 11, 36, 0}, {multiply, 37, 17, 27}, {multiply, 38, 20, 31}, {add, 38, 38, 37},
+      {take_sign, 12, 38, 0}, {multiply, 37, 22, 29}, {multiply, 29, 34, 33}, {add, 29, 29, 37},
+      {take_sign, 13, 29, 0}, {multiply, 29, 24, 27}, {multiply, 27, 20, 25}, {add, 27, 27, 29},
+      {take_sign, 14, 27, 0}, {subtract, 27, 14, 2}, {negate, 29, 27, 0}, {take_sign, 17, 29, 0},
+      {subtract, 29, 4, 1}, {subtract, 1, 5, 2}, {multiply, 2, 16, 29}, {multiply, 37, 20, 1},
+      {add, 37, 37, 2}, {take_sign, 18, 37, 0}, {multiply, 2, 21, 29}, {multiply, 20, 34, 1},
+      {add, 20, 20, 2}, {take_sign, 19, 20, 0}, {subtract, 2, 7, 4}, {subtract, 7, 8, 5},
+      {multiply, 8, 18, 2}, {negate, 20, 7, 0}, {take_sign, 31, 20, 0}, {negate, 20, 17, 0},
+      {multiply, 34, 20, 7}, {add, 34, 34, 8}, {take_sign, 20, 34, 0}, {subtract, 8, 6, 3}, {negate, 6, 8, 0},
+      {take_sign, 21, 6, 0}, {subtract, 6, 9, 3}, {negate, 9, 6, 0}, {take_sign, 22, 9, 0},
+      {subtract, 9, 3, 0}, {multiply, 0, 16, 9}, {multiply, 16, 28, 1}, {add, 16, 16, 0},
+      {take_sign, 23, 16, 0}, {multiply, 0, 21, 9}, {multiply, 16, 30, 1}, {add, 16, 16, 0},
+      {take_sign, 24, 16, 0}, {multiply, 0, 18, 8}, {negate, 16, 31, 0}, {multiply, 18, 16, 7},
+      {add, 18, 18, 0}, {take_sign, 25, 18, 0}, {negate, 0, 2, 0}, {take_sign, 26, 0, 0},
+      {subtract, 0, 10, 4}, {negate, 10, 0, 0}, {take_sign, 27, 10, 0}, {multiply, 10, 15, 9},
+      {multiply, 15, 28, 29}, {add, 15, 15, 10}, {take_sign, 28, 15, 0}, {multiply, 10, 19, 9},
+      {multiply, 15, 30, 29}, {add, 15, 15, 10}, {take_sign, 29, 15, 0}, {multiply, 10, 17, 8},
+      {multiply, 15, 16, 2}, {add, 15, 15, 10}, {take_sign, 30, 15, 0}, {subtract, 10, 11, 5},
+      {negate, 11, 10, 0}, {take_sign, 32, 11, 0}, {multiply, 11, 27, 29}, {multiply, 15, 36, 1},
+      {add, 15, 15, 11}, {take_sign, 33, 15, 0}, {multiply, 11, 23, 0}, {negate, 15, 22, 0},
+      {multiply, 16, 15, 10}, {add, 16, 16, 11}, {take_sign, 34, 16, 0}, {subtract, 11, 12, 3},
+      {negate, 3, 11, 0}, {take_sign, 35, 3, 0}, {multiply, 3, 27, 9}, {multiply, 11, 32, 1},
+      {add, 11, 11, 3}, {take_sign, 36, 11, 0}, {multiply, 1, 23, 6}, {negate, 3, 33, 0},
+      {multiply, 11, 3, 10}, {add, 11, 11, 1}, {take_sign, 37, 11, 0}, {subtract, 1, 13, 4},
+      {negate, 4, 1, 0}, {take_sign, 38, 4, 0}, {multiply, 1, 35, 9}, {multiply, 4, 32, 29}, {add, 4, 4, 1},
+      {take_sign, 39, 4, 0}, {multiply, 1, 22, 6}, {multiply, 4, 3, 0}, {add, 4, 4, 1}, {take_sign, 40, 4, 0},
+      {subtract, 0, 14, 5}, {negate, 1, 0, 0}, {take_sign, 41, 1, 0}, {multiply, 0, 26, 2},
       {negate, 1, 24, 0}, {multiply, 3, 1, 7}, {add, 3, 3, 0}, {take_sign, 42, 3, 0}, {multiply, 0, 26, 8},
       {negate, 1, 25, 0}, {multiply, 3, 1, 7}, {add, 3, 3, 0}, {take_sign, 43, 3, 0}, {multiply, 0, 24, 8},
       {multiply, 3, 1, 2}, {add, 3, 3, 0}, {take_sign, 44, 3, 0}};
@@ -308,147 +312,93 @@ struct segment_triangle::rare_stage : detail::segment_triangle_rare_bounds {
     const T t4 = t.b.z - s.p.z;
     const T t5 = -t4;
     const T t6 = t.a.x - s.p.x;
-    const T t7 = t.b.x - s.p.x;
-    const T t8 = t.c.y - s.p.y;
-    const T t9 = -t0;
-    const T t10 = -t3;
-    const T t11 = t.c.z - s.p.z;
-    const T t12 = t.a.y - s.q.y;
-    const T t13 = t.a.z - s.q.z;
-    const T t14 = t.a.x - s.q.x;
-    const T t15 = t.b.x - s.q.x;
-    const T t16 = -t6;
-    const T t17 = -t7;
-    const T t18 = t.b.y - s.q.y;
-    const T t19 = t.b.z - s.q.z;
-    const T t20 = -(t.c.x - s.p.x);
+    const T t7 = -t6;
+    const T t8 = t.b.x - s.p.x;
+    const T t9 = -t8;
+    const T t10 = -(t.c.x - s.p.x);
+    const T t11 = -t0;
+    const T t12 = -t3;
+    const T t13 = t.c.y - s.p.y;
+    const T t14 = t.c.z - s.p.z;
+    const T t15 = t.a.y - s.q.y;
+    const T t16 = t.a.z - s.q.z;
+    const T t17 = t.a.x - s.q.x;
+    const T t18 = t.b.x - s.q.x;
+    const T t19 = t.b.y - s.q.y;
+    const T t20 = t.b.z - s.q.z;
     v[0] = meetc::fma(t2, fb[0], t0 * fb[1]); // s[5] = -turn(e1, t.a, t.b, s.p)
     v[1] = meetc::fma(t5, fb[2], t3 * fb[3]); // s[6] = -turn(e1, t.b, t.c, s.p)
     v[2] = meetc::fma(t2, fb[4], t0 * fb[5]); // s[7] = turn(e1, t.c, t.a, s.p)
-    v[3] = t6; // s[8] = -(s.p[e1] - t.a[e1])
-    v[4] = t7; // s[9] = -(s.p[e1] - t.b[e1])
-    v[5] = t.c.x - s.p.x; // s[10] = -(s.p[e1] - t.c[e1])
+    v[3] = t7; // s[8] = s.p[e1] - t.a[e1]
+    v[4] = t9; // s[9] = s.p[e1] - t.b[e1]
+    v[5] = t10; // s[10] = s.p[e1] - t.c[e1]
     v[6] = meetc::fma(t2, fb[6], fb[1] * t6); // s[11] = turn(e2, t.a, t.b, s.p)
-    v[7] = meetc::fma(t5, fb[7], fb[3] * t7); // s[12] = turn(e2, t.b, t.c, s.p)
+    v[7] = meetc::fma(t5, fb[7], fb[3] * t8); // s[12] = turn(e2, t.b, t.c, s.p)
     v[8] = meetc::fma(t2, fb[8], fb[5] * t6); // s[13] = -turn(e2, t.c, t.a, s.p)
-    v[9] = t0; // s[14] = -(s.p[e2] - t.a[e2])
-    v[10] = t3; // s[15] = -(s.p[e2] - t.b[e2])
-    v[11] = t8; // s[16] = -(s.p[e2] - t.c[e2])
-    v[12] = meetc::fma(t9, fb[6], fb[0] * t6); // s[17] = -turn(e3, t.a, t.b, s.p)
-    v[13] = meetc::fma(t10, fb[7], fb[2] * t7); // s[18] = -turn(e3, t.b, t.c, s.p)
-    v[14] = meetc::fma(t9, fb[8], fb[4] * t6); // s[19] = turn(e3, t.c, t.a, s.p)
-    v[15] = t1; // s[20] = -(s.p[e3] - t.a[e3])
-    v[16] = t4; // s[21] = -(s.p[e3] - t.b[e3])
-    v[17] = t11; // s[22] = -(s.p[e3] - t.c[e3])
-    v[18] = meetc::fma(t9, fa[1], t1 * fa[0]); // s[23] = -turn(e1, s.p, s.q, t.a)
-    v[19] = meetc::fma(t10, fa[1], t4 * fa[0]); // s[24] = -turn(e1, s.p, s.q, t.b)
-    v[20] = meetc::fma(-fb[0], t13, fb[1] * t12); // s[25] = -turn(e1, t.a, t.b, s.q)
-    v[21] = t14; // s[26] = -(s.q[e1] - t.a[e1])
-    v[22] = t15; // s[27] = -(s.q[e1] - t.b[e1])
-    v[23] = meetc::fma(t16, fa[1], t1 * fa[2]); // s[28] = turn(e2, s.p, s.q, t.a)
-    v[24] = meetc::fma(t17, fa[1], t4 * fa[2]); // s[29] = turn(e2, s.p, s.q, t.b)
-    v[25] = meetc::fma(-fb[6], t13, fb[1] * t14); // s[30] = turn(e2, t.a, t.b, s.q)
-    v[26] = t12; // s[31] = -(s.q[e2] - t.a[e2])
-    v[27] = t18; // s[32] = -(s.q[e2] - t.b[e2])
-    v[28] = meetc::fma(t16, fa[0], t0 * fa[2]); // s[33] = -turn(e3, s.p, s.q, t.a)
-    v[29] = meetc::fma(t17, fa[0], t3 * fa[2]); // s[34] = -turn(e3, s.p, s.q, t.b)
-    v[30] = meetc::fma(-fb[6], t12, fb[0] * t14); // s[35] = -turn(e3, t.a, t.b, s.q)
-    v[31] = t13; // s[36] = -(s.q[e3] - t.a[e3])
-    v[32] = t19; // s[37] = -(s.q[e3] - t.b[e3])
-    v[33] = meetc::fma(-t8, fa[1], t11 * fa[0]); // s[38] = -turn(e1, s.p, s.q, t.c)
-    v[34] = meetc::fma(-fb[2], t19, fb[3] * t18); // s[39] = -turn(e1, t.b, t.c, s.q)
-    v[35] = t.c.x - s.q.x; // s[40] = -(s.q[e1] - t.c[e1])
-    v[36] = meetc::fma(t20, fa[1], t11 * fa[2]); // s[41] = turn(e2, s.p, s.q, t.c)
-    v[37] = meetc::fma(-fb[7], t19, fb[3] * t15); // s[42] = turn(e2, t.b, t.c, s.q)
-    v[38] = t.c.y - s.q.y; // s[43] = -(s.q[e2] - t.c[e2])
-    v[39] = meetc::fma(t20, fa[0], t8 * fa[2]); // s[44] = -turn(e3, s.p, s.q, t.c)
-    v[40] = meetc::fma(-fb[7], t18, fb[2] * t15); // s[45] = -turn(e3, t.b, t.c, s.q)
-    v[41] = t.c.z - s.q.z; // s[46] = -(s.q[e3] - t.c[e3])
-    v[42] = meetc::fma(-fb[4], t13, fb[5] * t12); // s[47] = turn(e1, t.c, t.a, s.q)
-    v[43] = meetc::fma(-fb[8], t13, fb[5] * t14); // s[48] = -turn(e2, t.c, t.a, s.q)
-    v[44] = meetc::fma(-fb[8], t12, fb[4] * t14); // s[49] = turn(e3, t.c, t.a, s.q)
+    v[9] = t11; // s[14] = s.p[e2] - t.a[e2]
+    v[10] = t12; // s[15] = s.p[e2] - t.b[e2]
+    v[11] = -t13; // s[16] = s.p[e2] - t.c[e2]
+    v[12] = meetc::fma(t11, fb[6], fb[0] * t6); // s[17] = -turn(e3, t.a, t.b, s.p)
+    v[13] = meetc::fma(t12, fb[7], fb[2] * t8); // s[18] = -turn(e3, t.b, t.c, s.p)
+    v[14] = meetc::fma(t11, fb[8], fb[4] * t6); // s[19] = turn(e3, t.c, t.a, s.p)
+    v[15] = t2; // s[20] = s.p[e3] - t.a[e3]
+    v[16] = t5; // s[21] = s.p[e3] - t.b[e3]
+    v[17] = -t14; // s[22] = s.p[e3] - t.c[e3]
+    v[18] = meetc::fma(t11, fa[1], t1 * fa[0]); // s[23] = -turn(e1, s.p, s.q, t.a)
+    v[19] = meetc::fma(t12, fa[1], t4 * fa[0]); // s[24] = -turn(e1, s.p, s.q, t.b)
+    v[20] = meetc::fma(-fb[0], t16, fb[1] * t15); // s[25] = -turn(e1, t.a, t.b, s.q)
+    v[21] = -t17; // s[26] = s.q[e1] - t.a[e1]
+    v[22] = -t18; // s[27] = s.q[e1] - t.b[e1]
+    v[23] = meetc::fma(t7, fa[1], t1 * fa[2]); // s[28] = turn(e2, s.p, s.q, t.a)
+    v[24] = meetc::fma(t9, fa[1], t4 * fa[2]); // s[29] = turn(e2, s.p, s.q, t.b)
+    v[25] = meetc::fma(-fb[6], t16, fb[1] * t17); // s[30] = turn(e2, t.a, t.b, s.q)
+    v[26] = -t15; // s[31] = s.q[e2] - t.a[e2]
+    v[27] = -t19; // s[32] = s.q[e2] - t.b[e2]
+    v[28] = meetc::fma(t7, fa[0], t0 * fa[2]); // s[33] = -turn(e3, s.p, s.q, t.a)
+    v[29] = meetc::fma(t9, fa[0], t3 * fa[2]); // s[34] = -turn(e3, s.p, s.q, t.b)
+    v[30] = meetc::fma(-fb[6], t15, fb[0] * t17); // s[35] = -turn(e3, t.a, t.b, s.q)
+    v[31] = -t16; // s[36] = s.q[e3] - t.a[e3]
+    v[32] = -t20; // s[37] = s.q[e3] - t.b[e3]
+    v[33] = meetc::fma(-t13, fa[1], t14 * fa[0]); // s[38] = -turn(e1, s.p, s.q, t.c)
+    v[34] = meetc::fma(-fb[2], t20, fb[3] * t19); // s[39] = -turn(e1, t.b, t.c, s.q)
+    v[35] = -(t.c.x - s.q.x); // s[40] = s.q[e1] - t.c[e1]
+    v[36] = meetc::fma(t10, fa[1], t14 * fa[2]); // s[41] = turn(e2, s.p, s.q, t.c)
+    v[37] = meetc::fma(-fb[7], t20, fb[3] * t18); // s[42] = turn(e2, t.b, t.c, s.q)
+    v[38] = -(t.c.y - s.q.y); // s[43] = s.q[e2] - t.c[e2]
+    v[39] = meetc::fma(t10, fa[0], t13 * fa[2]); // s[44] = -turn(e3, s.p, s.q, t.c)
+    v[40] = meetc::fma(-fb[7], t19, fb[2] * t18); // s[45] = -turn(e3, t.b, t.c, s.q)
+    v[41] = -(t.c.z - s.q.z); // s[46] = s.q[e3] - t.c[e3]
+    v[42] = meetc::fma(-fb[4], t16, fb[5] * t15); // s[47] = turn(e1, t.c, t.a, s.q)
+    v[43] = meetc::fma(-fb[8], t16, fb[5] * t17); // s[48] = -turn(e2, t.c, t.a, s.q)
+    v[44] = meetc::fma(-fb[8], t15, fb[4] * t17); // s[49] = turn(e3, t.c, t.a, s.q)
   }
 };
 
-template <class S> MEETC_HD constexpr auto segment_triangle::whole(const S *s) {
-    const auto b0 = meetc::is_zero(s[0]);
-    const auto b1 = meetc::both(meetc::at_most_zero(s[5]), meetc::at_most_zero(s[6]),
-        meetc::at_least_zero(s[7]));
-    const auto b2 = meetc::both(meetc::at_least_zero(s[5]), meetc::at_least_zero(s[6]),
-        meetc::at_most_zero(s[7]));
-    const auto b3 = meetc::at_least_zero(s[8]);
-    const auto b4 = meetc::at_least_zero(s[9]);
-    const auto b5 = meetc::at_least_zero(s[10]);
-    const auto b6 = meetc::at_most_zero(s[8]);
-    const auto b7 = meetc::at_most_zero(s[9]);
-    const auto b8 = meetc::at_most_zero(s[10]);
-    const auto b9 = meetc::both(meetc::at_least_zero(s[11]), meetc::at_least_zero(s[12]),
-        meetc::at_most_zero(s[13]));
-    const auto b10 = meetc::both(meetc::at_most_zero(s[11]), meetc::at_most_zero(s[12]),
-        meetc::at_least_zero(s[13]));
-    const auto b11 = meetc::at_least_zero(s[14]);
-    const auto b12 = meetc::at_least_zero(s[15]);
-    const auto b13 = meetc::at_least_zero(s[16]);
-    const auto b14 = meetc::at_most_zero(s[14]);
-    const auto b15 = meetc::at_most_zero(s[15]);
-    const auto b16 = meetc::at_most_zero(s[16]);
-    const auto b17 = meetc::both(meetc::at_most_zero(s[17]), meetc::at_most_zero(s[18]),
-        meetc::at_least_zero(s[19]));
-    const auto b18 = meetc::both(meetc::at_least_zero(s[17]), meetc::at_least_zero(s[18]),
-        meetc::at_most_zero(s[19]));
-    const auto b19 = meetc::at_least_zero(s[20]);
-    const auto b20 = meetc::at_least_zero(s[21]);
-    const auto b21 = meetc::at_least_zero(s[22]);
-    const auto b22 = meetc::at_most_zero(s[20]);
-    const auto b23 = meetc::at_most_zero(s[21]);
-    const auto b24 = meetc::at_most_zero(s[22]);
-    const auto b25 = meetc::both(b0, meetc::either(b1, b2), meetc::either(b3, b4, b5), meetc::either(b6, b7,
-        b8), meetc::either(b9, b10), meetc::either(b11, b12, b13), meetc::either(b14, b15, b16),
-        meetc::either(b17, b18), meetc::either(b19, b20, b21), meetc::either(b22, b23, b24));
-    const auto b26 = meetc::at_least_zero(s[26]);
-    const auto b27 = meetc::at_least_zero(s[27]);
-    const auto b28 = meetc::at_most_zero(s[26]);
-    const auto b29 = meetc::at_most_zero(s[27]);
-    const auto b30 = meetc::at_least_zero(s[31]);
-    const auto b31 = meetc::at_least_zero(s[32]);
-    const auto b32 = meetc::at_most_zero(s[31]);
-    const auto b33 = meetc::at_most_zero(s[32]);
-    const auto b34 = meetc::at_least_zero(s[36]);
-    const auto b35 = meetc::at_least_zero(s[37]);
-    const auto b36 = meetc::at_most_zero(s[36]);
-    const auto b37 = meetc::at_most_zero(s[37]);
-    const auto b38 = meetc::both(meetc::is_zero(s[2]), meetc::at_most_zero(s[23] * s[24]),
-        meetc::at_most_zero(s[5] * s[25]), meetc::either(b3, b4, b26, b27), meetc::either(b6, b7, b28, b29),
-        meetc::at_most_zero(s[28] * s[29]), meetc::at_most_zero(s[11] * s[30]), meetc::either(b11, b12, b30,
-        b31), meetc::either(b14, b15, b32, b33), meetc::at_most_zero(s[33] * s[34]),
-        meetc::at_most_zero(s[17] * s[35]), meetc::either(b19, b20, b34, b35), meetc::either(b22, b23, b36,
-        b37));
-    const auto b39 = meetc::at_least_zero(s[40]);
-    const auto b40 = meetc::at_most_zero(s[40]);
-    const auto b41 = meetc::at_least_zero(s[43]);
-    const auto b42 = meetc::at_most_zero(s[43]);
-    const auto b43 = meetc::at_least_zero(s[46]);
-    const auto b44 = meetc::at_most_zero(s[46]);
-    const auto b45 = meetc::both(meetc::is_zero(s[3]), meetc::at_most_zero(s[24] * s[38]),
-        meetc::at_most_zero(s[6] * s[39]), meetc::either(b4, b5, b27, b39), meetc::either(b7, b8, b29, b40),
-        meetc::at_most_zero(s[29] * s[41]), meetc::at_most_zero(s[12] * s[42]), meetc::either(b12, b13, b31,
-        b41), meetc::either(b15, b16, b33, b42), meetc::at_most_zero(s[34] * s[44]),
-        meetc::at_most_zero(s[18] * s[45]), meetc::either(b20, b21, b35, b43), meetc::either(b23, b24, b37,
-        b44));
-    const auto b46 = meetc::both(meetc::is_zero(s[4]), meetc::at_most_zero(s[23] * s[38]),
-        meetc::at_most_zero(s[7] * s[47]), meetc::either(b3, b5, b26, b39), meetc::either(b6, b8, b28, b40),
-        meetc::at_most_zero(s[28] * s[41]), meetc::at_most_zero(s[13] * s[48]), meetc::either(b11, b13, b30,
-        b41), meetc::either(b14, b16, b32, b42), meetc::at_most_zero(s[33] * s[44]),
-        meetc::at_most_zero(s[19] * s[49]), meetc::either(b19, b21, b34, b43), meetc::either(b22, b24, b36,
-        b44));
-    const auto b47 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
+template <class S> MEETC_HD MEETC_LARGE constexpr auto segment_triangle::whole(const S *s) {
+    // point_triangle(s.p, t)
+    const S e0[] = {s[0], s[5], s[6], s[7], s[8], s[9], s[10], s[11], s[12], s[13], s[14], s[15], s[16],
+        s[17], s[18], s[19], s[20], s[21], s[22]};
+    const auto b0 = point_triangle::whole(e0);
+    // segment_segment(s, segment(t.a, t.b))
+    const S e1[] = {s[2], s[23], s[24], s[5], s[25], s[8], s[9], s[26], s[27], s[28], s[29], s[11], s[30],
+        s[14], s[15], s[31], s[32], s[33], s[34], s[17], s[35], s[20], s[21], s[36], s[37]};
+    const auto b1 = segment_segment::whole(e1);
+    // segment_segment(s, segment(t.b, t.c))
+    const S e2[] = {s[3], s[24], s[38], s[6], s[39], s[9], s[10], s[27], s[40], s[29], s[41], s[12], s[42],
+        s[15], s[16], s[32], s[43], s[34], s[44], s[18], s[45], s[21], s[22], s[37], s[46]};
+    const auto b2 = segment_segment::whole(e2);
+    // segment_segment(s, segment(t.c, t.a))
+    const S e3[] = {-s[4], s[38], s[23], -s[7], -s[47], s[10], s[8], s[40], s[26], s[41], s[28], -s[13],
+        -s[48], s[16], s[14], s[43], s[31], s[44], s[33], -s[19], -s[49], s[22], s[20], s[46], s[36]};
+    const auto b3 = segment_segment::whole(e3);
+    const auto b4 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
         meetc::at_most_zero(s[4]));
-    const auto b48 = meetc::both(meetc::at_most_zero(s[2]), meetc::at_most_zero(s[3]),
+    const auto b5 = meetc::both(meetc::at_most_zero(s[2]), meetc::at_most_zero(s[3]),
         meetc::at_least_zero(s[4]));
-    const auto b49 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b47, b48));
-    const auto b50 = meetc::choose(meetc::both(b0, meetc::is_zero(s[1])), meetc::either(b25, b38, b45, b46),
-        b49);
-    return b50;
+    const auto b6 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b4, b5));
+    const auto b7 = meetc::choose(meetc::both(meetc::is_zero(s[0]), meetc::is_zero(s[1])), meetc::either(b0,
+        b1, b2, b3), b6);
+    return b7;
 }
 
 } // namespace cga

@@ -15,13 +15,13 @@ namespace detail {
 
 struct side_sphere_point_sign_common_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 8, instruction_count = 11;
+  static constexpr int registers = 8, instruction_count = 12;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
       {subtract, 7, 4, 0}, {multiply, 0, 7, 7}, {subtract, 4, 5, 1}, {multiply, 1, 4, 4}, {add, 1, 1, 0},
       {subtract, 0, 6, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {multiply, 0, 3, 3}, {subtract, 1, 0, 2},
-      {take_sign, 0, 1, 0}};
+      {negate, 0, 1, 0}, {take_sign, 0, 0, 0}};
     return all[i];
   }
 };

@@ -15,7 +15,7 @@ namespace detail {
 
 struct side_triangle_point_sign_common_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 15, instruction_count = 27;
+  static constexpr int registers = 15, instruction_count = 28;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
@@ -24,7 +24,7 @@ struct side_triangle_point_sign_common_bytecode {
       {subtract, 3, 6, 0}, {multiply, 6, 7, 3}, {negate, 7, 5, 0}, {multiply, 5, 7, 4}, {add, 5, 5, 6},
       {multiply, 6, 12, 4}, {negate, 4, 8, 0}, {multiply, 7, 4, 3}, {add, 7, 7, 6}, {subtract, 3, 9, 0},
       {multiply, 0, 14, 3}, {subtract, 3, 10, 1}, {multiply, 1, 5, 3}, {add, 1, 1, 0}, {subtract, 0, 11, 2},
-      {multiply, 2, 7, 0}, {add, 2, 2, 1}, {take_sign, 0, 2, 0}};
+      {multiply, 2, 7, 0}, {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 0, 0, 0}};
     return all[i];
   }
 };

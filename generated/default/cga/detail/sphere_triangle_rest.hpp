@@ -6,6 +6,7 @@
 #include <meetc/support.hpp>
 #include <meetc/rest.hpp>
 #include <cga/sphere_triangle.hpp>
+#include <cga/detail/ball_triangle_rest.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -15,26 +16,27 @@ namespace detail {
 
 struct sphere_triangle_common_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 29, instruction_count = 188;
+  static constexpr int registers = 29, instruction_count = 195;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
       {subtract, 13, 4, 0}, {multiply, 14, 13, 13}, {subtract, 15, 5, 1}, {multiply, 16, 15, 15},
       {add, 16, 16, 14}, {subtract, 14, 6, 2}, {multiply, 17, 14, 14}, {add, 17, 17, 16},
-      {multiply, 16, 3, 3}, {subtract, 3, 16, 17}, {take_sign, 0, 3, 0}, {subtract, 3, 7, 0},
-      {multiply, 17, 3, 3}, {subtract, 18, 8, 1}, {multiply, 19, 18, 18}, {add, 19, 19, 17},
-      {subtract, 17, 9, 2}, {multiply, 20, 17, 17}, {add, 20, 20, 19}, {subtract, 19, 16, 20},
-      {take_sign, 1, 19, 0}, {subtract, 19, 10, 0}, {multiply, 0, 19, 19}, {subtract, 19, 11, 1},
-      {multiply, 1, 19, 19}, {add, 1, 1, 0}, {subtract, 0, 12, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1},
-      {subtract, 0, 16, 2}, {take_sign, 2, 0, 0}, {subtract, 0, 7, 4}, {multiply, 1, 0, 0},
-      {subtract, 2, 8, 5}, {multiply, 19, 2, 2}, {add, 19, 19, 1}, {subtract, 1, 9, 6}, {multiply, 20, 1, 1},
-      {add, 20, 20, 19}, {multiply, 19, 13, 0}, {multiply, 21, 15, 2}, {add, 21, 21, 19},
-      {multiply, 19, 14, 1}, {add, 19, 19, 21}, {take_sign, 4, 19, 0}, {multiply, 21, 15, 1},
-      {negate, 22, 14, 0}, {multiply, 23, 22, 2}, {add, 23, 23, 21}, {multiply, 21, 14, 0},
-      {negate, 24, 13, 0}, {multiply, 25, 24, 1}, {add, 25, 25, 21}, {multiply, 21, 13, 2},
-      {negate, 26, 15, 0}, {multiply, 27, 26, 0}, {add, 27, 27, 21}, {multiply, 21, 23, 23},
-      {multiply, 23, 25, 25}, {add, 23, 23, 21}, {multiply, 21, 27, 27}, {add, 21, 21, 23},
-      {negate, 23, 21, 0}, {multiply, 21, 16, 20}, {add, 21, 21, 23}, {take_sign, 3, 21, 0},
+      {multiply, 16, 3, 3}, {subtract, 3, 16, 17}, {negate, 17, 3, 0}, {take_sign, 0, 17, 0},
+      {subtract, 3, 7, 0}, {multiply, 17, 3, 3}, {subtract, 18, 8, 1}, {multiply, 19, 18, 18},
+      {add, 19, 19, 17}, {subtract, 17, 9, 2}, {multiply, 20, 17, 17}, {add, 20, 20, 19},
+      {subtract, 19, 16, 20}, {negate, 20, 19, 0}, {take_sign, 1, 20, 0}, {subtract, 19, 10, 0},
+      {multiply, 0, 19, 19}, {subtract, 19, 11, 1}, {multiply, 1, 19, 19}, {add, 1, 1, 0},
+      {subtract, 0, 12, 2}, {multiply, 2, 0, 0}, {add, 2, 2, 1}, {subtract, 0, 16, 2}, {negate, 1, 0, 0},
+      {take_sign, 2, 1, 0}, {subtract, 0, 7, 4}, {multiply, 1, 0, 0}, {subtract, 2, 8, 5},
+      {multiply, 19, 2, 2}, {add, 19, 19, 1}, {subtract, 1, 9, 6}, {multiply, 20, 1, 1}, {add, 20, 20, 19},
+      {multiply, 19, 13, 0}, {multiply, 21, 15, 2}, {add, 21, 21, 19}, {multiply, 19, 14, 1},
+      {add, 19, 19, 21}, {take_sign, 4, 19, 0}, {multiply, 21, 15, 1}, {negate, 22, 14, 0},
+      {multiply, 23, 22, 2}, {add, 23, 23, 21}, {multiply, 21, 14, 0}, {negate, 24, 13, 0},
+      {multiply, 25, 24, 1}, {add, 25, 25, 21}, {multiply, 21, 13, 2}, {negate, 26, 15, 0},
+      {multiply, 27, 26, 0}, {add, 27, 27, 21}, {multiply, 21, 23, 23}, {multiply, 23, 25, 25},
+      {add, 23, 23, 21}, {multiply, 21, 27, 27}, {add, 21, 21, 23}, {negate, 23, 21, 0},
+      {multiply, 21, 16, 20}, {add, 21, 21, 23}, {negate, 23, 21, 0}, {take_sign, 3, 23, 0},
       {add, 21, 20, 19}, {take_sign, 5, 21, 0}, {subtract, 21, 10, 7}, {multiply, 7, 21, 21},
       {subtract, 23, 11, 8}, {multiply, 8, 23, 23}, {add, 8, 8, 7}, {subtract, 7, 12, 9}, {multiply, 9, 7, 7},
       {add, 9, 9, 8}, {multiply, 8, 3, 21}, {multiply, 25, 18, 23}, {add, 25, 25, 8}, {multiply, 8, 17, 7},
@@ -43,24 +45,24 @@ struct sphere_triangle_common_bytecode {
       {multiply, 27, 17, 7}, {add, 27, 27, 25}, {multiply, 7, 3, 23}, {negate, 3, 18, 0},
       {multiply, 17, 3, 21}, {add, 17, 17, 7}, {multiply, 3, 28, 28}, {multiply, 7, 27, 27}, {add, 7, 7, 3},
       {multiply, 3, 17, 17}, {add, 3, 3, 7}, {negate, 7, 3, 0}, {multiply, 3, 16, 9}, {add, 3, 3, 7},
-      {take_sign, 6, 3, 0}, {add, 3, 9, 8}, {take_sign, 8, 3, 0}, {subtract, 3, 10, 4}, {multiply, 4, 3, 3},
-      {subtract, 7, 11, 5}, {multiply, 5, 7, 7}, {add, 5, 5, 4}, {subtract, 4, 12, 6}, {multiply, 6, 4, 4},
-      {add, 6, 6, 5}, {multiply, 5, 13, 3}, {multiply, 8, 15, 7}, {add, 8, 8, 5}, {multiply, 5, 14, 4},
-      {add, 5, 5, 8}, {take_sign, 11, 5, 0}, {multiply, 8, 15, 4}, {multiply, 9, 22, 7}, {add, 9, 9, 8},
-      {multiply, 8, 14, 3}, {multiply, 10, 24, 4}, {add, 10, 10, 8}, {multiply, 8, 13, 7},
+      {negate, 7, 3, 0}, {take_sign, 6, 7, 0}, {add, 3, 9, 8}, {take_sign, 8, 3, 0}, {subtract, 3, 10, 4},
+      {multiply, 4, 3, 3}, {subtract, 7, 11, 5}, {multiply, 5, 7, 7}, {add, 5, 5, 4}, {subtract, 4, 12, 6},
+      {multiply, 6, 4, 4}, {add, 6, 6, 5}, {multiply, 5, 13, 3}, {multiply, 8, 15, 7}, {add, 8, 8, 5},
+      {multiply, 5, 14, 4}, {add, 5, 5, 8}, {take_sign, 11, 5, 0}, {multiply, 8, 15, 4}, {multiply, 9, 22, 7},
+      {add, 9, 9, 8}, {multiply, 8, 14, 3}, {multiply, 10, 24, 4}, {add, 10, 10, 8}, {multiply, 8, 13, 7},
       {multiply, 11, 26, 3}, {add, 11, 11, 8}, {multiply, 8, 9, 9}, {multiply, 9, 10, 10}, {add, 9, 9, 8},
       {multiply, 8, 11, 11}, {add, 8, 8, 9}, {negate, 9, 8, 0}, {multiply, 8, 16, 6}, {add, 8, 8, 9},
-      {take_sign, 9, 8, 0}, {add, 8, 6, 5}, {take_sign, 10, 8, 0}, {multiply, 8, 0, 3}, {multiply, 9, 2, 7},
-      {add, 9, 9, 8}, {multiply, 8, 1, 4}, {add, 8, 8, 9}, {multiply, 9, 2, 4}, {negate, 10, 1, 0},
-      {multiply, 11, 10, 7}, {add, 11, 11, 9}, {multiply, 9, 1, 3}, {negate, 1, 0, 0}, {multiply, 10, 1, 4},
-      {add, 10, 10, 9}, {multiply, 1, 0, 7}, {negate, 0, 2, 0}, {multiply, 2, 0, 3}, {add, 2, 2, 1},
-      {multiply, 0, 11, 11}, {multiply, 1, 10, 10}, {add, 1, 1, 0}, {multiply, 0, 2, 2}, {add, 0, 0, 1},
-      {multiply, 1, 19, 6}, {multiply, 3, 13, 11}, {multiply, 4, 15, 10}, {add, 4, 4, 3},
+      {negate, 9, 8, 0}, {take_sign, 9, 9, 0}, {add, 8, 6, 5}, {take_sign, 10, 8, 0}, {multiply, 8, 0, 3},
+      {multiply, 9, 2, 7}, {add, 9, 9, 8}, {multiply, 8, 1, 4}, {add, 8, 8, 9}, {multiply, 9, 2, 4},
+      {negate, 10, 1, 0}, {multiply, 11, 10, 7}, {add, 11, 11, 9}, {multiply, 9, 1, 3}, {negate, 1, 0, 0},
+      {multiply, 10, 1, 4}, {add, 10, 10, 9}, {multiply, 1, 0, 7}, {negate, 0, 2, 0}, {multiply, 2, 0, 3},
+      {add, 2, 2, 1}, {multiply, 0, 11, 11}, {multiply, 1, 10, 10}, {add, 1, 1, 0}, {multiply, 0, 2, 2},
+      {add, 0, 0, 1}, {multiply, 1, 19, 6}, {multiply, 3, 13, 11}, {multiply, 4, 15, 10}, {add, 4, 4, 3},
       {multiply, 3, 14, 2}, {add, 3, 3, 4}, {multiply, 2, 16, 0}, {negate, 4, 3, 0}, {multiply, 7, 4, 3},
-      {add, 7, 7, 2}, {take_sign, 12, 7, 0}, {multiply, 2, 19, 8}, {negate, 3, 20, 0}, {multiply, 4, 3, 5},
-      {add, 4, 4, 2}, {take_sign, 13, 4, 0}, {subtract, 2, 20, 8}, {multiply, 3, 5, 2}, {add, 3, 3, 0},
-      {subtract, 0, 6, 8}, {multiply, 2, 19, 0}, {add, 2, 2, 3}, {take_sign, 14, 2, 0}, {negate, 0, 5, 0},
-      {multiply, 2, 0, 8}, {add, 2, 2, 1}, {take_sign, 15, 2, 0}};
+      {add, 7, 7, 2}, {negate, 2, 7, 0}, {take_sign, 12, 2, 0}, {multiply, 2, 19, 8}, {negate, 3, 20, 0},
+      {multiply, 4, 3, 5}, {add, 4, 4, 2}, {take_sign, 13, 4, 0}, {subtract, 2, 20, 8}, {multiply, 3, 5, 2},
+      {add, 3, 3, 0}, {subtract, 0, 6, 8}, {multiply, 2, 19, 0}, {add, 2, 2, 3}, {take_sign, 14, 2, 0},
+      {negate, 0, 5, 0}, {multiply, 2, 0, 8}, {add, 2, 2, 1}, {take_sign, 15, 2, 0}};
     return all[i];
   }
 };

@@ -6,6 +6,9 @@
 #include <meetc/support.hpp>
 #include <meetc/rest.hpp>
 #include <cga/triangle_triangle.hpp>
+#include <cga/detail/point_triangle_rest.hpp>
+#include <cga/detail/segment_segment_rest.hpp>
+#include <cga/detail/segment_triangle_rest.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
@@ -15,7 +18,7 @@ namespace detail {
 
 struct triangle_triangle_reject_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 27, instruction_count = 87;
+  static constexpr int registers = 27, instruction_count = 93;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
@@ -25,20 +28,21 @@ struct triangle_triangle_reject_bytecode {
       {multiply, 20, 19, 22}, {add, 20, 20, 25}, {multiply, 19, 18, 22}, {negate, 18, 21, 0},
       {multiply, 21, 18, 23}, {add, 21, 21, 19}, {subtract, 18, 9, 0}, {multiply, 19, 24, 18},
       {subtract, 22, 10, 1}, {multiply, 23, 20, 22}, {add, 23, 23, 19}, {subtract, 19, 11, 2},
-      {multiply, 25, 21, 19}, {add, 25, 25, 23}, {take_sign, 0, 25, 0}, {subtract, 23, 9, 3},
-      {multiply, 25, 24, 23}, {subtract, 23, 10, 4}, {multiply, 26, 20, 23}, {add, 26, 26, 25},
-      {subtract, 23, 11, 5}, {multiply, 25, 21, 23}, {add, 25, 25, 26}, {take_sign, 1, 25, 0},
-      {subtract, 23, 9, 6}, {multiply, 9, 24, 23}, {subtract, 23, 10, 7}, {multiply, 10, 20, 23},
-      {add, 10, 10, 9}, {subtract, 9, 11, 8}, {multiply, 11, 21, 9}, {add, 11, 11, 10}, {take_sign, 2, 11, 0},
-      {subtract, 9, 7, 1}, {subtract, 7, 5, 2}, {subtract, 5, 8, 2}, {subtract, 8, 4, 1}, {multiply, 4, 5, 8},
-      {negate, 10, 9, 0}, {multiply, 11, 10, 7}, {add, 11, 11, 4}, {subtract, 4, 3, 0}, {subtract, 3, 6, 0},
-      {multiply, 6, 7, 3}, {negate, 7, 5, 0}, {multiply, 5, 7, 4}, {add, 5, 5, 6}, {multiply, 6, 9, 4},
-      {negate, 4, 8, 0}, {multiply, 7, 4, 3}, {add, 7, 7, 6}, {multiply, 3, 18, 11}, {multiply, 4, 22, 5},
-      {add, 4, 4, 3}, {multiply, 3, 19, 7}, {add, 3, 3, 4}, {take_sign, 3, 3, 0}, {subtract, 3, 12, 0},
+      {multiply, 25, 21, 19}, {add, 25, 25, 23}, {negate, 23, 25, 0}, {take_sign, 0, 23, 0},
+      {subtract, 23, 9, 3}, {multiply, 25, 24, 23}, {subtract, 23, 10, 4}, {multiply, 26, 20, 23},
+      {add, 26, 26, 25}, {subtract, 23, 11, 5}, {multiply, 25, 21, 23}, {add, 25, 25, 26},
+      {negate, 23, 25, 0}, {take_sign, 1, 23, 0}, {subtract, 23, 9, 6}, {multiply, 9, 24, 23},
+      {subtract, 23, 10, 7}, {multiply, 10, 20, 23}, {add, 10, 10, 9}, {subtract, 9, 11, 8},
+      {multiply, 11, 21, 9}, {add, 11, 11, 10}, {negate, 9, 11, 0}, {take_sign, 2, 9, 0}, {subtract, 9, 7, 1},
+      {subtract, 7, 5, 2}, {subtract, 5, 8, 2}, {subtract, 8, 4, 1}, {multiply, 4, 5, 8}, {negate, 10, 9, 0},
+      {multiply, 11, 10, 7}, {add, 11, 11, 4}, {subtract, 4, 3, 0}, {subtract, 3, 6, 0}, {multiply, 6, 7, 3},
+      {negate, 7, 5, 0}, {multiply, 5, 7, 4}, {add, 5, 5, 6}, {multiply, 6, 9, 4}, {negate, 4, 8, 0},
+      {multiply, 7, 4, 3}, {add, 7, 7, 6}, {multiply, 3, 18, 11}, {multiply, 4, 22, 5}, {add, 4, 4, 3},
+      {multiply, 3, 19, 7}, {add, 3, 3, 4}, {negate, 4, 3, 0}, {take_sign, 3, 4, 0}, {subtract, 3, 12, 0},
       {multiply, 4, 11, 3}, {subtract, 3, 13, 1}, {multiply, 6, 5, 3}, {add, 6, 6, 4}, {subtract, 3, 14, 2},
-      {multiply, 4, 7, 3}, {add, 4, 4, 6}, {take_sign, 4, 4, 0}, {subtract, 3, 15, 0}, {multiply, 0, 11, 3},
-      {subtract, 3, 16, 1}, {multiply, 1, 5, 3}, {add, 1, 1, 0}, {subtract, 0, 17, 2}, {multiply, 2, 7, 0},
-      {add, 2, 2, 1}, {take_sign, 5, 2, 0}};
+      {multiply, 4, 7, 3}, {add, 4, 4, 6}, {negate, 3, 4, 0}, {take_sign, 4, 3, 0}, {subtract, 3, 15, 0},
+      {multiply, 0, 11, 3}, {subtract, 3, 16, 1}, {multiply, 1, 5, 3}, {add, 1, 1, 0}, {subtract, 0, 17, 2},
+      {multiply, 2, 7, 0}, {add, 2, 2, 1}, {negate, 0, 2, 0}, {take_sign, 5, 0, 0}};
     return all[i];
   }
 };
@@ -341,86 +345,89 @@ struct triangle_triangle_rare_bounds {
 
 struct triangle_triangle_rare_bytecode {
   // The same program as bytecode, for integers of any width.
-  static constexpr int registers = 54, instruction_count = 308;
+  static constexpr int registers = 57, instruction_count = 321;
   MEETC_HD static meetc::instruction instruction_at(int i) {
     using enum meetc::opcode;
     static constexpr meetc::instruction all[] = {
-      {subtract, 18, 10, 1}, {take_sign, 9, 18, 0}, {subtract, 19, 11, 2}, {take_sign, 15, 19, 0},
-      {subtract, 20, 13, 10}, {subtract, 21, 14, 11}, {multiply, 22, 18, 21}, {negate, 23, 19, 0},
-      {multiply, 24, 23, 20}, {add, 24, 24, 22}, {take_sign, 0, 24, 0}, {subtract, 22, 13, 1},
-      {take_sign, 10, 22, 0}, {subtract, 24, 14, 2}, {take_sign, 16, 24, 0}, {subtract, 25, 16, 13},
-      {subtract, 26, 17, 14}, {multiply, 27, 22, 26}, {negate, 28, 24, 0}, {multiply, 29, 28, 25},
-      {add, 29, 29, 27}, {take_sign, 1, 29, 0}, {subtract, 27, 16, 10}, {subtract, 29, 17, 11},
-      {multiply, 30, 18, 29}, {multiply, 31, 23, 27}, {add, 31, 31, 30}, {take_sign, 2, 31, 0},
-      {subtract, 30, 9, 0}, {take_sign, 3, 30, 0}, {subtract, 31, 12, 0}, {take_sign, 4, 31, 0},
-      {subtract, 32, 15, 0}, {take_sign, 5, 32, 0}, {subtract, 33, 12, 9}, {multiply, 34, 21, 30},
-      {multiply, 35, 23, 33}, {add, 35, 35, 34}, {take_sign, 6, 35, 0}, {subtract, 34, 15, 12},
-      {multiply, 35, 26, 31}, {multiply, 36, 28, 34}, {add, 36, 36, 35}, {take_sign, 7, 36, 0},
-      {subtract, 28, 15, 9}, {multiply, 35, 29, 30}, {multiply, 36, 23, 28}, {add, 36, 36, 35},
-      {take_sign, 8, 36, 0}, {subtract, 23, 16, 1}, {take_sign, 11, 23, 0}, {multiply, 35, 20, 30},
-      {negate, 36, 18, 0}, {multiply, 37, 36, 33}, {add, 37, 37, 35}, {take_sign, 12, 37, 0},
-      {multiply, 35, 25, 31}, {negate, 37, 22, 0}, {multiply, 38, 37, 34}, {add, 38, 38, 35},
-      {take_sign, 13, 38, 0}, {multiply, 35, 27, 30}, {multiply, 38, 36, 28}, {add, 38, 38, 35},
-      {take_sign, 14, 38, 0}, {subtract, 35, 17, 2}, {take_sign, 17, 35, 0}, {subtract, 38, 4, 1},
-      {subtract, 39, 5, 2}, {multiply, 40, 19, 38}, {multiply, 41, 36, 39}, {add, 41, 41, 40},
-      {take_sign, 18, 41, 0}, {multiply, 40, 24, 38}, {multiply, 41, 37, 39}, {add, 41, 41, 40},
-      {take_sign, 19, 41, 0}, {subtract, 40, 10, 4}, {take_sign, 26, 40, 0}, {subtract, 41, 11, 5},
-      {take_sign, 31, 41, 0}, {multiply, 42, 21, 40}, {negate, 43, 20, 0}, {multiply, 44, 43, 41},
-      {add, 44, 44, 42}, {take_sign, 20, 44, 0}, {subtract, 42, 9, 3}, {take_sign, 21, 42, 0},
-      {subtract, 44, 12, 3}, {take_sign, 22, 44, 0}, {subtract, 45, 3, 0}, {multiply, 46, 19, 45},
-      {negate, 47, 30, 0}, {multiply, 30, 47, 39}, {add, 30, 30, 46}, {take_sign, 23, 30, 0},
-      {multiply, 30, 24, 45}, {negate, 46, 31, 0}, {multiply, 31, 46, 39}, {add, 31, 31, 30},
-      {take_sign, 24, 31, 0}, {multiply, 30, 21, 42}, {negate, 31, 33, 0}, {multiply, 33, 31, 41},
-      {add, 33, 33, 30}, {take_sign, 25, 33, 0}, {subtract, 30, 13, 4}, {take_sign, 27, 30, 0},
-      {multiply, 33, 18, 45}, {multiply, 48, 47, 38}, {add, 48, 48, 33}, {take_sign, 28, 48, 0},
-      {multiply, 33, 22, 45}, {multiply, 48, 46, 38}, {add, 48, 48, 33}, {take_sign, 29, 48, 0},
-      {multiply, 33, 20, 42}, {multiply, 48, 31, 40}, {add, 48, 48, 33}, {take_sign, 30, 48, 0},
-      {subtract, 33, 14, 5}, {take_sign, 32, 33, 0}, {multiply, 48, 35, 38}, {negate, 49, 23, 0},
-      {multiply, 50, 49, 39}, {add, 50, 50, 48}, {take_sign, 33, 50, 0}, {multiply, 48, 26, 30},
-      {negate, 50, 25, 0}, {multiply, 51, 50, 33}, {add, 51, 51, 48}, {take_sign, 34, 51, 0},
-      {subtract, 48, 15, 3}, {take_sign, 35, 48, 0}, {multiply, 51, 35, 45}, {negate, 52, 32, 0},
-      {multiply, 32, 52, 39}, {add, 32, 32, 51}, {take_sign, 36, 32, 0}, {multiply, 32, 26, 44},
-      {negate, 39, 34, 0}, {multiply, 34, 39, 33}, {add, 34, 34, 32}, {take_sign, 37, 34, 0},
-      {subtract, 32, 16, 4}, {take_sign, 38, 32, 0}, {multiply, 34, 23, 45}, {multiply, 45, 52, 38},
-      {add, 45, 45, 34}, {take_sign, 39, 45, 0}, {multiply, 34, 25, 44}, {multiply, 38, 39, 30},
-      {add, 38, 38, 34}, {take_sign, 40, 38, 0}, {subtract, 34, 17, 5}, {take_sign, 41, 34, 0},
-      {multiply, 38, 29, 40}, {negate, 45, 27, 0}, {multiply, 51, 45, 41}, {add, 51, 51, 38},
-      {take_sign, 42, 51, 0}, {multiply, 38, 29, 42}, {negate, 51, 28, 0}, {multiply, 28, 51, 41},
-      {add, 28, 28, 38}, {take_sign, 43, 28, 0}, {multiply, 28, 27, 42}, {multiply, 38, 51, 40},
-      {add, 38, 38, 28}, {take_sign, 44, 38, 0}, {subtract, 28, 7, 4}, {subtract, 4, 8, 5},
-      {multiply, 5, 41, 28}, {negate, 38, 40, 0}, {multiply, 53, 38, 4}, {add, 53, 53, 5},
-      {take_sign, 45, 53, 0}, {multiply, 5, 33, 28}, {negate, 38, 30, 0}, {multiply, 53, 38, 4},
-      {add, 53, 53, 5}, {take_sign, 46, 53, 0}, {subtract, 5, 10, 7}, {take_sign, 53, 5, 0},
-      {subtract, 10, 11, 8}, {take_sign, 58, 10, 0}, {multiply, 11, 21, 5}, {multiply, 38, 43, 10},
-      {add, 38, 38, 11}, {take_sign, 47, 38, 0}, {subtract, 11, 9, 6}, {take_sign, 48, 11, 0},
-      {subtract, 9, 12, 6}, {take_sign, 49, 9, 0}, {subtract, 12, 6, 3}, {multiply, 3, 41, 12},
-      {negate, 38, 42, 0}, {multiply, 41, 38, 4}, {add, 41, 41, 3}, {take_sign, 50, 41, 0},
-      {multiply, 3, 33, 12}, {negate, 33, 44, 0}, {multiply, 41, 33, 4}, {add, 41, 41, 3},
-      {take_sign, 51, 41, 0}, {multiply, 3, 21, 11}, {multiply, 21, 31, 10}, {add, 21, 21, 3},
-      {take_sign, 52, 21, 0}, {subtract, 3, 13, 7}, {take_sign, 54, 3, 0}, {multiply, 13, 40, 12},
-      {multiply, 21, 38, 28}, {add, 21, 21, 13}, {take_sign, 55, 21, 0}, {multiply, 13, 30, 12},
-      {multiply, 21, 33, 28}, {add, 21, 21, 13}, {take_sign, 56, 21, 0}, {multiply, 13, 20, 11},
-      {multiply, 20, 31, 5}, {add, 20, 20, 13}, {take_sign, 57, 20, 0}, {subtract, 13, 14, 8},
-      {take_sign, 59, 13, 0}, {multiply, 14, 34, 28}, {negate, 20, 32, 0}, {multiply, 21, 20, 4},
-      {add, 21, 21, 14}, {take_sign, 60, 21, 0}, {multiply, 14, 26, 3}, {multiply, 20, 50, 13},
-      {add, 20, 20, 14}, {take_sign, 61, 20, 0}, {subtract, 14, 15, 6}, {take_sign, 62, 14, 0},
-      {multiply, 14, 34, 12}, {negate, 15, 48, 0}, {multiply, 20, 15, 4}, {add, 20, 20, 14},
-      {take_sign, 63, 20, 0}, {multiply, 4, 26, 9}, {multiply, 14, 39, 13}, {add, 14, 14, 4},
-      {take_sign, 64, 14, 0}, {subtract, 4, 16, 7}, {take_sign, 65, 4, 0}, {multiply, 4, 32, 12},
-      {multiply, 12, 15, 28}, {add, 12, 12, 4}, {take_sign, 66, 12, 0}, {multiply, 4, 25, 9},
-      {multiply, 9, 39, 3}, {add, 9, 9, 4}, {take_sign, 67, 9, 0}, {subtract, 3, 17, 8},
-      {take_sign, 68, 3, 0}, {multiply, 3, 29, 5}, {multiply, 4, 45, 10}, {add, 4, 4, 3},
-      {take_sign, 69, 4, 0}, {multiply, 3, 29, 11}, {multiply, 4, 51, 10}, {add, 4, 4, 3},
-      {take_sign, 70, 4, 0}, {multiply, 3, 27, 11}, {multiply, 4, 51, 5}, {add, 4, 4, 3},
+      {subtract, 18, 10, 1}, {subtract, 19, 11, 2}, {subtract, 20, 13, 10}, {subtract, 21, 14, 11},
+      {multiply, 22, 18, 21}, {negate, 23, 19, 0}, {take_sign, 15, 23, 0}, {multiply, 24, 23, 20},
+      {add, 24, 24, 22}, {take_sign, 0, 24, 0}, {subtract, 22, 13, 1}, {subtract, 24, 14, 2},
+      {subtract, 25, 16, 13}, {subtract, 26, 17, 14}, {multiply, 27, 22, 26}, {negate, 28, 24, 0},
+      {take_sign, 16, 28, 0}, {multiply, 29, 28, 25}, {add, 29, 29, 27}, {take_sign, 1, 29, 0},
+      {subtract, 27, 16, 10}, {subtract, 29, 17, 11}, {multiply, 30, 18, 29}, {multiply, 31, 23, 27},
+      {add, 31, 31, 30}, {take_sign, 2, 31, 0}, {subtract, 30, 9, 0}, {negate, 31, 30, 0},
+      {take_sign, 3, 31, 0}, {subtract, 32, 12, 0}, {negate, 33, 32, 0}, {take_sign, 4, 33, 0},
+      {subtract, 34, 15, 0}, {negate, 35, 34, 0}, {take_sign, 5, 35, 0}, {subtract, 34, 12, 9},
+      {multiply, 36, 21, 30}, {multiply, 37, 23, 34}, {add, 37, 37, 36}, {take_sign, 6, 37, 0},
+      {subtract, 36, 15, 12}, {multiply, 37, 26, 32}, {multiply, 38, 28, 36}, {add, 38, 38, 37},
+      {take_sign, 7, 38, 0}, {subtract, 28, 15, 9}, {multiply, 37, 29, 30}, {multiply, 38, 23, 28},
+      {add, 38, 38, 37}, {take_sign, 8, 38, 0}, {negate, 23, 18, 0}, {take_sign, 9, 23, 0},
+      {negate, 37, 22, 0}, {take_sign, 10, 37, 0}, {subtract, 38, 16, 1}, {negate, 39, 38, 0},
+      {take_sign, 11, 39, 0}, {multiply, 40, 20, 30}, {multiply, 41, 23, 34}, {add, 41, 41, 40},
+      {take_sign, 12, 41, 0}, {multiply, 40, 25, 32}, {multiply, 32, 37, 36}, {add, 32, 32, 40},
+      {take_sign, 13, 32, 0}, {multiply, 32, 27, 30}, {multiply, 30, 23, 28}, {add, 30, 30, 32},
+      {take_sign, 14, 30, 0}, {subtract, 30, 17, 2}, {negate, 32, 30, 0}, {take_sign, 17, 32, 0},
+      {subtract, 32, 4, 1}, {subtract, 40, 5, 2}, {multiply, 41, 19, 32}, {multiply, 42, 23, 40},
+      {add, 42, 42, 41}, {take_sign, 18, 42, 0}, {multiply, 41, 24, 32}, {multiply, 42, 37, 40},
+      {add, 42, 42, 41}, {take_sign, 19, 42, 0}, {subtract, 41, 10, 4}, {subtract, 42, 11, 5},
+      {multiply, 43, 21, 41}, {negate, 44, 42, 0}, {take_sign, 31, 44, 0}, {negate, 44, 20, 0},
+      {multiply, 45, 44, 42}, {add, 45, 45, 43}, {take_sign, 20, 45, 0}, {subtract, 43, 9, 3},
+      {negate, 45, 43, 0}, {take_sign, 21, 45, 0}, {subtract, 46, 12, 3}, {negate, 47, 46, 0},
+      {take_sign, 22, 47, 0}, {subtract, 48, 3, 0}, {multiply, 49, 19, 48}, {multiply, 50, 31, 40},
+      {add, 50, 50, 49}, {take_sign, 23, 50, 0}, {multiply, 49, 24, 48}, {multiply, 50, 33, 40},
+      {add, 50, 50, 49}, {take_sign, 24, 50, 0}, {multiply, 49, 21, 43}, {negate, 50, 34, 0},
+      {multiply, 34, 50, 42}, {add, 34, 34, 49}, {take_sign, 25, 34, 0}, {negate, 34, 41, 0},
+      {take_sign, 26, 34, 0}, {subtract, 49, 13, 4}, {negate, 51, 49, 0}, {take_sign, 27, 51, 0},
+      {multiply, 52, 18, 48}, {multiply, 53, 31, 32}, {add, 53, 53, 52}, {take_sign, 28, 53, 0},
+      {multiply, 52, 22, 48}, {multiply, 53, 33, 32}, {add, 53, 53, 52}, {take_sign, 29, 53, 0},
+      {multiply, 52, 20, 43}, {multiply, 53, 50, 41}, {add, 53, 53, 52}, {take_sign, 30, 53, 0},
+      {subtract, 52, 14, 5}, {negate, 53, 52, 0}, {take_sign, 32, 53, 0}, {multiply, 53, 30, 32},
+      {multiply, 54, 39, 40}, {add, 54, 54, 53}, {take_sign, 33, 54, 0}, {multiply, 53, 26, 49},
+      {negate, 54, 25, 0}, {multiply, 55, 54, 52}, {add, 55, 55, 53}, {take_sign, 34, 55, 0},
+      {subtract, 53, 15, 3}, {negate, 55, 53, 0}, {take_sign, 35, 55, 0}, {multiply, 53, 30, 48},
+      {multiply, 56, 35, 40}, {add, 56, 56, 53}, {take_sign, 36, 56, 0}, {multiply, 40, 26, 46},
+      {negate, 53, 36, 0}, {multiply, 36, 53, 52}, {add, 36, 36, 40}, {take_sign, 37, 36, 0},
+      {subtract, 36, 16, 4}, {negate, 40, 36, 0}, {take_sign, 38, 40, 0}, {multiply, 56, 38, 48},
+      {multiply, 48, 35, 32}, {add, 48, 48, 56}, {take_sign, 39, 48, 0}, {multiply, 32, 25, 46},
+      {multiply, 46, 53, 49}, {add, 46, 46, 32}, {take_sign, 40, 46, 0}, {subtract, 32, 17, 5},
+      {negate, 46, 32, 0}, {take_sign, 41, 46, 0}, {multiply, 46, 29, 41}, {negate, 48, 27, 0},
+      {multiply, 56, 48, 42}, {add, 56, 56, 46}, {take_sign, 42, 56, 0}, {multiply, 46, 29, 43},
+      {negate, 56, 28, 0}, {multiply, 28, 56, 42}, {add, 28, 28, 46}, {take_sign, 43, 28, 0},
+      {multiply, 28, 27, 43}, {multiply, 43, 56, 41}, {add, 43, 43, 28}, {take_sign, 44, 43, 0},
+      {subtract, 28, 7, 4}, {subtract, 4, 8, 5}, {multiply, 5, 42, 28}, {multiply, 43, 34, 4},
+      {add, 43, 43, 5}, {take_sign, 45, 43, 0}, {multiply, 5, 52, 28}, {multiply, 34, 51, 4},
+      {add, 34, 34, 5}, {take_sign, 46, 34, 0}, {subtract, 5, 10, 7}, {subtract, 10, 11, 8},
+      {multiply, 11, 21, 5}, {negate, 34, 10, 0}, {take_sign, 58, 34, 0}, {multiply, 34, 44, 10},
+      {add, 34, 34, 11}, {take_sign, 47, 34, 0}, {subtract, 11, 9, 6}, {negate, 9, 11, 0},
+      {take_sign, 48, 9, 0}, {subtract, 9, 12, 6}, {negate, 12, 9, 0}, {take_sign, 49, 12, 0},
+      {subtract, 12, 6, 3}, {multiply, 3, 42, 12}, {multiply, 34, 45, 4}, {add, 34, 34, 3},
+      {take_sign, 50, 34, 0}, {multiply, 3, 52, 12}, {multiply, 34, 47, 4}, {add, 34, 34, 3},
+      {take_sign, 51, 34, 0}, {multiply, 3, 21, 11}, {multiply, 21, 50, 10}, {add, 21, 21, 3},
+      {take_sign, 52, 21, 0}, {negate, 3, 5, 0}, {take_sign, 53, 3, 0}, {subtract, 3, 13, 7},
+      {negate, 13, 3, 0}, {take_sign, 54, 13, 0}, {multiply, 13, 41, 12}, {multiply, 21, 45, 28},
+      {add, 21, 21, 13}, {take_sign, 55, 21, 0}, {multiply, 13, 49, 12}, {multiply, 21, 47, 28},
+      {add, 21, 21, 13}, {take_sign, 56, 21, 0}, {multiply, 13, 20, 11}, {multiply, 20, 50, 5},
+      {add, 20, 20, 13}, {take_sign, 57, 20, 0}, {subtract, 13, 14, 8}, {negate, 14, 13, 0},
+      {take_sign, 59, 14, 0}, {multiply, 14, 32, 28}, {multiply, 20, 40, 4}, {add, 20, 20, 14},
+      {take_sign, 60, 20, 0}, {multiply, 14, 26, 3}, {multiply, 20, 54, 13}, {add, 20, 20, 14},
+      {take_sign, 61, 20, 0}, {subtract, 14, 15, 6}, {negate, 15, 14, 0}, {take_sign, 62, 15, 0},
+      {multiply, 14, 32, 12}, {multiply, 15, 55, 4}, {add, 15, 15, 14}, {take_sign, 63, 15, 0},
+      {multiply, 4, 26, 9}, {multiply, 14, 53, 13}, {add, 14, 14, 4}, {take_sign, 64, 14, 0},
+      {subtract, 4, 16, 7}, {negate, 13, 4, 0}, {take_sign, 65, 13, 0}, {multiply, 4, 36, 12},
+      {multiply, 12, 55, 28}, {add, 12, 12, 4}, {take_sign, 66, 12, 0}, {multiply, 4, 25, 9},
+      {multiply, 9, 53, 3}, {add, 9, 9, 4}, {take_sign, 67, 9, 0}, {subtract, 3, 17, 8}, {negate, 4, 3, 0},
+      {take_sign, 68, 4, 0}, {multiply, 3, 29, 5}, {multiply, 4, 48, 10}, {add, 4, 4, 3},
+      {take_sign, 69, 4, 0}, {multiply, 3, 29, 11}, {multiply, 4, 56, 10}, {add, 4, 4, 3},
+      {take_sign, 70, 4, 0}, {multiply, 3, 27, 11}, {multiply, 4, 56, 5}, {add, 4, 4, 3},
       {take_sign, 71, 4, 0}, {subtract, 3, 7, 1}, {subtract, 1, 8, 2}, {multiply, 2, 19, 3},
-      {multiply, 4, 36, 1}, {add, 4, 4, 2}, {take_sign, 72, 4, 0}, {multiply, 2, 24, 3}, {multiply, 4, 37, 1},
-      {add, 4, 4, 2}, {take_sign, 73, 4, 0}, {subtract, 2, 6, 0}, {multiply, 0, 19, 2}, {multiply, 4, 47, 1},
-      {add, 4, 4, 0}, {take_sign, 74, 4, 0}, {multiply, 0, 24, 2}, {multiply, 4, 46, 1}, {add, 4, 4, 0},
-      {take_sign, 75, 4, 0}, {multiply, 0, 18, 2}, {multiply, 4, 47, 3}, {add, 4, 4, 0},
-      {take_sign, 76, 4, 0}, {multiply, 0, 22, 2}, {multiply, 4, 46, 3}, {add, 4, 4, 0},
-      {take_sign, 77, 4, 0}, {multiply, 0, 35, 3}, {multiply, 4, 49, 1}, {add, 4, 4, 0},
-      {take_sign, 78, 4, 0}, {multiply, 0, 35, 2}, {multiply, 4, 52, 1}, {add, 4, 4, 0},
-      {take_sign, 79, 4, 0}, {multiply, 0, 23, 2}, {multiply, 1, 52, 3}, {add, 1, 1, 0},
+      {multiply, 4, 23, 1}, {add, 4, 4, 2}, {take_sign, 72, 4, 0}, {multiply, 2, 24, 3}, {multiply, 4, 37, 1},
+      {add, 4, 4, 2}, {take_sign, 73, 4, 0}, {subtract, 2, 6, 0}, {multiply, 0, 19, 2}, {multiply, 4, 31, 1},
+      {add, 4, 4, 0}, {take_sign, 74, 4, 0}, {multiply, 0, 24, 2}, {multiply, 4, 33, 1}, {add, 4, 4, 0},
+      {take_sign, 75, 4, 0}, {multiply, 0, 18, 2}, {multiply, 4, 31, 3}, {add, 4, 4, 0},
+      {take_sign, 76, 4, 0}, {multiply, 0, 22, 2}, {multiply, 4, 33, 3}, {add, 4, 4, 0},
+      {take_sign, 77, 4, 0}, {multiply, 0, 30, 3}, {multiply, 4, 39, 1}, {add, 4, 4, 0},
+      {take_sign, 78, 4, 0}, {multiply, 0, 30, 2}, {multiply, 4, 35, 1}, {add, 4, 4, 0},
+      {take_sign, 79, 4, 0}, {multiply, 0, 38, 2}, {multiply, 1, 35, 3}, {add, 1, 1, 0},
       {take_sign, 80, 1, 0}};
     return all[i];
   }
@@ -469,362 +476,154 @@ struct triangle_triangle::rare_stage : detail::triangle_triangle_rare_bounds {
     const T t4 = B.b.z - A.a.z;
     const T t5 = -t4;
     const T t6 = B.a.x - A.a.x;
-    const T t7 = B.b.x - A.a.x;
-    const T t8 = B.c.y - A.a.y;
-    const T t9 = -t0;
-    const T t10 = -t3;
-    const T t11 = B.c.z - A.a.z;
-    const T t12 = B.a.y - A.b.y;
-    const T t13 = B.a.z - A.b.z;
-    const T t14 = B.a.x - A.b.x;
-    const T t15 = B.b.x - A.b.x;
-    const T t16 = -t6;
-    const T t17 = -t7;
-    const T t18 = B.b.y - A.b.y;
-    const T t19 = B.b.z - A.b.z;
-    const T t20 = -t8;
-    const T t21 = -(B.c.x - A.a.x);
-    const T t22 = B.c.y - A.b.y;
-    const T t23 = B.c.z - A.b.z;
-    const T t24 = B.a.y - A.c.y;
-    const T t25 = B.a.z - A.c.z;
-    const T t26 = B.a.x - A.c.x;
-    const T t27 = B.b.x - A.c.x;
-    const T t28 = -t14;
-    const T t29 = -t15;
-    const T t30 = B.b.y - A.c.y;
-    const T t31 = B.b.z - A.c.z;
-    const T t32 = -(B.c.x - A.b.x);
+    const T t7 = -t6;
+    const T t8 = B.b.x - A.a.x;
+    const T t9 = -t8;
+    const T t10 = -(B.c.x - A.a.x);
+    const T t11 = -t0;
+    const T t12 = -t3;
+    const T t13 = B.c.y - A.a.y;
+    const T t14 = -t13;
+    const T t15 = B.c.z - A.a.z;
+    const T t16 = B.a.y - A.b.y;
+    const T t17 = B.a.z - A.b.z;
+    const T t18 = B.a.x - A.b.x;
+    const T t19 = -t18;
+    const T t20 = B.b.x - A.b.x;
+    const T t21 = -t20;
+    const T t22 = B.b.y - A.b.y;
+    const T t23 = B.b.z - A.b.z;
+    const T t24 = -(B.c.x - A.b.x);
+    const T t25 = B.c.y - A.b.y;
+    const T t26 = B.c.z - A.b.z;
+    const T t27 = B.a.y - A.c.y;
+    const T t28 = B.a.z - A.c.z;
+    const T t29 = B.a.x - A.c.x;
+    const T t30 = B.b.x - A.c.x;
+    const T t31 = B.b.y - A.c.y;
+    const T t32 = B.b.z - A.c.z;
     v[0] = meetc::fma(t2, fb[0], t0 * fb[1]); // s[15] = -turn(e1, B.a, B.b, A.a)
     v[1] = meetc::fma(t5, fb[2], t3 * fb[3]); // s[16] = -turn(e1, B.b, B.c, A.a)
     v[2] = meetc::fma(t2, fb[4], t0 * fb[5]); // s[17] = turn(e1, B.c, B.a, A.a)
-    v[3] = t6; // s[18] = -(A.a[e1] - B.a[e1])
-    v[4] = t7; // s[19] = -(A.a[e1] - B.b[e1])
-    v[5] = B.c.x - A.a.x; // s[20] = -(A.a[e1] - B.c[e1])
+    v[3] = t7; // s[18] = A.a[e1] - B.a[e1]
+    v[4] = t9; // s[19] = A.a[e1] - B.b[e1]
+    v[5] = t10; // s[20] = A.a[e1] - B.c[e1]
     v[6] = meetc::fma(t2, fb[6], fb[1] * t6); // s[21] = turn(e2, B.a, B.b, A.a)
-    v[7] = meetc::fma(t5, fb[7], fb[3] * t7); // s[22] = turn(e2, B.b, B.c, A.a)
+    v[7] = meetc::fma(t5, fb[7], fb[3] * t8); // s[22] = turn(e2, B.b, B.c, A.a)
     v[8] = meetc::fma(t2, fb[8], fb[5] * t6); // s[23] = -turn(e2, B.c, B.a, A.a)
-    v[9] = t0; // s[24] = -(A.a[e2] - B.a[e2])
-    v[10] = t3; // s[25] = -(A.a[e2] - B.b[e2])
-    v[11] = t8; // s[26] = -(A.a[e2] - B.c[e2])
-    v[12] = meetc::fma(t9, fb[6], fb[0] * t6); // s[27] = -turn(e3, B.a, B.b, A.a)
-    v[13] = meetc::fma(t10, fb[7], fb[2] * t7); // s[28] = -turn(e3, B.b, B.c, A.a)
-    v[14] = meetc::fma(t9, fb[8], fb[4] * t6); // s[29] = turn(e3, B.c, B.a, A.a)
-    v[15] = t1; // s[30] = -(A.a[e3] - B.a[e3])
-    v[16] = t4; // s[31] = -(A.a[e3] - B.b[e3])
-    v[17] = t11; // s[32] = -(A.a[e3] - B.c[e3])
-    v[18] = meetc::fma(t9, fa[1], t1 * fa[0]); // s[33] = -turn(e1, A.a, A.b, B.a)
-    v[19] = meetc::fma(t10, fa[1], t4 * fa[0]); // s[34] = -turn(e1, A.a, A.b, B.b)
-    v[20] = meetc::fma(-fb[0], t13, fb[1] * t12); // s[35] = -turn(e1, B.a, B.b, A.b)
-    v[21] = t14; // s[36] = -(A.b[e1] - B.a[e1])
-    v[22] = t15; // s[37] = -(A.b[e1] - B.b[e1])
-    v[23] = meetc::fma(t16, fa[1], t1 * fa[2]); // s[38] = turn(e2, A.a, A.b, B.a)
-    v[24] = meetc::fma(t17, fa[1], t4 * fa[2]); // s[39] = turn(e2, A.a, A.b, B.b)
-    v[25] = meetc::fma(-fb[6], t13, fb[1] * t14); // s[40] = turn(e2, B.a, B.b, A.b)
-    v[26] = t12; // s[41] = -(A.b[e2] - B.a[e2])
-    v[27] = t18; // s[42] = -(A.b[e2] - B.b[e2])
-    v[28] = meetc::fma(t16, fa[0], t0 * fa[2]); // s[43] = -turn(e3, A.a, A.b, B.a)
-    v[29] = meetc::fma(t17, fa[0], t3 * fa[2]); // s[44] = -turn(e3, A.a, A.b, B.b)
-    v[30] = meetc::fma(-fb[6], t12, fb[0] * t14); // s[45] = -turn(e3, B.a, B.b, A.b)
-    v[31] = t13; // s[46] = -(A.b[e3] - B.a[e3])
-    v[32] = t19; // s[47] = -(A.b[e3] - B.b[e3])
-    v[33] = meetc::fma(t20, fa[1], t11 * fa[0]); // s[48] = -turn(e1, A.a, A.b, B.c)
-    v[34] = meetc::fma(-fb[2], t19, fb[3] * t18); // s[49] = -turn(e1, B.b, B.c, A.b)
-    v[35] = B.c.x - A.b.x; // s[50] = -(A.b[e1] - B.c[e1])
-    v[36] = meetc::fma(t21, fa[1], t11 * fa[2]); // s[51] = turn(e2, A.a, A.b, B.c)
-    v[37] = meetc::fma(-fb[7], t19, fb[3] * t15); // s[52] = turn(e2, B.b, B.c, A.b)
-    v[38] = t22; // s[53] = -(A.b[e2] - B.c[e2])
-    v[39] = meetc::fma(t21, fa[0], t8 * fa[2]); // s[54] = -turn(e3, A.a, A.b, B.c)
-    v[40] = meetc::fma(-fb[7], t18, fb[2] * t15); // s[55] = -turn(e3, B.b, B.c, A.b)
-    v[41] = t23; // s[56] = -(A.b[e3] - B.c[e3])
-    v[42] = meetc::fma(-fb[4], t13, fb[5] * t12); // s[57] = turn(e1, B.c, B.a, A.b)
-    v[43] = meetc::fma(-fb[8], t13, fb[5] * t14); // s[58] = -turn(e2, B.c, B.a, A.b)
-    v[44] = meetc::fma(-fb[8], t12, fb[4] * t14); // s[59] = turn(e3, B.c, B.a, A.b)
-    v[45] = meetc::fma(-t12, fa[4], t13 * fa[3]); // s[60] = -turn(e1, A.b, A.c, B.a)
-    v[46] = meetc::fma(-t18, fa[4], t19 * fa[3]); // s[61] = -turn(e1, A.b, A.c, B.b)
-    v[47] = meetc::fma(-fb[0], t25, fb[1] * t24); // s[62] = -turn(e1, B.a, B.b, A.c)
-    v[48] = t26; // s[63] = -(A.c[e1] - B.a[e1])
-    v[49] = t27; // s[64] = -(A.c[e1] - B.b[e1])
-    v[50] = meetc::fma(t28, fa[4], t13 * fa[5]); // s[65] = turn(e2, A.b, A.c, B.a)
-    v[51] = meetc::fma(t29, fa[4], t19 * fa[5]); // s[66] = turn(e2, A.b, A.c, B.b)
-    v[52] = meetc::fma(-fb[6], t25, fb[1] * t26); // s[67] = turn(e2, B.a, B.b, A.c)
-    v[53] = t24; // s[68] = -(A.c[e2] - B.a[e2])
-    v[54] = t30; // s[69] = -(A.c[e2] - B.b[e2])
-    v[55] = meetc::fma(t28, fa[3], t12 * fa[5]); // s[70] = -turn(e3, A.b, A.c, B.a)
-    v[56] = meetc::fma(t29, fa[3], t18 * fa[5]); // s[71] = -turn(e3, A.b, A.c, B.b)
-    v[57] = meetc::fma(-fb[6], t24, fb[0] * t26); // s[72] = -turn(e3, B.a, B.b, A.c)
-    v[58] = t25; // s[73] = -(A.c[e3] - B.a[e3])
-    v[59] = t31; // s[74] = -(A.c[e3] - B.b[e3])
-    v[60] = meetc::fma(-t22, fa[4], t23 * fa[3]); // s[75] = -turn(e1, A.b, A.c, B.c)
-    v[61] = meetc::fma(-fb[2], t31, fb[3] * t30); // s[76] = -turn(e1, B.b, B.c, A.c)
-    v[62] = B.c.x - A.c.x; // s[77] = -(A.c[e1] - B.c[e1])
-    v[63] = meetc::fma(t32, fa[4], t23 * fa[5]); // s[78] = turn(e2, A.b, A.c, B.c)
-    v[64] = meetc::fma(-fb[7], t31, fb[3] * t27); // s[79] = turn(e2, B.b, B.c, A.c)
-    v[65] = B.c.y - A.c.y; // s[80] = -(A.c[e2] - B.c[e2])
-    v[66] = meetc::fma(t32, fa[3], t22 * fa[5]); // s[81] = -turn(e3, A.b, A.c, B.c)
-    v[67] = meetc::fma(-fb[7], t30, fb[2] * t27); // s[82] = -turn(e3, B.b, B.c, A.c)
-    v[68] = B.c.z - A.c.z; // s[83] = -(A.c[e3] - B.c[e3])
-    v[69] = meetc::fma(-fb[4], t25, fb[5] * t24); // s[84] = turn(e1, B.c, B.a, A.c)
-    v[70] = meetc::fma(-fb[8], t25, fb[5] * t26); // s[85] = -turn(e2, B.c, B.a, A.c)
-    v[71] = meetc::fma(-fb[8], t24, fb[4] * t26); // s[86] = turn(e3, B.c, B.a, A.c)
-    v[72] = meetc::fma(t9, fa[7], t1 * fa[6]); // s[87] = turn(e1, A.c, A.a, B.a)
-    v[73] = meetc::fma(t10, fa[7], t4 * fa[6]); // s[88] = turn(e1, A.c, A.a, B.b)
-    v[74] = meetc::fma(t16, fa[7], t1 * fa[8]); // s[89] = -turn(e2, A.c, A.a, B.a)
-    v[75] = meetc::fma(t17, fa[7], t4 * fa[8]); // s[90] = -turn(e2, A.c, A.a, B.b)
-    v[76] = meetc::fma(t16, fa[6], t0 * fa[8]); // s[91] = turn(e3, A.c, A.a, B.a)
-    v[77] = meetc::fma(t17, fa[6], t3 * fa[8]); // s[92] = turn(e3, A.c, A.a, B.b)
-    v[78] = meetc::fma(t20, fa[7], t11 * fa[6]); // s[93] = turn(e1, A.c, A.a, B.c)
-    v[79] = meetc::fma(t21, fa[7], t11 * fa[8]); // s[94] = -turn(e2, A.c, A.a, B.c)
-    v[80] = meetc::fma(t21, fa[6], t8 * fa[8]); // s[95] = turn(e3, A.c, A.a, B.c)
+    v[9] = t11; // s[24] = A.a[e2] - B.a[e2]
+    v[10] = t12; // s[25] = A.a[e2] - B.b[e2]
+    v[11] = t14; // s[26] = A.a[e2] - B.c[e2]
+    v[12] = meetc::fma(t11, fb[6], fb[0] * t6); // s[27] = -turn(e3, B.a, B.b, A.a)
+    v[13] = meetc::fma(t12, fb[7], fb[2] * t8); // s[28] = -turn(e3, B.b, B.c, A.a)
+    v[14] = meetc::fma(t11, fb[8], fb[4] * t6); // s[29] = turn(e3, B.c, B.a, A.a)
+    v[15] = t2; // s[30] = A.a[e3] - B.a[e3]
+    v[16] = t5; // s[31] = A.a[e3] - B.b[e3]
+    v[17] = -t15; // s[32] = A.a[e3] - B.c[e3]
+    v[18] = meetc::fma(t11, fa[1], t1 * fa[0]); // s[33] = -turn(e1, A.a, A.b, B.a)
+    v[19] = meetc::fma(t12, fa[1], t4 * fa[0]); // s[34] = -turn(e1, A.a, A.b, B.b)
+    v[20] = meetc::fma(-fb[0], t17, fb[1] * t16); // s[35] = -turn(e1, B.a, B.b, A.b)
+    v[21] = t19; // s[36] = A.b[e1] - B.a[e1]
+    v[22] = t21; // s[37] = A.b[e1] - B.b[e1]
+    v[23] = meetc::fma(t7, fa[1], t1 * fa[2]); // s[38] = turn(e2, A.a, A.b, B.a)
+    v[24] = meetc::fma(t9, fa[1], t4 * fa[2]); // s[39] = turn(e2, A.a, A.b, B.b)
+    v[25] = meetc::fma(-fb[6], t17, fb[1] * t18); // s[40] = turn(e2, B.a, B.b, A.b)
+    v[26] = -t16; // s[41] = A.b[e2] - B.a[e2]
+    v[27] = -t22; // s[42] = A.b[e2] - B.b[e2]
+    v[28] = meetc::fma(t7, fa[0], t0 * fa[2]); // s[43] = -turn(e3, A.a, A.b, B.a)
+    v[29] = meetc::fma(t9, fa[0], t3 * fa[2]); // s[44] = -turn(e3, A.a, A.b, B.b)
+    v[30] = meetc::fma(-fb[6], t16, fb[0] * t18); // s[45] = -turn(e3, B.a, B.b, A.b)
+    v[31] = -t17; // s[46] = A.b[e3] - B.a[e3]
+    v[32] = -t23; // s[47] = A.b[e3] - B.b[e3]
+    v[33] = meetc::fma(t14, fa[1], t15 * fa[0]); // s[48] = -turn(e1, A.a, A.b, B.c)
+    v[34] = meetc::fma(-fb[2], t23, fb[3] * t22); // s[49] = -turn(e1, B.b, B.c, A.b)
+    v[35] = t24; // s[50] = A.b[e1] - B.c[e1]
+    v[36] = meetc::fma(t10, fa[1], t15 * fa[2]); // s[51] = turn(e2, A.a, A.b, B.c)
+    v[37] = meetc::fma(-fb[7], t23, fb[3] * t20); // s[52] = turn(e2, B.b, B.c, A.b)
+    v[38] = -t25; // s[53] = A.b[e2] - B.c[e2]
+    v[39] = meetc::fma(t10, fa[0], t13 * fa[2]); // s[54] = -turn(e3, A.a, A.b, B.c)
+    v[40] = meetc::fma(-fb[7], t22, fb[2] * t20); // s[55] = -turn(e3, B.b, B.c, A.b)
+    v[41] = -t26; // s[56] = A.b[e3] - B.c[e3]
+    v[42] = meetc::fma(-fb[4], t17, fb[5] * t16); // s[57] = turn(e1, B.c, B.a, A.b)
+    v[43] = meetc::fma(-fb[8], t17, fb[5] * t18); // s[58] = -turn(e2, B.c, B.a, A.b)
+    v[44] = meetc::fma(-fb[8], t16, fb[4] * t18); // s[59] = turn(e3, B.c, B.a, A.b)
+    v[45] = meetc::fma(-t16, fa[4], t17 * fa[3]); // s[60] = -turn(e1, A.b, A.c, B.a)
+    v[46] = meetc::fma(-t22, fa[4], t23 * fa[3]); // s[61] = -turn(e1, A.b, A.c, B.b)
+    v[47] = meetc::fma(-fb[0], t28, fb[1] * t27); // s[62] = -turn(e1, B.a, B.b, A.c)
+    v[48] = -t29; // s[63] = A.c[e1] - B.a[e1]
+    v[49] = -t30; // s[64] = A.c[e1] - B.b[e1]
+    v[50] = meetc::fma(t19, fa[4], t17 * fa[5]); // s[65] = turn(e2, A.b, A.c, B.a)
+    v[51] = meetc::fma(t21, fa[4], t23 * fa[5]); // s[66] = turn(e2, A.b, A.c, B.b)
+    v[52] = meetc::fma(-fb[6], t28, fb[1] * t29); // s[67] = turn(e2, B.a, B.b, A.c)
+    v[53] = -t27; // s[68] = A.c[e2] - B.a[e2]
+    v[54] = -t31; // s[69] = A.c[e2] - B.b[e2]
+    v[55] = meetc::fma(t19, fa[3], t16 * fa[5]); // s[70] = -turn(e3, A.b, A.c, B.a)
+    v[56] = meetc::fma(t21, fa[3], t22 * fa[5]); // s[71] = -turn(e3, A.b, A.c, B.b)
+    v[57] = meetc::fma(-fb[6], t27, fb[0] * t29); // s[72] = -turn(e3, B.a, B.b, A.c)
+    v[58] = -t28; // s[73] = A.c[e3] - B.a[e3]
+    v[59] = -t32; // s[74] = A.c[e3] - B.b[e3]
+    v[60] = meetc::fma(-t25, fa[4], t26 * fa[3]); // s[75] = -turn(e1, A.b, A.c, B.c)
+    v[61] = meetc::fma(-fb[2], t32, fb[3] * t31); // s[76] = -turn(e1, B.b, B.c, A.c)
+    v[62] = -(B.c.x - A.c.x); // s[77] = A.c[e1] - B.c[e1]
+    v[63] = meetc::fma(t24, fa[4], t26 * fa[5]); // s[78] = turn(e2, A.b, A.c, B.c)
+    v[64] = meetc::fma(-fb[7], t32, fb[3] * t30); // s[79] = turn(e2, B.b, B.c, A.c)
+    v[65] = -(B.c.y - A.c.y); // s[80] = A.c[e2] - B.c[e2]
+    v[66] = meetc::fma(t24, fa[3], t25 * fa[5]); // s[81] = -turn(e3, A.b, A.c, B.c)
+    v[67] = meetc::fma(-fb[7], t31, fb[2] * t30); // s[82] = -turn(e3, B.b, B.c, A.c)
+    v[68] = -(B.c.z - A.c.z); // s[83] = A.c[e3] - B.c[e3]
+    v[69] = meetc::fma(-fb[4], t28, fb[5] * t27); // s[84] = turn(e1, B.c, B.a, A.c)
+    v[70] = meetc::fma(-fb[8], t28, fb[5] * t29); // s[85] = -turn(e2, B.c, B.a, A.c)
+    v[71] = meetc::fma(-fb[8], t27, fb[4] * t29); // s[86] = turn(e3, B.c, B.a, A.c)
+    v[72] = meetc::fma(t11, fa[7], t1 * fa[6]); // s[87] = turn(e1, A.c, A.a, B.a)
+    v[73] = meetc::fma(t12, fa[7], t4 * fa[6]); // s[88] = turn(e1, A.c, A.a, B.b)
+    v[74] = meetc::fma(t7, fa[7], t1 * fa[8]); // s[89] = -turn(e2, A.c, A.a, B.a)
+    v[75] = meetc::fma(t9, fa[7], t4 * fa[8]); // s[90] = -turn(e2, A.c, A.a, B.b)
+    v[76] = meetc::fma(t7, fa[6], t0 * fa[8]); // s[91] = turn(e3, A.c, A.a, B.a)
+    v[77] = meetc::fma(t9, fa[6], t3 * fa[8]); // s[92] = turn(e3, A.c, A.a, B.b)
+    v[78] = meetc::fma(t14, fa[7], t15 * fa[6]); // s[93] = turn(e1, A.c, A.a, B.c)
+    v[79] = meetc::fma(t10, fa[7], t15 * fa[8]); // s[94] = -turn(e2, A.c, A.a, B.c)
+    v[80] = meetc::fma(t10, fa[6], t13 * fa[8]); // s[95] = turn(e3, A.c, A.a, B.c)
   }
 };
 
-template <class S> MEETC_HD constexpr auto triangle_triangle::whole(const S *s) {
-    const auto b0 = meetc::is_zero(s[0]);
-    const auto b1 = meetc::is_zero(s[1]);
-    const auto b2 = meetc::both(meetc::at_most_zero(s[15]), meetc::at_most_zero(s[16]),
-        meetc::at_least_zero(s[17]));
-    const auto b3 = meetc::both(meetc::at_least_zero(s[15]), meetc::at_least_zero(s[16]),
-        meetc::at_most_zero(s[17]));
-    const auto b4 = meetc::at_least_zero(s[18]);
-    const auto b5 = meetc::at_least_zero(s[19]);
-    const auto b6 = meetc::at_least_zero(s[20]);
-    const auto b7 = meetc::at_most_zero(s[18]);
-    const auto b8 = meetc::at_most_zero(s[19]);
-    const auto b9 = meetc::at_most_zero(s[20]);
-    const auto b10 = meetc::both(meetc::at_least_zero(s[21]), meetc::at_least_zero(s[22]),
-        meetc::at_most_zero(s[23]));
-    const auto b11 = meetc::both(meetc::at_most_zero(s[21]), meetc::at_most_zero(s[22]),
-        meetc::at_least_zero(s[23]));
-    const auto b12 = meetc::at_least_zero(s[24]);
-    const auto b13 = meetc::at_least_zero(s[25]);
-    const auto b14 = meetc::at_least_zero(s[26]);
-    const auto b15 = meetc::at_most_zero(s[24]);
-    const auto b16 = meetc::at_most_zero(s[25]);
-    const auto b17 = meetc::at_most_zero(s[26]);
-    const auto b18 = meetc::both(meetc::at_most_zero(s[27]), meetc::at_most_zero(s[28]),
-        meetc::at_least_zero(s[29]));
-    const auto b19 = meetc::both(meetc::at_least_zero(s[27]), meetc::at_least_zero(s[28]),
-        meetc::at_most_zero(s[29]));
-    const auto b20 = meetc::at_least_zero(s[30]);
-    const auto b21 = meetc::at_least_zero(s[31]);
-    const auto b22 = meetc::at_least_zero(s[32]);
-    const auto b23 = meetc::at_most_zero(s[30]);
-    const auto b24 = meetc::at_most_zero(s[31]);
-    const auto b25 = meetc::at_most_zero(s[32]);
-    const auto b26 = meetc::both(b0, meetc::either(b2, b3), meetc::either(b4, b5, b6), meetc::either(b7, b8,
-        b9), meetc::either(b10, b11), meetc::either(b12, b13, b14), meetc::either(b15, b16, b17),
-        meetc::either(b18, b19), meetc::either(b20, b21, b22), meetc::either(b23, b24, b25));
-    const auto b27 = meetc::at_least_zero(s[36]);
-    const auto b28 = meetc::at_least_zero(s[37]);
-    const auto b29 = meetc::at_most_zero(s[36]);
-    const auto b30 = meetc::at_most_zero(s[37]);
-    const auto b31 = meetc::at_least_zero(s[41]);
-    const auto b32 = meetc::at_least_zero(s[42]);
-    const auto b33 = meetc::at_most_zero(s[41]);
-    const auto b34 = meetc::at_most_zero(s[42]);
-    const auto b35 = meetc::at_least_zero(s[46]);
-    const auto b36 = meetc::at_least_zero(s[47]);
-    const auto b37 = meetc::at_most_zero(s[46]);
-    const auto b38 = meetc::at_most_zero(s[47]);
-    const auto b39 = meetc::both(meetc::is_zero(s[6]), meetc::at_most_zero(s[33] * s[34]),
-        meetc::at_most_zero(s[15] * s[35]), meetc::either(b4, b5, b27, b28), meetc::either(b7, b8, b29, b30),
-        meetc::at_most_zero(s[38] * s[39]), meetc::at_most_zero(s[21] * s[40]), meetc::either(b12, b13, b31,
-        b32), meetc::either(b15, b16, b33, b34), meetc::at_most_zero(s[43] * s[44]),
-        meetc::at_most_zero(s[27] * s[45]), meetc::either(b20, b21, b35, b36), meetc::either(b23, b24, b37,
-        b38));
-    const auto b40 = meetc::at_least_zero(s[50]);
-    const auto b41 = meetc::at_most_zero(s[50]);
-    const auto b42 = meetc::at_least_zero(s[53]);
-    const auto b43 = meetc::at_most_zero(s[53]);
-    const auto b44 = meetc::at_least_zero(s[56]);
-    const auto b45 = meetc::at_most_zero(s[56]);
-    const auto b46 = meetc::both(meetc::is_zero(s[7]), meetc::at_most_zero(s[34] * s[48]),
-        meetc::at_most_zero(s[16] * s[49]), meetc::either(b5, b6, b28, b40), meetc::either(b8, b9, b30, b41),
-        meetc::at_most_zero(s[39] * s[51]), meetc::at_most_zero(s[22] * s[52]), meetc::either(b13, b14, b32,
-        b42), meetc::either(b16, b17, b34, b43), meetc::at_most_zero(s[44] * s[54]),
-        meetc::at_most_zero(s[28] * s[55]), meetc::either(b21, b22, b36, b44), meetc::either(b24, b25, b38,
-        b45));
-    const auto b47 = meetc::both(meetc::is_zero(s[8]), meetc::at_most_zero(s[33] * s[48]),
-        meetc::at_most_zero(s[17] * s[57]), meetc::either(b4, b6, b27, b40), meetc::either(b7, b9, b29, b41),
-        meetc::at_most_zero(s[38] * s[51]), meetc::at_most_zero(s[23] * s[58]), meetc::either(b12, b14, b31,
-        b42), meetc::either(b15, b17, b33, b43), meetc::at_most_zero(s[43] * s[54]),
-        meetc::at_most_zero(s[29] * s[59]), meetc::either(b20, b22, b35, b44), meetc::either(b23, b25, b37,
-        b45));
-    const auto b48 = meetc::at_least_zero(s[6]);
-    const auto b49 = meetc::at_least_zero(s[7]);
-    const auto b50 = meetc::at_most_zero(s[8]);
-    const auto b51 = meetc::at_most_zero(s[6]);
-    const auto b52 = meetc::at_most_zero(s[7]);
-    const auto b53 = meetc::at_least_zero(s[8]);
-    const auto b54 = meetc::either(meetc::both(b48, b49, b50), meetc::both(b51, b52, b53));
-    const auto b55 = meetc::choose(meetc::both(b0, b1), meetc::either(b26, b39, b46, b47),
-        meetc::both(meetc::at_most_zero(s[0] * s[1]), b54));
-    const auto b56 = meetc::is_zero(s[2]);
-    const auto b57 = meetc::both(meetc::at_most_zero(s[35]), meetc::at_most_zero(s[49]),
-        meetc::at_least_zero(s[57]));
-    const auto b58 = meetc::both(meetc::at_least_zero(s[35]), meetc::at_least_zero(s[49]),
-        meetc::at_most_zero(s[57]));
-    const auto b59 = meetc::both(meetc::at_least_zero(s[40]), meetc::at_least_zero(s[52]),
-        meetc::at_most_zero(s[58]));
-    const auto b60 = meetc::both(meetc::at_most_zero(s[40]), meetc::at_most_zero(s[52]),
-        meetc::at_least_zero(s[58]));
-    const auto b61 = meetc::both(meetc::at_most_zero(s[45]), meetc::at_most_zero(s[55]),
-        meetc::at_least_zero(s[59]));
-    const auto b62 = meetc::both(meetc::at_least_zero(s[45]), meetc::at_least_zero(s[55]),
-        meetc::at_most_zero(s[59]));
-    const auto b63 = meetc::both(b1, meetc::either(b57, b58), meetc::either(b27, b28, b40), meetc::either(b29,
-        b30, b41), meetc::either(b59, b60), meetc::either(b31, b32, b42), meetc::either(b33, b34, b43),
-        meetc::either(b61, b62), meetc::either(b35, b36, b44), meetc::either(b37, b38, b45));
-    const auto b64 = meetc::at_least_zero(s[63]);
-    const auto b65 = meetc::at_least_zero(s[64]);
-    const auto b66 = meetc::at_most_zero(s[63]);
-    const auto b67 = meetc::at_most_zero(s[64]);
-    const auto b68 = meetc::at_least_zero(s[68]);
-    const auto b69 = meetc::at_least_zero(s[69]);
-    const auto b70 = meetc::at_most_zero(s[68]);
-    const auto b71 = meetc::at_most_zero(s[69]);
-    const auto b72 = meetc::at_least_zero(s[73]);
-    const auto b73 = meetc::at_least_zero(s[74]);
-    const auto b74 = meetc::at_most_zero(s[73]);
-    const auto b75 = meetc::at_most_zero(s[74]);
-    const auto b76 = meetc::both(meetc::is_zero(s[9]), meetc::at_most_zero(s[60] * s[61]),
-        meetc::at_most_zero(s[35] * s[62]), meetc::either(b27, b28, b64, b65), meetc::either(b29, b30, b66,
-        b67), meetc::at_most_zero(s[65] * s[66]), meetc::at_most_zero(s[40] * s[67]), meetc::either(b31, b32,
-        b68, b69), meetc::either(b33, b34, b70, b71), meetc::at_most_zero(s[70] * s[71]),
-        meetc::at_most_zero(s[45] * s[72]), meetc::either(b35, b36, b72, b73), meetc::either(b37, b38, b74,
-        b75));
-    const auto b77 = meetc::at_least_zero(s[77]);
-    const auto b78 = meetc::at_most_zero(s[77]);
-    const auto b79 = meetc::at_least_zero(s[80]);
-    const auto b80 = meetc::at_most_zero(s[80]);
-    const auto b81 = meetc::at_least_zero(s[83]);
-    const auto b82 = meetc::at_most_zero(s[83]);
-    const auto b83 = meetc::both(meetc::is_zero(s[10]), meetc::at_most_zero(s[61] * s[75]),
-        meetc::at_most_zero(s[49] * s[76]), meetc::either(b28, b40, b65, b77), meetc::either(b30, b41, b67,
-        b78), meetc::at_most_zero(s[66] * s[78]), meetc::at_most_zero(s[52] * s[79]), meetc::either(b32, b42,
-        b69, b79), meetc::either(b34, b43, b71, b80), meetc::at_most_zero(s[71] * s[81]),
-        meetc::at_most_zero(s[55] * s[82]), meetc::either(b36, b44, b73, b81), meetc::either(b38, b45, b75,
-        b82));
-    const auto b84 = meetc::both(meetc::is_zero(s[11]), meetc::at_most_zero(s[60] * s[75]),
-        meetc::at_most_zero(s[57] * s[84]), meetc::either(b27, b40, b64, b77), meetc::either(b29, b41, b66,
-        b78), meetc::at_most_zero(s[65] * s[78]), meetc::at_most_zero(s[58] * s[85]), meetc::either(b31, b42,
-        b68, b79), meetc::either(b33, b43, b70, b80), meetc::at_most_zero(s[70] * s[81]),
-        meetc::at_most_zero(s[59] * s[86]), meetc::either(b35, b44, b72, b81), meetc::either(b37, b45, b74,
-        b82));
-    const auto b85 = meetc::at_least_zero(s[9]);
-    const auto b86 = meetc::at_least_zero(s[10]);
-    const auto b87 = meetc::at_most_zero(s[11]);
-    const auto b88 = meetc::at_most_zero(s[9]);
-    const auto b89 = meetc::at_most_zero(s[10]);
-    const auto b90 = meetc::at_least_zero(s[11]);
-    const auto b91 = meetc::either(meetc::both(b85, b86, b87), meetc::both(b88, b89, b90));
-    const auto b92 = meetc::choose(meetc::both(b1, b56), meetc::either(b63, b76, b83, b84),
-        meetc::both(meetc::at_most_zero(s[1] * s[2]), b91));
-    const auto b93 = meetc::both(meetc::at_most_zero(s[62]), meetc::at_most_zero(s[76]),
-        meetc::at_least_zero(s[84]));
-    const auto b94 = meetc::both(meetc::at_least_zero(s[62]), meetc::at_least_zero(s[76]),
-        meetc::at_most_zero(s[84]));
-    const auto b95 = meetc::both(meetc::at_least_zero(s[67]), meetc::at_least_zero(s[79]),
-        meetc::at_most_zero(s[85]));
-    const auto b96 = meetc::both(meetc::at_most_zero(s[67]), meetc::at_most_zero(s[79]),
-        meetc::at_least_zero(s[85]));
-    const auto b97 = meetc::both(meetc::at_most_zero(s[72]), meetc::at_most_zero(s[82]),
-        meetc::at_least_zero(s[86]));
-    const auto b98 = meetc::both(meetc::at_least_zero(s[72]), meetc::at_least_zero(s[82]),
-        meetc::at_most_zero(s[86]));
-    const auto b99 = meetc::both(b56, meetc::either(b93, b94), meetc::either(b64, b65, b77),
-        meetc::either(b66, b67, b78), meetc::either(b95, b96), meetc::either(b68, b69, b79),
-        meetc::either(b70, b71, b80), meetc::either(b97, b98), meetc::either(b72, b73, b81),
-        meetc::either(b74, b75, b82));
-    const auto b100 = meetc::both(meetc::is_zero(s[12]), meetc::at_most_zero(s[87] * s[88]),
-        meetc::at_most_zero(s[15] * s[62]), meetc::either(b4, b5, b64, b65), meetc::either(b7, b8, b66, b67),
-        meetc::at_most_zero(s[89] * s[90]), meetc::at_most_zero(s[21] * s[67]), meetc::either(b12, b13, b68,
-        b69), meetc::either(b15, b16, b70, b71), meetc::at_most_zero(s[91] * s[92]),
-        meetc::at_most_zero(s[27] * s[72]), meetc::either(b20, b21, b72, b73), meetc::either(b23, b24, b74,
-        b75));
-    const auto b101 = meetc::both(meetc::is_zero(s[13]), meetc::at_most_zero(s[88] * s[93]),
-        meetc::at_most_zero(s[16] * s[76]), meetc::either(b5, b6, b65, b77), meetc::either(b8, b9, b67, b78),
-        meetc::at_most_zero(s[90] * s[94]), meetc::at_most_zero(s[22] * s[79]), meetc::either(b13, b14, b69,
-        b79), meetc::either(b16, b17, b71, b80), meetc::at_most_zero(s[92] * s[95]),
-        meetc::at_most_zero(s[28] * s[82]), meetc::either(b21, b22, b73, b81), meetc::either(b24, b25, b75,
-        b82));
-    const auto b102 = meetc::both(meetc::is_zero(s[14]), meetc::at_most_zero(s[87] * s[93]),
-        meetc::at_most_zero(s[17] * s[84]), meetc::either(b4, b6, b64, b77), meetc::either(b7, b9, b66, b78),
-        meetc::at_most_zero(s[89] * s[94]), meetc::at_most_zero(s[23] * s[85]), meetc::either(b12, b14, b68,
-        b79), meetc::either(b15, b17, b70, b80), meetc::at_most_zero(s[91] * s[95]),
-        meetc::at_most_zero(s[29] * s[86]), meetc::either(b20, b22, b72, b81), meetc::either(b23, b25, b74,
-        b82));
-    const auto b103 = meetc::at_most_zero(s[12]);
-    const auto b104 = meetc::at_most_zero(s[13]);
-    const auto b105 = meetc::at_least_zero(s[14]);
-    const auto b106 = meetc::at_least_zero(s[12]);
-    const auto b107 = meetc::at_least_zero(s[13]);
-    const auto b108 = meetc::at_most_zero(s[14]);
-    const auto b109 = meetc::either(meetc::both(b103, b104, b105), meetc::both(b106, b107, b108));
-    const auto b110 = meetc::choose(meetc::both(b0, b56), meetc::either(b99, b100, b101, b102),
-        meetc::both(meetc::at_most_zero(s[0] * s[2]), b109));
-    const auto b111 = meetc::is_zero(s[3]);
-    const auto b112 = meetc::is_zero(s[4]);
-    const auto b113 = meetc::both(meetc::at_most_zero(s[33]), meetc::at_most_zero(s[60]),
-        meetc::at_least_zero(s[87]));
-    const auto b114 = meetc::both(meetc::at_least_zero(s[33]), meetc::at_least_zero(s[60]),
-        meetc::at_most_zero(s[87]));
-    const auto b115 = meetc::both(meetc::at_least_zero(s[38]), meetc::at_least_zero(s[65]),
-        meetc::at_most_zero(s[89]));
-    const auto b116 = meetc::both(meetc::at_most_zero(s[38]), meetc::at_most_zero(s[65]),
-        meetc::at_least_zero(s[89]));
-    const auto b117 = meetc::both(meetc::at_most_zero(s[43]), meetc::at_most_zero(s[70]),
-        meetc::at_least_zero(s[91]));
-    const auto b118 = meetc::both(meetc::at_least_zero(s[43]), meetc::at_least_zero(s[70]),
-        meetc::at_most_zero(s[91]));
-    const auto b119 = meetc::both(b111, meetc::either(b113, b114), meetc::either(b7, b29, b66),
-        meetc::either(b4, b27, b64), meetc::either(b115, b116), meetc::either(b15, b33, b70),
-        meetc::either(b12, b31, b68), meetc::either(b117, b118), meetc::either(b23, b37, b74),
-        meetc::either(b20, b35, b72));
-    const auto b120 = meetc::either(meetc::both(b48, b85, b103), meetc::both(b51, b88, b106));
-    const auto b121 = meetc::choose(meetc::both(b111, b112), meetc::either(b39, b76, b100, b119),
-        meetc::both(meetc::at_most_zero(s[3] * s[4]), b120));
-    const auto b122 = meetc::is_zero(s[5]);
-    const auto b123 = meetc::both(meetc::at_most_zero(s[34]), meetc::at_most_zero(s[61]),
-        meetc::at_least_zero(s[88]));
-    const auto b124 = meetc::both(meetc::at_least_zero(s[34]), meetc::at_least_zero(s[61]),
-        meetc::at_most_zero(s[88]));
-    const auto b125 = meetc::both(meetc::at_least_zero(s[39]), meetc::at_least_zero(s[66]),
-        meetc::at_most_zero(s[90]));
-    const auto b126 = meetc::both(meetc::at_most_zero(s[39]), meetc::at_most_zero(s[66]),
-        meetc::at_least_zero(s[90]));
-    const auto b127 = meetc::both(meetc::at_most_zero(s[44]), meetc::at_most_zero(s[71]),
-        meetc::at_least_zero(s[92]));
-    const auto b128 = meetc::both(meetc::at_least_zero(s[44]), meetc::at_least_zero(s[71]),
-        meetc::at_most_zero(s[92]));
-    const auto b129 = meetc::both(b112, meetc::either(b123, b124), meetc::either(b8, b30, b67),
-        meetc::either(b5, b28, b65), meetc::either(b125, b126), meetc::either(b16, b34, b71),
-        meetc::either(b13, b32, b69), meetc::either(b127, b128), meetc::either(b24, b38, b75),
-        meetc::either(b21, b36, b73));
-    const auto b130 = meetc::either(meetc::both(b49, b86, b104), meetc::both(b52, b89, b107));
-    const auto b131 = meetc::choose(meetc::both(b112, b122), meetc::either(b46, b83, b101, b129),
-        meetc::both(meetc::at_most_zero(s[4] * s[5]), b130));
-    const auto b132 = meetc::both(meetc::at_most_zero(s[48]), meetc::at_most_zero(s[75]),
-        meetc::at_least_zero(s[93]));
-    const auto b133 = meetc::both(meetc::at_least_zero(s[48]), meetc::at_least_zero(s[75]),
-        meetc::at_most_zero(s[93]));
-    const auto b134 = meetc::both(meetc::at_least_zero(s[51]), meetc::at_least_zero(s[78]),
-        meetc::at_most_zero(s[94]));
-    const auto b135 = meetc::both(meetc::at_most_zero(s[51]), meetc::at_most_zero(s[78]),
-        meetc::at_least_zero(s[94]));
-    const auto b136 = meetc::both(meetc::at_most_zero(s[54]), meetc::at_most_zero(s[81]),
-        meetc::at_least_zero(s[95]));
-    const auto b137 = meetc::both(meetc::at_least_zero(s[54]), meetc::at_least_zero(s[81]),
-        meetc::at_most_zero(s[95]));
-    const auto b138 = meetc::both(b122, meetc::either(b132, b133), meetc::either(b9, b41, b78),
-        meetc::either(b6, b40, b77), meetc::either(b134, b135), meetc::either(b17, b43, b80),
-        meetc::either(b14, b42, b79), meetc::either(b136, b137), meetc::either(b25, b45, b82),
-        meetc::either(b22, b44, b81));
-    const auto b139 = meetc::either(meetc::both(b50, b87, b105), meetc::both(b53, b90, b108));
-    const auto b140 = meetc::choose(meetc::both(b111, b122), meetc::either(b47, b84, b102, b138),
-        meetc::both(meetc::at_most_zero(s[3] * s[5]), b139));
-    return meetc::either(b55, b92, b110, b121, b131, b140);
+template <class S> MEETC_HD MEETC_LARGE constexpr auto triangle_triangle::whole(const S *s) {
+    // segment_triangle(segment(A.a, A.b), B)
+    const S e0[] = {s[0], s[1], s[6], s[7], s[8], s[15], s[16], s[17], s[18], s[19], s[20], s[21], s[22],
+        s[23], s[24], s[25], s[26], s[27], s[28], s[29], s[30], s[31], s[32], s[33], s[34], s[35], s[36],
+        s[37], s[38], s[39], s[40], s[41], s[42], s[43], s[44], s[45], s[46], s[47], s[48], s[49], s[50],
+        s[51], s[52], s[53], s[54], s[55], s[56], s[57], s[58], s[59]};
+    const auto b0 = segment_triangle::whole(e0);
+    // segment_triangle(segment(A.b, A.c), B)
+    const S e1[] = {s[1], s[2], s[9], s[10], s[11], s[35], s[49], s[57], s[36], s[37], s[50], s[40], s[52],
+        s[58], s[41], s[42], s[53], s[45], s[55], s[59], s[46], s[47], s[56], s[60], s[61], s[62], s[63],
+        s[64], s[65], s[66], s[67], s[68], s[69], s[70], s[71], s[72], s[73], s[74], s[75], s[76], s[77],
+        s[78], s[79], s[80], s[81], s[82], s[83], s[84], s[85], s[86]};
+    const auto b1 = segment_triangle::whole(e1);
+    // segment_triangle(segment(A.c, A.a), B)
+    const S e2[] = {s[2], s[0], -s[12], -s[13], -s[14], s[62], s[76], s[84], s[63], s[64], s[77], s[67],
+        s[79], s[85], s[68], s[69], s[80], s[72], s[82], s[86], s[73], s[74], s[83], -s[87], -s[88], s[15],
+        s[18], s[19], -s[89], -s[90], s[21], s[24], s[25], -s[91], -s[92], s[27], s[30], s[31], -s[93], s[16],
+        s[20], -s[94], s[22], s[26], -s[95], s[28], s[32], s[17], s[23], s[29]};
+    const auto b2 = segment_triangle::whole(e2);
+    // segment_triangle(segment(B.a, B.b), A)
+    const S e3[] = {-s[3], -s[4], s[6], s[9], s[12], s[33], s[60], s[87], -s[18], -s[36], -s[63], s[38],
+        s[65], s[89], -s[24], -s[41], -s[68], s[43], s[70], s[91], -s[30], -s[46], -s[73], s[15], s[35],
+        s[34], -s[19], -s[37], s[21], s[40], s[39], -s[25], -s[42], s[27], s[45], s[44], -s[31], -s[47],
+        s[62], s[61], -s[64], s[67], s[66], -s[69], s[72], s[71], -s[74], s[88], s[90], s[92]};
+    const auto b3 = segment_triangle::whole(e3);
+    // segment_triangle(segment(B.b, B.c), A)
+    const S e4[] = {-s[4], -s[5], s[7], s[10], s[13], s[34], s[61], s[88], -s[19], -s[37], -s[64], s[39],
+        s[66], s[90], -s[25], -s[42], -s[69], s[44], s[71], s[92], -s[31], -s[47], -s[74], s[16], s[49],
+        s[48], -s[20], -s[50], s[22], s[52], s[51], -s[26], -s[53], s[28], s[55], s[54], -s[32], -s[56],
+        s[76], s[75], -s[77], s[79], s[78], -s[80], s[82], s[81], -s[83], s[93], s[94], s[95]};
+    const auto b4 = segment_triangle::whole(e4);
+    // segment_triangle(segment(B.c, B.a), A)
+    const S e5[] = {-s[5], -s[3], -s[8], -s[11], -s[14], s[48], s[75], s[93], -s[20], -s[50], -s[77], s[51],
+        s[78], s[94], -s[26], -s[53], -s[80], s[54], s[81], s[95], -s[32], -s[56], -s[83], -s[17], -s[57],
+        s[33], -s[18], -s[36], -s[23], -s[58], s[38], -s[24], -s[41], -s[29], -s[59], s[43], -s[30], -s[46],
+        -s[84], s[60], -s[63], -s[85], s[65], -s[68], -s[86], s[70], -s[73], s[87], s[89], s[91]};
+    const auto b5 = segment_triangle::whole(e5);
+    return meetc::either(b0, b1, b2, b3, b4, b5);
 }
 
 } // namespace cga
