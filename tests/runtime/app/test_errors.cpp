@@ -62,7 +62,7 @@ TEST_CASE("no device: one line, exit code 3, and nothing is written") {
   put_files();
   ::setenv("CUDA_VISIBLE_DEVICES", "", 1); // where there is one, it is hidden
   const std::string why =
-      collide_complaint({"ball.ply", "ring.ply", "--device", "cuda", "--pairs", "p.csv", "--image", "p.png"}, 3);
+      collide_complaint({"ball.ply", "ball.ply", "--device", "cuda", "--pairs", "p.csv", "--image", "p.png"}, 3);
   CHECK((why == "there is no CUDA device here; the CPU decides the same pairs (--device cpu)" ||
          why == "--device cuda: this build has no CUDA kernels (no nvcc was found); use --device cpu"));
   for (const char *const file : {"p.csv", "p.png"})
