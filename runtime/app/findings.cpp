@@ -1,5 +1,7 @@
 #include "app/findings.hpp"
 
+#include <meetc/bytecode.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,12 +22,12 @@ bool zero_area(const float *row) {
     to_limbs(row[i], g.low, limbs, registers[i]);
   bool zero = true;
   for (std::uint16_t k = 0; k < 3; ++k) {
-    using enum step_kind;
+    using enum opcode;
     const auto l = static_cast<std::uint16_t>((k + 1) % 3);
     const auto of = [](int corner, std::uint16_t axis) { return static_cast<std::uint16_t>(3 * corner + axis); };
-    const step cross[] = {{subtract, 9, of(1, k), k}, {subtract, 10, of(2, l), l}, {multiply, 11, 9, 10},
-                          {subtract, 9, of(1, l), l}, {subtract, 10, of(2, k), k}, {multiply, 12, 9, 10},
-                          {subtract, 11, 11, 12},     {take_sign, 0, 11, 0}};
+    const instruction cross[] = {{subtract, 9, of(1, k), k}, {subtract, 10, of(2, l), l}, {multiply, 11, 9, 10},
+                                 {subtract, 9, of(1, l), l}, {subtract, 10, of(2, k), k}, {multiply, 12, 9, 10},
+                                 {subtract, 11, 11, 12},     {take_sign, 0, 11, 0}};
     sign s = sign::zero;
     for (const instruction &t : cross)
       execute(t, limbs, registers, &s);
