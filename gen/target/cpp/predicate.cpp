@@ -26,8 +26,8 @@ std::string stage_text(const lower::predicate &p, const lower::stage &st, const 
   std::string out =
       fmt::format("  // {}: signs {} to {}, degree {}.\n", what, first, slot.size() - 1, (b ? b->degree : 0));
   const auto counted = [&](poly::residency r) { return count_text(ir::count(st.code, r)); };
-  out += fmt::format("  // Once an object A: {}; B: {}; a pair: {}.\n", counted(poly::residency::a),
-                     counted(poly::residency::b), counted(poly::residency::pair));
+  out += fmt::format("  // Of object A alone: {}; of B alone: {}; of the pair: {}. All of it runs for every pair.\n",
+                     counted(poly::residency::a), counted(poly::residency::b), counted(poly::residency::pair));
   out +=
       fmt::format("  struct {} {{\n    static constexpr int first = {}, atoms = {}, fields_a = {}, fields_b = {};\n"
                   "    // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"

@@ -37,7 +37,7 @@ struct point_triangle {
 
   using reject_stage = ::meetc::no_stage;
   // The usual case: signs 0 to 18, degree 3.
-  // Once an object A: 0 multiplications, 0 additions; B: 6 multiplications, 12 additions; a pair: 21 multiplications, 20 additions.
+  // Of object A alone: 0 multiplications, 0 additions; of B alone: 6 multiplications, 12 additions; of the pair: 21 multiplications, 20 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 0, atoms = 19, fields_a = 0, fields_b = 14;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).

@@ -38,7 +38,7 @@ struct segment_segment {
 
   using reject_stage = ::meetc::no_stage;
   // The usual case: signs 0 to 24, degree 3.
-  // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 3 additions; a pair: 33 multiplications, 29 additions.
+  // Of object A alone: 0 multiplications, 3 additions; of B alone: 0 multiplications, 3 additions; of the pair: 33 multiplications, 29 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 0, atoms = 25, fields_a = 5, fields_b = 6;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).

@@ -43,7 +43,7 @@ struct segment_triangle {
   }
 
   // Decides most misses: signs 0 to 1, degree 3.
-  // Once an object A: 0 multiplications, 0 additions; B: 6 multiplications, 9 additions; a pair: 6 multiplications, 10 additions.
+  // Of object A alone: 0 multiplications, 0 additions; of B alone: 6 multiplications, 9 additions; of the pair: 6 multiplications, 10 additions. All of it runs for every pair.
   struct reject_stage {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 3;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
@@ -146,7 +146,7 @@ struct segment_triangle {
     }
   };
   // The usual case: signs 2 to 4, degree 3.
-  // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 9 additions; a pair: 27 multiplications, 21 additions.
+  // Of object A alone: 0 multiplications, 3 additions; of B alone: 0 multiplications, 9 additions; of the pair: 27 multiplications, 21 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 2, atoms = 3, fields_a = 6, fields_b = 11;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
@@ -299,7 +299,7 @@ struct segment_triangle {
     }
   };
   // The rare case: signs 5 to 49, degree 2.
-  // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 9 additions; a pair: 54 multiplications, 45 additions.
+  // Of object A alone: 0 multiplications, 3 additions; of B alone: 0 multiplications, 9 additions; of the pair: 54 multiplications, 45 additions. All of it runs for every pair.
   struct rare_stage {
     static constexpr int first = 5, atoms = 45, fields_a = 3, fields_b = 15;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).

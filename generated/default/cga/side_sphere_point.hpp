@@ -24,7 +24,7 @@ struct side_sphere_point_sign {
     return all[i];
   }
   // The sign: signs 0 to 0, degree 2.
-  // Once an object A: 1 multiplication, 0 additions; B: 0 multiplications, 0 additions; a pair: 3 multiplications, 6 additions.
+  // Of object A alone: 1 multiplication, 0 additions; of B alone: 0 multiplications, 0 additions; of the pair: 3 multiplications, 6 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 0, atoms = 1, fields_a = 1, fields_b = 0;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).

@@ -32,7 +32,7 @@ struct sphere_segment {
 
   using reject_stage = ::meetc::no_stage;
   // The usual case: signs 0 to 4, degree 4.
-  // Once an object A: 1 multiplication, 0 additions; B: 3 multiplications, 5 additions; a pair: 19 multiplications, 21 additions.
+  // Of object A alone: 1 multiplication, 0 additions; of B alone: 3 multiplications, 5 additions; of the pair: 19 multiplications, 21 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 0, atoms = 5, fields_a = 1, fields_b = 4;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).

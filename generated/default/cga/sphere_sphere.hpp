@@ -28,7 +28,7 @@ struct sphere_sphere {
 
   using reject_stage = ::meetc::no_stage;
   // The usual case: signs 0 to 1, degree 2.
-  // Once an object A: 0 multiplications, 0 additions; B: 0 multiplications, 0 additions; a pair: 5 multiplications, 9 additions.
+  // Of object A alone: 0 multiplications, 0 additions; of B alone: 0 multiplications, 0 additions; of the pair: 5 multiplications, 9 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 0;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).

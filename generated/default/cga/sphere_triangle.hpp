@@ -35,7 +35,7 @@ struct sphere_triangle {
 
   using reject_stage = ::meetc::no_stage;
   // The usual case: signs 0 to 15, degree 6.
-  // Once an object A: 1 multiplication, 0 additions; B: 21 multiplications, 24 additions; a pair: 59 multiplications, 52 additions.
+  // Of object A alone: 1 multiplication, 0 additions; of B alone: 21 multiplications, 24 additions; of the pair: 59 multiplications, 52 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 0, atoms = 16, fields_a = 1, fields_b = 20;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).

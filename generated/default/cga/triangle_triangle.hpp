@@ -46,7 +46,7 @@ struct triangle_triangle {
   }
 
   // Decides most misses: signs 0 to 5, degree 3.
-  // Once an object A: 6 multiplications, 9 additions; B: 6 multiplications, 9 additions; a pair: 18 multiplications, 27 additions.
+  // Of object A alone: 6 multiplications, 9 additions; of B alone: 6 multiplications, 9 additions; of the pair: 18 multiplications, 27 additions. All of it runs for every pair.
   struct reject_stage {
     static constexpr int first = 0, atoms = 6, fields_a = 3, fields_b = 3;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
@@ -220,7 +220,7 @@ struct triangle_triangle {
     }
   };
   // The usual case: signs 6 to 14, degree 3.
-  // Once an object A: 0 multiplications, 9 additions; B: 0 multiplications, 9 additions; a pair: 81 multiplications, 57 additions.
+  // Of object A alone: 0 multiplications, 9 additions; of B alone: 0 multiplications, 9 additions; of the pair: 81 multiplications, 57 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 6, atoms = 9, fields_a = 12, fields_b = 18;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
@@ -482,7 +482,7 @@ struct triangle_triangle {
     }
   };
   // The rare case: signs 15 to 95, degree 2.
-  // Once an object A: 0 multiplications, 9 additions; B: 0 multiplications, 9 additions; a pair: 108 multiplications, 81 additions.
+  // Of object A alone: 0 multiplications, 9 additions; of B alone: 0 multiplications, 9 additions; of the pair: 108 multiplications, 81 additions. All of it runs for every pair.
   struct rare_stage {
     static constexpr int first = 15, atoms = 81, fields_a = 9, fields_b = 15;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).

@@ -31,7 +31,7 @@ struct twist_segment_segment_sign {
     return all[i];
   }
   // The sign: signs 0 to 0, degree 3.
-  // Once an object A: 0 multiplications, 3 additions; B: 0 multiplications, 3 additions; a pair: 9 multiplications, 8 additions.
+  // Of object A alone: 0 multiplications, 3 additions; of B alone: 0 multiplications, 3 additions; of the pair: 9 multiplications, 8 additions. All of it runs for every pair.
   struct common_stage {
     static constexpr int first = 0, atoms = 1, fields_a = 4, fields_b = 5;
     // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).
