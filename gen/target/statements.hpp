@@ -29,7 +29,6 @@ struct expression {
 class statements {
 public:
   using value = expression;
-  // The nodes in `kept` become constants even where they are used once.
   statements(const ir::program &p, syntax s);
 
   // All statements, and the expressions of the results, in order.
