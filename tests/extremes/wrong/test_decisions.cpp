@@ -8,6 +8,7 @@
 #include "tests/generated/effort.hpp"
 
 #include <fmt/format.h>
+#include <wrong/header_only.hpp>
 #include <wrong/wrong.hpp>
 
 using namespace meetc::extremes_test;
