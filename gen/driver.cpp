@@ -67,6 +67,8 @@ compiled_kernel compile(const compilation &c, const lower::request &r) {
     throw spec_error(r.where, fmt::format("a sign of '{}' is not homogeneous in the stored numbers, which the exact "
                                           "rung needs",
                                           r.text));
+  if (!out.kernel.is_sign)
+    passes::run(*out.bounds);
   return out;
 }
 

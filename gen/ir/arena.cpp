@@ -119,8 +119,11 @@ node_id arena::power(node_id a, int exponent) {
   return exponent % 2 ? multiply(square, a) : square;
 }
 
-std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &results) {
-  std::vector<char> wanted(nodes.size());
+std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &results,
+                            const std::vector<node_id> &given) {
+  std::vector<char> wanted(nodes.size()), is_given(nodes.size());
+  for (const node_id g : given)
+    is_given[static_cast<std::size_t>(g)] = 1;
   for (const node_id r : results)
     wanted[static_cast<std::size_t>(r)] = 1;
   std::vector<node_id> out;
@@ -128,10 +131,20 @@ std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &resu
     if (!wanted[i])
       continue;
     out.push_back(static_cast<node_id>(i));
+    if (is_given[i])
+      continue;
     for (const node_id operand : operands(nodes.at(static_cast<node_id>(i))))
       wanted[static_cast<std::size_t>(operand)] = 1;
   }
   std::reverse(out.begin(), out.end());
+  return out;
+}
+
+std::vector<node_id> stored_of(const program &p, residency object) {
+  std::vector<node_id> out;
+  for (const node_id id : p.stored)
+    if (p.nodes.where(id) == object)
+      out.push_back(id);
   return out;
 }
 

@@ -75,10 +75,16 @@ private:
 struct program {
   arena nodes;
   std::vector<node_id> results;
+  // Values of one object that are computed once and stored beside it, ascending: the pair reads them. What one object
+  // alone decides and is not among them is computed for each pair. See gen/passes/store.hpp.
+  std::vector<node_id> stored = {};
 };
 
-// The ids that the results need, ascending.
-std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &results);
+// The ids that the results need, ascending; nothing is needed below a node of `given`.
+std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &results,
+                            const std::vector<node_id> &given = {});
+// The stored values of object A or of object B.
+std::vector<node_id> stored_of(const program &p, residency object);
 
 // What one root needs, itself included, each node after its operands, in an order that depends on the shape alone. Below a
 // node that `stops` accepts nothing is needed.

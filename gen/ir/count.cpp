@@ -2,6 +2,8 @@
 
 #include "gen/ir/fold.hpp"
 
+#include <algorithm>
+
 namespace meetc::ir {
 namespace {
 
@@ -16,11 +18,14 @@ bool is_power_of_two(const rational &q) {
 struct counter {
   using value = bool;
   counts &into;
-  std::optional<residency> only;
+  const std::vector<node_id> &known;
+  std::optional<residency> only = {};
 
-  bool counted(const place &at) const { return !only || at.where() == *only; }
+  std::optional<value> given(const place &at) const {
+    return std::binary_search(known.begin(), known.end(), at.id) ? std::optional(false) : std::nullopt;
+  }
   value made(const place &at, int &kind) const {
-    kind += counted(at);
+    kind += !only || at.where() == *only;
     return false;
   }
   value input(const place &, int) { return false; }
@@ -34,18 +39,27 @@ struct counter {
 
 } // namespace
 
-counts count(const arena &nodes, const std::vector<node_id> &results) {
+counts count(const arena &nodes, const std::vector<node_id> &results, const std::vector<node_id> &given) {
   counts out;
-  counter d{out, std::nullopt};
-  fold(nodes, d, needed(nodes, results));
+  counter d{out, given};
+  fold(nodes, d, needed(nodes, results, given));
   return out;
 }
 
 counts count(const program &p, residency where) {
   counts out;
-  counter d{out, where};
+  const std::vector<node_id> none;
+  counter d{out, none, where};
   fold(p, d);
   return out;
+}
+
+counts count_object(const program &p, residency object) {
+  return count(p.nodes, stored_of(p, object));
+}
+
+counts count_pair(const program &p) {
+  return count(p.nodes, p.results, p.stored);
 }
 
 } // namespace meetc::ir

@@ -2,6 +2,7 @@
 
 #include "gen/ir/fold.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace meetc::ir {
@@ -11,10 +12,12 @@ namespace {
 struct printer {
   using value = std::string;
   const std::vector<std::string> &inputs;
+  const std::vector<node_id> &stored;
   std::string out;
 
   value line(const place &at, const std::string &operation) {
-    out += fmt::format("  %{} = {}  ; {}\n", at.id, operation, name_of(at.where()));
+    out += fmt::format("  %{} = {}  ; {}{}\n", at.id, operation, name_of(at.where()),
+                       std::binary_search(stored.begin(), stored.end(), at.id) ? ", stored" : "");
     return fmt::format("%{}", at.id);
   }
   value input(const place &at, int number) { return line(at, "input " + inputs[static_cast<std::size_t>(number)]); }
@@ -36,7 +39,7 @@ const char *name_of(residency where) {
 }
 
 std::string print(const program &p, const std::vector<std::string> &inputs) {
-  printer d{inputs, {}};
+  printer d{inputs, p.stored, {}};
   fold(p, d);
   for (std::size_t i = 0; i < p.results.size(); ++i)
     d.out += fmt::format("  result[{}] = %{}\n", i, p.results[i]);

@@ -33,7 +33,8 @@ std::vector<kernel_program> programs(kernel &k) {
     const auto all = stages(p);
     for (std::size_t i = 0; i < all.size(); ++i)
       if (const std::size_t n = all[i]->atoms.size())
-        out.push_back({fmt::format("stage of {} signs", n), &all[i]->code, p.numbers.get(), &p.stored_inputs});
+        out.push_back({fmt::format("stage of {} signs", n), &all[i]->code, p.numbers.get(), &p.stored_inputs,
+                       !k.is_sign && all[i] != &p.rare});
     return out;
   }
   formula &f = k.value;

@@ -108,6 +108,9 @@ struct kernel_program {
   program *code;
   const poly::ring *numbers;
   const std::vector<std::string> *inputs;
+  // It runs for most pairs of two sets, so what one object decides may be stored beside it: a predicate's stages but for
+  // the rare one.
+  bool of_sets = false;
 };
 std::vector<kernel_program> programs(kernel &k);
 

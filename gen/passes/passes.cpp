@@ -3,6 +3,7 @@
 #include "gen/ir/evaluate.hpp"
 #include "gen/passes/fuse.hpp"
 #include "gen/passes/prune.hpp"
+#include "gen/passes/store.hpp"
 
 #include <fmt/format.h>
 #include <stdexcept>
@@ -13,6 +14,7 @@ namespace {
 constexpr pass list[] = {
     {"prune", "drops the nodes that only forms which were not chosen need; keeps the order of the others", prune},
     {"fuse", "makes a product that is used once, in a sum of the same residency, a fused multiply-add", fuse},
+    {"store", "stores what one object decides beside it, where that costs more than one operation", store, true},
 };
 
 } // namespace
@@ -21,13 +23,14 @@ std::span<const pass> all() {
   return list;
 }
 
-ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last) {
+ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last, bool of_sets) {
   ir::program out = p;
   if (last == "lower")
     return out;
   const std::vector<poly::poly> wanted = ir::to_poly(p, inputs);
   for (const pass &step : list) {
-    out = step.run(out);
+    if (!step.of_sets || of_sets)
+      out = step.run(out);
     if (!(ir::to_poly(out, inputs) == wanted))
       throw std::logic_error(fmt::format("the pass '{}' changed a value", step.name));
     if (last == step.name)
@@ -38,12 +41,17 @@ ir::program run(const ir::program &p, const poly::ring &inputs, const std::strin
 
 void run(lower::kernel &k, const std::string &last) {
   for (const lower::kernel_program &p : lower::programs(k))
-    *p.code = run(*p.code, *p.numbers, last);
+    *p.code = run(*p.code, *p.numbers, last, p.of_sets);
 }
 
 void run(std::vector<lower::blade_maker> &makers) {
   for (lower::blade_maker &m : makers)
     m.code = run(m.code, *m.numbers);
+}
+
+void run(bound::kernel_bounds &b) {
+  for (bound::stage_bounds *s : {&b.reject, &b.common})
+    s->magnitudes = store(s->magnitudes);
 }
 
 std::vector<std::string> names() {

@@ -5,23 +5,41 @@
 namespace meetc::target {
 namespace {
 constexpr std::size_t longest_inline = 72;
-}
 
-statements::statements(const ir::program &p, syntax s) : syntax_(std::move(s)) {
-  for (const ir::node_id id : ir::needed(p.nodes, p.results))
-    for (const ir::node_id operand : ir::operands(p.nodes.at(id)))
-      ++uses_[operand];
+std::vector<ir::node_id> keys(const std::map<ir::node_id, std::string> &given) {
+  std::vector<ir::node_id> out;
+  for (const auto &[id, name] : given)
+    out.push_back(id);
+  return out;
+}
+} // namespace
+
+statements::statements(const ir::arena &nodes, const std::vector<ir::node_id> &results, syntax s,
+                       std::map<ir::node_id, std::string> given)
+    : syntax_(std::move(s)), given_(std::move(given)) {
   // A result that is given twice is computed once.
-  for (const ir::node_id r : p.results)
+  for (const ir::node_id r : results)
     ++uses_[r];
+  // Users come before what they use. A negation is written wherever it is used, and what it negates with it.
+  const std::vector<ir::node_id> order = ir::needed(nodes, results, keys(given_));
+  for (auto id = order.rbegin(); id != order.rend(); ++id)
+    if (!given_.count(*id))
+      for (const ir::node_id operand : ir::operands(nodes.at(*id)))
+        uses_[operand] += nodes.at(*id).kind == ir::op::negate ? uses_[*id] : 1;
 }
 
 statements::value statements::made(const ir::place &at, value v) {
   if (uses_[at.id] <= 1 && v.text.size() <= longest_inline)
     return v;
   const std::string name = fmt::format("t{}", next_++);
-  out_ += fmt::format("{}const {} {} = {};\n", syntax_.indent, syntax_.type, name, v.text);
+  out_ += fmt::format("{}const {} {} = {};\n", syntax_.indent, wide(at.id) ? syntax_.wide_type : syntax_.type, name,
+                      v.text);
   return {name};
+}
+
+// A negation costs nothing: it is written where it is used.
+statements::value statements::negate(const ir::place &, const value &x) const {
+  return {'-' + factor(x), binding::sum};
 }
 
 statements::value statements::add(const ir::place &at, const value &x, const value &y) {
@@ -33,6 +51,9 @@ statements::value statements::subtract(const ir::place &at, const value &x, cons
 }
 
 statements::value statements::multiply(const ir::place &at, const value &x, const value &y) {
+  const ir::node &n = at.operation();
+  if (wide(at.id) && !wide(n.a) && !wide(n.b))
+    return made(at, {fmt::format("{}({}, {})", syntax_.wide_product, x.text, y.text)});
   return made(at, {fmt::format("{} * {}", factor(x), factor(y)), binding::product});
 }
 
@@ -40,13 +61,18 @@ statements::value statements::fused(const ir::place &at, const value &x, const v
   return made(at, {fmt::format("{}({}, {}, {})", syntax_.fma, x.text, y.text, z.text)});
 }
 
-statements::text statements::of(const ir::program &p, const syntax &s) {
-  statements d(p, s);
-  const auto values = ir::fold(p, d);
+statements::text statements::of(const ir::arena &nodes, const std::vector<ir::node_id> &results, const syntax &s,
+                                const std::map<ir::node_id, std::string> &given) {
+  statements d(nodes, results, s, given);
+  const auto values = ir::fold(nodes, d, ir::needed(nodes, results, keys(given)));
   text out{std::move(d.out_), {}};
-  for (const ir::node_id r : p.results)
+  for (const ir::node_id r : results)
     out.results.push_back(values.at(r).text);
   return out;
+}
+
+statements::text statements::of(const ir::program &p, const syntax &s) {
+  return of(p.nodes, p.results, s);
 }
 
 } // namespace meetc::target

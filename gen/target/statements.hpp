@@ -18,6 +18,10 @@ struct syntax {
   std::function<std::string(const ir::rational &)> constant; // a literal that needs no parentheses
   std::function<std::string(int)> input;                     // an input's number to an expression that needs none
   std::string indent;
+  // By node, where there are two types: the values of a wider one, its name, and the function that multiplies values of
+  // `type` into one of it.
+  std::vector<char> wide = {};
+  std::string wide_type = {}, wide_product = {};
 };
 
 // An expression, and how tightly it binds.
@@ -29,7 +33,9 @@ struct expression {
 class statements {
 public:
   using value = expression;
-  statements(const ir::program &p, syntax s);
+  // Of what the results need; `given` names the values that are there already.
+  statements(const ir::arena &nodes, const std::vector<ir::node_id> &results, syntax s,
+             std::map<ir::node_id, std::string> given = {});
 
   // All statements, and the expressions of the results, in order.
   struct text {
@@ -37,11 +43,17 @@ public:
     std::vector<std::string> results;
   };
   static text of(const ir::program &p, const syntax &s);
+  static text of(const ir::arena &nodes, const std::vector<ir::node_id> &results, const syntax &s,
+                 const std::map<ir::node_id, std::string> &given = {});
 
   // ---- the domain ----
   value input(const ir::place &, int number) const { return {syntax_.input(number)}; }
   value constant(const ir::place &, const ir::rational &q) const { return {syntax_.constant(q)}; }
-  value negate(const ir::place &at, const value &x) { return made(at, {'-' + factor(x), binding::sum}); }
+  std::optional<value> given(const ir::place &at) const {
+    const auto it = given_.find(at.id);
+    return it == given_.end() ? std::nullopt : std::optional(expression{it->second});
+  }
+  value negate(const ir::place &at, const value &x) const;
   value add(const ir::place &at, const value &x, const value &y);
   value subtract(const ir::place &at, const value &x, const value &y);
   value multiply(const ir::place &at, const value &x, const value &y);
@@ -50,11 +62,13 @@ public:
 private:
   using binding = expression::binding;
   syntax syntax_;
+  std::map<ir::node_id, std::string> given_;
   std::map<ir::node_id, int> uses_;
   std::string out_;
   int next_ = 0;
 
   value made(const ir::place &at, value v);
+  bool wide(ir::node_id id) const { return !syntax_.wide.empty() && syntax_.wide[static_cast<std::size_t>(id)]; }
   static std::string factor(const value &v) { return v.as == binding::atom ? v.text : '(' + v.text + ')'; }
   static std::string term(const value &v) { return v.as == binding::sum ? '(' + v.text + ')' : v.text; }
 };

@@ -26,17 +26,34 @@ std::vector<float> rows_of(const io::element_set &set, std::size_t stride) {
   return rows;
 }
 
+// Rows with what a predicate wants stored beside them.
+struct rows_with_stored {
+  std::vector<float> rows, stored;
+  std::size_t fields, floats;
+
+  rows_with_stored(std::vector<float> all, int fields_of_kind, const stored_values &values)
+      : rows(std::move(all)), fields(static_cast<std::size_t>(fields_of_kind)),
+        floats(static_cast<std::size_t>(values.floats)) {
+    stored.resize(count() * floats);
+    if (floats > 0 && !values.compute(rows.data(), count(), stored.data()))
+      stored.clear();
+  }
+  std::size_t count() const { return rows.size() / fields; }
+  row_array from(std::size_t row) const {
+    return {rows.data() + row * fields, stored.empty() ? nullptr : stored.data() + row * floats};
+  }
+};
+
 // One row of a, and all rows of b.
 struct sweep {
-  std::vector<float> a, b;
-  std::size_t fields_a, fields_b, rows_b;
+  rows_with_stored a, b;
   std::vector<index_pair> pairs; // (0, j)
 
   template <class Take> void run(decide_function test, std::vector<answer> &out, const Take &take) const {
-    for (std::size_t i = 0; i < a.size(); i += fields_a)
-      for (std::size_t j = 0; j < rows_b; j += block) {
-        const std::size_t n = std::min(block, rows_b - j);
-        test(a.data() + i, b.data() + j * fields_b, pairs.data(), n, out.data());
+    for (std::size_t i = 0; i < a.count(); ++i)
+      for (std::size_t j = 0; j < b.count(); j += block) {
+        const std::size_t n = std::min(block, b.count() - j);
+        test(a.from(i), b.from(j), pairs.data(), n, out.data());
         take(i, j, n);
       }
   }
@@ -52,53 +69,52 @@ void each(const float *a, const float *b, const index_pair *pairs, std::size_t n
 
 namespace classic {
 
-const decide_function balls = [](const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
-  each<4, 4>(a, b, pairs, n, out, [](const float *x, const float *y) { return baselines::balls(x, y); });
+const decide_function balls = [](row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  each<4, 4>(a.rows, b.rows, pairs, n, out, [](const float *x, const float *y) { return baselines::balls(x, y); });
 };
-const decide_function moller = [](const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
-  each<9, 9>(a, b, pairs, n, out, [](const float *x, const float *y) {
+const decide_function moller = [](row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  each<9, 9>(a.rows, b.rows, pairs, n, out, [](const float *x, const float *y) {
     return baselines::moller(x, y, static_cast<float>(baselines::moller_epsilon));
   });
 };
-const decide_function moller_0 = [](const float *a, const float *b, const index_pair *pairs, std::size_t n,
-                                    answer *out) {
-  each<9, 9>(a, b, pairs, n, out, [](const float *x, const float *y) { return baselines::moller(x, y, 0.0F); });
+const decide_function moller_0 = [](row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  each<9, 9>(a.rows, b.rows, pairs, n, out,
+             [](const float *x, const float *y) { return baselines::moller(x, y, 0.0F); });
 };
-const decide_function guigue_devillers = [](const float *a, const float *b, const index_pair *pairs, std::size_t n,
+const decide_function guigue_devillers = [](row_array a, row_array b, const index_pair *pairs, std::size_t n,
                                             answer *out) {
-  each<9, 9>(a, b, pairs, n, out, [](const float *x, const float *y) { return baselines::guigue_devillers(x, y); });
+  each<9, 9>(a.rows, b.rows, pairs, n, out,
+             [](const float *x, const float *y) { return baselines::guigue_devillers(x, y); });
 };
-const decide_function moller_trumbore = [](const float *a, const float *b, const index_pair *pairs, std::size_t n,
+const decide_function moller_trumbore = [](row_array a, row_array b, const index_pair *pairs, std::size_t n,
                                            answer *out) {
-  each<6, 9>(a, b, pairs, n, out,
+  each<6, 9>(a.rows, b.rows, pairs, n, out,
              [](const float *x, const float *y) { return baselines::moller_trumbore(x, y, 0.0F); });
 };
 
 } // namespace classic
 
-brute_force_times time_brute_force(yardstick &by, std::span<const decide_function> tests, const io::element_set &a,
-                                   const io::element_set &b, std::uint64_t budget, int runs) {
+brute_force_times time_brute_force(yardstick &by, std::span<const decide_function> tests,
+                                   const predicate_info &predicate, const io::element_set &a, const io::element_set &b,
+                                   std::uint64_t budget, int runs) {
   const std::size_t stride_a =
       stride_to(a.elements, std::max<std::uint64_t>(least_rows, budget / std::max<std::size_t>(1, b.elements)));
   const std::size_t taken = (a.elements + stride_a - 1) / stride_a;
   const std::size_t stride_b = stride_to(b.elements, budget / std::max<std::size_t>(1, taken));
-  sweep s{rows_of(a, stride_a),
-          rows_of(b, stride_b),
-          static_cast<std::size_t>(a.kind->fields),
-          static_cast<std::size_t>(b.kind->fields),
-          (b.elements + stride_b - 1) / stride_b,
+  sweep s{{rows_of(a, stride_a), a.kind->fields, predicate.stored_a},
+          {rows_of(b, stride_b), b.kind->fields, predicate.stored_b},
           std::vector<index_pair>(block)};
   for (std::size_t j = 0; j < block; ++j)
     s.pairs[j] = {0, static_cast<std::uint32_t>(j)};
 
   brute_force_times times;
-  times.pairs = taken * s.rows_b;
+  times.pairs = taken * s.b.count();
   times.sample = stride_a > 1 || stride_b > 1;
   times.of.resize(tests.size());
   std::vector<answer> first(block), out(block);
   for (std::size_t t = 0; t < tests.size(); ++t)
     s.run(tests[t], out, [&](std::size_t i, std::size_t j, std::size_t n) {
-      tests[0](s.a.data() + i, s.b.data() + j * s.fields_b, s.pairs.data(), n, first.data());
+      tests[0](s.a.from(i), s.b.from(j), s.pairs.data(), n, first.data());
       for (std::size_t k = 0; k < n; ++k) {
         times.of[t].yes += out[k] == answer::yes;
         times.of[t].wrong_yes += out[k] == answer::yes && first[k] != answer::yes;

@@ -27,9 +27,10 @@ struct brute_force_times {
   bool sample = false;              // not all pairs
 };
 
-// a and b are the predicate's first and second set.
-brute_force_times time_brute_force(yardstick &by, std::span<const decide_function> tests, const io::element_set &a,
-                                   const io::element_set &b, std::uint64_t budget, int runs);
+// a and b are the predicate's first and second set; what they store for it is computed before the clock starts.
+brute_force_times time_brute_force(yardstick &by, std::span<const decide_function> tests,
+                                   const predicate_info &predicate, const io::element_set &a, const io::element_set &b,
+                                   std::uint64_t budget, int runs);
 
 // The classic tests as functions of rows, for time_brute_force().
 namespace classic {

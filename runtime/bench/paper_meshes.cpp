@@ -150,7 +150,7 @@ void add_meshes(const paper_context &c, paper_result &to) {
   std::optional<paper_scene> scene;
   c.bodies.each_armadillo([&](const io::element_set &armadillo, const std::string &) {
     const search s = search_pairs(c, bunny, armadillo, false);
-    const brute_force_times brute = time_brute_force(c.by, tests, bunny, armadillo, c.budget, c.runs);
+    const brute_force_times brute = time_brute_force(c.by, tests, *by.predicate, bunny, armadillo, c.budget, c.runs);
     const double n = static_cast<double>(armadillo.elements), root = std::sqrt(n);
     sizes.push_back(n);
     armadillo_hits.push_back(static_cast<double>(s.found.b.touched));

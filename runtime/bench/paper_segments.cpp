@@ -105,7 +105,7 @@ void add_segments(const paper_context &c, paper_result &to) {
     const io::element_set bunny = c.bodies.finer_bunny(static_cast<int>(times));
     for (const io::element_set *const segments : {&one, &cloud}) {
       const search s = search_pairs(c, *segments, bunny, false);
-      const brute_force_times brute = time_brute_force(c.by, tests, *segments, bunny, c.budget, c.runs);
+      const brute_force_times brute = time_brute_force(c.by, tests, *by.predicate, *segments, bunny, c.budget, c.runs);
       const double core_time = brute.of[1].time, baseline = brute.of[2].time;
       if (first == 0)
         first = core_time;

@@ -91,7 +91,7 @@ void add_spheres(const paper_context &c, paper_result &to) {
       }
     const app::choice by = app::choose(c.all, *set.kind, *set.kind, {}, {});
     const std::vector<decide_function> tests{decide_by(by, rung::certified), decide_by(by, rung::fp32), classic::balls};
-    const brute_force_times brute = time_brute_force(c.by, tests, set, set, c.budget, c.runs);
+    const brute_force_times brute = time_brute_force(c.by, tests, *by.predicate, set, set, c.budget, c.runs);
     const double core_time = brute.of[1].time, euclid = brute.of[2].time;
     if (first == 0)
       first = core_time;

@@ -23,6 +23,8 @@ struct cascade {
   decide_function rungs[bounded_rungs + 1] = {};
   int count = 0;  // of the rungs; 0: the predicate was not generated for this precision
   float side = 0; // above 0: the first rung takes the bounds of a box with this side
+  // What the sets are to store for the first rung.
+  stored_values stored_a, stored_b;
   rung_report start;
 
   cascade(const predicate_info &of, rung precision);
@@ -31,9 +33,10 @@ struct cascade {
   void enter_box(float box, const element_set &a, const element_set &b);
 
   // Decides n pairs by one rung, 0 <= at < count. The rows are packed, as the predicate's kinds have them.
-  void decide(int at, const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) const {
+  void decide(int at, const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n,
+              answer *out) const {
     if (at == 0 && side > 0)
-      predicate->certify_in_box(side, false, a, b, pairs, n, out);
+      predicate->certify_in_box(side, a, b, pairs, n, out);
     else
       rungs[at](a, b, pairs, n, out);
   }

@@ -63,7 +63,7 @@ private:
     for (int at = 0; at < job.by.count && hits < end && (hits == 0 || !job.stop_at_first); ++at) {
       if (at > 0)
         unsure_[at - 1] += end - hits;
-      job.by.decide(at, job.a.rows, job.b.rows, pairs_ + hits, end - hits, answers_);
+      job.by.decide(at, {job.a.rows, job.stored_a}, {job.b.rows, job.stored_b}, pairs_ + hits, end - hits, answers_);
       end = sort_out(hits, end);
     }
     return hits;

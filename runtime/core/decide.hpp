@@ -20,6 +20,7 @@ public:
 
 struct decision_job {
   const element_set &a, &b;
+  const float *stored_a, *stored_b; // by.stored_a and by.stored_b of all rows, or null
   const cascade &by;
   const candidate_source &source;
   int threads;

@@ -35,6 +35,10 @@ set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t element
 // Fills a set that was taken for this kind and number of elements.
 status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads);
 
+// What a predicate wants stored beside the rows of a filled set, values.floats numbers a row. false where it cannot be
+// stored: see stored_values.
+bool fill_stored(const element_set &set, const stored_values &values, float *to, int threads);
+
 } // namespace meetc
 
 #endif

@@ -12,6 +12,7 @@ namespace {
 
 struct layout {
   element_set a, b;
+  float *stored_a, *stored_b;
   set_scratch scratch_a, scratch_b;
   memory batches;
 };
@@ -21,6 +22,8 @@ layout take_layout(arena &from, const predicate_info &p, std::size_t a, std::siz
   layout l;
   l.a = take_set(from, *p.a, a);
   l.b = take_set(from, *p.b, b);
+  l.stored_a = from.take<float>(a * static_cast<std::size_t>(p.stored_a.floats));
+  l.stored_b = from.take<float>(b * static_cast<std::size_t>(p.stored_b.floats));
   arena for_a, for_b;
   take_scratch(for_a, *p.a, a);
   take_scratch(for_b, *p.b, b);
@@ -92,6 +95,12 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   if (s != status::ok)
     return s;
 
+  const auto stored = [threads](const element_set &set, const stored_values &values, float *to) {
+    return values.floats > 0 && fill_stored(set, values, to, threads) ? to : nullptr;
+  };
+  const float *const stored_a = stored(l.a, by.stored_a, l.stored_a);
+  const float *const stored_b = stored(l.b, by.stored_b, l.stored_b);
+
   const all_pairs every(l.a, l.b);
   const tree_pairs tree(l.a, l.b);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
@@ -99,9 +108,10 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   clear(mark, a.elements, b.elements);
   append taker(out, mark);
   by.enter_box(options.box, l.a, l.b);
-  const tally total = decide_all({l.a, l.b, by, source, threads, options.stop_at_first, options.progress,
-                                  options.progress_context, out.capacity > 0 || mark.any() ? &taker : nullptr},
-                                 l.batches);
+  const tally total =
+      decide_all({l.a, l.b, stored_a, stored_b, by, source, threads, options.stop_at_first, options.progress,
+                  options.progress_context, out.capacity > 0 || mark.any() ? &taker : nullptr},
+                 l.batches);
   *out.count = total.hits;
   if (out.rungs)
     *out.rungs = total.rungs;

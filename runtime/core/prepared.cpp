@@ -4,8 +4,14 @@
 #include "core/threads.hpp"
 
 #include <algorithm>
+#include <mutex>
 
 namespace meetc {
+
+struct prepared::store {
+  std::mutex making;
+  std::unique_ptr<float[]> numbers;
+};
 
 prepared::prepared() = default;
 prepared::prepared(prepared &&) noexcept = default;
@@ -24,6 +30,20 @@ void prepared::bounds(float lo[3], float hi[3]) const {
     b = set_->boxes.top().blocks[0].around();
   std::copy_n(b.lo, 3, lo);
   std::copy_n(b.hi, 3, hi);
+}
+
+const float *prepared::stored(const stored_values &values, int threads) const {
+  if (values.number < 0 || values.number >= kind().stored || elements() == 0)
+    return nullptr;
+  store &s = stores_[static_cast<std::size_t>(values.number)];
+  const std::lock_guard lock(s.making);
+  if (!s.numbers) {
+    std::unique_ptr<float[]> numbers(new float[elements() * static_cast<std::size_t>(values.floats)]);
+    if (!fill_stored(*set_, values, numbers.get(), threads))
+      return nullptr; // perhaps the next caller's environment is the standard one
+    s.numbers = std::move(numbers);
+  }
+  return s.numbers.get();
 }
 
 prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads) {
@@ -45,6 +65,7 @@ prepared prepare(const view &elements, const kind_info &kind, const pose &at, in
     throw input_error(check(elements, kind, at), kind);
   if (s != status::ok)
     throw std::invalid_argument(text(s));
+  p.stores_ = std::make_unique<prepared::store[]>(static_cast<std::size_t>(kind.stored));
   return p;
 }
 

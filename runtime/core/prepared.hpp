@@ -35,12 +35,17 @@ public:
   // The closed box around all elements, finite, in the units of their coordinates; lo > hi for the empty set.
   void bounds(float lo[3], float hi[3]) const;
   const element_set &set() const { return *set_; }
+  // What a predicate wants stored beside the rows, computed when it is first asked for and kept; null where nothing is
+  // to be stored or cannot be. Any thread may ask. Throws std::bad_alloc.
+  const float *stored(const stored_values &values, int threads) const;
 
 private:
+  struct store;
   friend prepared prepare(const view &, const kind_info &, const pose &, int);
   prepared();
   std::unique_ptr<std::byte[]> bytes_;
   std::unique_ptr<element_set> set_;
+  std::unique_ptr<store[]> stores_; // kind().stored of them
 };
 
 // Copies the elements under the pose, on so many threads (0: all cores). A set without elements is allowed.

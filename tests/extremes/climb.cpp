@@ -38,7 +38,7 @@ template <class P> sample sample_at(const float *a, const float *b, double side,
     out.truth = t[i].hi, out.computed = static_cast<double>(v[i]);
     if (form == bound_form::magnitude) {
       const meetc::leaf_magnitude<float> leaf{meetc::power_of_two(Stage::floor_fp32, 0.0F)};
-      Stage::magnitudes(rows.a, rows.b, leaf, m);
+      meetc::stage_magnitudes<Stage>(rows.a, rows.b, leaf, m);
       out.bound = static_cast<double>(Stage::factor(i).fp32) * static_cast<double>(m[i]);
     } else {
       out.bound = bound_in_box<Stage>(a, b, side, form, i);

@@ -61,8 +61,6 @@ template <class P, class Stage> void check_growth(const char *predicate, const c
 int width_used = 0;
 template <int Degree, int Growth> struct probe_stage {
   static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0, degree = Degree, growth = Growth;
-  template <class T> static void object_a(const T *, T *) {}
-  template <class T> static void object_b(const T *, T *) {}
   template <class T, class W> static void pair(const T *a, const T *, const T *, const T *, W *v) {
     width_used = static_cast<int>(sizeof(T)) * 8;
     v[0] = a[0];

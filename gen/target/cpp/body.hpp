@@ -4,6 +4,7 @@
 #include "gen/lower/kernel.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
 
 namespace meetc::target {
@@ -18,16 +19,20 @@ struct body_names {
 // All of a program. Values that are used once are written where they are used.
 std::string body(const ir::program &p, const body_names &names, const std::string &indent);
 
-// A program in three parts by residency: what object A alone decides, object B alone, and the pair.
-struct parts {
+// What a program stores beside the objects: statements that fill f[0], f[1], ..., and how the pair reads them, fa[i] and
+// fb[i].
+struct stored_body {
   int fields_a = 0, fields_b = 0;
-  std::string object_a, object_b, pair;
+  std::string object_a, object_b;
+  std::map<ir::node_id, std::string> read;
 };
-// `input` names the inputs; fields are f[i] where they are stored, fa[i] and fb[i] where they are read; results are values
-// v[i], each with its remark. With `mixed`, values of degree 3 and more are of type W, the others of type T. A negative is
-// never stored: what reads it negates.
-parts split_body(const ir::program &p, const std::function<std::string(int)> &input, bool mixed,
-                 const std::vector<std::string> &remarks, const std::string &indent);
+stored_body stored_parts(const ir::program &p, const std::function<std::string(int)> &input, const std::string &type,
+                         const std::string &indent);
+
+// What runs for each pair. With `mixed`, values of degree 3 and more are of type W, the others of names.type. A result's
+// remark says what it is; no remarks: none has one.
+std::string pair_body(const ir::program &p, const stored_body &stored, const body_names &names, bool mixed,
+                      const std::vector<std::string> &remarks, const std::string &indent);
 
 // "27 multiplications, 17 additions"; fused multiply-adds count as one of each.
 std::string count_text(const ir::counts &c);

@@ -47,6 +47,51 @@ std::string extent_text(const char *object, const std::vector<leaf> &leaves, con
                      operand.empty() ? "" : fmt::format("row_{}", object), operand, body);
 }
 
+// The magnitudes as functions: of each object, where some are stored beside it, and of the pair.
+std::string magnitudes_text(const bound::stage_bounds &b, const emitted_predicate &p) {
+  const ir::program &code = b.magnitudes;
+  const auto input = [&](int i) {
+    return fmt::format("leaf({})", leaf_text(b.leaves[static_cast<std::size_t>(i)], p));
+  };
+  const stored_body stored = stored_parts(
+      code, [](int i) { return fmt::format("l{}", i); }, "T", "    ");
+  // Each leaf that a part reads has a name, since it takes some operations.
+  const auto with_leaves = [&](const std::vector<ir::node_id> &results, const std::vector<ir::node_id> &given,
+                               const std::string &text) {
+    std::string out;
+    for (const ir::node_id id : ir::needed(code.nodes, results, given))
+      if (const ir::node &n = code.nodes.at(id); n.kind == ir::op::input)
+        out += fmt::format("    const T l{} = {};\n", n.a, input(n.a));
+    return p.operands_in(out, "    ") + out + text;
+  };
+  const auto row = [](const std::string &text, const char *name) {
+    return fmt::format("const T *{}", text.find(fmt::format("({})", name)) == std::string::npos ? "" : name);
+  };
+  const auto object = [&](char which, poly::residency where, const std::string &body) {
+    const std::string text = with_leaves(ir::stored_of(code, where), {}, body);
+    return fmt::format("  template <class T, class Leaf>\n  MEETC_HD MEETC_INLINE static void magnitudes_{}({}, const "
+                       "Leaf &leaf, T *f) {{\n{}  }}\n",
+                       which, row(text, which == 'a' ? "row_a" : "row_b"), text);
+  };
+  std::string out =
+      fmt::format("  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.\n"
+                  "  static constexpr int magnitudes_of_a = {}, magnitudes_of_b = {};\n",
+                  stored.fields_a, stored.fields_b);
+  if (stored.fields_a > 0)
+    out += object('a', poly::residency::a, stored.object_a);
+  if (stored.fields_b > 0)
+    out += object('b', poly::residency::b, stored.object_b);
+  const body_names names{[](int i) { return fmt::format("l{}", i); },
+                         [](std::size_t i, const std::string &v) { return fmt::format("m[{}] = {};", i, v); }};
+  const std::string text = with_leaves(code.results, code.stored, pair_body(code, stored, names, false, {}, "    "));
+  const auto field = [&](const char *name) {
+    return fmt::format("const T *{}", text.find(fmt::format("{}[", name)) == std::string::npos ? "" : name);
+  };
+  return out + fmt::format("  template <class T, class Leaf>\n  MEETC_HD MEETC_INLINE static void magnitudes({}, {}, "
+                           "{}, {}, const Leaf &leaf, T *m) {{\n{}  }}\n",
+                           row(text, "row_a"), field("fa"), row(text, "row_b"), field("fb"), text);
+}
+
 } // namespace
 
 std::string hex_literal(const ir::rational &q, const char *suffix) {
@@ -66,7 +111,7 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage 
       fmt::format("  // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
                   "  static constexpr int degree = {}, growth = {};\n"
                   "  // Exact where differences are integers below 2^window on a grid: fp64{}.\n"
-                  "  static constexpr int window = {};\n    static constexpr bool mixed = {};\n"
+                  "  static constexpr int window = {};\n  static constexpr bool mixed = {};\n"
                   "  // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.\n"
                   "  static constexpr int floor_fp32 = {}, floor_fp64 = {}, box_lowest = {}, box_highest = {};\n",
                   b.degree, b.growth, b.mixed ? ", and double-double from degree 3" : "", b.window, b.mixed,
@@ -94,23 +139,7 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage 
   out += lookup("unsigned", "zero_if", zeros);
   out += extent_text("a", bound::leaves_of(b, poly::residency::a), p);
   out += extent_text("b", bound::leaves_of(b, poly::residency::b), p);
-  std::string text;
-  for (std::size_t l = 0; l < b.leaves.size(); ++l)
-    text += fmt::format("    const T l{} = leaf({});\n", l, leaf_text(b.leaves[l], p));
-  body_names names;
-  names.input = [](int i) { return fmt::format("l{}", i); };
-  names.result = [](std::size_t i, const std::string &v) { return fmt::format("m[{}] = {};", i, v); };
-  text += body(b.magnitudes, names, "    ");
-  const std::string operands = p.operands_in(text, "    ");
-  const auto row = [&](const char *name) {
-    return fmt::format("const T *{}", operands.find(name) == std::string::npos ? "" : name);
-  };
-  out +=
-      fmt::format("  // The values on magnitudes of leaves, with every subtraction an addition.\n"
-                  "  template <class T, class Leaf>\n  MEETC_HD MEETC_INLINE static void magnitudes({}, {}, const Leaf "
-                  "&leaf, T *m) {{\n{}{}  }}\n",
-                  row("row_a"), row("row_b"), operands, text);
-  return out;
+  return out + magnitudes_text(b, p);
 }
 
 std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_predicate &p) {

@@ -3,6 +3,7 @@
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
+#include "gen/target/cpp/stored.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -96,13 +97,13 @@ lower::enclosure bounded(const unit &u, const lang::kind &k) {
   return e;
 }
 
-std::string kind_entry(const unit &u, const lang::kind &k, const lower::enclosure &e) {
+std::string kind_entry(const unit &u, const lang::kind &k, const lower::enclosure &e, int stored) {
   const lower::kind_layout layout = u.model.layout(k);
   const bool points_only =
       std::all_of(layout.reals.begin(), layout.reals.end(), [](const auto &r) { return r.position; });
-  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}}},\n", k.name, csv_names(layout),
+  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, {}}},\n", k.name, csv_names(layout),
                      layout.reals.size(), identifier(k.name), points_only ? layout.points : 0, identifier(k.name),
-                     e.rule_input >= 0 ? identifier(k.name) + "_fault" : "nullptr");
+                     e.rule_input >= 0 ? identifier(k.name) + "_fault" : "nullptr", stored);
 }
 
 std::string kind_functions(const unit &u, const lang::kind &k, const lower::enclosure &e) {
@@ -150,17 +151,21 @@ std::string runtime_source(const unit &u) {
   out += fmt::format("\nnamespace {} {{\n\n", space);
   std::string declared;
   for (const lower::kernel *k : predicates_of(u))
-    declared += fmt::format("meetc::predicate_info {}(const meetc::kind_info *a, const meetc::kind_info *b);\n",
-                            info_function(*k));
+    declared +=
+        fmt::format("meetc::predicate_info {}(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,\n"
+                    "    int number_b);\n",
+                    info_function(*k));
   if (!declared.empty())
     out += "namespace detail { // each in the source of its predicate\n" + declared + "} // namespace detail\n\n";
   out += "namespace {\n\n";
   const auto kinds = element_kinds(u);
+  const stored_numbers stored = number_stored(u);
   std::string entries, functions;
   for (const lang::kind *k : kinds) {
     const lower::enclosure e = bounded(u, *k);
     functions += kind_functions(u, *k, e);
-    entries += kind_entry(u, *k, e);
+    const auto count = stored.count.find(k);
+    entries += kind_entry(u, *k, e, count == stored.count.end() ? 0 : count->second);
   }
   if (!kinds.empty())
     out += functions + "const meetc::kind_info all_kinds[] = {\n" + entries + "};\n\n";
@@ -169,7 +174,9 @@ std::string runtime_source(const unit &u) {
     const auto place = [&](std::size_t i) {
       return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
     };
-    rows += fmt::format("    detail::{}(&all_kinds[{}], &all_kinds[{}]),\n", info_function(*k), place(0), place(1));
+    const auto [a, b] = stored.of.at(k);
+    rows += fmt::format("    detail::{}(&all_kinds[{}], &all_kinds[{}], {}, {}),\n", info_function(*k), place(0),
+                        place(1), a, b);
   }
   if (!rows.empty())
     rows = "  static const meetc::predicate_info all_predicates[] = {\n" + rows + "  };\n";

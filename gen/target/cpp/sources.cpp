@@ -13,8 +13,10 @@ std::string info_function(const lower::kernel &k) {
 std::string predicate_source(const emitted_predicate &p) {
   const std::string space = identifier(p.of.scene.space), name = p.kernel.asked.name();
   std::string out = banner(p.of.scene, fmt::format("The rungs of {} that few pairs need.", p.kernel.asked.text));
-  out += fmt::format("#include <{}/detail/{}_rest.hpp>\n#include <meetc/table_functions.hpp>\n\nnamespace {} {{\n\n",
-                     space, name, space);
+  out +=
+      fmt::format("#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_rest.hpp>\n#include <meetc/table_functions.hpp>\n\n"
+                  "namespace {0} {{\n\n",
+                  space, name);
   out += out_of_line(p, "");
   if (p.has_rare() && p.asks_plain())
     for (const char *type : {"float", "double", "meetc::double_double"})
@@ -24,10 +26,12 @@ std::string predicate_source(const emitted_predicate &p) {
     for (const char *r : {"fp32", "fp64", "fp64x2", "exact", "certified"})
       if (p.of.asks(r))
         rungs += fmt::format("{}meetc::rung::{}", rungs.empty() ? "" : ", ", r);
-    out += fmt::format(
-        "\nnamespace detail {{\nmeetc::predicate_info {0}(const meetc::kind_info *a, const meetc::kind_info *b) {{\n"
-        "  return meetc::info_of<{1}, {2}>(\"{3}\", \"{4}\", a, b);\n}}\n}} // namespace detail\n",
-        info_function(p.kernel), p.name, rungs, p.kernel.asked.asked->name, p.kernel.asked.asked->mode);
+    out += fmt::format("\nnamespace detail {{\nmeetc::predicate_info {0}(const meetc::kind_info *a, const "
+                       "meetc::kind_info *b, int number_a,\n"
+                       "    int number_b) {{\n"
+                       "  return meetc::info_of<{1}, {2}>(\"{3}\", \"{4}\", a, b, number_a,\n      number_b);\n}}\n}} "
+                       "// namespace detail\n",
+                       info_function(p.kernel), p.name, rungs, p.kernel.asked.asked->name, p.kernel.asked.asked->mode);
   }
   return out + fmt::format("\n}} // namespace {}\n", space);
 }
@@ -35,14 +39,16 @@ std::string predicate_source(const emitted_predicate &p) {
 std::string header_only(const unit &u) {
   std::string out =
       banner(u.scene, "For those who have the headers alone: what the generated library else compiles, inline.");
-  std::vector<std::string> includes;
+  std::vector<std::string> includes, rest; // a kernel's own header comes before the rest of it
   std::string functions;
   for (std::size_t i = 0; i < u.kernels.size(); ++i)
     if (u.kernels[i].is_predicate) {
       const emitted_predicate p(u, i);
-      includes.push_back(fmt::format("detail/{}_rest.hpp", p.kernel.asked.name()));
+      includes.push_back(p.kernel.asked.name() + ".hpp");
+      rest.push_back(fmt::format("detail/{}_rest.hpp", p.kernel.asked.name()));
       functions += out_of_line(p, "inline ");
     }
+  includes.insert(includes.end(), rest.begin(), rest.end());
   out += open_header(u.scene, "file_header_only", includes) +
          "// Include this in at least one source of a program that is not linked with the library.\n" + functions;
   return out + close_header(u.scene);

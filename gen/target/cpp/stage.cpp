@@ -40,6 +40,22 @@ std::string opened(const emitted_predicate &p, const char *which, const std::vec
   return open_header(p.of.scene, fmt::format("detail_{}_{}", p.kernel.asked.name(), which), includes, kernel_headers);
 }
 
+// What runs once an object of a set, and what once a pair.
+std::string counts_of(const emitted_predicate &p, const emitted_stage &s, const stored_body &stored,
+                      const std::string &indent) {
+  const ir::program &code = s.code->code;
+  std::string out;
+  const auto object = [&](const std::string &name, int fields, poly::residency where) {
+    if (fields > 0)
+      out += fmt::format("{}// Stored beside {}: {} number{} ({}).\n", indent, name, fields, fields == 1 ? "" : "s",
+                         count_text(ir::count_object(code, where)));
+  };
+  object(p.a, stored.fields_a, poly::residency::a);
+  object(p.b, stored.fields_b, poly::residency::b);
+  return out + fmt::format("{}// A pair{}: {}.\n", indent, out.empty() ? "" : ", which reads them",
+                           count_text(ir::count_pair(code)));
+}
+
 } // namespace
 
 std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const std::string &scope) {
@@ -51,21 +67,25 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
     remarks.push_back(text.empty() ? "" : fmt::format("s[{}] = {}", s.first + static_cast<int>(i), text));
   }
   const auto input = [&p](int i) { return p.input(i); };
-  const parts text = split_body(s.code->code, input, s.bounds && s.bounds->mixed, remarks, inner + "  ");
-  const auto counted = [&](poly::residency r) { return count_text(ir::count(s.code->code, r)); };
-  std::string out = fmt::format("{}// {}: signs {} to {}, degree {}.\n", indent, what_of(p, s), s.first,
-                                s.first + static_cast<int>(s.code->atoms.size()) - 1, (s.bounds ? s.bounds->degree : 0));
-  out += fmt::format("{}// Once an object {}: {}; {}: {}; a pair: {}.\n", indent, p.a, counted(poly::residency::a), p.b,
-                     counted(poly::residency::b), counted(poly::residency::pair));
+  const ir::program &code = s.code->code;
+  const stored_body stored = stored_parts(code, input, "T", inner + "  ");
+  std::string out =
+      fmt::format("{}// {}: signs {} to {}, degree {}.\n", indent, what_of(p, s), s.first,
+                  s.first + static_cast<int>(s.code->atoms.size()) - 1, (s.bounds ? s.bounds->degree : 0));
+  out += counts_of(p, s, stored, indent);
   out += fmt::format(
       "{}struct {}{}_stage{} {{\n{}static constexpr int first = {}, atoms = {}, fields_a = {}, fields_b = {};\n",
       indent, scope, s.name, s.bounds ? fmt::format(" : detail::{}", detail_name(p, s, "bounds")) : "", inner, s.first,
-      s.code->atoms.size(), text.fields_a, text.fields_b);
+      s.code->atoms.size(), stored.fields_a, stored.fields_b);
   if (s.bounds)
     out += fmt::format("{}using bytecode = detail::{};\n", inner, detail_name(p, s, "bytecode"));
-  out += function_of_object(p, "object_a", "row_a", text.object_a, inner) +
-         function_of_object(p, "object_b", "row_b", text.object_b, inner);
-  const std::string pair = p.operands_in(text.pair, inner + "  ") + text.pair;
+  if (stored.fields_a > 0)
+    out += function_of_object(p, "object_a", "row_a", stored.object_a, inner);
+  if (stored.fields_b > 0)
+    out += function_of_object(p, "object_b", "row_b", stored.object_b, inner);
+  const body_names names{input, [](std::size_t i, const std::string &v) { return fmt::format("v[{}] = {};", i, v); }};
+  const std::string body = pair_body(code, stored, names, s.bounds && s.bounds->mixed, remarks, inner + "  ");
+  const std::string pair = p.operands_in(body, inner + "  ") + body;
   out += fmt::format(
       "{0}// The values whose signs are wanted; W holds those of degree 3 and more.\n"
       "{0}template <class T, class W = T>\n{0}MEETC_HD MEETC_INLINE static void pair({1}, {2}, {3}, {4}, W *v) "
@@ -89,7 +109,7 @@ std::string bounds_header(const emitted_predicate &p) {
 
 std::string rest_header(const emitted_predicate &p) {
   const std::string name = p.kernel.asked.name();
-  std::vector<std::string> includes{name + ".hpp"};
+  std::vector<std::string> includes;
   for (const std::string &callee : called_by(p))
     includes.push_back(fmt::format("detail/{}_rest.hpp", callee));
   std::string out =
@@ -97,6 +117,7 @@ std::string rest_header(const emitted_predicate &p) {
              fmt::format("What only few pairs need of {}: the rare case, and the program as bytecode for the "
                          "exact rung.",
                          p.kernel.asked.text)) +
+      fmt::format("// To be included after {}.hpp, which includes it on a device.\n", name) +
       opened(p, "rest", includes, {"rest.hpp"});
   if (p.bounds) {
     out += "namespace detail {\n\n";

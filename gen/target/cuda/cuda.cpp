@@ -4,6 +4,7 @@
 
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
+#include "gen/target/cpp/stored.hpp"
 #include "gen/target/gappa/gappa.hpp"
 
 #include <algorithm>
@@ -54,12 +55,15 @@ std::string catalogue_text(const unit &u) {
          "  return meetc::cuda::query_workspace(catalogue(), catalogue().predicates[Place], a, b, list_capacity);\n"
          "}\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
   int count = 0;
+  const stored_numbers stored = number_stored(u);
   for (const lower::kernel *k : predicates_of(u)) {
     const auto place = [&](std::size_t i) {
       return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
     };
-    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>}},\n",
-                       k->asked.asked->name, place(0), place(1), identifier(k->asked.asked->name), count);
+    const auto [a, b] = stored.of.at(k);
+    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {3}::stored_a({5}), "
+                       "{3}::stored_b({6})}},\n",
+                       k->asked.asked->name, place(0), place(1), identifier(k->asked.asked->name), count, a, b);
     ++count;
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
@@ -91,13 +95,16 @@ std::string cuda_header(const unit &u) {
            "// process is enough, before the first certified answer is relied upon.\n"
            "cudaError_t self_test(unsigned *faults, cudaStream_t stream);\n";
   out += "\n// The rungs that the scene asks for: bit r stands for the rung of value r.\n" + rungs_constant(u);
-  out += "\n// near() and run() are one step of a query on sets: see meetc::cuda::predicate_launchers.\n";
+  out += "\n// near() and run() are one step of a query on sets, stored_a() and stored_b() what its operands store: "
+         "see\n// meetc::cuda::predicate_launchers.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
     if (u.asks("certified"))
       out += fmt::format("  static cudaError_t certify{};\n", parameters);
-    out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n}};\n", near_parameters,
-                       run_parameters);
+    out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n"
+                       "  static meetc::cuda::stored_launcher stored_a(int number);\n"
+                       "  static meetc::cuda::stored_launcher stored_b(int number);\n}};\n",
+                       near_parameters, run_parameters);
   }
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
@@ -138,6 +145,10 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
   out += fmt::format("cudaError_t {0}::run{2} {{\n"
                      "  return meetc::cuda::run<{1}, rungs>(which, a, b, in, yes, unsure, stream);\n}}\n",
                      name, predicate, run_parameters);
+  for (const char which : {'a', 'b'})
+    out += fmt::format("meetc::cuda::stored_launcher {0}::stored_{2}(int number) {{\n"
+                       "  return meetc::cuda::stored_by<meetc::store_{2}<{1}>, rungs>(number);\n}}\n",
+                       name, predicate, which);
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
 

@@ -37,14 +37,10 @@ struct ball_ball : detail::ball_ball_points {
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 0, degree 2.
-  // Once an object S_: 0 multiplications, 0 additions; T_: 0 multiplications, 0 additions; a pair: 4 multiplications, 7 additions.
+  // A pair: 4 multiplications, 7 additions.
   struct common_stage : detail::ball_ball_common_bounds {
     static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0;
     using bytecode = detail::ball_ball_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *, T *) {
-    }
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *, T *) {
-    }
     // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {

@@ -40,14 +40,11 @@ struct ball_triangle : detail::ball_triangle_points {
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 15, degree 6.
-  // Once an object S_: 1 multiplication, 0 additions; t: 21 multiplications, 24 additions; a pair: 59 multiplications, 52 additions.
+  // Stored beside t: 10 numbers (21 multiplications, 24 additions).
+  // A pair, which reads them: 60 multiplications, 61 additions.
   struct common_stage : detail::ball_triangle_common_bounds {
-    static constexpr int first = 0, atoms = 16, fields_a = 1, fields_b = 19;
+    static constexpr int first = 0, atoms = 16, fields_a = 0, fields_b = 10;
     using bytecode = detail::ball_triangle_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
-      const auto S_ = detail::sphere_in(row_a);
-      f[0] = S_.r * S_.r;
-    }
     template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.b.x - t.a.x;
@@ -65,77 +62,74 @@ struct ball_triangle : detail::ball_triangle_points {
       const T t12 = meetc::fma(-t2, t8, t1 * t9);
       const T t13 = meetc::fma(-t0, t9, t2 * t7);
       const T t14 = meetc::fma(-t1, t7, t0 * t8);
-      f[0] = t0;
-      f[1] = t1;
-      f[2] = t2;
-      f[3] = t3;
-      f[4] = t4;
-      f[5] = t5;
-      f[6] = t6;
-      f[7] = meetc::fma(t6, t6, meetc::fma(t5, t5, t4 * t4));
-      f[8] = t7;
-      f[9] = t8;
-      f[10] = t9;
-      f[11] = t10;
-      f[12] = t11;
-      f[13] = t12;
-      f[14] = t13;
-      f[15] = t14;
-      f[16] = meetc::fma(t14, t14, meetc::fma(t13, t13, t12 * t12));
-      f[17] = t3 - t11;
-      f[18] = t10 - t11;
+      f[0] = t3;
+      f[1] = meetc::fma(t6, t6, meetc::fma(t5, t5, t4 * t4));
+      f[2] = t10;
+      f[3] = t11;
+      f[4] = t12;
+      f[5] = t13;
+      f[6] = t14;
+      f[7] = meetc::fma(t14, t14, meetc::fma(t13, t13, t12 * t12));
+      f[8] = t3 - t11;
+      f[9] = t10 - t11;
     }
     // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
       const auto S_ = detail::sphere_in(row_a);
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.a.x - S_.c.x;
       const T t1 = t.a.y - S_.c.y;
       const T t2 = t.a.z - S_.c.z;
-      const T t3 = t.b.x - S_.c.x;
-      const T t4 = t.b.y - S_.c.y;
-      const T t5 = t.b.z - S_.c.z;
-      const T t6 = t.c.x - S_.c.x;
-      const T t7 = t.c.y - S_.c.y;
-      const T t8 = t.c.z - S_.c.z;
-      const T t9 = meetc::fma(t2, fb[2], meetc::fma(t1, fb[1], t0 * fb[0]));
-      const T t10 = -t2;
-      const T t11 = meetc::fma(t10, fb[1], t1 * fb[2]);
-      const T t12 = -t0;
-      const T t13 = meetc::fma(t12, fb[2], t2 * fb[0]);
-      const T t14 = -t1;
-      const T t15 = meetc::fma(t14, fb[0], t0 * fb[1]);
-      const T t16 = meetc::fma(fa[0], fb[3], -meetc::fma(t15, t15, meetc::fma(t13, t13, t11 * t11)));
-      const T t17 = meetc::fma(-t5, fb[5], t4 * fb[6]);
-      const T t18 = meetc::fma(-t3, fb[6], t5 * fb[4]);
-      const T t19 = meetc::fma(-t4, fb[4], t3 * fb[5]);
-      const T t20 = meetc::fma(fa[0], fb[7], -meetc::fma(t19, t19, meetc::fma(t18, t18, t17 * t17)));
-      const T t21 = meetc::fma(t2, fb[10], meetc::fma(t1, fb[9], t0 * fb[8]));
-      const T t22 = meetc::fma(t10, fb[9], t1 * fb[10]);
-      const T t23 = meetc::fma(t12, fb[10], t2 * fb[8]);
-      const T t24 = meetc::fma(t14, fb[8], t0 * fb[9]);
-      const T t25 = meetc::fma(fa[0], fb[11], -meetc::fma(t24, t24, meetc::fma(t23, t23, t22 * t22)));
-      const T t26 = meetc::fma(t2, fb[15], meetc::fma(t1, fb[14], t0 * fb[13]));
-      v[0] = -(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))); // s[0] = -side(S, t.a)
-      v[1] = -(fa[0] - meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3))); // s[1] = -side(S, t.b)
-      v[2] = -(fa[0] - meetc::fma(t8, t8, meetc::fma(t7, t7, t6 * t6))); // s[2] = -side(S, t.c)
-      v[3] = -t16; // s[3] = -sign(norm2(meet(S, segment(t.a, t.b))))
-      v[4] = t9; // s[4] = -side(wall(segment(t.a, t.b), t.a), S.c)
-      v[5] = fb[3] + t9; // s[5] = -side(wall(segment(t.a, t.b), t.b), S.c)
-      v[6] = -t20; // s[6] = -sign(norm2(meet(S, segment(t.b, t.c))))
-      // s[7] = -side(wall(segment(t.b, t.c), t.b), S.c)
-      v[7] = meetc::fma(t5, fb[6], meetc::fma(t4, fb[5], t3 * fb[4]));
-      // s[8] = -side(wall(segment(t.b, t.c), t.c), S.c)
-      v[8] = fb[7] + meetc::fma(t5, fb[6], meetc::fma(t4, fb[5], t3 * fb[4]));
-      v[9] = -t25; // s[9] = -sign(norm2(meet(S, segment(t.c, t.a))))
-      v[10] = fb[11] + t21; // s[10] = side(wall(segment(t.c, t.a), t.c), S.c)
-      v[11] = t21; // s[11] = side(wall(segment(t.c, t.a), t.a), S.c)
-      v[12] = -meetc::fma(-t26, t26, fa[0] * fb[16]); // s[12] = -sign(norm2(meet(S, t)))
-      v[13] = meetc::fma(-fb[3], t21, t9 * fb[12]); // s[13] = side(segment(t.a, t.b) ^ (I*t), S.c)
+      const T t3 = S_.r * S_.r;
+      const T t4 = t.b.x - S_.c.x;
+      const T t5 = t.b.y - S_.c.y;
+      const T t6 = t.b.z - S_.c.z;
+      const T t7 = t.c.x - S_.c.x;
+      const T t8 = t.c.y - S_.c.y;
+      const T t9 = t.c.z - S_.c.z;
+      const T t10 = t.b.x - t.a.x;
+      const T t11 = t.b.y - t.a.y;
+      const T t12 = t.b.z - t.a.z;
+      const T t13 = meetc::fma(t2, t12, meetc::fma(t1, t11, t0 * t10));
+      const T t14 = meetc::fma(-t2, t11, t1 * t12);
+      const T t15 = meetc::fma(-t0, t12, t2 * t10);
+      const T t16 = meetc::fma(-t1, t10, t0 * t11);
+      const T t17 = meetc::fma(t3, fb[0], -meetc::fma(t16, t16, meetc::fma(t15, t15, t14 * t14)));
+      const T t18 = t.c.x - t.b.x;
+      const T t19 = t.c.y - t.b.y;
+      const T t20 = t.c.z - t.b.z;
+      const T t21 = meetc::fma(t6, t20, meetc::fma(t5, t19, t4 * t18));
+      const T t22 = meetc::fma(-t6, t19, t5 * t20);
+      const T t23 = meetc::fma(-t4, t20, t6 * t18);
+      const T t24 = meetc::fma(-t5, t18, t4 * t19);
+      const T t25 = meetc::fma(t3, fb[1], -meetc::fma(t24, t24, meetc::fma(t23, t23, t22 * t22)));
+      const T t26 = t.c.x - t.a.x;
+      const T t27 = t.c.y - t.a.y;
+      const T t28 = t.c.z - t.a.z;
+      const T t29 = meetc::fma(t2, t28, meetc::fma(t1, t27, t0 * t26));
+      const T t30 = meetc::fma(-t2, t27, t1 * t28);
+      const T t31 = meetc::fma(-t0, t28, t2 * t26);
+      const T t32 = meetc::fma(-t1, t26, t0 * t27);
+      const T t33 = meetc::fma(t3, fb[2], -meetc::fma(t32, t32, meetc::fma(t31, t31, t30 * t30)));
+      const T t34 = meetc::fma(t2, fb[6], meetc::fma(t1, fb[5], t0 * fb[4]));
+      v[0] = -(t3 - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))); // s[0] = -side(S, t.a)
+      v[1] = -(t3 - meetc::fma(t6, t6, meetc::fma(t5, t5, t4 * t4))); // s[1] = -side(S, t.b)
+      v[2] = -(t3 - meetc::fma(t9, t9, meetc::fma(t8, t8, t7 * t7))); // s[2] = -side(S, t.c)
+      v[3] = -t17; // s[3] = -sign(norm2(meet(S, segment(t.a, t.b))))
+      v[4] = t13; // s[4] = -side(wall(segment(t.a, t.b), t.a), S.c)
+      v[5] = fb[0] + t13; // s[5] = -side(wall(segment(t.a, t.b), t.b), S.c)
+      v[6] = -t25; // s[6] = -sign(norm2(meet(S, segment(t.b, t.c))))
+      v[7] = t21; // s[7] = -side(wall(segment(t.b, t.c), t.b), S.c)
+      v[8] = fb[1] + t21; // s[8] = -side(wall(segment(t.b, t.c), t.c), S.c)
+      v[9] = -t33; // s[9] = -sign(norm2(meet(S, segment(t.c, t.a))))
+      v[10] = fb[2] + t29; // s[10] = side(wall(segment(t.c, t.a), t.c), S.c)
+      v[11] = t29; // s[11] = side(wall(segment(t.c, t.a), t.a), S.c)
+      v[12] = -meetc::fma(-t34, t34, t3 * fb[7]); // s[12] = -sign(norm2(meet(S, t)))
+      v[13] = meetc::fma(-fb[0], t29, t13 * fb[3]); // s[13] = side(segment(t.a, t.b) ^ (I*t), S.c)
       // s[14] = side(segment(t.b, t.c) ^ (I*t), S.c)
-      v[14] = meetc::fma(t9, fb[18], meetc::fma(t21, fb[17], fb[16]));
-      v[15] = meetc::fma(-t21, fb[12], t9 * fb[11]); // s[15] = -side(segment(t.c, t.a) ^ (I*t), S.c)
+      v[14] = meetc::fma(t13, fb[9], meetc::fma(t29, fb[8], fb[7]));
+      v[15] = meetc::fma(-t29, fb[3], t13 * fb[2]); // s[15] = -side(segment(t.c, t.a) ^ (I*t), S.c)
     }
   };
 

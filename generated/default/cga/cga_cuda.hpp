@@ -27,7 +27,8 @@ inline constexpr unsigned rungs = 1U << static_cast<int>(meetc::rung::fp32) |
     1U << static_cast<int>(meetc::rung::exact) |
     1U << static_cast<int>(meetc::rung::certified);
 
-// near() and run() are one step of a query on sets: see meetc::cuda::predicate_launchers.
+// near() and run() are one step of a query on sets, stored_a() and stored_b() what its operands store: see
+// meetc::cuda::predicate_launchers.
 struct segment_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
     std::size_t n, meetc::answer *out, cudaStream_t stream);
@@ -41,6 +42,8 @@ struct segment_segment {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct point_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -55,6 +58,8 @@ struct point_triangle {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct segment_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -69,6 +74,8 @@ struct segment_triangle {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct triangle_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -83,6 +90,8 @@ struct triangle_triangle {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_sphere {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -97,6 +106,8 @@ struct sphere_sphere {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_ball {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -111,6 +122,8 @@ struct ball_ball {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -125,6 +138,8 @@ struct ball_segment {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -139,6 +154,8 @@ struct sphere_segment {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -153,6 +170,8 @@ struct ball_triangle {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -167,6 +186,8 @@ struct sphere_triangle {
       const meetc::cuda::operand &b,
     meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
         cudaStream_t stream);
+  static meetc::cuda::stored_launcher stored_a(int number);
+  static meetc::cuda::stored_launcher stored_b(int number);
 };
 
 } // namespace cuda

@@ -6,16 +6,28 @@
 namespace cga {
 
 namespace detail { // each in the source of its predicate
-meetc::predicate_info segment_segment_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info point_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info segment_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info triangle_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info sphere_sphere_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info ball_ball_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info ball_segment_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info sphere_segment_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info ball_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
-meetc::predicate_info sphere_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b);
+meetc::predicate_info segment_segment_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
+    int number_b);
+meetc::predicate_info point_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
+    int number_b);
+meetc::predicate_info segment_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b,
+    int number_a,
+    int number_b);
+meetc::predicate_info triangle_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b,
+    int number_a,
+    int number_b);
+meetc::predicate_info sphere_sphere_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
+    int number_b);
+meetc::predicate_info ball_ball_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
+    int number_b);
+meetc::predicate_info ball_segment_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
+    int number_b);
+meetc::predicate_info sphere_segment_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
+    int number_b);
+meetc::predicate_info ball_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
+    int number_b);
+meetc::predicate_info sphere_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
+    int number_b);
 } // namespace detail
 
 namespace {
@@ -32,26 +44,26 @@ const meetc::role triangle_roles[] = {meetc::role::x, meetc::role::y, meetc::rol
     meetc::role::y, meetc::role::z, meetc::role::x, meetc::role::y, meetc::role::z};
 
 const meetc::kind_info all_kinds[] = {
-  {"point", "x,y,z", 3, point_roles, 1, point_shape::box, nullptr},
-  {"sphere", "x,y,z,r", 4, sphere_roles, 0, sphere_shape::box, sphere_fault},
-  {"segment", "x0,y0,z0,x1,y1,z1", 6, segment_roles, 2, segment_shape::box, nullptr},
-  {"triangle", "x0,y0,z0,x1,y1,z1,x2,y2,z2", 9, triangle_roles, 3, triangle_shape::box, nullptr},
+  {"point", "x,y,z", 3, point_roles, 1, point_shape::box, nullptr, 0},
+  {"sphere", "x,y,z,r", 4, sphere_roles, 0, sphere_shape::box, sphere_fault, 0},
+  {"segment", "x0,y0,z0,x1,y1,z1", 6, segment_roles, 2, segment_shape::box, nullptr, 1},
+  {"triangle", "x0,y0,z0,x1,y1,z1,x2,y2,z2", 9, triangle_roles, 3, triangle_shape::box, nullptr, 2},
 };
 
 } // namespace
 
 const meetc::catalogue &catalogue() {
   static const meetc::predicate_info all_predicates[] = {
-    detail::segment_segment_info(&all_kinds[2], &all_kinds[2]),
-    detail::point_triangle_info(&all_kinds[0], &all_kinds[3]),
-    detail::segment_triangle_info(&all_kinds[2], &all_kinds[3]),
-    detail::triangle_triangle_info(&all_kinds[3], &all_kinds[3]),
-    detail::sphere_sphere_info(&all_kinds[1], &all_kinds[1]),
-    detail::ball_ball_info(&all_kinds[1], &all_kinds[1]),
-    detail::ball_segment_info(&all_kinds[1], &all_kinds[2]),
-    detail::sphere_segment_info(&all_kinds[1], &all_kinds[2]),
-    detail::ball_triangle_info(&all_kinds[1], &all_kinds[3]),
-    detail::sphere_triangle_info(&all_kinds[1], &all_kinds[3]),
+    detail::segment_segment_info(&all_kinds[2], &all_kinds[2], -1, -1),
+    detail::point_triangle_info(&all_kinds[0], &all_kinds[3], -1, 0),
+    detail::segment_triangle_info(&all_kinds[2], &all_kinds[3], -1, 0),
+    detail::triangle_triangle_info(&all_kinds[3], &all_kinds[3], 0, 0),
+    detail::sphere_sphere_info(&all_kinds[1], &all_kinds[1], -1, -1),
+    detail::ball_ball_info(&all_kinds[1], &all_kinds[1], -1, -1),
+    detail::ball_segment_info(&all_kinds[1], &all_kinds[2], -1, 0),
+    detail::sphere_segment_info(&all_kinds[1], &all_kinds[2], -1, 0),
+    detail::ball_triangle_info(&all_kinds[1], &all_kinds[3], -1, 1),
+    detail::sphere_triangle_info(&all_kinds[1], &all_kinds[3], -1, 1),
   };
   static const meetc::catalogue c{"cga", all_kinds, 4, all_predicates, 10, 0.0f};
   return c;

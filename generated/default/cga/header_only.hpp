@@ -4,6 +4,19 @@
 #define MEETC_3_cga_file_header_only_HPP
 
 #include <meetc/support.hpp>
+#include <cga/side_triangle_point.hpp>
+#include <cga/side_sphere_point.hpp>
+#include <cga/twist_segment_segment.hpp>
+#include <cga/segment_segment.hpp>
+#include <cga/point_triangle.hpp>
+#include <cga/segment_triangle.hpp>
+#include <cga/triangle_triangle.hpp>
+#include <cga/sphere_sphere.hpp>
+#include <cga/ball_ball.hpp>
+#include <cga/ball_segment.hpp>
+#include <cga/sphere_segment.hpp>
+#include <cga/ball_triangle.hpp>
+#include <cga/sphere_triangle.hpp>
 #include <cga/detail/side_triangle_point_rest.hpp>
 #include <cga/detail/side_sphere_point_rest.hpp>
 #include <cga/detail/twist_segment_segment_rest.hpp>

@@ -24,28 +24,22 @@ namespace cga {
 // 30 multiplications, 25 additions.
 template <class T> MEETC_HD inline point_blade<T> meet(const circle_blade<T> &X, const circle_blade<T> &Y) {
   point_blade<T> B;
-  const T t0 = -X.e1_e2_n;
-  const T t1 = meetc::fma(X.e1_e2_nb, Y.e1_e3_n, meetc::fma(t0, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
-  const T t2 = -X.e1_e3_nb;
-  const T t3 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3, meetc::fma(t2, Y.e1_e2_n, meetc::fma(X.e1_e3_n, Y.e1_e2_nb,
-      t1)));
-  const T t4 = meetc::fma(X.e1_e2_nb, Y.e2_e3_n, meetc::fma(t0, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
-  const T t5 = meetc::fma(-Y.e1_e2_n, X.e2_e3_nb, meetc::fma(Y.e1_e2_nb, X.e2_e3_n, t4));
-  const T t6 = -X.e1_e3_n;
-  const T t7 = meetc::fma(X.e1_e3_nb, Y.e2_e3_n, meetc::fma(t6, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
-  const T t8 = -Y.e1_e3_n;
-  const T t9 = meetc::fma(Y.e1_e2_e3, X.e3_n_nb, meetc::fma(t8, X.e2_e3_nb, meetc::fma(Y.e1_e3_nb, X.e2_e3_n,
-      t7)));
-  const T t10 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(t6, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
-  const T t11 = meetc::fma(Y.e1_e2_n, X.e3_n_nb, meetc::fma(t8, X.e2_n_nb, meetc::fma(Y.e1_n_nb, X.e2_e3_n,
-      t10)));
-  const T t12 = meetc::fma(X.e1_n_nb, Y.e2_e3_nb, meetc::fma(t2, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
-  const T t13 = meetc::fma(-Y.e1_e3_nb, X.e2_n_nb, meetc::fma(Y.e1_n_nb, X.e2_e3_nb, t12));
-  B.e1 = t3 * T(2);
-  B.e2 = T(2) * meetc::fma(Y.e1_e2_e3, X.e2_n_nb, t5);
-  B.e3 = T(2) * t9;
-  B.n = T(2) * t11;
-  B.nb = T(2) * meetc::fma(Y.e1_e2_nb, X.e3_n_nb, t13);
+  const T t0 = meetc::fma(X.e1_e2_nb, Y.e1_e3_n, meetc::fma(-X.e1_e2_n, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
+  const T t1 = meetc::fma(-X.e1_e3_nb, Y.e1_e2_n, meetc::fma(X.e1_e3_n, Y.e1_e2_nb, t0));
+  const T t2 = meetc::fma(X.e1_e2_nb, Y.e2_e3_n, meetc::fma(-X.e1_e2_n, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
+  const T t3 = meetc::fma(-Y.e1_e2_n, X.e2_e3_nb, meetc::fma(Y.e1_e2_nb, X.e2_e3_n, t2));
+  const T t4 = meetc::fma(X.e1_e3_nb, Y.e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
+  const T t5 = meetc::fma(-Y.e1_e3_n, X.e2_e3_nb, meetc::fma(Y.e1_e3_nb, X.e2_e3_n, t4));
+  const T t6 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
+  const T t7 = meetc::fma(Y.e1_e2_n, X.e3_n_nb, meetc::fma(-Y.e1_e3_n, X.e2_n_nb, meetc::fma(Y.e1_n_nb,
+      X.e2_e3_n, t6)));
+  const T t8 = meetc::fma(X.e1_n_nb, Y.e2_e3_nb, meetc::fma(-X.e1_e3_nb, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
+  const T t9 = meetc::fma(-Y.e1_e3_nb, X.e2_n_nb, meetc::fma(Y.e1_n_nb, X.e2_e3_nb, t8));
+  B.e1 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3, t1) * T(2);
+  B.e2 = T(2) * meetc::fma(Y.e1_e2_e3, X.e2_n_nb, t3);
+  B.e3 = T(2) * meetc::fma(Y.e1_e2_e3, X.e3_n_nb, t5);
+  B.n = T(2) * t7;
+  B.nb = T(2) * meetc::fma(Y.e1_e2_nb, X.e3_n_nb, t9);
   return B;
 }
 template <class T> MEETC_HD inline point_blade<T> meet(const circle<T> &X, const circle<T> &Y) {

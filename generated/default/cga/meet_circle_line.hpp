@@ -20,20 +20,18 @@ namespace cga {
 // 18 multiplications, 13 additions.
 template <class T> MEETC_HD inline point_blade<T> meet(const circle_blade<T> &X, const line_blade<T> &Y) {
   point_blade<T> B;
-  const T t0 = -X.e1_e3_nb;
-  const T t1 = meetc::fma(t0, Y.e1_e2_n, meetc::fma(X.e1_e2_nb, Y.e1_e3_n, X.e1_e2_e3 * Y.e1_n_nb));
-  const T t2 = meetc::fma(-Y.e1_e2_n, X.e2_e3_nb, meetc::fma(X.e1_e2_nb, Y.e2_e3_n, X.e1_e2_e3 * Y.e2_n_nb));
-  const T t3 = -Y.e1_e3_n;
-  const T t4 = meetc::fma(t3, X.e2_e3_nb, meetc::fma(X.e1_e3_nb, Y.e2_e3_n, X.e1_e2_e3 * Y.e3_n_nb));
-  const T t5 = meetc::fma(Y.e2_e3_n, X.e1_n_nb, meetc::fma(-Y.e2_n_nb, X.e1_e3_n, Y.e3_n_nb * X.e1_e2_n));
-  const T t6 = meetc::fma(Y.e1_e2_n, X.e3_n_nb, meetc::fma(t3, X.e2_n_nb, meetc::fma(Y.e1_n_nb, X.e2_e3_n,
-      t5)));
-  const T t7 = meetc::fma(Y.e1_n_nb, X.e2_e3_nb, meetc::fma(t0, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
-  B.e1 = t1 * T(2);
-  B.e2 = T(2) * t2;
-  B.e3 = T(2) * t4;
-  B.n = T(2) * t6;
-  B.nb = T(2) * t7;
+  const T t0 = meetc::fma(-X.e1_e3_nb, Y.e1_e2_n, meetc::fma(X.e1_e2_nb, Y.e1_e3_n, X.e1_e2_e3 * Y.e1_n_nb));
+  const T t1 = meetc::fma(-Y.e1_e2_n, X.e2_e3_nb, meetc::fma(X.e1_e2_nb, Y.e2_e3_n, X.e1_e2_e3 * Y.e2_n_nb));
+  const T t2 = meetc::fma(-Y.e1_e3_n, X.e2_e3_nb, meetc::fma(X.e1_e3_nb, Y.e2_e3_n, X.e1_e2_e3 * Y.e3_n_nb));
+  const T t3 = meetc::fma(Y.e2_e3_n, X.e1_n_nb, meetc::fma(-Y.e2_n_nb, X.e1_e3_n, Y.e3_n_nb * X.e1_e2_n));
+  const T t4 = meetc::fma(Y.e1_e2_n, X.e3_n_nb, meetc::fma(-Y.e1_e3_n, X.e2_n_nb, meetc::fma(Y.e1_n_nb,
+      X.e2_e3_n, t3)));
+  const T t5 = meetc::fma(Y.e1_n_nb, X.e2_e3_nb, meetc::fma(-X.e1_e3_nb, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
+  B.e1 = t0 * T(2);
+  B.e2 = T(2) * t1;
+  B.e3 = T(2) * t2;
+  B.n = T(2) * t4;
+  B.nb = T(2) * t5;
   return B;
 }
 template <class T> MEETC_HD inline point_blade<T> meet(const circle<T> &X, const line<T> &Y) {

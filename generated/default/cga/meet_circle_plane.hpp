@@ -25,22 +25,24 @@ namespace cga {
 template <class T> MEETC_HD inline point_pair_blade<T> meet(const circle_blade<T> &X,
     const plane_blade<T> &Y) {
   point_pair_blade<T> B;
-  const T t0 = -Y.e1_e2_n_nb;
-  const T t1 = meetc::fma(Y.e1_e2_e3_n, X.e1_n_nb, meetc::fma(t0, X.e1_e3_n, Y.e1_e3_n_nb * X.e1_e2_n));
-  const T t2 = meetc::fma(Y.e1_e2_e3_n, X.e2_n_nb, meetc::fma(t0, X.e2_e3_n, X.e1_e2_n * Y.e2_e3_n_nb));
-  const T t3 = -Y.e1_e3_n_nb;
-  const T t4 = meetc::fma(Y.e1_e2_e3_n, X.e3_n_nb, meetc::fma(t3, X.e2_e3_n, X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t5 = meetc::fma(Y.e1_e2_n_nb, X.e3_n_nb, meetc::fma(t3, X.e2_n_nb, X.e1_n_nb * Y.e2_e3_n_nb));
+  const T t0 = meetc::fma(Y.e1_e2_e3_n, X.e1_n_nb, meetc::fma(-Y.e1_e2_n_nb, X.e1_e3_n,
+      Y.e1_e3_n_nb * X.e1_e2_n));
+  const T t1 = meetc::fma(Y.e1_e2_e3_n, X.e2_n_nb, meetc::fma(-Y.e1_e2_n_nb, X.e2_e3_n,
+      X.e1_e2_n * Y.e2_e3_n_nb));
+  const T t2 = meetc::fma(Y.e1_e2_e3_n, X.e3_n_nb, meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n,
+      X.e1_e3_n * Y.e2_e3_n_nb));
+  const T t3 = meetc::fma(Y.e1_e2_n_nb, X.e3_n_nb, meetc::fma(-Y.e1_e3_n_nb, X.e2_n_nb,
+      X.e1_n_nb * Y.e2_e3_n_nb));
   B.e1_e2 = meetc::fma(X.e1_e2_nb, Y.e1_e2_e3_n, X.e1_e2_e3 * Y.e1_e2_n_nb) * T(2);
   B.e1_e3 = T(2) * meetc::fma(Y.e1_e2_e3_n, X.e1_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb);
-  B.e1_n = T(2) * t1;
-  B.e1_nb = T(2) * meetc::fma(t0, X.e1_e3_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
+  B.e1_n = T(2) * t0;
+  B.e1_nb = T(2) * meetc::fma(-Y.e1_e2_n_nb, X.e1_e3_nb, X.e1_e2_nb * Y.e1_e3_n_nb);
   B.e2_e3 = T(2) * meetc::fma(Y.e1_e2_e3_n, X.e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb);
-  B.e2_n = T(2) * t2;
-  B.e2_nb = T(2) * meetc::fma(t0, X.e2_e3_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
-  B.e3_n = T(2) * t4;
-  B.e3_nb = T(2) * meetc::fma(t3, X.e2_e3_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
-  B.n_nb = T(2) * t5;
+  B.e2_n = T(2) * t1;
+  B.e2_nb = T(2) * meetc::fma(-Y.e1_e2_n_nb, X.e2_e3_nb, X.e1_e2_nb * Y.e2_e3_n_nb);
+  B.e3_n = T(2) * t2;
+  B.e3_nb = T(2) * meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_nb, X.e1_e3_nb * Y.e2_e3_n_nb);
+  B.n_nb = T(2) * t3;
   return B;
 }
 template <class T> MEETC_HD inline point_pair_blade<T> meet(const circle<T> &X, const plane<T> &Y) {

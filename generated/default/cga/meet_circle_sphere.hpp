@@ -27,28 +27,34 @@ template <class T> MEETC_HD inline point_pair_blade<T> meet(const circle_blade<T
   point_pair_blade<T> B;
   const T t0 = meetc::fma(X.e1_e2_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e2_n, Y.e1_e2_e3_nb,
       X.e1_e2_e3 * Y.e1_e2_n_nb));
-  const T t1 = -Y.e1_e2_e3_nb;
-  const T t2 = meetc::fma(Y.e1_e2_e3_n, X.e1_e3_nb, meetc::fma(t1, X.e1_e3_n, X.e1_e2_e3 * Y.e1_e3_n_nb));
-  const T t3 = -Y.e1_e2_n_nb;
-  const T t4 = meetc::fma(Y.e1_e2_e3_n, X.e1_n_nb, meetc::fma(t3, X.e1_e3_n, X.e1_e2_n * Y.e1_e3_n_nb));
-  const T t5 = meetc::fma(Y.e1_e2_e3_nb, X.e1_n_nb, meetc::fma(t3, X.e1_e3_nb, X.e1_e2_nb * Y.e1_e3_n_nb));
-  const T t6 = meetc::fma(Y.e1_e2_e3_n, X.e2_e3_nb, meetc::fma(t1, X.e2_e3_n, X.e1_e2_e3 * Y.e2_e3_n_nb));
-  const T t7 = meetc::fma(Y.e1_e2_e3_n, X.e2_n_nb, meetc::fma(t3, X.e2_e3_n, X.e1_e2_n * Y.e2_e3_n_nb));
-  const T t8 = meetc::fma(Y.e1_e2_e3_nb, X.e2_n_nb, meetc::fma(t3, X.e2_e3_nb, X.e1_e2_nb * Y.e2_e3_n_nb));
-  const T t9 = -Y.e1_e3_n_nb;
-  const T t10 = meetc::fma(Y.e1_e2_e3_n, X.e3_n_nb, meetc::fma(t9, X.e2_e3_n, X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t11 = meetc::fma(Y.e1_e2_e3_nb, X.e3_n_nb, meetc::fma(t9, X.e2_e3_nb, X.e1_e3_nb * Y.e2_e3_n_nb));
-  const T t12 = meetc::fma(Y.e1_e2_n_nb, X.e3_n_nb, meetc::fma(t9, X.e2_n_nb, X.e1_n_nb * Y.e2_e3_n_nb));
+  const T t1 = meetc::fma(Y.e1_e2_e3_n, X.e1_e3_nb, meetc::fma(-Y.e1_e2_e3_nb, X.e1_e3_n,
+      X.e1_e2_e3 * Y.e1_e3_n_nb));
+  const T t2 = meetc::fma(Y.e1_e2_e3_n, X.e1_n_nb, meetc::fma(-Y.e1_e2_n_nb, X.e1_e3_n,
+      X.e1_e2_n * Y.e1_e3_n_nb));
+  const T t3 = meetc::fma(Y.e1_e2_e3_nb, X.e1_n_nb, meetc::fma(-Y.e1_e2_n_nb, X.e1_e3_nb,
+      X.e1_e2_nb * Y.e1_e3_n_nb));
+  const T t4 = meetc::fma(Y.e1_e2_e3_n, X.e2_e3_nb, meetc::fma(-Y.e1_e2_e3_nb, X.e2_e3_n,
+      X.e1_e2_e3 * Y.e2_e3_n_nb));
+  const T t5 = meetc::fma(Y.e1_e2_e3_n, X.e2_n_nb, meetc::fma(-Y.e1_e2_n_nb, X.e2_e3_n,
+      X.e1_e2_n * Y.e2_e3_n_nb));
+  const T t6 = meetc::fma(Y.e1_e2_e3_nb, X.e2_n_nb, meetc::fma(-Y.e1_e2_n_nb, X.e2_e3_nb,
+      X.e1_e2_nb * Y.e2_e3_n_nb));
+  const T t7 = meetc::fma(Y.e1_e2_e3_n, X.e3_n_nb, meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n,
+      X.e1_e3_n * Y.e2_e3_n_nb));
+  const T t8 = meetc::fma(Y.e1_e2_e3_nb, X.e3_n_nb, meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_nb,
+      X.e1_e3_nb * Y.e2_e3_n_nb));
+  const T t9 = meetc::fma(Y.e1_e2_n_nb, X.e3_n_nb, meetc::fma(-Y.e1_e3_n_nb, X.e2_n_nb,
+      X.e1_n_nb * Y.e2_e3_n_nb));
   B.e1_e2 = t0 * T(2);
-  B.e1_e3 = T(2) * t2;
-  B.e1_n = T(2) * t4;
-  B.e1_nb = T(2) * t5;
-  B.e2_e3 = T(2) * t6;
-  B.e2_n = T(2) * t7;
-  B.e2_nb = T(2) * t8;
-  B.e3_n = T(2) * t10;
-  B.e3_nb = T(2) * t11;
-  B.n_nb = T(2) * t12;
+  B.e1_e3 = T(2) * t1;
+  B.e1_n = T(2) * t2;
+  B.e1_nb = T(2) * t3;
+  B.e2_e3 = T(2) * t4;
+  B.e2_n = T(2) * t5;
+  B.e2_nb = T(2) * t6;
+  B.e3_n = T(2) * t7;
+  B.e3_nb = T(2) * t8;
+  B.n_nb = T(2) * t9;
   return B;
 }
 template <class T> MEETC_HD inline point_pair_blade<T> meet(const circle<T> &X, const sphere<T> &Y) {

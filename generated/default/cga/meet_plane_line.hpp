@@ -18,16 +18,18 @@ namespace cga {
 // 12 multiplications, 8 additions.
 template <class T> MEETC_HD inline flat_point_blade<T> meet(const plane_blade<T> &X, const line_blade<T> &Y) {
   flat_point_blade<T> B;
-  const T t0 = -X.e1_e2_n_nb;
-  const T t1 = meetc::fma(X.e1_e3_n_nb, Y.e1_e2_n, meetc::fma(t0, Y.e1_e3_n, X.e1_e2_e3_n * Y.e1_n_nb));
-  const T t2 = meetc::fma(Y.e1_e2_n, X.e2_e3_n_nb, meetc::fma(t0, Y.e2_e3_n, X.e1_e2_e3_n * Y.e2_n_nb));
-  const T t3 = -X.e1_e3_n_nb;
-  const T t4 = meetc::fma(Y.e1_e3_n, X.e2_e3_n_nb, meetc::fma(t3, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
-  const T t5 = meetc::fma(Y.e1_n_nb, X.e2_e3_n_nb, meetc::fma(t3, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
-  B.e1_n = t1 * T(2);
-  B.e2_n = T(2) * t2;
-  B.e3_n = T(2) * t4;
-  B.n_nb = T(2) * t5;
+  const T t0 = meetc::fma(X.e1_e3_n_nb, Y.e1_e2_n, meetc::fma(-X.e1_e2_n_nb, Y.e1_e3_n,
+      X.e1_e2_e3_n * Y.e1_n_nb));
+  const T t1 = meetc::fma(Y.e1_e2_n, X.e2_e3_n_nb, meetc::fma(-X.e1_e2_n_nb, Y.e2_e3_n,
+      X.e1_e2_e3_n * Y.e2_n_nb));
+  const T t2 = meetc::fma(Y.e1_e3_n, X.e2_e3_n_nb, meetc::fma(-X.e1_e3_n_nb, Y.e2_e3_n,
+      X.e1_e2_e3_n * Y.e3_n_nb));
+  const T t3 = meetc::fma(Y.e1_n_nb, X.e2_e3_n_nb, meetc::fma(-X.e1_e3_n_nb, Y.e2_n_nb,
+      X.e1_e2_n_nb * Y.e3_n_nb));
+  B.e1_n = t0 * T(2);
+  B.e2_n = T(2) * t1;
+  B.e3_n = T(2) * t2;
+  B.n_nb = T(2) * t3;
   return B;
 }
 template <class T> MEETC_HD inline flat_point_blade<T> meet(const plane<T> &X, const line<T> &Y) {

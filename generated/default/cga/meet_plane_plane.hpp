@@ -21,15 +21,17 @@ namespace cga {
 template <class T> MEETC_HD inline line_blade<T> meet(const plane_blade<T> &X, const plane_blade<T> &Y) {
   line_blade<T> B;
   const T t0 = meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(2);
-  const T t1 = -Y.e1_e2_e3_n;
-  const T t2 = -Y.e1_e2_n_nb;
-  const T t3 = T(2) * meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t1 = T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb);
+  const T t2 = T(2) * meetc::fma(-Y.e1_e2_n_nb, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t3 = T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb);
+  const T t4 = T(2) * meetc::fma(-Y.e1_e2_n_nb, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t5 = T(2) * meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
   B.e1_e2_n = -t0;
-  B.e1_e3_n = -(T(2) * meetc::fma(t1, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb));
-  B.e1_n_nb = -(T(2) * meetc::fma(t2, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb));
-  B.e2_e3_n = -(T(2) * meetc::fma(t1, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb));
-  B.e2_n_nb = -(T(2) * meetc::fma(t2, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb));
-  B.e3_n_nb = -t3;
+  B.e1_e3_n = -t1;
+  B.e1_n_nb = -t2;
+  B.e2_e3_n = -t3;
+  B.e2_n_nb = -t4;
+  B.e3_n_nb = -t5;
   return B;
 }
 template <class T> MEETC_HD inline line_blade<T> meet(const plane<T> &X, const plane<T> &Y) {

@@ -21,17 +21,15 @@ template <class T> MEETC_HD inline point_blade<T> meet(const point_pair_blade<T>
     const plane_blade<T> &Y) {
   point_blade<T> B;
   const T t0 = meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
-  const T t1 = -Y.e1_e2_e3_n;
-  const T t2 = meetc::fma(t1, X.e2_nb, meetc::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
-  const T t3 = -Y.e1_e3_n_nb;
-  const T t4 = T(2) * meetc::fma(t1, X.e3_nb, meetc::fma(t3, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
-  const T t5 = meetc::fma(Y.e1_e2_n_nb, X.e3_n, meetc::fma(t3, X.e2_n, Y.e2_e3_n_nb * X.e1_n));
-  const T t6 = meetc::fma(Y.e1_e2_n_nb, X.e3_nb, meetc::fma(t3, X.e2_nb, X.e1_nb * Y.e2_e3_n_nb));
+  const T t1 = meetc::fma(-Y.e1_e2_e3_n, X.e2_nb, meetc::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t2 = meetc::fma(-Y.e1_e2_e3_n, X.e3_nb, meetc::fma(-Y.e1_e3_n_nb, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
+  const T t3 = meetc::fma(Y.e1_e2_n_nb, X.e3_n, meetc::fma(-Y.e1_e3_n_nb, X.e2_n, Y.e2_e3_n_nb * X.e1_n));
+  const T t4 = meetc::fma(Y.e1_e2_n_nb, X.e3_nb, meetc::fma(-Y.e1_e3_n_nb, X.e2_nb, X.e1_nb * Y.e2_e3_n_nb));
   B.e1 = -(t0 * T(2));
-  B.e2 = -(T(2) * t2);
-  B.e3 = -t4;
-  B.n = -(T(2) * meetc::fma(t1, X.n_nb, t5));
-  B.nb = -(T(2) * t6);
+  B.e2 = -(T(2) * t1);
+  B.e3 = -(T(2) * t2);
+  B.n = -(T(2) * meetc::fma(-Y.e1_e2_e3_n, X.n_nb, t3));
+  B.nb = -(T(2) * t4);
   return B;
 }
 template <class T> MEETC_HD inline point_blade<T> meet(const point_pair<T> &X, const plane<T> &Y) {

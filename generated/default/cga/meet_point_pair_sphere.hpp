@@ -22,16 +22,14 @@ template <class T> MEETC_HD inline point_blade<T> meet(const point_pair_blade<T>
   point_blade<T> B;
   const T t0 = meetc::fma(X.e1_n, Y.e1_e2_e3_nb, meetc::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
   const T t1 = meetc::fma(Y.e1_e2_e3_nb, X.e2_n, meetc::fma(-Y.e1_e2_n_nb, X.e2_e3, X.e1_e2 * Y.e2_e3_n_nb));
-  const T t2 = -Y.e1_e2_e3_n;
-  const T t3 = -Y.e1_e3_n_nb;
-  const T t4 = meetc::fma(Y.e1_e2_e3_nb, X.e3_n, meetc::fma(t3, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
-  const T t5 = meetc::fma(Y.e1_e2_n_nb, X.e3_n, meetc::fma(t3, X.e2_n, X.e1_n * Y.e2_e3_n_nb));
-  const T t6 = meetc::fma(Y.e1_e2_n_nb, X.e3_nb, meetc::fma(t3, X.e2_nb, X.e1_nb * Y.e2_e3_n_nb));
+  const T t2 = meetc::fma(Y.e1_e2_e3_nb, X.e3_n, meetc::fma(-Y.e1_e3_n_nb, X.e2_e3, X.e1_e3 * Y.e2_e3_n_nb));
+  const T t3 = meetc::fma(Y.e1_e2_n_nb, X.e3_n, meetc::fma(-Y.e1_e3_n_nb, X.e2_n, X.e1_n * Y.e2_e3_n_nb));
+  const T t4 = meetc::fma(Y.e1_e2_n_nb, X.e3_nb, meetc::fma(-Y.e1_e3_n_nb, X.e2_nb, X.e1_nb * Y.e2_e3_n_nb));
   B.e1 = -(meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, t0) * T(2));
-  B.e2 = -(T(2) * meetc::fma(t2, X.e2_nb, t1));
-  B.e3 = -(T(2) * meetc::fma(t2, X.e3_nb, t4));
-  B.n = -(T(2) * meetc::fma(t2, X.n_nb, t5));
-  B.nb = -(T(2) * meetc::fma(-Y.e1_e2_e3_nb, X.n_nb, t6));
+  B.e2 = -(T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e2_nb, t1));
+  B.e3 = -(T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e3_nb, t2));
+  B.n = -(T(2) * meetc::fma(-Y.e1_e2_e3_n, X.n_nb, t3));
+  B.nb = -(T(2) * meetc::fma(-Y.e1_e2_e3_nb, X.n_nb, t4));
   return B;
 }
 template <class T> MEETC_HD inline point_blade<T> meet(const point_pair<T> &X, const sphere<T> &Y) {

@@ -29,9 +29,10 @@ template <class T> MEETC_HD inline point_pair_blade<T> meet(const sphere_blade<T
       X.e1_e2_e3_n * Y.e1_n_nb));
   const T t1 = meetc::fma(Y.e1_e2_n, X.e2_e3_n_nb, meetc::fma(-X.e1_e2_n_nb, Y.e2_e3_n,
       X.e1_e2_e3_n * Y.e2_n_nb));
-  const T t2 = -X.e1_e3_n_nb;
-  const T t3 = meetc::fma(Y.e1_e3_n, X.e2_e3_n_nb, meetc::fma(t2, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
-  const T t4 = meetc::fma(Y.e1_n_nb, X.e2_e3_n_nb, meetc::fma(t2, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
+  const T t2 = meetc::fma(Y.e1_e3_n, X.e2_e3_n_nb, meetc::fma(-X.e1_e3_n_nb, Y.e2_e3_n,
+      X.e1_e2_e3_n * Y.e3_n_nb));
+  const T t3 = meetc::fma(Y.e1_n_nb, X.e2_e3_n_nb, meetc::fma(-X.e1_e3_n_nb, Y.e2_n_nb,
+      X.e1_e2_n_nb * Y.e3_n_nb));
   B.e1_e2 = -((X.e1_e2_e3_nb * Y.e1_e2_n) * T(2));
   B.e1_e3 = -(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n));
   B.e1_n = T(2) * t0;
@@ -39,9 +40,9 @@ template <class T> MEETC_HD inline point_pair_blade<T> meet(const sphere_blade<T
   B.e2_e3 = -(T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n));
   B.e2_n = T(2) * t1;
   B.e2_nb = T(2) * (X.e1_e2_e3_nb * Y.e2_n_nb);
-  B.e3_n = T(2) * t3;
+  B.e3_n = T(2) * t2;
   B.e3_nb = T(2) * (X.e1_e2_e3_nb * Y.e3_n_nb);
-  B.n_nb = T(2) * t4;
+  B.n_nb = T(2) * t3;
   return B;
 }
 template <class T> MEETC_HD inline point_pair_blade<T> meet(const sphere<T> &X, const line<T> &Y) {

@@ -24,19 +24,22 @@ namespace cga {
 // 16 multiplications, 6 additions.
 template <class T> MEETC_HD inline circle_blade<T> meet(const sphere_blade<T> &X, const plane_blade<T> &Y) {
   circle_blade<T> B;
-  const T t0 = -Y.e1_e2_e3_n;
-  const T t1 = -Y.e1_e2_n_nb;
-  const T t2 = T(2) * meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t0 = T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e1_e2_n_nb, X.e1_e2_e3_n * Y.e1_e2_n_nb);
+  const T t1 = T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb);
+  const T t2 = T(2) * meetc::fma(-Y.e1_e2_n_nb, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t3 = T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb);
+  const T t4 = T(2) * meetc::fma(-Y.e1_e2_n_nb, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t5 = T(2) * meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
   B.e1_e2_e3 = (X.e1_e2_e3_nb * Y.e1_e2_e3_n) * T(2);
-  B.e1_e2_n = -(T(2) * meetc::fma(t0, X.e1_e2_n_nb, X.e1_e2_e3_n * Y.e1_e2_n_nb));
+  B.e1_e2_n = -t0;
   B.e1_e2_nb = -(T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n_nb));
-  B.e1_e3_n = -(T(2) * meetc::fma(t0, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb));
+  B.e1_e3_n = -t1;
   B.e1_e3_nb = -(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n_nb));
-  B.e1_n_nb = -(T(2) * meetc::fma(t1, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb));
-  B.e2_e3_n = -(T(2) * meetc::fma(t0, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb));
+  B.e1_n_nb = -t2;
+  B.e2_e3_n = -t3;
   B.e2_e3_nb = -(T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n_nb));
-  B.e2_n_nb = -(T(2) * meetc::fma(t1, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb));
-  B.e3_n_nb = -t2;
+  B.e2_n_nb = -t4;
+  B.e3_n_nb = -t5;
   return B;
 }
 template <class T> MEETC_HD inline circle_blade<T> meet(const sphere<T> &X, const plane<T> &Y) {

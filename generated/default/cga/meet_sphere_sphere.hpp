@@ -25,20 +25,25 @@ namespace cga {
 template <class T> MEETC_HD inline circle_blade<T> meet(const sphere_blade<T> &X, const sphere_blade<T> &Y) {
   circle_blade<T> B;
   const T t0 = meetc::fma(-X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb) * T(2);
-  const T t1 = -Y.e1_e2_e3_n;
-  const T t2 = -Y.e1_e2_e3_nb;
-  const T t3 = -Y.e1_e2_n_nb;
-  const T t4 = T(2) * meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t1 = T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e1_e2_n_nb, X.e1_e2_e3_n * Y.e1_e2_n_nb);
+  const T t2 = T(2) * meetc::fma(-Y.e1_e2_e3_nb, X.e1_e2_n_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb);
+  const T t3 = T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb);
+  const T t4 = T(2) * meetc::fma(-Y.e1_e2_e3_nb, X.e1_e3_n_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb);
+  const T t5 = T(2) * meetc::fma(-Y.e1_e2_n_nb, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t6 = T(2) * meetc::fma(-Y.e1_e2_e3_n, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb);
+  const T t7 = T(2) * meetc::fma(-Y.e1_e2_e3_nb, X.e2_e3_n_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb);
+  const T t8 = T(2) * meetc::fma(-Y.e1_e2_n_nb, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t9 = T(2) * meetc::fma(-Y.e1_e3_n_nb, X.e2_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
   B.e1_e2_e3 = -t0;
-  B.e1_e2_n = -(T(2) * meetc::fma(t1, X.e1_e2_n_nb, X.e1_e2_e3_n * Y.e1_e2_n_nb));
-  B.e1_e2_nb = -(T(2) * meetc::fma(t2, X.e1_e2_n_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb));
-  B.e1_e3_n = -(T(2) * meetc::fma(t1, X.e1_e3_n_nb, X.e1_e2_e3_n * Y.e1_e3_n_nb));
-  B.e1_e3_nb = -(T(2) * meetc::fma(t2, X.e1_e3_n_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb));
-  B.e1_n_nb = -(T(2) * meetc::fma(t3, X.e1_e3_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb));
-  B.e2_e3_n = -(T(2) * meetc::fma(t1, X.e2_e3_n_nb, X.e1_e2_e3_n * Y.e2_e3_n_nb));
-  B.e2_e3_nb = -(T(2) * meetc::fma(t2, X.e2_e3_n_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb));
-  B.e2_n_nb = -(T(2) * meetc::fma(t3, X.e2_e3_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb));
-  B.e3_n_nb = -t4;
+  B.e1_e2_n = -t1;
+  B.e1_e2_nb = -t2;
+  B.e1_e3_n = -t3;
+  B.e1_e3_nb = -t4;
+  B.e1_n_nb = -t5;
+  B.e2_e3_n = -t6;
+  B.e2_e3_nb = -t7;
+  B.e2_n_nb = -t8;
+  B.e3_n_nb = -t9;
   return B;
 }
 template <class T> MEETC_HD inline circle_blade<T> meet(const sphere<T> &X, const sphere<T> &Y) {

@@ -14,31 +14,23 @@ namespace cga {
 //   99 terms when expanded
 // 34 multiplications, 28 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const circle_blade<T> &Y) {
-  const T t0 = -X.e1_e3_nb;
-  const T t1 = meetc::fma(X.e1_n_nb, Y.e2_e3_nb, meetc::fma(t0, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
-  const T t2 = -X.e2_n_nb;
-  const T t3 = meetc::fma(X.e3_n_nb, Y.e1_e2_nb, meetc::fma(t2, Y.e1_e3_nb, meetc::fma(X.e2_e3_nb, Y.e1_n_nb,
-      t1)));
-  const T t4 = -X.e1_e2_n;
-  const T t5 = meetc::fma(X.e1_e2_nb, Y.e1_e3_n, meetc::fma(t4, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
-  const T t6 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3, meetc::fma(t0, Y.e1_e2_n, meetc::fma(X.e1_e3_n, Y.e1_e2_nb,
-      t5)));
-  const T t7 = T(2) * t6;
-  const T t8 = meetc::fma(X.e1_e2_nb, Y.e2_e3_n, meetc::fma(t4, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
-  const T t9 = -X.e2_e3_nb;
-  const T t10 = meetc::fma(X.e2_n_nb, Y.e1_e2_e3, meetc::fma(t9, Y.e1_e2_n, meetc::fma(X.e2_e3_n, Y.e1_e2_nb,
-      t8)));
-  const T t11 = T(2) * t10;
-  const T t12 = -X.e1_e3_n;
-  const T t13 = meetc::fma(X.e1_e3_nb, Y.e2_e3_n, meetc::fma(t12, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
-  const T t14 = meetc::fma(X.e3_n_nb, Y.e1_e2_e3, meetc::fma(t9, Y.e1_e3_n, meetc::fma(X.e2_e3_n, Y.e1_e3_nb,
-      t13)));
-  const T t15 = T(2) * t14;
-  const T t16 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(t12, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
-  const T t17 = meetc::fma(X.e3_n_nb, Y.e1_e2_n, meetc::fma(t2, Y.e1_e3_n, meetc::fma(X.e2_e3_n, Y.e1_n_nb,
-      t16)));
-  const T t18 = meetc::fma(T(2) * t3, t17 * T(8), meetc::fma(t15, t15, meetc::fma(t11, t11, t7 * t7)));
-  return t18;
+  const T t0 = meetc::fma(X.e1_n_nb, Y.e2_e3_nb, meetc::fma(-X.e1_e3_nb, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
+  const T t1 = meetc::fma(-X.e2_n_nb, Y.e1_e3_nb, meetc::fma(X.e2_e3_nb, Y.e1_n_nb, t0));
+  const T t2 = meetc::fma(X.e1_e2_nb, Y.e1_e3_n, meetc::fma(-X.e1_e2_n, Y.e1_e3_nb, X.e1_e2_e3 * Y.e1_n_nb));
+  const T t3 = meetc::fma(-X.e1_e3_nb, Y.e1_e2_n, meetc::fma(X.e1_e3_n, Y.e1_e2_nb, t2));
+  const T t4 = T(2) * meetc::fma(X.e1_n_nb, Y.e1_e2_e3, t3);
+  const T t5 = meetc::fma(X.e1_e2_nb, Y.e2_e3_n, meetc::fma(-X.e1_e2_n, Y.e2_e3_nb, X.e1_e2_e3 * Y.e2_n_nb));
+  const T t6 = meetc::fma(-X.e2_e3_nb, Y.e1_e2_n, meetc::fma(X.e2_e3_n, Y.e1_e2_nb, t5));
+  const T t7 = T(2) * meetc::fma(X.e2_n_nb, Y.e1_e2_e3, t6);
+  const T t8 = meetc::fma(X.e1_e3_nb, Y.e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e2_e3_nb, X.e1_e2_e3 * Y.e3_n_nb));
+  const T t9 = meetc::fma(-X.e2_e3_nb, Y.e1_e3_n, meetc::fma(X.e2_e3_n, Y.e1_e3_nb, t8));
+  const T t10 = T(2) * meetc::fma(X.e3_n_nb, Y.e1_e2_e3, t9);
+  const T t11 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
+  const T t12 = meetc::fma(X.e3_n_nb, Y.e1_e2_n, meetc::fma(-X.e2_n_nb, Y.e1_e3_n, meetc::fma(X.e2_e3_n,
+      Y.e1_n_nb, t11)));
+  const T t13 = meetc::fma(T(2) * meetc::fma(X.e3_n_nb, Y.e1_e2_nb, t1), t12 * T(8), meetc::fma(t10, t10,
+      meetc::fma(t7, t7, t4 * t4)));
+  return t13;
 }
 
 // norm2(meet(circle, circle)) from what is stored, in differences where a translation changes nothing; B is never formed.

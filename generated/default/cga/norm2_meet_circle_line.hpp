@@ -33,17 +33,15 @@ template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const 
   const T t0 = meetc::fma(X.e1_n_nb, Y.e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e2_n_nb, X.e1_e2_n * Y.e3_n_nb));
   const T t1 = meetc::fma(X.e3_n_nb, Y.e1_e2_n, meetc::fma(-X.e2_n_nb, Y.e1_e3_n, meetc::fma(X.e2_e3_n,
       Y.e1_n_nb, t0)));
-  const T t2 = -X.e1_e3_nb;
-  const T t3 = meetc::fma(t2, Y.e1_e2_n, meetc::fma(X.e1_e2_e3, Y.e1_n_nb, X.e1_e2_nb * Y.e1_e3_n));
-  const T t4 = T(2) * t3;
-  const T t5 = -X.e2_e3_nb;
-  const T t6 = meetc::fma(t5, Y.e1_e2_n, meetc::fma(X.e1_e2_e3, Y.e2_n_nb, X.e1_e2_nb * Y.e2_e3_n));
+  const T t2 = meetc::fma(-X.e1_e3_nb, Y.e1_e2_n, meetc::fma(X.e1_e2_e3, Y.e1_n_nb, X.e1_e2_nb * Y.e1_e3_n));
+  const T t3 = T(2) * t2;
+  const T t4 = meetc::fma(-X.e2_e3_nb, Y.e1_e2_n, meetc::fma(X.e1_e2_e3, Y.e2_n_nb, X.e1_e2_nb * Y.e2_e3_n));
+  const T t5 = T(2) * t4;
+  const T t6 = meetc::fma(-X.e2_e3_nb, Y.e1_e3_n, meetc::fma(X.e1_e2_e3, Y.e3_n_nb, X.e1_e3_nb * Y.e2_e3_n));
   const T t7 = T(2) * t6;
-  const T t8 = meetc::fma(t5, Y.e1_e3_n, meetc::fma(X.e1_e2_e3, Y.e3_n_nb, X.e1_e3_nb * Y.e2_e3_n));
-  const T t9 = T(2) * t8;
-  const T t10 = meetc::fma(X.e2_e3_nb, Y.e1_n_nb, meetc::fma(t2, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
-  const T t11 = meetc::fma(T(2) * t10, t1 * T(8), meetc::fma(t9, t9, meetc::fma(t7, t7, t4 * t4)));
-  return t11;
+  const T t8 = meetc::fma(X.e2_e3_nb, Y.e1_n_nb, meetc::fma(-X.e1_e3_nb, Y.e2_n_nb, X.e1_e2_nb * Y.e3_n_nb));
+  const T t9 = meetc::fma(T(2) * t8, t1 * T(8), meetc::fma(t7, t7, meetc::fma(t5, t5, t3 * t3)));
+  return t9;
 }
 
 // norm2(meet(circle, line)) from what is stored, in differences where a translation changes nothing; B is never formed.

@@ -48,28 +48,30 @@ template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const 
   const T t0 = meetc::fma(X.e1_e2_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e2_n, Y.e1_e2_e3_nb,
       X.e1_e2_e3 * Y.e1_e2_n_nb));
   const T t1 = T(2) * t0;
-  const T t2 = -X.e1_e3_n;
-  const T t3 = meetc::fma(X.e1_e3_nb, Y.e1_e2_e3_n, meetc::fma(t2, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e1_e3_n_nb));
-  const T t4 = T(2) * t3;
-  const T t5 = -X.e2_e3_n;
-  const T t6 = meetc::fma(X.e2_e3_nb, Y.e1_e2_e3_n, meetc::fma(t5, Y.e1_e2_e3_nb, X.e1_e2_e3 * Y.e2_e3_n_nb));
-  const T t7 = T(2) * t6;
-  const T t8 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3_n, meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n * Y.e1_e3_n_nb));
-  const T t9 = meetc::fma(X.e2_n_nb, Y.e1_e2_e3_n, meetc::fma(t5, Y.e1_e2_n_nb, X.e1_e2_n * Y.e2_e3_n_nb));
-  const T t10 = meetc::fma(X.e3_n_nb, Y.e1_e2_e3_n, meetc::fma(t5, Y.e1_e3_n_nb, X.e1_e3_n * Y.e2_e3_n_nb));
-  const T t11 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3_nb, meetc::fma(-X.e1_e3_nb, Y.e1_e2_n_nb,
+  const T t2 = meetc::fma(X.e1_e3_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e1_e2_e3_nb,
+      X.e1_e2_e3 * Y.e1_e3_n_nb));
+  const T t3 = T(2) * t2;
+  const T t4 = meetc::fma(X.e2_e3_nb, Y.e1_e2_e3_n, meetc::fma(-X.e2_e3_n, Y.e1_e2_e3_nb,
+      X.e1_e2_e3 * Y.e2_e3_n_nb));
+  const T t5 = T(2) * t4;
+  const T t6 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e3_n, Y.e1_e2_n_nb,
+      X.e1_e2_n * Y.e1_e3_n_nb));
+  const T t7 = meetc::fma(X.e2_n_nb, Y.e1_e2_e3_n, meetc::fma(-X.e2_e3_n, Y.e1_e2_n_nb,
+      X.e1_e2_n * Y.e2_e3_n_nb));
+  const T t8 = meetc::fma(X.e3_n_nb, Y.e1_e2_e3_n, meetc::fma(-X.e2_e3_n, Y.e1_e3_n_nb,
+      X.e1_e3_n * Y.e2_e3_n_nb));
+  const T t9 = meetc::fma(X.e1_n_nb, Y.e1_e2_e3_nb, meetc::fma(-X.e1_e3_nb, Y.e1_e2_n_nb,
       X.e1_e2_nb * Y.e1_e3_n_nb));
-  const T t12 = -X.e2_e3_nb;
-  const T t13 = meetc::fma(X.e2_n_nb, Y.e1_e2_e3_nb, meetc::fma(t12, Y.e1_e2_n_nb,
+  const T t10 = meetc::fma(X.e2_n_nb, Y.e1_e2_e3_nb, meetc::fma(-X.e2_e3_nb, Y.e1_e2_n_nb,
       X.e1_e2_nb * Y.e2_e3_n_nb));
-  const T t14 = meetc::fma(X.e3_n_nb, Y.e1_e2_e3_nb, meetc::fma(t12, Y.e1_e3_n_nb,
+  const T t11 = meetc::fma(X.e3_n_nb, Y.e1_e2_e3_nb, meetc::fma(-X.e2_e3_nb, Y.e1_e3_n_nb,
       X.e1_e3_nb * Y.e2_e3_n_nb));
-  const T t15 = meetc::fma(X.e3_n_nb, Y.e1_e2_n_nb, meetc::fma(-X.e2_n_nb, Y.e1_e3_n_nb,
+  const T t12 = meetc::fma(X.e3_n_nb, Y.e1_e2_n_nb, meetc::fma(-X.e2_n_nb, Y.e1_e3_n_nb,
       X.e1_n_nb * Y.e2_e3_n_nb));
-  const T t16 = T(2) * t15;
-  const T t17 = meetc::fma(T(2) * t11, t8 * T(8), meetc::fma(t7, t7, meetc::fma(t4, t4, t1 * t1)));
-  const T t18 = meetc::fma(T(2) * t14, t10 * T(8), meetc::fma(T(2) * t13, t9 * T(8), t17));
-  return -meetc::fma(t16 * t16, T(-4), t18);
+  const T t13 = T(2) * t12;
+  const T t14 = meetc::fma(T(2) * t9, t6 * T(8), meetc::fma(t5, t5, meetc::fma(t3, t3, t1 * t1)));
+  const T t15 = meetc::fma(T(2) * t11, t8 * T(8), meetc::fma(T(2) * t10, t7 * T(8), t14));
+  return -meetc::fma(t13 * t13, T(-4), t15);
 }
 
 // norm2(meet(circle, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.

@@ -19,10 +19,9 @@ namespace cga {
 // 9 multiplications, 5 additions.
 template <class T> MEETC_HD inline T norm2_meet(const plane_blade<T> &X, const plane_blade<T> &Y) {
   const T t0 = T(2) * meetc::fma(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
-  const T t1 = -X.e2_e3_n_nb;
-  const T t2 = T(2) * meetc::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t3 = T(2) * meetc::fma(t1, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  return T(4) * meetc::fma(t3, t3, meetc::fma(t2, t2, t0 * t0));
+  const T t1 = T(2) * meetc::fma(-X.e2_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t2 = T(2) * meetc::fma(-X.e2_e3_n_nb, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  return T(4) * meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
 }
 
 // norm2(meet(plane, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.

@@ -30,17 +30,15 @@ namespace cga {
 template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, const plane_blade<T> &Y) {
   const T t0 = meetc::fma(-X.e1_nb, Y.e1_e2_e3_n, meetc::fma(-X.e1_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e1_e3_n_nb));
   const T t1 = T(2) * t0;
-  const T t2 = -X.e2_e3;
-  const T t3 = -X.e2_nb;
-  const T t4 = meetc::fma(t3, Y.e1_e2_e3_n, meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t2 = meetc::fma(-X.e2_nb, Y.e1_e2_e3_n, meetc::fma(-X.e2_e3, Y.e1_e2_n_nb, X.e1_e2 * Y.e2_e3_n_nb));
+  const T t3 = T(2) * t2;
+  const T t4 = meetc::fma(-X.e3_nb, Y.e1_e2_e3_n, meetc::fma(-X.e2_e3, Y.e1_e3_n_nb, X.e1_e3 * Y.e2_e3_n_nb));
   const T t5 = T(2) * t4;
-  const T t6 = meetc::fma(-X.e3_nb, Y.e1_e2_e3_n, meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3 * Y.e2_e3_n_nb));
-  const T t7 = T(2) * t6;
-  const T t8 = meetc::fma(X.e3_n, Y.e1_e2_n_nb, meetc::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
-  const T t9 = meetc::fma(X.e3_nb, Y.e1_e2_n_nb, meetc::fma(t3, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
-  const T t10 = meetc::fma(T(2) * t9, meetc::fma(-X.n_nb, Y.e1_e2_e3_n, t8) * T(8), meetc::fma(t7, t7,
-      meetc::fma(t5, t5, t1 * t1)));
-  return t10;
+  const T t6 = meetc::fma(X.e3_n, Y.e1_e2_n_nb, meetc::fma(-X.e2_n, Y.e1_e3_n_nb, X.e1_n * Y.e2_e3_n_nb));
+  const T t7 = meetc::fma(X.e3_nb, Y.e1_e2_n_nb, meetc::fma(-X.e2_nb, Y.e1_e3_n_nb, X.e1_nb * Y.e2_e3_n_nb));
+  const T t8 = meetc::fma(T(2) * t7, meetc::fma(-X.n_nb, Y.e1_e2_e3_n, t6) * T(8), meetc::fma(t5, t5,
+      meetc::fma(t3, t3, t1 * t1)));
+  return t8;
 }
 
 // norm2(meet(point_pair, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.

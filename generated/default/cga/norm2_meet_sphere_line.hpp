@@ -28,18 +28,20 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const 
   const T t0 = T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n);
   const T t1 = T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n);
   const T t2 = T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n);
-  const T t3 = -X.e1_e2_n_nb;
-  const T t4 = meetc::fma(X.e1_e3_n_nb, Y.e1_e2_n, meetc::fma(t3, Y.e1_e3_n, X.e1_e2_e3_n * Y.e1_n_nb));
-  const T t5 = meetc::fma(X.e2_e3_n_nb, Y.e1_e2_n, meetc::fma(t3, Y.e2_e3_n, X.e1_e2_e3_n * Y.e2_n_nb));
-  const T t6 = -X.e1_e3_n_nb;
-  const T t7 = meetc::fma(X.e2_e3_n_nb, Y.e1_e3_n, meetc::fma(t6, Y.e2_e3_n, X.e1_e2_e3_n * Y.e3_n_nb));
-  const T t8 = meetc::fma(X.e2_e3_n_nb, Y.e1_n_nb, meetc::fma(t6, Y.e2_n_nb, X.e1_e2_n_nb * Y.e3_n_nb));
-  const T t9 = T(2) * t8;
-  const T t10 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_n_nb), t4 * T(8), meetc::fma(t2, t2, meetc::fma(t1,
-      t1, t0 * t0)));
-  const T t11 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e3_n_nb), t7 * T(8),
-      meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_n_nb), t5 * T(8), t10));
-  return -meetc::fma(t9 * t9, T(-4), t11);
+  const T t3 = meetc::fma(X.e1_e3_n_nb, Y.e1_e2_n, meetc::fma(-X.e1_e2_n_nb, Y.e1_e3_n,
+      X.e1_e2_e3_n * Y.e1_n_nb));
+  const T t4 = meetc::fma(X.e2_e3_n_nb, Y.e1_e2_n, meetc::fma(-X.e1_e2_n_nb, Y.e2_e3_n,
+      X.e1_e2_e3_n * Y.e2_n_nb));
+  const T t5 = meetc::fma(X.e2_e3_n_nb, Y.e1_e3_n, meetc::fma(-X.e1_e3_n_nb, Y.e2_e3_n,
+      X.e1_e2_e3_n * Y.e3_n_nb));
+  const T t6 = meetc::fma(X.e2_e3_n_nb, Y.e1_n_nb, meetc::fma(-X.e1_e3_n_nb, Y.e2_n_nb,
+      X.e1_e2_n_nb * Y.e3_n_nb));
+  const T t7 = T(2) * t6;
+  const T t8 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_n_nb), t3 * T(8), meetc::fma(t2, t2, meetc::fma(t1, t1,
+      t0 * t0)));
+  const T t9 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e3_n_nb), t5 * T(8),
+      meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_n_nb), t4 * T(8), t8));
+  return -meetc::fma(t7 * t7, T(-4), t9);
 }
 
 // norm2(meet(sphere, line)) from what is stored, in differences where a translation changes nothing; B is never formed.

@@ -23,18 +23,16 @@ namespace cga {
 // 23 multiplications, 12 additions.
 template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const plane_blade<T> &Y) {
   const T t0 = T(2) * (X.e1_e2_e3_nb * Y.e1_e2_e3_n);
-  const T t1 = -X.e1_e3_n_nb;
-  const T t2 = -X.e2_e3_n_nb;
-  const T t3 = T(2) * meetc::fma(t1, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
-  const T t4 = T(2) * meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t5 = T(2) * meetc::fma(t2, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  const T t6 = meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8);
-  const T t7 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n_nb), meetc::fma(t1, Y.e1_e2_e3_n,
-      X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8), meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n_nb), t6, t0 * t0));
-  const T t8 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n_nb), meetc::fma(t2, Y.e1_e2_e3_n,
-      X.e1_e2_e3_n * Y.e2_e3_n_nb) * T(8), t7);
-  const T t9 = meetc::fma(T(-4), t5 * t5, meetc::fma(T(-4), t4 * t4, meetc::fma(t3 * t3, T(-4), t8)));
-  return -t9;
+  const T t1 = T(2) * meetc::fma(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t2 = T(2) * meetc::fma(-X.e2_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t3 = T(2) * meetc::fma(-X.e2_e3_n_nb, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t4 = meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8);
+  const T t5 = meetc::fma(-X.e1_e3_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8);
+  const T t6 = meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e3_n_nb), t5,
+      meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e1_e2_n_nb), t4, t0 * t0));
+  const T t7 = meetc::fma(-X.e2_e3_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e2_e3_n_nb) * T(8);
+  const T t8 = meetc::fma(t1 * t1, T(-4), meetc::fma(T(2) * (X.e1_e2_e3_nb * Y.e2_e3_n_nb), t7, t6));
+  return -meetc::fma(T(-4), t3 * t3, meetc::fma(T(-4), t2 * t2, t8));
 }
 
 // norm2(meet(sphere, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.

@@ -30,20 +30,18 @@ namespace cga {
 // 27 multiplications, 16 additions.
 template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const sphere_blade<T> &Y) {
   const T t0 = T(2) * meetc::fma(-X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb);
-  const T t1 = -X.e1_e2_n_nb;
-  const T t2 = -X.e1_e3_n_nb;
-  const T t3 = -X.e2_e3_n_nb;
-  const T t4 = T(2) * meetc::fma(t2, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
-  const T t5 = T(2) * meetc::fma(t3, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t6 = T(2) * meetc::fma(t3, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  const T t7 = meetc::fma(T(2) * meetc::fma(t1, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb), meetc::fma(t1,
-      Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8), t0 * t0);
-  const T t8 = meetc::fma(T(2) * meetc::fma(t2, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb), meetc::fma(t2,
-      Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8), t7);
-  const T t9 = meetc::fma(T(2) * meetc::fma(t3, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb), meetc::fma(t3,
-      Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e2_e3_n_nb) * T(8), t8);
-  const T t10 = meetc::fma(T(-4), t6 * t6, meetc::fma(T(-4), t5 * t5, meetc::fma(t4 * t4, T(-4), t9)));
-  return -t10;
+  const T t1 = T(2) * meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb);
+  const T t2 = T(2) * meetc::fma(-X.e1_e3_n_nb, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb);
+  const T t3 = T(2) * meetc::fma(-X.e2_e3_n_nb, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb);
+  const T t4 = T(2) * meetc::fma(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
+  const T t5 = T(2) * meetc::fma(-X.e2_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
+  const T t6 = T(2) * meetc::fma(-X.e2_e3_n_nb, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
+  const T t7 = meetc::fma(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb) * T(8);
+  const T t8 = meetc::fma(-X.e1_e3_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e3_n_nb) * T(8);
+  const T t9 = meetc::fma(-X.e2_e3_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e2_e3_n_nb) * T(8);
+  const T t10 = meetc::fma(t4 * t4, T(-4), meetc::fma(t3, t9, meetc::fma(t2, t8, meetc::fma(t1, t7,
+      t0 * t0))));
+  return -meetc::fma(T(-4), t6 * t6, meetc::fma(T(-4), t5 * t5, t10));
 }
 
 // norm2(meet(sphere, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.
@@ -52,10 +50,10 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const sphere
   const T t0 = Y.c.x - X.c.x;
   const T t1 = Y.c.y - X.c.y;
   const T t2 = Y.c.z - X.c.z;
-  const T t3 = X.r - Y.r;
-  const T t4 = -meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
+  const T t3 = meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
+  const T t4 = X.r - Y.r;
   const T t5 = X.r + Y.r;
-  return -((meetc::fma(t3, t3, t4) * meetc::fma(t5, t5, t4)) * T(4));
+  return -((meetc::fma(t4, t4, -t3) * meetc::fma(t5, t5, -t3)) * T(4));
 }
 
 } // namespace cga

@@ -40,62 +40,56 @@ struct segment_segment : detail::segment_segment_points {
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 24, degree 3.
-  // Once an object s: 0 multiplications, 3 additions; e: 0 multiplications, 3 additions; a pair: 33 multiplications, 29 additions.
+  // A pair: 33 multiplications, 35 additions.
   struct common_stage : detail::segment_segment_common_bounds {
-    static constexpr int first = 0, atoms = 25, fields_a = 3, fields_b = 3;
+    static constexpr int first = 0, atoms = 25, fields_a = 0, fields_b = 0;
     using bytecode = detail::segment_segment_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
-      const auto s = detail::segment_in(row_a);
-      f[0] = s.q.z - s.p.z;
-      f[1] = s.q.y - s.p.y;
-      f[2] = s.q.x - s.p.x;
-    }
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
-      const auto e = detail::segment_in(row_b);
-      f[0] = e.q.y - e.p.y;
-      f[1] = e.q.z - e.p.z;
-      f[2] = e.q.x - e.p.x;
-    }
     // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto s = detail::segment_in(row_a);
       const auto e = detail::segment_in(row_b);
-      const T t0 = e.p.x - s.p.x;
-      const T t1 = e.p.y - s.p.y;
-      const W t2 = meetc::fma(meetc::fma(-fb[1], fa[2], fa[0] * fb[2]), t1, meetc::times<W>(meetc::fma(-fb[0],
-          fa[0], fb[1] * fa[1]), t0));
-      const T t3 = e.p.z - s.p.z;
-      const T t4 = e.q.y - s.p.y;
-      const T t5 = e.q.z - s.p.z;
-      const T t6 = e.p.y - s.q.y;
-      const T t7 = e.p.z - s.q.z;
-      const T t8 = e.q.x - s.p.x;
-      const T t9 = e.p.x - s.q.x;
-      v[0] = meetc::fma(meetc::fma(-fa[1], fb[2], fb[0] * fa[2]), t3, t2); // s[0] = twist(s, e)
-      v[1] = W(meetc::fma(-fa[0], t1, fa[1] * t3)); // s[1] = -turn(e1, s.p, s.q, e.p)
-      v[2] = W(meetc::fma(-fa[0], t4, fa[1] * t5)); // s[2] = -turn(e1, s.p, s.q, e.q)
-      v[3] = W(meetc::fma(-fb[0], t3, fb[1] * t1)); // s[3] = -turn(e1, e.p, e.q, s.p)
-      v[4] = W(meetc::fma(-fb[0], t7, fb[1] * t6)); // s[4] = -turn(e1, e.p, e.q, s.q)
-      v[5] = W(-t0); // s[5] = s.p[e1] - e.p[e1]
-      v[6] = W(-t8); // s[6] = s.p[e1] - e.q[e1]
-      v[7] = W(-t9); // s[7] = s.q[e1] - e.p[e1]
+      const T t0 = e.q.y - e.p.y;
+      const T t1 = s.q.z - s.p.z;
+      const T t2 = e.q.z - e.p.z;
+      const T t3 = s.q.y - s.p.y;
+      const T t4 = s.q.x - s.p.x;
+      const T t5 = e.q.x - e.p.x;
+      const T t6 = e.p.x - s.p.x;
+      const T t7 = e.p.y - s.p.y;
+      const W t8 = meetc::fma(meetc::fma(-t2, t4, t1 * t5), t7, meetc::times<W>(meetc::fma(-t0, t1, t2 * t3),
+          t6));
+      const T t9 = e.p.z - s.p.z;
+      const T t10 = e.q.y - s.p.y;
+      const T t11 = e.q.z - s.p.z;
+      const T t12 = e.p.y - s.q.y;
+      const T t13 = e.p.z - s.q.z;
+      const T t14 = e.q.x - s.p.x;
+      const T t15 = e.p.x - s.q.x;
+      v[0] = meetc::fma(meetc::fma(-t3, t5, t0 * t4), t9, t8); // s[0] = twist(s, e)
+      v[1] = W(meetc::fma(-t1, t7, t3 * t9)); // s[1] = -turn(e1, s.p, s.q, e.p)
+      v[2] = W(meetc::fma(-t1, t10, t3 * t11)); // s[2] = -turn(e1, s.p, s.q, e.q)
+      v[3] = W(meetc::fma(-t0, t9, t2 * t7)); // s[3] = -turn(e1, e.p, e.q, s.p)
+      v[4] = W(meetc::fma(-t0, t13, t2 * t12)); // s[4] = -turn(e1, e.p, e.q, s.q)
+      v[5] = W(-t6); // s[5] = s.p[e1] - e.p[e1]
+      v[6] = W(-t14); // s[6] = s.p[e1] - e.q[e1]
+      v[7] = W(-t15); // s[7] = s.q[e1] - e.p[e1]
       v[8] = W(-(e.q.x - s.q.x)); // s[8] = s.q[e1] - e.q[e1]
-      v[9] = W(meetc::fma(-fa[0], t0, fa[2] * t3)); // s[9] = turn(e2, s.p, s.q, e.p)
-      v[10] = W(meetc::fma(-fa[0], t8, fa[2] * t5)); // s[10] = turn(e2, s.p, s.q, e.q)
-      v[11] = W(meetc::fma(-fb[2], t3, fb[1] * t0)); // s[11] = turn(e2, e.p, e.q, s.p)
-      v[12] = W(meetc::fma(-fb[2], t7, fb[1] * t9)); // s[12] = turn(e2, e.p, e.q, s.q)
-      v[13] = W(-t1); // s[13] = s.p[e2] - e.p[e2]
-      v[14] = W(-t4); // s[14] = s.p[e2] - e.q[e2]
-      v[15] = W(-t6); // s[15] = s.q[e2] - e.p[e2]
+      v[9] = W(meetc::fma(-t1, t6, t4 * t9)); // s[9] = turn(e2, s.p, s.q, e.p)
+      v[10] = W(meetc::fma(-t1, t14, t4 * t11)); // s[10] = turn(e2, s.p, s.q, e.q)
+      v[11] = W(meetc::fma(-t5, t9, t2 * t6)); // s[11] = turn(e2, e.p, e.q, s.p)
+      v[12] = W(meetc::fma(-t5, t13, t2 * t15)); // s[12] = turn(e2, e.p, e.q, s.q)
+      v[13] = W(-t7); // s[13] = s.p[e2] - e.p[e2]
+      v[14] = W(-t10); // s[14] = s.p[e2] - e.q[e2]
+      v[15] = W(-t12); // s[15] = s.q[e2] - e.p[e2]
       v[16] = W(-(e.q.y - s.q.y)); // s[16] = s.q[e2] - e.q[e2]
-      v[17] = W(meetc::fma(-fa[1], t0, fa[2] * t1)); // s[17] = -turn(e3, s.p, s.q, e.p)
-      v[18] = W(meetc::fma(-fa[1], t8, fa[2] * t4)); // s[18] = -turn(e3, s.p, s.q, e.q)
-      v[19] = W(meetc::fma(-fb[2], t1, fb[0] * t0)); // s[19] = -turn(e3, e.p, e.q, s.p)
-      v[20] = W(meetc::fma(-fb[2], t6, fb[0] * t9)); // s[20] = -turn(e3, e.p, e.q, s.q)
-      v[21] = W(-t3); // s[21] = s.p[e3] - e.p[e3]
-      v[22] = W(-t5); // s[22] = s.p[e3] - e.q[e3]
-      v[23] = W(-t7); // s[23] = s.q[e3] - e.p[e3]
+      v[17] = W(meetc::fma(-t3, t6, t4 * t7)); // s[17] = -turn(e3, s.p, s.q, e.p)
+      v[18] = W(meetc::fma(-t3, t14, t4 * t10)); // s[18] = -turn(e3, s.p, s.q, e.q)
+      v[19] = W(meetc::fma(-t5, t7, t0 * t6)); // s[19] = -turn(e3, e.p, e.q, s.p)
+      v[20] = W(meetc::fma(-t5, t12, t0 * t15)); // s[20] = -turn(e3, e.p, e.q, s.q)
+      v[21] = W(-t9); // s[21] = s.p[e3] - e.p[e3]
+      v[22] = W(-t11); // s[22] = s.p[e3] - e.q[e3]
+      v[23] = W(-t13); // s[23] = s.q[e3] - e.p[e3]
       v[24] = W(-(e.q.z - s.q.z)); // s[24] = s.q[e3] - e.q[e3]
     }
   };

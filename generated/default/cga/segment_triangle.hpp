@@ -44,12 +44,11 @@ struct segment_triangle : detail::segment_triangle_points {
   template <class T> static bool whole_plain(const float *row_a, const float *row_b);
 
   // Decides most misses: signs 0 to 1, degree 3.
-  // Once an object s: 0 multiplications, 0 additions; t: 6 multiplications, 9 additions; a pair: 6 multiplications, 10 additions.
+  // Stored beside t: 3 numbers (6 multiplications, 9 additions).
+  // A pair, which reads them: 6 multiplications, 10 additions.
   struct reject_stage : detail::segment_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 3;
     using bytecode = detail::segment_triangle_reject_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *, T *) {
-    }
     template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.c.y - t.a.y;
@@ -77,48 +76,40 @@ struct segment_triangle : detail::segment_triangle_points {
   };
 
   // The usual case: signs 2 to 4, degree 3.
-  // Once an object s: 0 multiplications, 3 additions; t: 0 multiplications, 9 additions; a pair: 27 multiplications, 21 additions.
+  // A pair: 27 multiplications, 33 additions.
   struct common_stage : detail::segment_triangle_common_bounds {
-    static constexpr int first = 2, atoms = 3, fields_a = 3, fields_b = 9;
+    static constexpr int first = 2, atoms = 3, fields_a = 0, fields_b = 0;
     using bytecode = detail::segment_triangle_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
-      const auto s = detail::segment_in(row_a);
-      f[0] = s.q.z - s.p.z;
-      f[1] = s.q.y - s.p.y;
-      f[2] = s.q.x - s.p.x;
-    }
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
-      const auto t = detail::triangle_in(row_b);
-      f[0] = t.b.y - t.a.y;
-      f[1] = t.b.z - t.a.z;
-      f[2] = t.b.x - t.a.x;
-      f[3] = t.c.y - t.b.y;
-      f[4] = t.c.z - t.b.z;
-      f[5] = t.c.x - t.b.x;
-      f[6] = t.c.y - t.a.y;
-      f[7] = t.c.z - t.a.z;
-      f[8] = t.c.x - t.a.x;
-    }
     // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto s = detail::segment_in(row_a);
       const auto t = detail::triangle_in(row_b);
-      const T t0 = t.a.x - s.p.x;
-      const T t1 = t.a.y - s.p.y;
-      const W t2 = meetc::fma(meetc::fma(-fb[1], fa[2], fa[0] * fb[2]), t1, meetc::times<W>(meetc::fma(-fb[0],
-          fa[0], fb[1] * fa[1]), t0));
-      const T t3 = t.a.z - s.p.z;
-      const W t4 = meetc::fma(meetc::fma(-fa[2], fb[4], fa[0] * fb[5]), t.b.y - s.p.y,
-          meetc::times<W>(meetc::fma(-fa[0], fb[3], fa[1] * fb[4]), t.b.x - s.p.x));
-      const W t5 = meetc::fma(t1, meetc::fma(-fa[2], fb[7], fa[0] * fb[8]), meetc::times<W>(t0,
-          meetc::fma(-fa[0], fb[6], fa[1] * fb[7])));
-      // s[2] = twist(s, segment(t.a, t.b))
-      v[0] = meetc::fma(meetc::fma(-fa[1], fb[2], fb[0] * fa[2]), t3, t2);
+      const T t0 = t.b.y - t.a.y;
+      const T t1 = s.q.z - s.p.z;
+      const T t2 = t.b.z - t.a.z;
+      const T t3 = s.q.y - s.p.y;
+      const T t4 = s.q.x - s.p.x;
+      const T t5 = t.b.x - t.a.x;
+      const T t6 = t.a.x - s.p.x;
+      const T t7 = t.a.y - s.p.y;
+      const W t8 = meetc::fma(meetc::fma(-t2, t4, t1 * t5), t7, meetc::times<W>(meetc::fma(-t0, t1, t2 * t3),
+          t6));
+      const T t9 = t.a.z - s.p.z;
+      const T t10 = t.c.y - t.b.y;
+      const T t11 = t.c.z - t.b.z;
+      const T t12 = t.c.x - t.b.x;
+      const W t13 = meetc::fma(meetc::fma(-t4, t11, t1 * t12), t.b.y - s.p.y, meetc::times<W>(meetc::fma(-t1,
+          t10, t3 * t11), t.b.x - s.p.x));
+      const T t14 = t.c.y - t.a.y;
+      const T t15 = t.c.z - t.a.z;
+      const T t16 = t.c.x - t.a.x;
+      const W t17 = meetc::fma(t7, meetc::fma(-t4, t15, t1 * t16), meetc::times<W>(t6, meetc::fma(-t1, t14,
+          t3 * t15)));
+      v[0] = meetc::fma(meetc::fma(-t3, t5, t0 * t4), t9, t8); // s[2] = twist(s, segment(t.a, t.b))
       // s[3] = twist(s, segment(t.b, t.c))
-      v[1] = meetc::fma(meetc::fma(-fa[1], fb[5], fa[2] * fb[3]), t.b.z - s.p.z, t4);
-      // s[4] = -twist(s, segment(t.c, t.a))
-      v[2] = meetc::fma(t3, meetc::fma(-fa[1], fb[8], fa[2] * fb[6]), t5);
+      v[1] = meetc::fma(meetc::fma(-t3, t12, t4 * t10), t.b.z - s.p.z, t13);
+      v[2] = meetc::fma(t9, meetc::fma(-t3, t16, t4 * t14), t17); // s[4] = -twist(s, segment(t.c, t.a))
     }
   };
 

@@ -16,25 +16,19 @@ struct side_sphere_point_sign : detail::side_sphere_point_sign_points {
   static constexpr int inputs_a = 4, inputs_b = 3, atoms = 1;
 
   // The sign: signs 0 to 0, degree 2.
-  // Once an object X: 1 multiplication, 0 additions; Y: 0 multiplications, 0 additions; a pair: 3 multiplications, 6 additions.
+  // A pair: 4 multiplications, 6 additions.
   struct common_stage : detail::side_sphere_point_sign_common_bounds {
-    static constexpr int first = 0, atoms = 1, fields_a = 1, fields_b = 0;
+    static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0;
     using bytecode = detail::side_sphere_point_sign_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
-      const auto X = detail::sphere_in(row_a);
-      f[0] = X.r * X.r;
-    }
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *, T *) {
-    }
     // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *, W *v) {
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto X = detail::sphere_in(row_a);
       const auto Y = detail::point_in(row_b);
       const T t0 = Y.x - X.c.x;
       const T t1 = Y.y - X.c.y;
       const T t2 = Y.z - X.c.z;
-      v[0] = -(fa[0] - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))); // s[0] = -side(X, Y)
+      v[0] = -(X.r * X.r - meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0))); // s[0] = -side(X, Y)
     }
   };
 

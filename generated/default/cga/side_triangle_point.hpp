@@ -16,32 +16,24 @@ struct side_triangle_point_sign : detail::side_triangle_point_sign_points {
   static constexpr int inputs_a = 9, inputs_b = 3, atoms = 1;
 
   // The sign: signs 0 to 0, degree 3.
-  // Once an object X: 6 multiplications, 9 additions; Y: 0 multiplications, 0 additions; a pair: 3 multiplications, 5 additions.
+  // A pair: 9 multiplications, 14 additions.
   struct common_stage : detail::side_triangle_point_sign_common_bounds {
-    static constexpr int first = 0, atoms = 1, fields_a = 3, fields_b = 0;
+    static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0;
     using bytecode = detail::side_triangle_point_sign_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+    // The values whose signs are wanted; W holds those of degree 3 and more.
+    template <class T, class W = T>
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto X = detail::triangle_in(row_a);
+      const auto Y = detail::point_in(row_b);
       const T t0 = X.c.y - X.a.y;
       const T t1 = X.b.z - X.a.z;
       const T t2 = X.c.z - X.a.z;
       const T t3 = X.b.y - X.a.y;
       const T t4 = X.b.x - X.a.x;
       const T t5 = X.c.x - X.a.x;
-      f[0] = meetc::fma(-t0, t1, t2 * t3);
-      f[1] = meetc::fma(-t2, t4, t1 * t5);
-      f[2] = meetc::fma(-t3, t5, t0 * t4);
-    }
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *, T *) {
-    }
-    // The values whose signs are wanted; W holds those of degree 3 and more.
-    template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *, W *v) {
-      const auto X = detail::triangle_in(row_a);
-      const auto Y = detail::point_in(row_b);
-      const W t0 = meetc::fma(fa[2], Y.z - X.a.z, meetc::fma(fa[1], Y.y - X.a.y, meetc::times<W>(fa[0],
-          Y.x - X.a.x)));
-      v[0] = -t0; // s[0] = -side(X, Y)
+      const W t6 = meetc::fma(meetc::fma(-t2, t4, t1 * t5), Y.y - X.a.y, meetc::times<W>(meetc::fma(-t0, t1,
+          t2 * t3), Y.x - X.a.x));
+      v[0] = -meetc::fma(meetc::fma(-t3, t5, t0 * t4), Y.z - X.a.z, t6); // s[0] = -side(X, Y)
     }
   };
 

@@ -37,14 +37,10 @@ struct sphere_sphere : detail::sphere_sphere_points {
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 1, degree 2.
-  // Once an object S_: 0 multiplications, 0 additions; T_: 0 multiplications, 0 additions; a pair: 5 multiplications, 9 additions.
+  // A pair: 5 multiplications, 9 additions.
   struct common_stage : detail::sphere_sphere_common_bounds {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 0;
     using bytecode = detail::sphere_sphere_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *, T *) {
-    }
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *, T *) {
-    }
     // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
@@ -53,11 +49,11 @@ struct sphere_sphere : detail::sphere_sphere_points {
       const T t0 = T_.c.x - S_.c.x;
       const T t1 = T_.c.y - S_.c.y;
       const T t2 = T_.c.z - S_.c.z;
-      const T t3 = S_.r + T_.r;
-      const T t4 = -meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
+      const T t3 = meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
+      const T t4 = S_.r + T_.r;
       const T t5 = S_.r - T_.r;
-      v[0] = -meetc::fma(t3, t3, t4); // s[0] = a factor of sign(norm2(meet(S, T)))
-      v[1] = -meetc::fma(t5, t5, t4); // s[1] = a factor of sign(norm2(meet(S, T)))
+      v[0] = -meetc::fma(t4, t4, -t3); // s[0] = a factor of sign(norm2(meet(S, T)))
+      v[1] = -meetc::fma(t5, t5, -t3); // s[1] = a factor of sign(norm2(meet(S, T)))
     }
   };
 

@@ -43,7 +43,9 @@ struct triangle_triangle : detail::triangle_triangle_points {
   template <class T> static bool whole_plain(const float *row_a, const float *row_b);
 
   // Decides most misses: signs 0 to 5, degree 3.
-  // Once an object A: 6 multiplications, 9 additions; B: 6 multiplications, 9 additions; a pair: 18 multiplications, 27 additions.
+  // Stored beside A: 3 numbers (6 multiplications, 9 additions).
+  // Stored beside B: 3 numbers (6 multiplications, 9 additions).
+  // A pair, which reads them: 18 multiplications, 27 additions.
   struct reject_stage : detail::triangle_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 6, fields_a = 3, fields_b = 3;
     using bytecode = detail::triangle_triangle_reject_bytecode;
@@ -79,104 +81,98 @@ struct triangle_triangle : detail::triangle_triangle_points {
       const T t0 = B.a.x - A.a.x;
       const T t1 = B.a.y - A.a.y;
       const T t2 = B.a.z - A.a.z;
-      const W t3 = -meetc::fma(fb[2], t2, meetc::fma(fb[1], t1, meetc::times<W>(fb[0], t0)));
-      const W t4 = meetc::fma(fb[2], B.a.z - A.b.z, meetc::fma(fb[1], B.a.y - A.b.y, meetc::times<W>(fb[0],
+      const W t3 = meetc::fma(fb[2], B.a.z - A.b.z, meetc::fma(fb[1], B.a.y - A.b.y, meetc::times<W>(fb[0],
           B.a.x - A.b.x)));
-      const W t5 = meetc::fma(fb[2], B.a.z - A.c.z, meetc::fma(fb[1], B.a.y - A.c.y, meetc::times<W>(fb[0],
+      const W t4 = meetc::fma(fb[2], B.a.z - A.c.z, meetc::fma(fb[1], B.a.y - A.c.y, meetc::times<W>(fb[0],
           B.a.x - A.c.x)));
-      const W t6 = -meetc::fma(t2, fa[2], meetc::fma(t1, fa[1], meetc::times<W>(t0, fa[0])));
-      const W t7 = meetc::fma(fa[2], B.b.z - A.a.z, meetc::fma(fa[1], B.b.y - A.a.y, meetc::times<W>(fa[0],
+      const W t5 = meetc::fma(fa[2], B.b.z - A.a.z, meetc::fma(fa[1], B.b.y - A.a.y, meetc::times<W>(fa[0],
           B.b.x - A.a.x)));
-      const W t8 = meetc::fma(fa[2], B.c.z - A.a.z, meetc::fma(fa[1], B.c.y - A.a.y, meetc::times<W>(fa[0],
+      const W t6 = meetc::fma(fa[2], B.c.z - A.a.z, meetc::fma(fa[1], B.c.y - A.a.y, meetc::times<W>(fa[0],
           B.c.x - A.a.x)));
-      v[0] = t3; // s[0] = side(B, A.a)
-      v[1] = -t4; // s[1] = side(B, A.b)
-      v[2] = -t5; // s[2] = side(B, A.c)
-      v[3] = t6; // s[3] = -side(A, B.a)
-      v[4] = -t7; // s[4] = -side(A, B.b)
-      v[5] = -t8; // s[5] = -side(A, B.c)
+      // s[0] = side(B, A.a)
+      v[0] = -meetc::fma(fb[2], t2, meetc::fma(fb[1], t1, meetc::times<W>(fb[0], t0)));
+      v[1] = -t3; // s[1] = side(B, A.b)
+      v[2] = -t4; // s[2] = side(B, A.c)
+      // s[3] = -side(A, B.a)
+      v[3] = -meetc::fma(t2, fa[2], meetc::fma(t1, fa[1], meetc::times<W>(t0, fa[0])));
+      v[4] = -t5; // s[4] = -side(A, B.b)
+      v[5] = -t6; // s[5] = -side(A, B.c)
     }
   };
 
   // The usual case: signs 6 to 14, degree 3.
-  // Once an object A: 0 multiplications, 9 additions; B: 0 multiplications, 9 additions; a pair: 81 multiplications, 57 additions.
+  // A pair: 81 multiplications, 75 additions.
   struct common_stage : detail::triangle_triangle_common_bounds {
-    static constexpr int first = 6, atoms = 9, fields_a = 9, fields_b = 9;
+    static constexpr int first = 6, atoms = 9, fields_a = 0, fields_b = 0;
     using bytecode = detail::triangle_triangle_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
-      const auto A = detail::triangle_in(row_a);
-      f[0] = A.b.z - A.a.z;
-      f[1] = A.b.y - A.a.y;
-      f[2] = A.b.x - A.a.x;
-      f[3] = A.c.z - A.b.z;
-      f[4] = A.c.y - A.b.y;
-      f[5] = A.c.x - A.b.x;
-      f[6] = A.c.z - A.a.z;
-      f[7] = A.c.y - A.a.y;
-      f[8] = A.c.x - A.a.x;
-    }
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
-      const auto B = detail::triangle_in(row_b);
-      f[0] = B.b.y - B.a.y;
-      f[1] = B.b.z - B.a.z;
-      f[2] = B.b.x - B.a.x;
-      f[3] = B.c.y - B.b.y;
-      f[4] = B.c.z - B.b.z;
-      f[5] = B.c.x - B.b.x;
-      f[6] = B.c.y - B.a.y;
-      f[7] = B.c.z - B.a.z;
-      f[8] = B.c.x - B.a.x;
-    }
     // The values whose signs are wanted; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto A = detail::triangle_in(row_a);
       const auto B = detail::triangle_in(row_b);
-      const T t0 = B.a.x - A.a.x;
-      const T t1 = B.a.y - A.a.y;
-      const W t2 = meetc::fma(meetc::fma(-fb[1], fa[2], fa[0] * fb[2]), t1, meetc::times<W>(meetc::fma(-fb[0],
-          fa[0], fb[1] * fa[1]), t0));
-      const T t3 = B.a.z - A.a.z;
-      const T t4 = B.b.x - A.a.x;
-      const T t5 = B.b.y - A.a.y;
-      const W t6 = meetc::fma(meetc::fma(-fa[2], fb[4], fa[0] * fb[5]), t5, meetc::times<W>(meetc::fma(-fa[0],
-          fb[3], fa[1] * fb[4]), t4));
-      const T t7 = B.b.z - A.a.z;
-      const W t8 = meetc::fma(t1, meetc::fma(-fa[2], fb[7], fa[0] * fb[8]), meetc::times<W>(t0,
-          meetc::fma(-fa[0], fb[6], fa[1] * fb[7])));
-      const T t9 = B.a.x - A.b.x;
-      const T t10 = B.a.y - A.b.y;
-      const W t11 = meetc::fma(meetc::fma(-fb[1], fa[5], fb[2] * fa[3]), t10,
-          meetc::times<W>(meetc::fma(-fb[0], fa[3], fb[1] * fa[4]), t9));
-      const T t12 = B.a.z - A.b.z;
-      const W t13 = meetc::fma(meetc::fma(-fb[4], fa[5], fb[5] * fa[3]), B.b.y - A.b.y,
-          meetc::times<W>(meetc::fma(-fb[3], fa[3], fb[4] * fa[4]), B.b.x - A.b.x));
-      const W t14 = meetc::fma(t10, meetc::fma(-fb[7], fa[5], fb[8] * fa[3]), meetc::times<W>(t9,
-          meetc::fma(-fb[6], fa[3], fb[7] * fa[4])));
-      const W t15 = meetc::fma(t1, meetc::fma(-fb[1], fa[8], fb[2] * fa[6]), meetc::times<W>(t0,
-          meetc::fma(-fb[0], fa[6], fb[1] * fa[7])));
-      const W t16 = meetc::fma(t5, meetc::fma(-fb[4], fa[8], fb[5] * fa[6]), meetc::times<W>(t4,
-          meetc::fma(-fb[3], fa[6], fb[4] * fa[7])));
-      const W t17 = meetc::fma(t1, meetc::fma(-fb[7], fa[8], fb[8] * fa[6]), meetc::times<W>(t0,
-          meetc::fma(-fb[6], fa[6], fb[7] * fa[7])));
+      const T t0 = B.b.y - B.a.y;
+      const T t1 = A.b.z - A.a.z;
+      const T t2 = B.b.z - B.a.z;
+      const T t3 = A.b.y - A.a.y;
+      const T t4 = A.b.x - A.a.x;
+      const T t5 = B.b.x - B.a.x;
+      const T t6 = B.a.x - A.a.x;
+      const T t7 = B.a.y - A.a.y;
+      const W t8 = meetc::fma(meetc::fma(-t2, t4, t1 * t5), t7, meetc::times<W>(meetc::fma(-t0, t1, t2 * t3),
+          t6));
+      const T t9 = B.a.z - A.a.z;
+      const T t10 = B.c.y - B.b.y;
+      const T t11 = B.c.z - B.b.z;
+      const T t12 = B.c.x - B.b.x;
+      const T t13 = B.b.x - A.a.x;
+      const T t14 = B.b.y - A.a.y;
+      const W t15 = meetc::fma(meetc::fma(-t4, t11, t1 * t12), t14, meetc::times<W>(meetc::fma(-t1, t10,
+          t3 * t11), t13));
+      const T t16 = B.b.z - A.a.z;
+      const T t17 = B.c.y - B.a.y;
+      const T t18 = B.c.z - B.a.z;
+      const T t19 = B.c.x - B.a.x;
+      const W t20 = meetc::fma(t7, meetc::fma(-t4, t18, t1 * t19), meetc::times<W>(t6, meetc::fma(-t1, t17,
+          t3 * t18)));
+      const T t21 = A.c.z - A.b.z;
+      const T t22 = A.c.y - A.b.y;
+      const T t23 = A.c.x - A.b.x;
+      const T t24 = B.a.x - A.b.x;
+      const T t25 = B.a.y - A.b.y;
+      const W t26 = meetc::fma(meetc::fma(-t2, t23, t5 * t21), t25, meetc::times<W>(meetc::fma(-t0, t21,
+          t2 * t22), t24));
+      const T t27 = B.a.z - A.b.z;
+      const W t28 = meetc::fma(meetc::fma(-t11, t23, t12 * t21), B.b.y - A.b.y,
+          meetc::times<W>(meetc::fma(-t10, t21, t11 * t22), B.b.x - A.b.x));
+      const W t29 = meetc::fma(t25, meetc::fma(-t18, t23, t19 * t21), meetc::times<W>(t24, meetc::fma(-t17,
+          t21, t18 * t22)));
+      const T t30 = A.c.z - A.a.z;
+      const T t31 = A.c.y - A.a.y;
+      const T t32 = A.c.x - A.a.x;
+      const W t33 = meetc::fma(t7, meetc::fma(-t2, t32, t5 * t30), meetc::times<W>(t6, meetc::fma(-t0, t30,
+          t2 * t31)));
+      const W t34 = meetc::fma(t14, meetc::fma(-t11, t32, t12 * t30), meetc::times<W>(t13, meetc::fma(-t10,
+          t30, t11 * t31)));
+      const W t35 = meetc::fma(t7, meetc::fma(-t18, t32, t19 * t30), meetc::times<W>(t6, meetc::fma(-t17, t30,
+          t18 * t31)));
       // s[6] = twist(segment(A.a, A.b), segment(B.a, B.b))
-      v[0] = meetc::fma(meetc::fma(-fa[1], fb[2], fb[0] * fa[2]), t3, t2);
+      v[0] = meetc::fma(meetc::fma(-t3, t5, t0 * t4), t9, t8);
       // s[7] = twist(segment(A.a, A.b), segment(B.b, B.c))
-      v[1] = meetc::fma(meetc::fma(-fa[1], fb[5], fa[2] * fb[3]), t7, t6);
+      v[1] = meetc::fma(meetc::fma(-t3, t12, t4 * t10), t16, t15);
       // s[8] = -twist(segment(A.a, A.b), segment(B.c, B.a))
-      v[2] = meetc::fma(t3, meetc::fma(-fa[1], fb[8], fa[2] * fb[6]), t8);
+      v[2] = meetc::fma(t9, meetc::fma(-t3, t19, t4 * t17), t20);
       // s[9] = twist(segment(A.b, A.c), segment(B.a, B.b))
-      v[3] = meetc::fma(meetc::fma(-fb[2], fa[4], fb[0] * fa[5]), t12, t11);
+      v[3] = meetc::fma(meetc::fma(-t5, t22, t0 * t23), t27, t26);
       // s[10] = twist(segment(A.b, A.c), segment(B.b, B.c))
-      v[4] = meetc::fma(meetc::fma(-fb[5], fa[4], fb[3] * fa[5]), B.b.z - A.b.z, t13);
+      v[4] = meetc::fma(meetc::fma(-t12, t22, t10 * t23), B.b.z - A.b.z, t28);
       // s[11] = -twist(segment(A.b, A.c), segment(B.c, B.a))
-      v[5] = meetc::fma(t12, meetc::fma(-fb[8], fa[4], fb[6] * fa[5]), t14);
+      v[5] = meetc::fma(t27, meetc::fma(-t19, t22, t17 * t23), t29);
       // s[12] = -twist(segment(A.c, A.a), segment(B.a, B.b))
-      v[6] = meetc::fma(t3, meetc::fma(-fb[2], fa[7], fb[0] * fa[8]), t15);
+      v[6] = meetc::fma(t9, meetc::fma(-t5, t31, t0 * t32), t33);
       // s[13] = -twist(segment(A.c, A.a), segment(B.b, B.c))
-      v[7] = meetc::fma(t7, meetc::fma(-fb[5], fa[7], fb[3] * fa[8]), t16);
+      v[7] = meetc::fma(t16, meetc::fma(-t12, t31, t10 * t32), t34);
       // s[14] = twist(segment(A.c, A.a), segment(B.c, B.a))
-      v[8] = meetc::fma(t3, meetc::fma(-fb[8], fa[7], fb[6] * fa[8]), t17);
+      v[8] = meetc::fma(t9, meetc::fma(-t19, t31, t17 * t32), t35);
     }
   };
 

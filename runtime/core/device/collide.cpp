@@ -47,6 +47,10 @@ public:
       const cover c = options_.balls.value_or(cuda::balls_for(precision_));
       x_ = a_.as(result_.filter, options_.by, c, true, frame);
       y_ = b_.as(result_.filter, options_.by, c, false, frame);
+      if (cuda::reads_stored(precision_)) {
+        x_.stored = a_.stored(predicate_.stored_a);
+        y_.stored = b_.stored(predicate_.stored_b);
+      }
       take_room();
       go_through({0, x_.objects(), 0, y_.objects()});
     }

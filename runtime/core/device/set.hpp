@@ -7,6 +7,8 @@
 #include "core/collide.hpp"
 #include "core/device/memory.hpp"
 
+#include <vector>
+
 namespace meetc {
 
 class device_set {
@@ -29,6 +31,8 @@ public:
 
   // What the filter reads, in the frame of `frame`, which is this set or the other: made where it is not there yet.
   cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame);
+  // What a predicate wants stored beside the rows, device memory: made where it is not there yet. Null: nothing.
+  const float *stored(const cuda::stored_launcher &values);
 
 private:
   struct made { // what columns hold
@@ -51,6 +55,11 @@ private:
   device_memory<extent> around_;
   device_memory<std::byte> columns_[2]; // as Y, as X
   made have_[2];
+  struct store {
+    device_memory<float> numbers;
+    std::uint64_t of = 0; // version
+  };
+  std::vector<store> stores_; // by stored_launcher::number
 };
 
 } // namespace meetc

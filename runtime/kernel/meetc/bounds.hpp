@@ -94,6 +94,18 @@ MEETC_HD inline void zero_by_equal_points(const float *row_a, const float *row_b
   }
 }
 
+// The magnitudes of a stage's values, those of one object included.
+template <class Stage, class M, class Leaf>
+MEETC_HD MEETC_INLINE void stage_magnitudes(const M *a, const M *b, const Leaf &leaf, M *m) {
+  M of_a[Stage::magnitudes_of_a + 1], of_b[Stage::magnitudes_of_b + 1];
+  of_a[Stage::magnitudes_of_a] = of_b[Stage::magnitudes_of_b] = M(0); // the spare places
+  if constexpr (Stage::magnitudes_of_a > 0)
+    Stage::magnitudes_a(a, leaf, of_a);
+  if constexpr (Stage::magnitudes_of_b > 0)
+    Stage::magnitudes_b(b, leaf, of_b);
+  Stage::magnitudes(a, of_a, b, of_b, leaf, m);
+}
+
 // Signs with the bound K M of arithmetic A. get() says whether every sign of the stage is known.
 template <class P, class A> struct bounded_signs {
   using V = typename A::value;
@@ -110,11 +122,16 @@ template <class P, class A> struct bounded_signs {
     M m[Stage::atoms];
     const leaf_magnitude<M> leaf{power_of_two(A::template floor<Stage>(), M(0))};
     if constexpr (std::is_same_v<V, M>) {
-      Stage::magnitudes(rows.a, rows.b, leaf, m);
+      stage_magnitudes<Stage>(rows.a, rows.b, leaf, m);
     } else {
       const rows_in<P, M> plain(row_a, row_b);
-      Stage::magnitudes(plain.a, plain.b, leaf, m);
+      stage_magnitudes<Stage>(plain.a, plain.b, leaf, m);
     }
+    return sort_out<Stage>(v, m, all);
+  }
+
+  // The signs of the stage's values v with magnitudes m.
+  template <class Stage> MEETC_HD MEETC_INLINE bool sort_out(const V *v, const M *m, sign_set *all) const {
     sign_set *s = all + Stage::first;
     int unsure = 0;
     for (int i = 0; i < Stage::atoms; ++i) {

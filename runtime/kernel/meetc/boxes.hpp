@@ -2,8 +2,8 @@
 #ifndef MEETC_BOXES_HPP
 #define MEETC_BOXES_HPP
 
-#include <meetc/bounds.hpp>
 #include <meetc/rounding.hpp>
+#include <meetc/stored.hpp>
 
 namespace meetc {
 
@@ -12,22 +12,23 @@ enum class box_form : std::uint8_t { per_object, whole_box };
 // Signs in fp32 inside a box of side D, a power of two: every difference of two coordinates, every length and every
 // coordinate that stands alone (P::axis) is at most D, exactly. per_object also takes the objects' own extents, found
 // anew for each pair; whole_box ("static") takes D for them. Stage::box_lowest <= log2 D <= Stage::box_highest must
-// hold for every stage: see box_holds().
-template <class P, box_form F> struct boxed_signs {
-  rows_in<P, float> rows;
+// hold for every stage: see box_holds(). Pair is a row_pair, or a stored_pair, whose values are read.
+template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
+  Pair pair;
   float d;
-  MEETC_HD boxed_signs(const float *a, const float *b, float side) : rows(a, b), d(side) {}
+  MEETC_HD boxed_signs(const Pair &of, float side) : pair(of), d(side) {}
+  MEETC_HD boxed_signs(const float *a, const float *b, float side) : pair{a, b}, d(side) {}
 
   template <class Stage> MEETC_HD bool get(sign_set *all) const {
     if (!computes_as_bounded())
       return nothing_known<Stage>(all);
     float v[Stage::atoms];
-    stage_values<Stage>(rows.a, rows.b, v);
+    stage_values<P, Stage>(pair, v);
     float alpha = d, beta = d;
     if constexpr (F == box_form::per_object) {
       const float least = power_of_two(Stage::box_lowest, 0.0F);
       // Over the computed leaves, not at them: a difference of a little more than a power of two is rounded to it.
-      alpha = power_over(Stage::extent_a(rows.a)), beta = power_over(Stage::extent_b(rows.b));
+      alpha = power_over(Stage::extent_a(pair.row_a)), beta = power_over(Stage::extent_b(pair.row_b));
       alpha = alpha < least ? least : alpha > d ? d : alpha, beta = beta < least ? least : beta > d ? d : beta;
     }
     sign_set *s = all + Stage::first;
@@ -39,7 +40,7 @@ template <class P, box_form F> struct boxed_signs {
     }
     if constexpr (P::coincidences > 0)
       if (unsure) {
-        zero_by_equal_points<P, Stage>(rows.a, rows.b, s);
+        zero_by_equal_points<P, Stage>(pair.row_a, pair.row_b, s);
         return all_known<Stage>(s);
       }
     return !unsure;

@@ -28,21 +28,22 @@ private:
 };
 
 struct query_memory {
-  float *rows_a, *rows_b;
+  float *rows_a, *rows_b, *stored_a, *stored_b;
   void *columns_a, *columns_b;
   extent *around;
   index_pair *first, *second;
   unsigned long long *counts; // unsure in fp32, fp64, fp64x2 and exact (none); pairs with touching boxes
 
-  // Of sets whose rows have so many floats.
-  static query_memory of(cutter &from, int fields_a, int fields_b, std::uint32_t a, std::uint32_t b,
-                         unsigned long long list) {
+  static query_memory of(cutter &from, const catalogue &all, const predicate_launchers &p, std::uint32_t a,
+                         std::uint32_t b, unsigned long long list) {
     const auto columns = [&](std::uint32_t n) {
       return from.take<char>(matrix_padded(operand{nullptr, n, grouping::group, nullptr}.objects()) * half_bytes);
     };
     query_memory m{};
-    m.rows_a = from.take<float>(a * static_cast<std::size_t>(fields_a));
-    m.rows_b = from.take<float>(b * static_cast<std::size_t>(fields_b));
+    m.rows_a = from.take<float>(a * static_cast<std::size_t>(all.kinds[p.kind_a].fields));
+    m.rows_b = from.take<float>(b * static_cast<std::size_t>(all.kinds[p.kind_b].fields));
+    m.stored_a = from.take<float>(a * static_cast<std::size_t>(p.stored_a.floats));
+    m.stored_b = from.take<float>(b * static_cast<std::size_t>(p.stored_b.floats));
     m.columns_a = columns(a), m.columns_b = columns(b);
     m.around = from.take<extent>(1);
     m.first = from.take<index_pair>(list), m.second = from.take<index_pair>(list);
@@ -54,14 +55,14 @@ struct query_memory {
 inline std::size_t query_workspace(const catalogue &all, const predicate_launchers &p, std::uint32_t a, std::uint32_t b,
                                    unsigned long long list_capacity) {
   cutter measure(nullptr, 0);
-  query_memory::of(measure, all.kinds[p.kind_a].fields, all.kinds[p.kind_b].fields, a, b, list_capacity);
+  query_memory::of(measure, all, p, a, b, list_capacity);
   return measure.used();
 }
 
 inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, const query &q, cudaStream_t stream) {
   const kind_launchers &a = all.kinds[p.kind_a], &b = all.kinds[p.kind_b];
   cutter from(q.workspace, q.bytes);
-  const query_memory m = query_memory::of(from, a.fields, b.fields, q.a.elements, q.b.elements, q.list_capacity);
+  const query_memory m = query_memory::of(from, all, p, q.a.elements, q.b.elements, q.list_capacity);
   const ladder_steps steps = steps_of(q.precision);
   if (steps.count == 0 || !from.fits() || !q.workspace || reinterpret_cast<std::uintptr_t>(q.workspace) % 256 != 0 ||
       !q.result)
@@ -86,8 +87,14 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
   then([&] {
     return b.columns(q.by, grouping::group, c, false, m.rows_b, q.b.elements, m.around, m.columns_b, stream);
   });
-  const operand x{m.rows_a, q.a.elements, grouping::group, m.columns_a},
-      y{m.rows_b, q.b.elements, grouping::group, m.columns_b};
+  if (reads_stored(q.precision)) {
+    if (p.stored_a.floats > 0)
+      then([&] { return p.stored_a.compute(m.rows_a, q.a.elements, m.stored_a, stream); });
+    if (p.stored_b.floats > 0)
+      then([&] { return p.stored_b.compute(m.rows_b, q.b.elements, m.stored_b, stream); });
+  }
+  const operand x{m.rows_a, q.a.elements, grouping::group, m.columns_a, m.stored_a},
+      y{m.rows_b, q.b.elements, grouping::group, m.columns_b, m.stored_b};
   const pair_list near{m.first, &q.result->candidates, q.list_capacity},
       kept{m.second, &q.result->kept, q.list_capacity};
   const pair_list hits{q.pairs, &q.result->count, q.pairs ? q.capacity : 0};

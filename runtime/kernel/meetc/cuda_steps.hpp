@@ -9,6 +9,8 @@
 #include <meetc/cuda_lists.hpp>
 #include <meetc/near.hpp>
 
+#include <algorithm>
+
 namespace meetc::cuda {
 
 inline constexpr int step_threads = 128, step_blocks = 1056; // 8 for each of 132 multiprocessors
@@ -39,9 +41,14 @@ struct walk {
   __device__ unsigned long long place(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
 };
 
+// A step that reads stored values has of(stored_pair), any other of(row_a, row_b).
+template <class Of> inline constexpr bool of_stored = requires(const stored_pair &p) {
+  Of::of(p);
+};
+
 // in.count may be null: then in.capacity pairs are there.
 template <class P, class Of>
-__global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, const float *b, pair_list in, sink to) {
+__global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_array b, pair_list in, sink to) {
   // A warp stays whole: each lane has pairs or none.
   for (walk w(in); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
@@ -52,7 +59,14 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, co
       if (i >= w.n)
         break;
       const index_pair q = in.pairs[i];
-      const answer x = Of::of(a + std::size_t{q.a} * P::inputs_a, b + std::size_t{q.b} * P::inputs_b);
+      const float *const row_a = a.rows + std::size_t{q.a} * P::inputs_a, *const row_b =
+                                                                              b.rows + std::size_t{q.b} * P::inputs_b;
+      answer x;
+      if constexpr (of_stored<Of>)
+        x = Of::of(stored_pair{row_a, row_b, a.stored + std::size_t{q.a} * stored_layout<P>::floats_a,
+                               b.stored + std::size_t{q.b} * stored_layout<P>::floats_b});
+      else
+        x = Of::of(row_a, row_b);
       yes |= (x == answer::yes) << k;
       unsure |= (x == answer::unsure) << k;
       if (to.answers)
@@ -108,7 +122,9 @@ __global__ void __launch_bounds__(step_threads)
           index_pair q;
           slots_of(in.pairs, w.place(k), a, b, q);
           const bool rejected =
-              surely_rejected<P>(a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b);
+              surely_rejected<P>({a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b,
+                                  a.stored + std::size_t{q.a} * stored_layout<P>::floats_a,
+                                  b.stored + std::size_t{q.b} * stored_layout<P>::floats_b});
           keep &= ~(static_cast<unsigned>(rejected) << k);
         }
       }
@@ -132,6 +148,16 @@ template <class P, class A> struct certify_step {
   }
 };
 
+// The rungs in fp32 where both operands store what P reads.
+template <class P> struct stored_plain_step {
+  __device__ static answer of(const stored_pair &p) { return to_answer(decide<P>(stored_plain_signs<P>{p})); }
+};
+template <class P> struct stored_certify_step {
+  __device__ static answer of(const stored_pair &p) {
+    return standard_environment() ? decide_sets<P>(stored_bounded_signs<P>{p}) : answer::unsure;
+  }
+};
+
 template <class P> struct certified_step {
   __device__ static answer of(const float *a, const float *b) { return to_answer(decide_certified<P>(a, b)); }
 };
@@ -150,7 +176,29 @@ cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs,
 template <class P, class Of>
 cudaError_t decide_list(const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                         cudaStream_t stream) {
-  decide_kernel<P, Of><<<step_blocks, step_threads, 0, stream>>>(a.rows, b.rows, in, {nullptr, yes, unsure});
+  decide_kernel<P, Of>
+      <<<step_blocks, step_threads, 0, stream>>>({a.rows, a.stored}, {b.rows, b.stored}, in, {nullptr, yes, unsure});
+  return cudaGetLastError();
+}
+
+// The step in fp32 for sets: that which reads stored values where P has any.
+template <class P, class Stored, class Plain>
+using fp32_step = std::conditional_t<(stored_layout<P>::floats_a + stored_layout<P>::floats_b > 0), Stored, Plain>;
+// Whether the operands have what P reads beside their rows.
+template <class P> bool have_stored(const operand &a, const operand &b) {
+  return (stored_layout<P>::floats_a == 0 || a.stored) && (stored_layout<P>::floats_b == 0 || b.stored);
+}
+
+template <class Store>
+__global__ void __launch_bounds__(step_threads) store_kernel(const float *rows, unsigned n, float *out) {
+  for (unsigned i = blockIdx.x * step_threads + threadIdx.x; i < n; i += gridDim.x * step_threads)
+    Store::compute(rows + i * std::size_t{Store::inputs}, out + i * std::size_t{Store::floats});
+}
+template <class Store> cudaError_t store(const float *rows, std::uint32_t n, float *out, cudaStream_t stream) {
+  if (n == 0)
+    return cudaSuccess;
+  const unsigned blocks = std::min((n - 1) / step_threads + 1, 65536U);
+  store_kernel<Store><<<blocks, step_threads, 0, stream>>>(rows, n, out);
   return cudaGetLastError();
 }
 
@@ -187,6 +235,12 @@ cudaError_t decide_rows(rung which, const float *a, const float *b, const index_
   }
   return cudaErrorInvalidValue;
 }
+template <class Store, unsigned Rungs> stored_launcher stored_by(int number) {
+  if constexpr (Store::floats > 0 && (asks(Rungs, rung::fp32) || asks(Rungs, rung::certified)))
+    return {number, Store::floats, store<Store>};
+  return {};
+}
+
 template <class P>
 cudaError_t certify_rows(rung which, const float *a, const float *b, const index_pair *pairs, std::size_t n,
                          answer *out, cudaStream_t stream) {
@@ -210,7 +264,7 @@ cudaError_t near(step which, const operand &a, const operand &b, pair_list in, p
     return cudaGetLastError();
   }
   if constexpr (asks(Rungs, rung::certified))
-    if (which == step::near_reject) {
+    if (which == step::near_reject && have_stored<P>(a, b)) {
       near_kernel<P, A, B, true><<<step_blocks, step_threads, 0, stream>>>(a, b, in, kept, touching);
       return cudaGetLastError();
     }
@@ -227,7 +281,8 @@ cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pa
     break;
   case step::plain_fp32:
     if constexpr (asks(Rungs, rung::fp32))
-      return decide_list<P, plain_step<P, float>>(a, b, in, yes, unsure, stream);
+      if (have_stored<P>(a, b))
+        return decide_list<P, fp32_step<P, stored_plain_step<P>, plain_step<P, float>>>(a, b, in, yes, unsure, stream);
     break;
   case step::plain_fp64:
     if constexpr (asks(Rungs, rung::fp64))
@@ -243,7 +298,9 @@ cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pa
     break;
   case step::certify_fp32:
     if constexpr (certified)
-      return decide_list<P, certify_step<P, in_fp32>>(a, b, in, yes, unsure, stream);
+      if (have_stored<P>(a, b))
+        return decide_list<P, fp32_step<P, stored_certify_step<P>, certify_step<P, in_fp32>>>(a, b, in, yes, unsure,
+                                                                                              stream);
     break;
   case step::certify_fp64:
     if constexpr (certified)

@@ -35,6 +35,8 @@ struct operand {
   std::uint32_t elements;
   grouping by;
   const void *columns; // half_bytes or float_bytes an object, for matrix_padded(objects) of them
+  // What the predicate's stored_launcher made of the rows; null where it stores nothing.
+  const float *stored = nullptr;
 
   MEETC_HD constexpr std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
 };
@@ -154,6 +156,10 @@ constexpr ladder_steps steps_of(rung precision) {
   }
   return {{}, 0};
 }
+// Whether a rung reads what sets store.
+constexpr bool reads_stored(rung precision) {
+  return precision == rung::certified || precision == rung::fp32;
+}
 constexpr step first_step(rung precision) {
   return precision == rung::certified ? step::near_reject : step::near_boxes;
 }
@@ -161,6 +167,14 @@ constexpr step first_step(rung precision) {
 constexpr cover balls_for(rung precision) {
   return precision == rung::certified || precision == rung::exact ? cover::element : cover::box;
 }
+
+// What a set stores beside its rows for a predicate, as stored_values on the host.
+struct stored_launcher {
+  int number = -1; // which of the kind's; -1: nothing is stored
+  int floats = 0;
+  // Fills out for n rows.
+  cudaError_t (*compute)(const float *rows, std::uint32_t n, float *out, cudaStream_t stream) = nullptr;
+};
 
 struct predicate_launchers {
   const char *name;
@@ -171,12 +185,15 @@ struct predicate_launchers {
   cudaError_t (*near)(step which, const operand &a, const operand &b, pair_list in, pair_list kept,
                       unsigned long long *touching, cudaStream_t stream);
   // Reads min(*in.count, in.capacity) pairs of slots; hits go to `yes` and what certify_* cannot tell to `unsure`.
-  // cudaErrorInvalidValue where the scene does not ask for the rung.
+  // cudaErrorInvalidValue where the scene does not ask for the rung, and, as for near(), where an operand lacks what the
+  // step reads beside the rows.
   cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                      cudaStream_t stream);
   // A whole query, and the bytes that it needs.
   cudaError_t (*pairs)(const query &q, cudaStream_t stream);
   std::size_t (*workspace)(std::uint32_t elements_a, std::uint32_t elements_b, unsigned long long list_capacity);
+  // What certify_fp32, plain_fp32 and near_reject read beside the rows.
+  stored_launcher stored_a = {}, stored_b = {};
 };
 
 struct catalogue {

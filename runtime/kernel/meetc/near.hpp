@@ -4,6 +4,7 @@
 #define MEETC_NEAR_HPP
 
 #include <meetc/decide.hpp>
+#include <meetc/stored.hpp>
 
 namespace meetc {
 
@@ -20,9 +21,9 @@ template <class A, class B> MEETC_HD inline bool boxes_touch(const float *a, con
 }
 
 // Whether the reject stage, certified in fp32, rules the pair out; P has one.
-template <class P> MEETC_HD inline bool surely_rejected(const float *a, const float *b) {
+template <class P> MEETC_HD inline bool surely_rejected(const stored_pair &p) {
   sign_set s[P::atoms + 1];
-  bounded_signs<P, in_fp32>(a, b).template get<typename P::reject_stage>(s);
+  stored_bounded_signs<P>{p}.template get<typename P::reject_stage>(s);
   return !can_be_false(P::rejected(s));
 }
 

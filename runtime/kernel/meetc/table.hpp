@@ -21,6 +21,22 @@ struct kind_info {
   // A closed box that encloses the element, never too small (where subnormals are not flushed to zero).
   void (*box)(const float *row, float lo[3], float hi[3]);
   const char *(*fault)(const float *row); // the broken `where` rule, or null
+  int stored = 0;                         // how many different stored_values its predicates have
+};
+
+// What a set stores beside its rows for a predicate: `floats` numbers an element, in the order of the rows.
+struct stored_values {
+  int number = -1; // which of the kind's; predicates that store the same share a number. -1: nothing is stored
+  int floats = 0;
+  // Fills out for n rows. false where the floating-point environment is not the standard one: nothing can be stored then.
+  bool (*compute)(const float *rows, std::size_t n, float *out) = nullptr;
+};
+
+// A set's rows, and what it stores for the predicate; null: each pair computes it.
+struct row_array {
+  const float *rows;
+  const float *stored;
+  MEETC_HD row_array(const float *r, const float *s = nullptr) : rows(r), stored(s) {} // NOLINT: rows alone will do
 };
 
 struct index_pair {
@@ -35,7 +51,7 @@ inline constexpr int rung_count = 5;
 inline constexpr int bounded_rungs = 3;
 
 // Decides n candidate pairs: pairs[i].a and .b index rows of floats.
-using decide_function = void (*)(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out);
+using decide_function = void (*)(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out);
 
 // One predicate on an ordered pair of kinds.
 struct predicate_info {
@@ -50,10 +66,11 @@ struct predicate_info {
   // no `certified`. Null without `certified`.
   decide_function certify[bounded_rungs];
   // The first of them in a box of side D: a power of two from box_least to box_most that no difference of coordinates,
-  // no coordinate and no length of the elements exceeds. Bounds take each object's own extents, or D alone (whole_box).
-  void (*certify_in_box)(float side, bool whole_box, const float *a, const float *b, const index_pair *pairs,
-                         std::size_t n, answer *out);
+  // no coordinate and no length of the elements exceeds. Bounds take each object's own extents.
+  void (*certify_in_box)(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out);
   float box_least, box_most;
+  // What decide[fp32], decide[certified], certify[0] and certify_in_box read beside the rows.
+  stored_values stored_a = {}, stored_b = {};
 };
 
 // All that a namespace offers to a runtime.

@@ -8,55 +8,113 @@
 
 namespace meetc {
 
+// one(x) for each pair of rows x.
 template <class P, class Decide>
-void decide_each(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out, Decide &&one) {
+void decide_each(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
+                 Decide &&one) {
   for (std::size_t i = 0; i < n; ++i)
-    out[i] = one(a + std::size_t{pairs[i].a} * P::inputs_a, b + std::size_t{pairs[i].b} * P::inputs_b);
+    out[i] =
+        one(row_pair{a.rows + std::size_t{pairs[i].a} * P::inputs_a, b.rows + std::size_t{pairs[i].b} * P::inputs_b});
 }
+// The same for the rungs in fp32, which read what the sets store where they store it.
+template <class P, class Decide>
+void decide_each_stored(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
+                        Decide &&one) {
+  constexpr std::size_t floats_a = stored_layout<P>::floats_a, floats_b = stored_layout<P>::floats_b;
+  if constexpr (floats_a + floats_b > 0)
+    if ((floats_a == 0 || a.stored) && (floats_b == 0 || b.stored)) {
+      for (std::size_t i = 0; i < n; ++i)
+        out[i] = one(stored_pair{a.rows + std::size_t{pairs[i].a} * P::inputs_a,
+                                 b.rows + std::size_t{pairs[i].b} * P::inputs_b, a.stored + pairs[i].a * floats_a,
+                                 b.stored + pairs[i].b * floats_b});
+      return;
+    }
+  decide_each<P>(a, b, pairs, n, out, one);
+}
+
+// The signs of a pair by the rungs in fp32.
+template <class P> plain_signs<P, float> plain_fp32(const row_pair &p) {
+  return {p.row_a, p.row_b};
+}
+template <class P> stored_plain_signs<P> plain_fp32(const stored_pair &p) {
+  return {p};
+}
+template <class P> bounded_signs<P, in_fp32> bounded_fp32(const row_pair &p) {
+  return {p.row_a, p.row_b};
+}
+template <class P> stored_bounded_signs<P> bounded_fp32(const stored_pair &p) {
+  return {p};
+}
+
 template <class P, class T>
-void decide_plain(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+void decide_plain(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  if constexpr (std::is_same_v<T, float>)
+    decide_each_stored<P>(a, b, pairs, n, out, [](const auto &p) { return to_answer(decide<P>(plain_fp32<P>(p))); });
+  else
+    decide_each<P>(a, b, pairs, n, out,
+                   [](const row_pair &p) { return to_answer(decide<P>(plain_signs<P, T>(p.row_a, p.row_b))); });
+}
+template <class P> void decide_exact(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   decide_each<P>(a, b, pairs, n, out,
-                 [](const float *x, const float *y) { return to_answer(decide<P>(plain_signs<P, T>(x, y))); });
+                 [](const row_pair &p) { return to_answer(decide<P>(exact_signs<P>(p.row_a, p.row_b))); });
+}
+template <class P> bool all_rungs(const row_pair &p) {
+  return decide_certified<P>(p.row_a, p.row_b);
+}
+template <class P> bool all_rungs(const stored_pair &p) {
+  if (!standard_environment())
+    return decide<P>(integer_signs<P>(p.row_a, p.row_b));
+  const answer x = decide_sets<P>(bounded_fp32<P>(stored_pair{after_check(p.row_a), p.row_b, p.stored_a, p.stored_b}));
+  return before_return(x == answer::unsure ? decide_after_fp32<P>(p.row_a, p.row_b) : x == answer::yes);
 }
 template <class P>
-void decide_exact(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
-  decide_each<P>(a, b, pairs, n, out,
-                 [](const float *x, const float *y) { return to_answer(decide<P>(exact_signs<P>(x, y))); });
-}
-template <class P>
-void decide_certified(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
-  decide_each<P>(a, b, pairs, n, out,
-                 [](const float *x, const float *y) { return to_answer(decide_certified<P>(x, y)); });
+void decide_certified(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  decide_each_stored<P>(a, b, pairs, n, out, [](const auto &p) { return to_answer(all_rungs<P>(p)); });
 }
 inline void unsure_each(std::size_t n, answer *out) {
   for (std::size_t i = 0; i < n; ++i)
     out[i] = answer::unsure;
 }
 template <class P, class A>
-void certify_pairs(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+void certify_pairs(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   if (!standard_environment())
     return unsure_each(n, out);
-  decide_each<P>(after_check(a), after_check(b), pairs, n, out,
-                 [](const float *x, const float *y) { return certify_here<P, A>(x, y); });
+  a = {after_check(a.rows), a.stored}, b = {after_check(b.rows), b.stored};
+  if constexpr (std::is_same_v<A, in_fp32>)
+    decide_each_stored<P>(a, b, pairs, n, out, [](const auto &p) { return decide_sets<P>(bounded_fp32<P>(p)); });
+  else
+    decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return certify_here<P, A>(p.row_a, p.row_b); });
   after_check(out); // what is stored is computed before the call returns
 }
 template <class P>
-void certify_pairs_in_box(float side, bool whole_box, const float *a, const float *b, const index_pair *pairs,
-                          std::size_t n, answer *out) {
+void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   if (!standard_environment())
     return unsure_each(n, out);
-  a = after_check(a), b = after_check(b);
+  a = {after_check(a.rows), a.stored}, b = {after_check(b.rows), b.stored};
   if (!box_holds<P>(side))
     certify_pairs<P, in_fp32>(a, b, pairs, n, out);
-  else if (whole_box)
-    decide_each<P>(a, b, pairs, n, out, [side](const float *x, const float *y) {
-      return decide_sets<P>(boxed_signs<P, box_form::whole_box>(x, y, side));
-    });
   else
-    decide_each<P>(a, b, pairs, n, out, [side](const float *x, const float *y) {
-      return decide_sets<P>(boxed_signs<P, box_form::per_object>(x, y, side));
+    decide_each_stored<P>(a, b, pairs, n, out, [side](const auto &p) {
+      return decide_sets<P>(boxed_signs<P, box_form::per_object, std::remove_cvref_t<decltype(p)>>(p, side));
     });
 }
+
+// What a set stores, by Store (store_a<P> or store_b<P>), for n rows.
+template <class Store> bool store_each(const float *rows, std::size_t n, float *out) {
+  if (!standard_environment())
+    return false;
+  rows = after_check(rows);
+  for (std::size_t i = 0; i < n; ++i)
+    Store::compute(rows + i * Store::inputs, out + i * Store::floats);
+  after_check(out);
+  return true;
+}
+template <class Store> constexpr stored_values stored_by(int number) {
+  if constexpr (Store::floats > 0)
+    return {number, Store::floats, store_each<Store>};
+  return {};
+}
+
 // The sides of a box that the box form covers, for the stages of P.
 template <class P> constexpr float least_box() {
   float least = 0;
@@ -83,9 +141,11 @@ template <class P> constexpr float most_box() {
   return most;
 }
 
-// The entry of a predicate, with the rungs that the scene asks for.
+// The entry of a predicate, with the rungs that the scene asks for; number_a and number_b are those of what its kinds
+// store for it.
 template <class P, rung... Rungs>
-predicate_info info_of(const char *name, const char *mode, const kind_info *a, const kind_info *b) {
+predicate_info info_of(const char *name, const char *mode, const kind_info *a, const kind_info *b, int number_a,
+                       int number_b) {
   constexpr auto asks = [](rung r) { return ((Rungs == r) || ...); };
   constexpr bool certified = asks(rung::certified);
   predicate_info p{name, mode, a, b, {}, {}, nullptr, 0, 0};
@@ -107,6 +167,8 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.box_least = least_box<P>();
     p.box_most = most_box<P>();
   }
+  if constexpr (asks(rung::fp32) || certified)
+    p.stored_a = stored_by<store_a<P>>(number_a), p.stored_b = stored_by<store_b<P>>(number_b);
   return p;
 }
 

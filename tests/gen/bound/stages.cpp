@@ -17,7 +17,7 @@ template <class P, class Stage> struct runner {
     tiny::contracting = tiny::format.contract_values;
     meetc::stage_values<Stage>(a, b, v);
     tiny::contracting = tiny::format.contract_magnitudes;
-    Stage::magnitudes(a, b, meetc::leaf_magnitude<tiny>{tiny::of(floor)}, m);
+    meetc::stage_magnitudes<Stage>(a, b, meetc::leaf_magnitude<tiny>{tiny::of(floor)}, m);
     tiny::contracting = false;
   }
   template <class I> static void rows(const sample &s, I *a, I *b) {
@@ -33,7 +33,7 @@ template <class P, class Stage> struct runner {
       const double t = meetc::leaf_magnitude<tiny>{tiny::of(floor)}(computed).value();
       return static_cast<int128>(std::ldexp(t, -s.scale));
     };
-    Stage::magnitudes(a, b, leaf, m);
+    meetc::stage_magnitudes<Stage>(a, b, leaf, m);
   }
   static void in_fp64(const sample &s, double *words) {
     double a[P::inputs_a], b[P::inputs_b];
@@ -55,7 +55,7 @@ template <class P, class Stage> struct runner {
     std::fill(a, a + P::inputs_a, counted::input());
     std::fill(b, b + P::inputs_b, counted::input());
     meetc::stage_values<Stage>(a, b, v);
-    Stage::magnitudes(
+    meetc::stage_magnitudes<Stage>(
         a, b, [](const counted &) { return counted(); }, m);
   }
 };

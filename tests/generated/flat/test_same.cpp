@@ -48,25 +48,24 @@ std::map<std::string, answers> all(const predicate_info &p, const rows &r) {
     out[names[i]] = all(p.decide[i], r);
   for (std::size_t i = 0; i < meetc::bounded_rungs; ++i)
     out[std::string("bounded ") + names[i]] = all(p.certify[i], r);
-  for (const bool whole : {false, true})
-    for (float side = 0x1p-20F; side <= 0x1p20F; side *= 0x1p8F) {
-      answers &found = out[std::string(whole ? "whole box " : "box ") + std::to_string(side)];
-      found.resize(r.pairs.size());
-      // Only pairs that lie in the box: for others nothing is promised.
-      for (std::size_t i = 0; i < r.pairs.size(); ++i) {
-        const row a(r.a.begin() + static_cast<long>(i) * p.a->fields,
-                    r.a.begin() + static_cast<long>(i + 1) * p.a->fields);
-        const row b(r.b.begin() + static_cast<long>(i) * p.b->fields,
-                    r.b.begin() + static_cast<long>(i + 1) * p.b->fields);
-        const auto shape_of = [](int fields) {
-          return fields == 3 ? shape::point : fields == 6 ? shape::segment : shape::triangle;
-        };
-        const float least = box_side(shape_of(p.a->fields), a, shape_of(p.b->fields), b);
-        found[i] = answer::unsure;
-        if (least > 0 && least <= side)
-          p.certify_in_box(side, whole, r.a.data(), r.b.data(), &r.pairs[i], 1, &found[i]);
-      }
+  for (float side = 0x1p-20F; side <= 0x1p20F; side *= 0x1p8F) {
+    answers &found = out["box " + std::to_string(side)];
+    found.resize(r.pairs.size());
+    // Only pairs that lie in the box: for others nothing is promised.
+    for (std::size_t i = 0; i < r.pairs.size(); ++i) {
+      const row a(r.a.begin() + static_cast<long>(i) * p.a->fields,
+                  r.a.begin() + static_cast<long>(i + 1) * p.a->fields);
+      const row b(r.b.begin() + static_cast<long>(i) * p.b->fields,
+                  r.b.begin() + static_cast<long>(i + 1) * p.b->fields);
+      const auto shape_of = [](int fields) {
+        return fields == 3 ? shape::point : fields == 6 ? shape::segment : shape::triangle;
+      };
+      const float least = box_side(shape_of(p.a->fields), a, shape_of(p.b->fields), b);
+      found[i] = answer::unsure;
+      if (least > 0 && least <= side)
+        p.certify_in_box(side, r.a.data(), r.b.data(), &r.pairs[i], 1, &found[i]);
     }
+  }
   return out;
 }
 

@@ -43,17 +43,17 @@ TEST_CASE("brute force finds what the search finds, and its sample is a part of 
   yardstick clock;
   const std::vector<meetc::decide_function> tests{
       decide_by(by, meetc::rung::exact), decide_by(by, meetc::rung::fp32), classic::moller_0,
-      [](const float *, const float *, const meetc::index_pair *, std::size_t n, meetc::answer *out) {
+      [](meetc::row_array, meetc::row_array, const meetc::index_pair *, std::size_t n, meetc::answer *out) {
         std::fill_n(out, n, meetc::answer::no);
       }};
-  const brute_force_times whole = time_brute_force(clock, tests, a, b, 5'000'000, 1);
+  const brute_force_times whole = time_brute_force(clock, tests, *by.predicate, a, b, 5'000'000, 1);
   CHECK_FALSE(whole.sample);
   CHECK(whole.pairs == 5'000'000);
   CHECK(whole.of[0].yes == pairs);
   CHECK(whole.of[0].wrong_yes + whole.of[0].wrong_no == 0);
   CHECK(whole.of[3].wrong_no == pairs); // never yes
   CHECK(whole.of[3].wrong_yes == 0);
-  const brute_force_times part = time_brute_force(clock, tests, a, b, 200'000, 3);
+  const brute_force_times part = time_brute_force(clock, tests, *by.predicate, a, b, 200'000, 3);
   CHECK(part.sample);
   CHECK(part.pairs <= 200'000);
   CHECK(part.pairs > 100'000);

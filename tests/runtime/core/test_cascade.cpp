@@ -29,18 +29,16 @@ int hardness(const float *a, const float *b) {
 std::atomic<std::uint64_t> asked[4], too_easy;
 std::atomic<float> side_used;
 
-template <int Rung>
-void certify_boxes(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+template <int Rung> void certify_boxes(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   asked[Rung] += n;
   for (std::size_t i = 0; i < n; ++i) {
-    const float *x = a + std::size_t{6} * pairs[i].a, *y = b + std::size_t{6} * pairs[i].b;
+    const float *x = a.rows + std::size_t{6} * pairs[i].a, *y = b.rows + std::size_t{6} * pairs[i].b;
     const int needs = hardness(x, y);
     too_easy += needs < Rung;
     out[i] = needs > Rung ? answer::unsure : to_answer(boxes_hit(x, y));
   }
 }
-void certify_in_side(float side, bool, const float *a, const float *b, const index_pair *pairs, std::size_t n,
-                     answer *out) {
+void certify_in_side(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   side_used = side;
   certify_boxes<0>(a, b, pairs, n, out);
 }
@@ -251,8 +249,7 @@ TEST_CASE("no element is overlooked, and lengths may be twice the box") {
   }
   predicate_info p = ball_ball_hit;
   p.decide[static_cast<int>(rung::exact)] = p.certify[0] = p.certify[1] = p.certify[2] = p.decide[0];
-  p.certify_in_box = [](float side, bool, const float *a, const float *b, const index_pair *list, std::size_t n,
-                        answer *said) {
+  p.certify_in_box = [](float side, row_array a, row_array b, const index_pair *list, std::size_t n, answer *said) {
     side_used = side;
     ball_ball_hit.decide[0](a, b, list, n, said);
   };

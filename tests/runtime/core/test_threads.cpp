@@ -53,7 +53,7 @@ namespace {
 bool slow_hit(const float *a, const float *b) {
   return boxes_hit(a, b);
 }
-void slow(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+void slow(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   std::this_thread::sleep_for(std::chrono::milliseconds(2));
   decide<6, 6, slow_hit>(a, b, pairs, n, out);
 }

@@ -19,9 +19,10 @@ using meetc::role;
 
 // A decision on two rows, made a predicate's `decide`.
 template <int FieldsA, int FieldsB, bool (*Hit)(const float *, const float *)>
-void decide(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out) {
+void decide(meetc::row_array a, meetc::row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   for (std::size_t i = 0; i < n; ++i)
-    out[i] = meetc::to_answer(Hit(a + std::size_t{FieldsA} * pairs[i].a, b + std::size_t{FieldsB} * pairs[i].b));
+    out[i] =
+        meetc::to_answer(Hit(a.rows + std::size_t{FieldsA} * pairs[i].a, b.rows + std::size_t{FieldsB} * pairs[i].b));
 }
 
 // A predicate with plain rungs only.

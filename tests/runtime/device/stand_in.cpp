@@ -297,6 +297,15 @@ cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda
   return cudaSuccess;
 }
 
+template <class Store> cudaError_t store(const float *rows, std::uint32_t n, float *out, cudaStream_t) {
+  for (std::size_t i = 0; i < n; ++i)
+    Store::compute(rows + i * Store::inputs, out + i * Store::floats);
+  return cudaSuccess;
+}
+template <class Store> cuda::stored_launcher stored_by(const stored_values &on_host) {
+  return {on_host.number, on_host.floats, on_host.floats > 0 ? store<Store> : nullptr};
+}
+
 // The steps of the predicate at this place of the catalogue, as the kernels have them.
 template <class P, class A, class B>
 cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list kept,
@@ -314,7 +323,9 @@ cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list
         continue;
       ++*touching;
       if constexpr (P::reject_stage::atoms > 0)
-        if (which == cuda::step::near_reject && standard_environment() && surely_rejected<P>(row_a, row_b))
+        if (which == cuda::step::near_reject && standard_environment() &&
+            surely_rejected<P>({row_a, row_b, a.stored + slots.a * std::size_t{stored_layout<P>::floats_a},
+                                b.stored + slots.b * std::size_t{stored_layout<P>::floats_b}}))
           continue;
       append(kept, slots);
     }
@@ -330,7 +341,7 @@ cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list 
   const decide_function decide = which >= cuda::step::certify_fp32
                                      ? p.certify[static_cast<int>(which) - static_cast<int>(cuda::step::certify_fp32)]
                                      : p.decide[at];
-  decide(a.rows, b.rows, in.pairs, n, answers.data());
+  decide({a.rows, a.stored}, {b.rows, b.stored}, in.pairs, n, answers.data());
   for (std::size_t i = 0; i < n; ++i)
     if (answers[i] == answer::yes)
       append(yes, in.pairs[i]);
@@ -361,7 +372,8 @@ const ::meetc::cuda::catalogue &catalogue() {
   const auto add = [&]<class P, class A, class B, int Which>(std::type_identity<P>, A, B,
                                                              std::integral_constant<int, Which>) {
     const predicate_info &p = all.predicates[Which];
-    predicates.push_back({p.name, place_of(p.a), place_of(p.b), near<P, A, B>, run<Which>, nullptr, nullptr});
+    predicates.push_back({p.name, place_of(p.a), place_of(p.b), near<P, A, B>, run<Which>, nullptr, nullptr,
+                          stored_by<store_a<P>>(p.stored_a), stored_by<store_b<P>>(p.stored_b)});
   };
   if (predicates.empty()) {
     add(std::type_identity<::cga::segment_segment>(), segment_shape(), segment_shape(),

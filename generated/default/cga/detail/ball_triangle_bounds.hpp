@@ -40,7 +40,7 @@ struct ball_triangle_common_bounds {
   static constexpr int degree = 6, growth = 13;
   // Exact where differences are integers below 2^window on a grid: fp64.
   static constexpr int window = 7;
-    static constexpr bool mixed = false;
+  static constexpr bool mixed = false;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -17, floor_fp64 = -150, box_lowest = -17, box_highest = 17;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -93,9 +93,40 @@ struct ball_triangle_common_bounds {
     const float m7 = meetc::larger(m6, t.c.y - t.a.y);
     return meetc::larger(m7, t.c.z - t.a.z);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 10;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
+  MEETC_HD MEETC_INLINE static void magnitudes_b(const T *row_b, const Leaf &leaf, T *f) {
+    const auto t = detail::triangle_in(row_b);
+    const T l10 = leaf(t.b.x - t.a.x);
+    const T l11 = leaf(t.b.y - t.a.y);
+    const T l12 = leaf(t.b.z - t.a.z);
+    const T l13 = leaf(t.c.x - t.b.x);
+    const T l14 = leaf(t.c.y - t.b.y);
+    const T l15 = leaf(t.c.z - t.b.z);
+    const T l16 = leaf(t.c.x - t.a.x);
+    const T l17 = leaf(t.c.y - t.a.y);
+    const T l18 = leaf(t.c.z - t.a.z);
+    const T t0 = meetc::fma(l12, l12, meetc::fma(l11, l11, l10 * l10));
+    const T t1 = meetc::fma(l18, l18, meetc::fma(l17, l17, l16 * l16));
+    const T t2 = meetc::fma(l12, l18, meetc::fma(l11, l17, l10 * l16));
+    const T t3 = meetc::fma(l12, l17, l11 * l18);
+    const T t4 = meetc::fma(l10, l18, l12 * l16);
+    const T t5 = meetc::fma(l11, l16, l10 * l17);
+    f[0] = t0;
+    f[1] = meetc::fma(l15, l15, meetc::fma(l14, l14, l13 * l13));
+    f[2] = t1;
+    f[3] = t2;
+    f[4] = t3;
+    f[5] = t4;
+    f[6] = t5;
+    f[7] = meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3));
+    f[8] = t0 + t2;
+    f[9] = t1 + t2;
+  }
+  template <class T, class Leaf>
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *fb,
+      const Leaf &leaf, T *m) {
     const auto S_ = detail::sphere_in(row_a);
     const auto t = detail::triangle_in(row_b);
     const T l0 = leaf(t.a.x - S_.c.x);
@@ -118,43 +149,36 @@ struct ball_triangle_common_bounds {
     const T l17 = leaf(t.c.y - t.a.y);
     const T l18 = leaf(t.c.z - t.a.z);
     const T t0 = l3 * l3;
-    const T t1 = meetc::fma(l12, l12, meetc::fma(l11, l11, l10 * l10));
-    const T t2 = meetc::fma(l2, l12, meetc::fma(l1, l11, l0 * l10));
-    const T t3 = meetc::fma(l2, l11, l1 * l12);
-    const T t4 = meetc::fma(l0, l12, l2 * l10);
-    const T t5 = meetc::fma(l1, l10, l0 * l11);
-    const T t6 = meetc::fma(l15, l15, meetc::fma(l14, l14, l13 * l13));
-    const T t7 = meetc::fma(l6, l14, l5 * l15);
-    const T t8 = meetc::fma(l4, l15, l6 * l13);
-    const T t9 = meetc::fma(l5, l13, l4 * l14);
-    const T t10 = meetc::fma(l18, l18, meetc::fma(l17, l17, l16 * l16));
-    const T t11 = meetc::fma(l2, l18, meetc::fma(l1, l17, l0 * l16));
-    const T t12 = meetc::fma(l2, l17, l1 * l18);
-    const T t13 = meetc::fma(l0, l18, l2 * l16);
-    const T t14 = meetc::fma(l1, l16, l0 * l17);
-    const T t15 = meetc::fma(t0, t10, meetc::fma(t14, t14, meetc::fma(t13, t13, t12 * t12)));
-    const T t16 = meetc::fma(l12, l18, meetc::fma(l11, l17, l10 * l16));
-    const T t17 = meetc::fma(l12, l17, l11 * l18);
-    const T t18 = meetc::fma(l10, l18, l12 * l16);
-    const T t19 = meetc::fma(l11, l16, l10 * l17);
-    const T t20 = meetc::fma(t19, t19, meetc::fma(t18, t18, t17 * t17));
-    const T t21 = meetc::fma(l2, t19, meetc::fma(l1, t18, l0 * t17));
+    const T t1 = meetc::fma(l2, l12, meetc::fma(l1, l11, l0 * l10));
+    const T t2 = meetc::fma(l2, l11, l1 * l12);
+    const T t3 = meetc::fma(l0, l12, l2 * l10);
+    const T t4 = meetc::fma(l1, l10, l0 * l11);
+    const T t5 = meetc::fma(l6, l15, meetc::fma(l5, l14, l4 * l13));
+    const T t6 = meetc::fma(l6, l14, l5 * l15);
+    const T t7 = meetc::fma(l4, l15, l6 * l13);
+    const T t8 = meetc::fma(l5, l13, l4 * l14);
+    const T t9 = meetc::fma(l2, l18, meetc::fma(l1, l17, l0 * l16));
+    const T t10 = meetc::fma(l2, l17, l1 * l18);
+    const T t11 = meetc::fma(l0, l18, l2 * l16);
+    const T t12 = meetc::fma(l1, l16, l0 * l17);
+    const T t13 = meetc::fma(t0, fb[2], meetc::fma(t12, t12, meetc::fma(t11, t11, t10 * t10)));
+    const T t14 = meetc::fma(l2, fb[6], meetc::fma(l1, fb[5], l0 * fb[4]));
     m[0] = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0)) + t0;
     m[1] = t0 + meetc::fma(l6, l6, meetc::fma(l5, l5, l4 * l4));
     m[2] = t0 + meetc::fma(l9, l9, meetc::fma(l8, l8, l7 * l7));
-    m[3] = meetc::fma(t0, t1, meetc::fma(t5, t5, meetc::fma(t4, t4, t3 * t3)));
-    m[4] = t2;
-    m[5] = t1 + t2;
-    m[6] = meetc::fma(t0, t6, meetc::fma(t9, t9, meetc::fma(t8, t8, t7 * t7)));
-    m[7] = meetc::fma(l6, l15, meetc::fma(l5, l14, l4 * l13));
-    m[8] = t6 + meetc::fma(l6, l15, meetc::fma(l5, l14, l4 * l13));
-    m[9] = t15;
-    m[10] = t10 + t11;
-    m[11] = t11;
-    m[12] = meetc::fma(t21, t21, t0 * t20);
-    m[13] = meetc::fma(t1, t11, t2 * t16);
-    m[14] = meetc::fma(t2, t10 + t16, meetc::fma(t11, t1 + t16, t20));
-    m[15] = meetc::fma(t11, t16, t2 * t10);
+    m[3] = meetc::fma(t0, fb[0], meetc::fma(t4, t4, meetc::fma(t3, t3, t2 * t2)));
+    m[4] = t1;
+    m[5] = fb[0] + t1;
+    m[6] = meetc::fma(t0, fb[1], meetc::fma(t8, t8, meetc::fma(t7, t7, t6 * t6)));
+    m[7] = t5;
+    m[8] = fb[1] + t5;
+    m[9] = t13;
+    m[10] = fb[2] + t9;
+    m[11] = t9;
+    m[12] = meetc::fma(t14, t14, t0 * fb[7]);
+    m[13] = meetc::fma(fb[0], t9, t1 * fb[3]);
+    m[14] = meetc::fma(t1, fb[9], meetc::fma(t9, fb[8], fb[7]));
+    m[15] = meetc::fma(t9, fb[3], t1 * fb[2]);
   }
 };
 

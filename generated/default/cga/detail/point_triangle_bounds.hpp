@@ -40,7 +40,7 @@ struct point_triangle_common_bounds {
   static constexpr int degree = 3, growth = 6;
   // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
   static constexpr int window = 26;
-    static constexpr bool mixed = true;
+  static constexpr bool mixed = true;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -91,9 +91,24 @@ struct point_triangle_common_bounds {
     const float m7 = meetc::larger(m6, t.c.z - t.b.z);
     return meetc::larger(m7, t.c.x - t.b.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 3;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
+  MEETC_HD MEETC_INLINE static void magnitudes_b(const T *row_b, const Leaf &leaf, T *f) {
+    const auto t = detail::triangle_in(row_b);
+    const T l0 = leaf(t.c.y - t.a.y);
+    const T l1 = leaf(t.b.z - t.a.z);
+    const T l2 = leaf(t.c.z - t.a.z);
+    const T l3 = leaf(t.b.y - t.a.y);
+    const T l4 = leaf(t.b.x - t.a.x);
+    const T l5 = leaf(t.c.x - t.a.x);
+    f[0] = meetc::fma(l0, l1, l2 * l3);
+    f[1] = meetc::fma(l2, l4, l1 * l5);
+    f[2] = meetc::fma(l3, l5, l0 * l4);
+  }
+  template <class T, class Leaf>
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *fb,
+      const Leaf &leaf, T *m) {
     const auto p = detail::point_in(row_a);
     const auto t = detail::triangle_in(row_b);
     const T l0 = leaf(t.c.y - t.a.y);
@@ -114,8 +129,7 @@ struct point_triangle_common_bounds {
     const T l15 = leaf(t.c.x - t.b.x);
     const T l16 = leaf(t.c.y - p.y);
     const T l17 = leaf(t.c.z - p.z);
-    const T t0 = meetc::fma(meetc::fma(l2, l4, l1 * l5), l7, meetc::fma(l0, l1, l2 * l3) * l6);
-    m[0] = meetc::fma(meetc::fma(l3, l5, l0 * l4), l8, t0);
+    m[0] = meetc::fma(fb[2], l8, meetc::fma(fb[1], l7, fb[0] * l6));
     m[1] = meetc::fma(l3, l8, l1 * l7);
     m[2] = meetc::fma(l10, l11, l9 * l12);
     m[3] = meetc::fma(l0, l8, l2 * l7);

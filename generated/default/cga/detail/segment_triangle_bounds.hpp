@@ -44,7 +44,7 @@ struct segment_triangle_reject_bounds {
   static constexpr int degree = 3, growth = 6;
   // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
   static constexpr int window = 26;
-    static constexpr bool mixed = true;
+  static constexpr bool mixed = true;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -70,10 +70,10 @@ struct segment_triangle_reject_bounds {
     const float m4 = meetc::larger(m3, t.b.x - t.a.x);
     return meetc::larger(m4, t.c.x - t.a.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 3;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
-    const auto s = detail::segment_in(row_a);
+  MEETC_HD MEETC_INLINE static void magnitudes_b(const T *row_b, const Leaf &leaf, T *f) {
     const auto t = detail::triangle_in(row_b);
     const T l0 = leaf(t.c.y - t.a.y);
     const T l1 = leaf(t.b.z - t.a.z);
@@ -81,17 +81,23 @@ struct segment_triangle_reject_bounds {
     const T l3 = leaf(t.b.y - t.a.y);
     const T l4 = leaf(t.b.x - t.a.x);
     const T l5 = leaf(t.c.x - t.a.x);
+    f[0] = meetc::fma(l0, l1, l2 * l3);
+    f[1] = meetc::fma(l2, l4, l1 * l5);
+    f[2] = meetc::fma(l3, l5, l0 * l4);
+  }
+  template <class T, class Leaf>
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *fb,
+      const Leaf &leaf, T *m) {
+    const auto s = detail::segment_in(row_a);
+    const auto t = detail::triangle_in(row_b);
     const T l6 = leaf(t.a.x - s.p.x);
     const T l7 = leaf(t.a.y - s.p.y);
     const T l8 = leaf(t.a.z - s.p.z);
     const T l9 = leaf(t.a.x - s.q.x);
     const T l10 = leaf(t.a.y - s.q.y);
     const T l11 = leaf(t.a.z - s.q.z);
-    const T t0 = meetc::fma(l0, l1, l2 * l3);
-    const T t1 = meetc::fma(l2, l4, l1 * l5);
-    const T t2 = meetc::fma(l3, l5, l0 * l4);
-    m[0] = meetc::fma(t2, l8, meetc::fma(t1, l7, t0 * l6));
-    m[1] = meetc::fma(t2, l11, meetc::fma(t1, l10, t0 * l9));
+    m[0] = meetc::fma(fb[2], l8, meetc::fma(fb[1], l7, fb[0] * l6));
+    m[1] = meetc::fma(fb[2], l11, meetc::fma(fb[1], l10, fb[0] * l9));
   }
 };
 
@@ -101,7 +107,7 @@ struct segment_triangle_common_bounds {
   static constexpr int degree = 3, growth = 6;
   // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
   static constexpr int window = 26;
-    static constexpr bool mixed = true;
+  static constexpr bool mixed = true;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -133,9 +139,11 @@ struct segment_triangle_common_bounds {
     const float m7 = meetc::larger(m6, t.c.z - t.a.z);
     return meetc::larger(m7, t.c.x - t.a.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,
+      const Leaf &leaf, T *m) {
     const auto s = detail::segment_in(row_a);
     const auto t = detail::triangle_in(row_b);
     const T l0 = leaf(t.b.y - t.a.y);

@@ -37,7 +37,7 @@ struct sphere_segment_common_bounds {
   static constexpr int degree = 4, growth = 9;
   // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
   static constexpr int window = 23;
-    static constexpr bool mixed = true;
+  static constexpr bool mixed = true;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -25, floor_fp64 = -200, box_lowest = -25, box_highest = 27;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -76,9 +76,19 @@ struct sphere_segment_common_bounds {
     const float m1 = meetc::larger(m0, s.q.y - s.p.y);
     return meetc::larger(m1, s.q.z - s.p.z);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 1;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
+  MEETC_HD MEETC_INLINE static void magnitudes_b(const T *row_b, const Leaf &leaf, T *f) {
+    const auto s = detail::segment_in(row_b);
+    const T l7 = leaf(s.q.x - s.p.x);
+    const T l8 = leaf(s.q.y - s.p.y);
+    const T l9 = leaf(s.q.z - s.p.z);
+    f[0] = meetc::fma(l9, l9, meetc::fma(l8, l8, l7 * l7));
+  }
+  template <class T, class Leaf>
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *fb,
+      const Leaf &leaf, T *m) {
     const auto S_ = detail::sphere_in(row_a);
     const auto s = detail::segment_in(row_b);
     const T l0 = leaf(s.p.x - S_.c.x);
@@ -92,15 +102,15 @@ struct sphere_segment_common_bounds {
     const T l8 = leaf(s.q.y - s.p.y);
     const T l9 = leaf(s.q.z - s.p.z);
     const T t0 = l3 * l3;
-    const T t1 = meetc::fma(l9, l9, meetc::fma(l8, l8, l7 * l7));
+    const T t1 = meetc::fma(l2, l9, meetc::fma(l1, l8, l0 * l7));
     const T t2 = meetc::fma(l2, l8, l1 * l9);
     const T t3 = meetc::fma(l0, l9, l2 * l7);
     const T t4 = meetc::fma(l1, l7, l0 * l8);
     m[0] = meetc::fma(l2, l2, meetc::fma(l1, l1, l0 * l0)) + t0;
     m[1] = t0 + meetc::fma(l6, l6, meetc::fma(l5, l5, l4 * l4));
-    m[2] = meetc::fma(t0, t1, meetc::fma(t4, t4, meetc::fma(t3, t3, t2 * t2)));
-    m[3] = meetc::fma(l2, l9, meetc::fma(l1, l8, l0 * l7));
-    m[4] = t1 + meetc::fma(l2, l9, meetc::fma(l1, l8, l0 * l7));
+    m[2] = meetc::fma(t0, fb[0], meetc::fma(t4, t4, meetc::fma(t3, t3, t2 * t2)));
+    m[3] = t1;
+    m[4] = fb[0] + t1;
   }
 };
 

@@ -31,7 +31,7 @@ struct sphere_sphere_common_bounds {
   static constexpr int degree = 2, growth = 5;
   // Exact where differences are integers below 2^window on a grid: fp64.
   static constexpr int window = 25;
-    static constexpr bool mixed = false;
+  static constexpr bool mixed = false;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 57;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -53,9 +53,11 @@ struct sphere_sphere_common_bounds {
     const auto T_ = detail::sphere_in(row_b);
     return meetc::larger(0.0f, T_.r);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,
+      const Leaf &leaf, T *m) {
     const auto S_ = detail::sphere_in(row_a);
     const auto T_ = detail::sphere_in(row_b);
     const T l0 = leaf(T_.c.x - S_.c.x);

@@ -49,7 +49,7 @@ struct triangle_triangle_reject_bounds {
   static constexpr int degree = 3, growth = 6;
   // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
   static constexpr int window = 26;
-    static constexpr bool mixed = true;
+  static constexpr bool mixed = true;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -86,10 +86,23 @@ struct triangle_triangle_reject_bounds {
     const float m4 = meetc::larger(m3, B.b.x - B.a.x);
     return meetc::larger(m4, B.c.x - B.a.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 3, magnitudes_of_b = 3;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
+  MEETC_HD MEETC_INLINE static void magnitudes_a(const T *row_a, const Leaf &leaf, T *f) {
     const auto A = detail::triangle_in(row_a);
+    const T l15 = leaf(A.c.y - A.a.y);
+    const T l16 = leaf(A.b.z - A.a.z);
+    const T l17 = leaf(A.c.z - A.a.z);
+    const T l18 = leaf(A.b.y - A.a.y);
+    const T l19 = leaf(A.b.x - A.a.x);
+    const T l20 = leaf(A.c.x - A.a.x);
+    f[0] = meetc::fma(l15, l16, l17 * l18);
+    f[1] = meetc::fma(l17, l19, l16 * l20);
+    f[2] = meetc::fma(l18, l20, l15 * l19);
+  }
+  template <class T, class Leaf>
+  MEETC_HD MEETC_INLINE static void magnitudes_b(const T *row_b, const Leaf &leaf, T *f) {
     const auto B = detail::triangle_in(row_b);
     const T l0 = leaf(B.c.y - B.a.y);
     const T l1 = leaf(B.b.z - B.a.z);
@@ -97,6 +110,15 @@ struct triangle_triangle_reject_bounds {
     const T l3 = leaf(B.b.y - B.a.y);
     const T l4 = leaf(B.b.x - B.a.x);
     const T l5 = leaf(B.c.x - B.a.x);
+    f[0] = meetc::fma(l0, l1, l2 * l3);
+    f[1] = meetc::fma(l2, l4, l1 * l5);
+    f[2] = meetc::fma(l3, l5, l0 * l4);
+  }
+  template <class T, class Leaf>
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *fa, const T *row_b, const T *fb,
+      const Leaf &leaf, T *m) {
+    const auto A = detail::triangle_in(row_a);
+    const auto B = detail::triangle_in(row_b);
     const T l6 = leaf(B.a.x - A.a.x);
     const T l7 = leaf(B.a.y - A.a.y);
     const T l8 = leaf(B.a.z - A.a.z);
@@ -106,30 +128,18 @@ struct triangle_triangle_reject_bounds {
     const T l12 = leaf(B.a.x - A.c.x);
     const T l13 = leaf(B.a.y - A.c.y);
     const T l14 = leaf(B.a.z - A.c.z);
-    const T l15 = leaf(A.c.y - A.a.y);
-    const T l16 = leaf(A.b.z - A.a.z);
-    const T l17 = leaf(A.c.z - A.a.z);
-    const T l18 = leaf(A.b.y - A.a.y);
-    const T l19 = leaf(A.b.x - A.a.x);
-    const T l20 = leaf(A.c.x - A.a.x);
     const T l21 = leaf(B.b.x - A.a.x);
     const T l22 = leaf(B.b.y - A.a.y);
     const T l23 = leaf(B.b.z - A.a.z);
     const T l24 = leaf(B.c.x - A.a.x);
     const T l25 = leaf(B.c.y - A.a.y);
     const T l26 = leaf(B.c.z - A.a.z);
-    const T t0 = meetc::fma(l0, l1, l2 * l3);
-    const T t1 = meetc::fma(l2, l4, l1 * l5);
-    const T t2 = meetc::fma(l3, l5, l0 * l4);
-    const T t3 = meetc::fma(l15, l16, l17 * l18);
-    const T t4 = meetc::fma(l17, l19, l16 * l20);
-    const T t5 = meetc::fma(l18, l20, l15 * l19);
-    m[0] = meetc::fma(t2, l8, meetc::fma(t1, l7, t0 * l6));
-    m[1] = meetc::fma(t2, l11, meetc::fma(t1, l10, t0 * l9));
-    m[2] = meetc::fma(t2, l14, meetc::fma(t1, l13, t0 * l12));
-    m[3] = meetc::fma(l8, t5, meetc::fma(l7, t4, l6 * t3));
-    m[4] = meetc::fma(t5, l23, meetc::fma(t4, l22, t3 * l21));
-    m[5] = meetc::fma(t5, l26, meetc::fma(t4, l25, t3 * l24));
+    m[0] = meetc::fma(fb[2], l8, meetc::fma(fb[1], l7, fb[0] * l6));
+    m[1] = meetc::fma(fb[2], l11, meetc::fma(fb[1], l10, fb[0] * l9));
+    m[2] = meetc::fma(fb[2], l14, meetc::fma(fb[1], l13, fb[0] * l12));
+    m[3] = meetc::fma(l8, fa[2], meetc::fma(l7, fa[1], l6 * fa[0]));
+    m[4] = meetc::fma(fa[2], l23, meetc::fma(fa[1], l22, fa[0] * l21));
+    m[5] = meetc::fma(fa[2], l26, meetc::fma(fa[1], l25, fa[0] * l24));
   }
 };
 
@@ -139,7 +149,7 @@ struct triangle_triangle_common_bounds {
   static constexpr int degree = 3, growth = 6;
   // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
   static constexpr int window = 26;
-    static constexpr bool mixed = true;
+  static constexpr bool mixed = true;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -177,9 +187,11 @@ struct triangle_triangle_common_bounds {
     const float m7 = meetc::larger(m6, B.c.z - B.a.z);
     return meetc::larger(m7, B.c.x - B.a.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,
+      const Leaf &leaf, T *m) {
     const auto A = detail::triangle_in(row_a);
     const auto B = detail::triangle_in(row_b);
     const T l0 = leaf(B.b.y - B.a.y);

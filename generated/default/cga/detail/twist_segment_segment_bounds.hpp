@@ -40,7 +40,7 @@ struct twist_segment_segment_sign_common_bounds {
   static constexpr int degree = 3, growth = 6;
   // Exact where differences are integers below 2^window on a grid: fp64, and double-double from degree 3.
   static constexpr int window = 26;
-    static constexpr bool mixed = true;
+  static constexpr bool mixed = true;
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
@@ -62,9 +62,11 @@ struct twist_segment_segment_sign_common_bounds {
     const float m1 = meetc::larger(m0, Y.q.z - Y.p.z);
     return meetc::larger(m1, Y.q.x - Y.p.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition.
+  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
-  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *row_b, const Leaf &leaf, T *m) {
+  MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,
+      const Leaf &leaf, T *m) {
     const auto X = detail::segment_in(row_a);
     const auto Y = detail::segment_in(row_b);
     const T l0 = leaf(Y.q.y - Y.p.y);

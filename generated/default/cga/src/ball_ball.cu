@@ -31,6 +31,12 @@ cudaError_t ball_ball::run(meetc::cuda::step which, const meetc::cuda::operand &
         cudaStream_t stream) {
   return meetc::cuda::run<::cga::ball_ball, rungs>(which, a, b, in, yes, unsure, stream);
 }
+meetc::cuda::stored_launcher ball_ball::stored_a(int number) {
+  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_ball>, rungs>(number);
+}
+meetc::cuda::stored_launcher ball_ball::stored_b(int number) {
+  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_ball>, rungs>(number);
+}
 
 } // namespace cuda
 } // namespace cga

@@ -31,6 +31,12 @@ cudaError_t ball_segment::run(meetc::cuda::step which, const meetc::cuda::operan
         cudaStream_t stream) {
   return meetc::cuda::run<::cga::ball_segment, rungs>(which, a, b, in, yes, unsure, stream);
 }
+meetc::cuda::stored_launcher ball_segment::stored_a(int number) {
+  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_segment>, rungs>(number);
+}
+meetc::cuda::stored_launcher ball_segment::stored_b(int number) {
+  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_segment>, rungs>(number);
+}
 
 } // namespace cuda
 } // namespace cga

@@ -31,6 +31,12 @@ cudaError_t point_triangle::run(meetc::cuda::step which, const meetc::cuda::oper
         cudaStream_t stream) {
   return meetc::cuda::run<::cga::point_triangle, rungs>(which, a, b, in, yes, unsure, stream);
 }
+meetc::cuda::stored_launcher point_triangle::stored_a(int number) {
+  return meetc::cuda::stored_by<meetc::store_a<::cga::point_triangle>, rungs>(number);
+}
+meetc::cuda::stored_launcher point_triangle::stored_b(int number) {
+  return meetc::cuda::stored_by<meetc::store_b<::cga::point_triangle>, rungs>(number);
+}
 
 } // namespace cuda
 } // namespace cga

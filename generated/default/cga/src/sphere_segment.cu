@@ -31,6 +31,12 @@ cudaError_t sphere_segment::run(meetc::cuda::step which, const meetc::cuda::oper
         cudaStream_t stream) {
   return meetc::cuda::run<::cga::sphere_segment, rungs>(which, a, b, in, yes, unsure, stream);
 }
+meetc::cuda::stored_launcher sphere_segment::stored_a(int number) {
+  return meetc::cuda::stored_by<meetc::store_a<::cga::sphere_segment>, rungs>(number);
+}
+meetc::cuda::stored_launcher sphere_segment::stored_b(int number) {
+  return meetc::cuda::stored_by<meetc::store_b<::cga::sphere_segment>, rungs>(number);
+}
 
 } // namespace cuda
 } // namespace cga

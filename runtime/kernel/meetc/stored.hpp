@@ -1,0 +1,143 @@
+// What sets store beside their rows: the values of one object that a predicate reads, in float.
+//
+// Problem: a triangle's normal, or its magnitude in an error bound, is the same for every pair that the triangle is in.
+// Method: the compiler says which values of one object cost more than loading them (Stage::fields_a, fields_b for values,
+// Stage::magnitudes_of_a, _b for magnitudes). A set stores them, in the order of its rows, and the rungs in fp32 read
+// them; the other rungs compute in other types and decide few pairs. What is stored is what the pair would compute, bit
+// for bit, so that every bound covers it.
+//
+// The values of P's first object lie one stage after another, a stage's values before its magnitudes. The rare stage
+// stores nothing.
+#ifndef MEETC_STORED_HPP
+#define MEETC_STORED_HPP
+
+#include <meetc/bounds.hpp>
+
+namespace meetc {
+
+template <class Stage> constexpr int stored_values_a() {
+  if constexpr (Stage::atoms > 0)
+    return Stage::fields_a;
+  return 0;
+}
+template <class Stage> constexpr int stored_values_b() {
+  if constexpr (Stage::atoms > 0)
+    return Stage::fields_b;
+  return 0;
+}
+template <class Stage> constexpr int stored_magnitudes_a() {
+  if constexpr (requires { Stage::magnitudes_of_a; })
+    return Stage::magnitudes_of_a;
+  return 0;
+}
+template <class Stage> constexpr int stored_magnitudes_b() {
+  if constexpr (requires { Stage::magnitudes_of_b; })
+    return Stage::magnitudes_of_b;
+  return 0;
+}
+
+// Where P's stages find their values, in floats from an object's first.
+template <class P> struct stored_layout {
+  using reject = typename P::reject_stage;
+  using common = typename P::common_stage;
+  static constexpr int reject_a = stored_values_a<reject>() + stored_magnitudes_a<reject>();
+  static constexpr int reject_b = stored_values_b<reject>() + stored_magnitudes_b<reject>();
+  // Floats an object.
+  static constexpr int floats_a = reject_a + stored_values_a<common>() + stored_magnitudes_a<common>();
+  static constexpr int floats_b = reject_b + stored_values_b<common>() + stored_magnitudes_b<common>();
+  template <class Stage> static constexpr int first_a = std::is_same_v<Stage, reject> ? 0 : reject_a;
+  template <class Stage> static constexpr int first_b = std::is_same_v<Stage, reject> ? 0 : reject_b;
+};
+
+// The leaves of magnitudes in fp32.
+template <class Stage> MEETC_HD MEETC_INLINE leaf_magnitude<float> fp32_leaf() {
+  return {power_of_two(Stage::floor_fp32, 0.0F)};
+}
+
+// Computes what a set stores for an object of P: stored_layout<P>::floats_a or floats_b numbers.
+template <class P> struct store_a {
+  static constexpr int inputs = P::inputs_a, floats = stored_layout<P>::floats_a;
+  MEETC_HD static void compute(const float *row, float *out) {
+    stage<typename P::reject_stage>(row, out);
+    stage<typename P::common_stage>(row, out + stored_layout<P>::reject_a);
+  }
+
+private:
+  template <class Stage> MEETC_HD MEETC_INLINE static void stage(const float *row, float *out) {
+    if constexpr (stored_values_a<Stage>() > 0)
+      Stage::object_a(row, out);
+    if constexpr (stored_magnitudes_a<Stage>() > 0)
+      Stage::magnitudes_a(row, fp32_leaf<Stage>(), out + stored_values_a<Stage>());
+  }
+};
+template <class P> struct store_b {
+  static constexpr int inputs = P::inputs_b, floats = stored_layout<P>::floats_b;
+  MEETC_HD static void compute(const float *row, float *out) {
+    stage<typename P::reject_stage>(row, out);
+    stage<typename P::common_stage>(row, out + stored_layout<P>::reject_b);
+  }
+
+private:
+  template <class Stage> MEETC_HD MEETC_INLINE static void stage(const float *row, float *out) {
+    if constexpr (stored_values_b<Stage>() > 0)
+      Stage::object_b(row, out);
+    if constexpr (stored_magnitudes_b<Stage>() > 0)
+      Stage::magnitudes_b(row, fp32_leaf<Stage>(), out + stored_values_b<Stage>());
+  }
+};
+
+// A pair of rows; and one with what is stored beside them, where the pointers may be anything for an object that stores
+// nothing.
+struct row_pair {
+  const float *row_a, *row_b;
+};
+struct stored_pair {
+  const float *row_a, *row_b, *stored_a, *stored_b;
+};
+
+// The values of a stage in float.
+template <class P, class Stage> MEETC_HD MEETC_INLINE void stage_values(const row_pair &p, float *v) {
+  const rows_in<P, float> rows(p.row_a, p.row_b);
+  stage_values<Stage>(rows.a, rows.b, v);
+}
+template <class P, class Stage> MEETC_HD MEETC_INLINE void stage_values(const stored_pair &p, float *v) {
+  if constexpr (std::is_same_v<Stage, typename P::rare_stage>)
+    stage_values<Stage>(p.row_a, p.row_b, v);
+  else
+    Stage::template pair<float, float>(p.row_a, p.stored_a + stored_layout<P>::template first_a<Stage>, p.row_b,
+                                       p.stored_b + stored_layout<P>::template first_b<Stage>, v);
+}
+
+// As plain_signs in float, and as bounded_signs in fp32.
+template <class P> struct stored_plain_signs {
+  stored_pair pair;
+  template <class Stage> MEETC_HD void get(sign *s) const {
+    float v[Stage::atoms];
+    stage_values<P, Stage>(pair, v);
+    for (int i = 0; i < Stage::atoms; ++i)
+      s[Stage::first + i] = sign_of(v[i]);
+  }
+};
+template <class P> struct stored_bounded_signs {
+  stored_pair pair;
+  template <class Stage> MEETC_HD MEETC_INLINE bool get(sign_set *all) const {
+    const bounded_signs<P, in_fp32> anew(pair.row_a, pair.row_b);
+    if constexpr (std::is_same_v<Stage, typename P::rare_stage>) {
+      return anew.template get<Stage>(all);
+    } else {
+      if (!computes_as_bounded())
+        return nothing_known<Stage>(all);
+      float v[Stage::atoms], m[Stage::atoms];
+      stage_values<P, Stage>(pair, v);
+      using layout = stored_layout<P>;
+      Stage::magnitudes(pair.row_a, pair.stored_a + layout::template first_a<Stage> + stored_values_a<Stage>(),
+                        pair.row_b, pair.stored_b + layout::template first_b<Stage> + stored_values_b<Stage>(),
+                        fp32_leaf<Stage>(), m);
+      return anew.template sort_out<Stage>(v, m, all);
+    }
+  }
+};
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,151 @@
+// What sets store beside their rows: answers that read it are those that compute it, and they do read it.
+#include "tests/catch.hpp"
+#include "tests/generated/effort.hpp"
+#include "tests/generated/operands.hpp"
+
+#include <cfenv>
+#include <cga/cga_runtime.hpp>
+#include <cstring>
+#include <limits>
+#include <meetc/stored.hpp>
+
+using namespace meetc::generated_test;
+using meetc::answer;
+using meetc::row_array;
+
+namespace {
+
+const meetc::predicate_info &named(const char *name) {
+  const meetc::catalogue &all = cga::catalogue();
+  for (int i = 0; i < all.predicate_count; ++i)
+    if (std::strcmp(all.predicates[i].name, name) == 0)
+      return all.predicates[i];
+  throw std::logic_error("no such predicate");
+}
+
+// Rows of every family, and pairs of them that do and do not go in step.
+struct many_rows {
+  row a, b;
+  std::vector<meetc::index_pair> pairs;
+
+  template <class P> many_rows(const P &p, std::uint32_t each) {
+    random_numbers random(11);
+    std::uint32_t n = 0;
+    for (const family &f : families())
+      for (std::uint32_t i = 0; i < each; ++i, ++n) {
+        const pair_of_rows c = f.make(p.a, p.b, random);
+        a.insert(a.end(), c.a.begin(), c.a.end());
+        b.insert(b.end(), c.b.begin(), c.b.end());
+        pairs.push_back({n, n});
+        pairs.push_back({static_cast<std::uint32_t>(random.bits() % (n + 1)), n});
+      }
+  }
+};
+
+std::vector<float> stored(const meetc::stored_values &v, const row &rows, int fields) {
+  std::vector<float> out(rows.size() / static_cast<std::size_t>(fields) * static_cast<std::size_t>(v.floats));
+  if (v.floats > 0)
+    REQUIRE(v.compute(rows.data(), rows.size() / static_cast<std::size_t>(fields), out.data()));
+  return out;
+}
+const float *or_null(const std::vector<float> &v) {
+  return v.empty() ? nullptr : v.data();
+}
+
+template <class Decide> std::vector<answer> answers(const many_rows &r, const Decide &decide) {
+  std::vector<answer> out(r.pairs.size(), answer::unsure);
+  decide(r.pairs.data(), r.pairs.size(), out.data());
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("stored: the rungs in fp32 answer the same, bit for bit, with what is stored and without") {
+  for_each_predicate([](auto p) {
+    INFO(p.name);
+    const meetc::predicate_info &info = named(p.name);
+    const many_rows r(p, effort(200, 20000));
+    const std::vector<float> of_a = stored(info.stored_a, r.a, info.a->fields),
+                             of_b = stored(info.stored_b, r.b, info.b->fields);
+    const row_array a = r.a.data(), b = r.b.data(), a_stored{r.a.data(), or_null(of_a)},
+                    b_stored{r.b.data(), or_null(of_b)};
+    for (const meetc::decide_function f :
+         {info.decide[0], info.certify[0], info.decide[static_cast<int>(meetc::rung::certified)]})
+      CHECK(answers(r, [&](auto... to) { f(a_stored, b_stored, to...); }) ==
+            answers(r, [&](auto... to) { f(a, b, to...); }));
+    for (const float side : {info.box_least, 1.0F, info.box_most})
+      CHECK(answers(r, [&](auto... to) { info.certify_in_box(side, a_stored, b_stored, to...); }) ==
+            answers(r, [&](auto... to) { info.certify_in_box(side, a, b, to...); }));
+  });
+}
+
+TEST_CASE("stored: what is stored is read") {
+  int kinds = 0;
+  for_each_predicate([&](auto p) {
+    INFO(p.name);
+    const meetc::predicate_info &info = named(p.name);
+    const many_rows r(p, 50);
+    std::vector<float> of_a = stored(info.stored_a, r.a, info.a->fields),
+                       of_b = stored(info.stored_b, r.b, info.b->fields);
+    const auto certify = [&] {
+      return answers(r, [&](auto... to) {
+        info.certify[0]({r.a.data(), or_null(of_a)}, {r.b.data(), or_null(of_b)}, to...);
+      });
+    };
+    const std::vector<answer> right = certify();
+    for (std::vector<float> *numbers : {&of_a, &of_b}) {
+      if (numbers->empty())
+        continue;
+      ++kinds;
+      const std::vector<float> before = *numbers;
+      std::fill(numbers->begin(), numbers->end(), std::numeric_limits<float>::quiet_NaN());
+      CHECK(certify() != right); // nothing that reads it is known
+      *numbers = before;
+    }
+  });
+  CHECK(kinds == 8); // 2 of triangle_triangle; one of 6 others
+}
+
+TEST_CASE("stored: predicates share what is the same, and a triangle's normal is three numbers and their magnitudes") {
+  using layout = meetc::stored_layout<cga::triangle_triangle>;
+  CHECK(cga::triangle_triangle::reject_stage::fields_a == 3);
+  CHECK(layout::floats_a == 6);
+  CHECK(layout::floats_b == 6);
+  CHECK(cga::triangle_triangle::common_stage::fields_a == 0); // differences
+  const meetc::stored_values normal = named("triangle_triangle").stored_a;
+  CHECK(named("triangle_triangle").stored_b.number == normal.number);
+  CHECK(named("segment_triangle").stored_b.number == normal.number);
+  CHECK(named("segment_triangle").stored_a.number == -1);
+  CHECK(named("ball_triangle").stored_b.number != normal.number);
+  // Sharing means equal numbers: on rows of every family, for every two predicates that share.
+  for_each_predicate([](auto p) {
+    for_each_predicate([&](auto q) {
+      INFO(p.name << ' ' << q.name);
+      const meetc::predicate_info &x = named(p.name), &y = named(q.name);
+      const auto same = [](const meetc::kind_info *k, const meetc::stored_values &v, const meetc::kind_info *l,
+                           const meetc::stored_values &w, const row &rows) {
+        if (k != l || v.number < 0 || v.number != w.number)
+          return;
+        const std::vector<float> by_v = stored(v, rows, k->fields), by_w = stored(w, rows, k->fields);
+        REQUIRE(by_v.size() == by_w.size());
+        CHECK(std::memcmp(by_v.data(), by_w.data(), by_v.size() * sizeof(float)) == 0);
+      };
+      const many_rows r(p, 20);
+      same(x.a, x.stored_a, y.a, y.stored_a, r.a);
+      same(x.a, x.stored_a, y.b, y.stored_b, r.a);
+      same(x.b, x.stored_b, y.a, y.stored_a, r.b);
+      same(x.b, x.stored_b, y.b, y.stored_b, r.b);
+    });
+  });
+}
+
+TEST_CASE("stored: nothing is stored while rounding is not to nearest") {
+  const meetc::stored_values v = named("triangle_triangle").stored_a;
+  const row one{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  std::vector<float> out(static_cast<std::size_t>(v.floats), 7.0F);
+  REQUIRE(std::fesetround(FE_UPWARD) == 0);
+  const bool stored_upward = v.compute(one.data(), 1, out.data());
+  std::fesetround(FE_TONEAREST);
+  CHECK_FALSE(stored_upward);
+  CHECK(v.compute(one.data(), 1, out.data()));
+}

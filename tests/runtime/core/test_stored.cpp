@@ -1,0 +1,108 @@
+// What a prepared set stores for a predicate: once, for any thread, and only where it can.
+#include "tests/catch.hpp"
+#include "toy.hpp"
+
+#include <atomic>
+#include <thread>
+
+using namespace meetc;
+using namespace toy;
+
+namespace {
+
+std::atomic<std::size_t> computed{0};
+std::atomic<bool> refuses{false};
+
+// A box's low x, twice.
+bool store_boxes(const float *rows, std::size_t n, float *out) {
+  if (refuses)
+    return false;
+  computed += n;
+  for (std::size_t i = 0; i < n; ++i)
+    out[2 * i] = out[2 * i + 1] = rows[6 * i];
+  return true;
+}
+
+std::atomic<std::uint64_t> with_stored{0}, without{0}, wrong{0};
+
+// boxes_hit, which looks at what is stored for each pair.
+void decide_stored(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  (a.stored && b.stored ? with_stored : without) += n;
+  for (std::size_t i = 0; a.stored && b.stored && i < n; ++i)
+    wrong +=
+        a.stored[2 * pairs[i].a + 1] != a.rows[6 * pairs[i].a] || b.stored[2 * pairs[i].b] != b.rows[6 * pairs[i].b];
+  decide<6, 6, boxes_hit>(a, b, pairs, n, out);
+}
+
+constexpr kind_info storing_boxes = [] {
+  kind_info k = boxes;
+  k.stored = 1;
+  return k;
+}();
+constexpr predicate_info storing = [] {
+  predicate_info p = plain("storing", "", storing_boxes, storing_boxes, decide_stored, decide_stored);
+  p.decide[static_cast<int>(rung::fp64)] = decide_stored;
+  p.stored_a = p.stored_b = {0, 2, store_boxes};
+  return p;
+}();
+
+void forget() {
+  computed = 0, with_stored = 0, without = 0, wrong = 0, refuses = false;
+}
+
+} // namespace
+
+TEST_CASE("stored values are computed once a set and posed rows, whoever asks") {
+  forget();
+  const rows some = some_boxes(10000, 0, 0.02f, 5);
+  pose away;
+  away.m[3] = 0.25;
+  const prepared x = prepare(view_of(some, storing_boxes), storing_boxes),
+                 y = prepare(view_of(some, storing_boxes), storing_boxes, away);
+  CHECK(computed == 0); // only when they are wanted
+  const auto want = collide(x, y, storing, rung::exact).pairs;
+  CHECK(computed == 0);
+  CHECK(without > 0);
+  std::vector<std::thread> threads;
+  std::atomic<int> same{0};
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&] { same += collide(x, y, storing, rung::fp32).pairs == want; });
+  for (std::thread &t : threads)
+    t.join();
+  CHECK(same == 4);
+  CHECK(computed == 20000);
+  CHECK(with_stored > 0);
+  CHECK(wrong == 0);
+  CHECK(x.stored(storing.stored_a, 1) == x.stored(storing.stored_a, 2));
+  CHECK(x.stored({}, 1) == nullptr);
+}
+
+TEST_CASE("where nothing can be stored, pairs compute it, and the next call tries again") {
+  forget();
+  const prepared x = prepare(view_of(some_boxes(500, 0, 0.1f, 6), storing_boxes), storing_boxes);
+  refuses = true;
+  const auto without_any = collide(x, x, storing, rung::fp32).pairs;
+  CHECK(with_stored == 0);
+  refuses = false;
+  CHECK(collide(x, x, storing, rung::fp32).pairs == without_any);
+  CHECK(with_stored > 0);
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("pairs() stores in the caller's memory") {
+  forget();
+  const rows some = some_boxes(3000, 0, 0.03f, 7);
+  const view v = view_of(some, storing_boxes);
+  std::vector<std::byte> work(workspace(storing, 3000, 3000, 2));
+  predicate_info poor = storing;
+  poor.stored_a = poor.stored_b = {};
+  CHECK(work.size() >= workspace(poor, 3000, 3000, 2) + 2 * 3000 * 2 * sizeof(float));
+  std::uint64_t count = 0;
+  pairs_options o;
+  o.threads = 2;
+  REQUIRE(pairs(storing, rung::fp32, v, {}, v, {}, {nullptr, 0, &count}, {work.data(), work.size()}, o) == status::ok);
+  CHECK(computed == 6000);
+  CHECK(without == 0);
+  CHECK(wrong == 0);
+  CHECK(count == collide(prepare(v, storing_boxes), prepare(v, storing_boxes), storing, rung::exact).count);
+}
