@@ -64,7 +64,7 @@ TEST_CASE("stored: the rungs in fp32 answer the same, bit for bit, with what is 
   for_each_predicate([](auto p) {
     INFO(p.name);
     const meetc::predicate_info &info = named(p.name);
-    const many_rows r(p, effort(200, 20000));
+    const many_rows r(p, static_cast<std::uint32_t>(effort(200)));
     const std::vector<float> of_a = stored(info.stored_a, r.a, info.a->fields),
                              of_b = stored(info.stored_b, r.b, info.b->fields);
     const row_array a = r.a.data(), b = r.b.data(), a_stored{r.a.data(), or_null(of_a)},
