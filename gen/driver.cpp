@@ -2,7 +2,6 @@
 #include "gen/ir/print.hpp"
 #include "gen/lower/separated.hpp"
 #include "gen/passes/passes.hpp"
-#include "gen/target/text/text.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
@@ -35,7 +34,7 @@ target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels,
       if (kind && !k.is_predicate && !u.makers.count(kind))
         passes::run(u.makers[kind] = lower::makers(*c.model, *kind));
   }
-  if (u.has_backend("cuda"))
+  if (target::needs_balls(*c.scene))
     u.balls = lower::find_ball_form(*c.model);
   if (u.balls)
     for (ir::program *p : {&u.balls->a, &u.balls->b})
@@ -95,8 +94,8 @@ void compile_all(compilation &c) {
 
 std::vector<target::file> emit_all(compilation &c) {
   const target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
-  if (!u.balls && !c.scene->says_backends) // cuda cannot carry it, and nobody asked for that
-    std::erase(c.scene->backends, "cuda");
+  if (!u.balls && !c.scene->says_backends) // nobody asked for those that cannot do without
+    std::erase_if(c.scene->backends, [](const std::string &name) { return target::find(name)->needs_balls; });
   return target::files_of(u);
 }
 
@@ -209,11 +208,12 @@ std::string after_pass(const lower::model &m, const lower::request &r, const std
 
 int show(const show_options &o) {
   compilation c = load(o.scene);
-  if (o.emit == "separate" && o.words.empty() && o.expression.empty()) {
+  const target::target *whole = target::find(o.emit);
+  if (whole && whole->show_all && o.words.empty() && o.expression.empty()) {
     compile_all(c);
     target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
     add_forms(u);
-    fmt::print("{}", target::separate_table(u));
+    fmt::print("{}", whole->show_all(u));
     return 0;
   }
   const lower::request r = requested(c, o);

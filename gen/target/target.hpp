@@ -7,6 +7,7 @@
 #include "gen/lower/ball_form.hpp"
 #include "gen/lower/separated.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <span>
@@ -40,8 +41,7 @@ struct unit {
   std::vector<forms> shown;              // by kernel; empty where nothing is shown
 
   bool asks(lang::rung r) const { return scene.asks(r); }
-  bool asks(const char *rung) const;
-  bool has_backend(const char *backend) const;
+  bool asks_plain() const { return std::any_of(scene.rungs.begin(), scene.rungs.end(), lang::is_plain); }
 };
 
 // What a target can carry of what a scene asks for.
@@ -55,10 +55,14 @@ struct target {
   carries can;
   // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error for what it cannot carry.
   std::vector<file> (*files)(const unit &) = nullptr;
-  bool is_default = false;    // written where the scene names no backends
-  const char *over = nullptr; // the target whose files its own include; they are written too
+  bool is_default = false;      // written where the scene names no backends
+  bool needs_balls = false;     // it filters by enclosing balls
+  const char *over = nullptr;   // the target whose files its own include; they are written too
+  const char *source = nullptr; // what a build compiles once: <space>/<space> and this, "_runtime.cpp"
   // One kernel of the unit, for eyes; null: it shows nothing. Throws spec_error for what it cannot carry.
   std::string (*show)(const unit &, std::size_t kernel) = nullptr;
+  // All kernels of the unit in one table, for eyes; null: it has none.
+  std::string (*show_all)(const unit &) = nullptr;
 };
 
 // The folders below the namespace's own that emitted files lie in, of C++ ("//" opens a comment) and of proofs ("#").
@@ -75,6 +79,8 @@ std::span<const target> all();
 const target *find(const std::string &name);
 // Those that write files: what a scene's `backends` may hold.
 lang::backend_choice backends();
+// Whether a backend of the scene filters by enclosing balls.
+bool needs_balls(const lang::scene &s);
 // The files of the scene's backends and of what they stand over, sorted by path, with the kernel headers. Throws
 // spec_error where two would have one path.
 std::vector<file> files_of(const unit &u);

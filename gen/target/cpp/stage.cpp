@@ -53,8 +53,9 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
   const auto input = [&p](int i) { return p.input(i); };
   const parts text = split_body(s.code->code, input, s.bounds && s.bounds->mixed, remarks, inner + "  ");
   const auto counted = [&](poly::residency r) { return count_text(ir::count(s.code->code, r)); };
-  std::string out = fmt::format("{}// {}: signs {} to {}, degree {}.\n", indent, what_of(p, s), s.first,
-                                s.first + static_cast<int>(s.code->atoms.size()) - 1, (s.bounds ? s.bounds->degree : 0));
+  std::string out =
+      fmt::format("{}// {}: signs {} to {}, degree {}.\n", indent, what_of(p, s), s.first,
+                  s.first + static_cast<int>(s.code->atoms.size()) - 1, (s.bounds ? s.bounds->degree : 0));
   out += fmt::format("{}// Once an object {}: {}; {}: {}; a pair: {}.\n", indent, p.a, counted(poly::residency::a), p.b,
                      counted(poly::residency::b), counted(poly::residency::pair));
   out += fmt::format(
@@ -124,11 +125,11 @@ std::string out_of_line(const emitted_predicate &p, const std::string &head) {
     out += fmt::format("{}{} {}::{}{} {{\n  return meetc::{}(row_a, row_b);\n}}\n", head, result, p.name, name, rows,
                        call);
   };
-  if (p.of.asks("certified"))
+  if (p.of.asks(lang::rung::certified))
     define(type, "after_fp32", fmt::format("decide_rest{}<{}>", of, p.name));
-  else if (p.of.asks("exact"))
+  else if (p.of.asks(lang::rung::exact))
     define(type, "exactly", fmt::format("decide_exactly{}<{}>", of, p.name));
-  if (p.has_rare() && p.of.asks("certified"))
+  if (p.has_rare() && p.of.asks(lang::rung::certified))
     define("meetc::answer", "whole_filter", fmt::format("certify<{}, meetc::in_fp32>", p.name));
   if (p.has_rare() && p.asks_plain())
     out += fmt::format("template <class T> bool {0}::whole_plain{1} {{\n"

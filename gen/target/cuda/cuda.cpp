@@ -12,14 +12,12 @@
 namespace meetc::target {
 namespace {
 
-constexpr const char *all_rungs[] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
-
 // The rungs that the scene asks for, as a constant for the launchers' templates.
 std::string rungs_constant(const unit &u) {
   std::string bits;
-  for (const char *r : all_rungs)
-    if (u.asks(r))
-      bits += fmt::format("{}1U << static_cast<int>(meetc::rung::{})", bits.empty() ? "" : " |\n    ", r);
+  for (const lang::rung_info &r : lang::rungs)
+    if (u.asks(r.id))
+      bits += fmt::format("{}1U << static_cast<int>(meetc::rung::{})", bits.empty() ? "" : " |\n    ", r.name);
   return fmt::format("inline constexpr unsigned rungs = {};\n", bits.empty() ? "0" : bits);
 }
 
@@ -85,7 +83,7 @@ std::string cuda_header(const unit &u) {
       "// Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), "
       "which may\n"
       "// answer unsure. An unknown rung gives cudaErrorInvalidValue.\n";
-  if (u.asks("certified"))
+  if (u.asks(lang::rung::certified))
     out += "// Bits of meetc::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds "
            "assume. Once a\n"
            "// process is enough, before the first certified answer is relied upon.\n"
@@ -94,7 +92,7 @@ std::string cuda_header(const unit &u) {
   out += "\n// near() and run() are one step of a query on sets: see meetc::cuda::predicate_launchers.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
-    if (u.asks("certified"))
+    if (u.asks(lang::rung::certified))
       out += fmt::format("  static cudaError_t certify{};\n", parameters);
     out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n}};\n", near_parameters,
                        run_parameters);
@@ -111,7 +109,7 @@ std::string cuda_catalogue(const unit &u) {
                      "namespace {0} {{\nnamespace cuda {{\n\n",
                      space);
   out += catalogue_text(u);
-  if (u.asks("certified"))
+  if (u.asks(lang::rung::certified))
     out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) {\n"
            "  return meetc::launch_self_test(faults, stream);\n}\n";
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
@@ -128,7 +126,7 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
   out += fmt::format("cudaError_t {0}::decide{2} {{\n"
                      "  return meetc::cuda::decide_rows<{1}, rungs>(rung, a, b, pairs, n, out, stream);\n}}\n",
                      name, predicate, parameters);
-  if (u.asks("certified"))
+  if (u.asks(lang::rung::certified))
     out += fmt::format("cudaError_t {0}::certify{2} {{\n"
                        "  return meetc::cuda::certify_rows<{1}>(rung, a, b, pairs, n, out, stream);\n}}\n",
                        name, predicate, parameters);
