@@ -82,6 +82,10 @@ lang::backend_choice backends() {
   return out;
 }
 
+const lower::lowered_kind &unit::kind(const std::string &name) const {
+  return *std::find_if(kinds.begin(), kinds.end(), [&](const lower::lowered_kind &k) { return k.name == name; });
+}
+
 bool needs_balls(const lang::scene &s) {
   return std::any_of(s.backends.begin(), s.backends.end(),
                      [](const std::string &name) { return find(name)->needs_balls; });

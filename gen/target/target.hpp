@@ -5,10 +5,10 @@
 #pragma once
 #include "gen/bound/bound.hpp"
 #include "gen/lower/ball_form.hpp"
+#include "gen/lower/kinds.hpp"
 #include "gen/lower/separated.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,15 +31,15 @@ struct forms {
 // Everything that a target is given: lowered kernels after the last pass, and their bounds.
 struct unit {
   const lang::scene &scene;
-  const lower::model &model;
   std::vector<lower::kernel> kernels;
   // Of kernels made of signs, where the scene asks for rungs that need them.
   std::vector<std::optional<bound::kernel_bounds>> bounds;
-  // How the blades are made that formulas read or give.
-  std::map<const lang::kind *, std::vector<lower::blade_maker>> makers;
-  std::optional<lower::ball_form> balls; // where a backend filters by enclosing balls
-  std::vector<forms> shown;              // by kernel; empty where nothing is shown
+  std::vector<lower::lowered_kind> kinds; // that the kernels need, each after those that it holds
+  std::optional<lower::ball_form> balls;  // where a backend filters by enclosing balls
+  std::vector<forms> shown;               // by kernel; empty where nothing is shown
 
+  // A kind of the unit.
+  const lower::lowered_kind &kind(const std::string &name) const;
   bool asks(lang::rung r) const { return scene.asks(r); }
   bool asks_plain() const { return std::any_of(scene.rungs.begin(), scene.rungs.end(), lang::is_plain); }
 };

@@ -93,7 +93,7 @@ public:
       for (const int a : s->atoms)
         slot_.try_emplace(a, static_cast<int>(slot_.size()));
     for (std::size_t i = 0; i < 2; ++i)
-      for (const lower::stored_real &r : u.model.layout(*k.asked.kinds[i]).reals)
+      for (const lower::stored_real &r : u.kind(k.asked.kinds[i]->name).reals)
         inputs_.push_back(c_operand(k.asked.names[i]) + "->" + path_identifier(r.path));
   }
 

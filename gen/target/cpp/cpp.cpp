@@ -7,12 +7,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <set>
 
 namespace meetc::target {
 namespace {
-
-using algebra::blade;
 
 std::uint64_t content_hash(const lang::scene &s) {
   std::uint64_t h = 14695981039346656037u; // FNV-1a
@@ -26,149 +23,77 @@ std::string lower_include(const std::string &kernel) {
   return kernel + ".hpp";
 }
 
-std::string field_list(const std::vector<std::string> &names) {
-  return join(names, ", ");
-}
-
-} // namespace
-
-std::vector<const lang::kind *> kinds_of(const unit &u) {
-  std::set<const lang::kind *> wanted;
-  const std::function<void(const lang::kind *)> want = [&](const lang::kind *k) {
-    if (!k || !wanted.insert(k).second)
-      return;
-    for (const lang::field &f : k->store)
-      want(u.model.spec().find_kind(f.type));
-    for (const lang::constructor &c : k->from)
-      for (const lang::field &f : c.of)
-        want(u.model.spec().find_kind(f.type));
-  };
-  for (const lower::kernel &k : u.kernels) {
-    for (const lang::kind *operand : k.asked.kinds)
-      want(operand);
-    if (!k.is_predicate)
-      want(k.value.result_kind);
-  }
-  std::vector<const lang::kind *> out;
-  for (const lang::kind &k : u.model.spec().kinds)
-    if (wanted.count(&k))
-      out.push_back(&k);
-  // A struct comes after the structs that it holds.
-  std::vector<const lang::kind *> ordered;
-  std::set<const lang::kind *> done;
-  const std::function<void(const lang::kind *)> place = [&](const lang::kind *k) {
-    if (!done.insert(k).second)
-      return;
-    for (const lang::field &f : k->store)
-      if (const lang::kind *part = u.model.spec().find_kind(f.type))
-        place(part);
-    ordered.push_back(k);
-  };
-  for (const lang::kind *k : out)
-    place(k);
-  return ordered;
-}
-
-std::set<const lang::kind *> blades_of(const unit &u) {
-  std::set<const lang::kind *> out;
-  for (const lower::kernel &k : u.kernels)
-    if (!k.is_predicate) {
-      out.insert(k.asked.kinds.begin(), k.asked.kinds.end());
-      if (k.value.result_kind)
-        out.insert(k.value.result_kind);
-    }
-  return out;
-}
-
-namespace {
-
 // What predicates take for granted of an operand: finite numbers, and the kind's `where`.
-std::string valid_text(const unit &u, const lang::kind &k) {
-  const std::vector<lower::stored_real> reals = u.model.layout(k).reals;
+std::string valid_text(const lower::lowered_kind &k) {
   std::string holds;
-  for (const lower::stored_real &r : reals)
+  for (const lower::stored_real &r : k.reals)
     holds += fmt::format("{}meetc::is_finite(k.{})", holds.empty() ? "" : " &&\n      ", path_identifier(r.path));
   std::string rule;
-  if (k.rule) {
-    const lower::enclosure e = lower::enclosing(u.model, k);
-    const std::string path = path_identifier(reals[static_cast<std::size_t>(e.rule_input)].path);
-    holds += " &&\n      " + rule_test(e, "k." + path);
-    rule = fmt::format(" and {}", e.rule_text);
+  if (k.enclosed && !k.enclosed->rule.empty()) {
+    const std::string path = path_identifier(k.reals[static_cast<std::size_t>(k.enclosed->rule_input)].path);
+    holds += " &&\n      " + rule_test(*k.enclosed, "k." + path);
+    rule = fmt::format(" and {}", k.enclosed->rule_text);
   }
   return fmt::format("// Whether all numbers are finite{}, on their bits: what predicates take for granted.\n"
                      "template <class T> MEETC_HD inline bool valid(const {}<T> &k) {{\n  return {};\n}}\n",
                      rule, identifier(k.name), holds);
 }
 
-std::string struct_text(const unit &u, const lang::kind &k) {
+std::string struct_text(const unit &u, const lower::lowered_kind &k) {
   const std::string name = identifier(k.name);
   std::string out = fmt::format("// {}: as it is stored, {} numbers.\ntemplate <class T = float> struct {} {{\n",
-                                k.name, u.model.layout(k).reals.size(), name);
-  for (std::size_t i = 0; i < k.store.size();) {
+                                k.name, k.reals.size(), name);
+  for (std::size_t i = 0; i < k.fields.size();) {
     // Neighbours of one type share a line.
     std::vector<std::string> names;
-    const std::string &type = k.store[i].type;
+    const std::string &type = k.fields[i].type;
     bool clash = false; // a member named like its type would change what the type's name means
-    for (; i < k.store.size() && k.store[i].type == type; ++i) {
-      names.push_back(identifier(k.store[i].name));
-      for (const lang::field &f : k.store)
+    for (; i < k.fields.size() && k.fields[i].type == type; ++i) {
+      names.push_back(identifier(k.fields[i].name));
+      for (const lang::field &f : k.fields)
         clash = clash || identifier(f.name) == identifier(type);
     }
     const std::string space = clash ? "::" + identifier(u.scene.space) + "::" : "";
-    out += fmt::format("  {} {};\n", type == "real" ? "T" : space + identifier(type) + "<T>", field_list(names));
+    out += fmt::format("  {} {};\n", type == "real" ? "T" : space + identifier(type) + "<T>", join(names, ", "));
   }
   out += "};\n";
   out += fmt::format("template <class T> MEETC_HD inline void to_row(const {}<T> &k, T *out) {{\n", name);
   int i = 0;
-  for (const lower::stored_real &r : u.model.layout(k).reals)
+  for (const lower::stored_real &r : k.reals)
     out += fmt::format("  out[{}] = k.{};\n", i++, path_identifier(r.path));
-  return out + "}\n" + valid_text(u, k) + "\n";
+  return out + "}\n" + valid_text(k) + "\n";
 }
 
 // The row of a kind as its struct, from the number `at` on; `at` moves behind it.
-std::string members_in_row(const unit &u, const lang::kind &k, int &at) {
+std::string members_in_row(const unit &u, const lower::lowered_kind &k, int &at) {
   std::string out;
-  for (const lang::field &f : k.store) {
-    const lang::kind *part = u.model.spec().find_kind(f.type);
-    out += (out.empty() ? "" : ", ") + (part ? '{' + members_in_row(u, *part, at) + '}' : fmt::format("row[{}]", at++));
-  }
+  for (const lang::field &f : k.fields)
+    out += (out.empty() ? "" : ", ") +
+           (f.type == "real" ? fmt::format("row[{}]", at++) : '{' + members_in_row(u, u.kind(f.type), at) + '}');
   return out;
 }
-std::string row_reader(const unit &u, const lang::kind &k) {
+std::string row_reader(const unit &u, const lower::lowered_kind &k) {
   int at = 0;
   const std::string members = members_in_row(u, k, at);
   return fmt::format("template <class T> MEETC_HD MEETC_INLINE {0}<T> {0}_in(const T *row) {{\n  return {{{1}}};\n}}\n",
                      identifier(k.name), members);
 }
 
-std::string blade_struct(const unit &u, const lang::kind &k) {
-  const std::vector<blade> blades = lower::support(u.model, k);
-  std::vector<std::string> fields;
-  for (const blade b : blades)
-    fields.push_back(blade_field(u.model.working(), b));
-  return fmt::format(
-      "// The blade of a {}: coefficients on {}.\ntemplate <class T = float> struct {}_blade {{\n"
-      "  T {};\n}};\n",
-      k.name,
-      [&] {
-        std::vector<std::string> names;
-        for (const blade b : blades)
-          names.push_back(u.model.working().name(b));
-        return join(names, ", ");
-      }(),
-      identifier(k.name), field_list(fields));
+std::string blade_struct(const lower::lowered_kind &k) {
+  std::vector<std::string> fields, blades;
+  for (const lower::basis_blade &b : k.blades) {
+    fields.push_back(blade_field(b));
+    blades.push_back(b.text());
+  }
+  return fmt::format("// The blade of a {}: coefficients on {}.\ntemplate <class T = float> struct {}_blade {{\n"
+                     "  T {};\n}};\n",
+                     k.name, join(blades, ", "), identifier(k.name), join(fields, ", "));
 }
 
-std::string maker_text(const unit &u, const lang::kind &k) {
+std::string maker_text(const lower::lowered_kind &k) {
   std::string out;
-  const std::vector<blade> blades = lower::support(u.model, k);
-  for (const lower::blade_maker &maker : u.makers.at(&k)) {
-    const lang::expr *written = k.blade.get();
-    for (const lang::constructor &c : k.from)
-      if (c.name == maker.name)
-        written = c.blade.get();
-    out += fmt::format("// {}\n// {}.\n", lang::print(*written),
-                       count_text(ir::count(maker.code.nodes, maker.code.results)));
+  for (const lower::blade_maker &maker : k.makers) {
+    out += fmt::format("// {}\n// {}.\n", maker.text, count_text(ir::count(maker.code.nodes, maker.code.results)));
     std::string parameters;
     if (maker.name.empty()) {
       parameters = fmt::format("const {}<T> &k", identifier(k.name));
@@ -186,7 +111,7 @@ std::string maker_text(const unit &u, const lang::kind &k) {
       return (maker.name.empty() ? "k." : "") + path_identifier(maker.inputs[static_cast<std::size_t>(i)]);
     };
     names.result = [&](std::size_t i, const std::string &value) {
-      return fmt::format("B.{} = {};", blade_field(u.model.working(), blades[i]), value);
+      return fmt::format("B.{} = {};", blade_field(k.blades[i]), value);
     };
     out += fmt::format("  {}_blade<T> B;\n", identifier(k.name)) + body(maker.code, names, "  ") + "  return B;\n}\n";
   }
@@ -196,16 +121,15 @@ std::string maker_text(const unit &u, const lang::kind &k) {
 std::string kinds_header(const unit &u) {
   std::string out = banner(u.scene, "Kinds: what is stored, and the blades that it stands for.");
   out += open_header(u.scene, "file_kinds");
-  const auto blades = blades_of(u);
-  for (const lang::kind *k : kinds_of(u))
-    out += struct_text(u, *k);
+  for (const lower::lowered_kind &k : u.kinds)
+    out += struct_text(u, k);
   out += "// Kinds as their rows hold them.\nnamespace detail {\n";
-  for (const lang::kind *k : kinds_of(u))
-    out += row_reader(u, *k);
+  for (const lower::lowered_kind &k : u.kinds)
+    out += row_reader(u, k);
   out += "} // namespace detail\n\n";
-  for (const lang::kind *k : kinds_of(u))
-    if (blades.count(k))
-      out += blade_struct(u, *k) + maker_text(u, *k);
+  for (const lower::lowered_kind &k : u.kinds)
+    if (k.has_blade())
+      out += blade_struct(k) + maker_text(k);
   return out + close_header(u.scene);
 }
 
@@ -216,26 +140,26 @@ std::string unused_mark(const std::string &body, const std::string &name) {
 
 std::string formula_header(const unit &u, const lower::kernel &k) {
   const lower::formula &f = k.value;
-  const bool number = f.result.size() == 1 && f.result[0] == 0;
+  const bool number = f.is_number();
   std::string out;
   if (!number && !f.result_kind) {
     std::vector<std::string> fields;
-    for (const blade b : f.result)
-      fields.push_back(blade_field(u.model.working(), b));
+    for (const lower::basis_blade &b : f.result_names)
+      fields.push_back(blade_field(b));
     out += fmt::format("template <class T = float> struct {}_result {{\n  T {};\n}};\n\n", identifier(k.asked.name()),
-                       field_list(fields));
+                       join(fields, ", "));
   }
   const std::string type = number          ? "T"
                            : f.result_kind ? identifier(f.result_kind->name) + "_blade<T>"
                                            : identifier(k.asked.name()) + "_result<T>";
   std::vector<std::string> blade_names;
   for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
-    for (const blade b : lower::support(u.model, *k.asked.kinds[i]))
-      blade_names.push_back(k.asked.names[i] + '.' + blade_field(u.model.working(), b));
+    for (const lower::basis_blade &b : u.kind(k.asked.kinds[i]->name).blades)
+      blade_names.push_back(k.asked.names[i] + '.' + blade_field(b));
   // On blades.
   out += fmt::format("// {} on blades\n", k.asked.text);
-  for (std::size_t i = 0; i < f.result.size(); ++i) {
-    const std::string left = number ? "" : "B." + blade_field(u.model.working(), f.result[i]) + " = ";
+  for (std::size_t i = 0; i < f.result_names.size(); ++i) {
+    const std::string left = number ? "" : "B." + blade_field(f.result_names[i]) + " = ";
     if (f.polynomials[i].length() <= 60)
       out += wrapped(left + poly_with_names(f.polynomials[i], blade_names), "//   ");
     else
@@ -262,13 +186,13 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
                        parameters("_blade", code), code);
   } else {
     names.result = [&](std::size_t i, const std::string &value) {
-      return fmt::format("B.{} = {};", blade_field(u.model.working(), f.result[i]), value);
+      return fmt::format("B.{} = {};", blade_field(f.result_names[i]), value);
     };
     std::string rest;
     if (f.result_kind)
-      for (const blade b : lower::support(u.model, *f.result_kind))
-        if (std::find(f.result.begin(), f.result.end(), b) == f.result.end())
-          rest += fmt::format("  B.{} = T(0);\n", blade_field(u.model.working(), b));
+      for (const lower::basis_blade &b : u.kind(f.result_kind->name).blades)
+        if (std::find(f.result_names.begin(), f.result_names.end(), b) == f.result_names.end())
+          rest += fmt::format("  B.{} = T(0);\n", blade_field(b));
     const std::string code = body(f.from_blades, names, "  ");
     out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
                        kernel_function(k.asked), parameters("_blade", code), type, code, rest);
@@ -277,7 +201,7 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
   if (number) {
     std::vector<std::string> inputs;
     for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
-      for (const lower::stored_real &r : u.model.layout(*k.asked.kinds[i]).reals)
+      for (const lower::stored_real &r : u.kind(k.asked.kinds[i]->name).reals)
         inputs.push_back(identifier(k.asked.names[i]) + '.' + path_identifier(r.path));
     names.input = [&](int i) { return inputs[static_cast<std::size_t>(i)]; };
     out += fmt::format("\n// {} from what is stored, in differences where a translation changes nothing; B is never "

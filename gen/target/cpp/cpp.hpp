@@ -2,8 +2,6 @@
 #pragma once
 #include "gen/target/target.hpp"
 
-#include <set>
-
 namespace meetc::target {
 
 std::string banner(const lang::scene &s, const std::string &what, const char *comment = "//");
@@ -17,12 +15,11 @@ std::string kernel_header(const unit &u, std::size_t kernel);
 std::string header_only(const unit &u);
 
 std::vector<const lower::kernel *> predicates_of(const unit &u);
-// All kinds that stored operands, results and constructors of the kernels need, each after those that it holds.
-std::vector<const lang::kind *> kinds_of(const unit &u);
-// The kinds whose blades formulas read or give.
-std::set<const lang::kind *> blades_of(const unit &u);
-// The kinds that predicates take.
-std::vector<const lang::kind *> element_kinds(const unit &u);
+// The kinds that predicates take, in the spec's order.
+std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
+// The place of a kernel's operand among them.
+std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
+                          std::size_t operand);
 std::string shapes_header(const unit &u);
 
 // The table of kinds and predicates through which a runtime knows this namespace.

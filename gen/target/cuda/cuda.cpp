@@ -6,7 +6,6 @@
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/gappa/gappa.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace meetc::target {
@@ -32,17 +31,17 @@ constexpr const char *run_parameters =
     "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b,\n"
     "    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure, cudaStream_t stream)";
 
-std::string shape_of(const lang::kind &k) {
-  return identifier(k.name) + "_shape";
+std::string shape_of(const std::string &kind) {
+  return identifier(kind) + "_shape";
 }
 
 std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
   std::string out = "namespace {\n\nusing form = ball_form;\n\nconst meetc::cuda::kind_launchers all_kinds[] = {\n";
-  for (const lang::kind *k : kinds)
+  for (const lower::lowered_kind *k : kinds)
     out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::place<{1}>, meetc::cuda::enclose<{1}>, "
                        "meetc::cuda::columns<{1}, form>}},\n",
-                       k->name, shape_of(*k));
+                       k->name, shape_of(k->name));
   out += "};\n\n"
          "// A query with the predicate at this place of the catalogue.\n"
          "template <int Place> cudaError_t pairs(const meetc::cuda::query &q, cudaStream_t stream) {\n"
@@ -53,11 +52,9 @@ std::string catalogue_text(const unit &u) {
          "}\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
-    const auto place = [&](std::size_t i) {
-      return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
-    };
-    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>}},\n",
-                       k->asked.asked->name, place(0), place(1), identifier(k->asked.asked->name), count);
+    out +=
+        fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>}},\n", k->asked.asked->name,
+                    element_place(kinds, *k, 0), element_place(kinds, *k, 1), identifier(k->asked.asked->name), count);
     ++count;
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
@@ -122,7 +119,7 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
                      "#include <meetc/cuda_steps.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space, k.asked.name());
   const std::string predicate = fmt::format("::{}::{}", space, name);
-  const std::string shapes = shape_of(*k.asked.kinds[0]) + ", " + shape_of(*k.asked.kinds[1]);
+  const std::string shapes = shape_of(k.asked.kinds[0]->name) + ", " + shape_of(k.asked.kinds[1]->name);
   out += fmt::format("cudaError_t {0}::decide{2} {{\n"
                      "  return meetc::cuda::decide_rows<{1}, rungs>(rung, a, b, pairs, n, out, stream);\n}}\n",
                      name, predicate, parameters);
