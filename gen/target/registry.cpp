@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <stdexcept>
 #include <string_view>
 
 namespace meetc::target {
@@ -83,7 +84,11 @@ lang::backend_choice backends() {
 }
 
 const lower::lowered_kind &unit::kind(const std::string &name) const {
-  return *std::find_if(kinds.begin(), kinds.end(), [&](const lower::lowered_kind &k) { return k.name == name; });
+  const auto at =
+      std::find_if(kinds.begin(), kinds.end(), [&](const lower::lowered_kind &k) { return k.name == name; });
+  if (at == kinds.end())
+    throw std::logic_error("a target reads a kind that no kernel needs");
+  return *at;
 }
 
 bool needs_balls(const lang::scene &s) {

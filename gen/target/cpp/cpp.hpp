@@ -8,7 +8,13 @@ std::string banner(const lang::scene &s, const std::string &what, const char *co
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes = {},
                         const std::vector<std::string> &kernel_headers = {});
 std::string close_header(const lang::scene &s);
+// Long lines of code broken after commas.
+std::string broken_lines(const std::string &text);
 
+// The structs of all kinds.
+std::string kinds_header(const unit &u);
+// What the header of a formula has inside its namespace.
+std::string formula_header(const unit &u, const lower::kernel &k);
 // The header of a kernel that is made of signs, after its banner.
 std::string kernel_header(const unit &u, std::size_t kernel);
 // What the generated library compiles, for those who have headers alone.
@@ -30,8 +36,6 @@ std::string runtime_source(const unit &u);
 std::string cpp_text(const unit &u, std::size_t kernel);
 // Headers and the runtime table.
 std::vector<file> cpp_files(const unit &u);
-// Long lines of code broken after commas.
-std::string broken_lines(const std::string &text);
 
 // The kernel headers, as the generator was built with them.
 std::vector<file> kernel_headers();
