@@ -63,7 +63,7 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
     throw spec_error(in.place(*t.get("algebra")), fmt::format("cannot find the algebra '{}'; there is no {}",
                                                               algebra_path, join(searched, ", no ")));
   }
-  const fs::path target = *found;
+  const fs::path &target = *found;
   load_algebra(target.generic_string(), s.in, s.files);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
     s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});

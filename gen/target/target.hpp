@@ -53,10 +53,10 @@ struct target {
   const char *name; // as in a scene's `backends` and in `meetc show --emit=NAME`
   const char *what; // one line, for help
   carries can;
+  bool is_default = false;  // written where the scene names no backends
+  bool needs_balls = false; // it filters by enclosing balls
   // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error for what it cannot carry.
   std::vector<file> (*files)(const unit &) = nullptr;
-  bool is_default = false;      // written where the scene names no backends
-  bool needs_balls = false;     // it filters by enclosing balls
   const char *over = nullptr;   // the target whose files its own include; they are written too
   const char *source = nullptr; // what a build compiles once: <space>/<space> and this, "_runtime.cpp"
   // One kernel of the unit, for eyes; null: it shows nothing. Throws spec_error for what it cannot carry.
