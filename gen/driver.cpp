@@ -2,7 +2,6 @@
 #include "gen/ir/print.hpp"
 #include "gen/lower/separated.hpp"
 #include "gen/passes/passes.hpp"
-#include "gen/target/text/text.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
@@ -27,15 +26,11 @@ bool asks_exact(const lang::scene &s) {
 
 target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels,
                      std::vector<std::optional<bound::kernel_bounds>> bounds) {
-  target::unit u{*c.scene, *c.model, std::move(kernels), std::move(bounds), {}, {}, {}};
-  for (const lower::kernel &k : u.kernels) {
-    std::vector<const lang::kind *> kinds = k.asked.kinds;
-    kinds.push_back(k.value.result_kind);
-    for (const lang::kind *kind : kinds)
-      if (kind && !k.is_predicate && !u.makers.count(kind))
-        passes::run(u.makers[kind] = lower::makers(*c.model, *kind));
-  }
-  if (u.has_backend("cuda"))
+  target::unit u{*c.scene, std::move(kernels), std::move(bounds), {}, {}, {}};
+  u.kinds = lower::kinds_of(*c.model, u.kernels);
+  for (lower::lowered_kind &k : u.kinds)
+    passes::run(k.makers);
+  if (target::needs_balls(*c.scene))
     u.balls = lower::find_ball_form(*c.model);
   if (u.balls)
     for (ir::program *p : {&u.balls->a, &u.balls->b})
@@ -43,13 +38,13 @@ target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels,
   return u;
 }
 
-void add_forms(target::unit &u) {
+void add_forms(const lower::model &m, target::unit &u) {
   for (const lower::kernel &k : u.kernels) {
     target::forms f;
-    f.separated = lower::separate(u.model, k);
+    f.separated = lower::separate(m, k);
     if (!k.is_predicate) {
-      f.declared = lower::in_declared_basis(u.model, k.asked);
-      f.declared_separated = lower::separate(u.model, *f.declared);
+      f.declared = lower::in_declared_basis(m, k.asked);
+      f.declared_separated = lower::separate(*f.declared);
     }
     u.shown.push_back(std::move(f));
   }
@@ -74,7 +69,7 @@ compiled_kernel compile(const compilation &c, const lower::request &r) {
 
 std::string shown(const compilation &c, const compiled_kernel &k, const std::string &target) {
   target::unit u = unit_of(c, {k.kernel}, {k.bounds});
-  add_forms(u);
+  add_forms(*c.model, u);
   return target::find(target)->show(u, 0);
 }
 
@@ -96,9 +91,10 @@ void compile_all(compilation &c) {
 }
 
 std::vector<target::file> emit_all(compilation &c) {
-  const target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
-  if (!u.balls && !c.scene->says_backends) // cuda cannot carry it, and nobody asked for that
-    std::erase(c.scene->backends, "cuda");
+  target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
+  lower::enclose(*c.model, u.kinds);
+  if (!u.balls && !c.scene->says_backends) // nobody asked for those that cannot do without
+    std::erase_if(c.scene->backends, [](const std::string &name) { return target::find(name)->needs_balls; });
   return target::files_of(u);
 }
 
@@ -211,11 +207,12 @@ std::string after_pass(const lower::model &m, const lower::request &r, const std
 
 int show(const show_options &o) {
   compilation c = load(o.scene);
-  if (o.emit == "separate" && o.words.empty() && o.expression.empty()) {
+  const target::target *whole = target::find(o.emit);
+  if (whole && whole->show_all && o.words.empty() && o.expression.empty()) {
     compile_all(c);
     target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
-    add_forms(u);
-    fmt::print("{}", target::separate_table(u));
+    add_forms(*c.model, u);
+    fmt::print("{}", whole->show_all(u));
     return 0;
   }
   const lower::request r = requested(c, o);

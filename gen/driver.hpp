@@ -42,7 +42,7 @@ struct verify_options {
   unsigned seed = 1;
 };
 struct show_options {
-  std::string scene, emit = "cpp", expression, with;
+  std::string scene, emit = target::backends().unless_said.front(), expression, with;
   std::vector<std::string> words;
 };
 

@@ -101,10 +101,7 @@ void check_namespace(const std::string &space) {
 
 void check_backend(const std::string &path, const lang::scene &scene, const std::vector<target::file> &files,
                    const std::string &backend) {
-  const std::string source = scene.space + '/' + scene.space +
-                             (backend == "cuda" ? "_cuda.cu"
-                              : backend == "c"  ? "_c.cpp"
-                                                : "_runtime.cpp");
+  const std::string source = scene.space + '/' + scene.space + target::find(backend)->source;
   if (std::any_of(files.begin(), files.end(), [&](const target::file &f) { return f.path == source; }))
     return;
   const bool asked = std::find(scene.backends.begin(), scene.backends.end(), backend) != scene.backends.end();

@@ -1,9 +1,8 @@
-// TOML to spec: what each table may hold, and nothing else.
+// An algebra from TOML: what each table may hold, and nothing else.
 #include "gen/lang/spec.hpp"
 #include "gen/lang/toml_reader.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fmt/format.h>
 #include <numeric>
@@ -13,20 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_name(const std::string &s) {
-  return !s.empty() && (std::isalpha(static_cast<unsigned char>(s[0])) || s[0] == '_') &&
-         std::all_of(s.begin(), s.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
-}
-
 std::string trim(const std::string &s) {
   const auto b = s.find_first_not_of(" \t"), e = s.find_last_not_of(" \t");
   return b == std::string::npos ? "" : s.substr(b, e - b + 1);
-}
-
-void need_name(const std::string &name, const location &at, const char *what) {
-  if (!is_name(name))
-    throw spec_error(
-        at, fmt::format("'{}' is not a name for {}: letters, digits and '_', not starting with a digit", name, what));
 }
 
 std::vector<field> read_fields(const toml_reader &in, const toml::node &node, const std::string &what) {
@@ -298,93 +286,6 @@ void load_algebra(const std::string &path, algebra &out, std::vector<std::shared
   if (out.vectors.empty())
     throw spec_error({files[own], 0, 1}, fmt::format("{} declares no [algebra]", path));
   check(out);
-}
-
-namespace {
-// Where an algebra may lie: beside the scene, else where those lie that came with the program, which share/ beside its
-// folder is in an install and in a build tree alike.
-std::vector<fs::path> algebra_places(const std::string &scene, const std::string &name) {
-  std::vector<fs::path> out{fs::path(scene).parent_path() / name};
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  if (!program.empty() && fs::path(name).is_relative())
-    out.push_back(program.parent_path().parent_path() / "share/meetc/algebra_spec" / name);
-  return out;
-}
-} // namespace
-
-namespace {
-// A float32 that is no subnormal and that can be doubled.
-double box_size(const toml_reader &in, const toml::node &node) {
-  const double v = in.as_positive_number(node, "scene.box");
-  if (v >= 0x1p127)
-    throw spec_error(in.place(node), "scene.box must be below 2^127");
-  if (v < 0x1p-126)
-    throw spec_error(in.place(node), "scene.box must be at least 2^-126");
-  return v;
-}
-} // namespace
-
-scene load_scene(const std::string &path, const backend_choice &backends) {
-  const toml_reader in(path);
-  scene s;
-  s.files.push_back(in.file());
-  in.allow(in.root(), "a scene", {"scene"});
-  if (!in.root().contains("scene"))
-    throw spec_error({in.file(), 0, 1}, fmt::format("{} has no [scene]", path));
-  const toml::node &node = *in.root().get("scene");
-  const toml::table &t = in.as_table(node, "scene");
-  in.allow(t, "scene", {"algebra", "namespace", "kernels", "rungs", "backends", "box"});
-  for (const char *key : {"algebra", "namespace", "kernels"})
-    if (!t.contains(key))
-      throw spec_error(in.place(node), fmt::format("scene needs '{}'", key));
-  s.name = fs::path(path).stem().string();
-  s.space = in.as_string(*t.get("namespace"), "scene.namespace");
-  need_name(s.space, in.place(*t.get("namespace")), "a namespace");
-  const std::string algebra_path = in.as_string(*t.get("algebra"), "scene.algebra");
-  const std::vector<fs::path> places = algebra_places(path, algebra_path);
-  const auto found = std::find_if(places.begin(), places.end(), [](const fs::path &p) {
-    std::error_code ignored;
-    return fs::is_regular_file(p, ignored);
-  });
-  if (found == places.end()) {
-    std::vector<std::string> searched;
-    for (const fs::path &p : places)
-      searched.push_back(p.generic_string());
-    throw spec_error(in.place(*t.get("algebra")), fmt::format("cannot find the algebra '{}'; there is no {}",
-                                                              algebra_path, join(searched, ", no ")));
-  }
-  const fs::path target = *found;
-  load_algebra(target.generic_string(), s.in, s.files);
-  for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
-    s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});
-  const auto choices = [&](const char *key, const std::vector<std::string> &known, std::vector<std::string> out) {
-    const toml::node *node_of = t.get(key);
-    if (!node_of)
-      return out;
-    out.clear();
-    for (const toml::node &item : in.as_array(*node_of, std::string("scene.") + key)) {
-      const std::string value = in.as_string(item, std::string("each item of scene.") + key);
-      if (std::find(known.begin(), known.end(), value) == known.end())
-        throw spec_error(in.place(item), fmt::format("no '{}' in {}; known: {}", value, key, join(known, ", ")));
-      if (std::find(out.begin(), out.end(), value) != out.end())
-        throw spec_error(in.place(item), fmt::format("'{}' is given twice", value));
-      out.push_back(value);
-    }
-    if (out.empty())
-      throw spec_error(in.place(*node_of), fmt::format("scene.{} is empty; known: {}", key, join(known, ", ")));
-    return out;
-  };
-  const std::vector<std::string> asked = choices("rungs", rung_names(), rung_names());
-  for (const std::string &name : asked)
-    for (const rung_info &r : rungs)
-      if (name == r.name)
-        s.rungs.push_back(r.id);
-  if (t.contains("box"))
-    s.box = box_size(in, *t.get("box"));
-  s.says_backends = t.contains("backends");
-  s.backends = choices("backends", backends.known, backends.unless_said);
-  return s;
 }
 
 } // namespace meetc::lang

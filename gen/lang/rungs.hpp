@@ -24,6 +24,20 @@ inline constexpr std::array<rung_info, 5> rungs{{
     {rung::certified, "certified", false, false},
 }};
 
+constexpr const rung_info &info_of(rung r) {
+  return rungs[static_cast<std::size_t>(r)];
+}
+constexpr bool is_plain(rung r) {
+  return info_of(r).is_plain;
+}
+// The table is in the order of the values.
+static_assert([] {
+  for (std::size_t i = 0; i < rungs.size(); ++i)
+    if (rungs[i].id != static_cast<rung>(i))
+      return false;
+  return true;
+}());
+
 inline std::vector<std::string> rung_names() {
   std::vector<std::string> out;
   for (const rung_info &r : rungs)

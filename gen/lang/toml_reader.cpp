@@ -1,6 +1,7 @@
 #include "gen/lang/toml_reader.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -19,6 +20,11 @@ std::size_t offset_of(const std::string &text, const toml::source_position &at) 
     for (++offset; offset < text.size() && (text[offset] & 0xc0) == 0x80;)
       ++offset;
   return offset;
+}
+
+bool is_name(const std::string &s) {
+  return !s.empty() && (std::isalpha(static_cast<unsigned char>(s[0])) || s[0] == '_') &&
+         std::all_of(s.begin(), s.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
 }
 } // namespace
 
@@ -114,6 +120,12 @@ toml_reader::in_file_order(const toml::table &table) const {
     return std::pair(pa.line, pa.column) < std::pair(pb.line, pb.column);
   });
   return out;
+}
+
+void need_name(const std::string &name, const location &at, const char *what) {
+  if (!is_name(name))
+    throw spec_error(
+        at, fmt::format("'{}' is not a name for {}: letters, digits and '_', not starting with a digit", name, what));
 }
 
 } // namespace meetc::lang

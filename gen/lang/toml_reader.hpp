@@ -41,4 +41,7 @@ private:
   toml::table root_;
 };
 
+// Throws where this is no name: `what` says for what, "a namespace".
+void need_name(const std::string &name, const location &at, const char *what);
+
 } // namespace meetc::lang

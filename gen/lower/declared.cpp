@@ -1,4 +1,5 @@
 #include "gen/lower/declared.hpp"
+#include "gen/lower/compile.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -109,13 +110,17 @@ declared_formula in_declared_basis(const model &m, const request &r) {
     at += supports[i].size();
   }
   const multivector v = expand.evaluate_multivector(*r.body, env);
-  declared_formula out{numbers, 0, supports, {}, {}, poly::poly(*numbers)};
+  declared_formula out{numbers, 0, {}, {}, {}, poly::poly(*numbers)};
+  for (const std::vector<blade> &of : supports)
+    out.supports.push_back(named(m.declared(), of));
   if (!supports.empty())
     out.numbers_of_x = static_cast<int>(supports.front().size());
+  std::set<blade> where;
   for (const auto &[b, c] : v.terms())
-    out.blades.push_back(b);
-  std::sort(out.blades.begin(), out.blades.end(), algebra::in_reading_order);
-  for (const blade b : out.blades)
+    where.insert(b);
+  const std::vector<blade> blades = sorted_blades(where);
+  out.blades = named(m.declared(), blades);
+  for (const blade b : blades)
     out.values.push_back(*v.find(b));
   const multivector square = algebra::geometric(m.declared(), v, v);
   if (const poly::poly *s = square.find(0))

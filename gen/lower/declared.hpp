@@ -8,9 +8,9 @@ namespace meetc::lower {
 // (as e and eb parts that are equal) used up, so that each value has one name.
 struct declared_formula {
   std::shared_ptr<poly::ring> numbers;
-  int numbers_of_x = 0;                     // how many of them belong to the first operand
-  std::vector<std::vector<blade>> supports; // of the operands
-  std::vector<blade> blades;
+  int numbers_of_x = 0;                           // how many of them belong to the first operand
+  std::vector<std::vector<basis_blade>> supports; // of the operands
+  std::vector<basis_blade> blades;
   std::vector<poly::poly> values; // of the blades
   poly::poly norm2;               // the scalar part of the value's square
 };

@@ -111,6 +111,7 @@ formula compile_formula(const model &m, const request &r) {
     out.polynomials = {poly::poly(*out.numbers)};
     direct = composed = {code.nodes().constant(0)};
   }
+  out.result_names = named(m.working(), out.result);
   out.from_blades = better_of(code, direct, composed);
   const bool number = whole.is_scalar();
   if (!number)

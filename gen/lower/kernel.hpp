@@ -32,7 +32,7 @@ std::vector<blade> support(const lower::model &m, const lang::kind &k, bool decl
 
 // One way to make a blade from stored numbers; the coefficients follow support().
 struct blade_maker {
-  std::string name; // "" for the stored form
+  std::string name, text; // name: "" for the stored form; text: of the expression that says it
   std::vector<lang::field> of;
   std::vector<std::string> inputs; // "a.x", in memory order
   program code;
@@ -42,6 +42,7 @@ struct blade_maker {
 // A value of general blades and of stored operands.
 struct formula {
   std::vector<blade> result;               // the blades of the results; {0} for a number
+  std::vector<basis_blade> result_names;   // of the same
   const lang::kind *result_kind = nullptr; // the kind whose blade has room for them
   program from_blades;                     // inputs: operands' support() coefficients, one operand after another
   std::vector<std::string> blade_inputs;   // their names, "X.e1^n"
@@ -49,6 +50,8 @@ struct formula {
   std::vector<std::string> stored_inputs;
   std::vector<poly::poly> polynomials; // of from_blades, in `numbers`
   std::shared_ptr<poly::ring> numbers, stored_numbers;
+
+  bool is_number() const { return result_names.size() == 1 && result_names[0].is_scalar(); }
 };
 
 // One stage of a predicate: some of its atoms, as one program.

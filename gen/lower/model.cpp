@@ -109,6 +109,18 @@ model::model(const lang::algebra &a)
   working_ = metric(names, multiply(multiply(rows, parse_metric(a), false), rows, true));
 }
 
+std::vector<basis_blade> named(const metric &m, const std::vector<blade> &blades) {
+  std::vector<basis_blade> out;
+  for (const blade b : blades) {
+    basis_blade of;
+    for (int i = 0; i < m.vectors(); ++i)
+      if (b >> i & 1)
+        of.vectors.push_back(m.names()[static_cast<std::size_t>(i)]);
+    out.push_back(std::move(of));
+  }
+  return out;
+}
+
 kind_layout model::layout(const lang::kind &k) const {
   kind_layout out{&k, {}, 0, 0};
   for (const lang::field &f : k.store) {

@@ -12,6 +12,17 @@ using algebra::metric;
 using algebra::rational;
 using multivector = algebra::multivector<poly::poly>;
 
+// A basis blade by the names of its vectors, in basis order.
+struct basis_blade {
+  std::vector<std::string> vectors; // none: a scalar
+
+  bool is_scalar() const { return vectors.empty(); }
+  // "e1^e2^n"; "1" for the scalar.
+  std::string text() const { return is_scalar() ? "1" : join(vectors, "^"); }
+  bool operator==(const basis_blade &) const = default;
+};
+std::vector<basis_blade> named(const metric &m, const std::vector<blade> &blades);
+
 // One stored number of a kind, in memory order.
 struct stored_real {
   std::string path; // "c.x"

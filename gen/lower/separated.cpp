@@ -19,16 +19,16 @@ std::vector<separated> separate(const model &m, const kernel &k) {
     return out;
   const auto numbers_of_x = static_cast<int>(support(m, *k.asked.kinds[0]).size());
   for (std::size_t i = 0; i < k.value.result.size(); ++i)
-    out.push_back({"", m.working().name(k.value.result[i]), poly::separate(k.value.polynomials[i], numbers_of_x)});
+    out.push_back({"", k.value.result_names[i].text(), poly::separate(k.value.polynomials[i], numbers_of_x)});
   return out;
 }
 
-std::vector<separated> separate(const model &m, const declared_formula &f) {
+std::vector<separated> separate(const declared_formula &f) {
   std::vector<separated> out;
   if (f.supports.size() != 2)
     return out;
   for (std::size_t i = 0; i < f.blades.size(); ++i)
-    out.push_back({"", m.declared().name(f.blades[i]), poly::separate(f.values[i], f.numbers_of_x)});
+    out.push_back({"", f.blades[i].text(), poly::separate(f.values[i], f.numbers_of_x)});
   out.push_back({"", "norm2", poly::separate(f.norm2, f.numbers_of_x)});
   return out;
 }

@@ -13,6 +13,6 @@ struct separated {
 // Signs by stage, in the stored numbers; a formula's values on general blades. Nothing where there are not two operands.
 std::vector<separated> separate(const model &m, const kernel &k);
 // A formula's values, and "norm2", in the declared basis.
-std::vector<separated> separate(const model &m, const declared_formula &f);
+std::vector<separated> separate(const declared_formula &f);
 
 } // namespace meetc::lower

@@ -93,19 +93,6 @@ int poly::degree(int v) const {
   return is_zero() ? 0 : static_cast<int>(fmpq_mpoly_degree_si(p_->value, v, p_->context));
 }
 
-bool poly::is_homogeneous() const {
-  int degree = -1;
-  for (const term &t : terms()) {
-    int d = 0;
-    for (const power &f : t.factors)
-      d += f.exponent;
-    if (degree >= 0 && d != degree)
-      return false;
-    degree = d;
-  }
-  return true;
-}
-
 poly operator+(const poly &a, const poly &b) {
   poly out(*a.ring_);
   fmpq_mpoly_add(out.p_->value, a.p_->value, b.p_->value, out.p_->context);

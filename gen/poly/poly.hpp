@@ -58,7 +58,6 @@ public:
   std::size_t length() const;
   int total_degree() const;
   int degree(int v) const;
-  bool is_homogeneous() const;
 
   friend poly operator+(const poly &, const poly &);
   friend poly operator-(const poly &, const poly &);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <stdexcept>
 #include <string_view>
 
 namespace meetc::target {
@@ -20,20 +21,44 @@ constexpr carries decided{false, true, true, true, false};
 constexpr carries to_read{true, true, false, false, false};
 
 constexpr target table[] = {
-    {"poly", "the polynomials, expanded", to_read, nullptr, false, nullptr, poly_text},
-    {"separate", "sums of products f(X) g(Y)", to_read, nullptr, false, nullptr, separate_text},
-    {"dag", "the programs as graphs, one node a line", to_read, nullptr, false, nullptr, graph_text},
-    {"schedule", "the programs as statements, in the order in which they are emitted", to_read, nullptr, false, nullptr,
-     schedule_text},
-    {"bounds", "the error bounds of signs as a table", decided, nullptr, false, nullptr, bounds_table},
-    {"gappa", "scripts that Gappa proves the bounds with", decided, nullptr, false, nullptr, show_proofs},
-    {"json", "polynomials for other programs", to_read, nullptr, false, nullptr, json},
-    {"latex", "polynomials for papers", to_read, nullptr, false, nullptr, latex},
-    {"cpp", "C++20 headers for host and device, and the generated library", on_the_host, cpp_files, true, nullptr,
-     cpp_text},
-    {"c", "C99 formulas, signs and plain predicates, and certified ones with C linkage", on_the_host, c_files, false,
-     "cpp", c_text},
-    {"cuda", "launchers on a CUDA device", everything, cuda_files, true, "cpp", cuda_text},
+    {.name = "poly", .what = "the polynomials, expanded", .can = to_read, .show = poly_text},
+    {.name = "separate",
+     .what = "sums of products f(X) g(Y)",
+     .can = to_read,
+     .show = separate_text,
+     .show_all = separate_table},
+    {.name = "dag", .what = "the programs as graphs, one node a line", .can = to_read, .show = graph_text},
+    {.name = "schedule",
+     .what = "the programs as statements, in the order in which they are emitted",
+     .can = to_read,
+     .show = schedule_text},
+    {.name = "bounds", .what = "the error bounds of signs as a table", .can = decided, .show = bounds_table},
+    {.name = "gappa", .what = "scripts that Gappa proves the bounds with", .can = decided, .show = show_proofs},
+    {.name = "json", .what = "polynomials for other programs", .can = to_read, .show = json},
+    {.name = "latex", .what = "polynomials for papers", .can = to_read, .show = latex},
+    {.name = "cpp",
+     .what = "C++20 headers for host and device, and the generated library",
+     .can = on_the_host,
+     .is_default = true,
+     .files = cpp_files,
+     .source = "_runtime.cpp",
+     .show = cpp_text},
+    {.name = "c",
+     .what = "C99 formulas, signs and plain predicates, and certified ones with C linkage",
+     .can = on_the_host,
+     .files = c_files,
+     .over = "cpp",
+     .source = "_c.cpp",
+     .show = c_text},
+    {.name = "cuda",
+     .what = "launchers on a CUDA device",
+     .can = everything,
+     .is_default = true,
+     .needs_balls = true,
+     .files = cuda_files,
+     .over = "cpp",
+     .source = "_cuda.cu",
+     .show = cuda_text},
 };
 
 } // namespace
@@ -56,6 +81,19 @@ lang::backend_choice backends() {
       out.unless_said.emplace_back(t.name);
   }
   return out;
+}
+
+const lower::lowered_kind &unit::kind(const std::string &name) const {
+  const auto at =
+      std::find_if(kinds.begin(), kinds.end(), [&](const lower::lowered_kind &k) { return k.name == name; });
+  if (at == kinds.end())
+    throw std::logic_error("a target reads a kind that no kernel needs");
+  return *at;
+}
+
+bool needs_balls(const lang::scene &s) {
+  return std::any_of(s.backends.begin(), s.backends.end(),
+                     [](const std::string &name) { return find(name)->needs_balls; });
 }
 
 namespace {
@@ -99,16 +137,6 @@ std::vector<file> files_of(const unit &u) {
                                    "that every namespace has; rename one",
                                    out[i].path));
   return out;
-}
-
-bool unit::asks(const char *rung) const {
-  return std::any_of(scene.rungs.begin(), scene.rungs.end(), [&](lang::rung r) {
-    return std::string_view(lang::rungs[static_cast<std::size_t>(r)].name) == rung;
-  });
-}
-
-bool unit::has_backend(const char *backend) const {
-  return std::find(scene.backends.begin(), scene.backends.end(), backend) != scene.backends.end();
 }
 
 } // namespace meetc::target

@@ -5,9 +5,10 @@
 #pragma once
 #include "gen/bound/bound.hpp"
 #include "gen/lower/ball_form.hpp"
+#include "gen/lower/kinds.hpp"
 #include "gen/lower/separated.hpp"
 
-#include <map>
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,18 +31,17 @@ struct forms {
 // Everything that a target is given: lowered kernels after the last pass, and their bounds.
 struct unit {
   const lang::scene &scene;
-  const lower::model &model;
   std::vector<lower::kernel> kernels;
   // Of kernels made of signs, where the scene asks for rungs that need them.
   std::vector<std::optional<bound::kernel_bounds>> bounds;
-  // How the blades are made that formulas read or give.
-  std::map<const lang::kind *, std::vector<lower::blade_maker>> makers;
-  std::optional<lower::ball_form> balls; // where a backend filters by enclosing balls
-  std::vector<forms> shown;              // by kernel; empty where nothing is shown
+  std::vector<lower::lowered_kind> kinds; // that the kernels need, each after those that it holds
+  std::optional<lower::ball_form> balls;  // where a backend filters by enclosing balls
+  std::vector<forms> shown;               // by kernel; empty where nothing is shown
 
+  // A kind of the unit.
+  const lower::lowered_kind &kind(const std::string &name) const;
   bool asks(lang::rung r) const { return scene.asks(r); }
-  bool asks(const char *rung) const;
-  bool has_backend(const char *backend) const;
+  bool asks_plain() const { return std::any_of(scene.rungs.begin(), scene.rungs.end(), lang::is_plain); }
 };
 
 // What a target can carry of what a scene asks for.
@@ -53,12 +53,16 @@ struct target {
   const char *name; // as in a scene's `backends` and in `meetc show --emit=NAME`
   const char *what; // one line, for help
   carries can;
+  bool is_default = false;  // written where the scene names no backends
+  bool needs_balls = false; // it filters by enclosing balls
   // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error for what it cannot carry.
   std::vector<file> (*files)(const unit &) = nullptr;
-  bool is_default = false;    // written where the scene names no backends
-  const char *over = nullptr; // the target whose files its own include; they are written too
+  const char *over = nullptr;   // the target whose files its own include; they are written too
+  const char *source = nullptr; // what a build compiles once: <space>/<space> and this, "_runtime.cpp"
   // One kernel of the unit, for eyes; null: it shows nothing. Throws spec_error for what it cannot carry.
   std::string (*show)(const unit &, std::size_t kernel) = nullptr;
+  // All kernels of the unit in one table, for eyes; null: it has none.
+  std::string (*show_all)(const unit &) = nullptr;
 };
 
 // The folders below the namespace's own that emitted files lie in, of C++ ("//" opens a comment) and of proofs ("#").
@@ -75,6 +79,8 @@ std::span<const target> all();
 const target *find(const std::string &name);
 // Those that write files: what a scene's `backends` may hold.
 lang::backend_choice backends();
+// Whether a backend of the scene filters by enclosing balls.
+bool needs_balls(const lang::scene &s);
 // The files of the scene's backends and of what they stand over, sorted by path, with the kernel headers. Throws
 // spec_error where two would have one path.
 std::vector<file> files_of(const unit &u);

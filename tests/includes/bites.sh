@@ -18,6 +18,7 @@ sound() {
   rm -rf gen runtime generated
   put gen/support/source.hpp '#include <string>'
   put gen/lang/load.hpp '#include "gen/support/source.hpp"'
+  put gen/algebra/metric.hpp '#include <string>'
   put gen/ir/arena.hpp '#include "gen/support/source.hpp"'
   put gen/bound/bound.hpp '#include "gen/ir/arena.hpp"'
   put gen/lower/kernel.hpp '#include "gen/bound/bound.hpp"' '#include "gen/lang/load.hpp"'
@@ -61,6 +62,7 @@ refused "gen/oracle may not include gen/support" gen/oracle/dense.hpp '#include 
 refused "gen/lower may not include gen/oracle" gen/lower/kernel.hpp '#include "gen/oracle/dense.hpp"'
 refused "gen/verify may not include gen/target" gen/verify/verify.cpp '#include "gen/target/text.cpp"'
 refused "gen/target may not include gen/verify" gen/target/text.cpp '#include "gen/verify/verify.cpp"'
+refused "gen/target may not include gen/algebra" gen/target/text.cpp '#include "gen/algebra/metric.hpp"'
 refused "gen/target may not include runtime/kernel" gen/target/text.cpp '#include <meetc/table.hpp>'
 refused "gen/target may not include generated" gen/target/text.cpp '#include <cga/cga.hpp>'
 refused "runtime/core may not include runtime/io" runtime/core/view.hpp '#include "io/read.hpp"'

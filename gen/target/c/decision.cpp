@@ -9,12 +9,14 @@ namespace meetc::target {
 namespace {
 using lower::truth_node;
 
+// The plain rungs whose arithmetic C has.
 struct plain_rung {
   lang::rung asked;
-  const char *suffix;
   const c_number &in;
+
+  std::string suffix() const { return fmt::format("_{}", lang::info_of(asked).name); }
 };
-const plain_rung plain_rungs[] = {{lang::rung::fp32, "_fp32", c_numbers[1]}, {lang::rung::fp64, "_fp64", c_numbers[0]}};
+const plain_rung plain_rungs[] = {{lang::rung::fp32, c_numbers[1]}, {lang::rung::fp64, c_numbers[0]}};
 
 // "sign[0] * sign[3]" for a product of atoms; "0", "1" and "-1" where there are none.
 std::string product(const lower::sign_value &v, const std::map<int, int> &slot) {
@@ -91,7 +93,7 @@ public:
       for (const int a : s->atoms)
         slot_.try_emplace(a, static_cast<int>(slot_.size()));
     for (std::size_t i = 0; i < 2; ++i)
-      for (const lower::stored_real &r : u.model.layout(*k.asked.kinds[i]).reals)
+      for (const lower::stored_real &r : u.kind(k.asked.kinds[i]->name).reals)
         inputs_.push_back(c_operand(k.asked.names[i]) + "->" + path_identifier(r.path));
   }
 
@@ -157,7 +159,7 @@ private:
   }
 
   std::string plain_sign(const plain_rung &r) const {
-    std::string out = fmt::format("static inline int {}({}) {{\n{}", name(r.suffix), parameters(), as_written());
+    std::string out = fmt::format("static inline int {}({}) {{\n{}", name(r.suffix()), parameters(), as_written());
     if (!p_.common.atoms.empty())
       out += fmt::format("  int sign[{}];\n", p_.common.atoms.size());
     return out + signs(p_.common, r.in) + fmt::format("  return {};\n}}\n", product(p_.value, slot_));
@@ -189,12 +191,12 @@ private:
     for (std::size_t i = 0; i < all.size(); ++i)
       if (!all[i]->atoms.empty())
         out += fmt::format("static inline void {}({}, int *sign) {{\n{}{}}}\n",
-                           name(fmt::format("_{}{}", lower::stage_names[i], r.suffix)), parameters(), as_written(),
+                           name(fmt::format("_{}{}", lower::stage_names[i], r.suffix())), parameters(), as_written(),
                            signs(*all[i], r.in));
     const auto run = [&](const char *stage) {
-      return fmt::format("  {}({}, sign);\n", name(fmt::format("_{}{}", stage, r.suffix)), arguments());
+      return fmt::format("  {}({}, sign);\n", name(fmt::format("_{}{}", stage, r.suffix())), arguments());
     };
-    out += fmt::format("static inline bool {}({}) {{\n  int sign[{}];\n", name(r.suffix), parameters(),
+    out += fmt::format("static inline bool {}({}) {{\n  int sign[{}];\n", name(r.suffix()), parameters(),
                        std::max<std::size_t>(slot_.size(), 1));
     if (!p_.reject.atoms.empty())
       out += run("reject") + fmt::format("  if ({}(sign))\n    return false;\n", name("_rejected"));

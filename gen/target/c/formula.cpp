@@ -14,23 +14,23 @@ class writer {
 public:
   writer(const unit &u, const lower::kernel &k, const c_number &n) : u_(u), k_(k), n_(n), f_(k.value) {}
 
-  bool is_number() const { return f_.result.size() == 1 && f_.result[0] == 0; }
+  bool is_number() const { return f_.is_number(); }
 
   // The struct of a value that is no kind's blade.
   std::string result_struct() const {
     if (is_number() || f_.result_kind)
       return "";
     std::vector<std::string> fields;
-    for (const algebra::blade b : f_.result)
-      fields.push_back(blade_field(u_.model.working(), b));
+    for (const lower::basis_blade &b : f_.result_names)
+      fields.push_back(blade_field(b));
     return fmt::format("typedef struct {{\n  {} {};\n}} {};\n", n_.type, join(fields, ", "), type());
   }
 
   std::string on_blades() const {
     std::vector<std::string> inputs;
     for (std::size_t i = 0; i < k_.asked.kinds.size(); ++i)
-      for (const algebra::blade b : lower::support(u_.model, *k_.asked.kinds[i]))
-        inputs.push_back(c_operand(k_.asked.names[i]) + "->" + blade_field(u_.model.working(), b));
+      for (const lower::basis_blade &b : u_.kind(k_.asked.kinds[i]->name).blades)
+        inputs.push_back(c_operand(k_.asked.names[i]) + "->" + blade_field(b));
     return function("_blades", "_blade", f_.from_blades, inputs);
   }
 
@@ -38,7 +38,7 @@ public:
     if (is_number()) {
       std::vector<std::string> inputs;
       for (std::size_t i = 0; i < k_.asked.kinds.size(); ++i)
-        for (const lower::stored_real &r : u_.model.layout(*k_.asked.kinds[i]).reals)
+        for (const lower::stored_real &r : u_.kind(k_.asked.kinds[i]->name).reals)
           inputs.push_back(c_operand(k_.asked.names[i]) + "->" + path_identifier(r.path));
       return function("", "", f_.from_stored, inputs);
     }
@@ -77,7 +77,7 @@ private:
                        const std::vector<std::string> &inputs) const {
     const auto result = [&](std::size_t i, const std::string &value) {
       return is_number() ? fmt::format("return {};", value)
-                         : fmt::format("B.{} = {};", blade_field(u_.model.working(), f_.result[i]), value);
+                         : fmt::format("B.{} = {};", blade_field(f_.result_names[i]), value);
     };
     const std::string code = c_body(
         p, n_, [&](int i) { return inputs[static_cast<std::size_t>(i)]; }, result);
@@ -91,9 +91,9 @@ private:
       return out + rest + code + "}\n";
     out += fmt::format("  {} B;\n", type()) + rest + code;
     if (f_.result_kind)
-      for (const algebra::blade b : lower::support(u_.model, *f_.result_kind))
-        if (std::find(f_.result.begin(), f_.result.end(), b) == f_.result.end())
-          out += fmt::format("  B.{} = 0;\n", blade_field(u_.model.working(), b));
+      for (const lower::basis_blade &b : u_.kind(f_.result_kind->name).blades)
+        if (std::find(f_.result_names.begin(), f_.result_names.end(), b) == f_.result_names.end())
+          out += fmt::format("  B.{} = 0;\n", blade_field(b));
     return out + "  return B;\n}\n";
   }
 };

@@ -14,23 +14,22 @@ std::string type_of(const unit &u, const std::string &field_type, const c_number
   return field_type == "real" ? n.type : c_name(u, field_type, n);
 }
 
-std::string stored_struct(const unit &u, const lang::kind &k, const c_number &n) {
+std::string stored_struct(const unit &u, const lower::lowered_kind &k, const c_number &n) {
   std::string out;
-  for (const lang::field &f : k.store)
+  for (const lang::field &f : k.fields)
     out += fmt::format("  {} {};\n", type_of(u, f.type, n), identifier(f.name));
   return fmt::format("typedef struct {{\n{}}} {};\n", out, c_name(u, k.name, n));
 }
 
-std::string blade_struct(const unit &u, const lang::kind &k, const c_number &n) {
+std::string blade_struct(const unit &u, const lower::lowered_kind &k, const c_number &n) {
   std::vector<std::string> fields;
-  for (const algebra::blade b : lower::support(u.model, k))
-    fields.push_back(blade_field(u.model.working(), b));
+  for (const lower::basis_blade &b : k.blades)
+    fields.push_back(blade_field(b));
   return fmt::format("typedef struct {{\n  {} {};\n}} {};\n", n.type, join(fields, ", "),
                      c_name(u, k.name + "_blade", n));
 }
 
-std::string maker(const unit &u, const lang::kind &k, const lower::blade_maker &m, const c_number &n) {
-  const std::vector<algebra::blade> blades = lower::support(u.model, k);
+std::string maker(const unit &u, const lower::lowered_kind &k, const lower::blade_maker &m, const c_number &n) {
   const std::string blade = c_name(u, k.name + "_blade", n);
   std::vector<std::string> parameters;
   if (m.name.empty())
@@ -47,7 +46,7 @@ std::string maker(const unit &u, const lang::kind &k, const lower::blade_maker &
     return dot == std::string::npos ? path : path.substr(0, dot) + "->" + path.substr(dot + 1);
   };
   const std::string code = c_body(m.code, n, input, [&](std::size_t i, const std::string &value) {
-    return fmt::format("B.{} = {};", blade_field(u.model.working(), blades[i]), value);
+    return fmt::format("B.{} = {};", blade_field(k.blades[i]), value);
   });
   const std::string name = m.name.empty() ? "blade_of_" + k.name : k.name + "_from_" + m.name;
   return fmt::format("static inline {} {}({}) {{\n  MEETC_{}_{}_AS_WRITTEN\n  {} B;\n{}  return B;\n}}\n", blade,
@@ -58,28 +57,27 @@ std::string maker(const unit &u, const lang::kind &k, const lower::blade_maker &
 } // namespace
 
 std::string c_kinds(const unit &u) {
-  const auto blades = blades_of(u);
   std::string out = fmt::format("static inline int {}_sign_of(double v) {{ return (v > 0) - (v < 0); }}\n\n",
                                 identifier(u.scene.space));
-  for (const lang::kind *k : kinds_of(u)) {
-    out += fmt::format("/* {}: as it is stored, {} numbers. */\n", k->name, u.model.layout(*k).reals.size());
+  for (const lower::lowered_kind &k : u.kinds) {
+    out += fmt::format("/* {}: as it is stored, {} numbers. */\n", k.name, k.reals.size());
     for (const c_number &n : c_numbers)
-      out += stored_struct(u, *k, n);
+      out += stored_struct(u, k, n);
     out += fmt::format(
         "/* Whether all numbers are finite and the kind's rule holds: what predicates take for granted. */\n"
         "bool {}_valid_{}(const {} *k);\n\n",
-        identifier(u.scene.space), identifier(k->name), c_name(u, k->name, c_numbers[1]));
+        identifier(u.scene.space), identifier(k.name), c_name(u, k.name, c_numbers[1]));
   }
-  for (const lang::kind *k : kinds_of(u)) {
-    if (!blades.count(k))
+  for (const lower::lowered_kind &k : u.kinds) {
+    if (!k.has_blade())
       continue;
-    out += fmt::format("/* The blade of a {}, and how it is made from what is stored. */\n", k->name);
+    out += fmt::format("/* The blade of a {}, and how it is made from what is stored. */\n", k.name);
     for (const c_number &n : c_numbers)
-      out += blade_struct(u, *k, n);
-    for (const lower::blade_maker &m : u.makers.at(k)) {
+      out += blade_struct(u, k, n);
+    for (const lower::blade_maker &m : k.makers) {
       out += fmt::format("/* {}. */\n", count_text(ir::count(m.code.nodes, m.code.results)));
       for (const c_number &n : c_numbers)
-        out += maker(u, *k, m, n);
+        out += maker(u, k, m, n);
     }
     out += '\n';
   }

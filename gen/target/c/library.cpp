@@ -37,9 +37,9 @@ std::string c_library(const unit &u) {
                                 "  static_assert(sizeof(T) == sizeof(C));\n  return std::bit_cast<T>(*k);\n}}\n\n"
                                 "}} // namespace\n\nextern \"C\" {{\n\n",
                                 space);
-  for (const lang::kind *k : kinds_of(u))
+  for (const lower::lowered_kind &k : u.kinds)
     out += fmt::format("bool {0}_valid_{1}(const {2} *k) {{\n  return {0}::valid(of<{0}::{1}<float>>(k));\n}}\n", space,
-                       identifier(k->name), c_name(u, k->name, c_numbers[1]));
+                       identifier(k.name), c_name(u, k.name, c_numbers[1]));
   out += '\n';
   for (const lower::kernel &k : u.kernels) {
     if (!k.is_predicate)

@@ -1,5 +1,7 @@
 #include "gen/target/cpp/bytecode.hpp"
 
+#include "gen/ir/fold.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -8,28 +10,58 @@
 
 namespace meetc::target {
 namespace {
-using ir::node;
 using ir::node_id;
-using ir::op;
+using ir::place;
 
-// Registers are taken again once the value in them has been read for the last time.
+// A value, and the register that holds it.
+struct held {
+  node_id id;
+  int in;
+};
+
+// The domain of the fold that writes instructions. A register is taken again once the value in it has been read for the
+// last time.
 class scheduler {
 public:
-  scheduler(const ir::program &p, int inputs) : p_(p), register_count_(inputs) {
-    const std::vector<node_id> order = ir::needed(p.nodes, p.results);
-    for (const node_id id : order)
-      for (const node_id operand : operands(id))
+  using value = held;
+
+  scheduler(const ir::program &p, int inputs) : results_(p.results), register_count_(inputs) {
+    for (const node_id id : ir::needed(p.nodes, p.results))
+      for (const node_id operand : ir::operands(p.nodes.at(id)))
         ++readers_[operand];
     for (const node_id r : p.results)
       ++readers_[r];
-    for (const node_id id : order) {
-      compute(id);
-      for (std::size_t i = 0; i < p.results.size(); ++i)
-        if (p.results[i] == id) {
-          add("take_sign", static_cast<int>(i), held_in_.at(id), 0);
-          read(id);
-        }
-    }
+  }
+
+  // ---- the domain ----
+  value input(const place &at, int number) { return made(at, number, {}); }
+  value constant(const place &at, const ir::rational &q) {
+    const mpz_class z = abs(q.get_num()); // an integer of at most 53 bits
+    const unsigned long v = z.get_ui();
+    const int r = take();
+    add("constant", r, static_cast<int>(v & 0xffff), static_cast<int>(v >> 16 & 0xffff));
+    if (v >> 32)
+      add("raise", r, static_cast<int>(v >> 32 & 0xffff), static_cast<int>(v >> 48));
+    if (q < 0)
+      add("negate", r, r, 0);
+    return made(at, r, {});
+  }
+  value negate(const place &at, const value &x) {
+    const int r = take();
+    add("negate", r, x.in, 0);
+    return made(at, r, {x});
+  }
+  value add(const place &at, const value &x, const value &y) { return made(at, combine("add", x, y), {x, y}); }
+  value subtract(const place &at, const value &x, const value &y) {
+    return made(at, combine("subtract", x, y), {x, y});
+  }
+  value multiply(const place &at, const value &x, const value &y) {
+    return made(at, combine("multiply", x, y), {x, y});
+  }
+  value fused(const place &at, const value &x, const value &y, const value &z) {
+    const int r = combine("multiply", x, y);
+    add("add", r, r, z.in);
+    return made(at, r, {x, y, z});
   }
 
   std::string text() const {
@@ -51,21 +83,12 @@ public:
   }
 
 private:
-  const ir::program &p_;
+  const std::vector<node_id> &results_;
   int register_count_;
   std::set<int> free_;
-  std::map<node_id, int> readers_, held_in_;
+  std::map<node_id, int> readers_;
   std::vector<std::string> code_;
 
-  std::vector<node_id> operands(node_id id) const {
-    const node &n = p_.nodes.at(id);
-    std::vector<node_id> out;
-    if (n.kind != op::input && n.kind != op::constant)
-      for (const node_id operand : {n.a, n.b, n.c})
-        if (operand >= 0)
-          out.push_back(operand);
-    return out;
-  }
   void add(const char *kind, int r, int a, int b) {
     if (std::max({r, a, b}) > 0xffff)
       throw std::logic_error("a stage has too many values");
@@ -78,57 +101,34 @@ private:
     free_.erase(free_.begin());
     return p;
   }
-  void read(node_id id) {
-    if (--readers_[id] == 0)
-      free_.insert(held_in_.at(id));
-  }
-  void compute(node_id id) {
-    const node &n = p_.nodes.at(id);
-    if (n.kind == op::input) {
-      held_in_[id] = n.a;
-      return;
-    }
+  int combine(const char *kind, const value &x, const value &y) {
     const int r = take();
-    const auto at = [&](node_id operand) { return held_in_.at(operand); };
-    switch (n.kind) {
-    case op::input:
-      break;
-    case op::constant: {
-      const mpz_class z = abs(p_.nodes.value(id).get_num()); // an integer of at most 53 bits
-      const unsigned long v = z.get_ui();
-      add("constant", r, static_cast<int>(v & 0xffff), static_cast<int>(v >> 16 & 0xffff));
-      if (v >> 32)
-        add("raise", r, static_cast<int>(v >> 32 & 0xffff), static_cast<int>(v >> 48));
-      if (p_.nodes.value(id) < 0)
-        add("negate", r, r, 0);
-      break;
-    }
-    case op::negate:
-      add("negate", r, at(n.a), 0);
-      break;
-    case op::add:
-      add("add", r, at(n.a), at(n.b));
-      break;
-    case op::subtract:
-      add("subtract", r, at(n.a), at(n.b));
-      break;
-    case op::multiply:
-      add("multiply", r, at(n.a), at(n.b));
-      break;
-    case op::fused:
-      add("multiply", r, at(n.a), at(n.b));
-      add("add", r, r, at(n.c));
-      break;
-    }
-    held_in_[id] = r;
-    for (const node_id operand : operands(id))
-      read(operand);
+    add(kind, r, x.in, y.in);
+    return r;
+  }
+  void read(const value &x) {
+    if (--readers_[x.id] == 0)
+      free_.insert(x.in);
+  }
+  // The value of this place, made from `operands`; where it is a result, its sign is taken at once.
+  value made(const place &at, int r, std::initializer_list<value> operands) {
+    const value out{at.id, r};
+    for (const value &x : operands)
+      read(x);
+    for (std::size_t i = 0; i < results_.size(); ++i)
+      if (results_[i] == at.id) {
+        add("take_sign", static_cast<int>(i), r, 0);
+        read(out);
+      }
+    return out;
   }
 };
 } // namespace
 
 std::string bytecode_text(const ir::program &p, int inputs) {
-  return scheduler(p, inputs).text();
+  scheduler s(p, inputs);
+  ir::fold(p, s);
+  return s.text();
 }
 
 } // namespace meetc::target

@@ -2,27 +2,30 @@
 #pragma once
 #include "gen/target/target.hpp"
 
-#include <set>
-
 namespace meetc::target {
 
 std::string banner(const lang::scene &s, const std::string &what, const char *comment = "//");
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes = {},
                         const std::vector<std::string> &kernel_headers = {});
 std::string close_header(const lang::scene &s);
+// Long lines of code broken after commas.
+std::string broken_lines(const std::string &text);
 
+// The structs of all kinds.
+std::string kinds_header(const unit &u);
+// What the header of a formula has inside its namespace.
+std::string formula_header(const unit &u, const lower::kernel &k);
 // The header of a kernel that is made of signs, after its banner.
 std::string kernel_header(const unit &u, std::size_t kernel);
 // What the generated library compiles, for those who have headers alone.
 std::string header_only(const unit &u);
 
 std::vector<const lower::kernel *> predicates_of(const unit &u);
-// All kinds that stored operands, results and constructors of the kernels need, each after those that it holds.
-std::vector<const lang::kind *> kinds_of(const unit &u);
-// The kinds whose blades formulas read or give.
-std::set<const lang::kind *> blades_of(const unit &u);
-// The kinds that predicates take.
-std::vector<const lang::kind *> element_kinds(const unit &u);
+// The kinds that predicates take, in the spec's order.
+std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
+// The place of a kernel's operand among them.
+std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
+                          std::size_t operand);
 std::string shapes_header(const unit &u);
 
 // The table of kinds and predicates through which a runtime knows this namespace.
@@ -33,8 +36,6 @@ std::string runtime_source(const unit &u);
 std::string cpp_text(const unit &u, std::size_t kernel);
 // Headers and the runtime table.
 std::vector<file> cpp_files(const unit &u);
-// Long lines of code broken after commas.
-std::string broken_lines(const std::string &text);
 
 // The kernel headers, as the generator was built with them.
 std::vector<file> kernel_headers();

@@ -168,8 +168,8 @@ std::string path_identifier(const std::string &path) {
   return out;
 }
 
-std::string blade_field(const algebra::metric &m, algebra::blade b) {
-  return b == 0 ? "scalar" : identifier(m.name(b, "_"));
+std::string blade_field(const lower::basis_blade &b) {
+  return b.is_scalar() ? "scalar" : identifier(join(b.vectors, "_"));
 }
 
 std::string kernel_function(const lower::request &r) {

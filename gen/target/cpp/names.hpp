@@ -11,7 +11,7 @@ std::string identifier(const std::string &name);
 // "c.x" with each part mangled.
 std::string path_identifier(const std::string &path);
 // The field of a blade: "e1_n"; the scalar's is "scalar".
-std::string blade_field(const algebra::metric &m, algebra::blade b);
+std::string blade_field(const lower::basis_blade &b);
 // A function's or struct's name for a kernel.
 std::string kernel_function(const lower::request &r);
 // Whether a number obeys a kind's rule, as C++ on its bits.

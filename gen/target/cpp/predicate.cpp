@@ -41,11 +41,11 @@ constexpr const char *plain_comment =
 std::string library_functions(const emitted_predicate &p, const char *type) {
   constexpr const char *rows = "(const float *row_a, const float *row_b);\n";
   std::string out;
-  if (p.of.asks("certified"))
+  if (p.of.asks(lang::rung::certified))
     out += fmt::format("  static {} after_fp32{}", type, rows);
-  else if (p.of.asks("exact"))
+  else if (p.of.asks(lang::rung::exact))
     out += fmt::format("  static {} exactly{}", type, rows);
-  if (p.has_rare() && p.of.asks("certified"))
+  if (p.has_rare() && p.of.asks(lang::rung::certified))
     out += fmt::format("  static meetc::answer whole_filter{}", rows);
   if (p.has_rare() && p.asks_plain())
     out += fmt::format("  template <class T> static bool whole_plain{}", rows);
@@ -150,9 +150,9 @@ std::string sign_text(const unit &u, std::size_t number) {
         fmt::format("\n// {}\n{}MEETC_HD inline meetc::sign {}{}(const {}<float> &{}, const {}<float> &{}) {{\n{}}}\n",
                     comment, head, kernel_function(p.kernel.asked), suffix, p.kind_a, p.a, p.kind_b, p.b, body);
   };
-  if (u.asks("certified"))
+  if (u.asks(lang::rung::certified))
     function(certified_comment, "", "", fmt::format("  return meetc::sign_certified<{}>({}, {});\n", p.name, p.a, p.b));
-  else if (u.asks("exact"))
+  else if (u.asks(lang::rung::exact))
     function(exact_comment, "", "", fmt::format("  return meetc::sign_exact<{}>({}, {});\n", p.name, p.a, p.b));
   if (p.asks_plain())
     function(plain_comment, "template <class T> ", "_plain",
@@ -179,11 +179,11 @@ std::string predicate_text(const unit &u, std::size_t number) {
                        "    return meetc::{}({}, {});\n  }}\n",
                        comment, head, type, function, p.kind_a, p.a, p.kind_b, p.b, body, p.a, p.b);
   };
-  if (u.asks("certified")) {
+  if (u.asks(lang::rung::certified)) {
     method(certified_comment, "", "bool", "hit", fmt::format("hit_certified<{}>", p.name));
     method("The first rung alone, in fp32: no and yes are proved for valid operands.", "", "meetc::answer", "filter",
            fmt::format("filter_fp32<{}>", p.name));
-  } else if (u.asks("exact")) {
+  } else if (u.asks(lang::rung::exact)) {
     method(exact_comment, "", "bool", "hit", fmt::format("hit_exact<{}>", p.name));
   }
   if (p.asks_plain())

@@ -29,7 +29,7 @@ struct emitted_predicate {
   emitted_predicate(const unit &u, std::size_t number);
   const emitted_stage *stage(const std::string &which) const; // null where it is not there
   bool has_rare() const { return stage("rare") != nullptr; }
-  bool asks_plain() const { return of.asks("fp32") || of.asks("fp64") || of.asks("fp64x2"); }
+  bool asks_plain() const { return of.asks_plain(); }
   bool of_scene(const lower::sub_decision &c) const;
   std::string input(int i) const; // "A.c.y"
   // Declarations of the operands that a text mentions, read from the rows row_a and row_b of the type T.

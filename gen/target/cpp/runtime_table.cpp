@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <set>
 
 namespace meetc::target {
 
@@ -19,26 +18,31 @@ std::vector<const lower::kernel *> predicates_of(const unit &u) {
   return out;
 }
 
-std::vector<const lang::kind *> element_kinds(const unit &u) {
-  std::vector<const lang::kind *> out;
-  for (const lang::kind &k : u.model.spec().kinds)
-    for (const lower::kernel *p : predicates_of(u))
-      if (std::find(p->asked.kinds.begin(), p->asked.kinds.end(), &k) != p->asked.kinds.end()) {
-        out.push_back(&k);
-        break;
-      }
+std::vector<const lower::lowered_kind *> element_kinds(const unit &u) {
+  std::vector<const lower::lowered_kind *> out;
+  for (const lower::lowered_kind &k : u.kinds)
+    if (k.is_element)
+      out.push_back(&k);
+  std::sort(out.begin(), out.end(), [](const auto *x, const auto *y) { return x->declared < y->declared; });
   return out;
+}
+
+std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
+                          std::size_t operand) {
+  const auto at = std::find_if(elements.begin(), elements.end(),
+                               [&](const auto *e) { return e->name == k.asked.kinds[operand]->name; });
+  return static_cast<std::size_t>(at - elements.begin());
 }
 
 namespace {
 
 // The CSV header: axes alone where there is one point, numbered where there are more.
-std::string csv_names(const lower::kind_layout &layout) {
+std::string csv_names(const lower::lowered_kind &k) {
   std::vector<std::string> names;
-  for (const lower::stored_real &r : layout.reals) {
+  for (const lower::stored_real &r : k.reals) {
     const std::string last = r.path.substr(r.path.find_last_of('.') + 1);
     if (r.position)
-      names.push_back(layout.points > 1 ? last + std::to_string(r.group) : last);
+      names.push_back(k.points > 1 ? last + std::to_string(r.group) : last);
     else
       names.push_back(r.group < 0 ? last : r.path);
   }
@@ -48,21 +52,21 @@ std::string csv_names(const lower::kind_layout &layout) {
 }
 
 // What each stored number is, for moving it.
-std::vector<std::string> roles_of(const unit &u, const lang::kind &k, const lower::enclosure &e) {
+std::vector<std::string> roles_of(const lower::lowered_kind &k) {
   std::vector<std::string> roles;
   int i = 0;
-  for (const lower::stored_real &r : u.model.layout(k).reals) {
+  for (const lower::stored_real &r : k.reals) {
     static const char *const axes[] = {"x", "y", "z"};
     roles.push_back(fmt::format("meetc::role::{}", r.position && r.axis < 3 ? axes[r.axis]
-                                                   : i == e.pad             ? "length"
+                                                   : i == k.enclosed->pad   ? "length"
                                                                             : "other"));
     ++i;
   }
   return roles;
 }
 
-std::string shape_text(const lower::enclosure &e, const std::string &name, const std::vector<std::string> &roles) {
-  const std::size_t fields = roles.size();
+std::string shape_text(const lower::lowered_kind &k) {
+  const lower::enclosure &e = *k.enclosed;
   std::string places, box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::string lo, hi;
@@ -87,28 +91,20 @@ std::string shape_text(const lower::enclosure &e, const std::string &name, const
                      "  MEETC_HD static constexpr meetc::role role_of(int field) {{\n"
                      "    constexpr meetc::role all[] = {{{}}};\n    return all[field];\n  }}\n"
                      "  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {{\n{}  }}\n}};\n\n",
-                     name, fields, e.hull.size(), e.pad, places, join(roles, ", "), box);
+                     identifier(k.name), k.reals.size(), e.hull.size(), e.pad, places, join(roles_of(k), ", "), box);
 }
 
-lower::enclosure bounded(const unit &u, const lang::kind &k) {
-  lower::enclosure e = lower::enclosing(u.model, k);
-  if (e.hull.empty())
-    throw spec_error(k.where, fmt::format("kind '{}' stands in a predicate and so needs a 'hull'", k.name));
-  return e;
+std::string kind_entry(const lower::lowered_kind &k, int stored) {
+  const bool points_only = std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
+  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, {}}},\n", k.name, csv_names(k),
+                     k.reals.size(), identifier(k.name), points_only ? k.points : 0, identifier(k.name),
+                     k.enclosed->rule_input >= 0 ? identifier(k.name) + "_fault" : "nullptr", stored);
 }
 
-std::string kind_entry(const unit &u, const lang::kind &k, const lower::enclosure &e, int stored) {
-  const lower::kind_layout layout = u.model.layout(k);
-  const bool points_only =
-      std::all_of(layout.reals.begin(), layout.reals.end(), [](const auto &r) { return r.position; });
-  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, {}}},\n", k.name, csv_names(layout),
-                     layout.reals.size(), identifier(k.name), points_only ? layout.points : 0, identifier(k.name),
-                     e.rule_input >= 0 ? identifier(k.name) + "_fault" : "nullptr", stored);
-}
-
-std::string kind_functions(const unit &u, const lang::kind &k, const lower::enclosure &e) {
+std::string kind_functions(const lower::lowered_kind &k) {
+  const lower::enclosure &e = *k.enclosed;
   const std::string name = identifier(k.name);
-  std::string out = fmt::format("const meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(u, k, e), ", "));
+  std::string out = fmt::format("const meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(k), ", "));
   if (e.rule_input >= 0)
     out += fmt::format("const char *{}_fault(const float *row) {{ return {} ? nullptr : \"{}\"; }}\n", name,
                        rule_test(e, fmt::format("row[{}]", e.rule_input)), e.rule_text);
@@ -129,10 +125,8 @@ std::string shapes_header(const unit &u) {
       open_header(u.scene, "file_shapes") +
       "// place(): where the row holds a coordinate of a point of the hull; -1: it is 0. pad: where it holds the\n"
       "// radius around the hull; -1: there is none. box(): never too small, where subnormals are not flushed.\n\n";
-  for (const lang::kind *k : element_kinds(u)) {
-    const lower::enclosure e = bounded(u, *k);
-    out += shape_text(e, identifier(k->name), roles_of(u, *k, e));
-  }
+  for (const lower::lowered_kind *k : element_kinds(u))
+    out += shape_text(*k);
   out.pop_back();
   return out + close_header(u.scene);
 }
@@ -161,22 +155,18 @@ std::string runtime_source(const unit &u) {
   const auto kinds = element_kinds(u);
   const stored_numbers stored = number_stored(u);
   std::string entries, functions;
-  for (const lang::kind *k : kinds) {
-    const lower::enclosure e = bounded(u, *k);
-    functions += kind_functions(u, *k, e);
-    const auto count = stored.count.find(k);
-    entries += kind_entry(u, *k, e, count == stored.count.end() ? 0 : count->second);
+  for (const lower::lowered_kind *k : kinds) {
+    functions += kind_functions(*k);
+    const auto count = stored.count.find(k->name);
+    entries += kind_entry(*k, count == stored.count.end() ? 0 : count->second);
   }
   if (!kinds.empty())
     out += functions + "const meetc::kind_info all_kinds[] = {\n" + entries + "};\n\n";
   std::string rows;
   for (const lower::kernel *k : predicates_of(u)) {
-    const auto place = [&](std::size_t i) {
-      return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
-    };
     const auto [a, b] = stored.of.at(k);
-    rows += fmt::format("    detail::{}(&all_kinds[{}], &all_kinds[{}], {}, {}),\n", info_function(*k), place(0),
-                        place(1), a, b);
+    rows += fmt::format("    detail::{}(&all_kinds[{}], &all_kinds[{}], {}, {}),\n", info_function(*k),
+                        element_place(kinds, *k, 0), element_place(kinds, *k, 1), a, b);
   }
   if (!rows.empty())
     rows = "  static const meetc::predicate_info all_predicates[] = {\n" + rows + "  };\n";

@@ -23,9 +23,9 @@ std::string predicate_source(const emitted_predicate &p) {
       out += fmt::format("template bool {}::whole_plain<{}>(const float *, const float *);\n", p.name, type);
   if (!p.kernel.is_sign) {
     std::string rungs;
-    for (const char *r : {"fp32", "fp64", "fp64x2", "exact", "certified"})
-      if (p.of.asks(r))
-        rungs += fmt::format("{}meetc::rung::{}", rungs.empty() ? "" : ", ", r);
+    for (const lang::rung_info &r : lang::rungs)
+      if (p.of.asks(r.id))
+        rungs += fmt::format("{}meetc::rung::{}", rungs.empty() ? "" : ", ", r.name);
     out += fmt::format("\nnamespace detail {{\nmeetc::predicate_info {0}(const meetc::kind_info *a, const "
                        "meetc::kind_info *b, int number_a,\n"
                        "    int number_b) {{\n"

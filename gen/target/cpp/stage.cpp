@@ -145,11 +145,11 @@ std::string out_of_line(const emitted_predicate &p, const std::string &head) {
     out += fmt::format("{}{} {}::{}{} {{\n  return meetc::{}(row_a, row_b);\n}}\n", head, result, p.name, name, rows,
                        call);
   };
-  if (p.of.asks("certified"))
+  if (p.of.asks(lang::rung::certified))
     define(type, "after_fp32", fmt::format("decide_rest{}<{}>", of, p.name));
-  else if (p.of.asks("exact"))
+  else if (p.of.asks(lang::rung::exact))
     define(type, "exactly", fmt::format("decide_exactly{}<{}>", of, p.name));
-  if (p.has_rare() && p.of.asks("certified"))
+  if (p.has_rare() && p.of.asks(lang::rung::certified))
     define("meetc::answer", "whole_filter", fmt::format("certify<{}, meetc::in_fp32>", p.name));
   if (p.has_rare() && p.asks_plain())
     out += fmt::format("template <class T> bool {0}::whole_plain{1} {{\n"

@@ -39,14 +39,14 @@ std::string stored_text(const emitted_predicate &p, int operand) {
 
 stored_numbers number_stored(const unit &u) {
   stored_numbers out;
-  std::map<const lang::kind *, std::map<std::string, int>> known;
+  std::map<std::string, std::map<std::string, int>> known; // by kind
   for (std::size_t i = 0; i < u.kernels.size(); ++i) {
     const lower::kernel &k = u.kernels[i];
     if (!k.is_predicate || k.is_sign)
       continue;
     const emitted_predicate p(u, i);
     for (int operand = 0; operand < 2; ++operand) {
-      const lang::kind *kind = k.asked.kinds[static_cast<std::size_t>(operand)];
+      const std::string &kind = k.asked.kinds[static_cast<std::size_t>(operand)]->name;
       int &number = out.of[&k][static_cast<std::size_t>(operand)] = -1;
       if (const std::string text = stored_text(p, operand); !text.empty())
         number = known[kind].try_emplace(text, static_cast<int>(known[kind].size())).first->second;

@@ -6,7 +6,7 @@ namespace meetc::target {
 
 struct stored_numbers {
   std::map<const lower::kernel *, std::array<int, 2>> of; // by predicate and operand; -1: nothing is stored
-  std::map<const lang::kind *, int> count;                // how many different ones a kind has
+  std::map<std::string, int> count;                       // by kind: how many different ones a kind has
 };
 stored_numbers number_stored(const unit &u);
 

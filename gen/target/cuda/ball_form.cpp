@@ -38,7 +38,7 @@ std::string ball_form_header(const unit &u) {
     return fmt::format("  static constexpr float {} = {};\n", name, hex_literal(value.value(), "f"));
   };
   out += fmt::format("  // The filter in half precision{}: with |input| <= largest_input, and the margin\n",
-                     u.asks("certified") ? " (proofs/ball_filter.gappa)" : "") +
+                     u.asks(lang::rung::certified) ? " (proofs/ball_filter.gappa)" : "") +
          "  //   m = margin_square * sum f_k^2 + margin_additive * |f| + margin_linear * sum |f_k| + margin_absolute\n"
          "  // subtracted from f, and likewise from g, the computed sum of balls that touch is negative.\n";
   out += constant("largest_input", bound::matrix_input) + constant("additive_unit", bound::matrix_unit) +

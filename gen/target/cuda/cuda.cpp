@@ -7,20 +7,17 @@
 #include "gen/target/cpp/stored.hpp"
 #include "gen/target/gappa/gappa.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace meetc::target {
 namespace {
 
-constexpr const char *all_rungs[] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
-
 // The rungs that the scene asks for, as a constant for the launchers' templates.
 std::string rungs_constant(const unit &u) {
   std::string bits;
-  for (const char *r : all_rungs)
-    if (u.asks(r))
-      bits += fmt::format("{}1U << static_cast<int>(meetc::rung::{})", bits.empty() ? "" : " |\n    ", r);
+  for (const lang::rung_info &r : lang::rungs)
+    if (u.asks(r.id))
+      bits += fmt::format("{}1U << static_cast<int>(meetc::rung::{})", bits.empty() ? "" : " |\n    ", r.name);
   return fmt::format("inline constexpr unsigned rungs = {};\n", bits.empty() ? "0" : bits);
 }
 
@@ -35,17 +32,17 @@ constexpr const char *run_parameters =
     "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b,\n"
     "    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure, cudaStream_t stream)";
 
-std::string shape_of(const lang::kind &k) {
-  return identifier(k.name) + "_shape";
+std::string shape_of(const std::string &kind) {
+  return identifier(kind) + "_shape";
 }
 
 std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
   std::string out = "namespace {\n\nusing form = ball_form;\n\nconst meetc::cuda::kind_launchers all_kinds[] = {\n";
-  for (const lang::kind *k : kinds)
+  for (const lower::lowered_kind *k : kinds)
     out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::place<{1}>, meetc::cuda::enclose<{1}>, "
                        "meetc::cuda::columns<{1}, form>}},\n",
-                       k->name, shape_of(*k));
+                       k->name, shape_of(k->name));
   out += "};\n\n"
          "// A query with the predicate at this place of the catalogue.\n"
          "template <int Place> cudaError_t pairs(const meetc::cuda::query &q, cudaStream_t stream) {\n"
@@ -57,13 +54,11 @@ std::string catalogue_text(const unit &u) {
   int count = 0;
   const stored_numbers stored = number_stored(u);
   for (const lower::kernel *k : predicates_of(u)) {
-    const auto place = [&](std::size_t i) {
-      return std::find(kinds.begin(), kinds.end(), k->asked.kinds[i]) - kinds.begin();
-    };
     const auto [a, b] = stored.of.at(k);
     out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {3}::stored_a({5}), "
                        "{3}::stored_b({6})}},\n",
-                       k->asked.asked->name, place(0), place(1), identifier(k->asked.asked->name), count, a, b);
+                       k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1),
+                       identifier(k->asked.asked->name), count, a, b);
     ++count;
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
@@ -89,7 +84,7 @@ std::string cuda_header(const unit &u) {
       "// Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), "
       "which may\n"
       "// answer unsure. An unknown rung gives cudaErrorInvalidValue.\n";
-  if (u.asks("certified"))
+  if (u.asks(lang::rung::certified))
     out += "// Bits of meetc::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds "
            "assume. Once a\n"
            "// process is enough, before the first certified answer is relied upon.\n"
@@ -99,7 +94,7 @@ std::string cuda_header(const unit &u) {
          "see\n// meetc::cuda::predicate_launchers.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
-    if (u.asks("certified"))
+    if (u.asks(lang::rung::certified))
       out += fmt::format("  static cudaError_t certify{};\n", parameters);
     out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n"
                        "  static meetc::cuda::stored_launcher stored_a(int number);\n"
@@ -118,7 +113,7 @@ std::string cuda_catalogue(const unit &u) {
                      "namespace {0} {{\nnamespace cuda {{\n\n",
                      space);
   out += catalogue_text(u);
-  if (u.asks("certified"))
+  if (u.asks(lang::rung::certified))
     out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) {\n"
            "  return meetc::launch_self_test(faults, stream);\n}\n";
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
@@ -131,11 +126,11 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
                      "#include <meetc/cuda_steps.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space, k.asked.name());
   const std::string predicate = fmt::format("::{}::{}", space, name);
-  const std::string shapes = shape_of(*k.asked.kinds[0]) + ", " + shape_of(*k.asked.kinds[1]);
+  const std::string shapes = shape_of(k.asked.kinds[0]->name) + ", " + shape_of(k.asked.kinds[1]->name);
   out += fmt::format("cudaError_t {0}::decide{2} {{\n"
                      "  return meetc::cuda::decide_rows<{1}, rungs>(rung, a, b, pairs, n, out, stream);\n}}\n",
                      name, predicate, parameters);
-  if (u.asks("certified"))
+  if (u.asks(lang::rung::certified))
     out += fmt::format("cudaError_t {0}::certify{2} {{\n"
                        "  return meetc::cuda::certify_rows<{1}>(rung, a, b, pairs, n, out, stream);\n}}\n",
                        name, predicate, parameters);

@@ -59,7 +59,7 @@ std::string json(const unit &u, std::size_t kernel) {
   const lower::declared_formula &f = *all.declared;
   std::vector<std::string> blades, sums;
   for (std::size_t i = 0; i < f.blades.size(); ++i)
-    blades.push_back(fmt::format("    \"{}\": {}", u.model.declared().name(f.blades[i]), json_poly(f.values[i])));
+    blades.push_back(fmt::format("    \"{}\": {}", f.blades[i].text(), json_poly(f.values[i])));
   for (const lower::separated &s : all.declared_separated)
     sums.push_back(fmt::format("    \"{}\": {}", s.label, json_separation(s.parts)));
   const std::string separated = sums.empty() ? "" : fmt::format(",\n  \"separate\": {{\n{}\n  }}", join(sums, ",\n"));

@@ -13,20 +13,18 @@ std::string latex_name(const std::string &name) {
   return out;
 }
 
-std::string latex_blade(const algebra::metric &m, algebra::blade b) {
-  std::string out;
-  for (int i = 0; i < m.vectors(); ++i)
-    if (b >> i & 1) {
-      const std::string &n = m.names()[static_cast<std::size_t>(i)];
-      const std::size_t digits = n.find_first_of("0123456789");
-      std::string text = digits == std::string::npos || digits == 0
-                             ? n
-                             : fmt::format("{}_{{{}}}", n.substr(0, digits), n.substr(digits));
-      if (n.size() == 2 && n[1] == 'b')
-        text = fmt::format("\\bar{{{}}}", n[0]);
-      out += (out.empty() ? "" : " \\wedge ") + text;
-    }
-  return out.empty() ? "1" : out;
+std::string latex_blade(const lower::basis_blade &b) {
+  std::vector<std::string> factors;
+  for (const std::string &n : b.vectors) {
+    const std::size_t digits = n.find_first_of("0123456789");
+    if (n.size() == 2 && n[1] == 'b')
+      factors.push_back(fmt::format("\\bar{{{}}}", n[0]));
+    else if (digits == std::string::npos || digits == 0)
+      factors.push_back(n);
+    else
+      factors.push_back(fmt::format("{}_{{{}}}", n.substr(0, digits), n.substr(digits)));
+  }
+  return b.is_scalar() ? "1" : join(factors, " \\wedge ");
 }
 
 // "X.e1^e2" to X_{e_{1} \wedge e_{2}}.
@@ -65,14 +63,13 @@ std::string latex(const unit &u, std::size_t kernel) {
                            latex_poly(k.decision.signs.atoms()[static_cast<std::size_t>(a)], names));
     return out + "\\end{align*}\n";
   }
-  const algebra::metric &basis = u.model.declared();
   const lower::declared_formula &f = *u.shown[kernel].declared;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < f.supports.size(); ++i)
-    for (const algebra::blade b : f.supports[i])
-      names.push_back(fmt::format("{}_{{{}}}", latex_name(k.asked.names[i]), latex_blade(basis, b)));
+    for (const lower::basis_blade &b : f.supports[i])
+      names.push_back(fmt::format("{}_{{{}}}", latex_name(k.asked.names[i]), latex_blade(b)));
   for (std::size_t i = 0; i < f.blades.size(); ++i)
-    out += fmt::format("B_{{{}}} &= {} \\\\\n", latex_blade(basis, f.blades[i]), latex_poly(f.values[i], names));
+    out += fmt::format("B_{{{}}} &= {} \\\\\n", latex_blade(f.blades[i]), latex_poly(f.values[i], names));
   return out + fmt::format("B^2 &= {}\n\\end{{align*}}\n", latex_poly(f.norm2, names));
 }
 

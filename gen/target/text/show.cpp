@@ -34,7 +34,7 @@ std::string poly_text(const unit &u, std::size_t kernel) {
     return out;
   }
   for (std::size_t i = 0; i < k.value.result.size(); ++i)
-    out += fmt::format("{}: {}\n", u.model.working().name(k.value.result[i]), k.value.polynomials[i].text());
+    out += fmt::format("{}: {}\n", k.value.result_names[i].text(), k.value.polynomials[i].text());
   return out;
 }
 

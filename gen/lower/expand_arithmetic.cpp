@@ -1,0 +1,77 @@
+// Expansion of sums, products and quotients of multivectors, and the limits of what comes out.
+#include "gen/lower/expand.hpp"
+
+#include <fmt/format.h>
+
+namespace meetc::lower {
+namespace {
+using lang::op;
+
+// Limits that no spec which a person writes comes near; they turn a runaway spec into an error.
+constexpr std::size_t most_terms = 200'000;
+constexpr int most_degree = 100;
+constexpr std::size_t most_bits = 4096; // of a constant
+
+std::size_t length(const multivector &m) {
+  std::size_t terms = 0;
+  for (const auto &[at, c] : m.terms())
+    terms += c.length();
+  return terms;
+}
+
+} // namespace
+
+value expander::arithmetic(const lang::expr &e, const environment &env) {
+  const value a = evaluate(*e.args[0], env);
+  const auto *sa = std::get_if<sign_value>(&a.is);
+  if (e.kind == op::negate)
+    return sa ? value{-*sa} : value{blade_of(a, e.args[0]->where).scaled(-1)};
+  const value b = evaluate(*e.args[1], env);
+  const auto *sb = std::get_if<sign_value>(&b.is);
+  if (sa || sb) {
+    if (!sa || !sb || e.kind != op::multiply)
+      throw spec_error(e.where, fmt::format("{} and {}: signs only multiply with signs", describe(a), describe(b)));
+    return {*sa * *sb};
+  }
+  const multivector x = blade_of(a, e.args[0]->where), y = blade_of(b, e.args[1]->where);
+  if (e.kind == op::multiply || e.kind == op::outer || e.kind == op::inner)
+    charge(4 * x.terms().size() * y.terms().size() + length(x) * length(y) / 64, e.where);
+  multivector out;
+  switch (e.kind) {
+  case op::add:
+    out = x + y;
+    break;
+  case op::subtract:
+    out = x - y;
+    break;
+  case op::multiply:
+    out = algebra::geometric(*basis_, x, y);
+    break;
+  case op::outer:
+    out = algebra::outer(x, y);
+    break;
+  case op::inner:
+    out = algebra::inner(*basis_, x, y);
+    break;
+  default: {
+    const poly::poly divisor = scalar_of(y, e.args[1]->where);
+    if (divisor.is_zero() || !divisor.is_constant())
+      throw spec_error(e.args[1]->where, "only a number other than 0 divides");
+    out = x.scaled(1 / divisor.constant());
+  }
+  }
+  if (length(out) > most_terms)
+    throw spec_error(e.where, fmt::format("this expands to more than {} terms", most_terms));
+  for (const auto &[at, c] : out.terms()) {
+    if (c.total_degree() > most_degree)
+      throw spec_error(e.where, fmt::format("this is of a degree above {}", most_degree));
+    if (c.is_constant()) {
+      const rational q = c.constant();
+      if (mpz_sizeinbase(q.get_num_mpz_t(), 2) + mpz_sizeinbase(q.get_den_mpz_t(), 2) > most_bits)
+        throw spec_error(e.where, fmt::format("this number has more than {} bits", most_bits));
+    }
+  }
+  return {out};
+}
+
+} // namespace meetc::lower

@@ -1,0 +1,101 @@
+// A formula as functions on blades and on what is stored.
+#include "gen/target/cpp/body.hpp"
+#include "gen/target/cpp/cpp.hpp"
+#include "gen/target/cpp/names.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace meetc::target {
+namespace {
+
+// Marks an operand that nothing reads, so that no compiler warns of it.
+std::string unused_mark(const std::string &body, const std::string &name) {
+  return body.find(name + '.') == std::string::npos ? "[[maybe_unused]] " : "";
+}
+
+} // namespace
+
+std::string formula_header(const unit &u, const lower::kernel &k) {
+  const lower::formula &f = k.value;
+  const bool number = f.is_number();
+  std::string out;
+  if (!number && !f.result_kind) {
+    std::vector<std::string> fields;
+    for (const lower::basis_blade &b : f.result_names)
+      fields.push_back(blade_field(b));
+    out += fmt::format("template <class T = float> struct {}_result {{\n  T {};\n}};\n\n", identifier(k.asked.name()),
+                       join(fields, ", "));
+  }
+  const std::string type = number          ? "T"
+                           : f.result_kind ? identifier(f.result_kind->name) + "_blade<T>"
+                                           : identifier(k.asked.name()) + "_result<T>";
+  std::vector<std::string> blade_names;
+  for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
+    for (const lower::basis_blade &b : u.kind(k.asked.kinds[i]->name).blades)
+      blade_names.push_back(k.asked.names[i] + '.' + blade_field(b));
+  // On blades.
+  out += fmt::format("// {} on blades\n", k.asked.text);
+  for (std::size_t i = 0; i < f.result_names.size(); ++i) {
+    const std::string left = number ? "" : "B." + blade_field(f.result_names[i]) + " = ";
+    if (f.polynomials[i].length() <= 60)
+      out += wrapped(left + poly_with_names(f.polynomials[i], blade_names), "//   ");
+    else
+      out += fmt::format("//   {}{} terms when expanded\n", left, f.polynomials[i].length());
+  }
+  out += fmt::format("// {}.\n", count_text(ir::count(f.from_blades.nodes, f.from_blades.results)));
+  const auto parameters = [&](const char *suffix, const std::string &reads) {
+    std::string list;
+    for (std::size_t i = 0; i < k.asked.kinds.size(); ++i) {
+      const std::string kind = identifier(k.asked.kinds[i]->name), name = identifier(k.asked.names[i]);
+      list += fmt::format("{}{}const {}{}<T> &{}", i ? ", " : "", unused_mark(reads, name), kind, suffix, name);
+    }
+    return list;
+  };
+  std::string call;
+  for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
+    call += fmt::format("{}blade({})", i ? ", " : "", identifier(k.asked.names[i]));
+  body_names names;
+  names.input = [&](int i) { return blade_names[static_cast<std::size_t>(i)]; };
+  if (number) {
+    names.result = [](std::size_t, const std::string &value) { return fmt::format("return {};", value); };
+    const std::string code = body(f.from_blades, names, "  ");
+    out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
+                       parameters("_blade", code), code);
+  } else {
+    names.result = [&](std::size_t i, const std::string &value) {
+      return fmt::format("B.{} = {};", blade_field(f.result_names[i]), value);
+    };
+    std::string rest;
+    if (f.result_kind)
+      for (const lower::basis_blade &b : u.kind(f.result_kind->name).blades)
+        if (std::find(f.result_names.begin(), f.result_names.end(), b) == f.result_names.end())
+          rest += fmt::format("  B.{} = T(0);\n", blade_field(b));
+    const std::string code = body(f.from_blades, names, "  ");
+    out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
+                       kernel_function(k.asked), parameters("_blade", code), type, code, rest);
+  }
+  // On what is stored.
+  if (number) {
+    std::vector<std::string> inputs;
+    for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
+      for (const lower::stored_real &r : u.kind(k.asked.kinds[i]->name).reals)
+        inputs.push_back(identifier(k.asked.names[i]) + '.' + path_identifier(r.path));
+    names.input = [&](int i) { return inputs[static_cast<std::size_t>(i)]; };
+    out += fmt::format("\n// {} from what is stored, in differences where a translation changes nothing; B is never "
+                       "formed.\n// {}.\n",
+                       k.asked.text, count_text(ir::count(f.from_stored.nodes, f.from_stored.results)));
+    const std::string code = body(f.from_stored, names, "  ");
+    out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
+                       parameters("", code), code);
+  } else {
+    std::string all;
+    for (const std::string &name : k.asked.names)
+      all += identifier(name) + '.';
+    out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  return {}({});\n}}\n", type,
+                       kernel_function(k.asked), parameters("", all), kernel_function(k.asked), call);
+  }
+  return out;
+}
+
+} // namespace meetc::target
