@@ -81,8 +81,8 @@ struct query_result {
   unsigned long long count; // the true number of touching pairs, even where it exceeds the capacity
   // Above list_capacity: the workspace is too small, count is too low, and the room that is needed is not known.
   unsigned long long candidates, kept;
-  // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus the place of
-  // that number in it; ~0 where all elements are good. Where one is not, the rest means nothing.
+  // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus its slot; ~0
+  // where all elements are good. Where one is not, the rest means nothing.
   unsigned long long bad_a, bad_b;
 };
 struct query {
