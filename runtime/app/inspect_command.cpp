@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int exact_window = 26; // bits of differences for which fp64 with exact products decides
+constexpr int exact_window = 26; // bits of differences up to which fp64 with exact products decides
 
 std::string power(int exponent) {
   return fmt::format("2^{}", exponent);
