@@ -115,7 +115,7 @@ void line(layer &l, const screen_point &a, const screen_point &b, double half, s
     for (int i = low; i <= high; ++i) {
       vec normal_here = n;
       if (round && length > 0) {
-        const double sense = steep ? (dy > 0 ? -1 : 1) : (dx > 0 ? 1 : -1); // of i, seen from a to b
+        const double sense = steep ? (dy > 0 ? -1 : 1) : (dx > 0 ? 1 : -1); // 1: i grows to the right of a to b
         const double s = sense * std::clamp((i + 0.5 - q) / across, -1.0, 1.0);
         normal_here = {-s * dy / length, -s * dx / length, 0};
       }
