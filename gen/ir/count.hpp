@@ -1,10 +1,10 @@
-// How many operations a program takes.
+// Counts the operations of a program.
 #pragma once
 #include "gen/ir/arena.hpp"
 
 namespace meetc::ir {
 
-// Of what the results need. Negations, constants and products with powers of two are free.
+// The operations that the results need. Negations, constants and products with powers of two are free.
 struct counts {
   int multiplications = 0, additions = 0, fused = 0;
   int total() const { return multiplications + additions + 2 * fused; }

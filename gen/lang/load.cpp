@@ -1,4 +1,4 @@
-// TOML to spec: what each table may hold, and nothing else.
+// Reads TOML into a spec, and checks what each table may hold.
 #include "gen/lang/spec.hpp"
 #include "gen/lang/toml_reader.hpp"
 
@@ -98,7 +98,7 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
   return k;
 }
 
-// 'meet(X, Y)' to a name and its parameters.
+// Splits 'meet(X, Y)' into a name and its parameters.
 void read_signature(const std::string &text, const location &at, function &out) {
   const auto open = text.find('(');
   if (open == std::string::npos || text.back() != ')')
@@ -147,7 +147,7 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
   return p;
 }
 
-// 'p/q' in lowest terms, so that equal entries are equal text. What has too many digits stays as it is.
+// 'p/q' in lowest terms, so that equal entries have equal text. Numbers with too many digits stay as they are.
 std::string reduced(const std::string &s) {
   const auto slash = std::min(s.find('/'), s.size());
   if (slash > 18 || s.size() - slash > 18)
@@ -233,7 +233,7 @@ void load_into(const std::string &path, algebra &out, std::vector<std::shared_pt
                std::vector<std::string> &open) {
   const std::string key = fs::weakly_canonical(path).string();
   if (std::find(open.begin(), open.end(), key) != open.end())
-    return; // imported twice, or by itself: once is enough
+    return; // a second import, or an import of itself, adds nothing
   open.push_back(key);
   const toml_reader in(path);
   files.push_back(in.file());
@@ -293,7 +293,7 @@ void load_into(const std::string &path, algebra &out, std::vector<std::shared_pt
 
 void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files) {
   std::vector<std::string> open;
-  const std::size_t own = files.size(); // a scene that names this file comes before it
+  const std::size_t own = files.size(); // a scene that names this file stands before it
   load_into(path, out, files, open);
   if (out.vectors.empty())
     throw spec_error({files[own], 0, 1}, fmt::format("{} declares no [algebra]", path));
@@ -301,8 +301,8 @@ void load_algebra(const std::string &path, algebra &out, std::vector<std::shared
 }
 
 namespace {
-// Where an algebra may lie: beside the scene, else where those lie that came with the program, which share/ beside its
-// folder is in an install and in a build tree alike.
+// Where an algebra may be: next to the scene, or where the shipped algebras are, in the share/ next to the program's
+// folder. The layout is the same in an install and in a build tree.
 std::vector<fs::path> algebra_places(const std::string &scene, const std::string &name) {
   std::vector<fs::path> out{fs::path(scene).parent_path() / name};
   std::error_code ignored;
@@ -314,7 +314,7 @@ std::vector<fs::path> algebra_places(const std::string &scene, const std::string
 } // namespace
 
 namespace {
-// A float32 that is no subnormal and that can be doubled.
+// A float32 that is not subnormal and that can be doubled.
 double box_size(const toml_reader &in, const toml::node &node) {
   const double v = in.as_positive_number(node, "scene.box");
   if (v >= 0x1p127)
