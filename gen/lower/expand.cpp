@@ -9,9 +9,9 @@ namespace meetc::lower {
 namespace {
 using lang::op;
 
-// Limits that no spec which a person writes comes near; they turn a runaway spec into an error.
+// Limits far above any reasonable spec, which turn a runaway spec into an error.
 constexpr long most_steps = 2'000'000;
-constexpr int most_depth = 400; // keeps the stack safe, sanitizers included
+constexpr int most_depth = 400; // protects the stack, even with sanitizers
 constexpr std::size_t most_terms = 200'000;
 constexpr int most_degree = 100;
 constexpr std::size_t most_bits = 4096; // of a constant
@@ -147,13 +147,13 @@ void expander::charge(std::size_t work, const location &where) {
 }
 
 std::string expander::said(const lang::expr &e, const environment &env) {
-  // From the last part to the first, so that the places of those before stay.
+  // Replaces from the last part to the first, so that the positions of earlier parts stay valid.
   std::string out = lang::print(e);
   const std::function<void(const lang::expr &)> replace = [&](const lang::expr &part) {
     const bool bound = part.kind == op::name &&
                        std::any_of(env.begin(), env.end(), [&](const auto &b) { return b.first == part.text; });
     if (bound || part.kind == op::member) {
-      const long steps = steps_; // this is not work that the spec asks for
+      const long steps = steps_; // this work is not the spec's and does not count
       const std::string text = evaluate(part, env).text;
       steps_ = steps;
       if (!text.empty()) {
@@ -257,7 +257,7 @@ value expander::name(const lang::expr &e, const environment &env) {
 }
 
 value expander::call(const lang::expr &e, const environment &env) {
-  // Expressions of a spec are checked when they are read; what a scene or the command line asks is not.
+  // Expressions of a spec were checked when they were read; those of a scene or the command line were not.
   const lang::function *defined = model_.spec().find_function(e.text);
   const lang::predicate *asked = model_.spec().find_predicate(e.text);
   const lang::kind *made = model_.spec().find_kind(e.text);
@@ -383,8 +383,7 @@ value expander::member(const lang::expr &e, const environment &env) {
       e.where, fmt::format("{} has no '{}'; it has: {}{}", k.name, e.text, join(known, ", "), nearest(e.text, known)));
 }
 
-// M[E]: the coefficient of M along the blade E, in the working basis or the declared one, whichever has E as one
-// basis blade.
+// M[E]: the coefficient of M along the blade E, in the working or the declared basis, whichever has E as a basis blade.
 value expander::index(const lang::expr &e, const environment &env) {
   const multivector m = evaluate_multivector(*e.args[0], env);
   const multivector along = evaluate_multivector(*e.args[1], env);
