@@ -94,7 +94,7 @@ void check_namespace(const std::string &space) {
       !space.empty() && !std::isdigit(static_cast<unsigned char>(space[0])) &&
       std::all_of(space.begin(), space.end(), [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); });
   if (!name || space == "meetc" || target::identifier(space) != space)
-    throw spec_error({}, fmt::format("'{}' cannot be the namespace of generated code: it is no plain identifier, or "
+    throw spec_error({}, fmt::format("'{}' cannot be the namespace of generated code: it is not a plain identifier, or "
                                      "reserved",
                                      space));
 }

@@ -43,7 +43,7 @@ public:
   const Value &at(node_id id) const {
     const auto &v = values_.at(static_cast<std::size_t>(id));
     if (!v)
-      throw std::logic_error("a fold reads a value that it has not made");
+      throw std::logic_error("a fold reads a value that it has not computed");
     return *v;
   }
   bool has(node_id id) const { return values_.at(static_cast<std::size_t>(id)).has_value(); }

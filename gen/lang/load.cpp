@@ -67,7 +67,7 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
   const toml::table &t = in.as_table(node, what);
   in.allow(t, what, {"store", "blade", "from", "parts", "where", "hull", "pad", "position"});
   if (!t.contains("store"))
-    throw spec_error(k.where, fmt::format("{} needs 'store': what is kept of it in memory", what));
+    throw spec_error(k.where, fmt::format("{} needs 'store': the numbers that it keeps in memory", what));
   if (!t.contains("blade"))
     throw spec_error(k.where, fmt::format("{} needs 'blade': the blade that its numbers stand for", what));
   k.store = read_fields(in, *t.get("store"), what + ".store");
@@ -107,7 +107,7 @@ void read_signature(const std::string &text, const location &at, function &out) 
   need_name(out.name, at, "a function");
   for (const char *reserved : {"all", "any", "each", "sign", "grade", "if"})
     if (out.name == reserved)
-      throw spec_error(at, fmt::format("'{}' is a word of the language", reserved));
+      throw spec_error(at, fmt::format("'{}' is a keyword of the language", reserved));
   std::string rest = text.substr(open + 1, text.size() - open - 2);
   for (std::size_t from = 0; from <= rest.size();) {
     const auto comma = std::min(rest.find(',', from), rest.size());

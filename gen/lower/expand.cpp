@@ -276,7 +276,7 @@ value expander::call(const lang::expr &e, const environment &env) {
   if (e.text == "grade") {
     const int g = evaluate_multivector(*e.args[0], env).homogeneous_grade();
     if (g < 0)
-      throw spec_error(e.args[0]->where, "this has no one grade: it is zero or of mixed grade");
+      throw spec_error(e.args[0]->where, "this has no single grade: it is zero or of mixed grade");
     return {number(g)};
   }
   std::vector<value> args;

@@ -96,9 +96,9 @@ public:
   }
 
   std::string text() const {
-    std::string out = fmt::format(
-        "/* {}{}\n   Plain: by the sign of the value as computed; nothing is said of how wrong it can be. */\n",
-        k_.asked.text, k_.is_sign ? ", one sign: -1, 0 or 1." : ", closed sets.");
+    std::string out =
+        fmt::format("/* {}{}\n   Plain: takes the sign of the computed value, whose error is not bounded. */\n",
+                    k_.asked.text, k_.is_sign ? ", one sign: -1, 0 or 1." : ", closed sets.");
     if (!k_.is_sign)
       out += decision();
     for (const plain_rung &r : plain_rungs)

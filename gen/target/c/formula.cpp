@@ -106,9 +106,9 @@ std::string c_formula(const unit &u, const lower::kernel &k) {
   for (const c_number &n : c_numbers)
     out += writer(u, k, n).result_struct() + writer(u, k, n).on_blades();
   out += writer(u, k, c_numbers[0]).is_number()
-             ? fmt::format("/* From what is stored, in differences where a translation changes nothing: {}. */\n",
+             ? fmt::format("/* From stored numbers, in differences if the value is translation invariant: {}. */\n",
                            count_text(ir::count(k.value.from_stored.nodes, k.value.from_stored.results)))
-             : "/* From what is stored. */\n";
+             : "/* From stored numbers. */\n";
   for (const c_number &n : c_numbers)
     out += writer(u, k, n).on_stored();
   return out + '\n';

@@ -95,14 +95,14 @@ std::string valid_text(const unit &u, const lang::kind &k) {
     holds += " &&\n      " + rule_test(e, "k." + path);
     rule = fmt::format(" and {}", e.rule_text);
   }
-  return fmt::format("// Whether all numbers are finite{}, on their bits: what predicates take for granted.\n"
+  return fmt::format("// Whether all numbers are finite{}, by their bits. Predicates assume it.\n"
                      "template <class T> MEETC_HD inline bool valid(const {}<T> &k) {{\n  return {};\n}}\n",
                      rule, identifier(k.name), holds);
 }
 
 std::string struct_text(const unit &u, const lang::kind &k) {
   const std::string name = identifier(k.name);
-  std::string out = fmt::format("// {}: as it is stored, {} numbers.\ntemplate <class T = float> struct {} {{\n",
+  std::string out = fmt::format("// A {} as it is stored: {} numbers.\ntemplate <class T = float> struct {} {{\n",
                                 k.name, u.model.layout(k).reals.size(), name);
   for (std::size_t i = 0; i < k.store.size();) {
     // Neighbours of one type share a line.
@@ -199,7 +199,7 @@ std::string kinds_header(const unit &u) {
   const auto blades = blades_of(u);
   for (const lang::kind *k : kinds_of(u))
     out += struct_text(u, *k);
-  out += "// Kinds as their rows hold them.\nnamespace detail {\n";
+  out += "// Reads kinds from rows.\nnamespace detail {\n";
   for (const lang::kind *k : kinds_of(u))
     out += row_reader(u, *k);
   out += "} // namespace detail\n\n";
@@ -280,9 +280,10 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
       for (const lower::stored_real &r : u.model.layout(*k.asked.kinds[i]).reals)
         inputs.push_back(identifier(k.asked.names[i]) + '.' + path_identifier(r.path));
     names.input = [&](int i) { return inputs[static_cast<std::size_t>(i)]; };
-    out += fmt::format("\n// {} from what is stored, in differences where a translation changes nothing; B is never "
-                       "formed.\n// {}.\n",
-                       k.asked.text, count_text(ir::count(f.from_stored.nodes, f.from_stored.results)));
+    out +=
+        fmt::format("\n// {} from stored numbers, in differences if it is translation invariant; B is not computed.\n"
+                    "// {}.\n",
+                    k.asked.text, count_text(ir::count(f.from_stored.nodes, f.from_stored.results)));
     const std::string code = body(f.from_stored, names, "  ");
     out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
                        parameters("", code), code);

@@ -126,8 +126,10 @@ std::string shapes_header(const unit &u) {
   std::string out =
       banner(u.scene, "Bounded kinds: where a row holds their points and radius, and their closed boxes.") +
       open_header(u.scene, "file_shapes") +
-      "// place(): where the row holds a coordinate of a point of the hull; -1: it is 0. pad: where it holds the\n"
-      "// radius around the hull; -1: there is none. box(): never too small, where subnormals are not flushed.\n\n";
+      "// place(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the index of "
+      "the\n"
+      "// radius around the hull; -1: there is none. box(): never too small, provided that subnormals are not "
+      "flushed.\n\n";
   for (const lang::kind *k : element_kinds(u)) {
     const lower::enclosure e = bounded(u, *k);
     out += shape_text(e, identifier(k->name), roles_of(u, *k, e));
@@ -153,7 +155,8 @@ std::string runtime_source(const unit &u) {
     declared += fmt::format("meetc::predicate_info {}(const meetc::kind_info *a, const meetc::kind_info *b);\n",
                             info_function(*k));
   if (!declared.empty())
-    out += "namespace detail { // each in the source of its predicate\n" + declared + "} // namespace detail\n\n";
+    out += "namespace detail { // each is defined in the source of its predicate\n" + declared +
+           "} // namespace detail\n\n";
   out += "namespace {\n\n";
   const auto kinds = element_kinds(u);
   std::string entries, functions;

@@ -12,7 +12,7 @@ std::string info_function(const lower::kernel &k) {
 
 std::string predicate_source(const emitted_predicate &p) {
   const std::string space = identifier(p.of.scene.space), name = p.kernel.asked.name();
-  std::string out = banner(p.of.scene, fmt::format("The rungs of {} that few pairs need.", p.kernel.asked.text));
+  std::string out = banner(p.of.scene, fmt::format("The parts of {} that only few pairs need.", p.kernel.asked.text));
   out += fmt::format("#include <{}/detail/{}_rest.hpp>\n#include <meetc/table_functions.hpp>\n\nnamespace {} {{\n\n",
                      space, name, space);
   out += out_of_line(p, "");
@@ -33,8 +33,7 @@ std::string predicate_source(const emitted_predicate &p) {
 }
 
 std::string header_only(const unit &u) {
-  std::string out =
-      banner(u.scene, "For those who have the headers alone: what the generated library else compiles, inline.");
+  std::string out = banner(u.scene, "For header-only users: defines inline what the generated library would compile.");
   std::vector<std::string> includes;
   std::string functions;
   for (std::size_t i = 0; i < u.kernels.size(); ++i)

@@ -53,7 +53,7 @@ std::vector<file> umbrella_sources(const std::vector<file> &files, const lang::s
       }
     for (std::size_t i = 0; i < kernels.size(); ++i) {
       std::string text =
-          banner(s, kernels[i].empty() ? "No source falls to this unit." : "Sources that are compiled as one.");
+          banner(s, kernels[i].empty() ? "This unit has no sources." : "Sources that are compiled together.");
       for (const std::string &kernel : kernels[i])
         text += fmt::format("#include <{}/src/{}{}>\n", space, kernel, suffix);
       out.push_back({fmt::format("{}/units/unit_{}{}", space, i + 1, suffix), text});

@@ -25,7 +25,7 @@ std::string ball_form_header(const unit &u) {
   const auto products = form.parts.products.size();
   std::string out = banner(u.scene, "Touching balls as a matrix product.") + open_header(u.scene, "file_ball_form");
   out += fmt::format(
-      "// Balls (x, y, z, r), r >= 0, touch where |c - c'|^2 <= (r + r')^2, that is where half the difference,\n"
+      "// Balls (x, y, z, r), r >= 0, touch where |c - c'|^2 <= (r + r')^2, that is where half of the difference,\n"
       "//   sum over k < products of f_k(X) g_k(Y), plus f(X) + g(Y),\n// is <= 0. K = {}:\n",
       form.parts.terms());
   for (std::size_t k = 0; k < products; ++k)
@@ -37,10 +37,10 @@ std::string ball_form_header(const unit &u) {
   const auto constant = [](const char *name, const bound::dyadic &value) {
     return fmt::format("  static constexpr float {} = {};\n", name, hex_literal(value.value(), "f"));
   };
-  out += fmt::format("  // The filter in half precision{}: with |input| <= largest_input, and the margin\n",
+  out += fmt::format("  // The filter in half precision{}: if |input| <= largest_input and the margin\n",
                      u.asks("certified") ? " (proofs/ball_filter.gappa)" : "") +
          "  //   m = margin_square * sum f_k^2 + margin_additive * |f| + margin_linear * sum |f_k| + margin_absolute\n"
-         "  // subtracted from f, and likewise from g, the computed sum of balls that touch is negative.\n";
+         "  // is subtracted from f, and likewise from g, then the computed sum of balls that touch is negative.\n";
   out += constant("largest_input", bound::matrix_input) + constant("additive_unit", bound::matrix_unit) +
          constant("least_part", bound::matrix_flush) + constant("margin_square", bound::margin_square) +
          constant("margin_additive", bound::margin_additive) + constant("margin_linear", bound::margin_linear) +
