@@ -65,7 +65,7 @@ const broken names[] = {
      "'side'", ""},
     {"'side(H, p)'", "'side(H, H)'", "a.toml:32:1", "parameter 'H' is given twice", "'side(H, H)'", ""},
     {"'side(H, p)'", "'side(H, )'", "a.toml:32:1", "'' is not a name for a parameter", "'side(H, )'", ""},
-    {"'side(H, p)'", "'sign(H)'", "a.toml:32:1", "'sign' is a word of the language", "'sign(H)'", ""},
+    {"'side(H, p)'", "'sign(H)'", "a.toml:32:1", "'sign' is a keyword of the language", "'sign(H)'", ""},
     {"'e1', 'e2'", "'e1', 'e 2'", "a.toml:2:11", "'e 2' is not a name for a basis vector",
      "['e1', 'e 2', 'e3', 'e', 'eb']", ""},
 };

@@ -31,8 +31,8 @@ const broken values[] = {
     {blade, "'sign(r)'", "a.toml:19:10", "a sign where a number or a multivector is needed", "sign(r)", in_norm2},
     {blade, "'sign(r) + r'", "a.toml:19:10", "a sign and a number: signs only multiply with signs", "sign(r) + r",
      in_norm2},
-    {blade, "'grade(c + r)'", "a.toml:19:16", "this has no one grade", "c + r", in_norm2},
-    {blade, "'grade(c - c)'", "a.toml:19:16", "this has no one grade: it is zero", "c - c", in_norm2},
+    {blade, "'grade(c + r)'", "a.toml:19:16", "this has no single grade", "c + r", in_norm2},
+    {blade, "'grade(c - c)'", "a.toml:19:16", "this has no single grade: it is zero", "c - c", in_norm2},
     {blade, "'any(k in r: k > 0)'", "a.toml:19:19", "a number where a list is needed", "r", in_norm2},
     {blade, "'sphere'", "a.toml:19:10", "'sphere' is a kind, not a value", "sphere", in_norm2},
 };
