@@ -11,7 +11,7 @@ statements::statements(const ir::program &p, syntax s) : syntax_(std::move(s)) {
   for (const ir::node_id id : ir::needed(p.nodes, p.results))
     for (const ir::node_id operand : ir::operands(p.nodes.at(id)))
       ++uses_[operand];
-  // A result that is given twice is computed once.
+  // A result that is requested twice is computed once.
   for (const ir::node_id r : p.results)
     ++uses_[r];
 }

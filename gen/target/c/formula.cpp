@@ -1,4 +1,4 @@
-// Formulas in C, on blades and on what is stored.
+// Formulas in C, on blades and on stored operands.
 #include "gen/ir/count.hpp"
 #include "gen/target/c/c.hpp"
 #include "gen/target/cpp/body.hpp"
@@ -16,7 +16,7 @@ public:
 
   bool is_number() const { return f_.result.size() == 1 && f_.result[0] == 0; }
 
-  // The struct of a value that is no kind's blade.
+  // The struct for a value that is not the blade of a kind.
   std::string result_struct() const {
     if (is_number() || f_.result_kind)
       return "";

@@ -1,4 +1,4 @@
-// C++ headers: kinds, one header a kernel, and one for the namespace.
+// C++ headers: the kinds, one header for each kernel, and one for the namespace.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/names.hpp"
@@ -82,7 +82,7 @@ std::set<const lang::kind *> blades_of(const unit &u) {
 
 namespace {
 
-// What predicates take for granted of an operand: finite numbers, and the kind's `where`.
+// The condition that predicates assume of an operand: finite numbers, and the kind's `where`.
 std::string valid_text(const unit &u, const lang::kind &k) {
   const std::vector<lower::stored_real> reals = u.model.layout(k).reals;
   std::string holds;
@@ -105,10 +105,10 @@ std::string struct_text(const unit &u, const lang::kind &k) {
   std::string out = fmt::format("// A {} as it is stored: {} numbers.\ntemplate <class T = float> struct {} {{\n",
                                 k.name, u.model.layout(k).reals.size(), name);
   for (std::size_t i = 0; i < k.store.size();) {
-    // Neighbours of one type share a line.
+    // Adjacent members of one type share a line.
     std::vector<std::string> names;
     const std::string &type = k.store[i].type;
-    bool clash = false; // a member named like its type would change what the type's name means
+    bool clash = false; // a member named like its type would change the meaning of that name
     for (; i < k.store.size() && k.store[i].type == type; ++i) {
       names.push_back(identifier(k.store[i].name));
       for (const lang::field &f : k.store)
@@ -125,7 +125,7 @@ std::string struct_text(const unit &u, const lang::kind &k) {
   return out + "}\n" + valid_text(u, k) + "\n";
 }
 
-// The row of a kind as its struct, from the number `at` on; `at` moves behind it.
+// Reads a kind's struct from the row, starting at `at`, which moves past it.
 std::string members_in_row(const unit &u, const lang::kind &k, int &at) {
   std::string out;
   for (const lang::field &f : k.store) {
@@ -209,7 +209,7 @@ std::string kinds_header(const unit &u) {
   return out + close_header(u.scene);
 }
 
-// Marks an operand that nothing reads, so that no compiler warns of it.
+// Marks an operand that nothing reads, so that no compiler warns about it.
 std::string unused_mark(const std::string &body, const std::string &name) {
   return body.find(name + '.') == std::string::npos ? "[[maybe_unused]] " : "";
 }
@@ -273,7 +273,7 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
                        kernel_function(k.asked), parameters("_blade", code), type, code, rest);
   }
-  // On what is stored.
+  // On stored operands.
   if (number) {
     std::vector<std::string> inputs;
     for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
@@ -310,7 +310,7 @@ std::string banner(const lang::scene &s, const std::string &what, const char *co
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes,
                         const std::vector<std::string> &kernel_headers) {
   const std::string space = identifier(s.space);
-  // The length keeps guards apart where '_' could stand for the border of two names.
+  // The length keeps guards different where '_' could be the border between two names.
   std::string out = fmt::format("#ifndef MEETC_{2}_{0}_{1}_HPP\n#define MEETC_{2}_{0}_{1}_HPP\n\n#include "
                                 "<meetc/support.hpp>\n",
                                 space, name, space.size());
@@ -358,7 +358,7 @@ std::string cpp_text(const unit &u, std::size_t kernel) {
 }
 
 namespace {
-// What belongs to a kernel of signs beside its own header.
+// The files of a kernel of signs besides its own header.
 void add_parts(const unit &u, std::size_t kernel, std::vector<file> &out) {
   const std::string space = identifier(u.scene.space), name = u.kernels[kernel].asked.name();
   const emitted_predicate p(u, kernel);

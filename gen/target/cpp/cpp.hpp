@@ -1,4 +1,4 @@
-// The parts of emitted C++, one function a file or a part of one.
+// The parts of emitted C++: each function writes a file or a part of one.
 #pragma once
 #include "gen/target/target.hpp"
 
@@ -11,32 +11,32 @@ std::string open_header(const lang::scene &s, const std::string &name, const std
                         const std::vector<std::string> &kernel_headers = {});
 std::string close_header(const lang::scene &s);
 
-// The header of a kernel that is made of signs, after its banner.
+// The header of a kernel that consists of signs, after its banner.
 std::string kernel_header(const unit &u, std::size_t kernel);
-// What the generated library compiles, for those who have headers alone.
+// The code of the generated library, for header-only users.
 std::string header_only(const unit &u);
 
 std::vector<const lower::kernel *> predicates_of(const unit &u);
-// All kinds that stored operands, results and constructors of the kernels need, each after those that it holds.
+// All kinds that stored operands, results and constructors of the kernels need, each after those that it contains.
 std::vector<const lang::kind *> kinds_of(const unit &u);
-// The kinds whose blades formulas read or give.
+// The kinds whose blades formulas read or return.
 std::set<const lang::kind *> blades_of(const unit &u);
 // The kinds that predicates take.
 std::vector<const lang::kind *> element_kinds(const unit &u);
 std::string shapes_header(const unit &u);
 
-// The table of kinds and predicates through which a runtime knows this namespace.
+// The table of kinds and predicates by which a runtime knows this namespace.
 std::string runtime_header(const unit &u);
 std::string runtime_source(const unit &u);
 
-// A kernel's own header.
+// The header of one kernel.
 std::string cpp_text(const unit &u, std::size_t kernel);
 // Headers and the runtime table.
 std::vector<file> cpp_files(const unit &u);
-// Long lines of code broken after commas.
+// Breaks long lines of code after commas.
 std::string broken_lines(const std::string &text);
 
-// The kernel headers, as the generator was built with them.
+// The kernel headers that were packed into the generator.
 std::vector<file> kernel_headers();
 
 } // namespace meetc::target

@@ -1,4 +1,4 @@
-// The table of kinds and predicates for a runtime, and the shapes that kinds have.
+// The table of kinds and predicates for a runtime, and the shapes of kinds.
 #include "gen/target/cpp/bounds.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
@@ -31,7 +31,7 @@ std::vector<const lang::kind *> element_kinds(const unit &u) {
 
 namespace {
 
-// The CSV header: axes alone where there is one point, numbered where there are more.
+// The CSV header: only the axes where there is one point, with numbers where there are more.
 std::string csv_names(const lower::kind_layout &layout) {
   std::vector<std::string> names;
   for (const lower::stored_real &r : layout.reals) {
@@ -46,7 +46,7 @@ std::string csv_names(const lower::kind_layout &layout) {
   return join(names, ",");
 }
 
-// What each stored number is, for moving it.
+// The role of each stored number, by which it is moved.
 std::vector<std::string> roles_of(const unit &u, const lang::kind &k, const lower::enclosure &e) {
   std::vector<std::string> roles;
   int i = 0;
@@ -71,7 +71,7 @@ std::string shape_text(const lower::enclosure &e, const std::string &name, const
       hi = hi.empty() ? value : fmt::format("meetc::most_of({}, {})", hi, value);
     }
     if (e.pad >= 0) {
-      // One rounding, then one step outwards: never too small.
+      // One rounding and then one step outwards: the box is never too small.
       lo = fmt::format("meetc::step_down({} - row[{}])", lo, e.pad);
       hi = fmt::format("meetc::step_up({} + row[{}])", hi, e.pad);
     }

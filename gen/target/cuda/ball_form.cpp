@@ -1,4 +1,4 @@
-// Touching balls as a matrix product: a header of features, with the margins of the filter.
+// Touching balls as a matrix product: a header with the features and the margins of the filter.
 #include "gen/bound/matrix.hpp"
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/bounds.hpp"

@@ -1,10 +1,10 @@
 // Scripts for Gappa (https://gappa.gitlabpages.inria.fr): the margins of the half-precision filter of touching balls.
 //
-// Claim and derivation are in gen/bound/matrix.hpp. What is computed is a polynomial in the numbers and in one free
-// variable for every error, so the proof holds for whatever the errors are. |f g| <= (f^2 + g^2) / 2 enters as
-// (|f| - |g|)^2 >= 0. The one rule that Gappa is given is an identity, which Gappa checks: it would warn.
+// Claim and derivation are in gen/bound/matrix.hpp. The computed value is a polynomial in the numbers and in one free
+// variable for each error, so the proof holds for all errors. |f g| <= (f^2 + g^2) / 2 enters as (|f| - |g|)^2 >= 0.
+// The only rule that Gappa is given is an identity, which Gappa checks: it warns otherwise.
 //   ball_filter   F <= 0 implies D < 0
-//   half_parts    the parts have the errors that the first script assumes of them, and products of parts are exact in fp32
+//   half_parts    the parts have the errors that the first script assumes, and products of parts are exact in fp32
 // Not proved, but assumed: how far the matrix unit's sum is from the sum of its products.
 #include "gen/bound/matrix.hpp"
 #include "gen/lower/ball_form.hpp"
@@ -22,7 +22,7 @@ std::string number(const bound::dyadic &d) {
   return d.exponent ? fmt::format("{}b{}", d.numerator, d.exponent) : fmt::format("{}", d.numerator);
 }
 
-// The terms "t0 + t1 + ..." for every product; {0} is its number.
+// The sum "t0 + t1 + ..." of a term for each product; `term` gets the product's number.
 template <class Term> std::string sum(std::size_t products, const Term &term) {
   std::string out;
   for (std::size_t k = 0; k < products; ++k)
@@ -114,7 +114,7 @@ std::string filter_script(std::size_t products) {
          "(additive - c{0} * d{0}) * u{0};",
          x);
   }
-  // Strictly below 0, and nothing that is stored overflows.
+  // Strictly below 0, and no stored number overflows.
   out += fmt::format("{{ {} /\\\n  F <= 0\n  -> D <= -1b-20 /\\ |ax| <= 1b23 /\\ |ay| <= 1b23 }}\n", given);
   out += fmt::format("D -> F - ({} + Tx + Ty);\n", sum(products, [](std::size_t k) { return fmt::format("W{}", k); }));
   return out;
