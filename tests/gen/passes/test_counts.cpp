@@ -1,8 +1,7 @@
 // Exact operation counts: the counts that the compiler reaches, and the limits that it must keep.
 //
-// A count is {multiplications, additions}; a fused multiply-add counts as one of each; negations, duals and
-// products with powers of two are free (those that a fusion took in are not, so counts here are never too
-// small).
+// A count is {multiplications, additions}. A fused multiply-add counts as one of each. Negations, duals and products
+// with powers of two are free (except those that a fusion has absorbed, so counts here are never too small).
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 
@@ -37,7 +36,7 @@ bool within(const ops &have, const ops &limit) {
   return have.multiplications <= limit.multiplications && have.additions <= limit.additions;
 }
 
-// On blades; from what is stored: all, and what is left for the pair when objects keep their own values.
+// On blades; from stored numbers: all operations, and those left for the pair when objects keep their own values.
 struct formula_row {
   const char *name;
   ops blades, stored, pair;
@@ -73,7 +72,7 @@ const formula_row formulas[] = {
     {"norm2_meet_point_pair_sphere", {24, 18}, {12, 20}, {8, 15}},
 };
 
-// Signs, then once an object A, once an object B, once a pair.
+// Signs, then operations for an object A, for an object B, and for a pair.
 struct stage_row {
   int signs;
   ops a, b, pair;

@@ -152,7 +152,7 @@ TEST_CASE("disjoint boxes, nested meshes, empty meshes") {
   CHECK(run({"collide", "empty.ply", "empty.ply", "--color", "colours", "--image", "none.png"}).code == 0);
 }
 
-TEST_CASE("option --any says whether, not which") {
+TEST_CASE("option --any says whether there is a pair, not which") {
   put_mesh("ball.ply", icosphere(3));
   put_mesh("ring.ply", torus(48, 24));
   const json yes = answer({"ball.ply", "ring.ply", "--any"});

@@ -146,7 +146,7 @@ TEST_CASE("bench paper: spheres touch as often as random ones must") {
   }
 }
 
-TEST_CASE("bench paper: segments, times and what has no device") {
+TEST_CASE("bench paper: segments, times, and the columns without a device") {
   const json &j = built_in();
   const json &segments = rows(j, "segments");
   REQUIRE(segments.size() == 8);
@@ -196,7 +196,7 @@ TEST_CASE("bench paper: a page and six pictures, and text that says what it is")
   CHECK(has(s.out, "wrote again/figure_6.png"));
 }
 
-TEST_CASE("bench paper: what is wrong is said in one line, and nothing is written") {
+TEST_CASE("bench paper: an error is one line, and nothing is written") {
   const auto with = [](std::vector<std::string> more, int code = 2) {
     more.insert(more.begin(), {"bench", "paper", "--quick"});
     return complaint(more, code);

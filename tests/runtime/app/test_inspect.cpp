@@ -111,7 +111,7 @@ TEST_CASE("the scene's box is the least power of two that holds both files") {
   CHECK(box_of("0,0,0,0", "0,0,0,0") == 0);
 }
 
-TEST_CASE("what inspect refuses") {
+TEST_CASE("errors of inspect") {
   put_mesh("ball.ply", meetc::bodies::icosphere(1));
   put("balls.csv", "x,y,z,r\n1,0,0,0.5\n");
   put("points.csv", "x,y,z\n1,0,0\n");

@@ -85,7 +85,7 @@ TEST_CASE("pictures, of every kind") {
   }
 }
 
-TEST_CASE("an output never is an input, nor another output") {
+TEST_CASE("an output is never an input, nor another output") {
   put_files();
   const std::string before = get(at("ball.ply"));
   fs::remove(at("alias.ply"));

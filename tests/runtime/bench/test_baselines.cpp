@@ -233,7 +233,7 @@ TEST_CASE("balls: the Euclidean test gives the exact answer, also for whole numb
   CHECK(hits < pairs - pairs / 10);
 }
 
-TEST_CASE("a scene shrunk exactly: how often the classic tests are wrong is told, ours keep their answers") {
+TEST_CASE("a scene shrunk exactly: the classic tests' errors are counted, ours keep their answers") {
   std::mt19937 random(7);
   std::vector<int> wrong(triangle_tests().size());
   constexpr int pairs = 20000;
@@ -251,7 +251,7 @@ TEST_CASE("a scene shrunk exactly: how often the classic tests are wrong is told
     WARN(fmt::format("{} random pairs, shrunk by 2^20: {} wrong: {}", pairs, triangle_tests()[i].name, wrong[i]));
 }
 
-TEST_CASE("degenerate families: how often the classic tests are wrong is told, ours keep their answers") {
+TEST_CASE("degenerate families: the classic tests' errors are counted, ours keep their answers") {
   std::mt19937 random(6);
   // Pairs that share an edge or a corner, or touch in a corner on an edge's middle; then shrunk exactly.
   std::vector<std::array<triangle, 2>> pairs;

@@ -149,7 +149,7 @@ TEST_CASE("flags and counts in the caller's memory") {
   }
 }
 
-TEST_CASE("a list the other way round") {
+TEST_CASE("a transposed list") {
   const std::vector<index_pair> list{{0, 5}, {1, 2}, {1, 9}, {4, 0}, {4, 5}};
   CHECK(same(transposed(list), {{0, 4}, {2, 1}, {5, 0}, {5, 4}, {9, 1}}));
   CHECK(transposed({}).empty());

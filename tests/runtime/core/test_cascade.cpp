@@ -268,7 +268,7 @@ TEST_CASE("no element is overlooked, and lengths may be twice the box") {
   CHECK(enter(100, unit(-1, 1), unit(-1, 1), q) == entered{0, true, false});
 }
 
-TEST_CASE("what is no box is refused") {
+TEST_CASE("a box that is not one is refused") {
   const rows a = unit(-1, 1);
   const prepared x = prepare(view_of(a, boxes), boxes);
   std::vector<std::byte> work(workspace(hard_boxes, 1, 1));
