@@ -1,4 +1,4 @@
-// Whatever is wrong: one line that says what, exit code 2 (3 for the device), and nothing on standard output.
+// Every error is one line that says what is wrong, with exit code 2 (3 for the device) and nothing on standard output.
 #include "fixture.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Charts: what gnuplot draws lies where it should, twice the same, and a missing gnuplot is said.
+// Charts: gnuplot draws points where they belong, the same file each time, and a missing gnuplot is reported.
 #include "tests/catch.hpp"
 
 #include "app/failure.hpp"
@@ -65,7 +65,7 @@ std::array<int, 4> drawn(const chart &c) {
 
 TEST_CASE("a chart draws its points at their places on logarithmic axes") {
   const std::array<int, 4> two = drawn(one_curve({{1, 1}, {10000, 100}}));
-  // (100, 10) lies half-way on both axes, so on the line.
+  // (100, 10) is at the midpoint of both axes, and so on the line.
   CHECK(drawn(one_curve({{1, 1}, {100, 10}, {10000, 100}})) == two);
   CHECK(two[1] - two[0] > 300);
   CHECK(two[3] - two[2] > 150);
