@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# insert.sh PAGE NAME FILE: puts FILE between the lines `<!-- NAME -->` and `<!-- end of NAME -->` of PAGE, its headings a
+# insert.sh PAGE NAME FILE: puts FILE between the lines `<!-- NAME -->` and `<!-- end of NAME -->` of PAGE, its headings one
 # level lower, without its title and without the pictures at its end (from the heading "Figures" on).
 set -euo pipefail
 page=$1 name=$2 file=$3

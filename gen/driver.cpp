@@ -19,7 +19,7 @@ compilation load(const std::string &scene_path) {
 }
 
 namespace {
-// Certified answers end in exact ones.
+// Certified answers may need the exact rung.
 bool asks_exact(const lang::scene &s) {
   return s.asks(lang::rung::exact) || s.asks(lang::rung::certified);
 }
@@ -51,7 +51,7 @@ void add_forms(const lower::model &m, target::unit &u) {
 }
 } // namespace
 
-// The stages of the compiler, a line each.
+// The stages of the compiler, one line each.
 compiled_kernel compile(const compilation &c, const lower::request &r) {
   compiled_kernel out{lower::compile(*c.model, r), std::nullopt};
   passes::run(out.kernel);
@@ -124,7 +124,7 @@ int verify_scene(const verify_options &o) {
 
 namespace {
 
-// 'S: sphere, L: line' to pairs.
+// Reads 'S: sphere, L: line' as pairs.
 std::vector<std::pair<std::string, std::string>> parse_operands(const lower::model &m, const std::string &text) {
   std::vector<std::pair<std::string, std::string>> out;
   const auto trim = [](std::string s) {
@@ -189,7 +189,7 @@ std::string spec_text(const lower::model &m, const lower::request &r) {
   return out;
 }
 
-// A kernel's programs as they are after one pass.
+// Shows a kernel's programs after one pass.
 std::string after_pass(const lower::model &m, const lower::request &r, const std::string &pass) {
   const std::vector<std::string> known = passes::names();
   if (std::find(known.begin(), known.end(), pass) == known.end())

@@ -1,4 +1,5 @@
-// The pipeline, one function a command. Text goes to stdout, one clear line or a caret to stderr by the caller.
+// The pipeline: one function for each command. Text goes to stdout; on an error the caller writes one line or a caret
+// to stderr.
 #pragma once
 #include "gen/target/target.hpp"
 
@@ -7,15 +8,15 @@
 
 namespace meetc {
 
-// A scene with its model and its kernels, compiled in the order in which the scene asks.
+// A scene with its model and its kernels, compiled in the scene's order.
 struct compilation {
   std::unique_ptr<lang::scene> scene;
   std::unique_ptr<lower::model> model;
   std::vector<lower::kernel> kernels;
-  std::vector<std::optional<bound::kernel_bounds>> bounds; // of kernels made of signs, where a rung needs them
+  std::vector<std::optional<bound::kernel_bounds>> bounds; // for kernels made of signs, if a rung needs them
 };
 
-// One kernel after the last pass, with its bounds where it is made of signs and a rung of the scene needs them.
+// One kernel after the last pass. It has bounds if it is made of signs and a rung of the scene needs them.
 struct compiled_kernel {
   lower::kernel kernel;
   std::optional<bound::kernel_bounds> bounds;
@@ -31,10 +32,10 @@ std::string shown(const compilation &c, const compiled_kernel &k, const std::str
 
 struct generate_options {
   std::string scene, out, depfile, stamp, space;
-  std::vector<std::string> required_backends; // a build that compiles them says so here
+  std::vector<std::string> required_backends; // named by a build that compiles them
   bool check = false, quiet = false;
   bool kernel_headers = true; // write meetc/ beside what is emitted
-  int units = 0;              // umbrella sources a language, see target::umbrella_sources()
+  int units = 0;              // umbrella sources for each language, see target::umbrella_sources()
 };
 struct verify_options {
   std::string scene;
@@ -49,7 +50,7 @@ struct show_options {
 int generate(const generate_options &o);
 int verify_scene(const verify_options &o);
 int show(const show_options &o);
-// What --emit takes.
+// The values of --emit.
 std::vector<std::string> stages();
 
 } // namespace meetc

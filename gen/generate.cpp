@@ -1,4 +1,4 @@
-// Writing files: only what changed, each whole or not at all, nothing when something is in the way.
+// Writes files: only those that changed, each whole or not at all, and none if something is in the way.
 #include "gen/driver.hpp"
 #include "gen/target/cpp/names.hpp"
 
@@ -39,8 +39,8 @@ void write(const fs::path &path, const std::string &text) {
   }
 }
 
-// Files under `from`, a part of `out`, that the scene does not emit. Those in the namespace's own folders that carry
-// meetc's banner are left over from an earlier scene and may go; nothing else is ever removed.
+// Files under `from`, a part of `out`, that the scene does not emit. Those in the namespace's own folders with meetc's
+// banner are left from an earlier scene and are removed; nothing else ever is.
 struct strays {
   std::vector<fs::path> ours, foreign;
 };
@@ -50,7 +50,7 @@ strays find_strays(const fs::path &from, const fs::path &out, const std::string 
   for (const target::file &f : files)
     wanted.insert(f.path);
   strays found;
-  // Names are compared as they are written: a link is neither followed nor removed.
+  // Names are compared as they are written; a link is neither followed nor removed.
   std::error_code error;
   if (!fs::is_directory(from, error) || (from != out && fs::is_symlink(from, error)))
     return found;
@@ -88,13 +88,13 @@ std::string make_escaped(const std::string &path) {
   return out;
 }
 
-// A build system computes the names of the files from the namespace that it gives.
+// A build system computes the file names from the namespace that it passes.
 void check_namespace(const std::string &space) {
   const bool name =
       !space.empty() && !std::isdigit(static_cast<unsigned char>(space[0])) &&
       std::all_of(space.begin(), space.end(), [](unsigned char c) { return c < 128 && (std::isalnum(c) || c == '_'); });
   if (!name || space == "meetc" || target::identifier(space) != space)
-    throw spec_error({}, fmt::format("'{}' cannot be the namespace of generated code: it is no plain identifier, or "
+    throw spec_error({}, fmt::format("'{}' cannot be the namespace of generated code: it is not a plain identifier, or "
                                      "reserved",
                                      space));
 }
@@ -160,7 +160,7 @@ int generate(const generate_options &o) {
       fmt::print("{} files up to date\n", files.size());
     return differences ? 1 : 0;
   }
-  // Whatever would stop the writing is found before the first file is written.
+  // Anything that would prevent writing is found before the first file is written.
   for (const target::file &f : files)
     if (fs::exists(out / f.path, ignored) && !fs::is_regular_file(out / f.path, ignored))
       throw spec_error({}, fmt::format("{}: is in the way of a file", (out / f.path).generic_string()));

@@ -16,7 +16,7 @@ int main(int argc, char **argv) {
   generate_command->add_option("scene", g.scene, "Scene file (.toml)")->required();
   generate_command->add_option("-o,--out", g.out, "Folder that holds what is emitted, and nothing else")->required();
   generate_command->add_flag("--check", g.check,
-                             "Write nothing; exit 1 if a byte would change or a stray file lies there");
+                             "Write nothing; exit 1 if a byte would change or if there is a stray file");
   generate_command->add_option("--namespace", g.space, "Namespace instead of the scene's");
   generate_command->add_option("--require-backend", g.required_backends, "Fail unless the scene emits this backend")
       ->allow_extra_args(false)
@@ -25,12 +25,12 @@ int main(int argc, char **argv) {
   generate_command->add_option("--stamp", g.stamp, "Touch this file when done");
   generate_command->add_flag(
       "--kernel-headers,!--no-kernel-headers", g.kernel_headers,
-      "Write the headers in meetc/ that emitted code includes; not where the build has them elsewhere");
+      "Write the headers in meetc/ that emitted code includes, unless the build has them elsewhere");
   generate_command
       ->add_option(
           "--units", g.units,
-          "Also write so many sources a language that include those of the predicates, for a build that has to\n"
-          "know the names of its sources before the scene is read")
+          "Also write this number of sources for each language, which include those of the predicates, for a build\n"
+          "that has to know the names of its sources before the scene is read")
       ->check(CLI::Range(0, 64));
   generate_command->add_flag("-q,--quiet", g.quiet, "Say nothing when all is well");
 
@@ -48,7 +48,7 @@ int main(int argc, char **argv) {
   show_command->add_option("scene", s.scene, "Scene file (.toml)")->required();
   show_command->add_option(
       "what", s.words,
-      "A predicate, or a function and its kinds: meet sphere line; with --emit=separate also nothing,\n"
+      "A predicate, or a function and its kinds: meet sphere line. With --emit=separate it may be left out,\n"
       "for a table of the scene");
   show_command->add_option("-e,--expression", s.expression,
                            "An expression in place of a kernel; --with names its operands");

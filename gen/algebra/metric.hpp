@@ -1,9 +1,9 @@
 // A geometric algebra of n <= 8 vectors with any symmetric metric, over exact rationals.
 //
-// Basis blades are outer products of basis vectors, as bitmasks in basis order. The basis need not be orthogonal:
-// a vector times a blade is its outer product plus its contraction, and a longer factor is peeled off one vector
-// at a time, (a ^ A) B = a (A B) - (a . A) B (Dorst, Fontijne, Mann, Geometric Algebra for Computer Science,
-// ch. 19, asks for a change of basis instead; the peeling needs none and holds for degenerate metrics too).
+// Basis blades are outer products of basis vectors, stored as bitmasks in basis order. The basis need not be
+// orthogonal: a vector times a blade is its outer product plus its contraction, and a longer factor is peeled off one
+// vector at a time, (a ^ A) B = a (A B) - (a . A) B. (Dorst, Fontijne, Mann, Geometric Algebra for Computer Science,
+// ch. 19, change the basis instead; peeling needs no change and works for degenerate metrics too.)
 #pragma once
 #include <cstdint>
 #include <gmpxx.h>
@@ -14,7 +14,7 @@
 namespace meetc::algebra {
 
 using rational = mpq_class;
-using blade = std::uint32_t; // bit i: the i-th basis vector takes part
+using blade = std::uint32_t; // bit i: the i-th basis vector is a factor
 
 struct blade_term {
   blade at;
@@ -36,7 +36,7 @@ public:
   blade pseudoscalar() const { return (blade{1} << vectors()) - 1; }
 
   const blade_sum &geometric(blade a, blade b) const;
-  static int outer_sign(blade a, blade b); // 0 when they share a vector
+  static int outer_sign(blade a, blade b); // 0 where they share a vector
 
   // "e1^e2^n"; "1" for the scalar.
   std::string name(blade b, const char *between = "^") const;
@@ -51,7 +51,7 @@ private:
   blade_sum contract(int v, blade b) const;
 };
 
-// Blades by grade, then by the vectors that take part, in basis order: e1^e2, e1^e3, ..., the order for output.
+// Orders blades by grade, then by their vectors in basis order: e1^e2, e1^e3, ... This is the order for output.
 bool in_reading_order(blade a, blade b);
 
 } // namespace meetc::algebra

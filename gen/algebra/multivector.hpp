@@ -18,7 +18,7 @@ public:
     const auto it = terms_.find(at);
     return it == terms_.end() ? nullptr : &it->second;
   }
-  // The only grade with terms; -1 when there are several, or none.
+  // The only grade with terms; -1 where there are several, or none.
   int homogeneous_grade() const {
     int g = -1;
     for (const auto &[at, c] : terms_) {
@@ -58,7 +58,7 @@ private:
   std::map<blade, C> terms_;
 };
 
-// Geometric product; with keep(a, b, result) only the wanted blades of each product of basis blades.
+// Geometric product. With keep(a, b, result), only the wanted blades of each product of basis blades are computed.
 template <class C, class Keep>
 multivector<C> product(const metric &m, const multivector<C> &a, const multivector<C> &b, Keep &&keep) {
   multivector<C> out;
@@ -82,8 +82,8 @@ template <class C> multivector<C> geometric(const metric &m, const multivector<C
   return product(m, a, b, [](blade, blade, blade) { return true; });
 }
 
-// Left contraction: the part of grade (grade b - grade a). On the meets that are defined it agrees with the fat
-// dot and with Hestenes' inner product.
+// Left contraction: the part of grade (grade b - grade a). For the meets that are defined it agrees with the fat dot
+// product and with Hestenes' inner product.
 template <class C> multivector<C> inner(const metric &m, const multivector<C> &a, const multivector<C> &b) {
   return product(m, a, b, [](blade x, blade y, blade z) { return grade(z) == grade(y) - grade(x); });
 }
@@ -97,7 +97,7 @@ template <class C> multivector<C> outer(const multivector<C> &a, const multivect
   return out;
 }
 
-// A linear change of basis, extended to blades as an outermorphism: image[i] is where basis vector i goes.
+// A linear change of basis, extended to blades as an outermorphism: image[i] is the image of basis vector i.
 template <class C>
 multivector<C> outermorphism(const multivector<C> &x, const std::vector<std::vector<rational>> &image) {
   multivector<C> out;

@@ -3,21 +3,22 @@
 // Problem: the final, scheduled graph of a stage computes v^ in floating point; the sign that is wanted is that of
 // the exact v. Find E with |v^ - v| <= E, or rather with: v^ > E implies v > 0.
 //
-// Method: two analyses of the same graph, node for node, in exact rationals, rounded outward at the end.
+// Method: two analyses of the same graph, node for node, in exact rationals, rounded outwards at the end.
 //   magnitude form  |v^ - v| <= K M: M is the graph itself, run on the absolute values of its leaves with every
-//                   subtraction made an addition. K counts roundings, as (1 + u)^theta - 1 (Higham 2002, ch. 3).
-//                   Scale-free, one M a pair ("semi-static").
+//                   subtraction replaced by an addition. K counts roundings, as (1 + u)^theta - 1 (Higham 2002, ch. 3).
+//                   It holds at any scale, with one M for each pair (a semi-static filter).
 //   box form        |v^ - v| <= c alpha^i beta^j D^k where the leaves of object A, of object B and of the pair are
-//                   at most the powers of two alpha, beta <= D: with alpha and beta an object's own extents it is
-//                   the bound per object, with alpha = beta = D the static bound of a scene's box. A recurrence for
-//                   (bound, error) as in Meyer and Pion 2008; each c has a Gappa proof (gen/target/gappa/gappa.cpp).
+//                   at most the powers of two alpha, beta and D, with alpha, beta <= D. If alpha and beta are the
+//                   objects' own extents, it is the bound per object; if alpha = beta = D, it is the static bound of a
+//                   scene's box. The recurrence for (bound, error) follows Meyer and Pion 2008; each c has a Gappa
+//                   proof (gen/target/gappa/gappa.cpp).
 //
-// A leaf is the difference of two stored numbers, or a stored number itself: its one rounding is counted, so the
-// bounds cover the whole chain from the float32 input, stored object values included. The last rounding is not
-// counted where rounding is to nearest: it is monotonic and keeps the sign of what it rounds.
+// A leaf is the difference of two stored numbers, or a stored number itself. Its one rounding is counted, so the bounds
+// cover the whole chain from the float32 input, including stored object values. The last rounding is not counted where
+// rounding is to nearest, since it is monotonic and keeps the sign of what it rounds.
 //
-// Limits: stages that are homogeneous with integer constants (growth.hpp), round to nearest, gradual
-// underflow. The emitted thresholds say where they hold; elsewhere a rung answers unsure.
+// Limits: stages must be homogeneous with integer constants (growth.hpp), under round to nearest and gradual underflow.
+// The emitted thresholds say where they hold; elsewhere a rung answers unsure.
 #pragma once
 #include "gen/ir/fold.hpp"
 
@@ -29,13 +30,14 @@ namespace meetc::bound {
 
 using ir::rational;
 
-// What bounds are of: the programs of a kernel's signs, by stage, and the polynomials whose signs they are. Borrowed.
+// What is analysed: the programs of a kernel's signs, by stage, and the polynomials whose signs they are. All are
+// borrowed.
 struct subject {
   const poly::ring &numbers; // the stored numbers of both operands
   const poly::frame &local;
   struct stage {
     const ir::program *code = nullptr;
-    std::vector<const poly::poly *> signs; // of the program's results; none: the stage is not there
+    std::vector<const poly::poly *> signs; // of the program's results; empty: there is no such stage
   };
   std::array<stage, 3> stages;
 };
@@ -50,23 +52,23 @@ struct leaf {
 struct arithmetic {
   const char *name;
   int precision;    // u = 2^-precision
-  int significand;  // integers of so many bits are exact
+  int significand;  // integers with this many bits are exact
   bool leaf_rounds; // a difference of two float32 numbers is rounded
   bool fuses;       // a*b + c is rounded once
-  bool monotonic;   // rounding keeps the sign: the last one is not counted
+  bool monotonic;   // rounding keeps the sign, so the last one is not counted
 };
-// Products are taken to round relatively: the floors of stage_bounds keep them above the subnormals.
+// Products are assumed to have a relative rounding error; the floors of stage_bounds keep them above the subnormals.
 inline constexpr arithmetic fp32{"fp32", 24, 24, true, true, true};
 inline constexpr arithmetic fp64{"fp64", 53, 53, true, true, true};
-// Double-double: every operation is within 2^-102 of its result (runtime/kernel/meetc/double_double.hpp); M is in fp64.
+// Double-double: every operation is within 2^-102 of its result (runtime/kernel/meetc/double_double.hpp). M is in fp64.
 inline constexpr arithmetic fp64x2{"fp64x2", 102, 106, false, false, false};
 
-// Roundings on the way to a value (theta) and to its computed magnitude (phi), which is always in fp32 or fp64.
+// The roundings on the way to a value (theta) and to its computed magnitude (phi), which is always in fp32 or fp64.
 struct roundings {
   int theta = 0, phi = 0, degree = 0;
 };
 
-// K with: v^ > fl(K M^) implies v > 0, for the magnitude M^ computed from computed leaves. Exact.
+// The exact K for which v^ > fl(K M^) implies v > 0, for the magnitude M^ computed from computed leaves.
 rational factor(const arithmetic &a, const roundings &r);
 // The least float with `bits` significant bits that is not below q >= 0.
 rational rounded_up(const rational &q, int bits);
@@ -75,69 +77,69 @@ rational power_of_two(int exponent);
 // One sign in the box form: |v^ - v| <= c alpha^a beta^b D^pair for every D in [2^box_lowest, 2^box_highest].
 struct box_bound {
   rational value;             // c, a float32
-  int a = 0, b = 0, pair = 0; // the powers; they sum to the degree
+  int a = 0, b = 0, pair = 0; // the powers; their sum is the degree
 };
 
 struct stage_bounds {
   std::vector<leaf> leaves;
-  ir::program magnitudes;                    // inputs: |leaf| by number; results: M, one a sign
+  ir::program magnitudes;                    // inputs: |leaf| by number; results: M, one for each sign
   std::vector<roundings> fp32, fp64, fp64x2; // by sign
   std::vector<box_bound> box;                // by sign
-  int degree = 0, growth = 0;                // the highest of any value (growth.hpp)
-  // Leaves below 2^floor count as 2^floor, so that no product of them underflows by more than a rounding.
+  int degree = 0, growth = 0;                // the maxima over all values (growth.hpp)
+  // Leaves below 2^floor count as 2^floor, so that products of them underflow by no more than a rounding.
   int floor_fp32 = 0, floor_fp64 = 0;
   int box_lowest = 0, box_highest = 0; // exponents of D
-  std::vector<std::uint32_t> zero_if;  // by sign: the coincidences (kernel_bounds) that make it zero
-  // Values of degree 3 and more may be in a wider type than the others: no object stores one.
+  std::vector<std::uint32_t> zero_if;  // by sign: the coincidences of kernel_bounds that make it zero
+  // Values of degree 3 and more may be in a wider type than the others. No object stores one.
   bool mixed = false;
-  int window = -1; // differences of at most so many bits on a common grid: exact in fp64 (mixed: and double-double)
+  int window = -1; // differences of this many bits on a common grid are exact in fp64 (mixed: and double-double)
 };
 
-// Points of the operands that may have equal coordinates: inputs by axis.
+// Points of the operands that may have equal coordinates, as inputs by axis.
 struct coincidence {
   std::vector<int> x, y;
 };
 
 struct kernel_bounds {
-  stage_bounds reject, common, rare; // those that the predicate has
+  stage_bounds reject, common, rare; // empty where the predicate lacks the stage
   std::array<stage_bounds *, 3> stages() { return {&reject, &common, &rare}; }
   std::vector<coincidence> coincidences; // at most 32
-  // Of each input: its axis where it only ever stands in differences with inputs of the same axis, else -1.
+  // For each input: its axis if it occurs only in differences with inputs of the same axis, else -1.
   std::vector<int> axes;
 };
 
 void find_coincidences(const subject &of, kernel_bounds &out); // coincidences, zero_if and axes
 
-// Nothing where a sign is not homogeneous in the stored numbers or has a constant that is no integer.
+// Returns nothing where a sign is not homogeneous in the stored numbers or has a constant that is not an integer.
 std::optional<kernel_bounds> analyse(const subject &of);
 
-// The box form's exact recurrence for one program, in an arithmetic of `precision` bits: what the Gappa scripts
-// prove and what is rounded up into box_bound. Scaled to alpha = beta = D = 1.
+// The exact recurrence of the box form for one program, in an arithmetic of `precision` bits. The Gappa scripts prove
+// its results, which are rounded up into box_bound. It is scaled to alpha = beta = D = 1.
 struct box_node {
-  rational exact, computed; // |value| at most
-  rational error;           // |computed - exact| at most
-  rational unrounded_error; // before the node's own rounding
+  rational exact, computed; // |value| <= this
+  rational error;           // |computed - exact| <= this
+  rational unrounded_error; // the same before the node's own rounding
   int a = 0, b = 0, pair = 0;
 };
 ir::folded<box_node> box_nodes(const ir::program &p, int precision, int lowest_exponent);
-// The least exponent of a scaled float32 in the box form: the format of the proofs is float<24, this>.
+// The least exponent of a scaled float32 in the box form; the format of the proofs is float<24, this>.
 inline constexpr int box_format_lowest = -47;
 
-// The difference or stored number that a node of a program is, where it is a leaf.
+// The difference or stored number that a node of a program is, if it is a leaf.
 std::optional<leaf> leaf_at(const ir::arena &nodes, ir::node_id id);
 
-// A product with a power of two, which rounds nothing.
+// Whether the node is a product with a power of two, which is exact.
 bool scales_exactly(const ir::arena &nodes, ir::node_id id);
 
-// The node whose rounding is the last on the way to a value, and what the value is of it, in magnitude: a power of
-// two. An input or a constant where nothing rounds.
+// The node with the last rounding on the way to a value, and the value's magnitude relative to it, a power of two. It
+// is an input or a constant if nothing is rounded.
 struct last_rounding {
   ir::node_id node;
   rational scale;
 };
 last_rounding last_rounding_of(const ir::arena &nodes, ir::node_id id);
 
-// The largest extents of an object's leaves: those of residency `of`.
+// The leaves with residency `of`, whose largest magnitude is the extent of an object.
 std::vector<leaf> leaves_of(const stage_bounds &s, poly::residency of);
 
 } // namespace meetc::bound

@@ -1,8 +1,9 @@
 // The box form: the recurrence of (bound, error) on scaled values, in exact rationals.
 //
-// Leaves of A are divided by alpha, of B by beta, of the pair by D: powers of two with alpha, beta <= D, so scaling
-// commutes with rounding but for the subnormals, whose spacing grows to at most 2^box_format_lowest. A sum of terms
-// with different powers is scaled by the least powers of alpha and of beta; its terms then only get smaller.
+// Leaves of A are divided by alpha, those of B by beta, those of the pair by D. These are powers of two with alpha,
+// beta <= D, so scaling commutes with rounding except for the subnormals, whose spacing grows to at most
+// 2^box_format_lowest. A sum of terms with different powers is scaled by the least powers of alpha and of beta; its
+// terms then only get smaller.
 #include "gen/bound/bound.hpp"
 #include "gen/ir/fold.hpp"
 
@@ -44,7 +45,7 @@ void take_scale_of_sum(box_node &out, const box_node &x, const box_node &y) {
   out.b = std::min(x.b, y.b);
   out.pair = degree - out.a - out.b;
 }
-// (bound, error) of every node: the recurrence.
+// The recurrence: (bound, error) of every node.
 struct boxing {
   using value = box_node;
   rounder in;

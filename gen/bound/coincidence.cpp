@@ -1,6 +1,6 @@
-// What equal points decide: where a point of the operands has the coordinates of another, some signs are zero
-// whatever the rest is. Meshes are full of such pairs (neighbours share corners bit for bit), and no error bound can
-// tell a true zero from a small number. Found by substitution in the exact polynomials.
+// Signs that equal points decide. Where a point of one operand has the coordinates of a point of the other, some signs
+// are zero whatever the other numbers are. Meshes are full of such pairs (neighbours share corners bit for bit), and no
+// error bound can tell a true zero from a small number. These signs are found by substitution in the exact polynomials.
 #include "gen/bound/bound.hpp"
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace meetc::bound {
 namespace {
-constexpr std::size_t most = 32; // they are bits of one word
+constexpr std::size_t most = 32; // the bits of one word
 
-// The positions of both operands: inputs by axis.
+// The positions of both operands, as inputs by axis.
 std::vector<std::vector<int>> positions(const subject &of) {
   std::map<std::pair<int, int>, std::vector<int>> groups;
   for (int v = 0; v < of.numbers.size(); ++v)
@@ -32,7 +32,7 @@ poly::poly with_equal_points(const poly::poly &f, const coincidence &c, const po
   return f.substitute(images, numbers);
 }
 
-// -1 for the inputs that some stage reads outside of a difference along their axis.
+// -1 for inputs that some stage uses outside a difference along their axis.
 std::vector<int> lone_axes(const subject &of) {
   std::vector<int> axes;
   for (int v = 0; v < of.numbers.size(); ++v) {

@@ -19,7 +19,7 @@ struct growing {
   value input(const ir::place &, int) { return {1, 0}; }
   value constant(const ir::place &, const ir::rational &q) {
     homogeneous = homogeneous && q.get_den() == 1;
-    // |q| < 2^size; a power of two needs one bit more than its logarithm.
+    // q| < 2^size. A power of two needs one bit more than its logarithm.
     return {0, static_cast<int>(mpz_sizeinbase(q.get_num().get_mpz_t(), 2))};
   }
   value negate(const ir::place &, const value &x) { return x; }

@@ -1,16 +1,16 @@
-// How large the values of a program can grow, for the exact rung, which computes in integers.
+// How large the values of a program can become, for the exact rung, which computes in integers.
 #pragma once
 #include "gen/ir/arena.hpp"
 
 namespace meetc::bound {
 
-// With inputs that are integers below 2^bits in magnitude, a value is below 2^(degree * bits + bits_more).
+// If the inputs are integers below 2^bits in magnitude, a value is below 2^(degree * bits + bits_more).
 struct growth {
   int degree = 0, bits_more = 0;
 };
 
-// Of every node that the results need, by id; empty where the values are not homogeneous in the inputs or a constant is
-// not an integer. With `differences`, 2^bits bounds the differences of inputs too.
+// The growth of every node that the results need, by id. Empty where the values are not homogeneous in the inputs or a
+// constant is not an integer. With `differences`, 2^bits also bounds the differences of inputs.
 std::vector<growth> growths(const ir::program &p, bool differences = false);
 
 } // namespace meetc::bound

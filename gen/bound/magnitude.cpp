@@ -1,9 +1,9 @@
 // The magnitude form: |v^ - v| <= ((1 + u)^theta - 1) M.
 //
-// Claim, by induction over the graph: with the leaves' computed values t^, |t^ - t| <= u |t^|, and M the graph on
-// max(|t^|, floor) with additions only, |v^ - v| <= ((1 + u)^theta - 1) M. A rounding adds u times the computed
-// value, or, below the normal numbers, half of the smallest subnormal; never both, and the latter is at most u M
-// since M >= floor^degree. The computed M^ >= M (1 - u)^phi, and a threshold K M^ is rounded once more.
+// Claim, by induction over the graph: if t^ are the computed values of the leaves, with |t^ - t| <= u |t^|, and M is
+// the graph on max(|t^|, floor) with additions only, then |v^ - v| <= ((1 + u)^theta - 1) M. A rounding adds u times
+// the computed value or, below the normal numbers, half of the smallest subnormal. It never adds both, and the latter
+// is at most u M since M >= floor^degree. The computed M^ >= M (1 - u)^phi, and a threshold K M^ is rounded once more.
 #include "gen/bound/bound.hpp"
 #include "gen/bound/growth.hpp"
 #include "gen/ir/fold.hpp"
@@ -29,7 +29,7 @@ int bits_of(const rational &integer) {
   return static_cast<int>(mpz_sizeinbase(integer.get_num().get_mpz_t(), 2));
 }
 
-// A constant's own roundings: none where the arithmetic holds it.
+// The roundings of a constant itself: none where the arithmetic can represent it.
 int constant_roundings(const rational &q, int significand) {
   mpz_class odd = abs(q.get_num());
   if (odd == 0)
@@ -38,7 +38,7 @@ int constant_roundings(const rational &q, int significand) {
   return bits_of(rational(odd)) > significand;
 }
 
-// theta and phi of every node; phi counts in fp32 or fp64, where a*b + c is one rounding.
+// Counts theta and phi of every node; phi is for fp32 or fp64, where a*b + c is rounded once.
 struct counting {
   using value = roundings;
   const arithmetic &in;
@@ -92,10 +92,10 @@ std::vector<roundings> of_results(const ir::program &p, const arithmetic &a) {
   return out;
 }
 
-// The graph on magnitudes, node for node, over leaves: a value is a node of it, -1 for a leaf that is not read.
+// The graph on magnitudes, node for node, over leaves. A value is a node of it, or -1 for a leaf that is not read.
 struct on_magnitudes {
   using value = node_id;
-  const std::map<node_id, int> &leaves; // those that are read, by node
+  const std::map<node_id, int> &leaves; // the leaves that are read, by node
   ir::arena to;
 
   std::optional<value> given(const ir::place &at) {
@@ -115,7 +115,7 @@ struct on_magnitudes {
 
 void make_magnitudes(const ir::program &p, stage_bounds &out) {
   const std::vector<node_id> ids = ir::needed(p.nodes, p.results);
-  // A leaf that is read only by a difference is not one of its own: differences come first.
+  // A leaf that only a difference reads is not listed by itself, since the difference is the leaf.
   std::vector<char> read(p.nodes.size());
   for (const node_id r : p.results)
     read[static_cast<std::size_t>(r)] = 1;
@@ -140,8 +140,8 @@ void make_magnitudes(const ir::program &p, stage_bounds &out) {
   out.magnitudes = {std::move(d.to), std::move(results)};
 }
 
-// The widest differences, in bits on a common grid, for which values of degree 1 and 2 are exact in fp64 and the
-// others in double-double (an integer below 2^100 has an error below 1/2 there, and is an integer).
+// The widest differences, in bits on a common grid, for which values of degree 1 and 2 are exact in fp64 and the others
+// in double-double (there an integer below 2^100 has an error below 1/2 and is an integer, so it is exact).
 int exact_window(const ir::program &p, bool mixed) {
   const std::vector<growth> all = growths(p, true);
   int window = 53;
@@ -165,7 +165,7 @@ bool can_be_mixed(const ir::program &p, const std::vector<growth> &all) {
   return wide;
 }
 
-// Nothing where a value is not homogeneous.
+// Returns nothing where a value is not homogeneous.
 std::optional<stage_bounds> bounds_of(const subject::stage &s) {
   stage_bounds out;
   if (s.signs.empty())
@@ -183,7 +183,7 @@ std::optional<stage_bounds> bounds_of(const subject::stage &s) {
   out.fp64 = of_results(p, fp64);
   out.fp64x2 = of_results(p, fp64x2);
   out.floor_fp32 = -(102 / out.degree);
-  // No float32 difference is below 2^-149; above degree 6 the floor keeps products of doubles out of the subnormals.
+  // No float32 difference is below 2^-149. Above degree 6 the floor keeps products of doubles above the subnormals.
   out.floor_fp64 = std::max(-200, -(900 / out.degree));
   out.mixed = can_be_mixed(p, growths(p, true));
   out.window = exact_window(p, out.mixed);
@@ -221,7 +221,7 @@ rational power_of_two(int exponent) {
 rational rounded_up(const rational &q, int bits) {
   if (q == 0)
     return 0;
-  // 2^(size - 1) < q < 2^(size + 1): shifted by less than size - bits, q needs more than `bits` bits.
+  // 2^(size - 1) < q < 2^(size + 1), so after a shift by less than size - bits, q would need more than `bits` bits.
   const int size = static_cast<int>(mpz_sizeinbase(q.get_num().get_mpz_t(), 2)) -
                    static_cast<int>(mpz_sizeinbase(q.get_den().get_mpz_t(), 2));
   for (int shift = size - bits;; ++shift) {
@@ -238,7 +238,7 @@ rational factor(const arithmetic &a, const roundings &r) {
   if (r.theta == 0)
     return 0;
   rational k = (power(1 + u, r.theta) - 1) / power(1 - in_m, r.phi + 1);
-  if (!a.leaf_rounds) // M is of differences rounded in fp64, the values are of exact ones; the high word stands for v^
+  if (!a.leaf_rounds) // M has differences rounded in fp64, v exact ones; v^ is represented by its high word
     k *= power(1 + in_m, r.degree + 8);
   return k;
 }

@@ -6,30 +6,30 @@
 #     [BACKENDS cpp cuda c]        # what to compile; the scene must emit it. Default: cpp
 #     [CHECKED_IN generated])      # compile the files of this folder instead; nothing is generated at build time
 #
-# makes the static library robot_cell, an ordinary target with its include path. It needs nothing of meetc once it is
-# built; with cuda it needs CUDA's runtime library.
+# makes the static library robot_cell, an ordinary target with its include path. Once built it needs nothing of meetc;
+# with cuda it needs CUDA's runtime library.
 #
 # CHECKED_IN adds the target robot_cell.update, which regenerates the folder in place, and the test
-# robot_cell.up_to_date, which fails when the folder is not what the scene gives. Both are left out where there is no
-# generator; the library is built all the same.
+# robot_cell.up_to_date, which fails if the folder differs from what the scene generates. Both are left out if there is
+# no generator; the library is built all the same.
 #
 #   meetc_install_kernels(robot_cell EXPORT cell_targets [DESTINATION include/robot_cell])
 #
 # installs the library with its headers and adds it to an export set, like install(TARGETS). With cuda, the package's
 # config file has to say find_dependency(CUDAToolkit).
 #
-# The generator is MEETC_EXECUTABLE where that is set (a cross build needs one that runs here), else the target
+# The generator is MEETC_EXECUTABLE if that is set (a cross build needs one for the host), or else the target
 # meetc::meetc of find_package(meetc) or add_subdirectory.
 
-# A function keeps the policies that were in force where it was defined, whatever its caller asks for. CMP0116 among
-# them: paths in a depfile.
+# A function keeps the policies in force where it was defined, whatever its caller sets. CMP0116, paths in a depfile, is
+# one of them.
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.25)
 
 set(MEETC_EXECUTABLE "" CACHE FILEPATH "The meetc to run instead of the package's; a cross build needs one that runs here")
 
-# Sets `out` to the command that runs meetc, and `out`_depends to what a rule that runs it depends on; to nothing when
-# there is none, and then `out`_why says why.
+# Sets `out` to the command that runs meetc, and `out`_depends to the dependencies of a rule that runs it. Both are empty
+# if there is none, and then `out`_why says why.
 function(_meetc_find_generator out)
   set(command "")
   set(why "")
@@ -70,7 +70,7 @@ function(meetc_add_kernels target)
   if(arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "${me}: ${arg_KEYWORDS_MISSING_VALUES} has no value")
   endif()
-  # The namespace names the files, so it must be one that meetc uses as it stands (meetc refuses the reserved words).
+  # The namespace names the files, so it must be one that meetc leaves unchanged (meetc refuses reserved words).
   if(NOT arg_NAMESPACE MATCHES "^[A-Za-z]([A-Za-z0-9]|_[A-Za-z0-9])*$" OR arg_NAMESPACE MATCHES "^(meetc|std|cuda)$")
     message(FATAL_ERROR "${me}: '${arg_NAMESPACE}' cannot be the NAMESPACE: letters, digits and single '_' inside, "
       "not meetc, std or cuda")
@@ -105,15 +105,15 @@ function(meetc_add_kernels target)
     message(FATAL_ERROR "${me}: needs the language CXX; say project(${PROJECT_NAME} LANGUAGES CXX)")
   endif()
 
-  # ---- where the files are, and who writes them ----
+  # ---- where the files are, and what writes them ----
   _meetc_find_generator(meetc)
   if(arg_CHECKED_IN)
     cmake_path(ABSOLUTE_PATH arg_CHECKED_IN BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" NORMALIZE OUTPUT_VARIABLE folder)
   else()
     set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}.generated")
   endif()
-  # The predicates have a source each, by names that only the scene knows. meetc also writes a fixed number of units that
-  # include them, and those are compiled, side by side.
+  # Each predicate has a source, whose name only the scene knows. meetc also writes a fixed number of units that include
+  # these sources, and the units are compiled, in parallel.
   set(units 8)
   set(sources "${folder}/${space}/${space}_runtime.cpp")
   foreach(i RANGE 1 ${units})
@@ -154,7 +154,7 @@ function(meetc_add_kernels target)
     if(missing AND NOT meetc)
       message(FATAL_ERROR "${me}: ${what}: not there, and it cannot be generated: ${meetc_why}")
     elseif(missing)
-      # Without the mark, CMake would refuse to go on, and there would be no target to make them with.
+      # Without this property CMake would stop, and there would be no target to make the files.
       set_source_files_properties(${missing} PROPERTIES GENERATED ON)
       message(WARNING "${me}: ${what}: not there yet; run: cmake --build ${CMAKE_BINARY_DIR} --target ${target}.update")
     endif()
@@ -171,11 +171,11 @@ function(meetc_add_kernels target)
     if(NOT meetc)
       message(FATAL_ERROR "${me}: ${meetc_why}, or compile generated files with CHECKED_IN")
     endif()
-    # The stamp is the OUTPUT: it is touched by every run, while files that do not change keep their time, and so
-    # nothing is compiled anew for a changed comment elsewhere. With the files as OUTPUT, Make would regenerate at
-    # every build. Ninja has to know, before it starts, a file that changes with the scene and that every user of the
-    # headers includes; kinds.hpp is that (its first line has a hash of the whole spec), and the headers of the
-    # kernels, whose names are not known here, need not be listed.
+    # The stamp is the OUTPUT: every run touches it, while unchanged files keep their time, so a changed comment elsewhere
+    # recompiles nothing. With the files as OUTPUT, Make would regenerate at every build. Ninja must know, before it
+    # starts, a file that changes with the scene and that every user of the headers includes. kinds.hpp is that file (its
+    # first line has a hash of the whole spec), so the headers of the kernels, whose names are not known here, need not
+    # be listed.
     set(stamp "${CMAKE_CURRENT_BINARY_DIR}/${target}.stamp")
     set(depfile "${CMAKE_CURRENT_BINARY_DIR}/${target}.stamp.d")
     add_custom_command(OUTPUT "${stamp}" BYPRODUCTS ${sources} ${headers}
@@ -193,19 +193,19 @@ function(meetc_add_kernels target)
   if(NOT DEFINED CMAKE_POSITION_INDEPENDENT_CODE)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON) # so that it can go into a shared library
   endif()
-  # No certified answer needs these flags: a contracted a*b + c has one rounding less than the error bounds count, and
-  # error-free transforms stand behind barriers that no compiler looks through. But it rounds otherwise, and the plain
-  # rungs would answer otherwise. The flags are passed on to what uses the headers, because the linker keeps one copy of
-  # an inline function, whoever compiled it. So there is no define to tell the headers of them.
+  # Certified answers do not need these flags: a contracted a*b + c has one rounding less than the error bounds count, and
+  # error-free transforms stand behind barriers that no compiler sees through. But it rounds differently, and the plain
+  # rungs would give other answers. The flags are passed on to users of the headers, because the linker keeps one copy of
+  # an inline function, whoever compiled it.
   target_compile_options(${target} PUBLIC
     "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>"
     "$<$<COMPILE_LANG_AND_ID:CUDA,NVIDIA>:--fmad=false;-Xcompiler=-ffp-contract=off>"
     "$<$<COMPILE_LANG_AND_ID:CUDA,Clang>:-ffp-contract=off>")
   if(cuda)
-    # CMake 3.25 knows no CUDA20, and a second -std would be an error. The architectures are the project's choice.
+    # CMake 3.25 does not know CUDA20, and a second -std would be an error. The project chooses the architectures.
     set_property(TARGET ${target} PROPERTY CUDA_STANDARD)
     target_compile_options(${target} PRIVATE "$<$<COMPILE_LANGUAGE:CUDA>:-std=c++20>")
-    # The runtime that CMake itself links with CUDA code, so that there is one; also where a user has C++ only.
+    # This is the runtime that CMake itself links with CUDA code, so that there is only one, even in a C++ project.
     find_package(CUDAToolkit 12 REQUIRED)
     string(TOLOWER "${CMAKE_CUDA_RUNTIME_LIBRARY}" runtime)
     if(runtime STREQUAL "shared")
@@ -235,7 +235,7 @@ function(meetc_install_kernels target)
   endif()
   include(GNUInstallDirs)
   if(NOT arg_DESTINATION)
-    # A folder of its own: another package may bring a meetc/support.hpp of another version.
+    # In a separate folder, since another package may bring another version of meetc/support.hpp.
     set(arg_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${target}")
   endif()
   set(leave_out "")

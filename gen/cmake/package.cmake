@@ -1,8 +1,8 @@
-# The names by which users know the targets, and what `cmake --install` puts where. Included by the top CMakeLists.txt
-# once all targets are there.
+# The target names for users, and the files that `cmake --install` installs. The top CMakeLists.txt includes this file
+# after all targets exist.
 #
 # Install components: meetc_generator (the program, the algebras), meetc_runtime (libraries and their headers),
-# meetc_program (meet). The package files come with either of the first two, and find_package takes what it finds.
+# meetc_program (meet). The package files come with either of the first two, and find_package uses what it finds.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -28,7 +28,7 @@ endif()
 if(TARGET meet_device)
   add_library(meet::device ALIAS meet_device)
 endif()
-# Where a project that has meetc as a subfolder finds the algebras; the package says it in its config file.
+# Where a project with meetc as a subfolder finds the algebras. The config file of the package sets it as well.
 set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folder of the algebras that come with meetc")
 
 option(MEETC_INSTALL "Make install rules for meetc" ${PROJECT_IS_TOP_LEVEL})
@@ -38,7 +38,7 @@ endif()
 
 set(MEETC_INSTALL_CMAKE "${CMAKE_INSTALL_LIBDIR}/cmake/meetc")
 set(MEETC_INSTALL_ALGEBRA "${CMAKE_INSTALL_DATADIR}/meetc/algebra_spec")
-# One folder for all: the kernels' headers are <meetc/...>, the runtime's are core/... and io/... below it.
+# All headers are in one folder: the kernels' are <meetc/...>, the runtime's are <core/...> and <io/...>.
 set(MEETC_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/meetc")
 
 set(MEETC_INSTALL_COMPONENTS "")
@@ -83,7 +83,7 @@ if(TARGET meet_core AND TARGET meet_kernels)
     PATTERN "proofs" EXCLUDE ${launchers})
 endif()
 
-# An export set of its own, so that the runtime is found where fmt is not.
+# A separate export set, so that the runtime is found without fmt.
 if(TARGET meet_io)
   set_target_properties(meet_io PROPERTIES EXPORT_NAME io)
   install(TARGETS meet_io EXPORT meetc_io_targets
@@ -96,7 +96,7 @@ if(TARGET meet_io)
   install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/io" COMPONENT meetc_runtime)
 endif()
 
-# Likewise, so that the runtime is found where CUDA is not.
+# A separate export set, so that the runtime is found without CUDA.
 if(TARGET meet_device)
   set_target_properties(meet_device PROPERTIES EXPORT_NAME device)
   set(libraries meet_device)

@@ -1,7 +1,8 @@
-// Straight-line arithmetic as a hash-consed graph with 32-bit ids. Ids grow from operands to results.
+// Straight-line arithmetic as a hash-consed graph with 32-bit ids. The id of a node is greater than those of its
+// operands.
 //
-// Construction folds constants, 0, 1 and signs: x - y and y - x are one node and a negation, which is free in
-// floating point and in integers alike.
+// Construction folds constants, 0, 1 and signs: x - y and y - x become one node and a negation, which costs nothing in
+// floating point or in integers.
 #pragma once
 #include "gen/poly/frame.hpp"
 
@@ -26,7 +27,7 @@ struct node {
   auto operator<=>(const node &) const = default;
 };
 
-// The nodes that an operation takes; none for inputs and constants.
+// The operands of an operation; inputs and constants have none.
 struct operand_list {
   std::array<node_id, 3> ids;
   std::size_t count;
@@ -71,7 +72,7 @@ private:
   node_id intern(node n, residency where);
 };
 
-// What a piece of straight-line code computes: nodes of an arena, in the order asked for.
+// A piece of straight-line code: nodes of an arena, with the results in a given order.
 struct program {
   arena nodes;
   std::vector<node_id> results;
@@ -86,8 +87,8 @@ std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &resu
 // The stored values of object A or of object B.
 std::vector<node_id> stored_of(const program &p, residency object);
 
-// What one root needs, itself included, each node after its operands, in an order that depends on the shape alone. Below a
-// node that `stops` accepts nothing is needed.
+// The nodes that one root needs, itself included, each after its operands, in an order that depends only on the shape
+// of the graph. The operands of a node that `stops` accepts are left out.
 std::vector<node_id> operands_first(const arena &nodes, node_id root, const std::function<bool(node_id)> &stops);
 
 } // namespace meetc::ir

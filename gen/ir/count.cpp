@@ -14,7 +14,7 @@ bool is_power_of_two(const rational &q) {
   return mpz_popcount(n.get_mpz_t()) == 1 && mpz_popcount(d.get_mpz_t()) == 1;
 }
 
-// A value is only whether multiplying by it is free.
+// The value says only whether multiplying by it is free.
 struct counter {
   using value = bool;
   counts &into;

@@ -1,4 +1,4 @@
-// How many operations a program takes.
+// Counts the operations of a program.
 #pragma once
 #include "gen/ir/arena.hpp"
 

@@ -5,7 +5,7 @@
 namespace meetc::ir {
 namespace {
 
-// Any exact type with + - * and a way to make its inputs and constants.
+// A domain for any exact type with + - * and a way to make its inputs and constants.
 template <class Value, class Input, class Constant> struct exact_domain {
   using value = Value;
   Input make_input;

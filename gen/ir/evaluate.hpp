@@ -1,10 +1,10 @@
-// What a program is: its values for given numbers, and as polynomials. Both exact.
+// The meaning of a program: its values for given numbers, and its polynomials. Both are exact.
 #pragma once
 #include "gen/ir/arena.hpp"
 
 namespace meetc::ir {
 
-// The results as polynomials in the inputs, for the check of every pass: to_poly(pass(p)) == to_poly(p).
+// The results as polynomials in the inputs. Every pass is checked by them: to_poly(pass(p)) == to_poly(p).
 std::vector<poly::poly> to_poly(const program &p, const poly::ring &inputs);
 
 // The results for these inputs.

@@ -1,9 +1,9 @@
-// fold(program, domain): gives the operations of a program a meaning.
+// fold(program, domain): gives a meaning to the operations of a program.
 //
 // Problem: a program is evaluated in rationals, expanded into polynomials, bounded, counted, rewritten and printed in
-// several languages; each of these is a walk over the same seven operations.
-// Method: one walk, here, which is the only place that tells the operations apart. A domain says what a value is and
-// what each operation makes of values:
+// several languages. Each of these is a walk over the same seven operations.
+// Method: there is one walk, here, and only it tells the operations apart. A domain says what a value is and what each
+// operation makes of values:
 //
 //   struct domain {
 //     using value = ...;
@@ -14,11 +14,11 @@
 //     value subtract(const place &at, const value &x, const value &y);
 //     value multiply(const place &at, const value &x, const value &y);
 //     value fused(const place &at, const value &x, const value &y, const value &z);   // x * y + z
-//     std::optional<value> given(const place &at);  // may be left out: the value of a node that the domain has already
+//     std::optional<value> given(const place &at);  // optional: the value of a node that the domain already has
 //   };
 //
-// Operands come before what is made of them. A new operation is a new node in arena.hpp, a new case here, and a new
-// member of every domain, which the compiler asks for.
+// Operands come before the nodes that use them. A new operation is a new node in arena.hpp, a new case here, and a new
+// member of every domain, which the C++ compiler demands.
 #pragma once
 #include "gen/ir/arena.hpp"
 
@@ -27,7 +27,7 @@
 
 namespace meetc::ir {
 
-// Where the walk is.
+// The position of the walk.
 struct place {
   const arena &nodes;
   node_id id;
@@ -36,19 +36,19 @@ struct place {
   residency where() const { return nodes.where(id); }
 };
 
-// The values of the nodes that a fold has been to.
+// The values of the nodes that a fold has visited.
 template <class Value> class folded {
 public:
   explicit folded(std::size_t nodes) : values_(nodes) {}
   const Value &at(node_id id) const {
     const auto &v = values_.at(static_cast<std::size_t>(id));
     if (!v)
-      throw std::logic_error("a fold reads a value that it has not made");
+      throw std::logic_error("a fold reads a value that it has not computed");
     return *v;
   }
   bool has(node_id id) const { return values_.at(static_cast<std::size_t>(id)).has_value(); }
   void set(node_id id, Value v) { values_.at(static_cast<std::size_t>(id)) = std::move(v); }
-  // In the order of `ids`.
+  // The values in the order of `ids`.
   std::vector<Value> of(const std::vector<node_id> &ids) const {
     std::vector<Value> out;
     out.reserve(ids.size());
@@ -61,7 +61,7 @@ private:
   std::vector<std::optional<Value>> values_;
 };
 
-// Over the nodes of `order`, in which operands stand before what is made of them.
+// Folds the nodes of `order`, in which operands come before the nodes that use them.
 template <class Domain>
 folded<typename Domain::value> fold(const arena &nodes, Domain &d, const std::vector<node_id> &order) {
   folded<typename Domain::value> values(nodes.size());
@@ -100,12 +100,12 @@ folded<typename Domain::value> fold(const arena &nodes, Domain &d, const std::ve
   return values;
 }
 
-// Over all that the results need.
+// Folds all nodes that the results need.
 template <class Domain> folded<typename Domain::value> fold(const program &p, Domain &d) {
   return fold(p.nodes, d, needed(p.nodes, p.results));
 }
 
-// A domain's values of the results.
+// The domain's values for the results.
 template <class Domain> std::vector<typename Domain::value> fold_results(const program &p, Domain d) {
   return fold(p, d).of(p.results);
 }

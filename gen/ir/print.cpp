@@ -8,7 +8,7 @@
 namespace meetc::ir {
 namespace {
 
-// Writes each node as it is met; a value is its name.
+// Writes each node as it is visited; a value is the name of a node.
 struct printer {
   using value = std::string;
   const std::vector<std::string> &inputs;

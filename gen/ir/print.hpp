@@ -1,4 +1,4 @@
-// A program for eyes: one node a line, with its residency.
+// A program in readable form: one line for each node, with its residency.
 #pragma once
 #include "gen/ir/arena.hpp"
 
@@ -6,7 +6,8 @@
 
 namespace meetc::ir {
 
-// "  %7 = multiply %3 %5  ; pair" for every node that the results need, then "  result[0] = %7". `inputs` are their names.
+// Writes "  %7 = multiply %3 %5  ; pair" for every node that the results need, then "  result[0] = %7". `inputs` are
+// names.
 std::string print(const program &p, const std::vector<std::string> &inputs);
 
 const char *name_of(residency where); // "scene", "A", "B", "pair"

@@ -1,4 +1,4 @@
-// Names: duplicates, unknown ones, kinds that contain themselves, functions that call themselves.
+// Checks names: duplicates, unknown ones, kinds that contain themselves, functions that call themselves.
 #include "gen/lang/spec.hpp"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ public:
       fields(p.of);
       scope s = names(p.of);
       for (const named_expr &l : p.lets) {
-        expression(*l.body, s); // a let sees the operands and the lets above it
+        expression(*l.body, s); // a let sees the operands and earlier lets
         if (!s.insert(l.name).second)
           throw spec_error(l.where, fmt::format("'{}' is given twice", l.name));
       }
@@ -86,10 +86,10 @@ private:
   const algebra &a_;
   std::map<std::string, location> declared_;
   std::set<std::string> open_, done_;
-  std::map<std::string, std::size_t> whole_kinds_; // known to end, with the numbers that each stores
+  std::map<std::string, std::size_t> whole_kinds_; // known to end, with the number of values that each stores
   std::set<std::string> whole_constants_;
 
-  static constexpr std::size_t most_nested = 500; // definitions within definitions; keeps the stack safe
+  static constexpr std::size_t most_nested = 500; // definitions within definitions; protects the stack
   static constexpr std::size_t most_stored = 1000;
 
   void add(const std::string &name, const location &where, const char *what) {
@@ -136,7 +136,7 @@ private:
     open.push_back(c.name);
     nests(open.size(), c.where);
     expression(*c.body, {});
-    // Collected first: a walk within a walk would take stack for every level of every expression.
+    // They are collected first, because a walk within a walk would use stack for every level of every expression.
     std::vector<const named_expr *> others;
     walk(*c.body, [&](const expr &e) {
       if (e.kind == op::name)
@@ -154,7 +154,7 @@ private:
     for (const expr_ptr &arg : e.args)
       walk(*arg, f);
   }
-  // Depth-first over calls; `open` marks what is being visited, `done` what is known to end.
+  // Visits calls depth first. `open` marks what is being visited, `done` what is known to end.
   void calls_itself(const std::string &name, const location &where) {
     if (done_.count(name))
       return;

@@ -55,7 +55,7 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
   const toml::table &t = in.as_table(node, what);
   in.allow(t, what, {"store", "blade", "from", "parts", "where", "hull", "pad", "position"});
   if (!t.contains("store"))
-    throw spec_error(k.where, fmt::format("{} needs 'store': what is kept of it in memory", what));
+    throw spec_error(k.where, fmt::format("{} needs 'store': the numbers that it keeps in memory", what));
   if (!t.contains("blade"))
     throw spec_error(k.where, fmt::format("{} needs 'blade': the blade that its numbers stand for", what));
   k.store = read_fields(in, *t.get("store"), what + ".store");
@@ -86,7 +86,7 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
   return k;
 }
 
-// 'meet(X, Y)' to a name and its parameters.
+// Splits 'meet(X, Y)' into a name and its parameters.
 void read_signature(const std::string &text, const location &at, function &out) {
   const auto open = text.find('(');
   if (open == std::string::npos || text.back() != ')')
@@ -95,7 +95,7 @@ void read_signature(const std::string &text, const location &at, function &out) 
   need_name(out.name, at, "a function");
   for (const char *reserved : {"all", "any", "each", "sign", "grade", "if"})
     if (out.name == reserved)
-      throw spec_error(at, fmt::format("'{}' is a word of the language", reserved));
+      throw spec_error(at, fmt::format("'{}' is a keyword of the language", reserved));
   std::string rest = text.substr(open + 1, text.size() - open - 2);
   for (std::size_t from = 0; from <= rest.size();) {
     const auto comma = std::min(rest.find(',', from), rest.size());
@@ -135,7 +135,7 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
   return p;
 }
 
-// 'p/q' in lowest terms, so that equal entries are equal text. What has too many digits stays as it is.
+// 'p/q' in lowest terms, so that equal entries have equal text. Numbers with too many digits stay as they are.
 std::string reduced(const std::string &s) {
   const auto slash = std::min(s.find('/'), s.size());
   if (slash > 18 || s.size() - slash > 18)
@@ -221,7 +221,7 @@ void load_into(const std::string &path, algebra &out, std::vector<std::shared_pt
                std::vector<std::string> &open) {
   const std::string key = fs::weakly_canonical(path).string();
   if (std::find(open.begin(), open.end(), key) != open.end())
-    return; // imported twice, or by itself: once is enough
+    return; // a second import, or an import of itself, adds nothing
   open.push_back(key);
   const toml_reader in(path);
   files.push_back(in.file());
@@ -281,7 +281,7 @@ void load_into(const std::string &path, algebra &out, std::vector<std::shared_pt
 
 void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files) {
   std::vector<std::string> open;
-  const std::size_t own = files.size(); // a scene that names this file comes before it
+  const std::size_t own = files.size(); // a scene that names this file stands before it
   load_into(path, out, files, open);
   if (out.vectors.empty())
     throw spec_error({files[own], 0, 1}, fmt::format("{} declares no [algebra]", path));

@@ -10,9 +10,9 @@
 namespace meetc::lang {
 namespace {
 
-constexpr int max_depth = 200; // nesting that no person writes, and that keeps the stack safe
+constexpr int max_depth = 200; // deeper nesting than anyone writes; protects the stack
 constexpr std::size_t max_digits = 300;
-constexpr int max_tokens = 4000; // a long chain a + b + ... is as deep a tree as it is long
+constexpr int max_tokens = 4000; // a long chain a + b + ... is a tree as deep as it is long
 
 struct token {
   enum class type { end, number, word, symbol } kind = type::end;
@@ -78,7 +78,7 @@ private:
       const std::string text = s.substr(start, at_ - start);
       static const std::string single = "+-*/^|.,:()[]<>";
       if (!two && single.find(text[0]) == std::string::npos) {
-        // All bytes of a UTF-8 character together.
+        // Keeps all bytes of a UTF-8 character together.
         while ((s[start] & 0xc0) == 0xc0 && at_ < source_.end && (s[at_] & 0xc0) == 0x80)
           ++at_;
         throw spec_error(here(start, at_ - start),

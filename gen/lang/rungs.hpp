@@ -1,4 +1,4 @@
-// The rungs that a scene may ask for: the one table of them in the compiler.
+// The rungs that a scene may ask for, in the compiler's only table of them.
 #pragma once
 #include <array>
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace meetc::lang {
 
-// Plain rungs take the sign of the value that their arithmetic computes. Exact and certified answers are never wrong:
-// certified runs a filter cascade, the bounded arithmetics in this order and then the exact rung.
+// Plain rungs take the sign of the value that their arithmetic computes. Exact and certified answers are never wrong.
+// certified runs a filter cascade: the bounded arithmetics in this order, and then the exact rung.
 enum class rung { fp32, fp64, fp64x2, exact, certified };
 
 struct rung_info {
   rung id;
   const char *name;
-  bool is_plain;   // the sign of a computed value, with nothing said of its error
-  bool is_bounded; // its arithmetic also stands in the filter cascade of `certified`, with an error bound
+  bool is_plain;   // the sign of a computed value, whose error is not known
+  bool is_bounded; // its arithmetic, with an error bound, is also in the filter cascade of `certified`
 };
 inline constexpr std::array<rung_info, 5> rungs{{
     {rung::fp32, "fp32", true, true},

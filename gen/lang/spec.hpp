@@ -1,5 +1,5 @@
-// A spec as it was read: an algebra (with what it imports) and a scene that asks something of it. Names are
-// checked here; what expressions mean is decided where they are expanded.
+// A spec as it was read: an algebra (with its imports) and a scene that uses it. Names are checked here; expressions
+// get their meaning where they are expanded.
 #pragma once
 #include "gen/lang/rungs.hpp"
 #include "gen/lang/syntax.hpp"
@@ -22,7 +22,7 @@ struct named_expr {
   location where;
 };
 
-// Another way to make a kind's blade: [kinds.sphere.from.points].
+// Another way to construct a kind's blade: [kinds.sphere.from.points].
 struct constructor {
   std::string name;
   std::vector<field> of;
@@ -36,9 +36,9 @@ struct kind {
   std::vector<field> store; // in memory order and CSV order
   expr_ptr blade;
   std::vector<constructor> from;
-  std::vector<named_expr> parts; // members that are computed: corners, edges
-  expr_ptr rule;                 // `where`: what a valid element obeys, or null
-  expr_ptr hull, pad;            // of bounded kinds: points whose hull, padded by a length, the element is
+  std::vector<named_expr> parts; // computed members: corners, edges
+  expr_ptr rule;                 // `where`: the condition on a valid element, or null
+  expr_ptr hull, pad;            // for bounded kinds: the element is the hull of these points, padded by a length
   bool position = false;         // its reals are coordinates that a translation moves
 };
 
@@ -46,7 +46,7 @@ struct function {
   std::string name;
   std::vector<std::string> params;
   expr_ptr body;
-  expr_ptr domain; // `where`: what the arguments obey, or null
+  expr_ptr domain; // `where`: the condition on the arguments, or null
   location where;
 };
 
@@ -55,9 +55,9 @@ struct predicate {
   location where;
   std::vector<field> of;        // two operands
   std::vector<named_expr> lets; // names for parts of the expressions
-  std::vector<expr_ptr> reject; // cheap necessary conditions for a miss
+  std::vector<expr_ptr> reject; // cheap conditions, each sufficient for a miss
   expr_ptr hit;
-  std::string mode; // "solid", "surface", or "" when they do not differ
+  std::string mode; // "solid", "surface", or "" where the two do not differ
 };
 
 struct algebra {
@@ -65,7 +65,7 @@ struct algebra {
   location where;
   std::vector<std::string> vectors;             // the declared basis, in order
   std::vector<std::vector<std::string>> metric; // exact rationals
-  std::vector<named_expr> null;                 // constants that replace declared vectors for lowering, in order
+  std::vector<named_expr> null;                 // constants that replace declared vectors in lowering, in order
   std::vector<named_expr> constants;
   std::vector<kind> kinds;
   std::vector<function> functions;
@@ -79,7 +79,7 @@ struct algebra {
 };
 
 struct kernel_request {
-  expr_ptr what; // a predicate's name, or a function applied to kinds
+  expr_ptr what; // the name of a predicate, or a function applied to kinds
   location where;
 };
 
@@ -89,13 +89,13 @@ struct scene {
   std::vector<kernel_request> kernels;
   std::vector<rung> rungs;
   std::vector<std::string> backends;
-  bool says_backends = false; // else they are those that a scene has when it names none
+  bool says_backends = false; // false: the scene has the default backends
   bool asks(rung r) const { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); }
   double box = 0; // every coordinate lies in [-box, box], every length in [0, 2 box]; 0: not stated
-  std::vector<std::shared_ptr<const source_file>> files; // everything that was read, for the content hash
+  std::vector<std::shared_ptr<const source_file>> files; // all files that were read, for the content hash
 };
 
-// The backends that a scene may name, and those that it has when it names none.
+// The backends that a scene may name, and those of a scene that names none.
 struct backend_choice {
   std::vector<std::string> known, unless_said;
 };
@@ -103,10 +103,10 @@ struct backend_choice {
 // Reads a scene file and the algebra that it names. Throws spec_error.
 scene load_scene(const std::string &path, const backend_choice &backends);
 
-// Adds what an algebra file says to `out`; imports are read relative to the file.
+// Adds the content of an algebra file to `out`. Imports are relative to the file.
 void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files);
 
-// Throws for duplicate names, unknown kinds and kinds that contain themselves, unknown names in expressions, and
+// Throws for duplicate names, unknown kinds, kinds that contain themselves, unknown names in expressions, and
 // recursion.
 void check(const algebra &a);
 

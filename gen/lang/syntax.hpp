@@ -55,25 +55,25 @@ struct binder {
   expr_ptr over;
 };
 
-// args: operands in written order. text: the number, name or member.
+// args: operands in the written order. text: the number, name or member.
 struct expr {
   op kind;
   location where;
   std::string text;
   std::vector<expr_ptr> args;
-  std::vector<binder> binders; // of all, any, each
+  std::vector<binder> binders; // for all, any, each
 };
 
-// A piece of a file that holds an expression (a TOML literal string, or part of one).
+// The part of a file that holds an expression (a TOML literal string, or part of one).
 struct expr_source {
   std::shared_ptr<const source_file> file;
   std::size_t begin, end;
 };
 
-// Parses a whole expression; throws spec_error at the first place that is wrong.
+// Parses a whole expression. Throws spec_error at the first error.
 expr_ptr parse_expression(const expr_source &text);
 
-// Parses text that the command line gave.
+// Parses text from the command line.
 expr_ptr parse_expression(const std::string &text, const std::string &where);
 
 std::string print(const expr &e);

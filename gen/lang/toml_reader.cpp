@@ -7,7 +7,7 @@
 
 namespace meetc::lang {
 namespace {
-// toml++ counts columns in code points, and none for a byte order mark.
+// toml++ counts columns in code points and does not count a byte order mark.
 std::size_t offset_of(const std::string &text, const toml::source_position &at) {
   std::size_t offset = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
   for (std::size_t line = 1; line < at.line; ++line) {
@@ -76,7 +76,7 @@ std::vector<std::string> toml_reader::as_strings(const toml::node &node, const s
 }
 
 double toml_reader::as_positive_number(const toml::node &node, const std::string &what) const {
-  const std::optional<double> v = node.value<double>(); // of an integer too
+  const std::optional<double> v = node.value<double>(); // accepts an integer too
   if (!node.is_number() || !v || !std::isfinite(*v) || *v <= 0)
     throw spec_error(place(node), fmt::format("{} must be a number above 0", what));
   return *v;

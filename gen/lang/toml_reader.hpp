@@ -1,4 +1,4 @@
-// toml++ behind one thin layer: strict tables whose every value knows its place in the file.
+// A thin layer over toml++: strict tables in which every value knows its place in the file.
 #pragma once
 #include "gen/lang/syntax.hpp"
 
@@ -30,10 +30,10 @@ public:
 
   // A 'literal' or '''literal''' string, parsed as an expression.
   expr_ptr as_expression(const toml::node &node, const std::string &what) const;
-  // The file's stretch inside the quotes.
+  // The part of the file inside the quotes.
   expr_source inside(const toml::node &node, const std::string &what) const;
 
-  // The table's entries in the order in which the file has them (toml++ sorts them by name).
+  // The table's entries in the order of the file (toml++ sorts them by name).
   std::vector<std::pair<const toml::key *, const toml::node *>> in_file_order(const toml::table &table) const;
 
 private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int radius = ball_form::inputs - 1;
 
-// The place of each stored number of a ball among x, y, z, r; nothing where the kind is no ball of space.
+// The place of each stored number of a ball among x, y, z, r. Nothing where the kind is not a ball in space.
 std::optional<std::vector<int>> places_of(const model &m, const lang::kind &k) {
   const enclosure e = enclosing(m, k);
   if (e.hull.size() != 1 || e.hull[0].size() != radius || e.pad < 0)
@@ -24,7 +24,7 @@ std::optional<std::vector<int>> places_of(const model &m, const lang::kind &k) {
   return out;
 }
 
-// The polynomial that is <= 0 where a predicate of one test hits.
+// The polynomial that is <= 0 where a predicate consisting of one test hits.
 std::optional<poly::poly> tested(const predicate &p) {
   constexpr sign_mask not_positive = 3, not_negative = 6; // bit 0 negative, bit 1 zero, bit 2 positive
   const truth_node &hit = p.signs.at(p.truths.hit);
@@ -45,7 +45,7 @@ bool is_stored_number(const poly::poly &p) {
          p.terms()[0].factors[0].exponent == 1;
 }
 
-// Whether the filter's margins are proved for it (gen/bound/matrix.hpp).
+// Whether the filter's margins are proved for this form (gen/bound/matrix.hpp).
 bool is_covered(const poly::separation &s) {
   const rational largest = bound::matrix_input.value(), most = bound::matrix_additive.value();
   const auto fits = [&](const poly::poly &additive) {
@@ -58,7 +58,7 @@ bool is_covered(const poly::separation &s) {
         for (int i = 0; i < f.exponent; ++i)
           size *= largest;
       }
-      if (t.coefficient > 0 || !even) // an even term keeps the sign of its coefficient
+      if (t.coefficient > 0 || !even) // an even term has the sign of its coefficient
         sum += size;
     }
     return sum <= most;
@@ -68,7 +68,7 @@ bool is_covered(const poly::separation &s) {
                      [](const poly::product &k) { return is_stored_number(k.f) && is_stored_number(k.g); });
 }
 
-// With f a primitive factor of each product, g has the product's coefficient: all of one size become 1.
+// f is the primitive factor of each product and g has its coefficient. If all have one size, this makes them 1 or -1.
 std::optional<rational> scale_of(const poly::separation &s) {
   std::optional<rational> size;
   for (const poly::product &k : s.products) {
@@ -102,7 +102,7 @@ std::optional<ball_form> form_of(const model &m, const lang::predicate &asked) {
   for (const int operand : {0, 1})
     for (const std::string &n : ball_form::names) {
       names.push_back((operand ? "Y." : "X.") + n);
-      numbers.push_back({operand, -1, 0, false}); // the parts of a product are no differences
+      numbers.push_back({operand, -1, 0, false}); // the parts of a product are not differences
     }
   auto ring = std::make_shared<poly::ring>(names);
   std::vector<poly::poly> images;

@@ -1,4 +1,4 @@
-// The blades of kinds: where they can be non-zero, and how they are made from stored numbers.
+// The blades of kinds: where they can be non-zero, and how they are computed from stored numbers.
 #include "gen/lower/compile.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace meetc::lower {
 namespace {
 
-// A coefficient that is a node, so that a multivector's products become straight-line code as they are written.
+// A coefficient that is a node. The products of multivectors thus become straight-line code.
 struct node_coefficient {
   arena *nodes;
   node_id at;
@@ -22,7 +22,7 @@ struct node_coefficient {
 };
 using node_multivector = algebra::multivector<node_coefficient>;
 
-// Evaluates an expression keeping its structure: every outer product becomes products of what its factors became.
+// Evaluates an expression and keeps its structure: an outer product multiplies the values of its factors.
 class structure {
 public:
   structure(expander &expand, builder &code) : expand_(expand), code_(code) {}

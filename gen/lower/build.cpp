@@ -20,8 +20,7 @@ std::vector<residency> residencies(const poly::frame &f) {
 
 using monomials = std::vector<poly::monomial>;
 
-// The multivariate Horner scheme as a choice of variables. Coefficients do not matter to it; costs ignore sharing
-// between the parts.
+// Chooses the variables of a multivariate Horner scheme. Coefficients are ignored, and so is sharing between the parts.
 class scheme {
 public:
   explicit scheme(std::vector<int> rank) : rank_(std::move(rank)) {}
@@ -100,7 +99,7 @@ private:
   }
 };
 
-// p = v * quotient + rest, no term of rest has v.
+// p = v * quotient + rest, where no term of rest contains v.
 std::pair<std::vector<poly::term>, std::vector<poly::term>> split(const std::vector<poly::term> &p, int v) {
   std::pair<std::vector<poly::term>, std::vector<poly::term>> out;
   for (poly::term t : p) {
@@ -117,7 +116,7 @@ std::pair<std::vector<poly::term>, std::vector<poly::term>> split(const std::vec
   return out;
 }
 
-// Takes the common rational factor out of the terms; the first term becomes positive.
+// Takes the common rational factor out of the terms and makes the first term positive.
 rational take_content(std::vector<poly::term> &p) {
   mpz_class g = 0, l = 1;
   for (const poly::term &t : p) {
@@ -174,7 +173,7 @@ node_id builder::local(const poly::poly &p, bool is_irreducible) {
 }
 
 node_id builder::irreducible(const poly::poly &p) {
-  // Every candidate is built; nodes that only losers use are never emitted.
+  // Every candidate is built. Nodes used only by rejected ones are never emitted.
   struct candidate {
     std::size_t terms;
     int operations;
@@ -188,7 +187,7 @@ node_id builder::irreducible(const poly::poly &p) {
       symbols.push_back(symbol(q));
     const node_id root = horner(v.form, symbols);
     all.push_back({v.form.length(), cost(root), root});
-    // Bare numbers apart, where they factor: (r + s)^2 - d^2 and not r^2 + 2 r s + s^2 - d^2.
+    // Bare numbers are kept apart where they factor: (r + s)^2 - d^2, not r^2 + 2 r s + s^2 - d^2.
     std::vector<poly::term> bare, rest;
     for (const poly::term &t : v.form.terms()) {
       const bool numbers = std::all_of(t.factors.begin(), t.factors.end(), [&](const poly::power &f) {
@@ -230,15 +229,16 @@ node_id builder::symbol(const poly::invariant &q) {
     return sum;
   }
   default: {
-    // [i j k]: the cross product of two vectors of one object, when there are two, else of the first two.
+    // [i j k]: takes the cross product of two vectors of one object if there are two, and otherwise of the first two.
     const auto where = [&](int v) { return frame_.info(frame_.vector(v)[0]).where; };
-    int a = q.i, b = q.j, c = q.k; // (a x b) . c, kept even under rotation of the three
+    int a = q.i, b = q.j, c = q.k; // (a x b) . c; cyclic permutations do not change it
     if (where(a) != where(b) && where(b) == where(c)) {
       a = q.j, b = q.k, c = q.i;
     } else if (where(a) != where(b) && where(a) == where(c)) {
       a = q.k, b = q.i, c = q.j;
     } else if (where(a) != where(b)) {
-      // Three residencies: the pair's vector goes last, so that the cross product joins the two objects' own.
+      // With three residencies the pair's vector comes last, so that the cross product combines the objects' own
+      // vectors.
       if (where(q.i) == residency::pair)
         a = q.j, b = q.k, c = q.i;
       else if (where(q.j) == residency::pair)

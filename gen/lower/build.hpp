@@ -1,9 +1,9 @@
-// Polynomials to straight-line code.
+// Turns polynomials into straight-line code.
 //
-// Each polynomial is factored; an irreducible one is tried in its vector forms (gen/poly/invariants.hpp) and in
-// components, each by a multivariate Horner scheme that takes out the variable which saves most, values of the
-// pair first, so that what belongs to one object gathers in factors that are computed once an object. Every
-// program is expanded again and compared with what it was made from; a difference is a bug and throws.
+// Each polynomial is factored. An irreducible one is tried in its vector forms (gen/poly/invariants.hpp) and in
+// components, each by a multivariate Horner scheme. The scheme takes out the variable that saves most, values of the
+// pair first, so that what belongs to one object gathers in factors of that object. Every program is expanded again and
+// compared with its polynomials; a difference is a bug and throws.
 #pragma once
 #include "gen/ir/arena.hpp"
 #include "gen/poly/invariants.hpp"
@@ -19,24 +19,24 @@ using ir::program;
 using poly::rational;
 using poly::residency;
 
-// What to choose a form by: the fewest operations, or the fewest terms that can cancel (then operations).
+// How to choose a form: by the fewest operations, or by the fewest terms that can cancel (then by operations).
 enum class prefer { operations, accuracy };
 
 class builder {
 public:
-  // Inputs of the program are the base variables of the frame.
+  // The inputs of the program are the base variables of the frame.
   builder(const poly::frame &f, prefer by);
 
-  // A node for a polynomial in the frame's base ring, lowered to differences where it can be.
-  // Lowering is a change of variables, so what was irreducible stays so and need not be factored again.
+  // A node for a polynomial in the frame's base ring, lowered to differences where possible. Lowering is a change of
+  // variables, so an irreducible polynomial stays irreducible and is not factored again.
   node_id build(const poly::poly &absolute, bool is_irreducible = false);
-  // A node for a polynomial in any ring, whose variables are these nodes.
+  // A node for a polynomial in any ring, with these nodes as its variables.
   node_id build_over(const poly::poly &p, const std::vector<node_id> &leaves);
 
   arena &nodes() { return nodes_; }
   const poly::ring &numbers() const { return frame_.base(); }
-  // The program of these results, checked against what they were asked to be. It holds every form that was tried; the
-  // passes prune it.
+  // The program for these results, checked against the polynomials that were asked for. It holds every form that was
+  // tried; the passes prune it.
   program finish(const std::vector<node_id> &results) const;
 
 private:
@@ -45,7 +45,7 @@ private:
   arena nodes_;
   std::map<std::string, node_id> known_; // by key of the primitive local polynomial
   std::map<std::vector<int>, std::array<node_id, 3>> crosses_;
-  std::map<node_id, poly::poly> asked_; // what build() was asked for
+  std::map<node_id, poly::poly> asked_; // the polynomials for which build() was called
 
   node_id local(const poly::poly &p, bool is_irreducible);
   node_id irreducible(const poly::poly &p);

@@ -9,7 +9,7 @@
 namespace meetc::lower {
 namespace {
 
-// The callee's truth over the caller's signs.
+// Writes the callee's truth with the caller's signs.
 class transfer {
 public:
   transfer(const predicate &from, const std::vector<sign_value> &signs, decision &to) : from_(from.signs), to_(to) {
@@ -50,7 +50,7 @@ private:
   std::map<int, sign_value> signs_;
 };
 
-// What stands for each of the callee's atoms: both take their signs in the same order.
+// The caller's sign for each of the callee's atoms. Both take their signs in the same order.
 std::optional<std::vector<sign_value>> signs_of(const predicate &callee, const std::vector<sign_value> &taken) {
   if (taken.size() != callee.taken.size())
     return std::nullopt;

@@ -99,7 +99,7 @@ int decision::test(const sign_value &s, sign_mask mask) {
     return constant((mask & 4) != 0);
   const bool even = std::all_of(v.atoms.begin(), v.atoms.end(), [](const auto &a) { return a.second == 2; });
   if (even)
-    mask = (mask & 6) | (mask & 4) >> 2; // never negative: only zero and positive count
+    mask = (mask & 6) | (mask & 4) >> 2; // a square is never negative, so only zero and positive count
   if (mask == 7 || mask == 0)
     return constant(mask == 7);
   return intern({truth_node::type::test, mask, std::move(v), {}});
@@ -149,7 +149,7 @@ int decision::choose(int condition, int then, int otherwise) {
 }
 
 bool decision::evaluate(int id, const std::vector<int> &signs) const {
-  // Ids grow from parts to wholes, so one sweep in id order sees parts first.
+  // Ids grow from parts to wholes, so one sweep in their order sees parts first.
   std::vector<char> value(static_cast<std::size_t>(id) + 1);
   const auto of = [&](int i) { return value[static_cast<std::size_t>(i)] != 0; };
   for (int i = 0; i <= id; ++i) {

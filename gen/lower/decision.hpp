@@ -1,8 +1,8 @@
 // Decisions over sign atoms.
 //
-// An atom is the sign of an irreducible primitive polynomial whose leading coefficient is positive, so
-// signs that are equal (or opposite) are one atom however they were written. A sign value is a unit times a product of atoms;
-// a truth is a hash-consed graph over tests of sign values.
+// An atom is the sign of an irreducible primitive polynomial whose leading coefficient is positive, so equal (or
+// opposite) signs are one atom however they were written. A sign value is a unit times a product of atoms. A truth is a
+// node of a hash-consed graph over tests of sign values.
 #pragma once
 #include "gen/poly/poly.hpp"
 
@@ -12,7 +12,7 @@
 
 namespace meetc::lower {
 
-// unit * product of atoms; unit 0 is the sign zero. Exponent 2 stands for every even power.
+// unit * product of atoms; unit 0 is the sign zero. The exponent 2 stands for every even power.
 struct sign_value {
   int unit = 0;
   std::vector<std::pair<int, int>> atoms; // (atom, 1 or 2), by atom
@@ -22,13 +22,13 @@ struct sign_value {
 sign_value operator*(const sign_value &a, const sign_value &b);
 sign_value operator-(sign_value a);
 
-// Which signs pass a test: bit 0 negative, bit 1 zero, bit 2 positive (as meetc::in<Mask>).
+// The signs that pass a test: bit 0 negative, bit 1 zero, bit 2 positive (as meetc::in<Mask>).
 using sign_mask = int;
 
 struct truth_node {
   enum class type { constant, test, both, either, negate, choose } kind;
-  int flag = 0;          // constant: 0 or 1; test: the mask
-  sign_value sign;       // test
+  int flag = 0;          // for constants: 0 or 1; for tests: the mask
+  sign_value sign;       // for tests
   std::vector<int> args; // both, either: two or more, sorted; negate: one; choose: condition, then, else
   auto operator<=>(const truth_node &) const = default;
 };
@@ -37,9 +37,9 @@ struct truth_node {
 class decision {
 public:
   sign_value sign_of(const poly::poly &p);
-  // What the spec calls an atom, "side(B, A.a)"; "" where nothing does.
+  // The spec's text for an atom, "side(B, A.a)"; "" where it has none.
   std::string text(int atom) const;
-  // The spec writes this sign so. A name that was given since `mark` gives way, an older one stays.
+  // Records the spec's text for a sign. It replaces a text recorded since `mark`, but not an older one.
   void describe(const sign_value &s, const std::string &text, long mark);
   long mark() const { return given_; }
   int constant(bool b);
@@ -56,17 +56,17 @@ public:
   // Evaluates a truth for given signs of the atoms.
   bool evaluate(int id, const std::vector<int> &signs) const;
 
-  // The atoms that a truth reads, ascending. With `rare` false, the then-branches of choose are left out.
+  // The atoms that a truth reads, ascending. If `rare` is false, the then-branches of choose are left out.
   std::vector<int> atoms_of(int id, bool rare) const;
-  // The conditions of all choose nodes that a truth reaches outside of then-branches.
+  // The conditions of all choose nodes that a truth reaches outside then-branches.
   std::vector<int> conditions_of(int id) const;
-  // The truth as it is when every condition of conditions_of() is false.
+  // The truth in the case that every condition of conditions_of() is false.
   int usual(int id);
 
 private:
   struct name {
     std::string text;
-    bool opposite = false; // the text is of the negative atom
+    bool opposite = false; // the text is that of the negated atom
     long given = 0;
   };
 
@@ -74,7 +74,7 @@ private:
   std::vector<name> texts_; // by atom
   long given_ = 0;
   std::map<std::string, int> atom_ids_;
-  std::map<std::string, sign_value> signs_; // by key of the primitive polynomial, factored or not
+  std::map<std::string, sign_value> signs_; // by the key of the primitive polynomial, factored or not
   std::vector<truth_node> nodes_;
   std::map<truth_node, int> node_ids_;
 
@@ -84,7 +84,7 @@ private:
 
 // A predicate's decision, by stages.
 struct staged {
-  std::vector<int> reject; // truths: any true means a miss
+  std::vector<int> reject; // any true one means a miss
   int hit = 0;
 };
 

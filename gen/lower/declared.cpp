@@ -8,11 +8,11 @@
 namespace meetc::lower {
 namespace {
 
-// For each support blade: how it follows from the blades kept. Row reduction of the coefficients as vectors of
-// monomials, over all constructors of the kind at once.
+// For each support blade, its linear combination of the kept blades. It is found by row reduction of the coefficients,
+// as vectors of monomials, over all constructors of the kind at once.
 std::vector<std::vector<std::pair<std::size_t, rational>>> linear_relations(const model &m, const lang::kind &k,
                                                                             const std::vector<blade> &blades) {
-  std::vector<std::map<std::string, rational>> columns(blades.size()); // monomial to coefficient
+  std::vector<std::map<std::string, rational>> columns(blades.size()); // maps monomials to coefficients
   const auto add = [&](const std::string &tag, const std::vector<lang::field> &of, const lang::expr &body) {
     std::vector<std::string> names;
     for (const lang::field &f : of)
@@ -43,7 +43,8 @@ std::vector<std::vector<std::pair<std::size_t, rational>>> linear_relations(cons
   add("", k.store, *k.blade);
   for (const lang::constructor &c : k.from)
     add(c.name, c.of, *c.blade);
-  // Each column reduced by the pivots of the columns kept before it; what vanishes is a combination of those.
+  // Each column is reduced by the pivots of the columns kept before it. A column that vanishes is a combination of
+  // those.
   struct pivot {
     std::map<std::string, rational> rest;
     std::map<std::size_t, rational> made_of;
@@ -68,11 +69,11 @@ std::vector<std::vector<std::pair<std::size_t, rational>>> linear_relations(cons
       for (const auto &[column, c] : p.made_of)
         if (column != i && c != 0)
           out[i].emplace_back(column, -c);
-      // In terms of kept columns alone: made_of names only columns that were kept.
+      // This involves only kept columns, since made_of names no others.
     } else {
       out[i].emplace_back(i, 1);
       kept.push_back(std::move(p));
-      // Pivots in order of their leading monomials keep the reduction complete.
+      // The reduction is complete because pivots are in the order of their leading monomials.
       std::sort(kept.begin(), kept.end(),
                 [](const pivot &a, const pivot &b) { return a.rest.begin()->first < b.rest.begin()->first; });
     }

@@ -1,11 +1,11 @@
-// A formula in the basis that the spec declares, for JSON and LaTeX.
+// A formula in the basis that the spec declares, for the targets JSON and LaTeX.
 #pragma once
 #include "gen/lower/kernel.hpp"
 
 namespace meetc::lower {
 
-// The operands are given by their coefficients X.e1^e2 there, with linear relations between the coefficients of a kind
-// (as e and eb parts that are equal) used up, so that each value has one name.
+// The operands are given by their coefficients X.e1^e2 in that basis. Linear relations between the coefficients of a
+// kind (such as equal e and eb parts) are used to eliminate some of them, so that each value has one name.
 struct declared_formula {
   std::shared_ptr<poly::ring> numbers;
   int numbers_of_x = 0;                           // how many of them belong to the first operand

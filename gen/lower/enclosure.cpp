@@ -1,4 +1,4 @@
-// Bounded kinds: hull, pad and rule as positions in the stored row.
+// Bounded kinds: where the hull, the pad and the rule are in the stored row.
 #include "gen/lower/kernel.hpp"
 
 #include <fmt/format.h>

@@ -9,7 +9,7 @@ namespace meetc::lower {
 namespace {
 using lang::op;
 
-// Limits that no spec which a person writes comes near; they turn a runaway spec into an error.
+// Limits far above any reasonable spec, which turn a runaway spec into an error.
 constexpr long most_steps = 2'000'000;
 constexpr int most_depth = 400; // keeps the stack safe, sanitizers included
 
@@ -222,8 +222,7 @@ value expander::member(const lang::expr &e, const environment &env) {
       e.where, fmt::format("{} has no '{}'; it has: {}{}", k.name, e.text, join(known, ", "), nearest(e.text, known)));
 }
 
-// M[E]: the coefficient of M along the blade E, in the working basis or the declared one, whichever has E as one
-// basis blade.
+// M[E]: the coefficient of M along the blade E, in the working or the declared basis, whichever has E as a basis blade.
 value expander::index(const lang::expr &e, const environment &env) {
   const multivector m = evaluate_multivector(*e.args[0], env);
   const multivector along = evaluate_multivector(*e.args[1], env);

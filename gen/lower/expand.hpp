@@ -1,5 +1,5 @@
-// Expansion: expressions of a spec, evaluated on symbolic operands. Numbers become exact polynomials in the
-// operands' stored numbers, signs and truths become a decision.
+// Expansion: evaluates expressions of a spec on symbolic operands. Numbers become exact polynomials in the operands'
+// stored numbers; signs and truths become a decision.
 #pragma once
 #include "gen/lower/decision.hpp"
 #include "gen/lower/model.hpp"
@@ -12,7 +12,7 @@ namespace meetc::lower {
 struct value;
 using list = std::vector<value>;
 
-// An operand, or a part of one: a kind with values for what it stores. Its blade is made on first use.
+// An operand, or a part of one: a kind with values for what it stores. Its blade is computed on first use.
 struct object {
   const lang::kind *kind;
   std::vector<value> fields;
@@ -25,10 +25,10 @@ struct truth {
 
 struct value {
   std::variant<multivector, sign_value, truth, std::shared_ptr<const object>, std::shared_ptr<const list>> is;
-  std::string text = {}; // how the operands' names say it, "A.c"; "" where they do not
+  std::string text = {}; // the value in terms of the operands' names, "A.c"; "" where there is none
 };
 
-// Where a predicate calls another one: the truth that it is there, and each sign that the call took, in order.
+// A call of one predicate by another: the truth that it became, and each sign that the call took, in order.
 struct predicate_call {
   int truth;
   const lang::predicate *callee;
@@ -36,11 +36,11 @@ struct predicate_call {
   std::vector<sign_value> signs;
 };
 
-using environment = std::vector<std::pair<std::string, value>>; // the last of a name counts
+using environment = std::vector<std::pair<std::string, value>>; // for equal names the last entry counts
 
 class expander {
 public:
-  // `numbers` is the ring that all polynomials live in.
+  // `numbers` is the ring of all polynomials.
   expander(const model &m, const poly::ring &numbers, decision &signs);
   // Expands in the declared basis instead of the working one.
   expander(const model &m, const poly::ring &numbers, decision &signs, const metric &basis,
@@ -48,13 +48,13 @@ public:
 
   // An operand whose stored numbers are the ring's variables prefix + path ("X." + "c.x").
   value operand(const lang::kind &k, const std::string &prefix) const;
-  // An operand whose blade has one variable a basis blade: prefix + names[i] at blades[i].
+  // An operand whose blade has one variable for each basis blade: prefix + names[i] at blades[i].
   value general(const std::vector<blade> &blades, const std::vector<std::string> &names) const;
 
   value evaluate(const lang::expr &e, const environment &env);
   multivector evaluate_multivector(const lang::expr &e, const environment &env);
   multivector blade_of(const value &v, const location &where);
-  // `taken`: the signs that the hit takes, in order.
+  // `taken` receives the signs that the hit takes, in order.
   staged evaluate_predicate(const lang::predicate &p, const std::vector<value> &args, std::vector<sign_value> *taken);
 
   const metric &basis() const { return *basis_; }
@@ -73,7 +73,7 @@ private:
   long steps_ = 0;
   int depth_ = 0;
 
-  struct level; // counts how deep evaluation is
+  struct level; // counts the depth of evaluation
 
   void charge(std::size_t work, const location &where); // throws when a spec asks for too much
   multivector number(const rational &q) const;
@@ -87,9 +87,9 @@ private:
   environment bind(const object &o) const;
   environment bind(const lang::predicate &p, const std::vector<value> &args, const location &where);
   int truth_of(const lang::expr &e, const environment &env);
-  // The expression with its names replaced by what they stand for: "side(t, s.p)" as "side(B, A.a)".
+  // The expression with its names replaced by what they stand for: "side(t, s.p)" becomes "side(B, A.a)".
   std::string said(const lang::expr &e, const environment &env);
-  sign_value sign_of(const poly::poly &p); // and takes it down
+  sign_value sign_of(const poly::poly &p); // records it in taken_
   poly::poly scalar_of(const multivector &m, const location &where) const;
   static std::string describe(const value &v);
 };

@@ -1,4 +1,4 @@
-// Formulas: a multivector-valued expression on general blades, and a number also on what operands store.
+// Formulas: a multivector-valued expression on general blades, and a number on stored operands as well.
 #include "gen/lower/compile.hpp"
 
 #include <algorithm>
@@ -15,15 +15,15 @@ std::vector<poly::stored_number> unmoved(const std::vector<std::size_t> &sizes) 
   return out;
 }
 
-constexpr std::size_t longest_direct = 150; // terms
+constexpr std::size_t longest_direct = 150; // number of terms
 
-// The kind of the same grade with room for `blades`, the tightest first, then as declared.
+// The kind of the same grade that has room for `blades`: the tightest one, and the first declared among equals.
 const lang::kind *kind_for(const model &m, const std::vector<blade> &blades) {
   const lang::kind *best = nullptr;
   std::size_t best_size = 0;
   for (const lang::kind &k : m.spec().kinds) {
     if (k.hull && !k.pad)
-      continue; // segments and triangles: their blades are named line and plane
+      continue; // skips segments and triangles, whose blades are named line and plane
     const std::vector<blade> room = support(m, k);
     const bool fits = std::all_of(blades.begin(), blades.end(),
                                   [&](blade b) { return std::find(room.begin(), room.end(), b) != room.end(); });
@@ -39,7 +39,7 @@ const lang::kind *kind_for(const model &m, const std::vector<blade> &blades) {
 
 formula compile_formula(const model &m, const request &r) {
   formula out;
-  // On blades: every operand is a multivector with one number a basis blade of its kind's support.
+  // On blades, every operand is a multivector with one number for each basis blade of its kind's support.
   std::vector<std::string> names;
   std::vector<std::size_t> sizes;
   std::vector<std::vector<blade>> supports;
@@ -68,7 +68,7 @@ formula compile_formula(const model &m, const request &r) {
   std::vector<node_id> direct;
   for (const blade b : out.result) {
     out.polynomials.push_back(*whole.find(b));
-    // Taken apart into hundreds of terms, a value is never cheaper than through the coefficients of its parts.
+    // A value expanded into hundreds of terms is never cheaper than one computed from the coefficients of its parts.
     if (whole.find(b)->length() > longest_direct)
       direct.clear();
     if (direct.size() + 1 == out.polynomials.size())
@@ -76,7 +76,7 @@ formula compile_formula(const model &m, const request &r) {
   }
   std::vector<node_id> composed = direct;
   if (r.body->args.size() == 1 && r.body->args[0]->kind == lang::op::call) {
-    // f(g(...)): g's coefficients are values of their own, and f is taken over them.
+    // For f(g(...)), the coefficients of g are values, and f is computed from them.
     const multivector inner = expand.evaluate_multivector(*r.body->args[0], env);
     std::vector<std::string> inner_names;
     std::vector<blade> inner_blades;
@@ -117,7 +117,7 @@ formula compile_formula(const model &m, const request &r) {
   if (!number)
     out.result_kind = kind_for(m, out.result);
 
-  // A number is also taken straight from what operands store, in differences where it can be.
+  // A number is also computed directly from stored operands, in differences where possible.
   if (number) {
     const stored_ring stored = stored_numbers(m, r.names, r.kinds);
     out.stored_numbers = stored.numbers;

@@ -1,4 +1,4 @@
-// A kernel: one thing that a scene asks for, compiled to programs and decisions, ready for any emitter.
+// A kernel: one thing that a scene asks for, compiled to programs and decisions for any target.
 #pragma once
 #include "gen/bound/bound.hpp"
 #include "gen/lower/build.hpp"
@@ -8,12 +8,12 @@ namespace meetc::lower {
 
 using algebra::blade;
 
-// A request with its operands named apart: 'norm2(meet(sphere, line))' on X: sphere, Y: line.
+// A request whose operands have different names: 'norm2(meet(sphere, line))' on X: sphere, Y: line.
 struct request {
   std::string text;                       // as the scene wrote it
   std::string function;                   // "norm2_meet", or the predicate's name
-  lang::expr_ptr body;                    // kinds replaced by operand names; null for a predicate
-  const lang::predicate *asked = nullptr; // a predicate
+  lang::expr_ptr body;                    // with kinds replaced by operand names; null for a predicate
+  const lang::predicate *asked = nullptr; // the predicate, if it is one
   std::vector<std::string> names;         // operand names
   std::vector<const lang::kind *> kinds;  // of the operands
   location where;
@@ -21,16 +21,16 @@ struct request {
   std::string name() const; // "norm2_meet_sphere_line"
 };
 
-// What a scene may ask: a predicate by name, or functions applied to kinds.
+// Resolves what a scene may ask for: a predicate by name, or functions applied to kinds.
 request resolve(const lower::model &m, const lang::expr_ptr &what);
-// An expression over operands that the caller names ('S: sphere').
+// Resolves an expression over operands that the caller names ('S: sphere').
 request resolve(const lower::model &m, const lang::expr_ptr &what,
                 const std::vector<std::pair<std::string, std::string>> &with);
 
 // The basis blades on which a kind can be non-zero, over all its constructors, in reading order.
 std::vector<blade> support(const lower::model &m, const lang::kind &k, bool declared = false);
 
-// One way to make a blade from stored numbers; the coefficients follow support().
+// One way to compute a blade from stored numbers; the coefficients are those of support().
 struct blade_maker {
   std::string name, text; // name: "" for the stored form; text: of the expression that says it
   std::vector<lang::field> of;
@@ -39,13 +39,13 @@ struct blade_maker {
   std::shared_ptr<poly::ring> numbers;
 };
 
-// A value of general blades and of stored operands.
+// A value as a function of general blades and of stored operands.
 struct formula {
   std::vector<blade> result;               // the blades of the results; {0} for a number
   std::vector<basis_blade> result_names;   // of the same
   const lang::kind *result_kind = nullptr; // the kind whose blade has room for them
   program from_blades;                     // inputs: operands' support() coefficients, one operand after another
-  std::vector<std::string> blade_inputs;   // their names, "X.e1^n"
+  std::vector<std::string> blade_inputs;   // their names, as "X.e1^n"
   program from_stored;                     // numbers only; inputs: stored numbers, one operand after another
   std::vector<std::string> stored_inputs;
   std::vector<poly::poly> polynomials; // of from_blades, in `numbers`
@@ -61,12 +61,12 @@ struct stage {
 };
 
 struct predicate;
-// A part of a decision that is another predicate's, on other signs.
+// A part of a decision that is another predicate's decision on other signs.
 struct sub_decision {
   std::shared_ptr<const predicate> callee;
-  std::string name, text;        // of the callee; "segment_triangle(segment(A.a, A.b), B)"
+  std::string name, text;        // of the callee; text: "segment_triangle(segment(A.a, A.b), B)"
   int whole = 0, usual = 0;      // truths of the calling decision
-  std::vector<sign_value> signs; // what stands for each of callee->order()
+  std::vector<sign_value> signs; // the sign in place of each of callee->order()
 };
 
 struct predicate {
@@ -76,18 +76,18 @@ struct predicate {
   std::shared_ptr<poly::frame> local;
   lower::decision signs;
   lower::staged truths;
-  std::vector<int> conditions;   // any true: the rare stage is needed
-  int usual = 0;                 // the hit when none is
-  lower::sign_value value;       // of a sign kernel, which has the common stage alone
-  stage reject, common, rare;    // empty atoms: the stage is not there
+  std::vector<int> conditions;   // if any is true, the rare stage is needed
+  int usual = 0;                 // the hit where none is true
+  lower::sign_value value;       // for a kernel that is one sign, which has only the common stage
+  stage reject, common, rare;    // no atoms: there is no such stage
   std::vector<sign_value> taken; // every sign that the hit takes, in the order of the spec
   std::vector<sub_decision> calls;
 
-  // The atoms in the order in which the stages find them.
+  // The atoms in the order in which the stages compute them.
   std::vector<int> order() const;
 };
 
-// The stages in the order in which they run, of a predicate or of anything else that is had by stage (bounds).
+// The names of the stages in the order in which they run, for predicates and for all else that has stages (bounds).
 inline constexpr std::array<const char *, 3> stage_names{"reject", "common", "rare"};
 template <class ByStage> auto stages(ByStage &of) {
   return std::array{&of.reject, &of.common, &of.rare};
@@ -95,13 +95,13 @@ template <class ByStage> auto stages(ByStage &of) {
 
 struct kernel {
   request asked;
-  bool is_predicate = false; // made of signs: a predicate, or one sign
-  bool is_sign = false;      // one sign, as 'side(triangle, point)'
-  formula value;             // when it is not made of signs
-  predicate decision;        // when it is
+  bool is_predicate = false; // consists of signs: a predicate, or one sign
+  bool is_sign = false;      // is one sign, as 'side(triangle, point)'
+  formula value;             // where it does not consist of signs
+  predicate decision;        // where it does
 };
 
-// A request to programs as lowering leaves them: passes come next, then bounds.
+// Turns a request into programs as lowering leaves them. Passes follow, and then bounds.
 kernel compile(const lower::model &m, const request &r);
 std::vector<blade_maker> makers(const lower::model &m, const lang::kind &k);
 
@@ -117,7 +117,7 @@ struct kernel_program {
 };
 std::vector<kernel_program> programs(kernel &k);
 
-// What bounds are computed from. Borrows from the predicate.
+// The input of the error analysis. Borrows from the predicate.
 bound::subject subject_of(const predicate &p);
 
 // The stored numbers of operands as a ring, "X.c.x", and how a translation moves them.
@@ -128,15 +128,15 @@ struct stored_ring {
 stored_ring stored_numbers(const lower::model &m, const std::vector<std::string> &names,
                            const std::vector<const lang::kind *> &kinds);
 
-// What a runtime must know of a bounded kind: the hull's points as inputs by axis, the pad's input (-1: none), and
-// the rule that a valid element obeys as (input, "comparison with 0").
+// What a runtime must know of a bounded kind: the points of the hull as inputs by axis, the input of the pad (-1:
+// none), and the rule that a valid element obeys, as (input, "comparison with 0").
 struct enclosure {
   std::vector<std::vector<int>> hull;
   int pad = -1;
   int rule_input = -1;
   std::string rule, rule_text; // ">= 0", "r >= 0"
 };
-// Empty hull: the kind is not bounded, and no set of it can be searched.
+// An empty hull means that the kind is not bounded, so sets of it cannot be searched.
 enclosure enclosing(const lower::model &m, const lang::kind &k);
 
 } // namespace meetc::lower

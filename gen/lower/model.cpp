@@ -35,7 +35,7 @@ matrix multiply(const matrix &a, const matrix &b, bool transposed) {
   return out;
 }
 
-// Gauss-Jordan; false when m is singular.
+// Gauss-Jordan elimination. Returns false where m is singular.
 bool invert(matrix m, matrix &out) {
   const std::size_t n = m.size();
   out = identity(n);
@@ -71,7 +71,7 @@ model::model(const lang::algebra &a)
       to_declared_(to_working_) {
   if (a.null.empty())
     return;
-  // The null vectors, in the declared basis; the declared vectors that they use step aside.
+  // The null vectors, in the declared basis. They replace the declared vectors that they use.
   const poly::ring none({});
   decision unused;
   expander declared(*this, none, unused, declared_, identity(a.vectors.size()));
@@ -139,7 +139,7 @@ kind_layout model::layout(const lang::kind &k) const {
     out.groups += inner.groups;
     out.points += inner.points;
   }
-  // A kind of as many reals as space has axes and nothing else is one group: a point or a direction.
+  // A kind that is nothing but one real for each axis of space is one group: a point or a direction.
   const lang::named_expr *axes = spec_.find_constant("axes");
   const std::size_t dimension = axes && axes->body->kind == lang::op::list ? axes->body->args.size() : 0;
   bool bare = k.position || (k.store.size() == dimension && dimension > 0);

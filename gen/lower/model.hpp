@@ -1,5 +1,5 @@
-// What a spec's algebra means: the declared basis, the basis that formulas are lowered in, and how each kind is
-// laid out in memory.
+// The meaning of a spec's algebra: the declared basis, the basis in which formulas are lowered, and the layout of each
+// kind in memory.
 #pragma once
 #include "gen/algebra/multivector.hpp"
 #include "gen/lang/spec.hpp"
@@ -26,8 +26,8 @@ std::vector<basis_blade> named(const metric &m, const std::vector<blade> &blades
 // One stored number of a kind, in memory order.
 struct stored_real {
   std::string path; // "c.x"
-  int group = -1;   // the part that it belongs to (a point, a direction), -1 for a bare real
-  int axis = 0;     // its place in the group
+  int group = -1;   // the part (a point, a direction) to which it belongs, -1 for a bare real
+  int axis = 0;     // its index in the group
   bool position = false;
 };
 
@@ -35,7 +35,7 @@ struct kind_layout {
   const lang::kind *kind;
   std::vector<stored_real> reals;
   int groups = 0;
-  int points = 0; // how many of the groups are positions
+  int points = 0; // how many groups are positions
 };
 
 class model {
@@ -45,7 +45,7 @@ public:
   const lang::algebra &spec() const { return spec_; }
   const metric &declared() const { return declared_; }
   const metric &working() const { return working_; }
-  // Row i: the i-th declared vector in the working basis, and the reverse.
+  // Row i is the i-th declared vector in the working basis, or the reverse.
   const std::vector<std::vector<rational>> &to_working() const { return to_working_; }
   const std::vector<std::vector<rational>> &to_declared() const { return to_declared_; }
 

@@ -1,4 +1,4 @@
-// Kernels that are made of signs: predicates by stages, and single signs.
+// Kernels that consist of signs: predicates with their stages, and single signs.
 #include "gen/lower/calls.hpp"
 #include "gen/lower/compile.hpp"
 
@@ -21,7 +21,7 @@ stage compile_stage(const poly::frame &local, const decision &signs, const std::
   return out;
 }
 
-// The operands of a kernel that is made of signs, before its signs are known.
+// The operands of a kernel that consists of signs, before its signs are known.
 predicate with_operands(const model &m, const request &r) {
   predicate out;
   const stored_ring stored = stored_numbers(m, r.names, r.kinds);

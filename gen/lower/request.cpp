@@ -1,4 +1,4 @@
-// Requests: which operands a kernel has, and what its parts are called.
+// Requests: the operands of a kernel and the names of its parts.
 #include "gen/lower/kernel.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@ namespace {
 
 const char *const operand_names[] = {"X", "Y", "Z", "W"};
 
-// Replaces kind names by operand names and collects them; writes the function's name as nested calls have it.
+// Replaces kind names by operand names and collects them. Writes the name of the function as in nested calls.
 lang::expr_ptr rename(const lower::model &m, const lang::expr_ptr &e, request &r) {
   if (e->kind == lang::op::name) {
     const lang::kind *k = m.spec().find_kind(e->text);

@@ -1,4 +1,5 @@
-// What a kernel of two operands computes as sums of products f(X) g(Y): how wide all pairs are as a matrix product.
+// The values of a kernel of two operands as sums of products f(X) g(Y), whose number is the inner dimension of the
+// matrix product that evaluates all pairs.
 #pragma once
 #include "gen/lower/declared.hpp"
 #include "gen/poly/separate.hpp"
@@ -10,7 +11,8 @@ struct separated {
   poly::separation parts;
 };
 
-// Signs by stage, in the stored numbers; a formula's values on general blades. Nothing where there are not two operands.
+// Signs by stage, in the stored numbers, or a formula's values on general blades. Nothing unless there are two
+// operands.
 std::vector<separated> separate(const model &m, const kernel &k);
 // A formula's values, and "norm2", in the declared basis.
 std::vector<separated> separate(const declared_formula &f);

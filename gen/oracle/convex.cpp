@@ -12,7 +12,7 @@ using integer = mpz_class;
 using vec = std::array<integer, 3>;
 using corners = std::vector<vec>;
 
-// ---- arithmetic that keeps its memory: nearly all of the time goes here ----
+// ---- arithmetic that reuses its memory, since it takes nearly all of the time ----
 
 void subtract(vec &out, const vec &a, const vec &b) {
   for (std::size_t k = 0; k < 3; ++k)
@@ -24,14 +24,14 @@ void dot(integer &out, const vec &a, const vec &b) {
     mpz_addmul(out.get_mpz_t(), a[k].get_mpz_t(), b[k].get_mpz_t());
 }
 
-// Solves g t = h d for integers t and d > 0, by elimination without fractions (E. H. Bareiss, 1968): every
-// division leaves no rest, because what is divided are minors of g. g is a Gram matrix, so no pivot is
-// negative, and one that is 0 says that g is singular. At most 3 by 3.
+// Solves g t = h d for integers t and d > 0 by fraction-free elimination (E. H. Bareiss, 1968). Every division is
+// exact, because minors of g are divided. g is a Gram matrix, so no pivot is negative, and a pivot of 0 means that g is
+// singular. At most 3 by 3.
 struct regular_system {
   integer g[3][4]; // h in column n
   integer t[3], d;
 
-  // False where g is singular.
+  // Returns false where g is singular.
   bool eliminate(std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) {
       if (g[k][k] == 0)
@@ -48,7 +48,7 @@ struct regular_system {
     d = n == 0 ? integer(1) : g[n - 1][n - 1];
     return true;
   }
-  // Finds t, from the last to the first; false as soon as one is negative.
+  // Computes t, from the last number to the first. Returns false as soon as one is negative.
   bool solve_nonnegative(std::size_t n) {
     for (std::size_t i = n; i-- > 0;) {
       mpz_ptr x = t[i].get_mpz_t();
@@ -63,19 +63,19 @@ struct regular_system {
   }
 };
 
-// ---- the programme ----
+// ---- the quadratic programme ----
 
 // The nearest points of two hulls of integer points.
 class programme {
 public:
   programme(const corners &a, const corners &b) : a_(a), b_(b) {}
 
-  // The square of the distance, as numerator and positive denominator.
+  // Computes the square of the distance, as numerator and positive denominator.
   //
-  // Why every subset of corners is enough, and singular ones may be skipped: the nearest points' weights form
-  // a polytope (their difference w is unique). At a corner of that polytope the corners of a and b in use
-  // have independent directions, so their programme is regular, and its only stationary point is this one.
-  // More than three directions of space are dependent.
+  // Why it is enough to try every subset of corners and to skip singular ones: the weights of the nearest points form a
+  // polytope (their difference w is unique). At a corner of that polytope the corners of a and b in use have
+  // independent directions, so their programme is regular, and its only stationary point is this one. More than three
+  // directions in space are dependent.
   void solve(integer &numerator, integer &denominator) {
     for (unsigned i = 1; i < 1U << a_.size(); ++i)
       for (unsigned j = 1; j < 1U << b_.size(); ++j)
@@ -93,8 +93,8 @@ private:
   regular_system system_;
   integer square_, least_, most_, x_;
 
-  // w / d = x - y, with x and y the nearest points of the flats through these corners of a and of b: a
-  // stationary point of |x - y|². False when x and y are not unique, or when one lies outside its hull.
+  // w / d = x - y, where x and y are the nearest points of the flats through these corners of a and of b, a stationary
+  // point of |x - y|². Returns false where x and y are not unique, or where one lies outside its hull.
   bool stationary(unsigned in_a, unsigned in_b) {
     const vec *start_a = nullptr, *start_b = nullptr;
     std::size_t n = 0, of_a = 0;
@@ -137,7 +137,7 @@ private:
     return true;
   }
 
-  // The weights of the points of one side must not be negative; the first point's is what is left to 1.
+  // The weights of the points of one side must not be negative. The weights add up to 1, which gives the first.
   bool first_weight_feasible(std::size_t begin, std::size_t end) {
     x_ = system_.d;
     for (std::size_t i = begin; i < end; ++i)
@@ -145,9 +145,9 @@ private:
     return x_ >= 0;
   }
 
-  // The optimality conditions of the whole programme: w is a difference of points of the hulls, and no
-  // difference of corners lies further back along w. Then |w| is the distance: the slab between two planes
-  // across w parts the hulls.
+  // The optimality conditions of the whole programme: w is a difference of points of the hulls, and no difference of
+  // corners lies further back along w. Then |w| is the distance, because the slab between two planes perpendicular to w
+  // separates the hulls.
   bool optimal() {
     dot(square_, w_, w_);
     if (square_ == 0)
@@ -158,7 +158,7 @@ private:
     least_ *= system_.d;
     return least_ >= square_;
   }
-  // The greatest (sign 1) or least (-1) product of w with a corner.
+  // The greatest (sign 1) or least (-1) dot product of w with a corner.
   void extreme(integer &out, const corners &points, int sign) {
     dot(out, w_, points[0]);
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -171,7 +171,7 @@ private:
 
 // ---- from rationals to integers ----
 
-// All coordinates and pads times one common factor; then the points moved so that one of them is 0.
+// Multiplies all coordinates and pads by one common factor, then moves the points so that one of them is 0.
 struct on_integers {
   corners a, b;
   integer pad_a, pad_b;
@@ -202,7 +202,7 @@ struct on_integers {
     for (corners *c : {&a, &b})
       for (vec &p : *c)
         subtract(p, p, origin);
-    // Common powers of two cost time and change nothing.
+    // Common powers of two take time and change nothing.
     mp_bitcnt_t low = ~mp_bitcnt_t{0};
     each([&](const integer &c) { low = sgn(c) == 0 ? low : std::min(low, mpz_scan1(c.get_mpz_t(), 0)); });
     if (low == ~mp_bitcnt_t{0})
@@ -232,7 +232,7 @@ void require_few_points(const hull &a, const hull &b) {
     throw std::invalid_argument("the oracle tries every subset of corners: 16 points are too many already");
 }
 
-// Of integer points.
+// For integer points.
 integer greatest_square(const vec &p, const corners &a) {
   integer most, square;
   vec d;
@@ -283,7 +283,7 @@ bool touches(const hull &a, const rational &pad_a, const hull &b, const rational
   programme(in.a, in.b).solve(square, unit);
   const integer sum = in.pad_a + in.pad_b, difference = in.pad_a - in.pad_b;
   if (square > sum * sum * unit)
-    return false; // apart, in either mode
+    return false; // apart, in both modes
   if (!surfaces || sum == 0)
     return true;
   if (pad_a > 0 && pad_b > 0)

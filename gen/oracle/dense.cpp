@@ -20,7 +20,8 @@ bool odd_swaps(std::size_t a, std::size_t b) {
   return swaps % 2 != 0;
 }
 
-// With the congruence that diagonalises g: rows of `basis` are orthogonal vectors in the declared ones.
+// A metric with the congruence that diagonalises g: the rows of `basis` are orthogonal vectors in terms of the declared
+// ones.
 struct congruence {
   matrix basis;
   std::vector<rational> squares;
@@ -31,7 +32,7 @@ congruence diagonalise(matrix g) {
   matrix p(n, std::vector<rational>(n));
   for (std::size_t i = 0; i < n; ++i)
     p[i][i] = 1;
-  // Vector i += f * vector j, in the basis and on both sides of the metric.
+  // Adds f * vector j to vector i, in the basis and on both sides of the metric.
   const auto add_vector = [&](std::size_t i, std::size_t j, const rational &f) {
     for (std::size_t k = 0; k < n; ++k) {
       p[i][k] += f * p[j][k];
@@ -42,7 +43,7 @@ congruence diagonalise(matrix g) {
   };
   for (std::size_t k = 0; k < n; ++k) {
     if (g[k][k] == 0) {
-      // A later vector j gives a pivot: (k + j)² = 2 k·j + j², or, should that vanish too, (k - j)².
+      // A later vector j gives a pivot: (k + j)² = 2 k·j + j², or (k - j)² where that vanishes too.
       for (std::size_t j = k + 1; j < n && g[k][k] == 0; ++j) {
         const rational sum = 2 * g[k][j] + g[j][j], difference = g[j][j] - 2 * g[k][j];
         if (sum != 0)
@@ -51,7 +52,7 @@ congruence diagonalise(matrix g) {
           add_vector(k, j, -1);
       }
       if (g[k][k] == 0)
-        continue; // k is orthogonal to itself and to all that follow
+        continue; // k is orthogonal to itself and to all later vectors
     }
     for (std::size_t i = k + 1; i < n; ++i) {
       const rational factor = -g[i][k] / g[k][k];
@@ -64,7 +65,7 @@ congruence diagonalise(matrix g) {
   return {std::move(p), std::move(squares)};
 }
 
-// Gauss-Jordan. The matrices here are products of elementary ones, so they are never singular.
+// Gauss-Jordan elimination. The matrices here are products of elementary ones, so none is singular.
 matrix inverse(matrix a) {
   const std::size_t n = a.size();
   matrix r(n, std::vector<rational>(n));
@@ -230,7 +231,7 @@ multivector dense_algebra::orthogonal_product(const multivector &a, const multiv
     if (a[i] == 0)
       continue;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      // Of orthogonal blades, the product has grade s - r exactly where all of i is in j.
+      // The product of orthogonal blades has grade s - r exactly where all vectors of i are in j.
       if (b[j] == 0 || (contract && (i & j) != i))
         continue;
       rational t = a[i] * b[j];

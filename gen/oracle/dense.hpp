@@ -1,6 +1,6 @@
-// Dense geometric algebra over the rationals: simple, slow and meant to be obviously right.
+// Dense geometric algebra over the rationals: simple, slow and intended to be obviously right.
 //
-// This is one of the two judges of the compiler (the other is convex.hpp). It shares no code with it.
+// This is one of the two judges of the compiler (the other is convex.hpp). It shares no code with the compiler.
 #ifndef MEETC_GEN_ORACLE_DENSE_HPP
 #define MEETC_GEN_ORACLE_DENSE_HPP
 
@@ -15,20 +15,19 @@ using rational = mpq_class;
 // A square matrix, by rows.
 using matrix = std::vector<std::vector<rational>>;
 
-// 2^n coefficients. Index m, read as a bit mask, is the OUTER product of the declared basis vectors whose
-// bits are set, in declared order: of 5 vectors, index 0b10011 is v0 ^ v1 ^ v4. Index 0 is the scalar.
+// 2^n coefficients. Index m, read as a bit mask, is the OUTER product of the declared basis vectors whose bits are set,
+// in declared order: with 5 vectors, index 0b10011 is v0 ^ v1 ^ v4. Index 0 is the scalar.
 using multivector = std::vector<rational>;
 
-// ---- what needs no metric
-// -------------------------------------------------------------------------------------- Both operands must
-// have one size, else std::invalid_argument.
+// ---- operations that need no metric ----
+// Both operands must have the same size, else std::invalid_argument is thrown.
 
 [[nodiscard]] multivector add(const multivector &a, const multivector &b);
 [[nodiscard]] multivector subtract(const multivector &a, const multivector &b);
 [[nodiscard]] multivector scale(const rational &k, const multivector &a);
 [[nodiscard]] multivector outer(const multivector &a, const multivector &b);
 
-// The part of grade k; zero for a k that does not occur.
+// The part of grade k; zero where no blade has grade k.
 [[nodiscard]] multivector grade_part(const multivector &a, int k);
 [[nodiscard]] rational scalar_part(const multivector &a);
 [[nodiscard]] bool is_zero(const multivector &a);
@@ -37,8 +36,8 @@ using multivector = std::vector<rational>;
 // inner product of the declared vectors i and j. The metric may be indefinite, degenerate, or have a zero
 // diagonal (null vectors).
 //
-// With a diagonal metric, blades are multiplied by counting swaps. With any other, the metric is diagonalised
-// by an exact congruence and products go through the orthogonal basis and back.
+// With a diagonal metric, blades are multiplied by counting swaps. Any other metric is diagonalised by an exact
+// congruence, and products go through the orthogonal basis and back.
 class dense_algebra {
 public:
   // Throws std::invalid_argument unless the matrix is square, symmetric and of size 1 to 8.
@@ -53,13 +52,13 @@ public:
   [[nodiscard]] multivector scalar(const rational &k) const;
   // The declared vector i, 0 <= i < n.
   [[nodiscard]] multivector vector(int i) const;
-  // All declared vectors, outer product in declared order. A spec may name another I: see meet.
+  // The outer product of all declared vectors in declared order. A spec may name another I: see meet.
   [[nodiscard]] multivector pseudoscalar() const;
 
   [[nodiscard]] multivector geometric(const multivector &a, const multivector &b) const;
-  // a ⌋ b: of the product of grades r and s, the part of grade s - r; zero where r > s.
+  // a ⌋ b: the part of grade s - r of the product of grades r and s; zero where r > s.
   [[nodiscard]] multivector left_contraction(const multivector &a, const multivector &b) const;
-  // The meet (I x) ⌋ y, with I the pseudoscalar above, or the one that is given.
+  // The meet (I x) ⌋ y, where I is the pseudoscalar above or the given one.
   [[nodiscard]] multivector meet(const multivector &x, const multivector &y) const;
   [[nodiscard]] multivector meet(const multivector &x, const multivector &y, const multivector &pseudo) const;
 
@@ -67,7 +66,7 @@ private:
   int n_;
   std::vector<rational> squares_; // of the orthogonal vectors
   std::vector<multivector> to_,
-      from_; // images of blades, declared to orthogonal and back; empty: the same basis
+      from_; // images of blades, from declared to orthogonal and back; empty: the same basis
 
   [[nodiscard]] multivector orthogonal_product(const multivector &a, const multivector &b, bool contract) const;
   [[nodiscard]] multivector product(const multivector &a, const multivector &b, bool contract) const;

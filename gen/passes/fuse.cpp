@@ -6,7 +6,7 @@ namespace meetc::passes {
 namespace {
 using ir::node_id;
 
-// A node of the new program; with its factors where it is a product that may be fused.
+// A node of the new program, with its factors where it is a product that may be fused.
 struct fusable {
   node_id id, a = -1, b = -1;
   ir::residency where{};

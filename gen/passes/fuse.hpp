@@ -3,10 +3,10 @@
 
 namespace meetc::passes {
 
-// A product that is used once, in a sum, becomes a fused multiply-add: one rounding and one instruction less.
+// Turns a product that is used once, in a sum, into a fused multiply-add, which saves one rounding and one instruction.
 //
-// Products of another residency than the sum stay apart: a value that one object alone decides is computed once for the
-// object and must not be drawn into the pair. Counts of multiplications and additions do not change.
+// A product and a sum of different residency stay apart: a value of one object must not be drawn into the pair. The
+// numbers of multiplications and additions do not change.
 ir::program fuse(const ir::program &p);
 
 } // namespace meetc::passes

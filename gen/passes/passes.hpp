@@ -1,8 +1,8 @@
-// The passes: what is done to every program between lowering and bounds, one line each, in this order.
+// The passes over every program between lowering and bounds, one line each, in this order.
 //
-// A pass takes a program and gives a program of the same results. After each, both are expanded into polynomials and
-// compared, in run() and nowhere else; a difference is a defect of the compiler and throws std::logic_error. Error bounds
-// are computed after the last pass, from the program that is emitted.
+// A pass takes a program and returns a program with the same results. After each, run() expands both into polynomials
+// and compares them; this happens nowhere else. A difference is a defect of the compiler and throws std::logic_error.
+// Error bounds are computed after the last pass, from the program that is emitted.
 #pragma once
 #include "gen/lower/kernel.hpp"
 
@@ -19,14 +19,14 @@ struct pass {
   bool of_sets = false; // only on programs that run for most pairs of two sets: lower::kernel_program::of_sets
 };
 
-// All of them, first to last. "lower" is not among them: it is what they start from.
+// All passes, first to last. "lower" is not among them: it is their input.
 std::span<const pass> all();
 
 // Runs the passes up to the one called `last` (all of them where it is empty, none for "lower"), each checked. `inputs` is
 // the ring of the program's inputs.
 ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last = {}, bool of_sets = false);
 
-// The same for every program of a kernel, and for those that make blades.
+// The same for every program of a kernel, including those that compute blades.
 void run(lower::kernel &k, const std::string &last = {});
 void run(std::vector<lower::blade_maker> &makers);
 

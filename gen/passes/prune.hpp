@@ -3,7 +3,8 @@
 
 namespace meetc::passes {
 
-// The nodes that the results need, in their order, and no others: lowering tries several forms of a polynomial.
+// Keeps the nodes that the results need, in their order. Lowering leaves others, since it tries several forms of a
+// polynomial.
 ir::program prune(const ir::program &p);
 
 } // namespace meetc::passes

@@ -1,4 +1,4 @@
-// The domain of passes that build a program anew, operation by operation. A pass derives from it and replaces members.
+// The domain of passes that rebuild a program, operation by operation. A pass derives from it and overrides members.
 #pragma once
 #include "gen/ir/fold.hpp"
 

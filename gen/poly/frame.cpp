@@ -7,7 +7,7 @@ namespace meetc::poly {
 
 frame::frame(const ring &base, std::vector<stored_number> numbers) : base_(base), numbers_(std::move(numbers)) {
   std::vector<std::string> names = base.names();
-  std::map<std::pair<int, int>, int> group_vector; // (operand, group) to vector
+  std::map<std::pair<int, int>, int> group_vector; // maps (operand, group) to a vector
   std::map<std::pair<int, int>, int> group_point;
   for (int v = 0; v < base.size(); ++v) {
     const stored_number &s = numbers_[static_cast<std::size_t>(v)];

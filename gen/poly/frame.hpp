@@ -1,9 +1,10 @@
 // Lowering to a local origin.
 //
-// A polynomial that a translation of all positions leaves alone is rewritten in coordinate differences: one point
-// of each operand is the origin of that operand's differences, and one difference joins the two origins. In the
-// conformal model this is what keeps float32 usable: the squares x^2 of world coordinates cancel exactly, here and
-// not in floating point. Translation invariance is checked, not assumed: sum over positions of dp/dx = 0 an axis.
+// A polynomial that does not change under a translation of all positions is rewritten in coordinate differences: one
+// point of each operand is the origin of that operand's differences, and one difference joins the two origins. In the
+// conformal model this makes float32 usable: the squares x^2 of world coordinates cancel exactly, here and not in
+// floating point. Translation invariance is checked, not assumed: for each axis, the sum of dp/dx over all positions is
+// 0.
 #pragma once
 #include "gen/poly/poly.hpp"
 
@@ -11,13 +12,13 @@
 
 namespace meetc::poly {
 
-// Where a value is known: nowhere special (a constant), once an object, or once a pair.
-enum class residency { scene = 0, a = 1, b = 2, pair = 3 }; // joins by bitwise or
+// What a value depends on: nothing (a constant), one object, or the pair.
+enum class residency { scene = 0, a = 1, b = 2, pair = 3 }; // bitwise or joins two of them
 
 // One stored number of the two operands, in ring order.
 struct stored_number {
   int operand; // 0 or 1
-  int group;   // numbers of a point or a direction share one; -1: a bare number
+  int group;   // the numbers of one point or direction share a group; -1: a bare number
   int axis;
   bool position; // moved by a translation
 };
@@ -25,7 +26,7 @@ struct stored_number {
 // A variable of the local ring.
 struct local_variable {
   residency where;
-  int vector; // the vector (difference, direction, position) it is a component of, or -1
+  int vector; // the vector (difference, direction, position) of which it is a component, or -1
   int axis;
   int minuend, subtrahend; // base variables; subtrahend -1: the stored number itself
 };
@@ -43,9 +44,9 @@ public:
   int vectors() const { return static_cast<int>(vectors_.size()); }
 
   bool is_invariant(const poly &absolute) const;
-  // In differences where `absolute` is translation invariant, in the stored numbers otherwise.
+  // Writes `absolute` in differences if it is translation invariant, and otherwise in the stored numbers.
   poly lower(const poly &absolute) const;
-  // The inverse: differences written out.
+  // The inverse: replaces differences by stored numbers.
   poly raise(const poly &local) const;
 
 private:

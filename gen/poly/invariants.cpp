@@ -17,7 +17,7 @@ public:
   std::optional<vector_form> run() {
     if (!collect_vectors())
       return std::nullopt;
-    // Terms by what they hold of each bare number and by their degree in each vector.
+    // Groups terms by their bare numbers and by their degree in each vector.
     std::map<std::pair<monomial, vector_degrees>, std::vector<term>> classes;
     for (const term &t : p_.terms()) {
       monomial numbers, components;
@@ -88,7 +88,7 @@ private:
     return sum;
   }
 
-  // All products of dots (and at most one triple) with the wanted degree in each vector.
+  // All products of dot products (and at most one triple product) with the wanted degree in each vector.
   void products(vector_degrees left, std::size_t from_i, std::size_t from_j, std::vector<int> chosen,
                 std::vector<std::vector<int>> &out) {
     std::size_t i = 0;
@@ -131,7 +131,7 @@ private:
     }
     if (candidates.size() > 200)
       return false;
-    // Columns: candidates, then the target; rows: monomials.
+    // Columns are the candidates and then the target; rows are monomials.
     std::map<monomial, std::size_t> row_of;
     std::vector<std::vector<rational>> rows;
     const std::size_t width = candidates.size() + 1;
@@ -194,7 +194,7 @@ private:
   }
 };
 
-// f with every multiple of `lead` (a monomial) replaced by multiples of `image`.
+// Replaces every multiple of `lead` (a monomial) in f by the same multiple of `image`.
 poly rewrite(poly f, const monomial &lead, const poly &image) {
   for (;;) {
     std::vector<term> kept, quotient;
@@ -227,7 +227,7 @@ struct rule {
   poly image;
 };
 
-// The form in a ring with room for one more symbol for each added invariant, and the rules that bring them in.
+// The form in a ring with one more symbol for each added invariant, and the rules that introduce them.
 vector_form with_symbols(const vector_form &v, const std::vector<invariant> &added) {
   std::vector<std::string> names = v.symbols->names();
   vector_form out{nullptr, v.invariants, poly(*v.symbols)};

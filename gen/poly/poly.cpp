@@ -38,7 +38,7 @@ public:
 } // namespace
 
 ring::ring(std::vector<std::string> names) : names_(std::move(names)), context_(std::make_unique<context>()) {
-  // FLINT wants at least one variable.
+  // FLINT needs at least one variable.
   fmpq_mpoly_ctx_init(context_->value, std::max<slong>(1, static_cast<slong>(names_.size())), ORD_DEGLEX);
 }
 ring::~ring() {
@@ -242,7 +242,7 @@ poly::factor poly::factors() const {
   fmpz_mpoly_factor_init(f, integers);
   if (!fmpz_mpoly_factor(f, rest.p_->value->zpoly, integers)) {
     fmpz_mpoly_factor_clear(f, integers);
-    out.parts.emplace_back(rest, 1); // FLINT gave up: one factor, still right
+    out.parts.emplace_back(rest, 1); // FLINT did not succeed; one factor is still correct
     return out;
   }
   for (slong i = 0; i < fmpz_mpoly_factor_length(f, integers); ++i) {
@@ -266,7 +266,7 @@ poly::factor poly::factors() const {
     sorted.push_back(out.parts[i]);
   }
   out.parts = std::move(sorted);
-  // What is left between the primitive and the product of primitives is a sign.
+  // The quotient of the primitive and the product of primitives is a sign.
   const rational lead = terms().front().coefficient;
   out.content = lead / product.terms().front().coefficient;
   return out;

@@ -1,5 +1,5 @@
-// Exact rational polynomials in named variables. FLINT (https://flintlib.org, fmpq_mpoly) does the arithmetic and
-// the factoring and stays behind this header.
+// Exact rational polynomials in named variables. FLINT (https://flintlib.org, fmpq_mpoly) does the arithmetic and the
+// factoring; nothing outside this header sees it.
 #pragma once
 #include "gen/algebra/metric.hpp"
 
@@ -12,7 +12,7 @@ namespace meetc::poly {
 
 using algebra::rational;
 
-// The variables that polynomials are written in. Polynomials of different rings do not mix.
+// The variables of polynomials. Polynomials of different rings cannot be combined.
 class ring {
 public:
   explicit ring(std::vector<std::string> names);
@@ -23,7 +23,7 @@ public:
   int size() const { return static_cast<int>(names_.size()); }
   const std::string &name(int v) const { return names_[static_cast<std::size_t>(v)]; }
   const std::vector<std::string> &names() const { return names_; }
-  int find(const std::string &name) const; // -1 when there is none
+  int find(const std::string &name) const; // -1 where there is none
 
   struct context;
   context *flint() const { return context_.get(); }
@@ -54,7 +54,7 @@ public:
   const ring &in() const { return *ring_; }
   bool is_zero() const;
   bool is_constant() const;
-  rational constant() const; // of a constant polynomial
+  rational constant() const; // for a constant polynomial
   std::size_t length() const;
   int total_degree() const;
   int degree(int v) const;
@@ -68,15 +68,15 @@ public:
 
   // Terms in FLINT's canonical order: equal polynomials give equal lists.
   std::vector<term> terms() const;
-  std::vector<int> variables() const; // that occur, ascending
+  std::vector<int> variables() const; // those that occur, ascending
   std::string key() const;            // canonical bytes
-  std::string text() const;           // for people
+  std::string text() const;           // in readable form
 
-  // Each variable v replaced by images[v], which may live in another ring.
+  // Replaces each variable v by images[v], which may belong to another ring.
   poly substitute(const std::vector<poly> &images, const ring &target) const;
   rational evaluate(const std::vector<rational> &values) const;
 
-  // this = content * primitive, primitive with coprime integer coefficients and a positive leading one.
+  // this = content * primitive. The primitive has coprime integer coefficients, the leading one positive.
   std::pair<rational, poly> primitive() const;
   // this = content * product of irreducible primitives.
   struct factor {
@@ -89,10 +89,10 @@ public:
 private:
   const ring *ring_;
   struct storage;
-  std::shared_ptr<storage> p_; // never changed once a poly is made, so copies share it
+  std::shared_ptr<storage> p_; // never changes after construction, so copies share it
 };
 
-// sum over v of variable^k coefficient[k]: the polynomial seen as one in v alone.
+// The coefficients of p as a polynomial in v alone: p = sum over k of v^k coefficient[k].
 std::vector<poly> coefficients(const poly &p, int v);
 
 } // namespace meetc::poly

@@ -7,10 +7,10 @@
 namespace meetc::poly {
 namespace {
 
-using row = std::map<std::size_t, rational>; // by column; no zeros
+using row = std::map<std::size_t, rational>; // by column, without zeros
 using matrix = std::vector<row>;
 
-// FLINT's order of terms: the higher degree first, then the higher power of the earlier variable.
+// FLINT's order of terms: higher degree first, then higher power of the earlier variable.
 bool precedes(const monomial &a, const monomial &b) {
   const auto degree = [](const monomial &m) {
     return std::accumulate(m.begin(), m.end(), 0, [](int sum, const power &f) { return sum + f.exponent; });
@@ -38,7 +38,7 @@ void subtract(row &from, const rational &factor, const row &what) {
 // Independent rows of a matrix, and every row as a combination of them.
 struct skeleton {
   std::vector<std::size_t> kept; // ascending
-  std::vector<row> combination;  // by row: coefficients by the number of the kept row
+  std::vector<row> combination;  // by row: coefficients by the index of the kept row
 };
 
 skeleton skeleton_of(const matrix &m) {
@@ -48,7 +48,7 @@ skeleton skeleton_of(const matrix &m) {
   std::map<std::size_t, pivot> pivots; // by the first column of rest
   std::vector<std::size_t> order(m.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  // Rows of few monomials are kept first.
+  // Rows with few monomials are kept first.
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return m[a].size() < m[b].size(); });
   skeleton out{{}, std::vector<row>(m.size())};
   for (const std::size_t i : order) {
@@ -88,7 +88,7 @@ matrix transposed(const matrix &m, std::size_t columns) {
 
 // m as the sum over k of (column k of `left`) times (row k of `right`).
 struct factored {
-  matrix left, right; // both by k
+  matrix left, right; // both indexed by k
 
   std::size_t monomials() const {
     std::size_t sum = 0;
@@ -151,7 +151,8 @@ separation separate(const poly &p, int first_of_y) {
     m[place(xs, split[i].first)].emplace(place(ys, split[i].second), terms[i].coefficient);
 
   separation out{{}, poly(r), poly(r)};
-  // The monomial 1 comes last. Its column is an additive term where the rank is one less without it; then its row.
+  // The monomial 1 comes last. Its column is an additive term if the rank is one less without it; the same goes for its
+  // row.
   std::size_t least = rank(m);
   if (!ys.empty() && ys.back().empty()) {
     matrix without = m;

@@ -42,7 +42,7 @@ std::string spec_error::render() const {
     const std::size_t start = where_.offset + 1 - column;
     const std::size_t end = std::min(text.find('\n', start), text.size());
     std::string source = text.substr(start, end - start);
-    // Columns are bytes; what is drawn is characters.
+    // Columns count bytes, but carets are drawn under characters.
     const auto starts = [&](std::size_t i) { return (source[i] & 0xc0) != 0x80; };
     std::string pad;
     for (std::size_t i = 0; i + 1 < column && i < source.size(); ++i)

@@ -1,4 +1,4 @@
-// Source text, places in it, and the one error type that carries a place.
+// Source text, places in it, and the one type of error that carries a place.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -14,7 +14,7 @@ struct source_file {
   std::string text;
 };
 
-// A stretch of a source file. Files live as long as the spec that was read from them.
+// A part of a source file. Files live as long as the spec that was read from them.
 struct location {
   std::shared_ptr<const source_file> file;
   std::size_t offset = 0;
@@ -26,14 +26,13 @@ struct location {
   std::string text() const;   // "path:line:column"
 };
 
-// One step of the way that led to an error, innermost first: "in side(H, p), called at cga3.toml:40:18".
+// One step of the path that led to an error, innermost first: "in side(H, p), called at cga3.toml:40:18".
 struct trail_step {
   std::string what;
   location where;
 };
 
-// A mistake in what the user wrote. `what()` is the one clear line; render() adds the source line, a caret and
-// the call trail.
+// A mistake in the user's text. `what()` is one clear line; render() adds the source line, a caret and the call trail.
 class spec_error : public std::runtime_error {
 public:
   spec_error(location where, const std::string &message);
@@ -48,10 +47,10 @@ private:
   std::vector<trail_step> trail_;
 };
 
-// Reads a whole file; throws spec_error without a place (the path is in the message) when it can't.
+// Reads a whole file. If that fails, throws spec_error without a place (the path is in the message).
 std::shared_ptr<const source_file> read_source(const std::string &path);
 
-// "; did you mean 'twist'?" for the name nearest to `name`, or "" when none is near.
+// "; did you mean 'twist'?" for the known name nearest to `name`, or "" where none is near.
 std::string nearest(std::string_view name, const std::vector<std::string> &known);
 
 std::string join(const std::vector<std::string> &parts, std::string_view between);

@@ -1,7 +1,7 @@
-// Programs as statements of a C-like language: the domain of the fold that targets write code with.
+// Programs as statements of a C-like language: the domain of the fold with which targets write code.
 //
-// A node that is used once is written where it is used, as long as that stays readable; every other becomes a constant of
-// its own. The order of operations is the graph's, and no parentheses are left out that would change it.
+// A node that is used once is written where it is used, as long as that stays readable; every other node becomes a
+// constant. The order of operations is that of the graph, and every parenthesis that keeps it is written.
 #pragma once
 #include "gen/ir/fold.hpp"
 
@@ -13,10 +13,10 @@ namespace meetc::target {
 
 // What differs from language to language.
 struct syntax {
-  std::string type;                                          // of a value that is kept: "T", "double"
+  std::string type;                                          // for kept values: "T", "double"
   std::string fma;                                           // the function: "meetc::fma", "fmaf"
   std::function<std::string(const ir::rational &)> constant; // a literal that needs no parentheses
-  std::function<std::string(int)> input;                     // an input's number to an expression that needs none
+  std::function<std::string(int)> input;                     // an input's number to an expression without parentheses
   std::string indent;
   // By node, where there are two types: the values of a wider one, its name, and the function that multiplies values of
   // `type` into one of it.
@@ -37,7 +37,7 @@ public:
   statements(const ir::arena &nodes, const std::vector<ir::node_id> &results, syntax s,
              std::map<ir::node_id, std::string> given = {});
 
-  // All statements, and the expressions of the results, in order.
+  // All statements, and the expressions of the results in order.
   struct text {
     std::string before;
     std::vector<std::string> results;

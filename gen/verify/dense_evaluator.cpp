@@ -77,7 +77,7 @@ dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope
     break;
   }
   case op::index: {
-    // The coefficient along a blade that is one basis blade here.
+    // The coefficient along a blade, which must be one basis blade here.
     const multivector m = arg(0), along = arg(1);
     const auto nonzero = [](const rational &q) { return q != 0; };
     if (std::count_if(along.begin(), along.end(), nonzero) != 1)

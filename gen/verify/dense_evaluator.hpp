@@ -1,5 +1,5 @@
-// A second reading of a spec's expressions: numbers, dense multivectors and the oracle's products, on given
-// operands. It shares the syntax tree with the compiler and nothing after it.
+// A second evaluation of a spec's expressions, with numbers, dense multivectors and the oracle's products, on given
+// operands. It shares the syntax tree with the compiler, and nothing else.
 #pragma once
 #include "gen/lang/spec.hpp"
 #include "gen/oracle/dense.hpp"
@@ -8,7 +8,7 @@
 
 namespace meetc::verify {
 
-// A value with what can be read of it by name: the stored parts of an operand.
+// A value with its named parts: the stored parts of an operand.
 struct dense_value {
   oracle::multivector blade;
   std::map<std::string, dense_value> members;
@@ -17,7 +17,7 @@ using dense_scope = std::map<std::string, dense_value>;
 
 class dense_evaluator {
 public:
-  // The metric of the basis of evaluation, and the declared vectors in it, by rows.
+  // The metric of the basis of evaluation, and the rows of the declared vectors in it.
   dense_evaluator(const lang::algebra &a, const oracle::matrix &metric, const oracle::matrix &declared_vectors);
 
   // A sign is the number -1, 0 or 1. Throws spec_error for truths and lists.

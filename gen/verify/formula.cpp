@@ -48,7 +48,7 @@ public:
     for (long i = 0; i < cases; ++i) {
       std::vector<oracle::rational> inputs;
       for (std::size_t n = 0; n < p.stored_inputs.size(); ++n)
-        inputs.emplace_back(static_cast<long>(random_() % 5)); // small, so that zeros come
+        inputs.emplace_back(static_cast<long>(random_() % 5)); // small, so that zeros occur
       dense_scope scope;
       std::size_t next = 0;
       for (std::size_t o = 0; o < k_.asked.kinds.size(); ++o)
@@ -96,7 +96,7 @@ private:
       out_.first_wrong = fmt::format("{} of {} at ({})", what, k_.asked.text, describe(inputs));
   }
 
-  // Operands as general elements of their kinds' supports: the formula holds for them all.
+  // Operands are general elements of their kinds' supports; the formula holds for all of these.
   void blades() {
     const auto inputs = numbers(k_.value.blade_inputs.size());
     dense_scope scope;

@@ -9,7 +9,7 @@
 namespace meetc::verify {
 namespace {
 
-// Stored numbers on a lattice so small that operands often share corners, planes and lines.
+// Stored numbers on a lattice that is so small that operands often share corners, planes and lines.
 class lattice {
 public:
   explicit lattice(unsigned seed) : random_(seed) {}
@@ -26,7 +26,7 @@ struct sample {
   oracle::rational pad = 0;
 };
 
-// A point of the hull: a corner, the middle of two corners, or somewhere inside.
+// A point of the hull: a corner, the midpoint of two corners, or a point inside.
 oracle::point point_of(lattice &random, const oracle::hull &hull) {
   const auto corner = [&] {
     return hull[static_cast<std::size_t>(random.number(0, static_cast<int>(hull.size()) - 1))];
@@ -44,7 +44,7 @@ oracle::point point_of(lattice &random, const oracle::hull &hull) {
   return out;
 }
 
-// An operand whose corners are on the lattice, or, half of the time, taken from the other operand.
+// An operand whose corners are on the lattice or, half of the time, come from the other operand.
 sample draw(lattice &random, std::size_t reals, const lower::enclosure &e, int size, int flat_axis,
             const oracle::hull *near) {
   sample out;
@@ -88,10 +88,10 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
   const auto reals = [&](std::size_t i) { return m.layout(*k.asked.kinds[i]).reals.size(); };
   lattice random(seed);
   for (long i = 0; i < cases; ++i) {
-    // Lattices of 2, 5 and 17 points an axis; every fourth case lies in one plane.
+    // Lattices have 2, 5 and 17 points along each axis; every fourth case lies in one plane.
     const int size = i % 3 == 0 ? 1 : i % 3 == 1 ? 4 : 16;
     const int flat_axis = i % 4 == 3 ? random.number(0, 2) : -1;
-    // Either operand may be the one whose corners are taken.
+    // Either operand may provide the corners.
     const bool swapped = random.one_in(2);
     sample a, b;
     if (swapped) {
@@ -120,7 +120,7 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
         std::any_of(p.truths.reject.begin(), p.truths.reject.end(), [&](int t) { return p.signs.evaluate(t, signs); });
     const bool rare =
         std::any_of(p.conditions.begin(), p.conditions.end(), [&](int t) { return p.signs.evaluate(t, signs); });
-    // A reject line may only speed things up, and the usual case stands alone when no condition holds.
+    // A reject line may only save time, and the usual case decides alone where no condition holds.
     const bool staged = !rejected && (rare ? hit : p.signs.evaluate(p.usual, signs));
     ++out.cases;
     out.degenerate += zero;

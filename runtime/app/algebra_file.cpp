@@ -29,7 +29,7 @@ std::vector<fs::path> algebra_places(const fs::path &program_folder) {
 
 std::vector<fs::path> algebra_places() {
   std::error_code code;
-  return algebra_places(fs::read_symlink("/proc/self/exe", code).parent_path()); // empty where it is not told
+  return algebra_places(fs::read_symlink("/proc/self/exe", code).parent_path()); // empty where the system does not tell
 }
 
 fs::path algebra_path(const std::optional<fs::path> &asked, const std::vector<fs::path> &places) {

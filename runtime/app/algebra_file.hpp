@@ -1,7 +1,8 @@
-// app/algebra_file.hpp: where the algebra lies that comes with the program.
+// app/algebra_file.hpp: where to find the algebra that comes with the program.
 //
-// The program may be installed, or run from a build tree, its own or that of a project that builds it; either may
-// have been moved since. So the places are named from the program's own file first, and then in full.
+// The program may be installed, or run from a build tree, either this project's or that of a project that builds it.
+// Either may have been moved since. The places searched are therefore relative to the program's own file first, and
+// absolute after that.
 #ifndef MEETC_APP_ALGEBRA_FILE_HPP
 #define MEETC_APP_ALGEBRA_FILE_HPP
 
@@ -11,13 +12,13 @@
 
 namespace meetc::app {
 
-// Each once, in the order in which they are searched, for a program in this folder.
+// The places searched by a program in this folder, each once, in the order of the search.
 std::vector<std::filesystem::path> algebra_places(const std::filesystem::path &program_folder);
 
-// The same for the program that is running.
+// The same for the running program.
 std::vector<std::filesystem::path> algebra_places();
 
-// `asked`, else the first of the places that is a file. Throws failure where there is none, which names them.
+// `asked`, or else the first of the places that is a file. Throws failure that names the places where there is none.
 std::filesystem::path algebra_path(const std::optional<std::filesystem::path> &asked,
                                    const std::vector<std::filesystem::path> &places);
 

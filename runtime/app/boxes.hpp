@@ -1,4 +1,4 @@
-// app/boxes.hpp: how boxes lie to each other. Boxes are closed; one with lo > hi is empty.
+// app/boxes.hpp: how boxes lie relative to each other. Boxes are closed; a box with lo > hi is empty.
 #ifndef MEETC_APP_BOXES_HPP
 #define MEETC_APP_BOXES_HPP
 
@@ -7,7 +7,7 @@
 namespace meetc::app {
 
 bool is_empty(const box &b);
-bool disjoint(const box &x, const box &y); // not where one is empty
+bool disjoint(const box &x, const box &y); // false where one is empty
 bool inside(const box &inner, const box &outer);
 
 } // namespace meetc::app

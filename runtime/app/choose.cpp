@@ -24,7 +24,7 @@ std::string names_of(const std::vector<choice> &choices) {
   return join(names);
 }
 
-// Each pair of kinds once.
+// Lists each pair of kinds once.
 std::string supported_pairs(const catalogue &all) {
   std::vector<std::string> pairs;
   for (int i = 0; i < all.predicate_count; ++i) {

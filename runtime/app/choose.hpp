@@ -1,7 +1,7 @@
-// app/choose.hpp: which predicate answers for two kinds of element.
+// app/choose.hpp: chooses the predicate for two kinds of element.
 //
-// A predicate is for an ordered pair of kinds; a user gives them in either order. So one that takes them the
-// other way about fits too, and is run swapped.
+// A predicate takes an ordered pair of kinds, and a user gives them in either order. A predicate that takes them in the
+// other order therefore fits as well, and runs swapped.
 #ifndef MEETC_APP_CHOOSE_HPP
 #define MEETC_APP_CHOOSE_HPP
 
@@ -19,18 +19,18 @@ struct choice {
   bool swapped = false; // the predicate's a is the user's b
 };
 
-// All that fit, in the catalogue's order.
+// All predicates that fit, in the catalogue's order.
 std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind_info &b);
 
-// The one that is asked for; `mode` picks among several and is "solid" where it is not given. Throws failure,
-// which says what there is.
+// The predicate that is asked for. `mode` chooses among several, and is "solid" where it is not given. Throws failure
+// that lists what there is.
 choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
               const std::optional<std::string> &mode);
 
-// "exact" and so on.
+// The name of a rung, such as "exact".
 const char *name_of(rung precision);
 
-// Throws failure where this build has no such precision.
+// Throws failure where this build does not have the precision.
 rung precision_named(std::string_view name);
 
 } // namespace meetc::app

@@ -24,8 +24,8 @@ struct collide_request {
   processor on = processor::cpu;
 };
 
-// Writes the files that are asked for and returns what goes to standard output. A set that leaves the scene's
-// box is one line of warning on standard error. Throws io::error.
+// Writes the files that are asked for and returns the text for standard output. If a set leaves the scene's box, a line
+// on standard error warns of it. Throws io::error.
 std::string collide(const catalogue &all, const collide_request &request);
 
 // The command and its options. The catalogue must outlive it.

@@ -11,7 +11,7 @@ namespace meetc::app {
 
 namespace {
 
-// What CLI11 fills; strings where its own conversion says less than ours.
+// Filled by CLI11. Where its own conversion would give a poorer message, the members are strings.
 struct arguments {
   collide_request request;
   std::string precision = "certified", device = "auto";

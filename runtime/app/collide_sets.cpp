@@ -18,7 +18,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// The predicate's first and second set, whichever of the user's they are.
+// The predicate's first and second set, in whichever order the user gave them.
 struct ordered {
   const prepared &first, &second;
   const io::element_set &first_set, &second_set;
@@ -73,7 +73,7 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
   find(o, q, out);
   if (q.by.swapped)
     std::swap(out.rungs.left_box_a, out.rungs.left_box_b);
-  out.a.hit.resize(a.items); // items after the last that has an element, and all of them with `any`
+  out.a.hit.resize(a.items); // for items after the last with an element, and for all items with `any`
   out.b.hit.resize(b.items);
   for (side_answer *const side : {&out.a, &out.b})
     side->touched = q.any ? out.pairs : static_cast<std::uint64_t>(std::count(side->hit.begin(), side->hit.end(), 1));

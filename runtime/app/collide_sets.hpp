@@ -1,5 +1,4 @@
-// app/collide_sets.hpp: two sets as read, one predicate, and all that a report or a picture needs of the
-// answer.
+// app/collide_sets.hpp: collides two sets with one predicate, and gathers all that a report or a picture needs.
 #ifndef MEETC_APP_COLLIDE_SETS_HPP
 #define MEETC_APP_COLLIDE_SETS_HPP
 
@@ -15,18 +14,18 @@ namespace meetc::app {
 
 struct side_answer {
   box bounds{};                  // around all elements; lo > hi where there are none
-  std::vector<std::uint8_t> hit; // 1 for each of the file's items with a pair
-  std::uint64_t touched = 0;     // how many; with `any` 0 or 1
+  std::vector<std::uint8_t> hit; // 1 for each of the file's items that is in a pair
+  std::uint64_t touched = 0;     // the number of these; with `any` 0 or 1
 };
 
 struct answers {
   std::vector<index_pair> list; // of items, sorted by a, then b; empty unless `keep`
   std::uint64_t pairs = 0;      // with `any` 0 or 1
-  std::uint64_t candidates = 0; // pairs of elements that the predicate was asked about
+  std::uint64_t candidates = 0; // pairs of elements that the predicate decided
   rung_report rungs;            // of `certified`
   side_answer a, b;
   double prepare_seconds = 0, collide_seconds = 0;
-  std::string device, model;                    // of processor::cuda, as device_pairs has them
+  std::string device, model;                    // on processor::cuda, as in device_pairs
   double device_seconds = 0, start_seconds = 0; // likewise
 };
 
@@ -35,13 +34,13 @@ struct query {
   rung precision = rung::certified;
   float box = 0;     // of the scene; 0: none
   bool any = false;  // stop at the first pair
-  bool keep = false; // the list of pairs; without it, and without polygons, memory does not grow with them
+  bool keep = false; // keep the list of pairs; without it, and without polygons, memory does not grow with the pairs
   int threads = 0;   // 0: all cores
   processor on = processor::cpu;
   std::function<void(double fraction)> progress = {};
 };
 
-// Throws failure where the predicate was not generated for the precision; std::bad_alloc.
+// Throws failure where the predicate was not generated for the precision, and std::bad_alloc.
 answers collide_sets(const io::element_set &a, const io::element_set &b, const query &q);
 
 } // namespace meetc::app

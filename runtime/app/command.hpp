@@ -1,4 +1,4 @@
-// app/command.hpp: a command of the program, as the program knows it.
+// app/command.hpp: what the program knows of a command.
 #ifndef MEETC_APP_COMMAND_HPP
 #define MEETC_APP_COMMAND_HPP
 
@@ -14,9 +14,9 @@ namespace meetc::app {
 
 struct command {
   CLI::App *parser = nullptr;
-  std::function<std::string()> run; // returns what goes to standard output; empty where there are parts
+  std::function<std::string()> run; // returns the text for standard output; empty where there are subcommands
   std::vector<command> parts = {};  // subcommands, of which one must be given
-  std::string part_is_missing = {}; // what is said where none is
+  std::string part_is_missing = {}; // the message where none is given
 };
 
 // Adds a command and its options to the program's parser, which the command must not outlive.

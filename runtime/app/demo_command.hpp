@@ -1,4 +1,4 @@
-// app/demo_command.hpp: `meet demo`: every kind of answer on built-in bodies, as a table and as pictures.
+// app/demo_command.hpp: `meet demo`: every kind of answer on procedural bodies, as a table and as pictures.
 #ifndef MEETC_APP_DEMO_COMMAND_HPP
 #define MEETC_APP_DEMO_COMMAND_HPP
 
@@ -10,7 +10,7 @@
 
 namespace meetc::app {
 
-// Writes into the folder, which is made where it is missing, and returns what goes to standard output. Throws
+// Writes into the folder, which is created if it is missing, and returns the text for standard output. Throws
 // io::error.
 std::string demo(const catalogue &all, const std::filesystem::path &folder, int threads);
 

@@ -1,4 +1,4 @@
-// app/demo_scenes.hpp: pairs of sets made from nothing, one of each kind of answer.
+// app/demo_scenes.hpp: procedural pairs of sets, one for each kind of answer.
 #ifndef MEETC_APP_DEMO_SCENES_HPP
 #define MEETC_APP_DEMO_SCENES_HPP
 
@@ -15,7 +15,7 @@ struct demo_scene {
   io::element_set a, b;
 };
 
-// The same bytes everywhere.
+// The bytes are the same on every machine.
 std::vector<demo_scene> demo_scenes(const catalogue &all);
 
 } // namespace meetc::app

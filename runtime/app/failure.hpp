@@ -8,7 +8,7 @@ namespace meetc::app {
 
 enum exit_code : int { done = 0, bad_input = 2, no_device = 3 };
 
-// Like io::error, which means bad_input too; with another exit code where one is due.
+// Like io::error, which also means bad_input, but with another exit code where one applies.
 class failure : public io::error {
 public:
   explicit failure(std::string_view message, exit_code code = bad_input) : io::error(message), code_(code) {}

@@ -12,10 +12,10 @@ namespace meetc::app {
 
 namespace {
 
-// Whether the corners are on one line: the cross product of two edges, in integers as wide as it takes.
+// Whether the corners are collinear, by the cross product of two edges in integers that are wide enough.
 bool zero_area(const float *row) {
   const grid g = grid_of(row, 9);
-  // Differences take a bit more, the difference of two products another one.
+  // Differences need one more bit, and the difference of two products another one.
   const int limbs = (2 * (g.bits() + 1) + 1) / 64 + 1;
   std::uint64_t registers[13][9];
   for (int i = 0; i < 9; ++i)
@@ -44,7 +44,7 @@ void widen(box &b, const float lo[3], const float hi[3]) {
   }
 }
 
-// Counts the items among elements; one item's elements follow each other.
+// Counts items among elements. The elements of one item follow each other.
 class item_counter {
 public:
   explicit item_counter(const io::element_set &set) : set_(set) {}
@@ -62,7 +62,7 @@ private:
   bool any_ = false;
 };
 
-// The row with its points in order and without negative zeros, so that equal elements are equal rows.
+// The row with its points sorted and without negative zeros, so that equal elements have equal rows.
 std::array<float, 9> canonical(const io::element_set &set, std::size_t i) {
   std::array<float, 9> row{};
   set.row(i, row.data());
@@ -162,7 +162,7 @@ std::optional<int> difference_bits(const box &points, const grid &numbers) {
     most = std::max(most, static_cast<double>(points.hi[k]) - static_cast<double>(points.lo[k]));
   if (most == 0 || numbers.bits() == 0)
     return 0;
-  // In double the difference is exact below 2^53 steps; above, rounding cannot cross a power of two.
+  // In double the difference is exact below 2^53 steps. Above that, rounding cannot cross a power of two.
   int exponent = 0;
   const double fraction = std::frexp(most, &exponent);
   return std::max(0, (fraction == 0.5 ? exponent - 1 : exponent) - numbers.low);

@@ -1,7 +1,7 @@
-// app/findings.hpp: what a set of elements is like: its box, its grid and its degenerate elements.
+// app/findings.hpp: the properties of a set of elements: its box, its grid and its degenerate elements.
 //
-// All of it is exact: a triangle has zero area when its corners are collinear as the rational numbers that
-// they are, tested in integers on the grid of its own coordinates.
+// All of them are exact: a triangle has zero area where its corners, as rational numbers, are collinear. This is tested
+// in integers on the grid of its own coordinates.
 #ifndef MEETC_APP_FINDINGS_HPP
 #define MEETC_APP_FINDINGS_HPP
 
@@ -16,22 +16,22 @@ struct findings {
   box points{{1, 1, 1}, {-1, -1, -1}}; // around all points (without radii); lo > hi where there are none
   box bounds{{1, 1, 1}, {-1, -1, -1}}; // around all elements
   grid numbers{1000, -1000};           // of every number of every element
-  double reach = 0;                    // the largest |coordinate| and half of the largest length
-  std::size_t zero_area = 0;           // items, as are the next three
+  double reach = 0;                    // the largest |coordinate|, or half of the largest length
+  std::size_t zero_area = 0;           // items, as in the next three
   std::size_t zero_length = 0;
   std::size_t zero_radius = 0;
-  std::size_t duplicates = 0;      // items that repeat an earlier one, whatever the order of their corners
-  std::size_t unused_vertices = 0; // of an indexed mesh
+  std::size_t duplicates = 0;      // items that repeat an earlier one, with the corners in any order
+  std::size_t unused_vertices = 0; // in an indexed mesh
 };
 
 findings find(const io::element_set &set);
 
-// Bits that the differences of two coordinates may take, in steps of the grid: the least n with every
-// |difference| <= 2^n steps. None where there are no points.
+// The number of bits that the differences of two coordinates can span, in steps of the grid: the least n with every
+// |difference| <= 2^n steps. There is none where there are no points.
 std::optional<int> difference_bits(const box &points, const grid &numbers);
 
-// The least power of two b with every coordinate in [-b, b] and every length in [0, 2 b]; 0 where all numbers
-// are 0, or where b is no float32.
+// The least power of two b with every coordinate in [-b, b] and every length in [0, 2 b]; 0 where all numbers are 0, or
+// where b is not a float32.
 double box_for(const findings &x, const findings &y);
 
 box around(const box &x, const box &y);

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int exact_window = 26; // bits of differences for which fp64 with exact products decides
+constexpr int exact_window = 26; // bits of differences up to which fp64 with exact products decides
 
 std::string power(int exponent) {
   return fmt::format("2^{}", exponent);
@@ -84,7 +84,7 @@ std::string predicate_lines(const std::vector<choice> &fit, const kind_info &a, 
 
 std::string inspect(const catalogue &all, const inspect_request &q) {
   if (q.algebra && !q.scene)
-    throw failure("--algebra says what a scene file names; it goes with --scene");
+    throw failure("--algebra is for the scene file that --scene writes; it goes with --scene");
   std::vector<fs::path> inputs{q.a, q.b};
   fs::path algebra;
   if (q.scene) {

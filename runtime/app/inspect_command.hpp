@@ -1,5 +1,5 @@
-// app/inspect_command.hpp: `meet inspect`: what two files hold, what may be hard about them, and the scene
-// that they require.
+// app/inspect_command.hpp: `meet inspect`: what two files hold, which difficulties they may have, and the scene that
+// they require.
 #ifndef MEETC_APP_INSPECT_COMMAND_HPP
 #define MEETC_APP_INSPECT_COMMAND_HPP
 
@@ -17,7 +17,7 @@ struct inspect_request {
   std::optional<std::filesystem::path> scene, algebra;
 };
 
-// Returns what goes to standard output. Throws io::error.
+// Returns the text for standard output. Throws io::error.
 std::string inspect(const catalogue &all, const inspect_request &request);
 
 // The command and its options. The catalogue must outlive it.

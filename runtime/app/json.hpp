@@ -1,4 +1,4 @@
-// app/json.hpp: JSON as the program prints it: keys in the order in which they are given, one line.
+// app/json.hpp: JSON as the program prints it, on one line, with keys in the order in which they are given.
 #ifndef MEETC_APP_JSON_HPP
 #define MEETC_APP_JSON_HPP
 
@@ -12,12 +12,12 @@ namespace meetc::app {
 
 using json = nlohmann::ordered_json;
 
-// The number that this text is; null where it is none, such as "inf".
+// The number in this text; null where there is none, as in "inf".
 inline json number(const std::string &text) {
   json value = json::parse(text, nullptr, false);
   return value.is_number() ? value : json();
 }
-// Rounded to so many decimals, or significant digits.
+// Rounded to n decimals, or to n significant digits.
 inline json with_decimals(double x, int n) {
   return number(fmt::format("{:.{}f}", x, n));
 }
@@ -25,7 +25,7 @@ inline json with_digits(double x, int n) {
   return number(fmt::format("{:.{}g}", x, n));
 }
 
-// In one line, without its end. Text that is not UTF-8 is replaced where it is not.
+// On one line, without the line end. Bytes that are not UTF-8 are replaced.
 inline std::string in_one_line(const json &value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }

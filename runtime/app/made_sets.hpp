@@ -1,4 +1,4 @@
-// app/made_sets.hpp: meshes and rows made in memory as sets of elements, as if read from a file.
+// app/made_sets.hpp: meshes and rows made in memory, as sets of elements like those read from a file.
 #ifndef MEETC_APP_MADE_SETS_HPP
 #define MEETC_APP_MADE_SETS_HPP
 
@@ -12,10 +12,10 @@
 
 namespace meetc::app {
 
-// Throws failure where the build has none of that name.
+// Throws failure where the build has no kind of that name.
 const kind_info &kind_named(const catalogue &all, std::string_view name);
 
-// Moved as a file's vertices are: in double, rounded once.
+// Moves the vertices as those of a file: in double, rounded once.
 io::element_set of_mesh(const catalogue &all, bodies::mesh m, const io::transform &move = {});
 io::element_set of_rows(const catalogue &all, std::string_view kind, std::vector<float> rows);
 

@@ -14,7 +14,7 @@ namespace meetc::app {
 
 namespace {
 
-// Whether a comma lacks a number on one side.
+// Whether a number is missing on either side of a comma.
 bool has_hole(std::string_view text) {
   bool number = false, comma = false;
   for (const char c : text) {

@@ -1,4 +1,4 @@
-// app/option_values.hpp: what options of several commands have in common, and how their values are read.
+// app/option_values.hpp: how the values of options are read that several commands share.
 #ifndef MEETC_APP_OPTION_VALUES_HPP
 #define MEETC_APP_OPTION_VALUES_HPP
 
@@ -13,10 +13,10 @@ inline constexpr const char *files_help =
     "A mesh (.ply, .obj, .stl), or a .csv whose first line names a kind's numbers: "
     "x,y,z,r spheres; x0,y0,z0,x1,y1,z1 segments; x,y,z points";
 
-// Of --threads: 0, all cores, to the most that the core takes. Throws failure.
+// The value of --threads, from 0 (all cores) to the maximum of the core. Throws failure.
 int threads_named(const std::string &text);
 
-// As many numbers as there is room for, apart by commas or blanks. Throws failure, which names the option.
+// Reads exactly to.size() numbers, separated by commas or blanks. Throws failure that names the option.
 void read_numbers(const char *option, std::string text, std::span<double> to);
 
 template <std::size_t N> std::array<double, N> numbers(const char *option, const std::string &text) {

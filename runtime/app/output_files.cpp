@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Whether both names lead to one file, links included. Names of files that do not exist are compared as
-// paths.
+// Whether both names lead to one file, through links as well. Names of files that do not exist are compared as paths.
 bool same_file(const fs::path &x, const fs::path &y) {
   std::error_code code;
   if (fs::exists(x, code) && fs::exists(y, code))
@@ -37,7 +36,7 @@ std::string replace_all(std::string text, const std::string &from, const std::st
   return text;
 }
 
-// The folder or what is nearest above it must be one that files can be made in.
+// Files can be created in the folder or, if it is missing, in its nearest existing ancestor.
 void check_folder(const fs::path &folder) {
   fs::path at = folder.empty() ? fs::path(".") : folder;
   std::error_code code;
@@ -56,7 +55,7 @@ output_files::~output_files() {
   for (const staged &s : staged_)
     fs::remove(s.at, ignored);
   for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder)
-    ::rmdir(folder->c_str()); // only where it is still empty
+    ::rmdir(folder->c_str()); // succeeds only if it is still empty
 }
 
 void output_files::expect(const fs::path &target, bool makes_folder) {
@@ -76,7 +75,7 @@ void output_files::expect(const fs::path &target, bool makes_folder) {
   if (makes_folder && !fs::is_directory(target.parent_path(), code))
     check_folder(target.parent_path());
   else
-    const io::atomic_file probe(target); // goes without a trace
+    const io::atomic_file probe(target); // leaves no trace
 }
 
 void output_files::make_folder(const fs::path &folder) {
@@ -105,7 +104,7 @@ void output_files::write(const fs::path &target, const writer &write) {
     throw failure(replace_all(e.what(), s.at.string(), target.string()));
   }
   if (const fs::file_status old = fs::status(real, code); fs::exists(old))
-    fs::permissions(s.at, old.permissions(), code); // a file that is replaced keeps its mode
+    fs::permissions(s.at, old.permissions(), code); // a replaced file keeps its mode
 }
 
 void output_files::commit() {

@@ -1,12 +1,11 @@
 // app/output_files.hpp: several files that are written together or not at all.
 //
-// Problem: a command may write a table, two meshes and a picture. Where the last cannot be written, the first
-// ones should not lie there as if all were well; and a mistyped name must not cost a long computation, nor
-// an input file.
-// Method: names are checked before the work. Files are then written beside their targets under temporary
-// names, and renamed when all are there.
-// Limits: a target that exists and is no regular file (a terminal, a pipe) is written directly, after all
-// others are ready. A rename that fails half-way leaves those before it.
+// Problem: a command may write a table, two meshes and a picture. If the last cannot be written, the first must not
+// look as if all were well. A mistyped name must not cost a long computation, nor an input file.
+// Method: names are checked before the work. Files are then written next to their targets under temporary names, and
+// renamed when all are complete.
+// Limits: a target that exists and is not a regular file (a terminal, a pipe) is written directly, after all others are
+// ready. If a rename fails, the files renamed before it stay.
 #ifndef MEETC_APP_OUTPUT_FILES_HPP
 #define MEETC_APP_OUTPUT_FILES_HPP
 
@@ -28,10 +27,10 @@ public:
   output_files(const output_files &) = delete;
   output_files &operator=(const output_files &) = delete;
 
-  // Throws io::error for a name that is refused or surely cannot be written. Where the folder is missing,
-  // `makes_folder` says that make_folder() will be called for it.
+  // Throws io::error for a name that is refused or that cannot be written. `makes_folder` says that make_folder() will
+  // be called for a folder that is missing.
   void expect(const std::filesystem::path &target, bool makes_folder = false);
-  // Creates it, and what is missing above it.
+  // Creates the folder and its missing ancestors.
   void make_folder(const std::filesystem::path &folder);
   // Calls `write` with the name to write to. Throws io::error that names the target.
   void write(const std::filesystem::path &target, const writer &write);

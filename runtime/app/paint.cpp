@@ -15,10 +15,10 @@ io::rgb bytes(picture::colour c) {
   return {c.r, c.g, c.b};
 }
 
-// What a shape borrows.
+// Memory that a shape refers to.
 struct kept {
-  std::vector<std::uint8_t> hit; // one an element
-  std::vector<float> rows;       // where the set's own will not do
+  std::vector<std::uint8_t> hit; // one for each element
+  std::vector<float> rows;       // used where the set's own rows do not serve
 };
 
 picture::shape shape_of(const painted &side, kept &keep) {
@@ -36,7 +36,7 @@ picture::shape shape_of(const painted &side, kept &keep) {
     s.what = picture::form::triangles;
     s.index = set.index;
     if (set.elements == 0)
-      s.rows = {}; // vertices alone are no rows
+      s.rows = {}; // vertices alone are not rows
   } else if (set.kind->fields == 4) {
     s.what = picture::form::spheres;
   } else if (set.kind->points == 2) {

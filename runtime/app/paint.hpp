@@ -1,4 +1,4 @@
-// app/paint.hpp: the hits of two sets as coloured meshes and as a picture.
+// app/paint.hpp: shows the hits of two sets as coloured meshes and as a picture.
 #ifndef MEETC_APP_PAINT_HPP
 #define MEETC_APP_PAINT_HPP
 
@@ -13,18 +13,18 @@
 
 namespace meetc::app {
 
-// What is painted of one side.
+// One side of a picture.
 struct painted {
   const io::element_set &set;
-  const std::vector<std::uint8_t> &hit; // one an item; empty: hits are not shown
+  const std::vector<std::uint8_t> &hit; // one for each item; empty: hits are not shown
   std::string name;
   picture::colour base, hit_colour;
 };
 
-// The mesh with a bright colour on every face that is hit and a calm one elsewhere.
+// Writes the mesh with a bright colour on every face that is hit and a calm one elsewhere.
 void write_coloured(const std::filesystem::path &path, const painted &side);
 
-// A PNG of the sides together and each alone. Throws io::error.
+// Writes a PNG of the two sides together and of each alone. Throws io::error.
 void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides,
                    const picture::camera &from = {}, int width = 1600, int height = 900);
 

@@ -22,7 +22,7 @@ int complain(const std::string &what, int code) {
   return code;
 }
 
-// A reader that has gone (head) is no fault; a full disk is.
+// A reader that has closed the pipe (as head does) is not an error; a full disk is.
 int print(const std::string &text) {
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
@@ -31,8 +31,8 @@ int print(const std::string &text) {
   return complain(fmt::format("standard output: {}", std::generic_category().message(errno)), bad_input);
 }
 
-// A program started without them would get its next files under their numbers. For reading only: what is
-// printed to a closed stream is lost, and writing must say so.
+// If a program starts without its standard streams, the next files that it opens get their numbers. The streams are
+// opened for reading only, so that writing to a closed stream still fails.
 void open_standard_streams() {
   for (int fd = 0; fd < 3; ++fd)
     if (::fcntl(fd, F_GETFD) == -1)
@@ -43,7 +43,7 @@ bool contains(const std::string &text, const char *part) {
   return text.find(part) != std::string::npos;
 }
 
-// "collide, inspect, demo, bench", or with another word before the last.
+// Joins the names as in "collide, inspect, demo, bench", perhaps with another word before the last.
 std::string names_of(const std::vector<command> &commands, std::string_view before_last = ", ") {
   std::string out;
   for (std::size_t i = 0; i < commands.size(); ++i)
@@ -69,7 +69,7 @@ const command *parsed(const std::vector<command> &commands) {
   return nullptr;
 }
 
-// CLI11's words, or better ones, in one line.
+// CLI11's message, or a better one, on one line.
 std::string in_one_line(const CLI::Error &e, const std::vector<command> &commands, int argc, char **argv) {
   const command *const of = named(commands, argc, argv, 1);
   std::string name = of ? of->parser->get_name() + " " : "";

@@ -1,4 +1,4 @@
-// app/program.hpp: the command line of `meet`, whatever its commands are.
+// app/program.hpp: the command line of `meet`, for any commands.
 #ifndef MEETC_APP_PROGRAM_HPP
 #define MEETC_APP_PROGRAM_HPP
 
@@ -8,8 +8,8 @@
 
 namespace meetc::app {
 
-// Does what the arguments ask for. Returns the exit code: 0 done, 2 bad usage or input, 3 device failure.
-// Whatever is wrong is one line on standard error.
+// Runs the command that the arguments name. Returns the exit code: 0 done, 2 bad usage or input, 3 device failure. An
+// error is one line on standard error.
 int run(int argc, char **argv, const std::vector<add_command> &commands);
 
 } // namespace meetc::app

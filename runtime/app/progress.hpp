@@ -1,4 +1,4 @@
-// app/progress.hpp: a line on a terminal that says how far a long computation is.
+// app/progress.hpp: a line on a terminal that shows the progress of a long computation.
 #ifndef MEETC_APP_PROGRESS_HPP
 #define MEETC_APP_PROGRESS_HPP
 
@@ -9,8 +9,8 @@
 
 namespace meetc::app {
 
-// Says nothing in the first second, and nothing at all where standard error is no terminal. The line is gone
-// when the object is.
+// Prints nothing in the first second, and nothing at all unless standard error is a terminal. The destructor removes
+// the line.
 class progress_line {
 public:
   explicit progress_line(std::string what) : what_(std::move(what)) {}

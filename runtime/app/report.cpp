@@ -14,8 +14,8 @@ namespace meetc::app {
 
 namespace {
 
-// Where nothing touches though one set lies within a mesh's box: said, since many expect containment to
-// count.
+// Whether nothing touches and yet one set lies within a mesh's box. The report says so, since many expect containment
+// to count.
 bool may_be_contained(const collide_report &r) {
   const answers &f = r.found;
   return f.pairs == 0 &&
@@ -40,7 +40,7 @@ std::string file_lines(const collide_report &r) {
   return out;
 }
 
-// Which rungs were needed, and what each handed to the next.
+// Which rungs were needed, and how many pairs each left unsure.
 std::string rungs_line(const answers &f) {
   std::string out;
   std::uint64_t left = f.candidates;

@@ -1,4 +1,4 @@
-// app/report.hpp: the answer of `meet collide` in words and as JSON.
+// app/report.hpp: the answer of `meet collide` as text and as JSON.
 #ifndef MEETC_APP_REPORT_HPP
 #define MEETC_APP_REPORT_HPP
 
@@ -15,7 +15,7 @@ struct collide_report {
   const io::element_set &a, &b;
   const query &asked;
   const answers &found;
-  bool same_file = false, moved = false; // A and B are one file; B was transformed
+  bool same_file = false, moved = false; // A and B are one file; B was moved
   double read_seconds = 0;
   std::vector<std::string> written; // files
   std::vector<std::string> notes;
@@ -23,7 +23,7 @@ struct collide_report {
 
 std::string summary(const collide_report &r);
 
-// What to say of sets that leave the scene's box; empty where they lie in it.
+// The warning for sets that leave the scene's box; empty where both lie in it.
 std::string box_warning(const query &asked, const answers &found);
 
 // One JSON object and a newline.

@@ -10,7 +10,7 @@ json side(const io::element_set &set) {
   return {{"kind", set.kind->name}, {"elements", set.items}};
 }
 
-// In the order in which the rungs run; empty under a plain rung.
+// In the order in which the rungs run; empty for a plain rung.
 json unsure(const collide_report &r) {
   json out = json::object();
   for (int i = 0; i < bounded_rungs && r.asked.precision == rung::certified; ++i)

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A TOML string: literal where it can be.
+// A TOML string, in its literal form where possible.
 std::string toml_string(std::string_view text) {
   if (text.find('\'') == std::string_view::npos)
     return fmt::format("'{}'", text);
@@ -28,7 +28,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-// The generator sees to words of C++.
+// Keywords of C++ are left to the generator, which renames them.
 std::string space_named(const std::string &stem) {
   std::string out;
   for (const char c : stem)
@@ -40,7 +40,7 @@ std::string space_named(const std::string &stem) {
     out = "scene_" + out;
   while (out.back() == '_')
     out.pop_back();
-  return out == "meet" ? "meet_scene" : out; // where the support header lives
+  return out == "meet" ? "meet_scene" : out;
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// app/scene_file.hpp: the scene that two kinds of element require, as meetc reads it.
+// app/scene_file.hpp: writes the scene that two kinds of element require, for meetc to read.
 #ifndef MEETC_APP_SCENE_FILE_HPP
 #define MEETC_APP_SCENE_FILE_HPP
 
@@ -8,8 +8,8 @@
 
 namespace meetc::app {
 
-// The text of a scene file that will lie at `at`. The namespace is the file's name, made an identifier; the
-// algebra is named relative to the file. `box` 0: the scene states none.
+// The text of a scene file that will lie at `at`. The namespace is the name of the file, made an identifier; the path
+// of the algebra is relative to the file. `box` 0: the scene states none.
 std::string scene_text(const std::filesystem::path &at, const std::filesystem::path &algebra,
                        const std::vector<std::string> &predicates, double box, const std::string &comment);
 

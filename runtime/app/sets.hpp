@@ -1,4 +1,4 @@
-// app/sets.hpp: from what a reader returns to what the core collides.
+// app/sets.hpp: turns what a reader returns into what the core collides.
 #ifndef MEETC_APP_SETS_HPP
 #define MEETC_APP_SETS_HPP
 
@@ -7,16 +7,16 @@
 
 namespace meetc::app {
 
-// Triangles: what can be coloured face by face, and whose faces a report counts.
+// Whether the elements are triangles, which can be coloured face by face, and whose faces a report counts.
 inline bool is_mesh(const io::element_set &set) {
   return set.kind->points == 3 && set.kind->fields == 9;
 }
 
-// Borrows: valid while the set is neither changed nor gone.
+// Borrows the set's memory: valid until the set is changed or destroyed.
 meetc::view view_of(const io::element_set &set);
 
-// Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to
-// collide_options, so that pairs are of items. Throws as meetc::prepare does; what io::read returned is good.
+// Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to collide_options,
+// so that pairs are of items. Throws what meetc::prepare throws; sets from io::read are always good.
 prepared prepare(const io::element_set &set, int threads = 0);
 
 } // namespace meetc::app

@@ -1,4 +1,4 @@
-// app/words.hpp: counts and boxes as people read them.
+// app/words.hpp: counts and boxes in a form for people.
 #ifndef MEETC_APP_WORDS_HPP
 #define MEETC_APP_WORDS_HPP
 
@@ -12,7 +12,7 @@ namespace meetc::app {
 
 // 345944 as "345,944".
 std::string grouped(std::uint64_t n);
-// "69,451 faces", "1 sphere"; polygons also as triangles.
+// "69,451 faces", "1 sphere"; for polygons the number of triangles as well.
 std::string counted(const io::element_set &set);
 std::string counted(const io::element_set &set, std::uint64_t n);
 // "[0, 0, 0] to [1, 1, 1]"

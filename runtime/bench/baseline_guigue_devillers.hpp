@@ -1,13 +1,13 @@
 // bench/baseline_guigue_devillers.hpp: P. Guigue and O. Devillers, "Fast and robust triangle-triangle
 // overlap test using orientation predicates", Journal of Graphics Tools 8(1), 2003.
 //
-// Method: only signs of orientation determinants. Reject by the two planes. Otherwise each triangle is turned
-// so that its first corner is alone on its side of the other's plane, and flipped so that this side is the
-// positive one; on the line in which the planes meet, the triangles then are the intervals [i, j] and
-// [k, l], and two orientations tell whether k <= j and i <= l. Coplanar triangles are decided in the plane by
-// where the first corner of one lies about the other.
-// Limits: the determinants are computed in T by differences, as in the authors' own program; the paper's
-// robustness is that of exact determinants.
+// Method: only signs of orientation determinants are used. The pair is rejected where all corners of one triangle lie
+// on one side of the other's plane. Otherwise each triangle is rotated so that its first corner is alone on its side of
+// the other's plane, and flipped so that this side is the positive one. On the line in which the planes meet, the
+// triangles are then the intervals [i, j] and [k, l], and two orientations tell whether k <= j and i <= l. Coplanar
+// triangles are decided in the plane, by where the first corner of one lies relative to the other.
+// Limits: the determinants are computed in T by differences, as in the authors' own program; the paper's robustness is
+// that of exact determinants.
 #ifndef MEETC_BENCH_BASELINE_GUIGUE_DEVILLERS_HPP
 #define MEETC_BENCH_BASELINE_GUIGUE_DEVILLERS_HPP
 
@@ -17,7 +17,7 @@ namespace meetc::baselines {
 
 namespace detail {
 
-// (d - a) . ((b - a) x (c - a)): positive where d lies above a, b, c seen anticlockwise.
+// (d - a) . ((b - a) x (c - a)): positive where d lies above a, b, c, which are anticlockwise seen from there.
 template <class T> MEETC_HD inline T volume(const vec<T> &a, const vec<T> &b, const vec<T> &c, const vec<T> &d) {
   return dot(d - a, cross(b - a, c - a));
 }
@@ -26,12 +26,12 @@ template <class T> MEETC_HD inline int sign_int(T x) {
   return (x > 0) - (x < 0);
 }
 
-// Signs of three corners against a plane.
+// The signs of three corners relative to a plane.
 struct sides {
   int s0, s1, s2;
   MEETC_HD bool one_side() const { return s0 != 0 && s0 == s1 && s0 == s2; }
   MEETC_HD bool in_plane() const { return s0 == 0 && s1 == 0 && s2 == 0; }
-  // The corner that is alone: its sign is above (or below) both others. One exists unless all are equal.
+  // The corner that is alone: its sign is above (or below) both others. There is one unless all are equal.
   MEETC_HD int alone(bool &below) const {
     below = false;
     if (s0 > s1 && s0 > s2)
@@ -65,8 +65,8 @@ template <class T> struct corners {
   }
 };
 
-// Anticlockwise triangles a and b in the plane, where a.p lies beyond the edge r p of b and inside of the
-// other two: the paper's region R1.
+// Anticlockwise triangles a and b in the plane, where a.p lies beyond the edge r p of b and inside the other two: the
+// paper's region R1.
 template <class T>
 MEETC_HD inline bool from_beyond_edge(const flat<T> &p1, const flat<T> &q1, const flat<T> &r1, const flat<T> &p2,
                                       const flat<T> &r2) {
@@ -133,7 +133,7 @@ template <class T> MEETC_HD inline bool guigue_devillers(const T *row_a, const T
   bool a_below = false, b_below = false;
   a.turn(of_a.alone(a_below));
   b.turn(of_b.alone(b_below));
-  if (a_below) // the other triangle's orientation says which side is the positive one
+  if (a_below) // the orientation of the other triangle selects the positive side
     b.flip();
   if (b_below)
     a.flip();

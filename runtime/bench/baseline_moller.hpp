@@ -1,13 +1,12 @@
 // bench/baseline_moller.hpp: T. Möller, "A fast triangle-triangle intersection test", Journal of Graphics
 // Tools 2(2), 1997.
 //
-// Method: reject where all corners of one triangle lie on one side of the other's plane. Otherwise both
-// triangles cut the line in which the planes meet, each in an interval, and hit where the intervals overlap;
-// they are compared along the line's longest axis. Coplanar triangles are tested in the plane: edges against
-// edges, then a corner of each against the other triangle.
-// Limits: signed distances nearer to 0 than epsilon are taken as 0. The published epsilon is 1e-6, whatever
-// the scene's unit is; with 0 the step is left out. As published, signs are compared by products, which may
-// underflow.
+// Method: the pair is rejected where all corners of one triangle lie on one side of the other's plane. Otherwise each
+// triangle cuts the line in which the planes meet in an interval, and the triangles touch where the intervals overlap.
+// They are compared along the line's longest axis. Coplanar triangles are tested in the plane: edges against edges,
+// then a corner of each against the other triangle.
+// Limits: signed distances nearer to 0 than epsilon are taken as 0. The published epsilon is 1e-6, whatever the unit of
+// the scene; with 0 this step is skipped. As published, signs are compared by products, which may underflow.
 #ifndef MEETC_BENCH_BASELINE_MOLLER_HPP
 #define MEETC_BENCH_BASELINE_MOLLER_HPP
 
@@ -26,7 +25,7 @@ template <class T> struct plane {
       : normal(cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0))), offset(-dot(normal, corner(t, 0))) {}
 };
 
-// Of a triangle's corners: signed distances to a plane, times the length of its normal.
+// The signed distances of a triangle's corners to a plane, multiplied by the length of its normal.
 template <class T> struct distances {
   T d0, d1, d2;
   MEETC_HD distances(const plane<T> &to, const T *t, T epsilon)
@@ -40,8 +39,8 @@ template <class T> struct distances {
 };
 
 template <class T> struct interval { T low, high; };
-// Where the two edges of the corner `a`, which is alone on its side, cross the plane. p: places along the
-// line's axis.
+// Where the two edges of the corner `a`, which is alone on its side, cross the plane. p: positions along the axis of
+// the line.
 template <class T> MEETC_HD inline interval<T> crossings(T pa, T pb, T pc, T da, T db, T dc) {
   const T s = pa + (pb - pa) * da / (da - db), t = pa + (pc - pa) * da / (da - dc);
   return s <= t ? interval<T>{s, t} : interval<T>{t, s};
@@ -60,8 +59,8 @@ template <class T> MEETC_HD inline interval<T> cut(const T *t, int axis, const d
   return crossings(p2, p0, p1, d.d2, d.d0, d.d1);
 }
 
-// Edges v0 v1 and u0 u1 in the plane: v0 + (d / f) (v1 - v0) = u0 + (e / f) (u1 - u0), without dividing.
-// Parallel edges are no hit; other edges of the same triangles are one where these overlap.
+// Edges v0 v1 and u0 u1 in the plane: v0 + (d / f) (v1 - v0) = u0 + (e / f) (u1 - u0), without division. Parallel edges
+// do not count as a hit; where they overlap, other edges of the same triangles do.
 template <class T>
 MEETC_HD inline bool edges_cross(const flat<T> &v0, const flat<T> &v1, const flat<T> &u0, const flat<T> &u1) {
   const flat<T> a{v1.x - v0.x, v1.y - v0.y}, b{u0.x - u1.x, u0.y - u1.y}, c{v0.x - u0.x, v0.y - u0.y};

@@ -1,4 +1,4 @@
-// bench/baseline_vectors.hpp: the little linear algebra that the classic tests need, on host and device.
+// bench/baseline_vectors.hpp: the linear algebra that the classic tests need, on host and device.
 #ifndef MEETC_BENCH_BASELINE_VECTORS_HPP
 #define MEETC_BENCH_BASELINE_VECTORS_HPP
 
@@ -32,12 +32,12 @@ template <class T> MEETC_HD inline int longest_axis(const vec<T> &v) {
   const T x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z);
   return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
 }
-// By selection, so that nothing is indexed by a number that the device's compiler does not know.
+// Selects instead of indexing, since the device's compiler does not know the index.
 template <class T> MEETC_HD inline T along(const vec<T> &v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-// A point of the plane that is left when an axis is dropped; the order keeps orientation.
+// A point of the plane that is left when an axis is dropped. The order of axes keeps the orientation.
 template <class T> struct flat { T x, y; };
 template <class T> MEETC_HD inline flat<T> dropped(const vec<T> &v, int axis) {
   return {axis == 0 ? v.y : axis == 1 ? v.z : v.x, axis == 0 ? v.z : axis == 1 ? v.x : v.y};

@@ -1,11 +1,11 @@
 // bench/baselines.hpp: the classic floating-point tests that our predicates are compared with.
 //
-// Problem: a time says little without the time of what others use, taken in the same run.
-// Method: each test as its paper has it, as a plain function of two rows, in float or double, on host and
+// Problem: a time says little without the time of what others use, measured in the same run.
+// Method: each test is written as in its paper, as a plain function of two rows, in float or double, on host and
 // device. A row is x y z r (ball), three corners (triangle) or two ends (segment).
-// Source: Möller 1997, Guigue and Devillers 2003, Möller and Trumbore 1997 (cited beside each). Limits: these
-// are tests by rounded numbers; where the geometry is nearly degenerate they can be wrong, and Möller's
-// epsilons are lengths of the scene's own unit.
+// Source: Möller 1997, Guigue and Devillers 2003, Möller and Trumbore 1997 (cited beside each).
+// Limits: these tests use rounded numbers. Where the geometry is nearly degenerate they can be wrong, and Möller's
+// epsilons are lengths in the unit of the scene.
 #ifndef MEETC_BENCH_BASELINES_HPP
 #define MEETC_BENCH_BASELINES_HPP
 
@@ -22,10 +22,10 @@ template <class T> MEETC_HD inline bool balls(const T *a, const T *b) {
   return dot(d, d) <= reach * reach;
 }
 
-// Segment a = (p, q) against triangle b: T. Möller and B. Trumbore, "Fast, minimum storage ray-triangle
-// intersection", Journal of Graphics Tools 2(1), 1997, without culling. The barycentric coordinates u, v and
-// the place t on the segment solve p + t (q - p) = (1 - u - v) b0 + u b1 + v b2 by Cramer's rule. The paper's
-// epsilon on the determinant is 1e-6; a segment in the triangle's plane is never a hit.
+// Segment a = (p, q) against triangle b: T. Möller and B. Trumbore, "Fast, minimum storage ray-triangle intersection",
+// Journal of Graphics Tools 2(1), 1997, without culling. The barycentric coordinates u, v and the position t on the
+// segment solve p + t (q - p) = (1 - u - v) b0 + u b1 + v b2 by Cramer's rule. The paper's epsilon for the determinant
+// is 1e-6. A segment in the triangle's plane is never a hit.
 template <class T> MEETC_HD inline bool moller_trumbore(const T *a, const T *b, T epsilon) {
   const vec<T> p = corner(a, 0), way = corner(a, 1) - p;
   const vec<T> edge1 = corner(b, 1) - corner(b, 0), edge2 = corner(b, 2) - corner(b, 0);

@@ -10,9 +10,9 @@ namespace meetc::bench {
 namespace {
 
 constexpr std::size_t block = 4096;
-constexpr std::uint64_t least_rows = 64; // of a in a sample, since rows differ in how early they are rejected
+constexpr std::uint64_t least_rows = 64; // rows of a in a sample, since rows differ in how early they are rejected
 
-// Every so many-th of n, to have no more than `wanted`.
+// The step with which at most `wanted` of n are taken.
 std::size_t stride_to(std::size_t n, std::uint64_t wanted) {
   const std::uint64_t w = std::max<std::uint64_t>(1, wanted);
   return std::max<std::size_t>(1, (n + w - 1) / w);

@@ -1,8 +1,8 @@
-// bench/brute_force.hpp: every pair of two sets decided on one core, as the paper does it.
+// bench/brute_force.hpp: every pair of two sets decided on one core, as in the paper.
 //
-// Method: each test is called for blocks of pairs of one row of a with many rows of b; all tests take the
-// same blocks in turn. Where there are more pairs than the budget, rows are left out evenly on both sides,
-// and the time is scaled by the pairs that are left out: the work of brute force is proportional to them.
+// Method: each test is called for blocks of pairs of one row of a with many rows of b, and all tests take the same
+// blocks in turn. If there are more pairs than the budget allows, rows are left out evenly on both sides, and the time
+// is scaled by the number of pairs: the work of brute force is proportional to it.
 #ifndef MEETC_BENCH_BRUTE_FORCE_HPP
 #define MEETC_BENCH_BRUTE_FORCE_HPP
 
@@ -17,14 +17,14 @@
 namespace meetc::bench {
 
 struct brute_force_time {
-  double time = 0;                           // for all pairs, the sample's scaled; in yardsticks
-  std::uint64_t yes = 0;                     // of the sample
-  std::uint64_t wrong_yes = 0, wrong_no = 0; // against the first test, of the sample
+  double time = 0;                           // for all pairs, scaled from the sample; in yardsticks
+  std::uint64_t yes = 0;                     // in the sample
+  std::uint64_t wrong_yes = 0, wrong_no = 0; // compared with the first test, in the sample
 };
 struct brute_force_times {
-  std::vector<brute_force_time> of; // a test each
-  std::uint64_t pairs = 0;          // of the sample
-  bool sample = false;              // not all pairs
+  std::vector<brute_force_time> of; // one for each test
+  std::uint64_t pairs = 0;          // in the sample
+  bool sample = false;              // true where not all pairs are in it
 };
 
 // a and b are the predicate's first and second set; what they store for it is computed before the clock starts.

@@ -11,7 +11,7 @@ namespace meetc::bench {
 
 namespace {
 
-// Sizes in thousands as the paper writes them.
+// Writes sizes in thousands, as the paper does.
 std::string power_of_ten(int exponent) {
   switch (exponent) {
   case 3:
@@ -55,7 +55,7 @@ template <class Get> span_of_tens span_of(const chart &c, const Get &get) {
   return s;
 }
 
-// A string of gnuplot's: in single quotes, which are doubled in it, and in one line.
+// A string for gnuplot: in single quotes, with those inside doubled, and on one line.
 std::string quoted(const std::string &text) {
   std::string out = "'";
   for (const char c : text)
@@ -67,15 +67,16 @@ std::string hex(picture::colour c) {
   return fmt::format("'#{:02x}{:02x}{:02x}'", c.r, c.g, c.b);
 }
 
-// An axis by powers of ten, each of which has its label; where `fine`, with marks between them.
+// An axis with a label at each power of ten; where `fine`, with marks between them.
 std::string axis(char name, const span_of_tens &s, bool fine) {
   std::string marks;
   for (int e = s.low; e <= s.high; ++e) {
     marks += fmt::format("{}{} 1e{}", marks.empty() ? "" : ", ", quoted(power_of_ten(e)), e);
     for (int k = 2; fine && k < 10 && e < s.high; ++k)
-      marks += fmt::format(", '' {}e{} 1", k, e); // 1: of the second order
+      marks += fmt::format(", '' {}e{} 1", k, e); // 1 is the second order of marks
   }
-  // A little wider than the powers: gnuplot leaves out the label of an end that it rounds to the wrong side.
+  // The range is a little wider than the powers, because gnuplot leaves out an end's label that it rounds to the wrong
+  // side.
   return fmt::format("set {0}range [0.99999e{1}:1.00001e{2}]\nset {0}tics ({3})\n", name, s.low, s.high, marks);
 }
 

@@ -1,4 +1,4 @@
-// bench/chart.hpp: curves of positive numbers over sizes, both axes by powers of ten, as a PNG file.
+// bench/chart.hpp: curves of positive numbers over sizes, with both axes by powers of ten, as a PNG file.
 //
 // Method: a script for gnuplot. Limits: points that are not positive and finite are left out.
 #ifndef MEETC_BENCH_CHART_HPP
@@ -14,7 +14,7 @@
 namespace meetc::bench {
 
 namespace curve_colours {
-inline constexpr picture::colour red{206, 46, 38}; // Moeller's, as in the paper
+inline constexpr picture::colour red{206, 46, 38}; // for Möller's test, as in the paper
 inline constexpr picture::colour cpu{36, 92, 168};
 inline constexpr picture::colour search{120, 128, 138};
 inline constexpr picture::colour gpu{34, 142, 76};
@@ -23,7 +23,7 @@ inline constexpr picture::colour gpu{34, 142, 76};
 struct curve {
   std::string name;
   picture::colour ink;
-  std::vector<std::pair<double, double>> points; // by x
+  std::vector<std::pair<double, double>> points; // sorted by x
 };
 
 struct chart {
@@ -31,10 +31,10 @@ struct chart {
   std::vector<curve> curves;
 };
 
-// What gnuplot is told; the same text for the same chart.
+// The script for gnuplot. The same chart always gives the same text.
 std::string script_of(const chart &c, int width, int height);
 
-// Sizes in pixels. Throws app::failure where gnuplot is missing or fails.
+// Sizes are in pixels. Throws app::failure where gnuplot is missing or fails.
 void write_chart(const std::filesystem::path &to, const chart &c, int width, int height);
 
 } // namespace meetc::bench

@@ -17,7 +17,7 @@ namespace meetc::bench {
 
 namespace {
 
-// What the program is started with: files in the place of its standard streams.
+// The standard streams with which the program starts, redirected to files.
 class streams {
 public:
   streams() { ::posix_spawn_file_actions_init(&actions_); }
@@ -53,7 +53,7 @@ private:
   int fd_;
 };
 
-// The exit status; 127 where the program cannot be started, as shells say it.
+// The exit status; 127 where the program cannot be started, as in a shell.
 int finish(pid_t program) {
   int status = 0;
   while (::waitpid(program, &status, 0) < 0)
@@ -91,7 +91,7 @@ void run_gnuplot(const std::string &script, const std::filesystem::path &to) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0)
     refuse("cannot be drawn");
-  // This end of what gnuplot reads stays open here until all is written, so that no signal comes of a broken pipe.
+  // The reading end of gnuplot's input stays open here until all is written, so that a broken pipe raises no signal.
   descriptor read(ends[0]), write(ends[1]);
   streams s;
   s.take(STDIN_FILENO, read.get());

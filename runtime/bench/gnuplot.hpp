@@ -1,4 +1,4 @@
-// bench/gnuplot.hpp: the program gnuplot, which draws charts.
+// bench/gnuplot.hpp: runs the program gnuplot, which draws charts.
 #ifndef MEETC_BENCH_GNUPLOT_HPP
 #define MEETC_BENCH_GNUPLOT_HPP
 
@@ -7,11 +7,11 @@
 
 namespace meetc::bench {
 
-// Throws app::failure, which says what is missing, where there is no gnuplot that runs.
+// Throws app::failure, which says what is missing, where gnuplot cannot be run.
 void need_gnuplot();
 
-// Runs a script whose terminal writes to standard output, which becomes the file. The user's own settings of
-// gnuplot are not read, so that the same script gives the same file. Throws app::failure where it fails.
+// Runs a script whose terminal writes to standard output, and makes that output the file. The user's own settings of
+// gnuplot are not read, so the same script always gives the same file. Throws app::failure where it fails.
 void run_gnuplot(const std::string &script, const std::filesystem::path &to);
 
 } // namespace meetc::bench

@@ -32,13 +32,13 @@ struct guigue_devillers_fp32 {
   static constexpr int fields_a = 9, fields_b = 9, rows = 1;
   __device__ static bool hit(const float *a, const float *b) { return baselines::guigue_devillers(a, b); }
 };
-// His epsilon of 1e-6 would call every triangle of a fine mesh degenerate.
+// The published epsilon of 1e-6 would make every triangle of a fine mesh degenerate.
 struct moller_trumbore_0_fp32 {
   static constexpr int fields_a = 6, fields_b = 9, rows = 2;
   __device__ static bool hit(const float *a, const float *b) { return baselines::moller_trumbore(a, b, 0.0F); }
 };
 
-// A thread holds some rows of a; rows of b come through shared memory.
+// A thread holds some rows of a, and rows of b come through shared memory.
 template <class Test>
 __global__ void __launch_bounds__(threads)
     count_kernel(const float *a, unsigned n, const float *b, unsigned m, unsigned chunk, unsigned long long *count) {

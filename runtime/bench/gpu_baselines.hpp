@@ -1,4 +1,4 @@
-// bench/gpu_baselines.hpp: what the GPU's kernels are compared with: the classic tests on every pair, and the clock.
+// bench/gpu_baselines.hpp: the classic tests on every pair, with which the GPU's kernels are compared, and its clock.
 #ifndef MEETC_BENCH_GPU_BASELINES_HPP
 #define MEETC_BENCH_GPU_BASELINES_HPP
 
@@ -7,7 +7,7 @@
 
 namespace meetc::bench {
 
-// Each as in baselines.hpp, on packed rows in device memory.
+// Each test as in baselines.hpp, on packed rows in device memory.
 enum class baseline {
   balls_fp32,
   balls_fp64,
@@ -34,11 +34,11 @@ constexpr const char *name_of(baseline p) {
   return "";
 }
 
-// Adds the number of pairs that the test accepts, of n by m, to *count. Every pair is tested.
+// Tests all n by m pairs and adds the number that the test accepts to *count.
 cudaError_t count_pairs(baseline by, const float *a, std::size_t n, const float *b, std::size_t m,
                         unsigned long long *count, cudaStream_t stream);
 
-// Cycles of a multiprocessor, and nanoseconds, while one thread waits for about so many milliseconds.
+// Cycles of a multiprocessor, and nanoseconds, while one thread waits for about this many milliseconds.
 struct clock_reading {
   unsigned long long cycles, nanoseconds;
 };

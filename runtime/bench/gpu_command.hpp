@@ -1,4 +1,4 @@
-// bench/gpu_command.hpp: `meet bench gpu`: kernels and queries on the CUDA device, beside the classic tests.
+// bench/gpu_command.hpp: `meet bench gpu`: kernels and queries on the CUDA device, compared with the classic tests.
 #ifndef MEETC_BENCH_GPU_COMMAND_HPP
 #define MEETC_BENCH_GPU_COMMAND_HPP
 
@@ -11,13 +11,13 @@
 namespace meetc::bench {
 
 struct gpu_request {
-  std::optional<std::filesystem::path> folder; // for gpu.md
-  std::optional<std::filesystem::path> data;   // of meshes; without it built-in bodies serve
+  std::optional<std::filesystem::path> folder; // gpu.md is written there
+  std::optional<std::filesystem::path> data;   // has meshes; without it procedural bodies are used
   std::optional<std::string> only;             // part of the names of the scenes to measure
   bool json = false, quick = false;
 };
 
-// Returns what goes to standard output. Throws io::error, or failure with no_device.
+// Returns the text for standard output. Throws io::error, or failure with no_device.
 std::string gpu(const catalogue &all, const gpu_request &request);
 
 } // namespace meetc::bench

@@ -16,8 +16,8 @@ namespace meetc::bench {
 namespace {
 
 constexpr int runs = 7;
-// A matrix unit's dense half-precision products a clock and multiprocessor, over K = 16: pairs. Compute capability 9.0
-// has 2048, 8.0 half of it.
+// Pairs that a multiprocessor can filter in a clock cycle: the half-precision products of its matrix unit, over K = 16.
+// Compute capability 9.0 has 2048, and 8.0 half of that.
 double pairs_a_clock(const device_facts &f) {
   return f.major >= 9 ? 128 : 64;
 }
@@ -206,7 +206,7 @@ gpu_bench::filtered gpu_bench::filter_alone(cuda::filter f, device_set &a, devic
           "starting the filter");
   };
   double seconds = timer_.seconds(once, runs);
-  while (counted_on_device() > list_.capacity()) { // it stops early where the list is full
+  while (counted_on_device() > list_.capacity()) { // the filter stops early where the list is full
     list_.reserve(2 * list_.capacity(), "a list of candidates");
     seconds = timer_.seconds(once, runs);
   }

@@ -1,4 +1,4 @@
-// bench/gpu_measure.hpp: one table of `meet bench gpu`: kernels and queries on the CUDA device, beside the classic tests.
+// bench/gpu_measure.hpp: one table of `meet bench gpu`: kernels and queries on the CUDA device, with the classic tests.
 #ifndef MEETC_BENCH_GPU_MEASURE_HPP
 #define MEETC_BENCH_GPU_MEASURE_HPP
 
@@ -16,7 +16,7 @@ namespace meetc::bench {
 
 class gpu_bench {
 public:
-  // Throws device_error, as all here.
+  // Throws device_error, as do all members.
   gpu_bench(const catalogue &all, bool quick);
 
   std::string device_in_words() const;
@@ -25,8 +25,8 @@ public:
 
 private:
   struct counted_pairs {
-    std::optional<std::uint64_t> found; // nothing where a part of b was taken
-    double seconds;                     // scaled to all of it
+    std::optional<std::uint64_t> found; // empty where only a part of b was taken
+    double seconds;                     // scaled to all pairs
   };
   struct filtered {
     std::uint64_t found;

@@ -12,7 +12,7 @@ namespace meetc::bench {
 namespace {
 
 io::element_set ball_cloud(const catalogue &all, std::size_t n, std::uint64_t seed) {
-  // As many hits a pair for any n: about four for a million.
+  // Hits are a fixed share of all pairs for any n: about four in a million.
   const double r = 0.0098;
   return app::of_rows(all, "sphere", bodies::sphere_cloud(n, seed, 0.8 * r, 1.2 * r));
 }
@@ -27,7 +27,7 @@ bodies::mesh of_set(const io::element_set &s) {
   return {s.data, s.index};
 }
 
-// Segments of a share of the box's longest side, spread over the box of the mesh.
+// Segments whose length is a share of the box's longest side, spread over the box of the mesh.
 io::element_set segments_in(const catalogue &all, const io::element_set &mesh, std::size_t n, double share) {
   double lo[3], hi[3], longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -38,7 +38,7 @@ io::element_set segments_in(const catalogue &all, const io::element_set &mesh, s
     longest = std::fmax(longest, hi[k] - lo[k]);
   }
   std::vector<float> rows =
-      bodies::segment_cloud(n, 5, 2 * share); // of a cube of side 2, and then of one of side `longest`
+      bodies::segment_cloud(n, 5, 2 * share); // in a cube of side 2 first, then scaled to one of side `longest`
   for (std::size_t i = 0; i < rows.size(); i += 6)
     for (std::size_t k = 0; k < 3; ++k) {
       const double p = rows[i + k], q = rows[i + 3 + k], middle = (p + q) / 2, way = (q - p) / 2;
@@ -60,7 +60,7 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
   const auto read = [&all](const std::filesystem::path &file, const io::transform &move = {}) {
     return io::read(file, app::kinds_of(all), move);
   };
-  // Meshes of a body and a larger one that it reaches into.
+  // A mesh of a body, and a larger body that it reaches into.
   const std::function<io::element_set()> body = [&all, data, read, quick] {
     return data ? read(*data / (quick ? "bunny_5k.ply" : "bunny_69k.ply"))
                 : app::of_mesh(all, bodies::blob(quick ? 48 : 90));
@@ -99,8 +99,8 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
 std::vector<std::function<tangent_scene()>> tangent_scenes(const catalogue &all, bool quick) {
   const int side = quick ? 12 : 64;
   std::vector<std::function<tangent_scene()>> out;
-  // Balls of radius 1/2 on a lattice touch six neighbours, and themselves. A share of them is a little smaller and
-  // touches none but those of its own place; copies at a place touch six times as many.
+  // Balls of radius 1/2 on a lattice touch six neighbours and themselves. A share of them is slightly smaller and
+  // touches only balls at the same place. With copies at each place every ball touches that many times as many.
   const auto lattice = [&all](int n, int copies, int smaller_of_64) {
     std::vector<float> rows;
     std::uint32_t state = 1;

@@ -1,4 +1,4 @@
-// bench/gpu_scenes.hpp: what `meet bench gpu` measures.
+// bench/gpu_scenes.hpp: the scenes that `meet bench gpu` measures.
 #ifndef MEETC_BENCH_GPU_SCENES_HPP
 #define MEETC_BENCH_GPU_SCENES_HPP
 
@@ -18,10 +18,10 @@ struct gpu_scene {
   std::function<std::pair<io::element_set, io::element_set>()> make; // the predicate's first and second set
 };
 
-// Throws io::error where the folder lacks a mesh that is needed: bunny_69k.ply, armadillo_345k.ply.
+// Throws io::error where the folder lacks a mesh: bunny_69k.ply, armadillo_345k.ply.
 std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
 
-// Balls of which a share of all pairs touches in exactly one point, which no bound in fp32 can tell.
+// Balls of which a share of all pairs touches in exactly one point, which no bound in fp32 can decide.
 struct tangent_scene {
   std::string name;
   io::element_set a, b;

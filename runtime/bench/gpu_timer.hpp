@@ -1,4 +1,4 @@
-// bench/gpu_timer.hpp: times of work on the device: warm, by events, medians.
+// bench/gpu_timer.hpp: times of work on the device: warm, by events, as medians.
 #ifndef MEETC_BENCH_GPU_TIMER_HPP
 #define MEETC_BENCH_GPU_TIMER_HPP
 
@@ -26,7 +26,7 @@ public:
   gpu_timer(const gpu_timer &) = delete;
   gpu_timer &operator=(const gpu_timer &) = delete;
 
-  // Seconds of what `work` enqueues on the device's stream: the median of so many runs after one that does not count.
+  // Seconds for what `work` enqueues on the device's stream: the median of `runs` runs, after one that does not count.
   double seconds(const std::function<void()> &work, int runs) {
     std::vector<double> all;
     for (int i = 0; i <= runs; ++i) {
@@ -42,7 +42,7 @@ public:
     return median(all);
   }
 
-  // Hertz of a multiprocessor while the work runs, again and again.
+  // The clock rate of a multiprocessor in hertz, while the work runs repeatedly.
   double clock_during(const std::function<void()> &work, double seconds_of_it) {
     const double wanted = 0.02;
     check(read_clock(reading_.data(), wanted * 1000, beside_), "reading the clock");

@@ -12,9 +12,9 @@ namespace meetc::bench {
 namespace {
 
 constexpr std::size_t balls = 1500;
-constexpr double least_share = 0.5; // of a yardstick, that a run lasts
+constexpr double least_share = 0.5; // the least duration of a run, as a share of a yardstick
 
-// Of this thread on a core: what others do in between does not count.
+// CPU time of this thread, in which other processes do not count.
 double now() {
   timespec t{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

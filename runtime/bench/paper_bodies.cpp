@@ -29,7 +29,7 @@ io::transform moved(double scale, double x, double y, double z) {
   return t;
 }
 
-// Polygons as the triangles that they are fanned into.
+// Polygons as the triangles of their fans.
 bodies::mesh as_mesh(const io::element_set &set) {
   return {set.data, set.index};
 }
@@ -39,7 +39,7 @@ io::element_set as_triangles(io::element_set set) {
   return set;
 }
 
-// armadillo_345k.ply and the like.
+// Whether the name is armadillo_345k.ply or similar.
 bool is_armadillo(const fs::path &file) {
   const std::string name = file.filename().string();
   return name.rfind("armadillo_", 0) == 0 && file.extension() == ".ply" &&

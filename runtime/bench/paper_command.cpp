@@ -35,7 +35,7 @@ std::string paper(const catalogue &all, const paper_request &q) {
   app::output_files outputs;
   if (q.folder) {
     expect_files(*q.folder, outputs);
-    need_gnuplot(); // before the work
+    need_gnuplot(); // fails before the work starts
   }
   const std::unique_ptr<bench_device> device = bench_device_named(q.device);
   const paper_bodies bodies(all, q.data, q.quick);

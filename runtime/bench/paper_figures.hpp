@@ -13,7 +13,7 @@ inline constexpr int figures = 6;
 
 std::string figure_file(int number); // "figure_1.png"
 
-// A small picture where it is `quick`. Throws io::error, or app::failure.
+// Draws a small picture where `quick`. Throws io::error, or app::failure.
 void draw_figure(const std::filesystem::path &to, const paper_figure &f, bool quick);
 
 } // namespace meetc::bench

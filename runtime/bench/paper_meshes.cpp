@@ -1,5 +1,5 @@
-// Bunny and Armadillo: how many triangles touch (section 4.1, figures 1 to 3), and what one core takes by our
-// predicate and by the classic ones (section 4.3, figure 6).
+// Bunny and Armadillo: how many triangles touch (section 4.1, figures 1 to 3), and how long one core takes with our
+// predicate and with the classic ones (section 4.3, figure 6).
 #include "bench/paper_parts.hpp"
 
 #include "app/words.hpp"
@@ -15,7 +15,7 @@ namespace meetc::bench {
 
 namespace {
 
-// The paper's table of collided triangles.
+// A row of the paper's table of collided triangles.
 struct printed_row {
   const char *name;
   double armadillo;
@@ -187,7 +187,7 @@ void add_meshes(const paper_context &c, paper_result &to) {
     moller.points.emplace_back(n, moller_time / first_moller);
     conformal.points.emplace_back(n, core_time / first_moller);
     certified.points.emplace_back(n, certified_time / first_moller);
-    if (sizes.size() <= 2) // a mesh whose triangles can be seen
+    if (sizes.size() <= 2) // the triangles of such a mesh are large enough to see
       scene = paper_scene{bunny,
                           armadillo,
                           s.found.a.hit,

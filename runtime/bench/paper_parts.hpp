@@ -1,4 +1,4 @@
-// bench/paper_parts.hpp: what the parts of `meet bench paper` share, and what each adds to the result.
+// bench/paper_parts.hpp: the parts of `meet bench paper`: what they share, and what each adds to the result.
 #ifndef MEETC_BENCH_PAPER_PARTS_HPP
 #define MEETC_BENCH_PAPER_PARTS_HPP
 
@@ -23,8 +23,8 @@ struct paper_context {
   yardstick &by;
   bool quick;
   int threads, runs;
-  std::uint64_t budget;          // pairs that a timing of brute force may take
-  std::function<void()> advance; // a row is done
+  std::uint64_t budget;          // pairs that one timing of brute force may take
+  std::function<void()> advance; // called after each row
 };
 
 struct paper_scaling {
@@ -32,7 +32,7 @@ struct paper_scaling {
   power_fit fit;
 };
 
-// A picture of two sets and their hits.
+// A scene with two sets and their hits, for a picture.
 struct paper_scene {
   io::element_set a, b;
   std::vector<std::uint8_t> hit_a, hit_b;
@@ -53,7 +53,7 @@ struct paper_result {
   std::vector<paper_figure> figures;
 };
 
-// Rows that each part will pass to `advance`.
+// The number of rows for which each part will call `advance`.
 std::size_t mesh_rows(const paper_context &c);
 std::size_t sphere_rows(const paper_context &c);
 std::size_t segment_rows(const paper_context &c);
@@ -67,13 +67,13 @@ void add_segments(const paper_context &c, paper_result &to); // the table of tim
 // All touching pairs, certified, as `meet collide` finds them.
 struct search {
   app::answers found;
-  double time = 0; // one core, both sets made ready, certified; in yardsticks
+  double time = 0; // on one core, with both sets prepared, certified; in yardsticks
   double certified_over_fp32 = 0;
 };
 search search_pairs(const paper_context &c, const io::element_set &a, const io::element_set &b, bool keep);
 
-// The cells "GPU", "with transfers" and "one core / GPU"; the time with transfers in yardsticks, 0 without a
-// device. Throws failure where the device's count is not `pairs`.
+// The cells "GPU", "with transfers" and "one core / GPU". The time with transfers is in yardsticks, 0 without a device.
+// Throws failure where the device's count is not `pairs`.
 struct device_cells {
   std::vector<cell> cells;
   double time = 0, core_over_gpu = 0;
@@ -81,7 +81,7 @@ struct device_cells {
 device_cells ask_device(const paper_context &c, const io::element_set &a, const io::element_set &b, std::uint64_t pairs,
                         double one_core);
 std::vector<column> device_columns();
-// The paper's claim beside the ratios of a table's rows; nothing without a device.
+// Adds the paper's claim next to the ratios of a table's rows; adds nothing without a device.
 void add_claim(const paper_context &c, const std::vector<double> &core_over_gpu, table &to);
 
 decide_function decide_by(const app::choice &by, rung precision);

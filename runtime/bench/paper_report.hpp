@@ -1,4 +1,4 @@
-// bench/paper_report.hpp: what `meet bench paper` found, as text, as a page and as JSON.
+// bench/paper_report.hpp: the result of `meet bench paper` as text, as a page and as JSON.
 #ifndef MEETC_BENCH_PAPER_REPORT_HPP
 #define MEETC_BENCH_PAPER_REPORT_HPP
 
@@ -14,7 +14,7 @@ struct paper_report {
   const bench_device *device; // null: none
   bool from_files, quick;
   int threads;
-  bool drawn; // the figures were
+  bool drawn; // whether the figures were drawn
 };
 
 std::string as_text(const paper_report &r);

@@ -1,5 +1,5 @@
-// Line segments and the Bunny in ever more triangles: the table of times in section 4.2, and a large triangle
-// through the Bunny, figure 1.
+// Line segments against the Bunny with a growing number of triangles: the table of times in section 4.2, and a large
+// triangle through the Bunny, figure 1.
 #include "bench/paper_parts.hpp"
 
 #include "app/made_sets.hpp"
@@ -15,14 +15,14 @@ namespace meetc::bench {
 
 namespace {
 
-// The paper's last row, in milliseconds.
+// The last row in the paper, in milliseconds.
 constexpr double printed_cpu = 30034.4, printed_gpu = 715.872;
 constexpr std::size_t many = 1000;
 constexpr picture::colour triangle_green{112, 184, 118};
 
 struct frame {
   std::array<double, 3> middle{}, half{};
-  // Of a point given in halves of the box from its middle.
+  // The coordinate of a point that is given in halves of the box, from its centre.
   float at(std::size_t k, double v) const { return static_cast<float>(middle[k] + half[k] * v); }
 };
 
@@ -40,7 +40,7 @@ frame frame_of(const io::element_set &mesh) {
   return f;
 }
 
-// Rows of points in [-1, 1]^3 into the box.
+// Maps rows of points in [-1, 1]^3 to the box.
 std::vector<float> placed(const frame &f, std::vector<float> rows) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     rows[i] = f.at(i % 3, static_cast<double>(rows[i]));

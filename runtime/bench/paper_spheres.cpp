@@ -13,21 +13,21 @@ namespace meetc::bench {
 
 namespace {
 
-// The paper does not give its radii. Here they shrink as n^(-1/3), uniform from half to one and a half times
-// r, so that at every n a sphere touches `neighbours` others on average, the walls of the cube left aside:
-// neighbours = n E[4/3 pi s^3] / 8 with s the sum of two radii, E[s^3] = 9 r^3.
+// The paper does not give its radii. Here they shrink as n^(-1/3), uniform from half to one and a half times r. At
+// every n a sphere then touches `neighbours` others on average, if the walls of the cube are ignored: neighbours = n
+// E[4/3 pi s^3] / 8, where s is the sum of two radii and E[s^3] = 9 r^3.
 constexpr double neighbours = 0.5, pi = 3.14159265358979323846;
 
 double radius_for(std::size_t n) {
   return std::cbrt(neighbours / (1.5 * pi * static_cast<double>(n)));
 }
 
-// The probability that two points, uniform in a unit cube, are within s <= 1 of each other.
+// The probability that two uniform points in a unit cube are within s <= 1 of each other.
 double near_in_cube(double s) {
   return s * s * s * (pi * 4 / 3 - s * (pi * 3 / 2 - s * (8.0 / 5 - s / 6)));
 }
 
-// Pairs that touch, on average over all clouds of n spheres in a cube of edge 2.
+// The mean number of touching pairs over all clouds of n spheres in a cube of edge 2.
 double expected_pairs(std::size_t n) {
   constexpr int steps = 64;
   const double r = radius_for(n), count = static_cast<double>(n);
@@ -84,7 +84,7 @@ void add_spheres(const paper_context &c, paper_result &to) {
     std::vector<std::uint8_t> touched(n, 0);
     std::uint64_t pairs = 0, touching = 0;
     for (const index_pair &p : s.found.list)
-      if (p.a != p.b) { // each such pair comes both ways round
+      if (p.a != p.b) { // each such pair occurs in both orders
         pairs += p.a < p.b;
         touching += touched[p.a] == 0;
         touched[p.a] = 1;

@@ -58,7 +58,7 @@ std::string in_words(const power_fit &fit) {
                                    ? "no row is off it by 1 %"
                                    : fmt::format("farthest from it is the row of {}, {:.0f} % {}", row,
                                                  std::abs(100 * fit.worst), fit.worst < 0 ? "below" : "above");
-  const double exponent = std::abs(fit.exponent) < 5e-4 ? 0 : fit.exponent; // no "-0.000"
+  const double exponent = std::abs(fit.exponent) < 5e-4 ? 0 : fit.exponent; // avoids "-0.000"
   return fmt::format("exponent {:.3f}, the law's {} ± {:.3f}: the law {}; {}", exponent, fit.expected, fit.tolerance,
                      fit.holds ? "holds" : "does not hold", farthest);
 }

@@ -1,11 +1,10 @@
-// bench/scaling.hpp: whether counts grow as a power of a size.
+// bench/scaling.hpp: tests whether counts grow as a power of a size.
 //
-// Problem: a table of counts whose pose is not known cannot be checked row by row, but how its counts grow
-// can: a curve cut out of a surface of n triangles of one size crosses as many of them as its length has
-// edges, c sqrt(n).
-// Method: least squares of log count over log size. The tolerance is derived, not chosen: where every count
-// is within a share s of c n^e, the slope is within log(1+s) sum|x - mean| / sum (x - mean)^2 of e, x being
-// log n, whatever the counts are. So a slope outside refutes the scaling exponent e with that scatter.
+// Problem: a table of counts whose pose is unknown cannot be checked row by row, but the growth of its counts can. A
+// curve on a surface of n triangles of one size crosses as many of them as its length has edges, c sqrt(n).
+// Method: least squares of log count over log size. The tolerance is derived, not chosen: where every count is within a
+// share s of c n^e, the slope is within log(1+s) sum|x - mean| / sum (x - mean)^2 of e, x being log n, whatever the
+// counts are. A slope outside therefore refutes the scaling exponent e with that scatter.
 #ifndef MEETC_BENCH_SCALING_HPP
 #define MEETC_BENCH_SCALING_HPP
 
@@ -17,10 +16,10 @@
 namespace meetc::bench {
 
 struct power_fit {
-  double expected = 0, scatter = 0; // as asked: the scaling exponent, and a share of each count
-  double exponent = 0;              // of the counts; NaN with fewer than two sizes
-  double tolerance = 0;             // of the exponent
-  double worst = 0; // the count farthest from c n^expected: count / (c n^expected) - 1, c by the median row
+  double expected = 0, scatter = 0; // as given: the scaling exponent, and a share of each count
+  double exponent = 0;              // fitted to the counts; NaN with fewer than two sizes
+  double tolerance = 0;             // for the exponent
+  double worst = 0; // at the count farthest from c n^expected: count / (c n^expected) - 1, c by the median row
   double worst_size = 0;
   bool holds = false; // |exponent - expected| <= tolerance
 };

@@ -21,7 +21,7 @@ std::vector<std::string> lines_of(const std::string &title) {
   return lines;
 }
 
-// Code points: names may hold letters beyond ASCII.
+// Counts code points, since names may have letters beyond ASCII.
 std::size_t width(const std::string &text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }

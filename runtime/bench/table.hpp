@@ -18,10 +18,10 @@ cell of_count(std::uint64_t n); // 345,944
 cell of_ratio(double x);        // three digits; "-" and null where it is not finite
 cell of_milliseconds(double seconds);
 cell of_words(const std::string &words);
-cell missing(const std::string &why); // null
+cell missing(const std::string &why); // null, with a reason
 
 struct column {
-  std::string key, title; // of the JSON object; what people read: '|' where a line may end
+  std::string key, title; // key: for the JSON object; title: for people, with '|' where a line may end
 };
 
 struct table {

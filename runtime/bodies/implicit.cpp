@@ -1,9 +1,8 @@
-// Implicit bodies: a smooth union of rounded cones, meshed by marching tetrahedra on a lattice whose cubes
-// are cut into six (Kuhn), so that neighbouring cubes agree and the result is a manifold without special
-// cases.
+// Implicit bodies: a smooth union of rounded cones, meshed by marching tetrahedra on a lattice whose cubes are cut into
+// six (Kuhn), so that neighbouring cubes agree and the result is a manifold without special cases.
 //
-// Then the vertices are moved a few times to the middle of their neighbours and back onto the surface, which
-// rids the mesh of the slivers that marching leaves. Limits: the body must be thicker than a lattice cell.
+// The vertices are then moved a few times to the middle of their neighbours and back onto the surface, which removes
+// the slivers that marching leaves. Limits: the body must be thicker than a lattice cell.
 #include "bodies/detail.hpp"
 #include "bodies/meshes.hpp"
 
@@ -18,10 +17,10 @@ namespace {
 
 using namespace detail;
 
-struct cone { // the balls of radius r + t (s - r) about a + t (b - a), 0 <= t <= 1
+struct cone { // the union of the balls of radius r + t (s - r) about a + t (b - a), 0 <= t <= 1
   vec a, b;
   double r, s;
-  double blend; // how wide it melts into what came before
+  double blend; // width of the blend with the cones before it
 };
 
 struct body {
@@ -30,12 +29,12 @@ struct body {
   double ribs; // depth of the ribs on the back
 };
 
-// The signed distance to a rounded cone: to its end balls or to the cone tangent to both. In the plane of p
-// and the axis, scaled by the axis' length l: y along, x across.
+// The signed distance to a rounded cone, which is that to its end balls or to the cone tangent to both. It is computed
+// in the plane of p and the axis, scaled by the length l of the axis: y along it, x across.
 double distance(const cone &c, const vec &p) {
   const vec axis = c.b - c.a, q = p - c.a;
   const double l2 = dot(axis, axis), slope = c.r - c.s, side2 = l2 - slope * slope;
-  if (!(side2 > 0)) // one ball holds the other
+  if (!(side2 > 0)) // one ball contains the other
     return c.r >= c.s ? root(dot(q, q)) - c.r : root(dot(p - c.b, p - c.b)) - c.s;
   const double y = dot(q, axis), z = y - l2;
   const vec off = l2 * q - y * axis;
@@ -51,10 +50,10 @@ double field(const body &shape, const vec &p) {
   double f = 4;
   for (const cone &c : shape.parts) {
     const double g = distance(c, p);
-    const double h = std::max(c.blend - std::abs(f - g), 0.0) / c.blend; // smooth minimum
+    const double h = std::max(c.blend - std::abs(f - g), 0.0) / c.blend; // a smooth minimum
     f = std::min(f, g) - h * h * c.blend / 4;
   }
-  if (shape.ribs > 0 && p.z < 0) { // a smooth wave along y, fading in behind z = 0
+  if (shape.ribs > 0 && p.z < 0) { // a smooth wave along y, which fades in behind z = 0
     const double w = p.y * 8 - std::floor(p.y * 8), wave = 16 * w * w * (1 - w) * (1 - w);
     f += shape.ribs * wave * std::min(1.0, -4 * p.z);
   }
@@ -73,7 +72,7 @@ vec onto_surface(const body &shape, vec p, double step) {
   return p;
 }
 
-// Vertices and triangles as the marching leaves them, in double.
+// Vertices and triangles as marching leaves them, in double.
 struct raw_mesh {
   std::vector<vec> at;
   std::vector<std::uint32_t> index;
@@ -104,7 +103,7 @@ raw_mesh march(const body &shape, double cell) {
     }
     return at->second;
   };
-  // About the diagonal from corner 0 to corner 7, all right-handed.
+  // They surround the diagonal from corner 0 to corner 7, and all are right-handed.
   constexpr std::array<std::array<std::size_t, 4>, 6> tetrahedra{
       {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
   for (std::size_t z = 0; z + 1 < nz; ++z)
@@ -130,7 +129,7 @@ raw_mesh march(const body &shape, double cell) {
             }
           for (std::size_t &corner : v)
             corner = base + offset[corner];
-          // In braces, so that new vertices are numbered in the order written, whatever the compiler.
+          // The arguments are in braces, so that new vertices are numbered in the order written with every compiler.
           const auto triangle = [&](std::array<std::uint32_t, 3> t) {
             if (odd)
               std::swap(t[1], t[2]);
@@ -160,7 +159,7 @@ mesh realise(const body &shape, int resolution) {
     std::fill(count.begin(), count.end(), 0);
     for (std::size_t i = 0; i < raw.index.size(); ++i) {
       const std::uint32_t a = raw.index[i], b = raw.index[i % 3 == 2 ? i - 2 : i + 1];
-      sum[a] = sum[a] + raw.at[b]; // each edge comes once in each direction: every neighbour once
+      sum[a] = sum[a] + raw.at[b]; // each edge comes once in each direction, so every neighbour counts once
       ++count[a];
     }
     for (std::size_t v = 0; v < raw.at.size(); ++v)

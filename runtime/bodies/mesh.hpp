@@ -10,7 +10,7 @@ namespace meetc::bodies {
 
 struct mesh {
   std::vector<float> xyz;           // x y z of each vertex
-  std::vector<std::uint32_t> index; // three vertices a triangle
+  std::vector<std::uint32_t> index; // three vertices for each triangle
   std::size_t vertices() const { return xyz.size() / 3; }
   std::size_t triangles() const { return index.size() / 3; }
 };

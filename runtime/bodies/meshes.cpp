@@ -1,5 +1,4 @@
-// Bodies that are grids or divided solids, and random clouds. See meshes.hpp; the implicit bodies are in
-// meshes.implicit.cpp.
+// Bodies that are grids or divided solids, and random clouds. See meshes.hpp. The implicit bodies are in implicit.cpp.
 #include "bodies/meshes.hpp"
 
 #include "bodies/detail.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 using namespace detail;
 
-// Triangles of an m by n grid of vertices that closes in both directions.
+// The triangles of an m by n grid of vertices that closes in both directions.
 void wrap(mesh &out, std::uint32_t m, std::uint32_t n) {
   for (std::uint32_t i = 0; i < m; ++i)
     for (std::uint32_t j = 0; j < n; ++j) {
@@ -119,7 +118,7 @@ mesh knot(int segments, int rings) {
     const vec p{r * u.cosine, 0.5 * w.sine, r * u.sine};
     const vec d =
         normal({-1.5 * w.sine * u.cosine - 2 * r * u.sine, 1.5 * w.cosine, -1.5 * w.sine * u.sine + 2 * r * u.cosine});
-    // The direction from the circle of the torus is never along the curve, and closes with it.
+    // The direction from the circle of the torus is never parallel to the curve, and it closes with the curve.
     const vec out_of{w.cosine * u.cosine, w.sine, w.cosine * u.sine};
     const vec side = normal(cross(d, out_of)), up = cross(side, d);
     for (int j = 0; j < n; ++j) {
@@ -133,8 +132,8 @@ mesh knot(int segments, int rings) {
 
 mesh gear(int teeth, int detail) {
   const int z = std::clamp(teeth, 5, 256), k = std::clamp(detail, 1, 16), m = 8 * z * k, n = 8 * k;
-  // The radius over one tooth in eight steps, root 0 and tip 1; the profile of a cross-section in eight
-  // steps: radius between bore 0 and rim 1, and height.
+  // The radius over one tooth in eight steps, root 0 and tip 1, and the profile of a cross-section in eight steps:
+  // radius between bore 0 and rim 1, and height.
   constexpr std::array<double, 8> tooth{0, 0, 0.5, 1, 1, 1, 0.5, 0};
   constexpr std::array<std::array<double, 2>, 8> profile{
       {{0, 0.25}, {0.5, 0.25}, {0.94, 0.25}, {1, 0.1875}, {1, -0.1875}, {0.94, -0.25}, {0.5, -0.25}, {0, -0.25}}};
@@ -217,7 +216,7 @@ std::vector<float> segment_cloud(std::size_t n, std::uint64_t seed, double lengt
     p.x = g.signed_unit();
     p.y = g.signed_unit();
     p.z = g.signed_unit();
-    do { // uniform in the ball, hence in direction
+    do { // rejection makes it uniform in the ball, hence in direction
       d.x = g.signed_unit();
       d.y = g.signed_unit();
       d.z = g.signed_unit();

@@ -1,9 +1,9 @@
-// core/box.hpp: closed boxes, and one against sixteen.
+// core/box.hpp: closed boxes, and the test of one box against sixteen.
 //
-// Two boxes are apart only where a comparison says so: NaN on either side means candidate. Boxes are stored
-// in blocks of sixteen, coordinate by coordinate, and the test is a plain loop over the lanes that every
-// compiler in use turns into vector code. Sanitised boxes are finite, which loses no candidate (clamping is
-// monotone), so a lane that holds nothing, from +inf to -inf, touches none of them.
+// Two boxes are apart only where a comparison says so; a NaN on either side therefore makes a candidate. Boxes are
+// stored in blocks of sixteen, coordinate by coordinate, and the test is a plain loop over the lanes that every
+// compiler in use vectorises. Sanitised boxes are finite, which loses no candidate (clamping is monotone). An empty
+// lane, from +inf to -inf, touches none of them.
 #ifndef MEETC_CORE_BOX_HPP
 #define MEETC_CORE_BOX_HPP
 
@@ -44,7 +44,7 @@ struct alignas(64) box_block {
   }
 };
 
-// Finite, never smaller; NaN becomes the widest.
+// A finite box that is no smaller; NaN becomes the widest box.
 inline box sanitised(box b) {
   constexpr float most = std::numeric_limits<float>::max();
   for (int k = 0; k < 3; ++k) {
@@ -54,7 +54,7 @@ inline box sanitised(box b) {
   return b;
 }
 
-// Bit i: lane i of the block may touch q.
+// Bit i is set where lane i of the block may touch q.
 inline std::uint32_t touching(const box_block &block, const box &q) {
   static constexpr std::uint32_t bit[lanes] = {1,      2,      4,       8,       1 << 4,  1 << 5,  1 << 6,  1 << 7,
                                                1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};

@@ -5,7 +5,7 @@
 namespace meetc {
 namespace {
 
-// Writes the pairs of slot a, whose box is q, with one block of b. Returns the end of what it wrote.
+// Writes the pairs of slot a, whose box is q, with one block of b. Returns the end of the pairs written.
 inline index_pair *pairs_with(const box &q, std::uint32_t a, const box_block *blocks, std::size_t block,
                               index_pair *out) {
   const auto first = static_cast<std::uint32_t>(block * lanes);
@@ -18,7 +18,7 @@ std::size_t lanes_of(const level &l, std::size_t block) {
   return std::min<std::size_t>(lanes, l.boxes - block * lanes);
 }
 
-// One walk down the hierarchy of b with one block of a. Leaf blocks are collected, so that runs of one a are
+// One walk down the hierarchy of b with one block of a. Leaf blocks are collected first, so that runs of one a are
 // long.
 class walk {
 public:
@@ -74,7 +74,7 @@ private:
   pair_sink &sink_;
   std::size_t size_ = 0;
   std::size_t leaves_[most];
-  std::uint32_t lanes_of_a_[most]; // which elements of a's block the box around the leaf touches
+  std::uint32_t lanes_of_a_[most]; // the elements of a's block that the box around the leaf touches
 };
 
 constexpr std::size_t tile = 64; // blocks of b: 24 KiB of boxes, which stay in the first cache
@@ -104,7 +104,7 @@ bool all_pairs::yield(std::size_t unit, pair_sink &sink) const {
   return true;
 }
 
-// A walk a block of a; where a has few blocks, b is cut as well, so that every thread finds work.
+// There is one walk for each block of a. Where a has few blocks, b is cut as well, so that every thread finds work.
 tree_pairs::tree_pairs(const element_set &a, const element_set &b) : a_(a), b_(b) {
   constexpr std::size_t enough = 1024;
   if (a.elements == 0 || b.elements == 0)

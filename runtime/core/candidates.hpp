@@ -1,8 +1,8 @@
-// core/candidates.hpp: where candidate pairs come from. Those who decide them never see how they arose.
+// core/candidates.hpp: the sources of candidate pairs. Code that decides pairs does not know which source they come
+// from.
 //
-// A source cuts its work into units that may run in any order on any thread; together they yield each pair
-// whose boxes may touch exactly once. Pairs come in runs of one `a`, and a run is never cut between two
-// batches.
+// A source divides its work into units that may run in any order on any thread. Together they yield each pair whose
+// boxes may touch exactly once. Pairs come in runs of one `a`, and a run is never split between two batches.
 #ifndef MEETC_CORE_CANDIDATES_HPP
 #define MEETC_CORE_CANDIDATES_HPP
 
@@ -10,23 +10,23 @@
 
 namespace meetc {
 
-// Takes pairs of slots. One a thread.
+// Takes pairs of slots. Each thread has one.
 class pair_sink {
 public:
   static constexpr std::size_t longest_run = 4096;
 
   virtual ~pair_sink() = default;
 
-  // At least longest_run places.
+  // Has room for at least longest_run pairs.
   index_pair *room() { return pairs_ + size_; }
-  // n pairs have been written there. False: enough, stop.
+  // Says that n pairs have been written there. Returns false to stop.
   bool advance(std::size_t n) {
     size_ += n;
     return size_ < full_ || flush();
   }
 
 protected:
-  virtual bool flush() = 0; // empties the sink; false: stop
+  virtual bool flush() = 0; // empties the sink; false means stop
 
   index_pair *pairs_ = nullptr;
   std::size_t size_ = 0, full_ = 0;
@@ -36,7 +36,7 @@ class candidate_source {
 public:
   virtual ~candidate_source() = default;
   virtual std::size_t units() const = 0;
-  virtual bool yield(std::size_t unit, pair_sink &sink) const = 0; // false: the sink said stop
+  virtual bool yield(std::size_t unit, pair_sink &sink) const = 0; // false: the sink asked to stop
 };
 
 // Tests every pair of boxes. The sets must outlive it.

@@ -4,7 +4,7 @@
 
 namespace meetc {
 
-// Nothing rounds here: reach and longest are stored numbers, and 2 box is exact or infinite.
+// Nothing is rounded here: reach and longest are stored numbers, and 2 box is exact or infinite.
 static bool lies_in(const element_set &set, float box) {
   return set.reach <= box && set.longest <= 2 * box;
 }

@@ -1,8 +1,8 @@
-// core/cascade.hpp: the filter cascade: the functions that decide, in the order in which a batch of pairs goes
-// through them.
+// core/cascade.hpp: the filter cascade: the functions that decide, in the order in which a batch of pairs goes through
+// them.
 //
-// A plain rung and exact are one function. `certified` is four: fp32, fp64, fp64x2 and exact, each for what
-// the one before left unsure.
+// A plain rung and exact are one function each. `certified` is four: fp32, fp64, fp64x2 and exact, each for what the
+// one before left unsure.
 #ifndef MEETC_CORE_CASCADE_HPP
 #define MEETC_CORE_CASCADE_HPP
 
@@ -12,10 +12,10 @@ namespace meetc {
 
 struct element_set;
 
-// What the rungs of `certified` did; nothing under the other rungs.
+// What the rungs of `certified` did. The other rungs leave it as it is.
 struct rung_report {
-  std::uint64_t unsure[bounded_rungs] = {0, 0, 0}; // pairs of elements that fp32, fp64 and fp64x2 handed on
-  bool left_box_a = false, left_box_b = false;     // a number of this set lies outside of the stated box
+  std::uint64_t unsure[bounded_rungs] = {0, 0, 0}; // pairs of elements that fp32, fp64 and fp64x2 left unsure
+  bool left_box_a = false, left_box_b = false;     // some number of this set lies outside the stated box
 };
 
 struct cascade {
@@ -29,7 +29,7 @@ struct cascade {
 
   cascade(const predicate_info &of, rung precision);
 
-  // Takes the bounds of [-box, box] where both sets lie in it and the predicate has them. 0: no box.
+  // Uses the bounds of [-box, box] where both sets lie in it and the predicate has such bounds. 0: there is no box.
   void enter_box(float box, const element_set &a, const element_set &b);
 
   // Decides n pairs by one rung, 0 <= at < count. The rows are packed, as the predicate's kinds have them.

@@ -39,7 +39,7 @@ fault check(const view &elements, const kind_info &kind, const pose &at) {
       f.rule = kind.fault(row.data());
       return f;
     }
-    // The value as stored where that is the fault; else the one that the pose made.
+    // The fault is in the stored value, or else in the value that the pose made.
     f.kind = fault_kind::moved;
     f.field = first_bad();
     f.value = row[static_cast<std::size_t>(f.field)];

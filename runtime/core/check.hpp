@@ -1,4 +1,4 @@
-// core/check.hpp: which element of a caller's view is not good, and why.
+// core/check.hpp: finds the bad element in a caller's view and says what is wrong with it.
 #ifndef MEETC_CORE_CHECK_HPP
 #define MEETC_CORE_CHECK_HPP
 
@@ -13,7 +13,7 @@ enum class fault_kind : std::uint8_t {
   none,
   index, // the index of point `field` lies beyond the vertices
   value, // the value of `field` is not finite
-  moved, // finite as stored; the pose takes it beyond float32
+  moved, // finite as stored, but the pose takes it beyond float32
   rule,  // the element breaks `rule` of its kind
 };
 
@@ -28,7 +28,7 @@ struct fault {
   explicit operator bool() const { return kind != fault_kind::none; }
 };
 
-// The first fault in element order. Allocates one row.
+// The first fault in the order of elements. Allocates one row.
 fault check(const view &elements, const kind_info &kind, const pose &at = {});
 
 // One line without a full stop: "element 7: r is nan".

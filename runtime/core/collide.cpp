@@ -12,8 +12,8 @@
 namespace meetc {
 namespace {
 
-// A list a worker. With owners it is compacted whenever it has doubled, so that it grows with the distinct
-// pairs.
+// A list for each worker. With owners it is compacted whenever it has doubled, so that it grows with the number of
+// distinct pairs.
 class collect final : public hit_taker {
 public:
   collect(int workers, std::span<const std::uint32_t> owner_a, std::span<const std::uint32_t> owner_b)
@@ -70,7 +70,7 @@ void require(bool holds, const char *what) {
     throw std::invalid_argument(what);
 }
 
-// Zeros where the answer goes, and where that is.
+// Fills the answer with zeros and returns pointers to it.
 marks room_for_marks(answer_kind want, std::size_t size_a, std::size_t size_b, result &to) {
   marks m;
   if (want == answer_kind::flags) {
@@ -104,7 +104,8 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   const auto start = std::chrono::steady_clock::now();
   require(same_kind(a.kind(), *predicate.a) && same_kind(b.kind(), *predicate.b),
           "the predicate is for other kinds of element");
-  require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b), "an owner map needs one item an element");
+  require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b),
+          "an owner map needs one item for each element");
   cascade by(predicate, precision);
   require(by.count > 0, text(status::no_such_rung));
   require(options.box >= 0, "the scene's box is negative or not a number");

@@ -1,12 +1,12 @@
-// core/collide.hpp: which elements of two sets touch: all pairs, counts, flags, or whether there is any.
+// core/collide.hpp: which elements of two sets touch, as all pairs, counts, flags, or whether there is any.
 //
-// Two layers over the same decisions. prepare() and collide() own their memory: a set is prepared once and
-// collided often. pairs(), in core/pairs.hpp, works in the caller's memory.
+// Two layers rest on the same decisions. prepare() and collide() own their memory: a set is prepared once and collided
+// often. pairs(), in core/pairs.hpp, works in the caller's memory.
 //
-// A pair is decided where the closed boxes of its elements touch (the kind's box never is too small), by the
-// predicate's rung; `certified` is several rungs, each on what the one before left unsure. A set against
-// itself gives every ordered pair (i, j), i = j included. The same answer comes out for any number of threads
-// and from either source of candidates.
+// A pair is decided where the closed boxes of its elements touch (the kind's box is never too small), by the
+// predicate's rung; `certified` is several rungs, each for what the one before left unsure. A set against itself gives
+// every ordered pair (i, j), i = j included. The answer is the same for any number of threads and for either source of
+// candidates.
 #ifndef MEETC_CORE_COLLIDE_HPP
 #define MEETC_CORE_COLLIDE_HPP
 
@@ -24,35 +24,35 @@ namespace meetc {
 struct collide_options {
   answer_kind want = answer_kind::pairs;
   int threads = 0;        // 0: all cores
-  bool all_pairs = false; // test every pair of boxes; no hierarchy is walked
-  // The scene's (catalogue::box): coordinates lie in [-box, box], lengths in [0, 2 box]; 0: it has none. No
-  // answer depends on it: where a set leaves it, the first rung of `certified` bounds each pair by itself.
+  bool all_pairs = false; // test every pair of boxes, without a hierarchy
+  // The scene's box (catalogue::box): coordinates lie in [-box, box], lengths in [0, 2 box]; 0: there is none. No
+  // answer depends on it. Where a set leaves it, the first rung of `certified` bounds each pair by itself.
   float box = 0;
-  // Element -> item, one number an element of each side; empty: the element itself. Answers are then of items:
-  // a pair of items counts once, and flags and counts have as many numbers as items(). Items need not be dense,
-  // but flags and counts of sparse ones take much memory.
+  // The item of each element, one number for each; empty: each element is its own item. Answers are then about items: a
+  // pair of items counts once, and flags and counts have as many numbers as items(). Items need not be dense, but flags
+  // and counts of sparse ones take much memory.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   std::function<void(double fraction)> progress = {}; // on the calling thread, about ten times a second
 };
 
-// What was not asked for is empty, but for the count.
+// What was not asked for is empty, except the count.
 struct result {
   std::vector<index_pair> pairs; // sorted by a, then b; no pair twice
-  std::uint64_t count = 0;       // pairs, of items where there are owners; 0 or 1 for answer_kind::any
+  std::uint64_t count = 0;       // pairs, or pairs of items where there are owners; 0 or 1 for answer_kind::any
   per_element<std::uint8_t> flags;
   per_element<std::uint64_t> counts;
   std::uint64_t candidates = 0; // pairs of elements that were decided
-  rung_report rungs;            // the same for any number of threads, but for answer_kind::any
-  double seconds = 0;           // of the call, by the wall clock
+  rung_report rungs;            // the same for any number of threads, except for answer_kind::any
+  double seconds = 0;           // wall-clock time of the call
 };
 
-// Memory grows with what is asked for, and with the pairs where there are owners; never with the product of
-// the sets. Throws std::invalid_argument (kinds, rung, box or owners that do not fit) or std::bad_alloc.
+// Memory grows with what is asked for, and with the pairs where there are owners, but never with the product of the
+// sets. Throws std::invalid_argument (kinds, rung, box or owners that do not fit) or std::bad_alloc.
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 
-// Turns the list in r.pairs, which is sorted and holds no pair twice, into what is wanted. For engines that find
-// lists, such as the one on a device.
+// Turns the list in r.pairs, which is sorted and holds no pair twice, into the answer that is wanted. It serves engines
+// that find lists, such as the one on a device.
 void answer_from_list(answer_kind want, std::size_t size_a, std::size_t size_b, result &r);
 
 } // namespace meetc

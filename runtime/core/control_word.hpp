@@ -1,7 +1,8 @@
 // core/control_word.hpp: the floating-point control word while this library works.
 //
-// Any library linked with -ffast-math sets flush-to-zero for the whole process; poses and rungs then lose
-// subnormals. A guard sets round-to-nearest with gradual underflow and restores what it found. One a thread.
+// Any library linked with -ffast-math sets flush-to-zero for the whole process, and poses and rungs then lose
+// subnormals. A guard sets round-to-nearest with gradual underflow and restores the old word at the end. Each thread
+// needs its own.
 #ifndef MEETC_CORE_CONTROL_WORD_HPP
 #define MEETC_CORE_CONTROL_WORD_HPP
 

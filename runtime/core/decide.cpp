@@ -8,7 +8,7 @@
 namespace meetc {
 namespace {
 
-// A flush is due at some thousand pairs; a run that began just before may add its whole length.
+// A batch is flushed at some thousand pairs. A run that began just before can add its whole length.
 constexpr std::size_t flush_at = 4096, early_flush_at = 128;
 constexpr std::size_t batch_capacity = flush_at + pair_sink::longest_run;
 
@@ -56,10 +56,10 @@ public:
   }
 
 private:
-  // Brings the hits to the front of the batch and returns how many there are.
+  // Moves the hits to the front of the batch and returns their number.
   std::size_t decide() {
     const decision_job &job = shared_.job;
-    std::size_t hits = 0, end = size_; // from hits to end, pairs are unsure
+    std::size_t hits = 0, end = size_; // the pairs from hits to end are unsure
     for (int at = 0; at < job.by.count && hits < end && (hits == 0 || !job.stop_at_first); ++at) {
       if (at > 0)
         unsure_[at - 1] += end - hits;
@@ -69,8 +69,8 @@ private:
     return hits;
   }
 
-  // Sorts the pairs from `hits` on by their answers: hits, then unsure ones, in place and without a branch.
-  // Moves `hits` behind the hits and returns the end of the unsure ones.
+  // Sorts the pairs from `hits` on by their answers, hits before unsure ones, in place and without a branch. Moves
+  // `hits` behind the hits and returns the end of the unsure ones.
   std::size_t sort_out(std::size_t &hits, std::size_t end) {
     std::size_t kept = hits;
     for (std::size_t i = hits, k = 0; i < end; ++i, ++k) {
@@ -121,7 +121,7 @@ tally decide_all(const decision_job &job, memory batches) {
   auto *pairs = from.take<index_pair>(static_cast<std::size_t>(job.threads) * batch_capacity);
   auto *answers = from.take<answer>(static_cast<std::size_t>(job.threads) * batch_capacity);
 
-  // Chunks small enough to share out, large enough that the counter is not what binds.
+  // Chunks are small enough to share out, and large enough that the counter is not the bottleneck.
   const std::size_t units = job.source.units();
   const std::size_t chunk = std::clamp<std::size_t>(units / (static_cast<std::size_t>(job.threads) * 64), 1, 64);
   chunk_counter counter(units, chunk);

@@ -1,8 +1,8 @@
-// core/decide.hpp: candidates into decisions, on all threads.
+// core/decide.hpp: decides candidates, on all threads.
 //
-// Each thread collects candidates in a batch and takes it through the cascade: a rung sees only the pairs that
-// the one before left unsure. What is a hit goes to the taker under the caller's element indices. Memory is
-// one batch a thread, however many candidates or hits there are.
+// Each thread collects candidates in a batch and takes it through the cascade; a rung sees only the pairs that the one
+// before left unsure. The taker gets each hit by the caller's element indices. Memory is one batch for each thread,
+// however many candidates or hits there are.
 #ifndef MEETC_CORE_DECIDE_HPP
 #define MEETC_CORE_DECIDE_HPP
 
@@ -11,7 +11,7 @@
 
 namespace meetc {
 
-// Takes hits, in no order. A worker calls for itself alone; different workers call at the same time.
+// Takes hits in any order. A worker passes only its own number; different workers call at the same time.
 class hit_taker {
 public:
   virtual ~hit_taker() = default;
@@ -25,7 +25,7 @@ struct decision_job {
   const candidate_source &source;
   int threads;
   bool stop_at_first;
-  void (*progress)(void *context, double fraction); // or null; from the calling thread, some times a second
+  void (*progress)(void *context, double fraction); // may be null; called from the calling thread a few times a second
   void *progress_context;
   hit_taker *taker; // null: only count
 };
@@ -37,8 +37,8 @@ struct tally {
 
 std::size_t batch_bytes(int threads);
 
-// `batches` holds batch_bytes(threads). With stop_at_first, hits is 0 or 1, the taker is not called, and
-// no rung is run that is not needed.
+// `batches` holds batch_bytes(threads). With stop_at_first, hits is 0 or 1, the taker is not called, and no unnecessary
+// rung runs.
 tally decide_all(const decision_job &job, memory batches);
 
 } // namespace meetc

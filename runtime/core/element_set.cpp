@@ -12,8 +12,8 @@
 namespace meetc {
 namespace {
 
-// The largest |v| of every stride-th number, by the bits: finite numbers are in the order of their magnitudes'
-// bits, and integers are compared in vectors.
+// The largest |v| of every stride-th number, found by the bits: finite numbers are in the order of their magnitudes'
+// bits, and comparisons of integers are vectorised.
 float largest(const float *v, std::size_t n, std::size_t stride) {
   std::uint32_t most = 0;
   for (std::size_t i = 0; i < n; i += stride) {
@@ -26,11 +26,11 @@ float largest(const float *v, std::size_t n, std::size_t stride) {
   return value;
 }
 
-// Takes so many rows into set.reach and set.longest.
+// Widens set.reach and set.longest by these rows.
 void widen(element_set &set, const float *rows, std::size_t count, std::mutex &lock) {
   const kind_info &kind = *set.kind;
   const auto fields = static_cast<std::size_t>(kind.fields);
-  const std::size_t n = count * fields, stride = kind.points > 0 ? 1 : fields; // points: all are coordinates
+  const std::size_t n = count * fields, stride = kind.points > 0 ? 1 : fields; // such kinds have only coordinates
   for (std::size_t f = 0; f < stride; ++f) {
     const float most =
         kind.roles[f] == role::other ? std::numeric_limits<float>::infinity() : largest(rows + f, n - f, stride);

@@ -1,7 +1,7 @@
-// core/element_set.hpp: one set made ready: rows in spatial order, and the hierarchy of their boxes.
+// core/element_set.hpp: a prepared set: rows in spatial order, and the hierarchy of their boxes.
 //
-// A slot is a position in that order; `order` leads back to the caller's element. Rows lie in slot order, so
-// that the rows of one block are read together.
+// A slot is a position in that order; `order` maps it to the caller's element. Rows lie in the order of slots, so that
+// the rows of one block are read together.
 #ifndef MEETC_CORE_ELEMENT_SET_HPP
 #define MEETC_CORE_ELEMENT_SET_HPP
 
@@ -22,7 +22,7 @@ struct element_set {
   hierarchy boxes;
 };
 
-// What building needs and the set does not keep.
+// Memory that building needs and the set does not keep.
 struct set_scratch {
   float *rows = nullptr;
   box *boxes = nullptr;
@@ -32,7 +32,7 @@ struct set_scratch {
 element_set take_set(arena &from, const kind_info &kind, std::size_t elements);
 set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t elements);
 
-// Fills a set that was taken for this kind and number of elements.
+// Fills a set whose memory was taken for this kind and number of elements.
 status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads);
 
 // What a predicate wants stored beside the rows of a filled set, values.floats numbers a row. false where it cannot be

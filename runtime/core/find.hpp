@@ -1,4 +1,4 @@
-// core/find.hpp: a predicate of a catalogue by its name.
+// core/find.hpp: finds a predicate of a catalogue by its name.
 #ifndef MEETC_CORE_FIND_HPP
 #define MEETC_CORE_FIND_HPP
 
@@ -10,7 +10,7 @@
 
 namespace meetc {
 
-// Throws std::invalid_argument, with the names that there are, where the catalogue has no such predicate.
+// Throws std::invalid_argument with the known names where the catalogue has no such predicate.
 inline const predicate_info &find_predicate(const catalogue &in, std::string_view name) {
   std::string known;
   for (int i = 0; i < in.predicate_count; ++i) {

@@ -1,8 +1,8 @@
 // core/hierarchy.hpp: boxes in blocks of sixteen, and boxes around blocks, up to one block.
 //
-// Level 0 holds the element boxes in spatial order; box i of level k+1 encloses block i of level k. Nothing
-// points anywhere: the children of box i are block i below. There is always a level 1 where there is an
-// element, and the top level is one block.
+// Level 0 holds the element boxes in spatial order; box i of level k+1 encloses block i of level k. There are no
+// pointers: the children of box i are block i of the level below. A set that is not empty has a level 1, and the top
+// level is one block.
 #ifndef MEETC_CORE_HIERARCHY_HPP
 #define MEETC_CORE_HIERARCHY_HPP
 
@@ -26,10 +26,10 @@ struct hierarchy {
   const level &top() const { return levels[depth - 1]; }
 };
 
-// The levels over n elements, their blocks from the arena.
+// The levels over n elements, with their blocks from the arena.
 hierarchy take_hierarchy(arena &from, std::size_t n);
 
-// Fills every level above level 0, whose blocks are full or end in empty lanes.
+// Fills every level above level 0. The blocks of level 0 must be full or end in empty lanes.
 void enclose(hierarchy &h, int threads);
 
 } // namespace meetc

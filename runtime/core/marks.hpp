@@ -1,6 +1,6 @@
-// core/marks.hpp: what is known of each element, marked by all threads at once in arrays that somebody lends.
+// core/marks.hpp: flags and counts of elements, marked by all threads at once in arrays that a caller lends.
 //
-// Relaxed atomic operations: marks of one element are only set or added up, so their order does not matter.
+// The atomic operations are relaxed: marks are only set or added up, so their order does not matter.
 #ifndef MEETC_CORE_MARKS_HPP
 #define MEETC_CORE_MARKS_HPP
 
@@ -10,7 +10,7 @@
 
 namespace meetc {
 
-// Each array has one number an element, 0 before the first hit, or is null where it is not asked for.
+// Each array has one number for each element, 0 before the first hit, or is null where it is not asked for.
 struct marks {
   std::uint8_t *flags_a = nullptr, *flags_b = nullptr;
   std::uint64_t *counts_a = nullptr, *counts_b = nullptr;

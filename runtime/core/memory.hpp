@@ -1,7 +1,7 @@
-// core/memory.hpp: memory that a caller lends, and the one way in which it is cut into arrays.
+// core/memory.hpp: memory that a caller lends, and the one way of cutting it into arrays.
 //
-// The same function cuts an arena without memory, to learn the size, and one with memory, to use it, so the
-// two cannot disagree. Every array starts on a cache line.
+// The same function cuts an arena without memory, to learn the size, and one with memory, to use it, so the two cannot
+// disagree. Every array starts on a cache line.
 #ifndef MEETC_CORE_MEMORY_HPP
 #define MEETC_CORE_MEMORY_HPP
 
@@ -19,20 +19,20 @@ class arena {
 public:
   static constexpr std::size_t line = 64;
 
-  arena() = default; // measures only
+  arena() = default; // only measures
   explicit arena(memory m) : base_(static_cast<std::byte *>(m.data)) {
     const auto address = reinterpret_cast<std::uintptr_t>(m.data);
     skip_ = (line - address % line) % line;
   }
 
-  // n objects of a trivial type, uninitialised; null when only measuring.
+  // n objects of a trivial type, uninitialised; null where the arena only measures.
   template <class T> T *take(std::size_t n) {
     const std::size_t at = used_;
     used_ += (n * sizeof(T) + line - 1) / line * line;
     return base_ ? reinterpret_cast<T *>(base_ + skip_ + at) : nullptr;
   }
 
-  // Bytes that suffice wherever the memory starts.
+  // The number of bytes that suffices, wherever the memory starts.
   std::size_t bytes() const { return used_ + line; }
 
 private:

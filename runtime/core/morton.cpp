@@ -58,8 +58,8 @@ void sort(std::uint64_t *keys, std::uint64_t *scratch, std::size_t n) {
     radix_sort(keys, scratch, n, 30, [](std::uint64_t key) { return key >> 32; });
 }
 
-// Sorts runs of one cell that do not fit a block on a grid of their own. The extent shrinks by about 1024
-// each time, from at most 2^129 to at least 2^-150, so this nests some thirty deep at most.
+// Gives runs that share a cell and do not fit into a block a grid of their own. The extent shrinks by about 1024 each
+// time, from at most 2^129 to at least 2^-150, so at most some thirty grids are nested.
 void refine(const box *boxes, std::uint64_t *keys, std::uint64_t *scratch, std::size_t n) {
   for (std::size_t begin = 0, end; begin < n; begin = end) {
     for (end = begin + 1; end < n && keys[end] >> 32 == keys[begin] >> 32;)

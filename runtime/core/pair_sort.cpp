@@ -25,7 +25,7 @@ void sort_pairs(index_pair *pairs, std::size_t n, std::vector<index_pair> &scrat
     std::sort(pairs, pairs + n, [](index_pair x, index_pair y) { return key(x) < key(y); });
     return;
   }
-  // Bits that all pairs share decide nothing.
+  // Bits that are the same in all pairs do not affect the order.
   std::uint32_t vary_a = 0, vary_b = 0;
   for (std::size_t i = 1; i < n; ++i) {
     vary_a |= pairs[i].a ^ pairs[0].a;

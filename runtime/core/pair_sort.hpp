@@ -1,7 +1,7 @@
-// core/pair_sort.hpp: lists of pairs, as threads collect them, into one sorted list.
+// core/pair_sort.hpp: turns the lists of pairs that threads collect into one sorted list.
 //
-// Method: pairs are dealt into at most 256 buckets by the high bits of a, then each bucket is sorted by its
-// digits; both steps on all threads. Room beside the result: one bucket a thread.
+// Method: pairs are dealt into at most 256 buckets by the high bits of a, then each bucket is sorted by its digits.
+// Both steps run on all threads. Beside the result they need one bucket for each thread.
 #ifndef MEETC_CORE_PAIR_SORT_HPP
 #define MEETC_CORE_PAIR_SORT_HPP
 
@@ -12,16 +12,16 @@
 
 namespace meetc {
 
-// By a, then b. `scratch` grows as needed.
+// Sorts by a, then b. `scratch` grows as needed.
 void sort_pairs(index_pair *pairs, std::size_t n, std::vector<index_pair> &scratch);
 
-// Of a sorted list, each pair once.
+// Drops the repeats in a sorted list.
 void drop_repeats(std::vector<index_pair> &sorted);
 
 // The pairs (b, a), sorted.
 std::vector<index_pair> transposed(std::vector<index_pair> pairs);
 
-// All pairs of all lists, sorted; the lists are emptied.
+// All pairs of all lists, sorted. The lists are emptied.
 std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &lists, int threads);
 
 } // namespace meetc

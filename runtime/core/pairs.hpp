@@ -1,6 +1,6 @@
 // core/pairs.hpp: all touching pairs of two sets, in the caller's memory.
 //
-// pairs() works in memory that the caller lends, does not throw and answers a status. The pairs are those of
+// pairs() works in memory that the caller lends; it does not throw and returns a status. The pairs are those of
 // core/collide.hpp.
 #ifndef MEETC_CORE_PAIRS_HPP
 #define MEETC_CORE_PAIRS_HPP
@@ -13,33 +13,33 @@
 
 namespace meetc {
 
-// Where the answers go: what is null is not asked for, but for `count`.
+// Where the answers go. Null pointers mean that an answer is not wanted; only `count` is required.
 struct pairs_out {
   index_pair *data = nullptr; // room for `capacity` pairs; null with capacity 0: only count
   std::size_t capacity = 0;
-  std::uint64_t *count = nullptr; // the true count lands here, also where it exceeds the capacity
+  std::uint64_t *count = nullptr; // becomes the true count, even where it exceeds the capacity
   rung_report *rungs = nullptr;
-  // One number an element of a and of b: 1 where it is in a pair and 0 where not; and in how many it is.
+  // One number for each element: flags are 1 if it is in a pair and 0 if not; counts say in how many pairs it is.
   std::uint8_t *flags_a = nullptr, *flags_b = nullptr;
   std::uint64_t *counts_a = nullptr, *counts_b = nullptr;
 };
 
 struct pairs_options {
   int threads = 0;            // 0: all cores; 1 starts no thread
-  bool all_pairs = false;     // test every pair of boxes; no hierarchy is walked
+  bool all_pairs = false;     // test every pair of boxes, without a hierarchy
   bool stop_at_first = false; // *count becomes 0 or 1, no pair is written, and flags and counts stay 0
   float box = 0;              // as in collide_options
-  // Called from the calling thread, about ten times a second, with a fraction from 0 to 1; null: not asked for.
+  // Called from the calling thread, about ten times a second, with a fraction from 0 to 1. May be null.
   void (*progress)(void *context, double fraction) noexcept = nullptr;
   void *progress_context = nullptr;
 };
 
-// Bytes that pairs() needs for so many elements on so many threads (0: all cores). Any alignment will do.
+// The bytes that pairs() needs for these numbers of elements and threads (0: all cores). Any alignment will do.
 std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, std::size_t elements_b, int threads = 0);
 
-// All touching pairs (a, b), sorted by a, then b. Where *count > capacity, the pairs written are some of
-// them, in no order: call again with more. Allocates nothing (but the system does for each thread that it
-// starts). On any status but ok, *count is 0, *rungs says nothing, and the other arrays are as they were.
+// All touching pairs (a, b), sorted by a, then b. Where *count > capacity, only some pairs are written, in no order:
+// call again with more room. Allocates nothing (though the system does for each thread that it starts). On any status
+// but ok, *count is 0, *rungs means nothing, and the other arrays are unchanged.
 status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
              const pose &at_b, pairs_out out, memory work, const pairs_options &options = {}) noexcept;
 

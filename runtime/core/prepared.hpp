@@ -1,4 +1,4 @@
-// core/prepared.hpp: a set that is ready to collide, in memory of its own.
+// core/prepared.hpp: a set that is ready to collide and owns its memory.
 #ifndef MEETC_CORE_PREPARED_HPP
 #define MEETC_CORE_PREPARED_HPP
 
@@ -21,9 +21,8 @@ public:
 
 struct element_set;
 
-// Packed rows of kind().fields floats in spatial order, boxes, hierarchy. Immutable; may be used by several
-// calls at once. Only a prepared() that was moved from is empty of a set, and nothing but assigning to it or
-// destroying it is then allowed.
+// Packed rows of kind().fields floats in spatial order, boxes and hierarchy. It is immutable, and several calls may use
+// it at once. Only a prepared() that was moved from holds no set; it may then only be assigned to or destroyed.
 class prepared {
 public:
   prepared(prepared &&) noexcept;
@@ -32,7 +31,7 @@ public:
 
   const kind_info &kind() const;
   std::size_t elements() const;
-  // The closed box around all elements, finite, in the units of their coordinates; lo > hi for the empty set.
+  // The closed box around all elements: finite, in the units of their coordinates; lo > hi for the empty set.
   void bounds(float lo[3], float hi[3]) const;
   const element_set &set() const { return *set_; }
   // What a predicate wants stored beside the rows, computed when it is first asked for and kept; null where nothing is
@@ -48,10 +47,9 @@ private:
   std::unique_ptr<store[]> stores_; // kind().stored of them
 };
 
-// Copies the elements under the pose, on so many threads (0: all cores). A set without elements is allowed.
-// Throws input_error (an index beyond the vertices, a value that is not finite, a broken rule of the kind),
-// std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or more) or
-// std::bad_alloc.
+// Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. Throws
+// input_error (an index beyond the vertices, a value that is not finite, a broken rule of the kind),
+// std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or more) or std::bad_alloc.
 prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0);
 
 } // namespace meetc

@@ -9,8 +9,8 @@
 
 namespace meetc {
 
-// Sorts by the low `bits` bits of key(item). The result lies in `data`; scratch has room for n. n > 0; below
-// some hundred items a comparison sort is faster.
+// Sorts by the low `bits` bits of key(item). The result lies in `data`; scratch has room for n > 0. Below some hundred
+// items a comparison sort is faster.
 template <class T, class Key> void radix_sort(T *data, T *scratch, std::size_t n, int bits, const Key &key) {
   constexpr int widest = 11;
   const int passes = (bits + widest - 1) / widest;
@@ -22,7 +22,7 @@ template <class T, class Key> void radix_sort(T *data, T *scratch, std::size_t n
     for (std::size_t i = 0; i < n; ++i)
       ++start[key(from[i]) >> shift & mask];
     if (start[key(from[0]) >> shift & mask] == n)
-      continue; // one value everywhere
+      continue; // all have the same digit
     std::size_t sum = 0;
     for (std::size_t &s : start) {
       const std::size_t count = s;

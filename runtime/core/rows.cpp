@@ -5,7 +5,7 @@
 namespace meetc {
 namespace {
 
-// By the bits, so that no compiler flag can take the test away.
+// Tests bits, so that no compiler flag can remove the test.
 bool finite(float v) {
   std::uint32_t b;
   std::memcpy(&b, &v, sizeof b);

@@ -1,4 +1,4 @@
-// core/rows.hpp: from a caller's view to packed rows of kind.fields floats, moved and checked on the way.
+// core/rows.hpp: turns a caller's view into packed rows of kind.fields floats, posed and checked.
 #ifndef MEETC_CORE_ROWS_HPP
 #define MEETC_CORE_ROWS_HPP
 
@@ -8,8 +8,8 @@
 
 namespace meetc {
 
-// Elements [begin, end) as rows, the first at out[0]. Stops at the first element that is not good, and then
-// says bad_index or bad_value; nothing out of bounds is read. The pose must be one that can_move() allows.
+// Writes the elements [begin, end) as rows, the first to out[0]. Stops at the first bad element and returns bad_index
+// or bad_value; nothing out of bounds is read. The kind must pass can_move() unless the pose is the identity.
 status gather(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
               float *out);
 

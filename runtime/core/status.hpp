@@ -1,4 +1,4 @@
-// core/status.hpp: what a call that does not throw answers.
+// core/status.hpp: what a call that does not throw returns.
 #ifndef MEETC_CORE_STATUS_HPP
 #define MEETC_CORE_STATUS_HPP
 
@@ -8,13 +8,13 @@ namespace meetc {
 
 enum class status : std::uint8_t {
   ok,
-  workspace_too_small, // ask workspace() with the same arguments
+  workspace_too_small, // call workspace() with the same arguments
   no_such_rung,        // the predicate was not generated for this rung
   too_many_elements,   // indices are 32-bit
   bad_index,           // check() names the element
-  bad_value,           // not finite, also after the pose, or a broken rule of the kind; check() names it
-  cannot_move,         // the kind has fields that a pose does not know how to move
-  bad_argument,        // a null count, room for pairs without memory, or a negative box
+  bad_value,           // not finite, perhaps only after the pose, or against a rule of the kind; check() names it
+  cannot_move,         // the kind has fields that a pose cannot move
+  bad_argument,        // count is null, pairs have room but no memory, or the box is negative
 };
 
 constexpr const char *text(status s) {

@@ -29,11 +29,11 @@ void run_workers(int threads, chunk_counter &counter, void (*body)(void *, int),
     }
   };
   {
-    std::jthread started[max_threads - 1]; // joined where this scope ends
+    std::jthread started[max_threads - 1]; // joined at the end of this scope
     try {
       for (int w = 1; w < std::min(threads, max_threads); ++w)
         started[w - 1] = std::jthread(work, w);
-    } catch (...) { // the system gave fewer threads than asked for
+    } catch (...) { // the system started fewer threads than wanted
     }
     work(0);
   }

@@ -1,7 +1,7 @@
-// core/threads.hpp: the same work on several threads, in pieces that a shared counter hands out.
+// core/threads.hpp: runs the same work on several threads, in pieces that a shared counter hands out.
 //
-// The calling thread is worker 0, so one thread runs inline and starts nothing. Started threads are the one
-// thing here that the system allocates; where it refuses, the work is done with those that it gave. The first
+// The calling thread is worker 0, so with one thread everything runs inline and no thread starts. Started threads are
+// the only thing here that the system allocates; if it refuses some, the work is done by the others. The first
 // exception of a worker is thrown again in the caller once all have stopped.
 #ifndef MEETC_CORE_THREADS_HPP
 #define MEETC_CORE_THREADS_HPP
@@ -14,10 +14,10 @@ namespace meetc {
 
 inline constexpr int max_threads = 256;
 
-// 0 or less: as many as the machine has; never more than max_threads.
+// 0 or less: as many as the machine has. The result is never more than max_threads.
 int thread_count(int wanted);
 
-// [0, end) in chunks, each handed out once.
+// The range [0, end) in chunks, each handed out once.
 class chunk_counter {
 public:
   chunk_counter(std::size_t end, std::size_t chunk) : end_(end), chunk_(std::max<std::size_t>(chunk, 1)) {}
@@ -34,7 +34,7 @@ public:
     const std::size_t next = std::min(next_.load(std::memory_order_relaxed), end_);
     return end_ ? static_cast<double>(next) / static_cast<double>(end_) : 1.0;
   }
-  // No more workers than there are chunks.
+  // At most as many workers as there are chunks.
   int workers(int wanted) const {
     const std::size_t chunks = end_ / chunk_ + (end_ % chunk_ != 0);
     return static_cast<int>(std::clamp<std::size_t>(chunks, 1, static_cast<std::size_t>(wanted)));
@@ -45,7 +45,7 @@ private:
   std::size_t end_, chunk_;
 };
 
-// body(worker) once on each of `threads` workers, with the plain control word; `counter` is closed when one
+// Calls body(worker) once on each of `threads` workers, with the standard control word. `counter` is closed when one
 // throws.
 void run_workers(int threads, chunk_counter &counter, void (*body)(void *context, int worker), void *context);
 
@@ -54,7 +54,7 @@ template <class Body> void run_workers(int threads, chunk_counter &counter, Body
       threads, counter, [](void *context, int w) { (*static_cast<Body *>(context))(w); }, &body);
 }
 
-// body(worker, begin, end) over all chunks of [0, n).
+// Calls body(worker, begin, end) for all chunks of [0, n).
 template <class Body> void for_chunks(int threads, std::size_t n, std::size_t chunk, const Body &body) {
   chunk_counter counter(n, chunk);
   auto each = [&](int worker) {

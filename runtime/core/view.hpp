@@ -1,4 +1,4 @@
-// core/view.hpp: elements where the caller has them.
+// core/view.hpp: elements in the caller's memory.
 #ifndef MEETC_CORE_VIEW_HPP
 #define MEETC_CORE_VIEW_HPP
 
@@ -7,9 +7,8 @@
 
 namespace meetc {
 
-// Borrowed memory. With `index`, each element is kind->points indices into `vertices` points x, y, z;
-// without, each is a row of kind->fields floats and `vertices` is not looked at. Any stride will do, also an
-// odd one.
+// Borrowed memory. With `index`, each element is kind->points indices into `vertices` points x, y, z; without, each is
+// a row of kind->fields floats and `vertices` is not read. Any stride will do, even an odd one.
 struct view {
   const float *data = nullptr;
   std::size_t vertices = 0;

@@ -29,7 +29,7 @@ atomic_file::atomic_file(fs::path target) : target_(std::move(target)) {
         !code && !real.empty())
       target_ = real;
     static std::atomic<unsigned> counter{0};
-    do { // a name left over by a program that was killed is passed by
+    do { // names left over by a killed program are skipped
       temporary_ = target_.parent_path() / fmt::format(".meet-{}-{}.tmp", ::getpid(), counter++);
       descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor < 0 && errno == EEXIST);
@@ -39,7 +39,7 @@ atomic_file::atomic_file(fs::path target) : target_(std::move(target)) {
     temporary_.clear();
     fail("cannot be written", code);
   }
-  // A file that is replaced keeps its mode; where that is refused, the usual mode does.
+  // A replaced file keeps its mode. Where setting it is refused, the file gets the usual mode.
   if (exists && !temporary_.empty())
     static_cast<void>(::fchmod(descriptor, info.st_mode & 07777));
   stream_ = ::fdopen(descriptor, "wb");

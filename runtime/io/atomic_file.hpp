@@ -1,4 +1,4 @@
-// Writes a file so that it is there whole or not at all.
+// Writes a file either whole or not at all.
 #ifndef MEETC_IO_ATOMIC_FILE_HPP
 #define MEETC_IO_ATOMIC_FILE_HPP
 
@@ -11,9 +11,9 @@
 
 namespace meetc::io {
 
-// Bytes go to a temporary file in the target's folder; commit() renames it over the target, and without
-// commit() the destructor removes it. A target that exists and is not a regular file (a terminal, a pipe) is
-// written directly. A link is followed, so that it stays a link. Throws io::error that names the target.
+// Bytes go to a temporary file in the target's folder. commit() renames it over the target; without commit() the
+// destructor removes it. A target that exists and is not a regular file (a terminal, a pipe) is written directly. A
+// symbolic link is followed, so it stays a link. Throws io::error that names the target.
 class atomic_file {
 public:
   explicit atomic_file(std::filesystem::path target);
@@ -22,7 +22,7 @@ public:
   atomic_file &operator=(const atomic_file &) = delete;
 
   void write(std::string_view bytes);
-  // For a library that writes to a C stream; its errors are seen by commit(). Not to be closed by the caller.
+  // For a library that writes to a C stream. commit() reports its errors. The caller must not close it.
   std::FILE *stream() const { return stream_; }
   void commit();
 
@@ -33,7 +33,7 @@ private:
   std::FILE *stream_ = nullptr;
 };
 
-// The whole file at once. Throws io::error that names the target.
+// Writes the whole file at once. Throws io::error that names the target.
 void write_file(const std::filesystem::path &target, std::string_view bytes);
 
 } // namespace meetc::io

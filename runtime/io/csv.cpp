@@ -1,4 +1,4 @@
-// CSV: a header line that names a kind's stored numbers, then a row of numbers an element. Lines that start
+// CSV: a header line that names a kind's stored numbers, then one row of numbers for each element. Lines that start
 // with # are comments; blank lines may end the file.
 #include "io/error.hpp"
 #include "io/mesh_builder.hpp"
@@ -52,7 +52,7 @@ public:
     split(kind.csv, names_);
   }
 
-  // The row of element `i`, checked; valid until the next call.
+  // The checked row of element `i`; valid until the next call.
   std::span<const float> row(const line_reader &lines, std::string_view line, std::size_t i) {
     split(line, words_);
     if (words_.size() != read_.size())
@@ -107,7 +107,7 @@ element_set read_csv(const file_bytes &file, std::span<const kind_info *const> k
       blank = blank || trim(line).empty();
       continue;
     }
-    // A hole in a table is more often a cut than a choice.
+    // A blank line inside a table more often means a damaged file than a choice.
     if (blank)
       lines.fail("a row after a blank line");
     if (set.elements == most_elements)

@@ -1,4 +1,4 @@
-// Numbers in the bytes of a file, in either byte order, at any alignment.
+// Numbers as bytes in a file, in either byte order and at any alignment.
 #ifndef MEETC_IO_ENDIAN_HPP
 #define MEETC_IO_ENDIAN_HPP
 
@@ -17,7 +17,7 @@ template <class T> T load(const char *from, std::endian order) {
   return std::bit_cast<T>(bytes);
 }
 
-// As many bytes as T has, in the order asked.
+// The bytes of a value in the given order.
 template <class T> std::array<char, sizeof(T)> store(T value, std::endian order) {
   auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
   if (order != std::endian::native)

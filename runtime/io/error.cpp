@@ -8,7 +8,7 @@ namespace meetc::io {
 
 namespace {
 
-// Escapes control characters; bytes above ASCII only when asked, since a path may well be UTF-8.
+// Escapes control characters, and bytes above ASCII only if asked to, since a path may well be UTF-8.
 std::string escape(std::string_view text, bool ascii_only) {
   std::string out;
   for (const char c : text) {

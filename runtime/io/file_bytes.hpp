@@ -18,8 +18,8 @@ struct file_bytes {
   std::string_view text() const { return {bytes.get(), size}; }
 };
 
-// Copies rather than maps: a mapped file that another program cuts short ends this one by a signal. Throws
-// io::error for a file that is missing, not a regular file, empty or unreadable; devices and pipes may never
+// Copies the file instead of mapping it: if another program shortens a mapped file, a signal ends this one. Throws
+// io::error for a file that is missing, not a regular file, empty or unreadable; reading a device or a pipe might never
 // end.
 file_bytes load_file(const std::filesystem::path &path);
 

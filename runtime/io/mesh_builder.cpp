@@ -20,7 +20,7 @@ bool mesh_builder::add_face(std::span<const std::uint32_t> corners) {
   const std::size_t added = corners.size() - 2;
   if (before + added > most_elements)
     return false;
-  // Most meshes are triangles alone; the owners are written from the first polygon on.
+  // Most meshes consist of triangles only, so owners are written from the first polygon on.
   if (added > 1 && set_.owner.empty()) {
     set_.owner.resize(before);
     std::iota(set_.owner.begin(), set_.owner.end(), 0U);

@@ -14,10 +14,10 @@
 
 namespace meetc::io {
 
-// The most elements, items or vertices of a set: indices have 32 bits.
+// The largest number of elements, items or vertices in a set, since indices have 32 bits.
 inline constexpr std::size_t most_elements = 0xffffffff;
 
-// Moves a point, rounds it, and calls fail(message) where a coordinate is not finite then.
+// Moves a point, rounds it, and calls fail(message) if a coordinate is then not finite.
 template <class Fail>
 std::array<float, 3> move_point(const transform &move, const std::array<double, 3> &read, const Fail &fail);
 
@@ -27,19 +27,19 @@ public:
 
   void reserve(std::size_t vertices, std::size_t faces);
 
-  // `fail` takes a message and throws; it knows the place.
+  // `fail` takes a message and throws; it knows the place in the file.
   template <class Fail> void add_vertex(const std::array<double, 3> &read, const Fail &fail) {
     const std::array<float, 3> p = move_point(move_, read, fail);
     set_.data.insert(set_.data.end(), p.begin(), p.end());
   }
   std::size_t vertices() const { return set_.data.size() / 3; }
 
-  // Fans a face from its first corner: a, b, c, d -> (a, b, c), (a, c, d). At least 3 corners. False when
-  // that would be more triangles than 32 bits can count.
+  // Fans a face of at least 3 corners from the first: a, b, c, d -> (a, b, c), (a, c, d). Returns false where the
+  // number of triangles would exceed 32 bits.
   bool add_face(std::span<const std::uint32_t> corners);
   std::size_t faces() const { return set_.items; }
 
-  // The set, once the kind's own rule has accepted each triangle; throws io::error `FILE: face N: rule`.
+  // Returns the set after testing each triangle against the rule of its kind. Throws io::error `FILE: face N: rule`.
   element_set finish(const std::string &file);
 
 private:
@@ -47,7 +47,7 @@ private:
   element_set set_;
 };
 
-// The triangle's own rule on each element; `item` is "face" or "facet".
+// Tests each element against the rule of the triangle kind; `item` is "face" or "facet".
 void check_rules(const element_set &set, const std::string &file, const char *item);
 
 template <class Fail>

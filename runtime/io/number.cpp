@@ -13,7 +13,7 @@ namespace meetc::io {
 
 namespace {
 
-// std::from_chars takes no '+', and after ours none may follow.
+// std::from_chars accepts no '+'. After the one removed here no other sign may follow.
 bool strip_plus(std::string_view &text) {
   if (text.empty() || text.front() != '+')
     return !text.empty();
@@ -26,8 +26,8 @@ locale_t c_locale() {
   return c;
 }
 
-// std::from_chars says only "out of range", for too large and too small alike, and gives no value; the C
-// function then gives infinity, a subnormal or zero, rounded as it should be.
+// std::from_chars reports only "out of range", for numbers too large and too small alike, without a value. The C
+// function then gives infinity, a subnormal number or zero, correctly rounded.
 double round_extreme(std::string_view text, float) {
   return strtof_l(std::string(text).c_str(), nullptr, c_locale());
 }
@@ -54,7 +54,7 @@ bool parse_decimal(std::string_view text, precision target, double &out) {
     return parse<double>(text, out);
   if (!parse<float>(text, out))
     return false;
-  // The double of a number beyond float32 is beyond float32 too: that limit is itself a double.
+  // A number beyond float32 has a double beyond float32 too, since the limit is itself a double.
   return std::isinf(out) ? parse<double>(text, out) : true;
 }
 
@@ -67,7 +67,7 @@ bool parse_integer(std::string_view text, std::int64_t &out) {
 }
 
 float to_float32(double value) {
-  constexpr double limit = 0x1.ffffffp127; // halfway from the largest float32 to 2^128; the tie goes up
+  constexpr double limit = 0x1.ffffffp127; // halfway from the largest float32 to 2^128; the tie is rounded up
   if (std::abs(value) >= limit)
     return std::copysign(std::numeric_limits<float>::infinity(), value < 0 ? -1.0F : 1.0F);
   return static_cast<float>(value);

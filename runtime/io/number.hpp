@@ -1,4 +1,4 @@
-// Decimal text to numbers, rounded once, whatever the locale.
+// Reads decimal text as numbers, rounded once, in every locale.
 #ifndef MEETC_IO_NUMBER_HPP
 #define MEETC_IO_NUMBER_HPP
 
@@ -9,17 +9,17 @@ namespace meetc::io {
 
 enum class precision : std::uint8_t { float32, float64 };
 
-// Reads the whole of `text` as a decimal number and rounds it directly to the precision asked; false where it
-// is not one (empty, trailing characters, hexadecimal). One leading sign is taken. "inf" and "nan" are read
-// as such. A result below the smallest subnormal rounds to it or to zero. A number beyond float32 comes back
-// as a value that to_float32 rounds to infinity, so that a message can show it.
+// Reads the whole of `text` as a decimal number and rounds it directly to the given precision. Returns false where the
+// text is not one (empty, trailing characters, hexadecimal). One leading sign is accepted, and "inf" and "nan" are read
+// as such. A result below the smallest subnormal is rounded to that or to zero. A number beyond float32 becomes a value
+// that to_float32 rounds to infinity, so that a message can show it.
 bool parse_decimal(std::string_view text, precision target, double &out);
 
-// Reads the whole of `text` as a decimal integer; false where it is not one or does not fit.
+// Reads the whole of `text` as a decimal integer. Returns false where it is not one or does not fit.
 bool parse_integer(std::string_view text, std::int64_t &out);
 
-// Rounds to nearest, ties to even; beyond the largest float32 the result is an infinity, as in IEEE 754 (the
-// bare conversion leaves that case undefined).
+// Rounds to nearest, ties to even. Beyond the largest float32 the result is an infinity, as in IEEE 754 (the bare
+// conversion leaves that case undefined).
 float to_float32(double value);
 
 } // namespace meetc::io

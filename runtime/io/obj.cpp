@@ -1,7 +1,7 @@
-// OBJ: vertices and polygons of a Wavefront file. Written by hand, since tinyobjloader accepts bad numbers,
-// wrong indices and short faces without a word. Statements that carry no polygon (normals, groups, materials,
-// lines, …) are passed over; those that would change the shape, and unknown ones, are refused, lest another
-// file with the extension .obj reads as an empty mesh.
+// OBJ: the vertices and polygons of a Wavefront file. It is written by hand, since tinyobjloader silently accepts bad
+// numbers, wrong indices and short faces. Statements that carry no polygon (normals, groups, materials, lines, …) are
+// skipped. Those that would change the shape, and unknown ones, are refused, so that another kind of file with the
+// extension .obj is not read as an empty mesh.
 #include "io/error.hpp"
 #include "io/mesh_builder.hpp"
 #include "io/number.hpp"
@@ -24,7 +24,7 @@ constexpr std::string_view passed_over[] = {
     "l",  "p",  "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj",
 };
 
-// A backslash ends a comment (a path, say) without carrying it on.
+// A backslash at the end of a comment (in a path, say) does not continue it.
 bool continues(std::string_view line) {
   return line.ends_with('\\') && line.find('#') == std::string_view::npos;
 }
@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  // A corner that names a vertex which the file had not given yet.
+  // A corner that names a vertex which has not been read yet.
   struct forward {
     std::uint32_t vertex;
     std::size_t line, face;
@@ -64,7 +64,7 @@ private:
     throw error(fmt::format("{}:{}: {}", file_.name, start_, message));
   }
 
-  // The next line that holds a statement, joined with those that continue it.
+  // Reads the next line that holds a statement, joined with its continuation lines.
   bool next_statement(std::string_view &line) {
     while (lines_.next(line)) {
       start_ = lines_.number();
@@ -90,7 +90,7 @@ private:
     const std::size_t number = mesh_.vertices();
     if (number == most_elements)
       fail(fmt::format("more than {} vertices", most_elements));
-    // x y z, then perhaps a weight, a colour or both.
+    // x y z may be followed by a weight, a colour or both.
     double values[8] = {};
     std::size_t count = 0;
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
@@ -105,7 +105,7 @@ private:
                      [&](std::string_view what) { fail(fmt::format("vertex {}: {}", number, what)); });
   }
 
-  // One of v, v/vt, v//vn, v/vt/vn. Only v is used, the rest must be well formed.
+  // One of v, v/vt, v//vn, v/vt/vn. Only v is used, but the rest must be well formed.
   std::uint32_t corner(std::string_view word) {
     const std::string_view whole = word;
     std::int64_t v = 0;
@@ -127,13 +127,13 @@ private:
     fail(fmt::format("face {}: {} has more than three parts", mesh_.faces(), quote(whole)));
   }
 
-  // From 1 at the start of the file, or from -1 at the last vertex so far. A vertex may follow its face.
+  // Counts from 1 at the start of the file, or from -1 at the last vertex so far. A vertex may follow its face.
   std::uint32_t resolve(std::int64_t v) {
     const auto count = static_cast<std::int64_t>(mesh_.vertices());
     if (v < -count || v > static_cast<std::int64_t>(most_elements))
       fail(fmt::format("face {}: vertex {} does not exist; the file has {} so far", mesh_.faces(), v, count));
     const auto index = static_cast<std::uint32_t>(v < 0 ? count + v : v - 1);
-    // The first corner beyond the last vertex is larger than all before it, so only records need be kept.
+    // The first index that is too large exceeds all before it, so keeping only new maxima is enough.
     if (v > count && (forward_.empty() || index > forward_.back().vertex))
       forward_.push_back({index, start_, mesh_.faces()});
     return index;
@@ -151,7 +151,7 @@ private:
 
   const file_bytes &file_;
   line_reader lines_;
-  std::size_t start_ = 1; // the statement's first line
+  std::size_t start_ = 1; // the first line of the statement
   std::string joined_;
   mesh_builder mesh_;
   precision target_;

@@ -1,6 +1,6 @@
-// PLY: the vertices and faces among whatever else the header announces. Elements and properties come in any
-// order; those that are not needed are passed over. Written by hand, since a count is checked against the
-// file's size before it is believed, and each error names its row.
+// PLY: the vertices and faces among everything that the header announces. Elements and properties may come in any
+// order; those that are not needed are skipped. It is written by hand, so that a count is checked against the size of
+// the file before it is trusted, and each error names its row.
 #include "io/error.hpp"
 #include "io/mesh_builder.hpp"
 #include "io/ply_sources.hpp"
@@ -27,7 +27,7 @@ const ply_element &find_element(const ply_header &header, std::string_view name,
   return *found;
 }
 
-// Which coordinate each property of a vertex is: 0, 1, 2, or -1 for one to pass over.
+// Says for each property of a vertex which coordinate it is: 0, 1, 2, or -1 for one to skip.
 std::vector<int> coordinate_slots(const ply_element &vertex, const std::string &file) {
   std::vector<int> slots(vertex.properties.size(), -1);
   for (int c = 0; c < 3; ++c) {
@@ -44,7 +44,7 @@ std::vector<int> coordinate_slots(const ply_element &vertex, const std::string &
   return slots;
 }
 
-// The face's list of corners; its place among the properties.
+// The index of the face's list of corners among its properties.
 std::size_t corner_list(const ply_element &face, const std::string &file) {
   const auto named = [](const ply_property &p) { return is_corner_list(p.name); };
   const auto found = std::ranges::find_if(face.properties, named);
@@ -68,13 +68,13 @@ public:
     const ply_element &face = find_element(header_, "face", file_.name);
     const std::vector<int> slots = coordinate_slots(vertex, file_.name);
     const std::size_t corners = face.count == 0 ? 0 : corner_list(face, file_.name);
-    // Faces may come first, so their corners are checked against the header's count. It is no lie by the time
-    // that the set is returned.
+    // Faces may come first, so their corners are checked against the header's count. That count has been verified by
+    // the time the set is returned.
     vertices_ = vertex.count;
     if (vertices_ > most_elements)
       throw error(fmt::format("{}: {} vertices; at most {} can be indexed", file_.name, vertices_, most_elements));
     for (const ply_element &e : header_.elements) {
-      // Rows without properties take no bytes, whatever their count.
+      // Rows without properties take no bytes, whatever their number.
       if (e.properties.empty())
         continue;
       source_.begin(e);
@@ -126,7 +126,7 @@ private:
 
   void read_faces(const ply_element &e, std::size_t corners) {
     const ply_property &list = e.properties[corners];
-    // No more than the file could hold as triangles, whatever the count says.
+    // The capacity is limited to what the file could hold as triangles, whatever the count says.
     const std::size_t row = size_of(list.count_type) + 3 * size_of(list.type);
     const std::size_t least = header_.format == ply_format::ascii ? 8 : row;
     mesh_.reserve(0, std::min<std::size_t>(e.count, file_.size / least));

@@ -1,4 +1,4 @@
-// The header of a PLY file: what follows, in which order and of which types.
+// The header of a PLY file: which elements follow, in which order and with which types.
 #ifndef MEETC_IO_PLY_HEADER_HPP
 #define MEETC_IO_PLY_HEADER_HPP
 
@@ -25,13 +25,13 @@ constexpr bool is_real(ply_type t) {
 struct ply_property {
   std::string name;
   ply_type type;       // of the value, or of a list's values
-  bool list = false;   // a count, then as many values
-  ply_type count_type; // integer; of a list only
+  bool list = false;   // a count, then that number of values
+  ply_type count_type; // an integer type; for lists only
 };
 
 struct ply_element {
   std::string name;
-  std::uint64_t count = 0; // as the header says: not to be believed before the file's size has been asked
+  std::uint64_t count = 0; // as the header says, to be trusted only after a comparison with the size of the file
   std::vector<ply_property> properties;
 };
 
@@ -41,8 +41,8 @@ struct ply_header {
   std::size_t body_offset = 0, body_line = 0;
 };
 
-// Throws io::error `FILE:LINE: what` where the header breaks the format's rules. Each element name occurs
-// once for "vertex" and "face".
+// Throws io::error `FILE:LINE: what` where the header breaks the rules of the format. The elements "vertex" and "face"
+// occur once each.
 ply_header read_ply_header(const file_bytes &file);
 
 } // namespace meetc::io

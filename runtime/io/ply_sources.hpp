@@ -1,5 +1,5 @@
 // The two bodies of a PLY file behind one interface, so that one template reads both:
-//   begin(element)       checks that so many rows can fit in what is left of the file
+//   begin(element)       checks that the rest of the file can hold this number of rows
 //   begin_row(), end_row()
 //   real(type), integer(type), skip(type, n)
 //   fail(message)        throws with the place: file, line or byte, element and row
@@ -28,7 +28,7 @@ public:
   void begin(const ply_element &element) {
     element_ = &element;
     row_ = 0;
-    std::size_t least = 0; // bytes a row
+    std::size_t least = 0; // bytes in a row
     for (const ply_property &p : element.properties)
       least += size_of(p.list ? p.count_type : p.type);
     if (element.count > left() / least)
@@ -45,10 +45,10 @@ public:
     case ply_type::float64:
       return take<double>();
     default:
-      return static_cast<double>(integer(type)); // at most 32 bits: exact
+      return static_cast<double>(integer(type)); // exact, since it has at most 32 bits
     }
   }
-  // `type` is an integer type.
+  // `type` must be an integer type.
   std::int64_t integer(ply_type type) {
     switch (type) {
     case ply_type::int8:
@@ -65,7 +65,7 @@ public:
       return take<std::uint32_t>();
     }
   }
-  // The values of a list are all there: asked before they are collected one by one.
+  // Checks that all values of a list are there before they are collected one by one.
   void need_values(ply_type type, std::uint64_t n) const { need(n * size_of(type)); }
   void skip(ply_type type, std::uint64_t n) {
     need_values(type, n);
@@ -100,7 +100,7 @@ private:
   std::uint64_t row_ = 0;
 };
 
-// A row a line; blank lines are passed over.
+// Each line is a row; blank lines are skipped.
 class ply_ascii_source {
 public:
   ply_ascii_source(const file_bytes &file, const ply_header &header, precision target)
@@ -109,7 +109,7 @@ public:
   void begin(const ply_element &element) {
     element_ = &element;
     row_ = 0;
-    // Enough to catch a lie: a character and a line end, which the last line may lack.
+    // This is enough to detect a false count: a row has a character and a line end, which the last line may lack.
     const std::size_t least = 2, left = size_ - lines_.offset() + 1;
     if (element.count > left / least)
       lines_.fail(fmt::format("{} rows of element {} take at least {} bytes each, but {} bytes are left", element.count,
@@ -149,7 +149,7 @@ public:
       fail(fmt::format("{} does not fit the property's type", quote(word)));
     return value;
   }
-  // need_word() speaks up at the end of the line; nothing is set aside by the count's word.
+  // need_word() reports the end of the line, and no memory is reserved by the count alone.
   void need_values(ply_type, std::uint64_t) const {}
   void skip(ply_type, std::uint64_t n) {
     for (std::uint64_t i = 0; i < n; ++i)

@@ -1,4 +1,4 @@
-// The readers behind read(): one a format. Each throws io::error for bad input.
+// The readers behind read(), one for each format. They throw io::error for bad input.
 #ifndef MEETC_IO_READERS_HPP
 #define MEETC_IO_READERS_HPP
 

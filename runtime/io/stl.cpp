@@ -1,6 +1,6 @@
-// STL: facets of three vertices, as rows of 9. Binary: 80 bytes of anything, a 32-bit count, then 50 bytes a
-// facet (normal, three vertices, two bytes), all little-endian. Ascii: solid … endsolid, perhaps several.
-// Normals are not used and not checked. A binary file may begin with "solid", so the size decides.
+// STL: facets of three vertices, as rows of 9. Binary: any 80 bytes, a 32-bit count, then 50 bytes for each facet
+// (normal, three vertices, two bytes), all little-endian. Ascii: solid … endsolid, perhaps several. Normals are neither
+// used nor checked. A binary file may begin with "solid", so the size decides.
 #include "io/endian.hpp"
 #include "io/error.hpp"
 #include "io/mesh_builder.hpp"
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  // The next word of the file, over the ends of lines; false at the end of the file.
+  // Moves to the next word of the file, across line ends. Returns false at the end of the file.
   bool advance() {
     for (;;) {
       word_ = take_word(line_);

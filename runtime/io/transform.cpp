@@ -58,7 +58,7 @@ std::optional<double> similarity_scale(const std::array<double, 12> &matrix) {
       most = std::max(most, std::abs(matrix[i]));
   if (!(most > 0))
     return std::nullopt;
-  // Brought near 1 by a power of two, so that no product leaves the range.
+  // A power of two brings it near 1, so that no product overflows or underflows.
   int exponent = 0;
   std::frexp(most, &exponent);
   const auto dot = [&](std::size_t i, std::size_t j) {

@@ -15,7 +15,7 @@ namespace meetc::io {
 
 namespace {
 
-// Gathers small pieces, so that the file sees large ones.
+// Collects small pieces, so that the file is written in large ones.
 class buffered {
 public:
   explicit buffered(const std::filesystem::path &path) : file_(path) { buffer_.reserve(size + 64); }
@@ -49,13 +49,13 @@ private:
   std::string buffer_;
 };
 
-// Faces as polygons: face i has corners[start[i]] up to corners[start[i + 1]].
+// Faces as polygons. The corners of face i are corners[start[i]] up to corners[start[i + 1]].
 struct polygons {
   std::vector<std::size_t> start{0};
   std::vector<std::uint32_t> corners;
 };
 
-// Undoes the fan: consecutive triangles of one owner share the first corner and each adds its last.
+// Undoes fanning: consecutive triangles of one owner share the first corner, and each adds its last.
 polygons gather(std::span<const std::uint32_t> index, std::span<const std::uint32_t> owner) {
   polygons out;
   for (std::size_t i = 0; 3 * i < index.size(); ++i) {

@@ -1,4 +1,4 @@
-// picture/image.hpp: a picture in memory, text on it, and the file that it becomes.
+// picture/image.hpp: a picture in memory, text on it, and its file format.
 #ifndef MEETC_PICTURE_IMAGE_HPP
 #define MEETC_PICTURE_IMAGE_HPP
 
@@ -26,7 +26,7 @@ inline constexpr colour ink{44, 48, 54};
 
 struct image {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> rgb; // rows from the top, three bytes a pixel
+  std::vector<std::uint8_t> rgb; // rows from the top, three bytes for each pixel
   colour at(int x, int y) const {
     const std::size_t i =
         3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
@@ -34,11 +34,11 @@ struct image {
   }
 };
 
-// Text in a 5 by 7 bitmap font, `scale` pixels a dot, its upper left corner at (x, y); ASCII, clipped. A line
-// takes 8 * scale pixels, a character 6 * scale.
+// Draws text in a 5 by 7 bitmap font, with `scale` pixels to a dot and its upper left corner at (x, y). The text is
+// ASCII and is clipped. A line takes 8 * scale pixels, a character 6 * scale.
 void draw_text(image &into, int x, int y, std::string_view text, int scale, colour ink);
 
-// A PNG file in memory. Throws std::runtime_error when libpng fails or the image is malformed or empty.
+// A PNG file in memory. Throws std::runtime_error if libpng fails or the image is malformed or empty.
 std::vector<std::uint8_t> encode_png(const image &picture);
 
 } // namespace meetc::picture

@@ -1,4 +1,4 @@
-// Several views of one scene in one picture, with captions. See render.hpp.
+// Several panels of one scene in one picture, with captions. See render.hpp.
 #include "core/vec.hpp"
 #include "picture/projection.hpp"
 #include "picture/render.hpp"
@@ -59,13 +59,13 @@ struct canvas {
       std::copy_n(from.rgb.begin() + source, bytes, picture.rgb.begin() + target);
     }
   }
-  // Words on a light rim, so that they can be read on anything.
+  // Writes a caption on a light rim, so that it can be read on any background.
   void caption(int x, int y, std::string_view words) {
     for (int i = 0; i < 9; ++i)
       draw_text(picture, x + (i % 3 - 1) * scale, y + (i / 3 - 1) * scale, words, scale, {247, 248, 248});
     draw_text(picture, x, y, words, scale, palette::ink);
   }
-  // A square of the shape's colour and one of its hits' colour, where hits are shown; then words.
+  // Draws a square in the shape's colour and, where hits are shown, one in the colour of its hits; then the caption.
   void key(int x, int y, const shape &s, std::string_view words) {
     for (int square = 0; square < (s.hit.empty() ? 1 : 2); ++square) {
       const colour c = square == 0 ? s.base : s.hit_colour;
@@ -112,7 +112,7 @@ image render_panels(std::span<const shape> shapes, const camera &from, int width
   }
   const int main_width = side.empty() ? w : static_cast<int>(w * 0.64);
   camera whole = from;
-  whole.margin = std::max(whole.margin, 0.08); // room for captions
+  whole.margin = std::max(whole.margin, 0.08); // leaves room for captions
   c.paste(render(shapes, whole, main_width, h), 0, 0);
   for (std::size_t i = 0; i < shapes.size() && i < 8; ++i)
     c.key(6 * scale, 6 * scale + static_cast<int>(i) * 11 * scale, shapes[i], describe(shapes[i]));

@@ -1,4 +1,4 @@
-// PNG in memory by the simplified interface of libpng, which reports errors without longjmp.
+// PNG in memory by libpng's simplified interface, which reports errors without longjmp.
 #include "picture/image.hpp"
 
 #include <png.h>
@@ -15,7 +15,7 @@ std::vector<std::uint8_t> encode_png(const image &picture) {
   head.width = static_cast<png_uint_32>(w);
   head.height = static_cast<png_uint_32>(h);
   head.format = PNG_FORMAT_RGB;
-  // An upper bound on the size, so that the picture is compressed once.
+  // This is an upper bound of the size, so the picture is compressed only once.
   std::vector<std::uint8_t> out(PNG_IMAGE_PNG_SIZE_MAX(head));
   png_alloc_size_t size = out.size();
   if (png_image_write_to_memory(&head, out.data(), &size, 0, picture.rgb.data(), 0, nullptr) == 0)

@@ -1,4 +1,4 @@
-// Where the camera stands: elements as points, the projection, fitting, and a camera that faces the hits.
+// The geometry of a picture: elements as points, the projection, fitting, and a camera that faces the hits.
 #include "picture/projection.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct box {
   }
 };
 
-// Calls f(point, radius) for every point of the elements, or of the hit ones.
+// Calls f(point, radius) for every point of all elements, or only of the hit ones.
 template <class F> void each_point(std::span<const shape> shapes, bool only_hits, F f) {
   for (const shape &s : shapes)
     for (std::size_t i = 0, n = elements(s); i < n; ++i) {
@@ -87,7 +87,7 @@ projection look(std::span<const shape> shapes, const camera &from, int width, in
     u0 = v0 = -1;
     u1 = v1 = 1;
   }
-  // Close up, some surroundings; and never closer than float32 coordinates bear.
+  // A close-up includes some surroundings, and never shows less than float32 coordinates can resolve.
   const double around = close_up ? 1.15 : 1, least = close_up ? 1e-4 : 1e-6;
   const double left = 1 - 2 * std::clamp(from.margin, 0.0, 0.45);
   p.zoom = left * std::min(width / std::max(around * (u1 - u0), least), height / std::max(around * (v1 - v0), least));
@@ -140,7 +140,7 @@ element element_at(const shape &s, std::size_t i) {
 
 camera facing_hits(std::span<const shape> shapes, camera from) {
   using namespace detail;
-  std::vector<vec> facets; // normals, as long as twice the area of the scene scaled to diagonal 1
+  std::vector<vec> facets; // normals; their length is twice the area, in the scene scaled to diagonal 1
   box all, touched;
   each_point(shapes, false, [&](const vec &v, double r) { all.add(v, r); });
   each_point(shapes, true, [&](const vec &v, double r) { touched.add(v, r); });
@@ -152,7 +152,7 @@ camera facing_hits(std::span<const shape> shapes, camera from) {
     for (std::size_t i = 0; i < elements(s); ++i)
       if (const element e = element_at(s, i); is_hit(s, i) && e.n == 3)
         facets.push_back(cross((1 / size) * (e.point[1] - e.point[0]), (1 / size) * (e.point[2] - e.point[0])));
-  // Hits on one side of a body are hidden by the body from the other side.
+  // A body hides the hits on its far side, so the camera prefers the side on which the hits lie.
   vec side = (0.5 / size) * (touched.low + touched.high - all.low - all.high);
   const double aside = std::sqrt(dot(side, side));
   side = aside > 0.05 ? (0.5 / aside) * side : vec{};
@@ -168,7 +168,7 @@ camera facing_hits(std::span<const shape> shapes, camera from) {
       double seen = 0;
       for (const vec &f : facets)
         seen += std::max(0.0, dot(f, to_eye));
-      seen *= 1 + dot(side, to_eye) + 0.15 * dot(given, to_eye); // and of two as good, the one that turns less
+      seen *= 1 + dot(side, to_eye) + 0.15 * dot(given, to_eye); // prefers the smaller turn
       if (seen > most) {
         most = seen;
         best = v;

@@ -1,5 +1,5 @@
-// picture/projection.hpp: elements as points, and how they come to the screen.
-// Camera space: x right, y up, z towards the viewer, the scene's box centred and scaled to half diagonal 1.
+// picture/projection.hpp: elements as points, and their projection to the screen. In camera space x points right, y up
+// and z towards the viewer; the scene's box is centred and scaled to half diagonal 1.
 #ifndef MEETC_PICTURE_PROJECTION_HPP
 #define MEETC_PICTURE_PROJECTION_HPP
 
@@ -17,16 +17,16 @@ struct screen_point {
   double near;
 };
 
-// World to camera space to samples.
+// Maps world space to camera space and camera space to samples.
 struct projection {
   vec centre{}; // of the scene's box, in the world
   double unit = 1;
   std::array<vec, 3> axis{}; // camera axes in the world
   bool perspective = false;
-  vec target{};                           // camera space; the eye looks along z through it
-  double eye = 5;                         // the eye's z, and its
+  vec target{};                           // in camera space; the eye looks along z through it
+  double eye = 5;                         // the z of the eye, and its
   double focus = 5;                       // distance from the target
-  double zoom = 1, u0 = 0, v0 = 0;        // samples a unit; what lies in the middle of the picture
+  double zoom = 1, u0 = 0, v0 = 0;        // samples per unit; the point in the middle of the picture
   double half_width = 0, half_height = 0; // samples
 
   vec to_camera(const vec &world) const;
@@ -36,7 +36,7 @@ struct projection {
   screen_point to_screen(const vec &c) const;
 };
 
-// The finite part of an element: its points and a radius about them (0 but for spheres). n = 0: left out.
+// The points of an element and a radius around them (0 unless it is a sphere). n = 0: not finite, and left out.
 struct element {
   std::array<vec, 3> point;
   double radius;
@@ -47,7 +47,7 @@ inline bool is_hit(const shape &s, std::size_t i) {
   return i < s.hit.size() && s.hit[i] != 0;
 }
 
-// The projection that fits the shapes, or their hits, into a picture of so many samples.
+// The projection that fits the shapes, or their hits, into a picture of this many samples.
 projection look(std::span<const shape> shapes, const camera &from, int width, int height);
 
 } // namespace meetc::picture::detail

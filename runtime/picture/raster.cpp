@@ -1,5 +1,5 @@
-// Triangles by edge functions, spheres by ray casting a sample, segments as lines shaded like tubes.
-// All of it in double, clipped before any conversion to int.
+// Triangles are drawn by edge functions, spheres by one ray for each sample, segments as lines shaded like tubes. All
+// arithmetic is in double, and is clipped before any conversion to int.
 #include "picture/raster.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::uint32_t pack(const vec &n, std::size_t number, bool edge) {
          static_cast<std::uint32_t>(number + 1);
 }
 
-// Asked before shading, which is what costs.
+// Tested before shading, which is the expensive part.
 bool nearer(const layer &l, int x, int y, double near) {
   return static_cast<float>(near) >
          l.at[static_cast<std::size_t>(y) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(x)].near;
@@ -28,7 +28,8 @@ void put_nearer(layer &l, int x, int y, double near, std::uint32_t bits) {
     s = {static_cast<float>(near), bits};
 }
 
-// The samples whose centres (i + 1/2) lie in [low, high], clipped to 0..size-1. False: none.
+// Finds the samples whose centres (i + 1/2) lie in [low, high], clipped to 0..size-1. Returns false where there are
+// none.
 bool covered(double low, double high, int size, int &first, int &last) {
   if (!(high >= 0 && low <= size))
     return false;
@@ -50,7 +51,7 @@ void fill(layer &l, const std::array<corner, 3> &c, std::size_t number, double p
       !covered(std::min({a.x, b.x, d.x}), std::max({a.x, b.x, d.x}), l.width, x0, x1) ||
       !covered(std::min({a.y, b.y, d.y}), std::max({a.y, b.y, d.y}), l.height, y0, y1))
     return;
-  // Weight of corner i at a sample, and its height in samples above the opposite edge.
+  // The weight of each corner at a sample, and the height of each corner in samples above the opposite edge.
   std::array<double, 3> dx, dy, start, height;
   double least = 1e300;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -63,7 +64,8 @@ void fill(layer &l, const std::array<corner, 3> &c, std::size_t number, double p
   }
   const bool edges = wire && least > 3 * pixel;
   for (int y = y0; y <= y1; ++y) {
-    // The part of the row where all weights can be positive, one sample wider: slivers cost their own area.
+    // The part of the row in which all weights can be positive, widened by one sample, so that slivers cost only their
+    // own area.
     double low = x0, high = x1;
     for (std::size_t i = 0; i < 3; ++i) {
       const double zero = x0 - (start[i] + (y - y0) * dy[i]) / dx[i];
@@ -92,12 +94,12 @@ void fill(layer &l, const std::array<corner, 3> &c, std::size_t number, double p
   }
 }
 
-// A line `half` samples wide to each side; round: shaded as a tube, otherwise with the normal n.
+// A line that extends `half` samples to each side. round: it is shaded as a tube, otherwise with the normal n.
 void line(layer &l, const screen_point &a, const screen_point &b, double half, std::size_t number, bool round,
           const vec &n) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
   const bool steep = std::abs(dy) > std::abs(dx);
-  // Along the major axis p, spans across along the minor axis q.
+  // Steps along the major axis p, with spans across along the minor axis q.
   const double p0 = steep ? a.y : a.x, p1 = steep ? b.y : b.x, q0 = steep ? a.x : a.y, q1 = steep ? b.x : b.y;
   const double across = length > 0 ? half * length / std::max(std::abs(dx), std::abs(dy)) : half;
   int first, last;
@@ -113,7 +115,7 @@ void line(layer &l, const screen_point &a, const screen_point &b, double half, s
     for (int i = low; i <= high; ++i) {
       vec normal_here = n;
       if (round && length > 0) {
-        const double sense = steep ? (dy > 0 ? -1 : 1) : (dx > 0 ? 1 : -1); // of i against the left of a to b
+        const double sense = steep ? (dy > 0 ? -1 : 1) : (dx > 0 ? 1 : -1); // 1: i grows to the right of a to b
         const double s = sense * std::clamp((i + 0.5 - q) / across, -1.0, 1.0);
         normal_here = {-s * dy / length, -s * dx / length, 0};
       }
@@ -138,12 +140,12 @@ void ball(layer &l, const projection &p, const vec &c, double r, std::size_t num
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
       const double u = (x + 0.5 - p.half_width) / p.zoom + p.u0, v = (p.half_height - y - 0.5) / p.zoom + p.v0;
-      // A ray from the eye, or along z from a plane in front of everything.
+      // A ray from the eye, or parallel to z from a plane in front of everything.
       const vec from = p.perspective ? vec{p.target.x, p.target.y, p.eye} : vec{p.target.x + u, p.target.y + v, p.eye};
       const vec way = p.perspective ? normal({u, v, -p.focus}) : vec{0, 0, -1};
       const vec m = c - from;
       const double along = dot(m, way);
-      const vec off = m - along * way; // from the ray's nearest point to the centre
+      const vec off = m - along * way; // from the point of the ray nearest to the centre
       const double rest = r * r - dot(off, off);
       if (rest < 0)
         continue;
@@ -152,8 +154,8 @@ void ball(layer &l, const projection &p, const vec &c, double r, std::size_t num
     }
 }
 
-// Normals of faces, and of corners: the mean over the faces around the vertex that lie within 40 degrees, so
-// that creases stay sharp. Without an index every triangle stands alone.
+// Normals of faces and of corners. A corner's is the mean over the faces around the vertex that lie within 40 degrees,
+// so that creases stay sharp. Without an index every triangle stands alone.
 class normals {
 public:
   normals(const shape &s, const projection &p, bool smooth) : index_(s.index), faces_(elements(s), vec{}) {
@@ -171,7 +173,7 @@ public:
     }
     if (first_.empty())
       return;
-    std::uint32_t sum = 0; // counting sort of the faces by vertex; afterwards first_[v] is where v's begin
+    std::uint32_t sum = 0; // counting sort of the faces by vertex; afterwards the faces of v begin at first_[v]
     for (std::uint32_t &n : first_)
       n = sum += n;
     around_.resize(sum);
@@ -183,7 +185,8 @@ public:
   vec corner(std::size_t i, std::size_t k) const {
     if (first_.empty())
       return faces_[i];
-    // A vertex of very many faces is a cone's tip, which has no normal; and the sum would be taken at each face.
+    // A vertex with very many faces is the tip of a cone, which has no normal, and the sum would be computed for each
+    // face.
     if (first_[index_[3 * i + k] + std::size_t{1}] - first_[index_[3 * i + k]] > 64)
       return faces_[i];
     vec sum{};
@@ -199,7 +202,7 @@ private:
   std::vector<std::uint32_t> first_, around_;
 };
 
-// Whether the triangles are large enough in the picture for their edges to be drawn: 150 square pixels.
+// Whether the triangles are large enough in the picture, at 150 square pixels, for their edges to be drawn.
 bool large_triangles(const shape &s, const projection &p, double pixel) {
   double sum = 0;
   for (std::size_t i = 0; i < elements(s); ++i) {
@@ -264,7 +267,7 @@ void draw(const shape &s, std::size_t number, const projection &p, const camera 
         line(*l, p.to_screen(a), p.to_screen(p.to_camera(e.point[1])), 1.1 * pixel, number, true, {0, 0, 1});
         continue;
       }
-      // A ball smaller than a pixel is drawn as one of that size, so that it does not slip between samples.
+      // A ball smaller than a pixel is drawn with that size, so that it does not fall between samples.
       ball(*l, p, a, std::max(e.radius * p.unit, 0.6 * pixel / (p.zoom * p.shrink(a.z))), number);
     }
   }

@@ -1,4 +1,4 @@
-// picture/raster.hpp: depth buffers of samples, and the drawing of shapes into them.
+// picture/raster.hpp: depth buffers of samples, and drawing shapes into them.
 #ifndef MEETC_PICTURE_RASTER_HPP
 #define MEETC_PICTURE_RASTER_HPP
 
@@ -12,7 +12,7 @@
 
 namespace meetc::picture::detail {
 
-// A sample: how near the surface is (larger: nearer), and its normal, shape and whether a mesh edge runs
+// A sample: the nearness of the surface (larger is nearer), its normal and shape, and whether the edge of a mesh runs
 // here.
 struct sample {
   float near;
@@ -30,8 +30,8 @@ struct layer {
       : width(w), height(h), at(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), sample{-1e30f, 0}) {}
 };
 
-// Draws the whole shape into `surface` and its hit elements into `marked` also. `pixel` is the size of a
-// pixel in samples.
+// Draws the whole shape into `surface` and its hit elements into `marked` as well. `pixel` is the number of samples
+// across a pixel.
 void draw(const shape &s, std::size_t number, const projection &p, const camera &from, double pixel, layer &surface,
           layer &marked);
 

@@ -1,4 +1,4 @@
-// The light, and how surfaces and hits come together in one picture. See render.hpp.
+// The light, and the composition of surfaces and hits in one picture. See render.hpp.
 #include "picture/render.hpp"
 
 #include "picture/raster.hpp"
@@ -24,8 +24,7 @@ light light_of(colour c) {
   return {double(c.r), double(c.g), double(c.b)};
 }
 
-// A soft key light from the upper left, a weak fill from the right, and a sky that is brighter than the
-// ground.
+// A soft key light from the upper left, a weak fill light from the right, and a sky that is brighter than the ground.
 light shade(const sample &s, colour c, bool bright) {
   static const vec key = normal({-0.45, 0.62, 0.65}), fill = normal({0.8, 0.05, 0.45}),
                    glance = normal({-0.45, 0.62, 1.65});
@@ -33,7 +32,7 @@ light shade(const sample &s, colour c, bool bright) {
   const double diffuse = 0.60 * std::max(0.0, dot(n, key)) + 0.20 * std::max(0.0, dot(n, fill));
   const double sky = 0.36 + 0.08 * n.y;
   const double gloss = std::pow(std::max(0.0, dot(n, glance)), 24) * 0.14;
-  // Hit colours keep their brightness: they are read as colours first, as shapes second.
+  // Hits keep the brightness of their colours, which matter more than their shading.
   const double lit = bright ? 0.60 + 0.45 * (diffuse + sky) : diffuse + sky;
   light v = mix(lit * light_of(c), {255, 255, 255}, bright ? gloss / 2 : gloss);
   if (s.edge())
@@ -41,8 +40,8 @@ light shade(const sample &s, colour c, bool bright) {
   return v;
 }
 
-// Whether a sample stands before its right or lower neighbour, or the other way about, with a step between
-// them, or meets it in a sharp valley: drawn darker, it parts spheres and limbs of one colour.
+// Whether there is a step in depth between a sample and its right or lower neighbour, or a sharp valley. Such samples
+// are drawn darker, which separates spheres and limbs of one colour.
 bool step_at(const layer &l, std::size_t i, std::size_t other, double unit) {
   const sample &a = l.at[i], &b = l.at[other];
   if (a.empty() || b.empty())
@@ -51,7 +50,7 @@ bool step_at(const layer &l, std::size_t i, std::size_t other, double unit) {
   return dot(m, n) < 0.6 || std::abs(a.near - b.near) > 3 * unit / std::max(0.2, std::min(m.z, n.z));
 }
 
-// For each sample within `reach` of a drawn hit sample: the nearest such sample. Squared distance 255: none.
+// For each sample, the nearest drawn hit sample within `reach`. Squared distance 255: there is none.
 struct neighbourhood {
   std::vector<std::uint8_t> squared;
   std::vector<std::uint32_t> source;
@@ -70,7 +69,7 @@ neighbourhood widen(const std::vector<std::uint8_t> &drawn, int width, int heigh
       near.source[at(x, y)] = static_cast<std::uint32_t>(at(x, y));
       if (x > 0 && y > 0 && x + 1 < width && y + 1 < height && drawn[at(x - 1, y)] && drawn[at(x + 1, y)] &&
           drawn[at(x, y - 1)] && drawn[at(x, y + 1)])
-        continue; // only the rim reaches out
+        continue; // inside the area there is nothing to widen
       for (int v = std::max(0, y - reach); v <= std::min(height - 1, y + reach); ++v)
         for (int u = std::max(0, x - reach); u <= std::min(width - 1, x + reach); ++u) {
           const int d = (u - x) * (u - x) + (v - y) * (v - y);
@@ -94,13 +93,13 @@ image render(std::span<const shape> all_shapes, const camera &from, int width, i
   for (std::size_t i = 0; i < shapes.size(); ++i)
     draw(shapes[i], i, p, from, k, surface, marked);
 
-  // A hit lies on a surface, and where two surfaces cross it is just behind the other: a little is forgiven.
+  // A hit lies on a surface. Where two surfaces cross it is slightly behind the other one, which is tolerated.
   const double forgiven = 2.5 * k / p.zoom;
   std::vector<std::uint8_t> drawn(surface.at.size());
   for (std::size_t i = 0; i < drawn.size(); ++i)
     drawn[i] = !marked.at[i].empty() && marked.at[i].near >= surface.at[i].near - forgiven;
-  // A hit grows by a pixel or more in larger pictures, and its outline by as much again; a hidden one by
-  // half.
+  // In larger pictures a hit is widened by a pixel or more, its outline by as much again, and a hidden hit by half of
+  // that.
   const double grow = k * std::clamp(std::min(out.width, out.height) / 600.0, 1.25, 3.0);
   const int core = static_cast<int>(grow + 0.5), reach = static_cast<int>(grow + k + 0.5);
   const neighbourhood near = widen(drawn, w, h, reach);
@@ -112,7 +111,7 @@ image render(std::span<const shape> all_shapes, const camera &from, int width, i
     const shape &of = shapes[s.shape()];
     return shade(s, hit ? of.hit_colour : of.base, hit);
   };
-  // Balls fill areas rather than curves: shining through, many of them would hide what is in front.
+  // Spheres fill areas, not curves. If many of them shone through, they would hide what is in front.
   std::vector<double> through;
   for (const shape &of : shapes)
     through.push_back((of.what == form::spheres ? 0.25 : 1) * std::clamp(from.see_through, 0.0, 1.0));

@@ -12,7 +12,7 @@
 namespace meetc::picture {
 
 enum class form : std::uint8_t {
-  triangles, // rows: x y z of vertices; three indices a triangle, or no index: nine floats a triangle
+  triangles, // rows: x y z of vertices; three indices for each triangle, or no index and nine floats for each
   spheres,   // rows: x y z r
   segments   // rows: x0 y0 z0 x1 y1 z1
 };
@@ -22,7 +22,7 @@ struct shape {
   form what = form::triangles;
   std::span<const float> rows;
   std::span<const std::uint32_t> index;
-  std::span<const std::uint8_t> hit; // one an element, non-zero: hit; missing ones count as not hit
+  std::span<const std::uint8_t> hit; // one for each element, non-zero where it is hit; missing ones are not hit
   colour base = palette::green;
   colour hit_colour = palette::yellow;
   std::string name; // for captions

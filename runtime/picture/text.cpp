@@ -1,4 +1,4 @@
-// Captions in a bitmap font: printable ASCII, 5 by 7, a byte a column, the lowest bit on top.
+// Captions in a bitmap font: printable ASCII, 5 by 7, one byte for each column, with the lowest bit at the top.
 #include "picture/image.hpp"
 
 #include <array>

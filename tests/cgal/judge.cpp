@@ -24,8 +24,7 @@ template <class Kernel> typename Kernel::Point_3 point(const float *p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
-// The point, segment or triangle that some corners span. Of collinear corners the lexicographic extremes are
-// the ends.
+// The point, segment or triangle that some corners span. The ends of collinear corners are the lexicographic extremes.
 template <class Kernel> set<Kernel> reduced(const float *row, int corners) {
   using point_3 = typename Kernel::Point_3;
   std::array<point_3, 3> p;

@@ -14,7 +14,7 @@ body triangles_of(const meetc::bodies::mesh &m);
 body segments_of(const std::vector<float> &rows);
 body spheres_of(const std::vector<float> &rows);
 
-// Turned about an axis through the origin, scaled, moved: in double, rounded once to float32.
+// Rotated about an axis through the origin, scaled and moved: in double, rounded once to float32.
 struct placing {
   std::array<double, 3> axis = {0, 0, 1};
   double degrees = 0, scale = 1;

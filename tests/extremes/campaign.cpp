@@ -12,7 +12,7 @@
 namespace meetc::extremes_test {
 namespace {
 
-// Cases [first, last) of a cell; each chunk has random numbers of its own, so threads change nothing.
+// Cases [first, last) of a cell. Each chunk has its own random numbers, so threads change nothing.
 void run_chunk(cell &c, std::uint64_t seed, std::uint64_t cases, judge by, std::mutex &lock) {
   random_numbers random(seed);
   counts found;
@@ -53,7 +53,7 @@ std::string line(std::string_view family, std::string_view subject, const counts
   return out + (by == judge::signs ? " -\n" : fmt::format(" {}\n", n.wrong[on_signs]));
 }
 
-// Counted, so that no text elsewhere needs to be believed.
+// These are counted, so that no other text has to be trusted.
 std::string heading(const std::vector<cell> &cells, judge by) {
   std::uint64_t least = cells.empty() ? 0 : cells.front().found.cases, few = 0;
   std::set<const family *> of_families;
@@ -107,7 +107,7 @@ outcome check_case(const subject &s, const pair_of_rows &p, random_numbers &rand
 }
 
 void run(std::vector<cell> &cells, const plan &what, const reporter &report) {
-  // A judge that is slow gets fewer cases at a time, or the last ones keep one thread busy alone.
+  // A slow judge gets fewer cases at a time, so that the last ones do not keep a single thread busy.
   const std::uint64_t chunk = what.by == judge::signs ? 4096 : 512;
   const std::uint64_t each = (what.cases + cells.size() - 1) / cells.size(), rounds = (each + chunk - 1) / chunk;
   std::atomic<std::uint64_t> next = 0, done = 0;

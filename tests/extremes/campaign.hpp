@@ -27,15 +27,14 @@ struct cell {
   counts found;
   std::string first_wrong; // the case, to be pasted into a test
 };
-// Those where the family applies, family by family.
+// The cells in which the family applies, family by family.
 std::vector<cell> all_cells();
 
-// Who says what is true. By the signs: the predicate's own decision on integer signs, which finds any wrong
-// sign but no wrong decision. By geometry: hulls and radii alone (geometry.hpp), which finds both, at about
-// twice the cost.
+// The source of truth. By the signs: the predicate's own decision on integer signs, which finds any wrong sign but no
+// wrong decision. By geometry: hulls and radii alone (geometry.hpp), which finds both, at about twice the cost.
 enum class judge : std::uint8_t { signs, geometry };
 
-// One case: the pair in a box as tight as can be, or up to 4 times wider.
+// One case: the pair in the tightest box, or in one up to 4 times wider.
 outcome check_case(const subject &s, const pair_of_rows &p, random_numbers &random, judge by = judge::signs);
 
 struct plan {
@@ -43,15 +42,15 @@ struct plan {
   unsigned threads = 1;
   judge by = judge::signs;
 };
-// Runs them, and reports what is done and wrong from time to time. The counts depend on the cases, the seed
-// and the judge, and on nothing else.
+// Runs them, and reports progress and errors from time to time. The counts depend only on the cases, the seed and the
+// judge.
 using reporter = std::function<void(std::uint64_t done, std::uint64_t wrong)>;
 void run(std::vector<cell> &cells, const plan &what, const reporter &report = {});
 
 // Fewer cases than these say little about a cell.
 inline constexpr std::uint64_t enough_cases = 10000;
 
-// What was judged by whom, a line a cell, then sums by family and by subject.
+// What was judged by which judge, one line for each cell, then sums by family and by subject.
 std::string table(const std::vector<cell> &cells, judge by);
 std::uint64_t wrong_in(const std::vector<cell> &cells);
 

@@ -1,9 +1,9 @@
-// One pair of rows, one predicate, every rung: what each says, held against the integers.
+// One pair of rows, one predicate, every rung: the answers of each, compared with the integers.
 //
-// True signs are integer_signs: pure integers, no rounding anywhere. The true answer is the decision on them,
-// or one that is known from elsewhere, and then the decision on them is held against it, too. Every bounded
-// rung is checked twice: each set of signs, stage by stage, must contain the true sign, and the answer must
-// be unsure or true. So a wrong sign shows even where the decision does not look at it.
+// True signs are integer_signs: pure integers, no rounding anywhere. The true answer is the decision on them, or one
+// that is known from elsewhere, and then the decision on them is compared with it as well. Every bounded rung is
+// checked twice: each set of signs, stage by stage, must contain the true sign, and the answer must be unsure or true.
+// A wrong sign thus shows even where the decision does not read it.
 #ifndef MEETC_TESTS_EXTREMES_CHECK_HPP
 #define MEETC_TESTS_EXTREMES_CHECK_HPP
 
@@ -15,7 +15,7 @@
 
 namespace meetc::extremes_test {
 
-// Those that can be unsure come first; last, no rung, the decision on the true signs.
+// Those that can be unsure come first. The last is no rung, but the decision on the true signs.
 enum rung { fp32, fp64, fp64x2, per_object, whole_box, exact_rung, certified, on_signs, rungs };
 inline constexpr int bounded = 5;
 constexpr unsigned bit(int r) {
@@ -29,7 +29,7 @@ struct outcome {
   unsigned wrong = 0;
 };
 
-// ---- decisions and lone signs alike ----
+// ---- for decisions and lone signs ----
 
 template <class P> constexpr bool lone_sign = !requires {
   typename P::reject_stage;
@@ -47,12 +47,12 @@ template <class P, class F> void each_stage(F &&f) {
     one(typename P::rare_stage());
 }
 
-// Every sign of every stage, whether the decision needs it or not.
+// Every sign of every stage, whether or not the decision needs it.
 template <class P, class Signs, class S> void all_signs(const Signs &signs, S *s) {
   each_stage<P>([&](auto stage) { signs.template get<decltype(stage)>(s); });
 }
 
-// The answer, as a number: 0 or 1; of a lone sign -1, 0 or 1.
+// The answer as a number: 0 or 1, or -1, 0 or 1 for a lone sign.
 template <class P> int answer_of(const meetc::sign *s) {
   if constexpr (lone_sign<P>)
     return static_cast<int>(P::value(s));
@@ -95,7 +95,7 @@ template <class P, class Signs> bool sets_hold(const Signs &signs, const meetc::
   return missed == 0;
 }
 
-// The same where signs are claimed outright.
+// The same where a single sign is claimed.
 template <class P, class Signs> bool signs_hold(const Signs &signs, const meetc::sign *truth) {
   meetc::sign s[P::atoms];
   all_signs<P>(signs, s);
@@ -123,8 +123,8 @@ void check_bounded(const Signs &signs, const meetc::sign *truth, int want, rung 
   out.wrong |= right ? 0 : bit(r);
 }
 
-// side: of a box that holds the pair, a power of two; 0: none. known: the true answer, where it is known
-// other than by the signs, or none. Hit: the predicate's public entry point.
+// side: the side of a box that holds the pair, a power of two; 0: there is none. known: the true answer, if it is known
+// other than by the signs. Hit: the predicate's public entry point.
 template <class P, class Hit> outcome check(const float *a, const float *b, float side, const int *known, Hit &&hit) {
   outcome out;
   meetc::sign truth[P::atoms];

@@ -7,7 +7,7 @@
 namespace meetc::extremes_test {
 namespace {
 
-// What one sign is computed from: the value to 106 bits, the fp32 value, and its bound.
+// The data of one sign: the value to 106 bits, the fp32 value, and its bound.
 struct sample {
   double truth, computed, bound;
 };
@@ -48,7 +48,7 @@ template <class P> sample sample_at(const float *a, const float *b, double side,
 }
 using sampler = sample (*)(const float *, const float *, double, bound_form, int);
 
-// Floats by their place in the order of floats.
+// Floats by their position in the order of floats.
 std::int64_t place(float f) {
   std::int32_t i;
   std::memcpy(&i, &f, sizeof i);
@@ -117,7 +117,7 @@ private:
     return wrong && v.bound > 0 ? std::abs(v.computed) / v.bound : 0;
   }
 
-  // Moves number i to where the value changes its sign, and there to where the share is largest.
+  // Moves number i to where the value changes its sign and then, nearby, to where the share is largest.
   bool to_root(pair_of_rows &p, std::size_t i) const {
     const auto truth = [&](float f) {
       set(p, i, f);

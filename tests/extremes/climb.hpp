@@ -1,9 +1,8 @@
 // A search for the pair whose fp32 sign is wrong by the largest share of its proven bound.
 //
-// Worst cases of a bound are rare: no random family comes near. This climbs: a number is changed, another is
-// moved to where the exact value changes its sign, and the change stays if a wrong computed value now makes
-// up more of the bound. A share of 1 would break the bound; one above 1/4 says that a quarter of the bound
-// would not do.
+// Worst cases of a bound are rare: no random family comes near them. This search climbs: it changes one number, moves
+// another to where the exact value changes its sign, and keeps the change if a wrong computed value now makes up more
+// of the bound. A share of 1 would break the bound; one above 1/4 shows that a quarter of the bound would not suffice.
 #ifndef MEETC_TESTS_EXTREMES_CLIMB_HPP
 #define MEETC_TESTS_EXTREMES_CLIMB_HPP
 
@@ -17,7 +16,7 @@ struct summit {
   double share = 0; // |computed| / bound, where the computed value has a wrong sign
   pair_of_rows rows;
 };
-// Ends after so many starts, or with a share that is enough.
+// Ends after this number of starts, or when the share is large enough.
 summit climb(const subject &s, bound_form form, random_numbers &random, int starts, double enough);
 
 } // namespace meetc::extremes_test

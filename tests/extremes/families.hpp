@@ -1,5 +1,5 @@
-// The hostile families: each gives a pair of rows for any two shapes that it applies to. Every row is finite
-// and every radius >= 0. What a family is about stands beside its maker below.
+// The hostile families: each makes a pair of rows for any two shapes to which it applies. Every row is finite and every
+// radius >= 0. The declaration of each maker below says what its family tests.
 #ifndef MEETC_TESTS_EXTREMES_FAMILIES_HPP
 #define MEETC_TESTS_EXTREMES_FAMILIES_HPP
 
@@ -17,7 +17,7 @@ const family &family_named(const char *name);
 
 // ---- makers ----
 
-// Corners on integers whose orient3d determinants are -1, 0, 1 beside terms of 2^57 and more.
+// Corners on integers whose orient3d determinants are -1, 0, 1, although their terms are 2^57 and more.
 pair_of_rows determinant_one(shape a, shape b, random_numbers &random);
 
 // Points around a line on a grid of one unit in the last place, embedded in planes of space.
@@ -26,13 +26,13 @@ pair_of_rows kettner(shape a, shape b, random_numbers &random);
 // Corners on 2^-20 Z^3, the other's on sixteenths of them, 2^-24 off.
 pair_of_rows near_coplanar(shape a, shape b, random_numbers &random);
 
-// Spheres that touch corners, edges, faces and spheres exactly, and one ulp beside.
+// Spheres that touch corners, edges, faces and spheres exactly, and one ulp away from that.
 pair_of_rows tangent(shape a, shape b, random_numbers &random);
 
-// What any_at_home gives, at any power of two; subnormals, huge beside tiny, any bit pattern.
+// The cases of any_at_home at any power of two; subnormals, huge next to tiny numbers, any bit pattern.
 pair_of_rows any_scale(shape a, shape b, random_numbers &random);
 
-// What any_at_home gives, corners and operands in another order.
+// The cases of any_at_home with corners and operands in another order.
 pair_of_rows permuted(shape a, shape b, random_numbers &random);
 
 // Shared corners and edges, duplicates, coplanar, collinear, flat and needle triangles.
@@ -41,22 +41,22 @@ pair_of_rows degenerate(shape a, shape b, random_numbers &random);
 // A mesh against itself, as it is and moved by one ulp.
 pair_of_rows mesh_on_itself(shape a, shape b, random_numbers &random);
 
-// What any_at_home gives, at 1e4, 1e6, 1e7, rounded to float32.
+// The cases of any_at_home at 1e4, 1e6, 1e7, rounded to float32.
 pair_of_rows far(shape a, shape b, random_numbers &random);
 
-// A power of two for each axis of what any_at_home and placed give: planes and lines stay, angles and spheres
-// do not.
+// A power of two for each axis of the cases of any_at_home and placed: planes and lines stay, angles and spheres do
+// not.
 pair_of_rows axis_magnitudes(shape a, shape b, random_numbers &random);
 
-// Every number is 0, a subnormal, the least normal, a small integer, a power of two, or FLT_MAX, or beside
-// one; of either sign.
+// Every number is 0, a subnormal, the least normal, a small integer, a power of two or FLT_MAX, or a neighbour of one;
+// of either sign.
 pair_of_rows palette(shape a, shape b, random_numbers &random);
 
 // A point placed exactly in a corner, an edge or the face of both bodies; half of them as they are, half with
 // one number moved by one ulp.
 pair_of_rows placed(shape a, shape b, random_numbers &random);
 
-// What placed gives before it moves anything: closed sets that share that point, and lone signs that are 0.
+// The cases of placed before anything moves: closed sets that share that point, and lone signs that are 0.
 pair_of_rows placed_exactly(shape a, shape b, random_numbers &random);
 
 // Coordinates and radii within a factor of a few of FLT_MAX: differences overflow in float32.
@@ -65,10 +65,10 @@ pair_of_rows near_overflow(shape a, shape b, random_numbers &random);
 // All points within a few ulps of one, at any exponent.
 pair_of_rows cluster(shape a, shape b, random_numbers &random);
 
-// Neighbours that share a corner or an edge bit for bit, coplanar but for one coordinate, moved by one ulp.
+// Neighbours that share a corner or an edge bit for bit, coplanar except for one coordinate, moved by one ulp.
 pair_of_rows bent(shape a, shape b, random_numbers &random);
 
-// One of those above that keep their own scale and place.
+// One of the families above that keep their own scale and place.
 pair_of_rows any_at_home(shape a, shape b, random_numbers &random);
 
 // ---- parts of makers ----
@@ -93,7 +93,7 @@ inline constexpr kettner_line kettner_lines[] = {
 struct integer_rows {
   long v[3][3];
 };
-// Determinant 1, although its terms are of 2^57: naive fp32 and naive fp64 both get it wrong.
+// Determinant 1, although its terms are about 2^57: naive fp32 and naive fp64 both get it wrong.
 inline constexpr integer_rows known_rows = {
     {{36569, 5957284, 600211}, {-10110, 2276334, 232673}, {39676, 6450463, 649889}}};
 

@@ -1,4 +1,4 @@
-// Orthogonal frames of integers, so that what is perpendicular is so exactly.
+// Orthogonal frames of integers, so that perpendicular vectors are exactly perpendicular.
 #ifndef MEETC_TESTS_EXTREMES_FRAMES_HPP
 #define MEETC_TESTS_EXTREMES_FRAMES_HPP
 

@@ -16,7 +16,7 @@ mpq_class determinant(const vec &a, const vec &b, const vec &c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-// As algebra_spec/cga3.toml says in words: + inside a sphere; [b-a, c-a, p-a]; [p2-p1, v1, v2].
+// As in algebra_spec/cga3.toml: + inside a sphere; [b-a, c-a, p-a]; [p2-p1, v1, v2].
 int value_sign(const subject &s, const pair_of_rows &p) {
   const vec between = difference(p.b, 0, p.a, 0);
   if (generated_test::padded(s.a)) {

@@ -1,8 +1,8 @@
 // The truth by geometry: it knows the operands' hulls and radii, and no predicate.
 //
-// Whether two bodies touch is asked of gen/oracle, which minimises a distance and proves the minimum; it has
-// no orientation, no side and no turn in it, so that a decision formula that is wrong cannot be wrong here in
-// the same way. A lone sign is what the specification says of it: a determinant, or a power of a point.
+// gen/oracle decides whether two bodies touch. It minimises a distance and proves the minimum, without orientation,
+// side or turn, so a wrong decision formula cannot be wrong here in the same way. A lone sign is what the specification
+// says: that of a determinant, or of the power of a point.
 #ifndef MEETC_TESTS_EXTREMES_GEOMETRY_HPP
 #define MEETC_TESTS_EXTREMES_GEOMETRY_HPP
 
@@ -10,7 +10,7 @@
 
 namespace meetc::extremes_test {
 
-// 0 or 1; of a lone sign -1, 0 or 1.
+// 0 or 1, or -1, 0 or 1 for a lone sign.
 int truth_by_geometry(const subject &s, const pair_of_rows &p);
 
 } // namespace meetc::extremes_test

@@ -1,4 +1,4 @@
-// Families about how large numbers are: by axis, from the ends of float32, near its overflow.
+// Families about the size of numbers: by axis, from the ends of float32, near its overflow.
 #include "tests/extremes/families.hpp"
 
 #include <cmath>
@@ -92,7 +92,7 @@ pair_of_rows near_overflow(shape a, shape b, random_numbers &random) {
         largest = std::max(largest, std::abs(f));
     if (largest > 0) {
       const int k = 127 - std::ilogb(largest) - random.integer(0, 1);
-      // Mirrored, at random, so that signs differ: a reflection changes no answer of a decision.
+      // Reflected at random, so that signs differ; a reflection changes no answer of a decision.
       bool mirrored[3];
       for (bool &m : mirrored)
         m = random.one_in(2);
@@ -102,7 +102,7 @@ pair_of_rows near_overflow(shape a, shape b, random_numbers &random) {
     }
     return p;
   }
-  // A coarse grid that ends with the largest number, and steps beside it.
+  // A coarse grid that ends with the largest number, and numbers a step away from it.
   const int cells = random.one_in(2) ? 8 : 4;
   const auto next = [&] {
     const int i = random.integer(-cells, cells);

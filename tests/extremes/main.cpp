@@ -1,5 +1,5 @@
-// The long mode: extremes [--judge signs|geometry] [--cases N] [--seed N] [--threads T]. Exits 1 where
-// anything was wrong.
+// The long mode: extremes [--judge signs|geometry] [--cases N] [--seed N] [--threads T]. Exits with 1 if anything was
+// wrong.
 #include "tests/extremes/campaign.hpp"
 
 #include <charconv>

@@ -10,7 +10,7 @@ namespace {
 using generated_test::stepped;
 using vec = std::array<float, 3>;
 
-// Only sums, products and roots: the same on every machine.
+// Only sums, products and roots, which are the same on every machine.
 vec on_ball(const vec &p) {
   const float bump = 1 + 0.125F * p[0] * p[1] - 0.25F * p[2] * p[2] * p[0];
   const float length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) * bump;

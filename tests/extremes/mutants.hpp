@@ -1,4 +1,4 @@
-// Predicates with one thing wrong, to see that the families would notice.
+// Predicates with one mistake, to see whether the families find it.
 #ifndef MEETC_TESTS_EXTREMES_MUTANTS_HPP
 #define MEETC_TESTS_EXTREMES_MUTANTS_HPP
 
@@ -20,8 +20,7 @@ inline constexpr mutation mutations[] = {mutation::none,         mutation::quart
                                          mutation::wider_window};
 const char *name_of(mutation m);
 
-// The rungs, as bits, that claim a wrong sign for a mutated predicate. Only those that the mutation is about
-// are run.
+// The rungs, as bits, that claim a wrong sign for a mutated predicate. Only those that the mutation concerns are run.
 unsigned wrong_signs(const subject &s, mutation m, const float *a, const float *b, float side);
 
 } // namespace meetc::extremes_test

@@ -2,7 +2,7 @@
 // otherwise lie on either side of a plane: a corner on an edge, an edge across an edge, a sphere against a
 // face, and so on.
 //
-// All is integers of a frame about that point: it is inside the edge from m1 d to -m0 d, and inside the
+// All numbers are integers in a frame about that point: it is inside the edge from m1 d to -m0 d, and inside the
 // triangle m2 p, m2 q, -(m0 p + m1 q), whatever d, p, q and the positive m are.
 #include "tests/extremes/families.hpp"
 #include "tests/extremes/frames.hpp"

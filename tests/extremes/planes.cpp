@@ -69,7 +69,7 @@ vec on_level(const basis &m, long k, random_numbers &random) {
   return out;
 }
 
-// Tiny or none: what is padded is then all but a point.
+// Tiny or zero, so that a padded operand is almost a point.
 float small_radius(random_numbers &random, float step) {
   return random.one_in(2) ? 0 : step * static_cast<float>(random.integer(0, 3));
 }
@@ -126,7 +126,7 @@ pair_of_rows kettner(shape a, shape b, random_numbers &random) {
     return at(line.base + static_cast<float>(i) * line.step, line.base + static_cast<float>(j) * line.step, 0);
   };
   const auto lift = [&] { return random.one_in(2) ? 0.0F : 4.0F; };
-  // The line's points on one side of the grid, as in the original, or about it, so that bodies meet.
+  // The points lie on one side of the grid, as in the original, or around it, so that bodies meet.
   const float q = random.one_in(2) ? line.q : -line.q, r = line.r;
   std::vector<std::array<float, 3>> points = {at(q, q, 0), at(r, r, 0), on_grid()};
   while (points.size() < corners(a) + corners(b))

@@ -1,4 +1,4 @@
-// Families made of others: at another scale, in another place, in another order.
+// Families derived from others: at another scale, in another place, in another order.
 #include "tests/extremes/families.hpp"
 
 #include <cmath>

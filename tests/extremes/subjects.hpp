@@ -1,4 +1,4 @@
-// What is put to the extremes: the shipped scene's ten predicates and its three lone signs, behind one type.
+// The subjects of the tests: the shipped scene's ten predicates and its three lone signs, behind one type.
 #ifndef MEETC_TESTS_EXTREMES_SUBJECTS_HPP
 #define MEETC_TESTS_EXTREMES_SUBJECTS_HPP
 
@@ -15,7 +15,7 @@ using generated_test::random_numbers;
 using generated_test::row;
 using generated_test::shape;
 
-// Answers are 0 and 1; of a lone sign -1, 0 and 1.
+// Answers are 0 and 1, or -1, 0 and 1 for a lone sign.
 struct subject {
   const char *name;
   shape a, b;
@@ -55,7 +55,7 @@ const subject &subject_named(const char *name);
 // radius exceeds. 0 where there is none in float32.
 float box_side(shape a, const row &x, shape b, const row &y);
 
-// As C++ hexadecimal floats, to paste into a test.
+// As C++ hexadecimal floats, for use in a test.
 std::string text(const pair_of_rows &p);
 
 } // namespace meetc::extremes_test

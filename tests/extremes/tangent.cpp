@@ -1,5 +1,4 @@
-// Spheres that touch: with a corner, an edge, a face or another sphere exactly in one point, or one ulp
-// beside.
+// Spheres that touch a corner, an edge, a face or another sphere in exactly one point, or are one ulp away from that.
 #include "tests/extremes/families.hpp"
 #include "tests/extremes/frames.hpp"
 
@@ -42,7 +41,7 @@ std::vector<vec> hull_at(const frame &f, int k, int reach, std::size_t size, ran
 } // namespace
 
 pair_of_rows tangent(shape a, shape b, random_numbers &random) {
-  // Small numbers, or such as fill their 24 bits.
+  // Small numbers, or numbers that fill their 24 bits.
   static constexpr struct { int quaternion, multiple; } most[] = {{2, 64}, {2, 1 << 18}, {8, 64}, {256, 32}, {1024, 2}};
   const auto [quaternion, multiple] = most[random.integer(0, 4)];
   const frame f = any_frame(quaternion, random);

@@ -1,5 +1,4 @@
-// The classic traps as they are written down: arithmetic without a bound falls into them, certified answers
-// do not.
+// The classic traps, as published: arithmetic without a bound falls into them, certified answers do not.
 #include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
 #include "tests/generated/effort.hpp"
@@ -20,7 +19,7 @@ template <class T> T naive_determinant(const integer_rows &m, int j) {
   return at(0, j) * minor(1, 2) + at(1, j) * minor(2, 0) + at(2, j) * minor(0, 1);
 }
 
-// Kettner's orientation test, as everybody writes it.
+// Kettner's orientation test, as it is usually written.
 template <class T> int naive_turn(T px, T py, T q, T r) {
   const T d = (q - px) * (r - py) - (q - py) * (r - px);
   return (d > 0) - (d < 0);
@@ -83,8 +82,8 @@ TEST_CASE("bites: plain arithmetic is wrong on every family") {
 }
 
 TEST_CASE("bites: Kettner's whole grids have 256 zeros") {
-  // Inputs are float32, and 1/2 + i 2^-53 is none. Moved by (-1/2, -1/2) the grid is i 2^-53, which is; so
-  // the doubles' version is run against fp64 all the same, and steps of 2^-100 against double-double.
+  // Inputs are float32, and 1/2 + i 2^-53 is not. Moved by (-1/2, -1/2) the grid is i 2^-53, which is, so the version
+  // for doubles can be run against fp64 as well, and steps of 2^-100 against double-double.
   const subject &side = subject_named("side_triangle_point"), &turn = subject_named("point_triangle");
   random_numbers random(2);
   for (std::size_t version = 0; version < std::size(kettner_lines); ++version) {

@@ -1,5 +1,5 @@
-// The long mode in short: every family for every predicate on every rung, and nothing certified is wrong, by
-// the signs nor by geometry.
+// A short run of the long mode: every family for every predicate on every rung. Nothing certified is wrong, by the
+// signs or by geometry.
 #include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
 #include "tests/generated/effort.hpp"
@@ -17,7 +17,7 @@ TEST_CASE("extremes: no rung certifies anything wrong") {
     INFO(c.first_wrong);
     CHECK(c.found.all_wrong() == 0);
   }
-  // Families are worth something only where answers differ and rungs are pressed.
+  // Families are useful only where answers differ and rungs are challenged.
   for (const family &f : families()) {
     counts sum;
     for (const cell &c : cells)
@@ -69,7 +69,7 @@ TEST_CASE("extremes: geometry agrees with every rung and with the decision on si
 }
 
 TEST_CASE("extremes: what contradicts the geometry is counted, and only by that judge") {
-  // Spheres that are said to be solid: their predicate takes them for surfaces, so nested ones are wrong.
+  // Spheres that are declared solid: their predicate takes them for surfaces, so nested ones are wrong.
   subject solid = subject_named("sphere_sphere");
   solid.surface = false;
   for (const judge by : {judge::signs, judge::geometry}) {

@@ -1,5 +1,5 @@
-// The families are what they say: rows that are allowed, and each of the newer ones as hostile as its maker's
-// comment.
+// The families have the properties that they claim: rows are valid, and each of the newer families is as hostile as the
+// comment of its maker says.
 #include "tests/catch.hpp"
 #include "tests/extremes/families.hpp"
 #include "tests/extremes/geometry.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr float most = std::numeric_limits<float>::max();
 
-// f(subject, pair) on so many of a family for each subject.
+// Calls f(subject, pair) on this many cases of a family for each subject.
 template <class F> void on_cases(const char *name, int cases, F &&f) {
   const family &from = family_named(name);
   for (const subject &s : subjects()) {
@@ -27,7 +27,7 @@ template <class F> void on_cases(const char *name, int cases, F &&f) {
   }
 }
 
-// The numbers of both along an axis, radii left out.
+// The numbers of both operands along an axis, without radii.
 std::vector<float> along(const subject &s, const pair_of_rows &p, std::size_t axis) {
   std::vector<float> out;
   for (const auto &[kind, r] : {std::pair(s.a, &p.a), std::pair(s.b, &p.b)})
@@ -36,7 +36,7 @@ std::vector<float> along(const subject &s, const pair_of_rows &p, std::size_t ax
   return out;
 }
 
-// Its place among all float32, so that neighbours differ by 1.
+// The position of a number among all float32, so that neighbours differ by 1.
 std::int64_t place(float f) {
   std::int32_t bits;
   std::memcpy(&bits, &f, sizeof bits);

@@ -1,5 +1,4 @@
-// The harness can fail: a bound, a claim of zero or a window that is wrong makes wrong signs, and they are
-// seen.
+// The harness can fail: a wrong bound, claim of zero or window gives wrong signs, which are found.
 #include "tests/catch.hpp"
 #include "tests/extremes/climb.hpp"
 #include "tests/extremes/families.hpp"
@@ -13,7 +12,7 @@ using meetc::generated_test::effort;
 
 namespace {
 
-// Whether some family has a case, of so many, on which a mutated subject claims a wrong sign.
+// Whether some family has a case, among this many, on which a mutated subject claims a wrong sign.
 bool caught(const subject &s, mutation m, int cases_each) {
   std::vector<std::pair<const family *, random_numbers>> from;
   for (const family &f : families())
@@ -76,8 +75,8 @@ TEST_CASE("mutations: an exact window that is 4 bits too wide") {
 TEST_CASE("mutations: a quarter of a bound is too little, all of it is enough") {
   for (const subject &s : subjects())
     for (const bound_form form : {bound_form::magnitude, bound_form::per_object, bound_form::whole_box}) {
-      // What a short search does not find: in a box, an orientation's bound is at most 0.29 used, and at
-      // degree 6 it takes a hundred starts to come to 0.43.
+      // A short search does not find these: in a box, at most 0.29 of an orientation's bound is used, and at degree 6
+      // it takes a hundred starts to reach 0.43.
       const bool spared = (form != bound_form::magnitude && std::string_view(s.name) == "side_triangle_point") ||
                           (form == bound_form::whole_box && s.b == shape::triangle && padded(s.a));
       random_numbers random(81);

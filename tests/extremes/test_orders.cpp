@@ -1,4 +1,4 @@
-// The same points in another order: the same answer, and the sign that the order's parity says.
+// The same points in another order give the same answer, and a sign as the parity of the order says.
 #include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
 #include "tests/generated/effort.hpp"
@@ -29,7 +29,7 @@ int parity(const std::vector<std::size_t> &order) {
   return sign;
 }
 
-// Points by their order; what follows the points (a radius) stays.
+// Reorders the points; what follows them (a radius) stays.
 row ordered(const row &r, const std::vector<std::size_t> &order) {
   row out = r;
   for (std::size_t i = 0; i < order.size(); ++i)

@@ -1,4 +1,4 @@
-// Every exponent, every control word, numbers that are none.
+// Every exponent, every control word, and values that are not numbers.
 #include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
 #include "tests/generated/effort.hpp"
@@ -14,7 +14,7 @@ using meetc::generated_test::scaled;
 
 namespace {
 
-// Sets flush-to-zero and rounding as another library might, and puts back what was there.
+// Sets flush-to-zero and rounding as another library might, and restores the old state.
 class other_library {
 public:
   explicit other_library([[maybe_unused]] unsigned word) {

@@ -1,6 +1,5 @@
-// The judges judged: the integers' signs by GMP's rationals, and the answers by signs and by geometry by a
-// third way, which shares nothing with either. (Signs and geometry are held against each other in the
-// campaign.)
+// Checks the judges: the integers' signs against GMP's rationals, and the answers by signs and by geometry against a
+// third method, which shares nothing with either. (The campaign compares signs and geometry with each other.)
 #include "tests/catch.hpp"
 #include "tests/extremes/families.hpp"
 #include "tests/extremes/geometry.hpp"

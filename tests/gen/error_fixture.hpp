@@ -8,9 +8,9 @@
 
 namespace meetc::compiler_test {
 
-// A small algebra that works, a.toml; every broken spec is it with one piece of text replaced.
+// A small algebra that works, a.toml. Every broken spec is this one with one piece of text replaced.
 extern const char *const small_algebra;
-// A text with the first `from` in it made `to`; the test fails where there is none.
+// The text with the first `from` replaced by `to`. The test fails where there is none.
 std::string edited(std::string text, const std::string &from, const std::string &to);
 
 // s.toml, the scene for it; `kernels` as the array holds them, quotes included.

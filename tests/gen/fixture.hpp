@@ -1,5 +1,4 @@
-// What the compiler's tests share: the shipped scene compiled once, folders that vanish, and the program
-// itself.
+// Shared by the compiler's tests: the shipped scene compiled once, temporary folders, and the program itself.
 #ifndef MEETC_TESTS_COMPILER_FIXTURE_HPP
 #define MEETC_TESTS_COMPILER_FIXTURE_HPP
 
@@ -30,7 +29,7 @@ std::vector<const lower::kernel *> default_kernels(want what);
 
 std::string read(const fs::path &path);
 
-// A folder of its own under the system's temporary one, removed at the end.
+// A separate folder in the system's temporary one, removed at the end.
 class temporary_folder {
 public:
   temporary_folder();
@@ -45,7 +44,7 @@ private:
   fs::path path_;
 };
 
-// What meetc said and how it ended. `arguments` goes through the shell.
+// The output and exit code of meetc. The shell reads `arguments`.
 struct outcome {
   int code = -1;
   std::string out, err;

@@ -1,7 +1,7 @@
-// The generated kinds and blades as the oracle sees them: numbers by name, and dense multivectors.
+// The generated kinds and blades for the oracle: numbers by name, and dense multivectors.
 //
-// The definitions are written here once more, from the paper's conventions (MATH.md), not read from the spec:
-// a slip in the spec would show as well as one in the compiler.
+// The definitions are written here again, from the paper's conventions (docs/paper.md), not read from the spec, so that
+// a mistake in the spec shows as well as one in the compiler.
 #ifndef MEETC_TESTS_GENERATED_BLADES_HPP
 #define MEETC_TESTS_GENERATED_BLADES_HPP
 
@@ -74,7 +74,7 @@ template <class T> entries<T> fields(cga::sphere_blade<T> &b) {
           {e2 | e3 | n | nb, &b.e2_e3_n_nb}};
 }
 
-// A general element of a kind's support, and what it is as a multivector.
+// A general element of a kind's support, as a dense multivector.
 template <class B> multivector dense(B b) {
   multivector m(32);
   for (const auto &[blade, value] : fields(b))
@@ -113,7 +113,7 @@ template <class B, class Next> void fill_blade(B &b, Next &&next) {
     *value = next();
 }
 
-// ---- what they stand for ----
+// ---- the blades that they represent ----
 
 // R(4,1) over e1, e2, e3, n, nb: n and nb are null, n . nb = 2.
 inline const oracle::dense_algebra &space() {

@@ -1,15 +1,15 @@
-// A tiny program that is built with many compilers and flags: it decides the same hostile cases and prints,
-// for each predicate, a hash of the answers, which must not depend on how it was built; how often a rung with
-// a bound contradicted them, which must be never; and how often each such rung was unsure, which may differ.
+// A tiny program that is built with many compilers and flags. It decides the same hostile cases and prints for each
+// predicate a hash of the answers, which must not depend on the build; how often a rung with a bound contradicted them,
+// which must be never; and how often each such rung was unsure, which may differ.
 //
-// Cases are made of integers only (a conversion to float rounds once, in one way), so that they are the same
-// under any flags, too.
+// Cases are made of integers only (a conversion to float rounds once, in one way), so that they too are the same under
+// any flags.
 #include <cga/cga.hpp>
 #include <cga/header_only.hpp>
-#include <meetc/boxes.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <meetc/boxes.hpp>
 
 namespace {
 
@@ -46,7 +46,7 @@ std::int64_t root(std::int64_t square) {
   return low;
 }
 
-// One pair of rows, corners first, then a radius where there is one.
+// Makes one pair of rows: corners first, then a radius where there is one.
 void make(int i, float *a, int fields_a, float *b, int fields_b) {
   const int corners_a = fields_a / 3, corners_b = fields_b / 3;
   std::int64_t p[9], q[9];
@@ -55,7 +55,7 @@ void make(int i, float *a, int fields_a, float *b, int fields_b) {
     c = below(size);
   for (std::int64_t &c : q)
     c = below(size);
-  for (int j = 0; j < corners_b; ++j) { // corners of b on corners, edges and faces of a, in sixteenths
+  for (int j = 0; j < corners_b; ++j) { // corners of b lie on corners, edges and faces of a, in sixteenths
     const std::int64_t s = below(17), t = bits() & 1 ? 0 : below(17 - s);
     const int mode = static_cast<int>(below(3)), o = static_cast<int>(below(corners_a));
     const int u = (o + 1) % corners_a, v = (o + 2) % corners_a;
@@ -78,12 +78,12 @@ void make(int i, float *a, int fields_a, float *b, int fields_b) {
                                                                     : reach + below(3));
   if (fields_b % 3)
     b[fields_b - 1] = static_cast<float>(reach - reach * share / 16);
-  // Exponents: none, one for all, one a body, or bit patterns.
+  // The exponents are zero, one for all, one for each body, or bit patterns.
   const auto scale = [](float *r, int fields, int by) {
     const float step = from_bits(static_cast<std::uint32_t>(by < 0 ? 127 - 60 : 127 + 30) << 23);
     for (int k = 0; k < fields; ++k)
       for (int t = 0; t < (by < 0 ? -by : by); ++t)
-        r[k] = r[k] * step; // no sum follows: nothing to contract
+        r[k] = r[k] * step; // no sum follows, so there is nothing to contract
   };
   switch (i % 14) {
   case 0: {
@@ -104,7 +104,7 @@ void make(int i, float *a, int fields_a, float *b, int fields_b) {
   }
 }
 
-// The side of a box that holds the pair, with room to spare.
+// The side of a box that holds the pair, with some room.
 float box_side(const float *a, int fields_a, const float *b, int fields_b) {
   float low[3] = {a[0], a[1], a[2]}, high[3] = {a[0], a[1], a[2]}, widest = 0;
   const auto take = [&](const float *r, int fields) {
@@ -121,7 +121,7 @@ float box_side(const float *a, int fields_a, const float *b, int fields_b) {
   return 2 * meetc::power_above(widest);
 }
 
-constexpr int rungs = 5; // fp32, fp64, fp64x2, and the box forms by object and by the box alone
+constexpr int rungs = 5; // fp32, fp64, fp64x2, and the box forms per object and static
 
 template <class P> void bounded_answers(const float *a, const float *b, meetc::answer out[rungs]) {
   out[0] = meetc::certify<P, meetc::in_fp32>(a, b);

@@ -1,4 +1,4 @@
-// How many cases a test runs: all of them in an optimised build, a share of them elsewhere.
+// How many cases a test runs: all in an optimised build, a share of them in others.
 #ifndef MEETC_TESTS_GENERATED_EFFORT_HPP
 #define MEETC_TESTS_GENERATED_EFFORT_HPP
 

@@ -29,7 +29,7 @@ std::vector<vec> corners(shape kind, const row &r) {
   return out;
 }
 
-// Common powers of two cost time and change nothing.
+// Common powers of two take time and change nothing.
 void shift_out(std::vector<vec> &a, std::vector<vec> &b) {
   mp_bitcnt_t low = ~mp_bitcnt_t{0};
   const auto each = [&](auto &&f) {
@@ -43,7 +43,7 @@ void shift_out(std::vector<vec> &a, std::vector<vec> &b) {
   each([&](mpz_class &c) { c >>= low; });
 }
 
-// Whether the two hulls' shadows on the axis are strictly apart.
+// Whether the projections of the two hulls on the axis are strictly apart.
 bool apart(const vec &axis, const std::vector<vec> &a, const std::vector<vec> &b) {
   const auto range = [&](const std::vector<vec> &points) {
     mpz_class low = dot(axis, points[0]), high = low;
@@ -97,11 +97,11 @@ bool touching_by_axes(shape a, const row &x, shape b, const row &y) {
           return false;
         normal = across;
       }
-  if (is_zero(normal)) // all edges are parallel: one line, or two
+  if (is_zero(normal)) // all edges are parallel, so there are one or two lines
     return is_zero(cross(between, edges[0])) && !apart(edges[0], p, q);
   for (const vec &e : edges)
     if (const vec across = cross(normal, e); !is_zero(across) && apart(across, p, q))
-      return false; // facet normals where all is flat, and true separations in any case
+      return false; // facet normals where everything is flat, and valid separations in any case
   return true;
 }
 

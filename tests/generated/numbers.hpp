@@ -1,5 +1,5 @@
-// Number types with which an emitted program is run to learn more of it than its result, and random numbers
-// that are the same on every machine.
+// Number types that record more than the result of an emitted program, and random numbers that are the same on every
+// machine.
 #ifndef MEETC_TESTS_GENERATED_NUMBERS_HPP
 #define MEETC_TESTS_GENERATED_NUMBERS_HPP
 
@@ -11,8 +11,7 @@
 
 namespace meetc::generated_test {
 
-// Exact rationals. GMP's own type has expression templates, which a template that names its type T cannot
-// take.
+// Exact rationals. GMP's own type has expression templates, which do not fit a template with one number type T.
 struct exact {
   mpq_class v;
 
@@ -29,10 +28,10 @@ struct exact {
   friend bool operator>(const exact &a, const exact &b) { return a.v > b.v; }
 };
 
-// The rounding error that a program can make, counted operation by operation as NUMERICS.md says:
-// |computed - exact| <= ((1 + u)^theta - 1) M, with M the program on absolute values and every difference
-// made a sum. That holds for every order of evaluation, with or without fma, barring under- and overflow,
-// since each operation multiplies its exact result by one factor 1 + delta, |delta| <= u.
+// The rounding error that a program can make, counted operation by operation as in docs/numerics.md: |computed - exact|
+// <= ((1 + u)^theta - 1) M, where M is the program on absolute values with every difference replaced by a sum. This
+// holds for every order of evaluation, with or without fma, unless numbers underflow or overflow, since each operation
+// multiplies its exact result by one factor 1 + delta, |delta| <= u.
 struct error_count {
   mpq_class magnitude;
   int theta = 0;
@@ -57,10 +56,10 @@ struct error_count {
   mpq_class bound(const mpq_class &u) const { return magnitude * (theta * u) / (1 - theta * u); }
 };
 
-// An integer that remembers the widest value that any of its kind has had.
+// An integer that records the widest value of its type.
 struct counted_integer {
   mpz_class v;
-  inline static std::size_t widest = 0; // bits of the magnitude
+  inline static std::size_t widest = 0; // bits of its magnitude
 
   counted_integer() = default;
   explicit counted_integer(int k) : v(k) { note(); }
@@ -90,7 +89,7 @@ public:
   explicit random_numbers(std::uint64_t seed) : engine_(seed) {}
 
   std::uint64_t bits() { return engine_(); }
-  // An integer of [low, high].
+  // An integer in [low, high].
   int integer(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }
@@ -102,9 +101,9 @@ public:
     q.canonicalize();
     return q;
   }
-  // A multiple of 2^-23 in (-1, 1), with all of its mantissa random.
+  // A multiple of 2^-23 in (-1, 1) with a random mantissa.
   float unit() { return static_cast<float>(integer(-0x7fffff, 0x7fffff)) * 0x1p-23F; }
-  // Any finite float32, all bit patterns alike.
+  // Any finite float32, with all bit patterns equally likely.
   float pattern() {
     for (;;) {
       const auto b = static_cast<std::uint32_t>(engine_());

@@ -33,7 +33,7 @@ void copy_corner(const row &from, std::size_t i, row &to, std::size_t j) {
     to[3 * j + k] = from[3 * i + k];
 }
 
-// Small integers; corners of b are often corners of a, or the middle of an edge of it.
+// Small integers. Corners of b are often corners of a, or the midpoint of one of its edges.
 pair_of_rows lattice(shape a, shape b, random_numbers &random) {
   static constexpr int sizes[] = {1, 2, 5};
   const int size = sizes[random.integer(0, 2)];
@@ -49,7 +49,7 @@ pair_of_rows lattice(shape a, shape b, random_numbers &random) {
   return p;
 }
 
-// Random mantissas; b about as large as a, or much smaller, near one of its corners.
+// Random mantissas. b is about as large as a, or much smaller and near one of its corners.
 pair_of_rows ordinary(shape a, shape b, random_numbers &random) {
   pair_of_rows p{draw(a, [&] { return random.unit(); }), {}};
   const float size = random.one_in(2) ? 1.0F : std::ldexp(1.0F, -random.integer(1, 12));
@@ -74,7 +74,7 @@ pair_of_rows shared(shape a, shape b, random_numbers &random) {
   return p;
 }
 
-// Corners of b computed on a's corners, edges and face, in rounded arithmetic, perhaps a step or two off.
+// Corners of b computed on corners, edges and the face of a in rounded arithmetic, perhaps a step or two off.
 pair_of_rows computed_on(shape a, shape b, random_numbers &random) {
   pair_of_rows p = ordinary(a, b, random);
   const auto na = static_cast<std::size_t>(points_of(a));
@@ -92,8 +92,8 @@ pair_of_rows computed_on(shape a, shape b, random_numbers &random) {
   return p;
 }
 
-// Integer points of an oblique plane or line, exactly: i u + j v with u, v of an orthogonal frame, so that
-// spheres can touch exactly, too (rational directions (2,-2,1)/3 and (2,3,6)/7).
+// Integer points of an oblique plane or line, exactly: i u + j v with u, v of an orthogonal frame, so that spheres can
+// touch exactly as well (rational directions (2,-2,1)/3 and (2,3,6)/7).
 struct frame {
   int length;
   std::array<std::array<int, 3>, 3> axes;
@@ -117,13 +117,13 @@ pair_of_rows in_frame(shape a, shape b, random_numbers &random, int dimensions) 
     const int radius = random.integer(0, 6);
     return with_radius(kind, r, static_cast<float>(radius * f.length));
   };
-  // A sphere may stand off the plane: it then touches faces, edges and corners from outside.
+  // A sphere may lie off the plane; it then touches faces, edges and corners from outside.
   pair_of_rows p{put(a, padded(a)), put(b, padded(b) && random.one_in(2))};
   const float unit = std::ldexp(1.0F, -random.integer(0, 6)); // k/64
   for (row *r : {&p.a, &p.b})
     for (float &c : *r)
       c *= unit;
-  // Half of the time one number is moved by its last bit.
+  // Half of the time one number changes in its last bit.
   if (random.one_in(2)) {
     row &r = random.one_in(2) ? p.a : p.b;
     float &c = r[padded(a) && random.one_in(2) ? r.size() - 1 : at(random, r.size())];
@@ -159,8 +159,8 @@ pair_of_rows flat(shape a, shape b, random_numbers &random) {
   return p;
 }
 
-// A radius that is the rounded distance, or the rounded greatest distance, or a step beside it: what decides
-// is beyond float, and at degree 6 beyond double.
+// A radius that is the rounded distance, the rounded greatest distance, or a step away from it. What decides is too
+// small for float, and at degree 6 for double.
 pair_of_rows grazing(shape a, shape b, random_numbers &random) {
   pair_of_rows p = random.one_in(2) ? ordinary(a, b, random) : computed_on(a, b, random);
   if (padded(a))
@@ -175,7 +175,7 @@ pair_of_rows any_near(shape a, shape b, random_numbers &random) {
   return near_makers[at(random, std::size(near_makers))](a, b, random);
 }
 
-// Far from the origin, rounded to float32: much collapses onto few points.
+// Far from the origin and rounded to float32, so that many points coincide.
 pair_of_rows far(shape a, shape b, random_numbers &random) {
   static constexpr float offsets[] = {1e4F, 1e6F, 1e7F, 3e7F};
   pair_of_rows p = any_near(a, b, random);
@@ -186,7 +186,7 @@ pair_of_rows far(shape a, shape b, random_numbers &random) {
   return {moved(a, scaled(p.a, k), t), moved(b, scaled(p.b, k), t)};
 }
 
-// The whole exponent range, subnormals and the largest numbers included.
+// The whole range of exponents, including subnormals and the largest numbers.
 pair_of_rows any_scale(shape a, shape b, random_numbers &random) {
   const pair_of_rows p = any_near(a, b, random);
   const int k = random.one_in(4) ? (random.one_in(2) ? random.integer(-149, -120) : random.integer(100, 127))
@@ -194,7 +194,7 @@ pair_of_rows any_scale(shape a, shape b, random_numbers &random) {
   return {scaled(p.a, k), scaled(p.b, k)};
 }
 
-// Huge and tiny in one pair: spans of 250 bits and more.
+// Huge and tiny numbers in one pair, which span 250 bits and more.
 pair_of_rows mixed(shape a, shape b, random_numbers &random) {
   static constexpr float special[] = {0.0F,    -0.0F,     0x1p-149F, -0x1p-149F, 0x1p-126F, 0x1.fffffcp-127F,
                                       most,    -most,     1.0F,      -1.0F,      0x1p127F,  0x1.000002p0F,
@@ -228,7 +228,7 @@ pair_of_rows mixed(shape a, shape b, random_numbers &random) {
   return p;
 }
 
-// Any bit pattern that is finite; sometimes few different ones.
+// Any finite bit pattern; sometimes only a few different ones.
 pair_of_rows patterns(shape a, shape b, random_numbers &random) {
   const float few[3] = {random.pattern(), random.pattern(), random.pattern()};
   const bool often = random.one_in(2);
@@ -271,7 +271,7 @@ void graze(shape a, shape b, pair_of_rows &p, random_numbers &random) {
   const oracle::hull x = hull_of(a, p.a), y = hull_of(b, p.b);
   const bool far = random.one_in(3);
   const double d = std::sqrt((far ? oracle::max_squared_distance(x[0], y) : oracle::squared_distance(x, y)).get_d());
-  if (padded(b)) { // outside or inside tangency
+  if (padded(b)) { // tangent from outside or inside
     p.b[3] = rounded(d * random.integer(0, 8) / 8);
     p.a[3] =
         std::abs(stepped(rounded(far ? d + static_cast<double>(p.b[3]) : std::abs(d - static_cast<double>(p.b[3]))),

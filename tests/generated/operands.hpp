@@ -1,4 +1,4 @@
-// Families of operands, from harmless to hostile; each gives a pair of rows for any two shapes.
+// Families of operands, from harmless to hostile. Each makes a pair of rows for any two shapes.
 #ifndef MEETC_TESTS_GENERATED_OPERANDS_HPP
 #define MEETC_TESTS_GENERATED_OPERANDS_HPP
 
@@ -21,14 +21,14 @@ struct family {
 // Every row is finite and every radius >= 0.
 std::span<const family> families();
 
-// The row times 2^k, rounded where it must be; beyond float32 the largest number.
+// The row times 2^k, rounded where necessary. Beyond float32 it is the largest number.
 row scaled(const row &r, int k);
 // The row's points moved by t along each axis, rounded to float32.
 row moved(shape kind, const row &r, const float t[3]);
-// Gives a, a sphere, and b where it is one, radii at which the two just touch, or are a step beside that: at
-// the nearest or at the farthest point, as a double says it.
+// Gives a, a sphere, and b if it is one, radii at which the two just touch, or a step away from that, at the nearest or
+// the farthest point as computed in double.
 void graze(shape a, shape b, pair_of_rows &p, random_numbers &random);
-// f, or a neighbour some steps away, finite.
+// f, or a finite neighbour some steps away.
 float stepped(float f, int steps);
 
 } // namespace meetc::generated_test

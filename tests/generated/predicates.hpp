@@ -1,4 +1,4 @@
-// The ten predicates of the shipped scene, each with its kinds: one loop runs a check over them all.
+// The ten predicates of the shipped scene with their kinds, so that one loop runs a check over all of them.
 #ifndef MEETC_TESTS_GENERATED_PREDICATES_HPP
 #define MEETC_TESTS_GENERATED_PREDICATES_HPP
 
@@ -9,7 +9,7 @@
 
 namespace meetc::generated_test {
 
-// A kind of operand: a hull of some points, with a radius where it has one.
+// A kind of operand: a hull of some points, perhaps with a radius.
 enum class shape { point, sphere, segment, triangle };
 constexpr int points_of(shape s) {
   return s == shape::triangle ? 3 : s == shape::segment ? 2 : 1;
@@ -37,7 +37,7 @@ template <shape S> auto operand(const float *r) {
 template <class P, shape A, shape B, bool Surface> struct predicate {
   using type = P;
   static constexpr shape a = A, b = B;
-  static constexpr bool surface = Surface; // spheres count as surfaces, else as solids
+  static constexpr bool surface = Surface; // spheres are surfaces, or else solids
   const char *name;
 
   static_assert(P::inputs_a == floats_of(A) && P::inputs_b == floats_of(B));

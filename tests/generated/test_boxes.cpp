@@ -1,4 +1,4 @@
-// The boxes of the catalogue: never too small, whatever is rounded or overflows, and hardly too large.
+// The boxes of the catalogue are never too small, whatever is rounded or overflows, and hardly too large.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/operands.hpp"
@@ -23,7 +23,7 @@ const meetc::kind_info &kind(const std::string &name) {
   throw std::runtime_error("no kind " + name);
 }
 
-// lo <= q <= hi, with infinities as they should be.
+// lo <= q <= hi, with infinities where they are due.
 bool below(float lo, const mpq_class &q) {
   return lo == -inf || (lo != inf && mpq_class(static_cast<double>(lo)) <= q);
 }
@@ -38,7 +38,7 @@ bool sphere_box_fits(const row &r) {
     const mpq_class c(static_cast<double>(r[k])), radius(static_cast<double>(r[3]));
     if (!below(lo[k], c - radius) || !above(hi[k], c + radius))
       return false;
-    // Not more than two steps beyond the rounded sum.
+    // At most two steps beyond the rounded sum.
     const float sum = r[k] + r[3], difference = r[k] - r[3];
     if (hi[k] > std::nextafter(std::nextafter(sum, inf), inf) ||
         lo[k] < std::nextafter(std::nextafter(difference, -inf), -inf))

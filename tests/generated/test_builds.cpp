@@ -1,5 +1,5 @@
-// Certified answers do not depend on compiler, optimisation, contraction or instruction set. Rungs with a
-// bound may be unsure more or less often, and are never wrong.
+// Certified answers do not depend on the compiler, optimisation, contraction or instruction set. Rungs with a bound may
+// be unsure more or less often, and are never wrong.
 #include "tests/catch.hpp"
 
 #include <array>
@@ -21,7 +21,7 @@ std::string output_of(const std::string &program) {
   return out;
 }
 
-// One line of a runner's output: what must be the same everywhere, and what must hold by itself.
+// One line of a runner's output, of which some numbers must be the same in every build.
 struct result {
   std::string same;
   int hits = 0, cases = 0, wrong = -1;
@@ -62,7 +62,7 @@ TEST_CASE("builds: one hash a predicate from every build of the case runner, and
       CHECK(r.wrong == 0);
       CHECK(r.hits > r.cases / 50);
       CHECK(r.hits < r.cases - r.cases / 50);
-      for (const int unsure : r.unsure) { // every rung is at its limits, and of use
+      for (const int unsure : r.unsure) { // every rung is challenged, and decides some pairs
         CHECK(unsure > 0);
         CHECK(unsure < r.cases);
       }

@@ -1,5 +1,5 @@
-// Three-valued logic: over sets of signs the decision allows exactly what some choice of signs allows where
-// it is certain, and never less than the truth.
+// Three-valued logic: where the decision over sets of signs is certain, it says exactly what every choice of signs
+// says, and it never rules out the truth.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/numbers.hpp"
@@ -82,8 +82,8 @@ TEST_CASE("decisions: comparisons and connectives are Kleene's") {
   }
 }
 
-// Over any signs, also such as no operands have: the emitted decision as sets must allow what it says of each
-// member, and is certain where every set has one member.
+// Over any signs, including those that no operands have, the emitted decision on sets must allow what it says of each
+// member, and be certain where every set has one member.
 TEST_CASE("decisions: every predicate over sets of signs is sound") {
   for_each_predicate([](auto p) {
     using P = typename decltype(p)::type;

@@ -1,5 +1,5 @@
-// The exact rung needs nothing of its surroundings: not the control word, not finite operands (any answer
-// will do then, but no undefined behaviour), not the translation unit it is called from. Plain rungs are
+// The exact rung does not depend on its surroundings: neither on the control word, nor on finite operands (any answer
+// will do then, but no undefined behaviour), nor on the translation unit from which it is called. Plain rungs are
 // deterministic.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
@@ -112,7 +112,7 @@ TEST_CASE("environment: the runtime's table answers as the headers do") {
     REQUIRE(info->a->fields == floats_of(p.a));
     REQUIRE(info->b->fields == floats_of(p.b));
     CHECK(std::string(info->mode) == (!padded(p.a) && !padded(p.b) ? "" : p.surface ? "surface" : "solid"));
-    // All rows of the cases, and pairs that do not go in step.
+    // All rows of the cases, in pairs of different index.
     const auto cases = some(p, 200);
     row a, b;
     for (const pair_of_rows &c : cases) {
@@ -160,8 +160,7 @@ TEST_CASE("environment: the runtime's table answers as the headers do") {
   });
 }
 
-// With integers of b bits no value passes 2^(degree b + growth): where that fits the mantissa, plain is
-// exact.
+// With integers of b bits no value exceeds 2^(degree b + growth). Where that fits the mantissa, plain is exact.
 TEST_CASE("environment: plain rungs are right where their arithmetic is exact") {
   for_each_predicate([](auto p) {
     INFO(p.name);

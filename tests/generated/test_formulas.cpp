@@ -1,5 +1,5 @@
-// Every emitted meet, norm2 of a meet, and blade maker: exact in rationals against the dense product, and
-// within a proven rounding bound in float and double.
+// Every emitted meet, norm2 of a meet, and blade maker: exactly, in rationals, against the dense product, and in float
+// and double within a proven rounding bound.
 #include "tests/catch.hpp"
 #include "tests/generated/blades.hpp"
 
@@ -18,15 +18,14 @@ multivector padded(const mpq_class &s) {
   return m;
 }
 
-// The headers whose formula a test below has run, to be held against what generated/default includes.
+// The headers whose formulas the tests below have run, for a comparison with what generated/default includes.
 std::set<std::string> &covered() {
   static std::set<std::string> names;
   return names;
 }
 
-// A result in F against the exact one: each coefficient within the bound that the same program, run on
-// error_count, gives for u of F. `room` > 1 would be a wrong bound; the largest share of it that was used
-// returns.
+// Compares a result in F with the exact one: each coefficient must be within the bound that the same program, run on
+// error_count, gives for the u of F. Returns the largest share of a bound that was used.
 template <class Have, class Count> double share_of_bound(Have have, Count count, const multivector &want, double u) {
   double most = 0;
   const auto bounds = fields(count);
@@ -42,8 +41,8 @@ template <class Have, class Count> double share_of_bound(Have have, Count count,
   return most;
 }
 
-// Numbers that float32 holds exactly, with full mantissas and of no more than 2^2, so that nothing under- or
-// overflows: a replay gives the same ones to every type.
+// Numbers of magnitude at most 2^2 that float32 holds exactly, with full mantissas, so that nothing underflows or
+// overflows. A replay gives the same numbers to every type.
 std::vector<float> floats(random_numbers &random) {
   std::vector<float> f(20);
   for (float &x : f)
@@ -54,7 +53,7 @@ template <class T> auto replay(const std::vector<float> &from) {
   return [at = from.begin()]() mutable { return static_cast<T>(static_cast<double>(*at++)); };
 }
 
-double most_used = 0; // of any bound, over all checks in floating point
+double most_used = 0; // the largest share of any bound that was used, over all checks in floating point
 
 // f maps operands to a result; `of` gives the exact result from exact operands.
 template <template <class> class X, template <class> class Y, class F, class Of>
@@ -146,10 +145,10 @@ TEST_CASE("formulas: every meet and its square against the dense product") {
   check_pair<point_pair, circle>("point_pair_circle");
   check_pair<point_pair, plane>("point_pair_plane");
   check_pair<point_pair, sphere>("point_pair_sphere");
-  // The bound is of the right size: never passed, and not so wide that it would hide a wrong formula.
+  // The bound has the right size: it is never exceeded, and not so wide that it would hide a wrong formula.
   CHECK(most_used > 0.02);
 
-  // Nothing that is emitted goes untested: the umbrella header names every formula.
+  // Every emitted formula is tested: the umbrella header names them all.
   std::ifstream header(MEETC_GENERATED "/cga/cga.hpp");
   std::set<std::string> emitted;
   for (std::string text; std::getline(header, text);)
@@ -183,8 +182,8 @@ TEST_CASE("formulas: blades made from points or a direction") {
   }
 }
 
-// That the definitions mean what their names say, by geometry alone: a point lies on a thing iff their outer
-// product vanishes.
+// The definitions mean what their names say, by geometry alone: a point lies on an object iff their outer product
+// vanishes.
 TEST_CASE("formulas: points lie on what the stored numbers describe") {
   random_numbers random(79);
   const auto on = [](const cga::point<exact> &p, const multivector &m) {

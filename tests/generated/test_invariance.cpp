@@ -1,4 +1,4 @@
-// One set of points, written in another order, mirrored, scaled by a power of two or moved: one answer.
+// The same points in another order, mirrored, scaled by a power of two or moved give the same answer.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/operands.hpp"
@@ -99,7 +99,7 @@ TEST_CASE("invariance: exact scaling by powers of two") {
       const int k = random.integer(-200, 200);
       const row a = scaled(rows.a, k), b = scaled(rows.b, k);
       if (scaled(a, -k) != rows.a || scaled(b, -k) != rows.b)
-        continue; // something was lost
+        continue; // scaling or moving was not exact
       ++exact_cases;
       if (p.hit(a, b) != want)
         return false;

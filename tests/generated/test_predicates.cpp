@@ -1,4 +1,4 @@
-// struct::hit, the exact rung, against exact answers, on every family of operands.
+// The exact rung of struct::hit against exact answers, on every family of operands.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/judge.hpp"
@@ -12,7 +12,7 @@ using namespace meetc::generated_test;
 
 namespace {
 
-// As C++ hexadecimal floats, to paste into a test.
+// As C++ hexadecimal floats, for use in a test.
 std::string text(const pair_of_rows &p) {
   std::ostringstream out;
   out << std::hexfloat << "a = {";
@@ -25,13 +25,13 @@ std::string text(const pair_of_rows &p) {
   return out.str();
 }
 
-// Cases of a family, by what the judge costs.
+// The number of cases in a family, limited by the time of the judge.
 int cases_of(shape a, shape b) {
   const int corners = points_of(a) * points_of(b);
   return effort(corners >= 6 ? 1200 : corners >= 3 ? 3000 : 5000);
 }
 
-// Bits that the pair's numbers span, from the lowest bit set to the highest.
+// The bits that the pair's numbers span, from the lowest bit set to the highest.
 int span_of(const pair_of_rows &p) {
   row all = p.a;
   all.insert(all.end(), p.b.begin(), p.b.end());
@@ -78,7 +78,7 @@ TEST_CASE("predicates: the exact rung against the oracle, on every family") {
       }
     }
   });
-  // The cases are worth something only where answers differ and rounding misleads. (-s shows the counts.)
+  // The cases are useful only where answers differ and rounding misleads. (-s shows the counts.)
   for (const auto &[name, t] : by_family) {
     INFO("family " << name << ": " << t.cases << " cases, " << t.hits << " hits, fp32 wrong " << t.fp32_wrong
                    << ", fp64 wrong " << t.fp64_wrong);
@@ -90,7 +90,7 @@ TEST_CASE("predicates: the exact rung against the oracle, on every family") {
                       << ", fp64 wrong " << t.fp64_wrong);
     CHECK(t.fp32_wrong > t.cases / 200);
     CHECK(t.fp64_wrong > 0);
-    // Every width of the exact rung was used, the widest included.
+    // Every width of the exact rung was used, up to the widest.
     CHECK(t.widest >= 270);
     for (const int count : t.by_width)
       CHECK(count > t.cases / 100);
@@ -109,7 +109,7 @@ TEST_CASE("predicates: segments and triangles against separating axes, in bulk")
           const bool want = touching_by_axes(p.a, rows.a, p.b, rows.b);
           if (p.hit(rows.a, rows.b) != want && wrong++ == 0)
             FAIL_CHECK(p.name << " on " << f.name << ", case " << i << " should be " << want << ": " << text(rows));
-          // The two judges know nothing of each other.
+          // The two judges share nothing.
           if (i < effort(40))
             CHECK(touching(p.a, rows.a, p.b, rows.b, false) == want);
         }

@@ -13,7 +13,7 @@ TEST_CASE("words: what is wrong with an MXCSR is seen, bit by bit") {
   for (unsigned bit = 0; bit < 16; ++bit) {
     INFO("bit " << bit);
     const unsigned changed = 0x1f80U ^ 1U << bit;
-    CHECK(standard_mxcsr(changed) == (bit < 6)); // what has happened changes nothing
+    CHECK(standard_mxcsr(changed) == (bit < 6)); // the record of past exceptions changes nothing
     CHECK(masks_mxcsr(changed) == (bit < 7 || bit > 12));
   }
   CHECK_FALSE(standard_mxcsr(0x7f80));

@@ -1,5 +1,5 @@
-// The paper's Algorithms 1 to 3 on the meet, with every erratum as a switch: all switches off is the
-// corrected procedure, each one on shows what that erratum alone does.
+// The paper's Algorithms 1 to 3 on the meet, with every erratum as a switch. With all switches off it is the corrected
+// procedure; each switch shows the effect of that erratum alone.
 #ifndef MEETC_TESTS_PAPER_ALGORITHMS_HPP
 #define MEETC_TESTS_PAPER_ALGORITHMS_HPP
 
@@ -22,7 +22,7 @@ rational trivector(const vec &a, const vec &b, const vec &c); // Algorithm 1's: 
 bool segment_segment(const segment &s, const segment &e);
 bool point_triangle(const vec &p, const triangle &t);
 
-// What the paper prints, where it differs from what is right.
+// The paper's printed version where it differs from the correct one.
 struct algorithm_1_errata {
   bool raw_trivectors = false;  // A2: sign1 == sign2 compares the trivectors, not their signs
   bool strict = false;          // A3: the side signs must be > 0 or < 0, so edges and vertices are missed
@@ -30,7 +30,7 @@ struct algorithm_1_errata {
   bool only_edges = false;      // A5: in the plane, only crossings with edges count
   bool assignment = false;      // A6: e3er = 0 as C reads it: assigns, and is false
 };
-// Whether the line is taken to lie in the triangle's plane, given that it is parallel to it.
+// Whether the line is considered to lie in the triangle's plane, given that it is parallel to it.
 bool taken_as_contained(const segment &s, const triangle &t, const algorithm_1_errata &errata);
 bool parallel(const segment &s, const triangle &t); // a == 0
 bool algorithm_1(const segment &s, const triangle &t, const algorithm_1_errata &errata = {});

@@ -82,7 +82,7 @@ struct lattice_circle {
 };
 lattice_circle random_circle(random_numbers &r, int limit);
 
-// How often each sign came up, so that a test can insist on having seen them all.
+// How often each sign occurred, so that a test can require all of them.
 struct sign_counts {
   int negative = 0, none = 0, positive = 0;
   void add(int s) { ++(s < 0 ? negative : s > 0 ? positive : none); }

@@ -1,5 +1,4 @@
-// The paper's algorithms against exact convex geometry: corrected they are never wrong; each erratum alone
-// is.
+// The paper's algorithms against exact convex geometry: corrected they are never wrong, and each erratum alone is.
 #include "tests/catch.hpp"
 #include "tests/paper/algorithms.hpp"
 
@@ -86,7 +85,7 @@ TEST_CASE("A2: raw trivectors instead of signs invent hits for segments that end
   const tally c = count({.raw_trivectors = true});
   CHECK(c.missed == 0);
   CHECK(c.invented > 10);
-  // One of them in plain sight: from 1 to 2 above the middle of the triangle.
+  // One of them is easy to see: from 1 to 2 above the middle of the triangle.
   const segment above = {vec{1, 1, 1}, vec{1, 1, 2}};
   const triangle ground = {vec{0, 0, 0}, vec{4, 0, 0}, vec{0, 4, 0}};
   CHECK_FALSE(algorithm_1(above, ground));
@@ -179,8 +178,8 @@ TEST_CASE("B2, B4: as printed, Algorithm 2 returns what the side test says, what
     const bool printed = algorithm_2(a, b, {.negated_side_test = true, .assignment = true});
     CHECK(printed == (on_one_side(a, b) || on_one_side(b, a))); // "yes" exactly where a plane parts them
     wrong += printed != truly_touch(a, b);
-    // B2 alone: only pairs that a plane parts get to the tests, so no hit is ever found. B4 alone: no miss is
-    // ever found that the side test does not find.
+    // With B2 alone, only pairs that a plane separates reach the tests, so no hit is ever found. With B4 alone, no miss
+    // is found except by the side test.
     CHECK_FALSE(algorithm_2(a, b, {.negated_side_test = true}));
     CHECK(algorithm_2(a, b, {.assignment = true}) == !(on_one_side(a, b) || on_one_side(b, a)));
   }

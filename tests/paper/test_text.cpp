@@ -1,4 +1,4 @@
-// The paper's figures against each other.
+// The paper's numbers, compared with each other.
 #include "tests/catch.hpp"
 
 #include <cmath>

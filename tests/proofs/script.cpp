@@ -148,7 +148,7 @@ std::vector<cover> covers(const std::string &text) {
   const std::size_t from = text.find(before), to = text.find(after);
   if (from == std::string::npos || to == std::string::npos)
     throw std::runtime_error("no signs in:\n" + text);
-  // A long line goes on in another that is indented more.
+  // A long line continues on the next line, which is indented more.
   std::string said = text.substr(from + before.size(), to - from - before.size());
   const std::string on = "\n#       ";
   for (std::size_t at; (at = said.find(on)) != std::string::npos;)

@@ -1,4 +1,4 @@
-// A Gappa script as a program: what it says, without Gappa and without the emitter.
+// A Gappa script as a program: its meaning, without Gappa and without the emitter.
 #ifndef MEETC_TESTS_PROOFS_SCRIPT_HPP
 #define MEETC_TESTS_PROOFS_SCRIPT_HPP
 
@@ -32,10 +32,10 @@ struct script {
   std::map<std::string, rational> run(std::map<std::string, rational> values) const;
 };
 
-// Throws std::runtime_error where it does not understand.
+// Throws std::runtime_error for a script that it cannot parse.
 script parse(const std::string &text);
 
-// Signs that a script says to be of.
+// The signs that a script says it is about.
 struct cover {
   std::string stage; // "ball_triangle common"
   std::vector<std::size_t> signs;

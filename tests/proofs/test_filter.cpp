@@ -1,6 +1,6 @@
 // The matrix filter of touching balls as it is computed, in exact rationals: parts in fp16, the margins of the emitted
-// header, and the worst sum that the assumed unit may give. Balls that touch are never missed; with a quarter of a part
-// of the margin some are.
+// header, and the worst sum that the assumed unit may give. Touching balls are never missed; with a quarter of some
+// part of the margin, some are.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #else
@@ -21,7 +21,7 @@ using namespace meetc;
 using form = cga::ball_form;
 using rational = mpq_class;
 
-// The multiples of a step of 11 bits that are not below, or not above, y; what is below the least part goes to 0 or to
+// The multiples of a step of 11 bits that are not below, or not above, y. Anything below the least part becomes 0 or
 // the least part.
 double rounded(double y, bool down) {
   if (y == 0)
@@ -66,7 +66,7 @@ side split(const double *ball, bool is_a, const margins &m) {
   return out;
 }
 
-// The largest that the unit may give, less than 0 for a pair that is kept.
+// The largest result that the unit may give; it is less than 0 for a pair that is kept.
 rational worst(const side &x, const side &y) {
   rational sum = 0, magnitudes = 0;
   const auto add = [&](double a, double b) {
@@ -95,7 +95,7 @@ private:
   std::mt19937_64 engine_{17};
 };
 
-// A pair of balls that touch from outside or overlap a little, exactly; false where the box has no room for it.
+// A pair of balls that touch from outside or overlap slightly, exactly. False where the box has no room for it.
 bool touching_pair(numbers &random, double (&x)[4], double (&y)[4]) {
   const double box = form::largest_input, scale = std::ldexp(box, -static_cast<int>(random.next(0, 14)));
   double direction[3], length = 0;
@@ -109,7 +109,7 @@ bool touching_pair(numbers &random, double (&x)[4], double (&y)[4]) {
     x[i] = static_cast<float>(random.next(-box, box));
     y[i] = static_cast<float>(x[i] + distance * direction[i] / std::sqrt(length));
   }
-  // The least float radius with which they touch.
+  // The least float radius at which they touch.
   double d2 = 0;
   for (int i = 0; i < 3; ++i)
     d2 += (x[i] - y[i]) * (x[i] - y[i]);
@@ -126,7 +126,7 @@ bool touching_pair(numbers &random, double (&x)[4], double (&y)[4]) {
   return touch() && std::all_of(y, y + 4, [&](double v) { return std::abs(v) <= box; });
 }
 
-// How many pairs that touch are missed, with these margins.
+// The number of touching pairs that are missed with these margins.
 int missed(const margins &m, int cases, int *seen = nullptr) {
   numbers random;
   int out = 0;

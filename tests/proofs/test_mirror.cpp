@@ -1,6 +1,6 @@
-// The scripts against what they are about. Gappa proves what a script says; here, that it says what the
-// emitted code does: its computed side gives the very float32 that the code gives, its exact side the exact
-// value, and the bound is the one that the code tests with.
+// Compares the scripts with the emitted code. Gappa proves what a script says; this test shows that the script says
+// what the code does: its computed side gives the same float32 as the code, its exact side gives the exact value, and
+// its bound is the one that the code uses.
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 #else
@@ -41,7 +41,7 @@ template <class P> void add_predicate(std::map<std::string, emitted_stage> &to, 
   add<P, typename P::rare_stage>(to, name + " rare");
 }
 
-// By "kernel stage". A predicate that is new in the default scene is missed by name.
+// Indexed by "kernel stage". If the default scene has a new predicate, it is reported by name.
 const std::map<std::string, emitted_stage> &emitted_stages() {
   static const auto all = [] {
     std::map<std::string, emitted_stage> out;
@@ -123,8 +123,8 @@ const std::vector<subject> &subjects() {
   return all;
 }
 
-// Coordinates in [-1/2, 1/2] and radii in [0, 1/2], so that every leaf is within 1. Some lie close together;
-// all have different exponents, so that differences are rounded.
+// Coordinates in [-1/2, 1/2] and radii in [0, 1/2], so that every leaf is within 1. Some are close together, and all
+// have different exponents, so that differences are rounded.
 std::vector<float> random_row(const lower::predicate &p, std::mt19937 &random) {
   std::uniform_real_distribution<float> in(-0.5F, 0.5F);
   const bool close = random() % 2;
@@ -143,7 +143,7 @@ float computed_by_code(const subject &s, const std::vector<float> &row) {
   return v[s.proof.sign];
 }
 
-// alpha beta^2 D, as the scripts write it.
+// alpha beta^2 D, as in the scripts.
 std::string powers(const meetc::box_factor &box) {
   std::string out;
   for (const auto &[name, power] : {std::pair{"alpha", box.a}, std::pair{"beta", box.b}, std::pair{"D", box.pair}})
@@ -199,7 +199,7 @@ TEST_CASE("proofs: the bound is the one that the code tests with") {
 }
 
 TEST_CASE("proofs: every bound that the code tests with has its script") {
-  // What the scripts say that they are of: "kernel stage: sign" with the powers, and the bound.
+  // The signs that the scripts say they are about, "kernel stage: sign" with the powers, and the bound.
   std::map<std::string, std::pair<std::string, rational>> said;
   for (const subject &s : subjects())
     for (const cover &c : s.covered)

@@ -66,7 +66,7 @@ std::vector<file> c_files(const unit &u) {
   std::vector<file> out{{space + '/' + space + ".h", broken_lines(header)}};
   const std::string library = c_library(u);
   out.push_back({space + '/' + space + "_c.cpp",
-                 broken_lines(banner(u.scene, "What the header in C declares and does not define.") + library)});
+                 broken_lines(banner(u.scene, "Definitions of the functions that the C header declares.") + library)});
   return out;
 }
 

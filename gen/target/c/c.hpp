@@ -1,16 +1,17 @@
-// C99: formulas, signs and plain predicates as functions of a header, certified ones as functions of the generated library.
+// C99: formulas, signs and plain predicates as functions in a header, certified ones as functions of the generated
+// library.
 //
-// <space>/<space>.h compiles as C99 and as C++, with -pedantic, and needs <math.h> and <stdbool.h> alone. Every name begins
-// with the namespace: cga_sphere (double), cga_spheref (float), cga_meet_sphere_line, cga_meet_sphere_linef. Predicates
-// and signs take what is stored in float32. <space>/<space>_c.cpp holds the certified and exact answers and plain ones in
-// double-double, with C linkage, over the target cpp.
+// <space>/<space>.h compiles as C99 and as C++ with -pedantic, and needs only <math.h> and <stdbool.h>. Every name
+// begins with the namespace: cga_sphere (double), cga_spheref (float), cga_meet_sphere_line, cga_meet_sphere_linef.
+// Predicates and signs take operands stored in float32. <space>/<space>_c.cpp holds the certified and exact answers and
+// the plain ones in double-double, with C linkage, over the target cpp.
 #pragma once
 #include "gen/target/target.hpp"
 
 namespace meetc::target {
 
 std::vector<file> c_files(const unit &u);
-// What the header has of one kernel, after the kinds that it needs.
+// The part of the header for one kernel, after the kinds that it needs.
 std::string c_text(const unit &u, std::size_t kernel);
 
 // ---- the parts ----
@@ -22,16 +23,16 @@ struct c_number {
 inline constexpr c_number c_numbers[] = {{"", "double", "fma", ""}, {"f", "float", "fmaf", "f"}};
 
 std::string c_name(const unit &u, const std::string &name, const c_number &n);
-// An operand's name, apart from those that functions use themselves.
+// An operand's name, different from the names that functions use themselves.
 std::string c_operand(const std::string &name);
-// Statements of a program, with `input` for its inputs; the results follow by `result`.
+// The statements of a program, with `input` for its inputs, followed by the results through `result`.
 std::string c_body(const ir::program &p, const c_number &n, const std::function<std::string(int)> &input,
                    const std::function<std::string(std::size_t, const std::string &)> &result);
 std::string c_kinds(const unit &u);
 std::string c_formula(const unit &u, const lower::kernel &k);
 // Declarations and plain functions of a sign or predicate, for the header.
 std::string c_decision(const unit &u, const lower::kernel &k);
-// The functions with C linkage over the target cpp.
+// The functions with C linkage, over the target cpp.
 std::string c_library(const unit &u);
 
 } // namespace meetc::target

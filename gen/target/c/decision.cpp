@@ -1,4 +1,4 @@
-// Signs and predicates in C: plain ones in float and double, and the declarations of those that the library holds.
+// Signs and predicates in C: plain ones in float and double, and declarations of those in the library.
 #include "gen/target/c/c.hpp"
 #include "gen/target/cpp/names.hpp"
 
@@ -29,7 +29,7 @@ std::string product(const lower::sign_value &v, const std::map<int, int> &slot) 
   return v.unit < 0 ? fmt::format("-({})", out) : out;
 }
 
-// Truths as statements over sign[]; one value a node, in the order of first use.
+// Truths as statements over sign[], with one value for each node in the order of first use.
 class truths {
 public:
   truths(const lower::decision &d, const std::map<int, int> &slot) : d_(d), slot_(slot) {}
@@ -98,9 +98,9 @@ public:
   }
 
   std::string text() const {
-    std::string out = fmt::format(
-        "/* {}{}\n   Plain: by the sign of the value as computed; nothing is said of how wrong it can be. */\n",
-        k_.asked.text, k_.is_sign ? ", one sign: -1, 0 or 1." : ", closed sets.");
+    std::string out =
+        fmt::format("/* {}{}\n   Plain: takes the sign of the computed value, whose error is not bounded. */\n",
+                    k_.asked.text, k_.is_sign ? ", one sign: -1, 0 or 1." : ", closed sets.");
     if (!k_.is_sign)
       out += decision();
     for (const plain_rung &r : plain_rungs)
@@ -126,7 +126,7 @@ private:
   const lower::kernel &k_;
   const lower::predicate &p_;
   std::string space_;
-  std::map<int, int> slot_; // of an atom in sign[]
+  std::map<int, int> slot_; // of an atom, in sign[]
   std::vector<std::string> inputs_;
 
   std::string name(const std::string &suffix) const { return space_ + '_' + identifier(k_.asked.name()) + suffix; }
@@ -140,7 +140,7 @@ private:
   std::string arguments() const { return c_operand(k_.asked.names[0]) + ", " + c_operand(k_.asked.names[1]); }
   std::string as_written() const { return fmt::format("  MEETC_{}_{}_AS_WRITTEN\n", space_.size(), space_); }
 
-  // Statements that put the signs of a stage's atoms into sign[].
+  // The statements that put the signs of a stage's atoms into sign[].
   std::string signs(const lower::stage &s, const c_number &n) const {
     const std::string code = c_body(
         s.code, n,
@@ -165,7 +165,7 @@ private:
     return out + signs(p_.common, r.in) + fmt::format("  return {};\n}}\n", product(p_.value, slot_));
   }
 
-  // The decision over signs, apart from the arithmetic that makes them.
+  // The decision over signs, without the arithmetic that computes them.
   std::string decision() const {
     std::string out;
     const auto truth = [&](const char *suffix, const std::vector<int> &any) {

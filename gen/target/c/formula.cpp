@@ -1,4 +1,4 @@
-// Formulas in C, on blades and on what is stored.
+// Formulas in C, on blades and on stored operands.
 #include "gen/ir/count.hpp"
 #include "gen/target/c/c.hpp"
 #include "gen/target/cpp/body.hpp"
@@ -16,7 +16,7 @@ public:
 
   bool is_number() const { return f_.is_number(); }
 
-  // The struct of a value that is no kind's blade.
+  // The struct for a value that is not the blade of a kind.
   std::string result_struct() const {
     if (is_number() || f_.result_kind)
       return "";
@@ -106,9 +106,9 @@ std::string c_formula(const unit &u, const lower::kernel &k) {
   for (const c_number &n : c_numbers)
     out += writer(u, k, n).result_struct() + writer(u, k, n).on_blades();
   out += writer(u, k, c_numbers[0]).is_number()
-             ? fmt::format("/* From what is stored, in differences where a translation changes nothing: {}. */\n",
+             ? fmt::format("/* From stored numbers, in differences if the value is translation invariant: {}. */\n",
                            count_text(ir::count(k.value.from_stored.nodes, k.value.from_stored.results)))
-             : "/* From what is stored. */\n";
+             : "/* From stored numbers. */\n";
   for (const c_number &n : c_numbers)
     out += writer(u, k, n).on_stored();
   return out + '\n';

@@ -1,4 +1,4 @@
-// Kinds and blades as structs of C, and how blades are made.
+// Kinds and blades as structs of C, and how blades are computed.
 #include "gen/ir/count.hpp"
 #include "gen/target/c/c.hpp"
 #include "gen/target/cpp/body.hpp"

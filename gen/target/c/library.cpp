@@ -1,4 +1,4 @@
-// The functions of the header in C that need the target cpp, with C linkage.
+// The functions of the C header that need the target cpp, with C linkage.
 #include "gen/target/c/c.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"

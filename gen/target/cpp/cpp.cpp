@@ -19,7 +19,7 @@ std::string cpp_text(const unit &u, std::size_t kernel) {
 }
 
 namespace {
-// What belongs to a kernel of signs beside its own header.
+// The files of a kernel of signs besides its own header.
 void add_parts(const unit &u, std::size_t kernel, std::vector<file> &out) {
   const std::string space = identifier(u.scene.space), name = u.kernels[kernel].asked.name();
   const emitted_predicate p(u, kernel);

@@ -1,4 +1,4 @@
-// The parts of emitted C++, one function a file or a part of one.
+// The parts of emitted C++: each function writes a file or a part of one.
 #pragma once
 #include "gen/target/target.hpp"
 
@@ -17,7 +17,7 @@ std::string kinds_header(const unit &u);
 std::string formula_header(const unit &u, const lower::kernel &k);
 // The header of a kernel that is made of signs, after its banner.
 std::string kernel_header(const unit &u, std::size_t kernel);
-// What the generated library compiles, for those who have headers alone.
+// The code of the generated library, for header-only users.
 std::string header_only(const unit &u);
 
 std::vector<const lower::kernel *> predicates_of(const unit &u);
@@ -28,16 +28,16 @@ std::size_t element_place(const std::vector<const lower::lowered_kind *> &elemen
                           std::size_t operand);
 std::string shapes_header(const unit &u);
 
-// The table of kinds and predicates through which a runtime knows this namespace.
+// The table of kinds and predicates by which a runtime knows this namespace.
 std::string runtime_header(const unit &u);
 std::string runtime_source(const unit &u);
 
-// A kernel's own header.
+// The header of one kernel.
 std::string cpp_text(const unit &u, std::size_t kernel);
 // Headers and the runtime table.
 std::vector<file> cpp_files(const unit &u);
 
-// The kernel headers, as the generator was built with them.
+// The kernel headers that were packed into the generator.
 std::vector<file> kernel_headers();
 
 } // namespace meetc::target

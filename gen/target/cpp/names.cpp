@@ -6,7 +6,7 @@
 namespace meetc::target {
 
 std::string identifier(const std::string &name) {
-  // C++20 keywords and alternative tokens, CUDA's qualifiers, and the names that emitted code uses itself.
+  // C++20 keywords and alternative tokens, CUDA's qualifiers, and the names that emitted code uses.
   static const std::set<std::string> taken{"alignas",
                                            "alignof",
                                            "and",
@@ -146,7 +146,7 @@ std::string identifier(const std::string &name) {
                                            "kinds",
                                            "linux",
                                            "unix"};
-  // Leading underscores, double underscores and a trailing one are reserved or ours.
+  // Leading underscores and double underscores are reserved, and trailing ones are used here.
   std::string out;
   for (const char c : name)
     if (c != '_' || (!out.empty() && out.back() != '_'))
@@ -173,7 +173,7 @@ std::string blade_field(const lower::basis_blade &b) {
 }
 
 std::string kernel_function(const lower::request &r) {
-  // A function named like an operand would be hidden by it.
+  // An operand with the name of a function would hide it.
   const bool hidden = std::find(r.names.begin(), r.names.end(), r.function) != r.names.end();
   return identifier(r.function) + (hidden ? "_" : "");
 }

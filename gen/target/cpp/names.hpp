@@ -6,7 +6,7 @@
 
 namespace meetc::target {
 
-// A spec's name as a C++ identifier that clashes with no keyword and no template parameter.
+// A spec's name as a C++ identifier that is neither a keyword nor a template parameter.
 std::string identifier(const std::string &name);
 // "c.x" with each part mangled.
 std::string path_identifier(const std::string &path);
@@ -14,7 +14,7 @@ std::string path_identifier(const std::string &path);
 std::string blade_field(const lower::basis_blade &b);
 // A function's or struct's name for a kernel.
 std::string kernel_function(const lower::request &r);
-// Whether a number obeys a kind's rule, as C++ on its bits.
+// Whether a number obeys a kind's rule, as C++ code that tests its bits.
 std::string rule_test(const lower::enclosure &e, const std::string &number);
 
 } // namespace meetc::target

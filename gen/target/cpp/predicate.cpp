@@ -32,10 +32,10 @@ std::string commented(const std::string &label, const std::string &text) {
 }
 
 constexpr const char *certified_comment =
-    "Right for any valid operands, see valid(); the cheapest rung that proves its answer gives it.";
-constexpr const char *exact_comment = "Right for any valid operands, see valid().";
+    "Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.";
+constexpr const char *exact_comment = "Right for all valid operands (see valid()).";
 constexpr const char *plain_comment =
-    "By the sign of the value computed in T (float, double); says nothing about how wrong it can be.";
+    "Takes the sign of the value computed in T (float, double), whose error is not bounded.";
 
 // Functions of two rows that the generated library holds.
 std::string library_functions(const emitted_predicate &p, const char *type) {
@@ -50,8 +50,8 @@ std::string library_functions(const emitted_predicate &p, const char *type) {
   if (p.has_rare() && p.asks_plain())
     out += fmt::format("  template <class T> static bool whole_plain{}", rows);
   return out.empty() ? out
-                     : "\n  // Compiled in the generated library, or where <" + identifier(p.of.scene.space) +
-                           "/header_only.hpp> is included: what few pairs need.\n" + out;
+                     : "\n  // Few pairs need these. They are compiled in the generated library, or where <" +
+                           identifier(p.of.scene.space) + "/header_only.hpp> is included.\n" + out;
 }
 
 std::string stages_text(const emitted_predicate &p) {
@@ -214,9 +214,9 @@ std::string kernel_header(const unit &u, std::size_t number) {
     includes.push_back(callee + ".hpp");
   return open_header(u.scene, "kernel_" + name, includes) +
          (p.kernel.is_sign ? sign_text(u, number) : predicate_text(u, number)) +
-         fmt::format(
-             "\n}} // namespace {}\n\n#if defined(__CUDACC__) // on the device all is inline\n{}#endif\n\n#endif\n",
-             identifier(u.scene.space), detail_header(p, "rest"));
+         fmt::format("\n}} // namespace {}\n\n#if defined(__CUDACC__) // on the device everything is "
+                     "inline\n{}#endif\n\n#endif\n",
+                     identifier(u.scene.space), detail_header(p, "rest"));
 }
 
 } // namespace meetc::target

@@ -1,4 +1,4 @@
-// The table of kinds and predicates for a runtime, and the shapes that kinds have.
+// The table of kinds and predicates for a runtime, and the shapes of kinds.
 #include "gen/target/cpp/bounds.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
@@ -76,7 +76,7 @@ std::string shape_text(const lower::lowered_kind &k) {
       hi = hi.empty() ? value : fmt::format("meetc::most_of({}, {})", hi, value);
     }
     if (e.pad >= 0) {
-      // One rounding, then one step outwards: never too small.
+      // One rounding and then one step outwards: the box is never too small.
       lo = fmt::format("meetc::step_down({} - row[{}])", lo, e.pad);
       hi = fmt::format("meetc::step_up({} + row[{}])", hi, e.pad);
     }
@@ -150,7 +150,8 @@ std::string runtime_source(const unit &u) {
                     "    int number_b);\n",
                     info_function(*k));
   if (!declared.empty())
-    out += "namespace detail { // each in the source of its predicate\n" + declared + "} // namespace detail\n\n";
+    out += "namespace detail { // each is defined in the source of its predicate\n" + declared +
+           "} // namespace detail\n\n";
   out += "namespace {\n\n";
   const auto kinds = element_kinds(u);
   const stored_numbers stored = number_stored(u);

@@ -9,14 +9,14 @@ namespace meetc::target {
 namespace {
 using lower::truth_node;
 
-// What a sign passes, by its mask: bit 0 negative, bit 1 zero, bit 2 positive.
+// The tests of a sign, by mask: bit 0 negative, bit 1 zero, bit 2 positive.
 constexpr const char *test_names[] = {"",           "below_zero", "is_zero",       "at_most_zero",
                                       "above_zero", "not_zero",   "at_least_zero", ""};
 
-// The truths that the roots need, as statements b0, b1, ... where they are long or used more than once.
+// The truths that the roots need. They become statements b0, b1, ... where they are long or used more than once.
 class truth_writer {
 public:
-  // `usual`: called decisions are taken as they usually are, on the signs that are known before the rare stage.
+  // `usual`: the usual part of called decisions is taken, which uses only signs known before the rare stage.
   truth_writer(const emitted_predicate &p, const std::vector<int> &roots, bool usual)
       : p_(p), d_(p.kernel.decision.signs), usual_(usual) {
     for (const lower::sub_decision &c : p.kernel.decision.calls)
@@ -71,13 +71,13 @@ private:
   const emitted_predicate &p_;
   const lower::decision &d_;
   bool usual_;
-  std::map<int, const lower::sub_decision *> calls_; // by the truth that stands there
+  std::map<int, const lower::sub_decision *> calls_; // by the truth in whose place it stands
   std::map<int, int> uses_;
   std::map<int, std::string> names_;
   std::string out_;
   int next_ = 0, next_call_ = 0;
 
-  // How many of its signs the callee reads.
+  // The number of its signs that the callee reads.
   std::size_t signs_read(const lower::sub_decision &c) const {
     return c.signs.size() - (usual_ ? c.callee->rare.atoms.size() : 0);
   }
@@ -100,7 +100,7 @@ private:
                              p_.slot.at(atom));
     return s.unit > 0 ? product : s.atoms.size() > 1 ? "-(" + product + ')' : '-' + product;
   }
-  // A call on the callee's own signs, gathered from these.
+  // A call with the callee's own signs, which are gathered from the caller's.
   std::string called(const lower::sub_decision &c) {
     std::vector<std::string> signs;
     for (std::size_t i = 0; i < signs_read(c); ++i)

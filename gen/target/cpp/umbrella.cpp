@@ -1,4 +1,4 @@
-// Umbrella sources: a fixed number of sources by number, each of which includes some of the predicates' own.
+// Umbrella sources: a fixed number of numbered sources, each of which includes some of the predicates' own sources.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 // "cell/src/ball_ball.cu" is the source ".cu" of the kernel "ball_ball".
 struct source {
   std::string kernel, suffix;
-  std::size_t weight; // the length of all that is emitted for the kernel, for what its compilation takes
+  std::size_t weight; // the length of all text emitted for the kernel, as an estimate of the time to compile it
 };
 
 std::vector<source> sources_in(const std::vector<file> &files, const std::string &space) {
@@ -35,7 +35,7 @@ std::vector<source> sources_in(const std::vector<file> &files, const std::string
 std::vector<file> umbrella_sources(const std::vector<file> &files, const lang::scene &s, int units) {
   const std::string space = identifier(s.space);
   std::vector<source> sources = sources_in(files, space);
-  // The longest first, each to the unit that has least to compile so far.
+  // Takes the longest first, and gives each to the unit with the least to compile so far.
   std::stable_sort(sources.begin(), sources.end(),
                    [](const source &x, const source &y) { return x.weight > y.weight; });
   std::vector<file> out;
@@ -53,7 +53,7 @@ std::vector<file> umbrella_sources(const std::vector<file> &files, const lang::s
       }
     for (std::size_t i = 0; i < kernels.size(); ++i) {
       std::string text =
-          banner(s, kernels[i].empty() ? "No source falls to this unit." : "Sources that are compiled as one.");
+          banner(s, kernels[i].empty() ? "This unit has no sources." : "Sources that are compiled together.");
       for (const std::string &kernel : kernels[i])
         text += fmt::format("#include <{}/src/{}{}>\n", space, kernel, suffix);
       out.push_back({fmt::format("{}/units/unit_{}{}", space, i + 1, suffix), text});

@@ -1,4 +1,4 @@
-// Touching balls as a matrix product: a header of features, with the margins of the filter.
+// Touching balls as a matrix product: a header with the features and the margins of the filter.
 #include "gen/bound/matrix.hpp"
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/bounds.hpp"
@@ -25,7 +25,7 @@ std::string ball_form_header(const unit &u) {
   const auto products = form.parts.products.size();
   std::string out = banner(u.scene, "Touching balls as a matrix product.") + open_header(u.scene, "file_ball_form");
   out += fmt::format(
-      "// Balls (x, y, z, r), r >= 0, touch where |c - c'|^2 <= (r + r')^2, that is where half the difference,\n"
+      "// Balls (x, y, z, r), r >= 0, touch where |c - c'|^2 <= (r + r')^2, that is where half of the difference,\n"
       "//   sum over k < products of f_k(X) g_k(Y), plus f(X) + g(Y),\n// is <= 0. K = {}:\n",
       form.parts.terms());
   for (std::size_t k = 0; k < products; ++k)
@@ -40,7 +40,7 @@ std::string ball_form_header(const unit &u) {
   out += fmt::format("  // The filter in half precision{}: with |input| <= largest_input, and the margin\n",
                      u.asks(lang::rung::certified) ? " (proofs/ball_filter.gappa)" : "") +
          "  //   m = margin_square * sum f_k^2 + margin_additive * |f| + margin_linear * sum |f_k| + margin_absolute\n"
-         "  // subtracted from f, and likewise from g, the computed sum of balls that touch is negative.\n";
+         "  // is subtracted from f, and likewise from g, then the computed sum of balls that touch is negative.\n";
   out += constant("largest_input", bound::matrix_input) + constant("additive_unit", bound::matrix_unit) +
          constant("least_part", bound::matrix_flush) + constant("margin_square", bound::margin_square) +
          constant("margin_additive", bound::margin_additive) + constant("margin_linear", bound::margin_linear) +

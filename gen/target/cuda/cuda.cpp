@@ -44,7 +44,7 @@ std::string catalogue_text(const unit &u) {
                        "meetc::cuda::columns<{1}, form>}},\n",
                        k->name, shape_of(k->name));
   out += "};\n\n"
-         "// A query with the predicate at this place of the catalogue.\n"
+         "// A query with the predicate at this index of the catalogue.\n"
          "template <int Place> cudaError_t pairs(const meetc::cuda::query &q, cudaStream_t stream) {\n"
          "  return meetc::cuda::pairs(catalogue(), catalogue().predicates[Place], q, stream);\n}\n"
          "template <int Place>\n"

@@ -5,10 +5,10 @@
 namespace meetc::target {
 
 std::vector<file> cuda_files(const unit &u);
-// The launchers. Throws spec_error where the kernel is no predicate.
+// The launchers. Throws spec_error where the kernel is not a predicate.
 std::string cuda_text(const unit &u, std::size_t kernel);
 
-// The launchers' declarations, the source of the catalogue, and that of a predicate.
+// The declarations of the launchers, the source of the catalogue, and that of a predicate.
 std::string cuda_header(const unit &u);
 std::string cuda_catalogue(const unit &u);
 std::string cuda_launchers(const unit &u, const lower::kernel &k);

@@ -1,10 +1,10 @@
 // Scripts for Gappa (https://gappa.gitlabpages.inria.fr): the margins of the half-precision filter of touching balls.
 //
-// Claim and derivation are in gen/bound/matrix.hpp. What is computed is a polynomial in the numbers and in one free
-// variable for every error, so the proof holds for whatever the errors are. |f g| <= (f^2 + g^2) / 2 enters as
-// (|f| - |g|)^2 >= 0. The one rule that Gappa is given is an identity, which Gappa checks: it would warn.
+// Claim and derivation are in gen/bound/matrix.hpp. The computed value is a polynomial in the numbers and in one free
+// variable for each error, so the proof holds for all errors. |f g| <= (f^2 + g^2) / 2 enters as (|f| - |g|)^2 >= 0.
+// The only rule that Gappa is given is an identity, which Gappa checks: it warns otherwise.
 //   ball_filter   F <= 0 implies D < 0
-//   half_parts    the parts have the errors that the first script assumes of them, and products of parts are exact in fp32
+//   half_parts    the parts have the errors that the first script assumes, and products of parts are exact in fp32
 // Not proved, but assumed: how far the matrix unit's sum is from the sum of its products.
 #include "gen/bound/matrix.hpp"
 #include "gen/lower/ball_form.hpp"
@@ -22,7 +22,7 @@ std::string number(const bound::dyadic &d) {
   return d.exponent ? fmt::format("{}b{}", d.numerator, d.exponent) : fmt::format("{}", d.numerator);
 }
 
-// The terms "t0 + t1 + ..." for every product; {0} is its number.
+// The sum "t0 + t1 + ..." of a term for each product; `term` gets the product's number.
 template <class Term> std::string sum(std::size_t products, const Term &term) {
   std::string out;
   for (std::size_t k = 0; k < products; ++k)
@@ -32,13 +32,13 @@ template <class Term> std::string sum(std::size_t products, const Term &term) {
 
 const char *const filter_comment =
     R"(#   Object x (and y in the same way) has features f = d u, u = |f| and d its sign: fx0, fx1, ... of products, fx additive.
-#   hx0, lx0   the parts of fx0 in fp16: roundings ex0, ix0 are relative, sx0, tx0 what replacing small parts changes
-#   mx, ax     the margin, and fx without it; zx is what shifting, scaling and evaluating lose
-#   hx, lx     the parts of ax, times 2^8; wx >= 0 is what rounding down loses
-#   p, q, r    what the matrix unit loses of each product: |D - sum t| <= c sum |t| is D = sum t (1 + p), |p| <= c
+#   hx0, lx0   the parts of fx0 in fp16: ex0, ix0 are relative rounding errors; sx0, tx0 are changes by replacing small parts
+#   mx, ax     the margin, and fx less the margin; zx is the error of shifting, scaling and evaluating
+#   hx, lx     the parts of ax, times 2^8; wx >= 0 is the error of rounding down
+#   p, q, r    the relative errors of the matrix unit in each product: |D - sum t| <= c sum |t| is D = sum t (1 + p), |p| <= c
 #   F          is <= 0 where balls touch; D is computed
-#   W, T       what F exceeds D by: P, Q, R, S are the coefficients of u v, u, v and 1 in a product's error, cx the unit's
-#              of ax. The last line is an identity.
+#   W, T       the excess of F over D: P, Q, R, S are the coefficients of u v, u, v and 1 in a product's error, cx is the
+#              unit's error in ax. The last line is an identity.
 )";
 
 std::string filter_script(std::size_t products) {
@@ -114,7 +114,7 @@ std::string filter_script(std::size_t products) {
          "(additive - c{0} * d{0}) * u{0};",
          x);
   }
-  // Strictly below 0, and nothing that is stored overflows.
+  // Strictly below 0, and no stored number overflows.
   out += fmt::format("{{ {} /\\\n  F <= 0\n  -> D <= -1b-20 /\\ |ax| <= 1b23 /\\ |ay| <= 1b23 }}\n", given);
   out += fmt::format("D -> F - ({} + Tx + Ty);\n", sum(products, [](std::size_t k) { return fmt::format("W{}", k); }));
   return out;
@@ -142,9 +142,9 @@ std::vector<file> filter_proofs(const unit &u) {
            filter_comment + filter_script(u.balls->parts.products.size())},
       {folder + "half_parts.gappa",
        banner(u.scene, "The parts in fp16 that the matrix filter multiplies.", "#") +
-           "#   n is what a part of normal size stands for: a small relative error, and the part is not replaced by "
-           "0.\n"
-           "#   s is anything smaller, and so is its part. Products of two parts, and with 2^8, are exact in fp32.\n" +
+           "#   n is a number whose part is normal: the part has a small relative error and is not replaced by 0.\n"
+           "#   s is a smaller number, whose part is small too. Products of two parts, or of one and 2^8, are exact in "
+           "fp32.\n" +
            parts_script()}};
 }
 

@@ -1,23 +1,23 @@
 // Scripts for Gappa (https://gappa.gitlabpages.inria.fr): each proves the box form of a sign.
 //
-// Claim (gen/bound/bound.hpp, boxed_signs in runtime/kernel/meetc/boxes.hpp): where every leaf of object A is at most alpha, of B at
-// most beta and of the pair at most D, powers of two with alpha, beta <= D, the last operation of the sign's graph
-// rounds a number that is within c alpha^a beta^b D^pair of the truth. Why a script says that:
+// Claim (gen/bound/bound.hpp, boxed_signs in runtime/kernel/meetc/boxes.hpp): where every leaf of object A is at most
+// alpha, of B at most beta and of the pair at most D, powers of two with alpha, beta <= D, the last operation of the
+// sign's graph rounds a number that is within c alpha^a beta^b D^pair of the truth. Why a script states this:
 //
 // - Values are divided by the powers of (alpha, beta, D) that box_nodes gives their node. Powers of two commute with
-//   rounding to 24 bits, but for the subnormals: their spacing, 2^-149, grows to at most 2^box_format_lowest.
-// - A term of a sum that has other powers than the sum is multiplied by the quotient, (alpha/D)^i (beta/D)^j, a free
-//   number s in [0, 1]. In the static form, alpha = beta = D, it is 1.
-// - A leaf is rnd(d) for an exact difference d, or a stored number r: any number in [-1, 1]. It is the exact
-//   difference that alpha, beta and D must bound; one that is a little more than a power of two is rounded to it.
-// - Every operation is one rnd of what it computes exactly, an fma's too; constants are exact, or rounded where they
-//   have more than 24 bits; negations and products with powers of two round nothing. The exact twin is the same line
+//   rounding to 24 bits, except for the subnormals: their spacing, 2^-149, grows to at most 2^box_format_lowest.
+// - A term of a sum whose powers differ from those of the sum is multiplied by the quotient, (alpha/D)^i (beta/D)^j, a
+//   free number s in [0, 1]. In the static form, alpha = beta = D, it is 1.
+// - A leaf is rnd(d) for an exact difference d, or a stored number r: any number in [-1, 1]. alpha, beta and D must bound
+//   the exact difference; one slightly above a power of two is rounded to it.
+// - Every operation is one rnd of what it computes exactly, an fma as well. Constants are exact, or rounded where they
+//   have more than 24 bits. Negations and products with powers of two round nothing. The exact twin is the same line
 //   without rnd. Nothing is reordered.
 // - The last rounding is left out: it keeps the order of a value and a threshold that is itself a float32. A leaf that
-//   is a sign has no other and needs no proof.
+//   is a sign has no other rounding and needs no proof.
 // - rnd rounds to multiples of 2^box_format_lowest, the code to the same or finer ones. A proof holds for every finer
-//   format if all that it uses of rnd is how far a number below 2^k moves, and that numbers of 1 and more bound what
-//   they bounded. The tests look at the theorems that each proof applies.
+//   format if it uses only two properties of rnd: how far a number below 2^k moves, and that bounds of 1 and more remain
+//   bounds. The tests check which theorems each proof applies.
 // - No value overflows: D is at most 2^box_highest.
 #include "gen/target/gappa/gappa.hpp"
 
@@ -38,13 +38,13 @@ using ir::node_id;
 
 constexpr int precision = 24;
 
-// A dyadic rational as Gappa reads it: 33b-25.
+// A dyadic rational in Gappa's notation: 33b-25.
 std::string dyadic(const ir::rational &q) {
   const long exponent = static_cast<long>(mpz_sizeinbase(q.get_den().get_mpz_t(), 2)) - 1;
   return exponent ? fmt::format("{}b-{}", q.get_num().get_str(), exponent) : q.get_num().get_str();
 }
 
-// A sum's operand or a factor: its sign stands apart from its text.
+// An operand of a sum, or a factor. Its sign is kept apart from its text.
 struct term {
   std::string text;
   bool negative = false;
@@ -53,12 +53,12 @@ struct twin {
   term computed, exact;
 };
 
-// A script's text, for one sign: a domain that writes a line for every operation and its exact twin.
+// The text of a script for one sign: a domain that writes a line for every operation and its exact twin.
 class script {
 public:
   using value = twin;
 
-  // `root` rounds, and nothing after it does; c bounds its error in the powers that `boxes` gives it.
+  // `root` is the last node that rounds; c bounds its error in the powers that `boxes` gives it.
   script(const ir::program &p, const ir::folded<box_node> &boxes, node_id root, const ir::rational &c)
       : boxes_(boxes), root_(root) {
     const auto is_leaf = [&](node_id id) { return bound::leaf_at(p.nodes, id).has_value(); };
@@ -72,9 +72,9 @@ public:
                         bound::box_format_lowest, lines_, bounds, dyadic(c));
   }
 
-  // Equal for signs that are the same but for the names of their leaves.
+  // Equal for signs that differ only in the names of their leaves.
   const std::string &text() const { return text_; }
-  // What the leaves are, in the order of their numbers.
+  // The leaves, in the order of their numbers.
   const std::vector<bound::leaf> &leaves() const { return meaning_; }
 
   // ---- the domain ----
@@ -133,7 +133,7 @@ private:
   std::string lines_, text_;
   int next_ = 0;
 
-  // Writes an operation, before it rounds, on computed values and on exact ones.
+  // Writes an operation, before rounding, on computed and on exact values.
   template <class Operation> value each(const ir::place &at, const Operation &of) {
     const std::string i = at.id == root_ ? "" : fmt::format("{}", next_++);
     const bool rounds = at.id != root_ && !bound::scales_exactly(at.nodes, at.id);
@@ -151,7 +151,7 @@ private:
 
   std::pair<int, int> powers_of(node_id id) const { return {boxes_.at(id).a, boxes_.at(id).b}; }
 
-  // A term with these powers, in a sum that may have less.
+  // A term with these powers, in a sum that may have lower ones.
   term scaled(const term &x, std::pair<int, int> powers, node_id in_sum) {
     const auto [a, b] = powers_of(in_sum);
     const std::pair<int, int> quotient{powers.first - a, powers.second - b};
@@ -166,13 +166,13 @@ private:
   }
 };
 
-// A script with the signs that it is of.
+// A script with the signs that it covers.
 struct proof {
   std::string name, text, first;
   std::vector<std::string> covers; // "side_triangle_point, common: 0"
 };
 
-// What the script's names are, for the sign that it was first made for.
+// The meaning of the script's names, for the first sign that it covers.
 std::string meaning(const lower::kernel &k, const script &s, int atom) {
   const lower::predicate &p = k.decision;
   std::string out = wrapped(poly_with_names(p.signs.atoms()[static_cast<std::size_t>(atom)], p.stored_inputs), "#   ");

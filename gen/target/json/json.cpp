@@ -17,7 +17,7 @@ std::string json_poly(const poly::poly &p) {
   return '[' + join(terms, ", ") + ']';
 }
 
-// The least sum of products f(X) g(Y).
+// The shortest sum of products f(X) g(Y).
 std::string json_separation(const poly::separation &s) {
   std::vector<std::string> products;
   for (const poly::product &k : s.products)

@@ -27,7 +27,7 @@ std::string latex_blade(const lower::basis_blade &b) {
   return b.is_scalar() ? "1" : join(factors, " \\wedge ");
 }
 
-// "X.e1^e2" to X_{e_{1} \wedge e_{2}}.
+// Turns "X.e1^e2" into X_{e_{1} \wedge e_{2}}.
 std::string latex_poly(const poly::poly &p, const std::vector<std::string> &names) {
   if (p.is_zero())
     return "0";

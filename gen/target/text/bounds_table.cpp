@@ -1,4 +1,4 @@
-// The bounds of a kernel's signs as a table for eyes.
+// The bounds of a kernel's signs as a readable table.
 #include "gen/target/gappa/gappa.hpp"
 #include "gen/target/text/text.hpp"
 
@@ -8,7 +8,7 @@
 namespace meetc::target {
 namespace {
 
-// A bound in units of u = 2^-precision, to three decimals, upwards.
+// A bound in units of u = 2^-precision, rounded upwards to three decimals.
 std::string in_units(const ir::rational &q, int precision) {
   mpz_class thousandths = q.get_num() * 1000;
   thousandths <<= static_cast<mp_bitcnt_t>(precision);

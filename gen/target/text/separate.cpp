@@ -1,4 +1,5 @@
-// The signs and values of kernels as sums of products f(X) g(Y): how wide all pairs are as a matrix product.
+// The signs and values of kernels as sums of products f(X) g(Y), with the inner dimension of the matrix product of all
+// pairs.
 #include "gen/target/text/text.hpp"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace {
 
 constexpr int step = 16; // columns that one m16n8k16 multiplies
 
-// In half precision f g is three columns, h h' + h l' + l h', and an additive term is two, h + l.
+// In half precision f g takes three columns, h h' + h l' + l h', and an additive term takes two, h + l.
 int columns(const poly::separation &s) {
   return 3 * static_cast<int>(s.products.size()) + 2 * s.additive();
 }
@@ -61,7 +62,7 @@ std::string separate_table(const unit &u) {
     if (all.empty())
       out +=
           fmt::format("{:<{}}  {}\n", k.asked.text, width, k.asked.kinds.size() == 2 ? "zero" : "not of two operands");
-    // Equal rows of a stage are one, in the order of their first.
+    // Equal rows of a stage are merged, in the order of first occurrence.
     std::vector<std::pair<std::pair<std::string, std::string>, int>> rows;
     for (const lower::separated &s : all) {
       const std::pair key{s.group.empty() ? std::string("value") : s.group, numbers(s.parts)};

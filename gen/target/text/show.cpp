@@ -9,10 +9,10 @@
 namespace meetc::target {
 namespace {
 
-// Each program of the kernel under its title, as `text` has it, with its count.
+// Each program of the kernel under its title, written by `text`, with its counts.
 template <class Text> std::string each_program(const lower::kernel &k, const Text &text) {
   std::string out;
-  lower::kernel copy = k; // programs() hands out what passes may replace
+  lower::kernel copy = k; // programs() returns references that passes may replace
   for (const lower::kernel_program &p : lower::programs(copy))
     out += fmt::format("{}\n{}  ; {}\n", p.title, text(*p.code, *p.inputs),
                        count_text(ir::count(p.code->nodes, p.code->results)));

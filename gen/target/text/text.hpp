@@ -1,16 +1,16 @@
-// Kernels for eyes.
+// Kernels in readable form.
 #pragma once
 #include "gen/target/target.hpp"
 
 namespace meetc::target {
 
-// The polynomials, of signs in differences.
+// The polynomials; those of signs in differences.
 std::string poly_text(const unit &u, std::size_t kernel);
-// What a kernel of two operands computes as sums of products f(X) g(Y).
+// The values of a kernel of two operands as sums of products f(X) g(Y).
 std::string separate_text(const unit &u, std::size_t kernel);
 // The numbers of those products for all kernels of a unit.
 std::string separate_table(const unit &u);
-// Programs as graphs, one node a line.
+// Programs as graphs, one line for each node.
 std::string graph_text(const unit &u, std::size_t kernel);
 // Programs in the order and with the names in which they are emitted.
 std::string schedule_text(const unit &u, std::size_t kernel);

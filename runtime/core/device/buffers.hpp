@@ -1,4 +1,4 @@
-// core/device/buffers.hpp: what queries on one device share, so that the second allocates nothing.
+// core/device/buffers.hpp: what queries on one device share, so that only the first allocates memory.
 #ifndef MEETC_CORE_DEVICE_BUFFERS_HPP
 #define MEETC_CORE_DEVICE_BUFFERS_HPP
 
@@ -8,17 +8,17 @@
 
 namespace meetc {
 
-// The lists of a query, by what they count.
+// The lists of a query, named by what they count.
 enum class counter : std::uint8_t { candidates, kept, touching, hits, unsure_fp32, unsure_fp64, unsure_fp64x2, unused };
 inline constexpr int counters = 8;
 
 struct device_buffers {
-  device_memory<index_pair> first, second, hits; // candidates and unsure pairs in turns; hits
+  device_memory<index_pair> first, second, hits; // first and second alternate for candidates and unsure pairs
   device_memory<unsigned long long> counts;
   device_memory<std::uint64_t> keys, more_keys; // hits as sortable numbers
   device_memory<std::byte> sort_space;
   cudaEvent_t events[2] = {nullptr, nullptr};
-  unsigned long long *seen = nullptr; // the counts, in memory that the device can write to
+  unsigned long long *seen = nullptr; // the counts, in host memory that the device can write to
 
   ~device_buffers() {
     for (const cudaEvent_t e : events)

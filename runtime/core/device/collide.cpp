@@ -12,7 +12,7 @@
 namespace meetc {
 namespace {
 
-// The smallest part, of groups taken apart, fills no list.
+// Even if every pair of the smallest part's groups is taken apart, the lists can hold them.
 constexpr std::size_t least_capacity =
     std::size_t{cuda::part_step} * cuda::part_step * cuda::group_size * cuda::group_size;
 constexpr std::size_t first_capacity = std::size_t{1} << 22;
@@ -68,7 +68,7 @@ private:
   void upload_owners() {
     const auto upload = [this](std::span<const std::uint32_t> from, const device_set &of,
                                device_memory<std::uint32_t> &to) {
-      require(from.empty() || from.size() == of.elements(), "an owner map needs one item an element");
+      require(from.empty() || from.size() == of.elements(), "an owner map needs one item for each element");
       if (from.empty())
         return;
       to.reserve(from.size(), "an owner map");
@@ -96,7 +96,7 @@ private:
     result_.device_seconds = static_cast<double>(ms) / 1000 - download_seconds_;
   }
 
-  // Room for so many pairs a list, and for as many as there is already.
+  // Reserves room for the first lists, or keeps the lists that are there.
   void take_room() {
     capacity_ =
         std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, first_capacity), options_.list_capacity);
@@ -106,7 +106,7 @@ private:
     if (keep_)
       buffers_.hits.reserve(capacity_, "a list of hits");
   }
-  // More room, where there is and may be more.
+  // Enlarges the lists, where the options and the device's memory allow it.
   bool take_more_room() {
     const std::size_t more = std::min(capacity_ * 8, options_.list_capacity);
     if (more == capacity_ || !buffers_.first.grow(more, 0, on_.stream()) ||
@@ -123,14 +123,14 @@ private:
   unsigned long long seen(counter c) const { return buffers_.seen[static_cast<int>(c)]; }
 
   bool overflowed() const { return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_; }
-  // Pairs of objects that no list is too short for.
+  // So many pairs of objects never overflow a list.
   std::uint64_t always_fits() const {
     const std::uint64_t size = cuda::size_of(options_.by);
     return capacity_ / (size * size);
   }
 
   static std::uint64_t area(const cuda::part &p) { return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b); }
-  // Halves of the longer side, cut between whole blocks where it has several.
+  // The halves of the longer side, cut between whole blocks where it has several.
   static std::pair<cuda::part, cuda::part> halves(const cuda::part &p) {
     const auto middle = [](std::uint32_t from, std::uint32_t to) {
       const std::uint32_t unit = to - from > matrix_block ? matrix_block : cuda::part_step;
@@ -146,7 +146,7 @@ private:
 
   void go_through(const cuda::part &whole) {
     std::vector<cuda::part> left{whole};
-    std::uint64_t most = ~std::uint64_t{0}, done = 0; // pairs of a part that is worth a try; pairs gone through
+    std::uint64_t most = ~std::uint64_t{0}, done = 0; // pairs in a part that is worth trying; pairs finished
     while (!left.empty()) {
       const cuda::part p = left.back();
       left.pop_back();
@@ -183,7 +183,7 @@ private:
     cuda::pair_list in = list(buffers_.second, counter::kept);
     check(predicate_.near(cuda::first_step(precision_), x_, y_, list(buffers_.first, counter::candidates), in,
                           count_only(counter::touching).count, stream),
-          "starting the step that looks at boxes");
+          "starting the step that tests boxes");
     static constexpr counter unsure[] = {counter::unsure_fp32, counter::unsure_fp64, counter::unsure_fp64x2,
                                          counter::unused};
     const cuda::ladder_steps steps = cuda::steps_of(precision_);
@@ -199,7 +199,7 @@ private:
     ++result_.parts;
   }
 
-  // The results of a part whose lists held everything.
+  // Takes the results of a part, after lists that have held everything.
   void take_part() {
     result_.near_balls += seen(counter::candidates);
     result_.candidates += seen(counter::touching);
@@ -222,7 +222,7 @@ private:
     keys_ += n;
   }
 
-  // Takes the keys off the device, as they are.
+  // Moves the keys to the host, unsorted.
   void spill() {
     std::vector<std::uint64_t> keys(keys_);
     check(cudaMemcpyAsync(keys.data(), buffers_.keys.data(), keys_ * sizeof(std::uint64_t), cudaMemcpyDeviceToHost,
@@ -234,9 +234,10 @@ private:
     keys_ = 0;
   }
 
-  // Sorts the keys on the device, each once where there are owners; false where it lacks the memory.
+  // Sorts the keys on the device and drops repeats where there are owners. Returns false where the device lacks the
+  // memory.
   bool sort_on_device() {
-    if (owned() && keys_ > 0x7fffffff) // older CUB drops repeats of no more
+    if (owned() && keys_ > 0x7fffffff) // older versions of CUB take at most this many keys
       return false;
     const int bits = 32 + std::bit_width(largest_item());
     std::size_t sort_bytes = 0, repeat_bytes = 0;

@@ -20,7 +20,7 @@ device_facts find() {
   if (looking == cudaSuccess && count > 0) {
     cudaDeviceProp p{};
     check(cudaGetDevice(&which), "choosing a CUDA device");
-    check(cudaGetDeviceProperties(&p, which), "asking the CUDA device what it is");
+    check(cudaGetDeviceProperties(&p, which), "reading the properties of the CUDA device");
     found = {p.name, p.major, p.minor, p.multiProcessorCount, p.totalGlobalMem};
   }
   if (const std::string why = refusal(looking, count, driver, found); !why.empty())
@@ -47,7 +47,7 @@ std::string refusal(cudaError_t looking, int count, int driver, const device_fac
 void check(cudaError_t e, const char *what) {
   if (e == cudaSuccess)
     return;
-  cudaGetLastError(); // what can be forgotten is
+  cudaGetLastError(); // clears an error that can be cleared
   throw device_error(std::string("CUDA: ") + what + ": " + cudaGetErrorString(e) + on_the_cpu);
 }
 
@@ -98,7 +98,7 @@ bool device::offers(cuda::filter f) const {
     return true;
   case cuda::filter::mma:
     return mma;
-  case cuda::filter::wgmma: // goes through hits again by mma.sync
+  case cuda::filter::wgmma: // computes hits again by mma.sync
     return mma && probe_.has_wgmma && probe_.wgmma_faults == 0;
   case cuda::filter::wgmma_half:
     return mma && probe_.has_wgmma && probe_.wgmma_half_faults == 0;

@@ -1,7 +1,7 @@
 // core/device/device.hpp: one CUDA device, found, checked and probed.
 //
-// Nothing here starts CUDA before a device is made. Errors are device_error, one line that says what was asked and
-// what can be done.
+// Nothing here starts CUDA before a device is made. Errors are device_error, one line that names the operation and a
+// way out.
 #ifndef MEETC_CORE_DEVICE_DEVICE_HPP
 #define MEETC_CORE_DEVICE_DEVICE_HPP
 
@@ -20,22 +20,23 @@ public:
 
 struct device_facts {
   std::string name;
-  int major = 0, minor = 0; // compute capability; 8.0 is the least
+  int major = 0, minor = 0; // compute capability, at least 8.0
   int multiprocessors = 0;
   std::size_t bytes = 0;
 };
 
-// Why what was found cannot be used, in one line; empty where it can. `driver`: the CUDA version that the driver is for,
-// 0 where there is none; `found`: the device, where `count` says that there is one.
+// Why the device that was found cannot be used, in one line; empty where it can. `driver` is the CUDA version of the
+// driver, 0 where there is none; `found` is the device, if `count` is not 0.
 std::string refusal(cudaError_t looking, int count, int driver, const device_facts &found);
 
 struct device_buffers;
 
-// The current CUDA device, with a stream and buffers that queries share: one query at a time. Sets that were uploaded
-// to it must not outlive it.
+// The current CUDA device, with a stream and buffers that queries share; it runs one query at a time. Uploaded sets
+// must not outlive it.
 class device {
 public:
-  // Throws device_error: there is none, it is too old, its driver is, or its arithmetic is not as the bounds assume.
+  // Throws device_error where there is no device, where it or its driver is too old, or where its arithmetic is not as
+  // the bounds assume.
   explicit device(const cuda::catalogue &kernels);
   ~device();
   device(const device &) = delete;
@@ -45,7 +46,7 @@ public:
   const device_facts &facts() const { return facts_; }
   const cuda::probe_result &probe() const { return probe_; }
 
-  // The fastest filter whose model the probe did not refute; wgmma_half is for those who ask for it.
+  // The fastest filter whose model the probe did not refute. wgmma_half is never chosen, only asked for.
   cuda::filter best_filter() const;
   bool offers(cuda::filter f) const;
 
@@ -60,10 +61,10 @@ private:
   std::unique_ptr<device_buffers> buffers_;
 };
 
-// What is assumed where the filter is used: "mma-f16-f32", "wgmma-f16-f32", "wgmma-f16-f16", or "none".
+// The name of what a filter assumes: "mma-f16-f32", "wgmma-f16-f32", "wgmma-f16-f16", or "none".
 const char *model_of(cuda::filter f);
 
-// Throws device_error with the call and what CUDA says of it.
+// Throws device_error with the name of the call and the text that CUDA gives for the error.
 void check(cudaError_t e, const char *what);
 
 } // namespace meetc

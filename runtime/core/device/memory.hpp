@@ -8,9 +8,9 @@
 
 namespace meetc {
 
-// Throws device_error with the sizes where there is too little.
+// Throws device_error with the sizes where there is too little memory.
 void *allocate_on_device(std::size_t bytes, const char *what_for);
-// Null where there is too little.
+// Returns null where there is too little memory.
 void *try_allocate_on_device(std::size_t bytes);
 
 // Uninitialised memory for objects of a trivial type.
@@ -30,12 +30,12 @@ public:
   std::size_t capacity() const { return capacity_; }
 
   void release() {
-    cudaFree(data_); // a fault here has been reported where it arose
+    cudaFree(data_); // an error here has been reported where it arose
     data_ = nullptr;
     capacity_ = 0;
   }
 
-  // Room for n; what it held is lost where it had less.
+  // Returns room for n objects. If it has to grow, its content is lost.
   T *reserve(std::size_t n, const char *what_for) {
     if (n > capacity_) {
       release();
@@ -45,7 +45,8 @@ public:
     return data_;
   }
 
-  // Room for n, keeping the first `used`; false where there is too little memory, and nothing has changed.
+  // Makes room for n objects and keeps the first `used`. Returns false, with nothing changed, where there is too little
+  // memory.
   bool grow(std::size_t n, std::size_t used, cudaStream_t stream) {
     if (n <= capacity_)
       return true;
@@ -55,7 +56,7 @@ public:
     device_memory old(std::exchange(data_, more), std::exchange(capacity_, n));
     if (used > 0)
       check(cudaMemcpyAsync(data_, old.data_, used * sizeof(T), cudaMemcpyDeviceToDevice, stream), "growing a list");
-    check(cudaStreamSynchronize(stream), "growing a list"); // before the old one is freed
+    check(cudaStreamSynchronize(stream), "growing a list"); // before the old memory is freed
     return true;
   }
 

@@ -38,7 +38,7 @@ device_set::device_set(device &on, const prepared &set)
                         on.stream()),
         "uploading a set");
   enclose();
-  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller's memory is his own again
+  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may now change his memory
 }
 
 void device_set::enclose() {

@@ -19,17 +19,18 @@ public:
   const kind_info &kind() const { return *kind_; }
   std::uint32_t elements() const { return elements_; }
 
-  // Takes the set under this pose from now on; from where it was uploaded, not from its last pose. The arithmetic is
-  // that of core/pose.hpp, bit for bit. Throws input_error where a number leaves float32, std::invalid_argument where
-  // the kind cannot be moved, device_error. The set is then as it was before.
+  // Moves the set to this pose, which replaces its last one. The arithmetic is that of core/pose.hpp, bit for bit.
+  // Throws input_error where a number leaves float32, std::invalid_argument where the kind cannot be moved, and
+  // device_error. After an exception the set is as it was before.
   void move(const pose &at);
 
   const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }
   const std::uint32_t *order() const { return order_.data(); }
-  // Around all elements whose boxes are finite, device memory.
+  // The extent of all elements whose boxes are finite, in device memory.
   const extent *around() const { return around_.data(); }
 
-  // What the filter reads, in the frame of `frame`, which is this set or the other: made where it is not there yet.
+  // What the filter reads, in the frame of `frame`, which is this set or the other. It is computed unless it is there
+  // already.
   cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame);
   // What a predicate wants stored beside the rows, device memory: made where it is not there yet. Null: nothing.
   const float *stored(const cuda::stored_launcher &values);
@@ -49,7 +50,7 @@ private:
   const cuda::kind_launchers *launchers_;
   std::uint32_t elements_ = 0;
   bool moved_ = false;
-  std::uint64_t version_ = 0; // of rows(): unlike any other set's
+  std::uint64_t version_ = 0; // the version of rows(), different from that of any other set
   device_memory<float> rows_, moved_rows_;
   device_memory<std::uint32_t> order_;
   device_memory<extent> around_;

@@ -11,7 +11,7 @@ namespace meetc {
 
 // ---- with a bound ----
 
-// K with |computed - true| <= K M for a value and its magnitude M, by arithmetic.
+// K in |computed - true| <= K M, where M is the magnitude of the value, for each arithmetic.
 struct factors {
   float fp32;
   double fp64, fp64x2;
@@ -60,9 +60,8 @@ template <class M> struct leaf_magnitude {
   }
 };
 
-// The signs that v can have when it is within `error` of the truth. NaN: any. A value that is not finite: any, since what
-// overflowed on the way to it need not have overflowed on the way to its bound, where a compiler has contracted one of the
-// two programs and not the other.
+// The signs that v can have when it is within `error` of the truth: all three where v is NaN or infinite. A value can
+// overflow where its bound does not, if the compiler contracts one of the two programs and not the other.
 template <class V, class E> MEETC_HD MEETC_INLINE sign_set within(const V &v, const E &error) {
   const auto x = leading(v), size = magnitude_of(x);
   const bool known = (size > error) & (size <= largest_finite(x));
@@ -76,14 +75,14 @@ template <class Stage> MEETC_HD inline bool all_known(const sign_set *s) {
   return !unsure;
 }
 
-// No sign of the stage is known; false.
+// Marks all signs of the stage as unknown, and returns false.
 template <class Stage> MEETC_HD inline bool nothing_known(sign_set *all) {
   for (int i = 0; i < Stage::atoms; ++i)
     all[Stage::first + i] = sign_set::all();
   return false;
 }
 
-// Equal points make some polynomials vanish: their signs are zero, which no bound can tell from small numbers.
+// Equal points make some polynomials vanish. Their signs are zero, which no bound can tell from a small number.
 template <class P, class Stage>
 MEETC_HD inline void zero_by_equal_points(const float *row_a, const float *row_b, sign_set *s) {
   if constexpr (P::coincidences > 0) {
@@ -145,8 +144,8 @@ template <class P, class A> struct bounded_signs {
   }
 
 private:
-  // Zeros by equal points, and by the grid: a homogeneous polynomial of degree k with integer coefficients is a
-  // multiple of g^k where its inputs are multiples of g, so what is less than g^k is zero.
+  // Signs are zero where points coincide, and where the grid says so: a homogeneous polynomial of degree k with integer
+  // coefficients is a multiple of g^k if its inputs are multiples of g, so a value less than g^k is zero.
   template <class Stage> MEETC_NOINLINE MEETC_HD bool settle(const V *v, const M *m, sign_set *s) const {
     zero_by_equal_points<P, Stage>(row_a, row_b, s);
     if (!compiled_as_written())

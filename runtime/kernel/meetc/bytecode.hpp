@@ -1,4 +1,4 @@
-// The interpreter of a stage's bytecode: its program on integers of any width.
+// The interpreter of a stage's bytecode, on integers of any width.
 #ifndef MEETC_BYTECODE_HPP
 #define MEETC_BYTECODE_HPP
 
@@ -7,9 +7,10 @@
 namespace meetc {
 
 //
-// n limbs, least significant first, two's complement, modulo 2^(64 n): the caller's proof says that values fit. No
-// templates over widths and, on the device, no calls: ptxas 13.0 miscompiles large kernels that call functions with
-// many limbs in flight, and straight-line code in wide integers would be far larger than all the rest.
+// Integers have n limbs, least significant first, in two's complement modulo 2^(64 n); the caller's proof says that
+// values fit. The width is not a template parameter, and on the device nothing is called: ptxas 13.0 miscompiles large
+// kernels that call functions with many limbs in flight, and straight-line code in wide integers would be far larger
+// than everything else.
 
 // v / 2^low, for a grid that holds v.
 MEETC_HD inline void to_limbs(float v, int low, int n, std::uint64_t *out) {
@@ -44,8 +45,8 @@ enum class opcode : std::uint16_t {
   negate,   // r = -a
   add,      // r = a + b
   subtract, // r = a - b
-  multiply, // r = a b; r is neither
-  take_sign // the sign number r is that of a
+  multiply, // r = a b; r is neither a nor b
+  take_sign // sign number r is the sign of a
 };
 struct instruction {
   opcode code;

@@ -1,9 +1,9 @@
-// The floating-point control word: which words the error bounds hold under, and the word of the calling thread.
+// The floating-point control word: under which words the error bounds hold, and the word of the calling thread.
 //
-// Bounds assume rounding to nearest and gradual underflow. Exceptions must be masked, too: the arithmetic is allowed to
-// overflow (it then proves nothing), and must not end a caller who has unmasked them. The two tests are plain functions of
-// a word, so that every bit is tested on any machine. Sources: Intel 64 and IA-32 Architectures Software Developer's
-// Manual, volume 1, 10.2.3; Arm Architecture Reference Manual for A-profile, FPCR.
+// Bounds assume rounding to nearest and gradual underflow. Exceptions must be masked as well: the arithmetic may
+// overflow (it then proves nothing) and must not end a program whose caller has unmasked them. The two tests are plain
+// functions of a word, so every bit is tested on any machine. Sources: Intel 64 and IA-32 Architectures Software
+// Developer's Manual, volume 1, 10.2.3; Arm Architecture Reference Manual for A-profile, FPCR.
 #ifndef MEETC_CONTROL_WORD_HPP
 #define MEETC_CONTROL_WORD_HPP
 
@@ -11,19 +11,20 @@
 
 namespace meetc {
 
-// MXCSR: all six exceptions masked (bits 7 to 12), round to nearest (13, 14), neither denormals-are-zero (6) nor
-// flush-to-zero (15). Bits 0 to 5 record what has happened and change nothing.
+// MXCSR: all six exceptions are masked (bits 7 to 12), rounding is to nearest (13, 14), and neither denormals-are-zero
+// (6) nor flush-to-zero (15) is set. Bits 0 to 5 record past exceptions and change nothing.
 constexpr bool standard_mxcsr(std::uint32_t word) {
   return (word & 0xffc0) == 0x1f80;
 }
 
-// FPCR: no flush of inputs (FIZ, bit 0), no alternate handling (AH, 1), no trap (IOE, DZE, OFE, UFE, IXE, IDE: 8 to 12
-// and 15), round to nearest (RMode, 22 and 23), no flush-to-zero (FZ, 24). A default NaN (DN, 25) is a NaN like another.
+// FPCR: inputs are not flushed (FIZ, bit 0), there is no alternate handling (AH, 1) and no trap (IOE, DZE, OFE, UFE,
+// IXE, IDE: 8 to 12 and 15), rounding is to nearest (RMode, 22 and 23), and results are not flushed (FZ, 24). A default
+// NaN (DN, 25) does no harm.
 constexpr bool standard_fpcr(std::uint64_t word) {
   return (word & 0x1c09f03) == 0;
 }
 
-// The same of the exceptions alone: whether all of them are masked.
+// Whether all exceptions are masked, whatever the other bits say.
 constexpr bool masks_mxcsr(std::uint32_t word) {
   return (word & 0x1f80) == 0x1f80;
 }
@@ -31,8 +32,8 @@ constexpr bool masks_fpcr(std::uint64_t word) {
   return (word & 0x9f00) == 0;
 }
 
-// This thread's word, the one that is the standard, and whether the two agree. On a processor that is not known here they
-// do not, so that integers answer.
+// This thread's word, the standard word, and whether the two agree. On an unknown processor they never do, so that
+// integers answer.
 #if defined(__SSE2__)
 inline constexpr std::uint32_t plain_control_word = 0x1f80;
 inline std::uint32_t control_word() {

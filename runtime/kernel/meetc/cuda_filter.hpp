@@ -1,7 +1,8 @@
 // The first stage of every all-pairs query: pairs whose enclosing balls may touch, by a matrix product of signs.
 //
-// The results' sign bits are OR-ed and looked at once a tile; only a tile with a sign set is gone through again, and its pairs appended
-// to the list. See matrix.hpp for what a sign proves, cuda_table.hpp for the interface. Included by nvcc alone.
+// The sign bits of all results of a tile are OR-ed and tested once. Only a tile with a sign set is computed again, and
+// its pairs are appended to the list. See matrix.hpp for what a sign proves and cuda_table.hpp for the interface.
+// Included by nvcc only.
 #ifndef MEETC_CUDA_FILTER_HPP
 #define MEETC_CUDA_FILTER_HPP
 
@@ -13,7 +14,7 @@ namespace meetc::cuda {
 
 inline constexpr int float_threads = 128, float_group = 8;
 
-// An X a thread; eight Y between two looks at the signs.
+// Each thread holds one X. The signs are tested once for eight Y.
 template <class Form>
 __global__ void __launch_bounds__(float_threads)
     float_kernel(const float *a, const float *b, part of, unsigned chunk, pair_list out) {
@@ -36,7 +37,7 @@ __global__ void __launch_bounds__(float_threads)
       for (unsigned k = 0; k < float_group; ++k)
         any |= __float_as_uint(bilinear<Form>(x, y + (j + k) * n));
       if (!__any_sync(~0U, static_cast<int>(any) < 0) || full(out))
-        continue; // alike for the whole warp
+        continue; // the same for the whole warp
       unsigned bits = 0;
 #pragma unroll
       for (unsigned k = 0; k < float_group; ++k)
@@ -48,9 +49,9 @@ __global__ void __launch_bounds__(float_threads)
 
 // ---- launching ----
 
-inline constexpr unsigned filter_blocks = 4096; // enough of them to keep any device busy to the end
+inline constexpr unsigned filter_blocks = 4096; // enough to keep any device busy to the end
 
-// Cuts `tiles` of Y into chunks for blocks_a blocks of X: a multiple of `whole`.
+// How many of the `tiles` of Y one of blocks_a blocks of X takes: a multiple of `whole`.
 inline unsigned chunk_of(unsigned blocks_a, unsigned tiles, unsigned whole, unsigned most) {
   const unsigned chunks = (filter_blocks + blocks_a - 1) / blocks_a;
   unsigned chunk = (tiles + chunks - 1) / chunks;
@@ -86,7 +87,7 @@ cudaError_t candidates(filter by, const operand &a, const operand &b, part of, p
   }
   if (by != filter::mma && by != filter::wgmma && by != filter::wgmma_half)
     return cudaErrorInvalidValue;
-  // A few X are not worth a whole block's registers.
+  // Few X do not justify the registers of a whole block.
   if (rows <= 16)
     return launch_mma<1, 4>(a, b, of, out, stream);
   if (rows < matrix_block)

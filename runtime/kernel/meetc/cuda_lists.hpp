@@ -1,4 +1,4 @@
-// Lists of pairs that whole warps append to. Included by nvcc alone.
+// Lists of pairs that whole warps append to. Included by nvcc only.
 #ifndef MEETC_CUDA_LISTS_HPP
 #define MEETC_CUDA_LISTS_HPP
 
@@ -6,7 +6,7 @@
 
 namespace meetc::cuda {
 
-// The places of this lane's n entries, appended by the whole warp with one addition.
+// Where this lane's n entries go. The whole warp reserves room with one addition.
 __device__ inline unsigned long long places(unsigned n, unsigned long long *count) {
   const unsigned lane = threadIdx.x % 32;
   unsigned up_to = n;
@@ -20,8 +20,8 @@ __device__ inline unsigned long long places(unsigned n, unsigned long long *coun
   return __shfl_sync(~0U, at, 31) + up_to - n;
 }
 
-// Appends the pairs of this warp's lanes that are marked, up to Each of them a lane; bit k of `marks` is pair k. One
-// addition for all: many lists have one counter, and it takes one at a time.
+// Appends the marked pairs of all lanes of this warp, at most Each of them for a lane; bit k of `marks` stands for pair
+// k. The warp makes one addition, because additions to one counter are carried out one at a time.
 template <int Each>
 __device__ inline void append(unsigned marks, const index_pair (&pairs)[Each], const pair_list &to) {
   const unsigned lane = threadIdx.x % 32;
@@ -52,7 +52,7 @@ __device__ inline void write(const pair_list &to, unsigned long long at, std::ui
     to.pairs[at] = {a, b};
 }
 
-// Drops the bits of pairs beyond the part: kernels go through whole tiles. pair(i) is the pair of bit i.
+// Drops the bits of pairs outside the part, since kernels compute whole tiles. pair(i) is the pair of bit i.
 template <class Pair> __device__ inline unsigned within(const part &of, unsigned bits, Pair &&pair) {
   unsigned kept = bits;
   for (unsigned left = bits; left; left &= left - 1) {
@@ -62,7 +62,7 @@ template <class Pair> __device__ inline unsigned within(const part &of, unsigned
   }
   return kept;
 }
-// Appends the pairs of the bits; the whole warp calls it.
+// Appends the pairs whose bits are set. The whole warp must call it.
 template <class Pair>
 __device__ inline void append_bits(const part &of, unsigned bits, const pair_list &to, Pair &&pair) {
   bits = within(of, bits, pair);
@@ -72,7 +72,7 @@ __device__ inline void append_bits(const part &of, unsigned bits, const pair_lis
   }
 }
 
-// The same for all lanes of the warp.
+// Whether the list is full; all lanes of a warp get the same answer.
 __device__ inline bool full(const pair_list &l) {
   return __shfl_sync(~0U, *static_cast<volatile unsigned long long *>(l.count), 0) > l.capacity;
 }

@@ -1,5 +1,5 @@
 // The filter's kernels on matrix units: a warp or warpgroup keeps the columns of many X in registers and streams those
-// of Y past them. See matrix.hpp for what a sign proves. Included by nvcc alone.
+// of Y past them. See matrix.hpp for what a sign proves. Included by nvcc only.
 #ifndef MEETC_CUDA_MATRIX_HPP
 #define MEETC_CUDA_MATRIX_HPP
 
@@ -15,9 +15,10 @@ namespace meetc::cuda {
 
 // ---- mma.sync ----
 
-// Results of 16 X by 8 Y. Lane 4 g + t holds X g and g + 8 (bit 1) by Y 2 t and 2 t + 1 (bit 0).
+// The results of 16 X by 8 Y. Lane 4 g + t holds those of X g and g + 8 (bit 1 of the index) by Y 2 t and 2 t + 1 (bit
+// 0).
 struct mma_results {
-  unsigned d[4]; // the bits of floats
+  unsigned d[4]; // bit patterns of floats
 };
 __device__ inline mma_results multiply(const unsigned (&a)[4], uint2 b) {
   mma_results r;
@@ -34,8 +35,8 @@ __device__ inline unsigned or3(unsigned x, unsigned y, unsigned z) {
 __device__ inline unsigned sign_bits(const mma_results &r) {
   return r.d[0] >> 31 | r.d[1] >> 31 << 1 | r.d[2] >> 31 << 2 | r.d[3] >> 31 << 3;
 }
-// The piece of a tile of 8 objects that this lane reads: columns 4 t .. 4 t + 3 of object g. Both operands number
-// their columns so.
+// The piece of a tile of 8 objects that this lane reads: columns 4 t .. 4 t + 3 of object g. Both operands number their
+// columns in this way.
 __device__ inline unsigned mma_piece() {
   const unsigned lane = threadIdx.x % 32, g = lane / 4, t = lane % 4;
   return t / 2 * 16 + g * 2 + t % 2;
@@ -43,7 +44,7 @@ __device__ inline unsigned mma_piece() {
 
 inline constexpr int mma_warps = 4;
 
-// Rows tiles of 16 X a warp, Steps tiles of 8 Y between two looks at the signs. All sizes in tiles of 8.
+// A warp holds Rows tiles of 16 X, and tests the signs once for Steps tiles of 8 Y. Indices count tiles of 8.
 template <int Rows, int Steps>
 __global__ void __launch_bounds__(mma_warps * 32)
     mma_kernel(const uint2 *a, const uint2 *b, part of, unsigned chunk, pair_list out) {
@@ -104,7 +105,8 @@ __global__ void __launch_bounds__(mma_warps * 32)
 // ---- wgmma ----
 
 #if MEETC_HAS_WGMMA
-// 64 X, in registers, by 64 Y, in shared memory as 16 rows of 8 pieces of 16 bytes; nothing is added to.
+// Multiplies 64 X, in registers, by 64 Y, in shared memory as 16 rows of 8 pieces of 16 bytes. Nothing is added to the
+// products.
 __device__ inline void multiply(float (&d)[32], const unsigned (&a)[4], unsigned long long y) {
   asm volatile("{\n.reg .pred add;\nsetp.ne.b32 add, 0, 0;\n"
                "wgmma.mma_async.sync.aligned.m64n64k16.f32.f16.f16 "
@@ -117,7 +119,7 @@ __device__ inline void multiply(float (&d)[32], const unsigned (&a)[4], unsigned
                  "+f"(d[24]), "+f"(d[25]), "+f"(d[26]), "+f"(d[27]), "+f"(d[28]), "+f"(d[29]), "+f"(d[30]), "+f"(d[31])
                : "r"(a[0]), "r"(a[1]), "r"(a[2]), "r"(a[3]), "l"(y));
 }
-// The same with results in half precision, two a register: half as many to look at.
+// The same with results in half precision, two in a register, which halves the number of registers to test.
 __device__ inline void multiply(unsigned (&d)[16], const unsigned (&a)[4], unsigned long long y) {
   asm volatile("{\n.reg .pred add;\nsetp.ne.b32 add, 0, 0;\n"
                "wgmma.mma_async.sync.aligned.m64n64k16.f16.f16.f16 "
@@ -141,7 +143,8 @@ __device__ inline void wgmma_commit() {
 template <int Behind> __device__ inline void wgmma_wait() {
   asm volatile("wgmma.wait_group.sync.aligned %0;" ::"n"(Behind) : "memory");
 }
-// Results are there only after the wait, which names no register: without this the compiler may read them before it.
+// The results are valid only after the wait, which names no register. This keeps the compiler from reading them
+// earlier.
 __device__ inline void settle(float (&d)[32]) {
 #pragma unroll
   for (int i = 0; i < 32; ++i)
@@ -152,18 +155,18 @@ __device__ inline void settle(unsigned (&d)[16]) {
   for (int i = 0; i < 16; ++i)
     asm volatile("" : "+r"(d[i])::"memory");
 }
-// No swizzle: pieces of 128 bytes, the next 8 columns 128 bytes on, the next 8 objects 256 bytes on.
+// The descriptor without swizzle: pieces of 128 bytes; the next 8 columns follow after 128 bytes, the next 8 objects
+// after 256.
 __device__ inline unsigned long long wgmma_operand(const void *shared) {
   const auto at = static_cast<unsigned>(__cvta_generic_to_shared(shared));
   return static_cast<unsigned long long>((at & 0x3ffff) >> 4) | 8ULL << 16 | 16ULL << 32;
 }
 #endif
 
-inline constexpr int wgmma_rows = 8; // times 64 X a block
+inline constexpr int wgmma_rows = 8; // tiles of 64 X in a block
 static_assert(matrix_block == 64 * wgmma_rows);
 
-// A block is a warpgroup. Tiles of 64 Y come through shared memory, two at a time in flight. Half: results in half
-// precision.
+// A block is a warpgroup. Tiles of 64 Y pass through shared memory, two at a time. Half: results in half precision.
 template <bool Half>
 __global__ void __launch_bounds__(128)
     wgmma_kernel([[maybe_unused]] const unsigned *a, [[maybe_unused]] const uint4 *b, [[maybe_unused]] part of,
@@ -171,7 +174,7 @@ __global__ void __launch_bounds__(128)
 #if MEETC_HAS_WGMMA
   __shared__ __align__(128) uint4 tiles[2][128];
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32, g = lane / 4, t = lane % 4;
-  const unsigned row = of.first_a / 8 + blockIdx.x * 8 * wgmma_rows; // of tiles of 8
+  const unsigned row = of.first_a / 8 + blockIdx.x * 8 * wgmma_rows; // in tiles of 8
   unsigned x[wgmma_rows][4];
 #pragma unroll
   for (unsigned r = 0; r < wgmma_rows; ++r) {
@@ -192,7 +195,7 @@ __global__ void __launch_bounds__(128)
     if (tile + 1 < end)
       fetch(tile + 1, now ^ 1);
     const unsigned long long y = wgmma_operand(tiles[now]);
-    unsigned rows = 0;                           // those with a sign set, as bits
+    unsigned rows = 0;                           // bit r: some result of row r is negative
     constexpr unsigned results = Half ? 16 : 32; // registers
     std::conditional_t<Half, unsigned, float> d[2][results];
     wgmma_begin();
@@ -220,7 +223,7 @@ __global__ void __launch_bounds__(128)
     rows = __reduce_or_sync(~0U, rows);
     if (rows && full(out))
       rows = 0;
-    // Gone through again by mma.sync: as right a filter as the other, and no registers are held for it.
+    // These rows are computed again by mma.sync, which is as good a filter and lets the kernel keep fewer registers.
     for (; rows; rows &= rows - 1) {
       const unsigned r = __ffs(rows) - 1;
       unsigned again[4] = {0, 0, 0, 0};
@@ -240,7 +243,8 @@ __global__ void __launch_bounds__(128)
     }
   }
 #else
-  // Not code for sm_90a: the caller has not asked the probe. A list that seems too short is noticed; lost pairs are not.
+  // This is not code for sm_90a: the caller has not asked the probe. A count that is too large is noticed; lost pairs
+  // are not.
   if (threadIdx.x == 0)
     atomicMax(out.count, ~0ULL);
 #endif

@@ -1,10 +1,11 @@
 // The start-up probe: does a matrix unit add as matrix.hpp assumes?
 //
-// Sixteen million rows by columns of halves, whose exact sums fp64 holds, go through mma.sync and, where the device
-// has it, wgmma. A result that is off by more than 17 2^-23 of the products' magnitudes refutes the model, and the filter
-// is then the one in float32. Passing proves nothing: the model stays an assumption. Cases: spread exponents; one large
-// addend over small ones at every distance (what is lost in aligning); pairs that cancel but for their last bits (what
-// is lost before they do); ties. Included by nvcc alone.
+// Sixteen million rows by columns of halves, whose exact sums fit in fp64, go through mma.sync and, where the device
+// has it, wgmma. A result whose error exceeds 17 2^-23 of the sum of the products' magnitudes refutes the model; the
+// filter is then the one in float32. Passing proves nothing: the model stays an assumption. The cases are numbers of
+// any exponent; one large addend over small ones at every distance (what is lost in aligning); pairs that cancel except
+// for their last bits (what is lost before they cancel); ties; and a large sum that is taken away again in another
+// order. Included by nvcc only.
 #ifndef MEETC_CUDA_PROBE_HPP
 #define MEETC_CUDA_PROBE_HPP
 
@@ -15,17 +16,18 @@ namespace meetc::cuda {
 
 inline constexpr unsigned probe_rounds = 64, probe_blocks = 64;
 
-__device__ inline unsigned mixed(unsigned x) { // a hash: fixed cases, the same in every run
+__device__ inline unsigned mixed(unsigned x) { // a hash, so that every run has the same cases
   x ^= x >> 16, x *= 0x7feb352dU;
   x ^= x >> 15, x *= 0x846ca68bU;
   return x ^ x >> 16;
 }
-// 1.m 2^e as a half, with a sign.
+// The half with value 1.m 2^e and this sign.
 __device__ inline std::uint16_t half_of(unsigned negative, int e, unsigned m) {
   return static_cast<std::uint16_t>(negative << 15 | static_cast<unsigned>(e + 15) << 10 | (m & 0x3ff));
 }
 
-// Column k of X row or Y column i in a round. Products are multiples of 2^-34 below 2^17: their sum has 53 bits at most.
+// Column k of X row or Y column i in a round. Products are multiples of 2^-34 below 2^17, so their sum has at most 53
+// bits.
 __device__ inline std::uint16_t probe_value(bool first, unsigned round, unsigned i, unsigned k) {
   const unsigned kind = round % 5;
   const auto random = [&](unsigned salt) { return mixed(mixed(mixed(round * 977 + salt) + i * 31) + k * 131 + first); };
@@ -33,19 +35,19 @@ __device__ inline std::uint16_t probe_value(bool first, unsigned round, unsigned
   switch (kind) {
   case 0: // any numbers
     return half_of(r >> 31, static_cast<int>(r >> 20 & 15) % 14 - 7, r);
-  case 1: { // one large addend, the others at one distance below it: Y carries the distance
+  case 1: { // one large addend, the others at one distance below it, which Y carries
     const bool large = k == round / 5 % 16;
     const int distance = static_cast<int>(i % 8) + static_cast<int>(round / 80 % 2) * 7;
     return first ? half_of(large ? 0 : r >> 31, large ? 7 : 0, large ? 0 : r)
                  : half_of(0, large ? 7 : -distance, round % 2 ? 0 : r >> 3);
   }
-  case 2: { // two and two cancel, but for their last bits
+  case 2: { // two and two cancel except for their last bits
     const unsigned twin = mixed(mixed(round * 977 + 5) + i * 31 + k / 2 * 131 + first);
     const unsigned last = k % 2 && !first ? r >> 9 & 1 : 0;
     const int e = static_cast<int>(twin >> 20 & 15) % 14 - 7;
     return half_of(first ? k % 2 : 0, e, twin ^ last);
   }
-  case 3: { // powers of two: ties where they are added
+  case 3: { // powers of two, which make ties when they are added
     const int e = static_cast<int>(r >> 20 & 15) % 14 - 7;
     return half_of(r >> 31, e, 0);
   }
@@ -57,7 +59,7 @@ __device__ inline std::uint16_t probe_value(bool first, unsigned round, unsigned
   }
 }
 
-// Whether the unit's result for X i and Y j keeps to the model.
+// Whether the unit's result for X i and Y j obeys the model.
 __device__ inline bool keeps_model(unsigned round, unsigned i, unsigned j, float result) {
   double sum = 0, size = 0;
   for (unsigned k = 0; k < matrix_columns; ++k) {
@@ -66,8 +68,8 @@ __device__ inline bool keeps_model(unsigned round, unsigned i, unsigned j, float
   }
   return std::fabs(static_cast<double>(result) - sum) <= 17 * 0x1p-23 * size;
 }
-// The same for results in half precision: rounded once more, and infinite beyond 65504. The margins leave a touching
-// pair below -2^-14, so that the sign comes through.
+// The same for results in half precision, which are rounded once more and infinite beyond 65504. The margins leave a
+// touching pair below -2^-14, so its sign survives.
 __device__ inline bool keeps_half_model(unsigned round, unsigned i, unsigned j, std::uint16_t result) {
   double sum = 0, size = 0;
   for (unsigned k = 0; k < matrix_columns; ++k) {
@@ -75,7 +77,7 @@ __device__ inline bool keeps_half_model(unsigned round, unsigned i, unsigned j, 
     sum += t, size += std::fabs(t);
   }
   const double off = 17 * 0x1p-23 * size + 0x1p-11 * std::fabs(sum) + 0x1p-14;
-  if ((result & 0x7c00) == 0x7c00) // infinite, and not NaN
+  if ((result & 0x7c00) == 0x7c00) // infinite, not NaN
     return (result & 0x3ff) == 0 && (result >> 15 ? -sum : sum) + off >= 65504;
   return std::fabs(from_half(result) - sum) <= off;
 }
@@ -84,7 +86,7 @@ __device__ inline unsigned probe_pair(bool first, unsigned round, unsigned i, un
   return probe_value(first, round, i, 2 * p) | static_cast<unsigned>(probe_value(first, round, i, 2 * p + 1)) << 16;
 }
 
-// A warpgroup: each warp has 16 X; Y are 64.
+// A block is one warpgroup: each warp has 16 X, and there are 64 Y.
 static __global__ void __launch_bounds__(128) probe_kernel(probe_result *out) {
   __shared__ __align__(128) std::uint16_t y[64 * matrix_columns];
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32, g = lane / 4, t = lane % 4;

@@ -1,8 +1,9 @@
-// A whole all-pairs query in the caller's memory: placing both sets, the filter, and the rungs, enqueued in one call.
+// A whole all-pairs query in the caller's memory: it poses both sets, filters, and runs the rungs, all enqueued in one
+// call.
 //
-// No list can be grown here, since nothing is waited for: the result says whether one was too short. Elements keep the
-// caller's order, so groups are of elements that follow each other there; meshes mostly list neighbours together, and
-// where they do not the filter is right and slower.
+// No list can grow here, because nothing waits for the device; the result says whether one was too short. Elements keep
+// the caller's order, so a group holds elements that follow each other in it. Meshes mostly list neighbours together.
+// Where they do not, the filter is as correct and slower.
 #ifndef MEETC_CUDA_QUERY_HPP
 #define MEETC_CUDA_QUERY_HPP
 
@@ -10,7 +11,7 @@
 
 namespace meetc::cuda {
 
-// Cuts the workspace into arrays; without memory, only adds up what is needed.
+// Cuts the workspace into arrays. Without memory it only adds up what is needed.
 class cutter {
 public:
   cutter(void *memory, std::size_t bytes) : at_(static_cast<char *>(memory)), bytes_(bytes) {}
@@ -32,7 +33,7 @@ struct query_memory {
   void *columns_a, *columns_b;
   extent *around;
   index_pair *first, *second;
-  unsigned long long *counts; // unsure in fp32, fp64, fp64x2 and exact (none); pairs with touching boxes
+  unsigned long long *counts; // unsure in fp32, fp64, fp64x2 and exact (none); pairs whose boxes touch
 
   static query_memory of(cutter &from, const catalogue &all, const predicate_launchers &p, std::uint32_t a,
                          std::uint32_t b, unsigned long long list) {
@@ -74,7 +75,7 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
   then([&] { return b.place(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
   if (q.a.elements == 0 || q.b.elements == 0)
     return e;
-  // Bad elements can be anything: what follows is finished all the same, and means nothing then.
+  // The steps below are finished even if elements are bad; their results then mean nothing.
   const cover c = balls_for(q.precision);
   const bool frame_of_a = q.b.elements < q.a.elements;
   then([&] { return all.clear_extent(m.around, stream); });

@@ -42,7 +42,7 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
   return cudaGetLastError();
 }
 
-// Writes the padding, too.
+// Writes the padding as well.
 template <class Shape, class Form, bool First, bool Halves>
 __global__ void __launch_bounds__(set_threads)
     columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
@@ -96,7 +96,7 @@ __global__ void __launch_bounds__(set_threads)
     bool good = true;
     const auto *bytes = reinterpret_cast<const char *>(v.data);
     for (int f = 0; f < Shape::fields; ++f) {
-      // Indexed kinds are points alone, x y z each.
+      // Kinds that can be indexed consist of points, x y z each.
       const std::size_t vertex =
           v.index ? v.index[i * (std::size_t{Shape::fields} / 3) + static_cast<unsigned>(f / 3)] : i;
       const bool there = !v.index || vertex < v.vertices;
@@ -137,7 +137,7 @@ cudaError_t place(const view &v, const placement &at, const std::uint32_t *order
   if (e != cudaSuccess || v.elements == 0)
     return e;
   if (v.index && (Shape::fields % 3 != 0 || Shape::pad >= 0))
-    return cudaErrorInvalidValue; // no kind of points alone
+    return cudaErrorInvalidValue; // the kind does not consist of points
   const unsigned blocks = std::min(blocks_for(v.elements), 65536U);
   place_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad);
   return cudaGetLastError();

@@ -1,8 +1,8 @@
 // Decisions on lists of pairs.
 //
-// Each decision step reads one list and appends to others, so that the next step finds its pairs side by side. How long a
-// list is, only the device knows: kernels are launched for the whole device and walk the list in strides. Included by
-// nvcc alone.
+// Each step reads one list and appends to others, so that the next step finds its pairs side by side. Only the device
+// knows how long a list is: kernels are launched for the whole device and walk the list in strides. Included by nvcc
+// only.
 #ifndef MEETC_CUDA_STEPS_HPP
 #define MEETC_CUDA_STEPS_HPP
 
@@ -15,20 +15,20 @@ namespace meetc::cuda {
 
 inline constexpr int step_threads = 128, step_blocks = 1056; // 8 for each of 132 multiprocessors
 
-// Where answers go: an array, one answer a pair, or two lists.
+// Where answers go: an array with one answer for each pair, or two lists.
 struct sink {
   answer *answers; // null: the lists
   pair_list yes, unsure;
 };
 
-// Pairs a lane takes at once from a long list: their rows are on their way together, and counters are asked less often.
-// From a short one it takes one, so that all lanes have work.
+// How many pairs a lane takes at once from a long list: their rows are loaded together, and counters are touched less
+// often. From a short list it takes one, so that all lanes have work.
 inline constexpr int step_pairs = 4;
 
 // The share of a list that a warp takes at a time, and where it begins.
 struct walk {
   unsigned long long n, at, stride;
-  unsigned each; // pairs a lane
+  unsigned each; // pairs for a lane
   // `times`: an entry of the list stands for so many.
   __device__ explicit walk(const pair_list &l, unsigned times = 1)
       : n((l.count && *l.count < l.capacity ? *l.count : l.capacity) * times) {
@@ -37,7 +37,7 @@ struct walk {
     at = (blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32) * each;
     stride = lanes * each;
   }
-  // The place of this lane's pair k, from n on where there is none.
+  // The index of this lane's pair k; n or more if it has no such pair.
   __device__ unsigned long long place(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
 };
 
@@ -169,7 +169,7 @@ cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs,
     return cudaSuccess;
   const std::size_t wanted = (n + step_threads * step_pairs - 1) / (step_threads * step_pairs);
   const unsigned blocks = wanted < 0x7fffffff ? static_cast<unsigned>(wanted) : 0x7fffffff;
-  const pair_list in{const_cast<index_pair *>(pairs), nullptr, n}; // which is only read
+  const pair_list in{const_cast<index_pair *>(pairs), nullptr, n}; // only read
   decide_kernel<P, Of><<<blocks, step_threads, 0, stream>>>(a, b, in, {out, {}, {}});
   return cudaGetLastError();
 }
@@ -202,7 +202,7 @@ template <class Store> cudaError_t store(const float *rows, std::uint32_t n, flo
   return cudaGetLastError();
 }
 
-// Rungs that the scene asks for, as bits: 1 << rung.
+// The rungs that the scene asks for, as bits 1 << rung.
 constexpr bool asks(unsigned rungs, rung r) {
   return (rungs >> static_cast<int>(r) & 1) != 0;
 }

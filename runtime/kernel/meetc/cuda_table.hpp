@@ -1,7 +1,7 @@
-// What generated CUDA code offers to a host: plain data and launchers, no shapes.
+// What generated CUDA code offers to a host: plain data and launchers, which name no shape.
 //
 // Every launcher enqueues its work on the stream; it allocates nothing, waits for nothing and throws nothing. All
-// pointers are device memory unless said otherwise. An element's place in its array is its slot.
+// pointers are device memory unless said otherwise. An element's index in its array is its slot.
 #ifndef MEETC_CUDA_TABLE_HPP
 #define MEETC_CUDA_TABLE_HPP
 
@@ -13,23 +13,24 @@
 
 namespace meetc::cuda {
 
-// A list that kernels append to, in any order. *count is the true number, also above the capacity (of candidates() a
-// number above it); then some of the pairs are written and the call is to be repeated with more room.
+// A list that kernels append to, in any order. *count is the true number even where it exceeds the capacity (after
+// candidates() it is then some number above the capacity). Only some of the pairs are then written, and the caller
+// repeats the call with more room.
 struct pair_list {
   index_pair *pairs;
   unsigned long long *count;
   unsigned long long capacity;
 };
 
-// What the filter takes as one object: an element, or a group of neighbouring slots. Groups are few, so that far fewer
-// pairs are looked at; pairs of groups that may touch are then taken apart.
+// What the filter takes as one object: an element, or a group of neighbouring slots. With groups far fewer pairs are
+// tested; pairs of groups that may touch are then taken apart.
 enum class grouping : std::uint8_t { single, group };
 inline constexpr std::uint32_t group_size = 8;
 MEETC_HD constexpr std::uint32_t size_of(grouping g) {
   return g == grouping::group ? group_size : 1;
 }
 
-// A set in place: rows of floats, and what the filter reads, as X or as Y.
+// A set of rows of floats, with the columns that the filter reads, as X or as Y.
 struct operand {
   const float *rows;
   std::uint32_t elements;
@@ -47,21 +48,21 @@ enum class filter : std::uint8_t {
   float32, // the form in float32; needs no assumption but IEEE arithmetic
   mma,     // mma.sync, any device of capability 8.0 or more
   wgmma,   // wgmma, a device of capability 9.0 with code for sm_90a
-  // wgmma with results in half precision: faster still. Assumes of the unit that it adds as for float32 and rounds once,
-  // at the end, where the vendor promises half precision alone. Never chosen unasked.
+  // wgmma with results in half precision, which is faster still. It assumes that the unit adds as it does for float32
+  // and rounds once at the end, where the vendor promises only half precision. It is never chosen unless asked for.
   wgmma_half,
 };
 
 // What the start-up probe found, in device memory.
 struct probe_result {
-  unsigned mma_faults, wgmma_faults, wgmma_half_faults; // cases in which the unit left the model of matrix.hpp
+  unsigned mma_faults, wgmma_faults, wgmma_half_faults; // cases in which the unit broke the model of matrix.hpp
   unsigned has_wgmma;                                   // the device runs code for sm_90a
   unsigned arithmetic_faults;                           // bits of arithmetic_fault
-  unsigned cases;                                       // that were tried, of each unit
+  unsigned cases;                                       // tried on each unit
 };
 
-// Elements where the caller has them, in device memory. With `index`, each is so many indices into `vertices` points
-// x, y, z; without, a row of the kind's floats, and `vertices` is not looked at.
+// Elements in the caller's device memory. With `index`, each element is a fixed number of indices into `vertices`
+// points x, y, z. Without, it is a row of the kind's floats, and `vertices` is not read.
 struct view {
   const float *data;
   std::size_t stride_bytes; // of a point or row; a multiple of 4 is not needed
@@ -79,11 +80,11 @@ struct placement {
 
 // A query in the caller's memory. All pointers are device memory.
 struct query_result {
-  unsigned long long count; // the true number of touching pairs, also where it exceeds the capacity
-  // Above list_capacity: the workspace is too small, count is too low, and how much room is needed is not known.
+  unsigned long long count; // the true number of touching pairs, even where it exceeds the capacity
+  // Above list_capacity: the workspace is too small, count is too low, and the room that is needed is not known.
   unsigned long long candidates, kept;
-  // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus its place; ~0
-  // where all are good. Where one is not, the rest means nothing.
+  // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus its slot; ~0
+  // where all elements are good. Where one is not, the rest means nothing.
   unsigned long long bad_a, bad_b;
 };
 struct query {
@@ -98,20 +99,21 @@ struct query {
   query_result *result;
   void *workspace; // 256-byte aligned
   std::size_t bytes;
-  unsigned long long list_capacity; // candidates that there is room for between two stages
+  unsigned long long list_capacity; // room for candidates between two stages
 };
 
 // One kind of element.
 struct kind_launchers {
   const char *name;
   int fields;
-  // Packed rows under the placement; *bad as in query_result, of order[i] for element i (null: i).
+  // Writes packed rows in the pose `at`. *bad is as in query_result. Element i is written from element order[i], or
+  // from i where order is null.
   cudaError_t (*place)(const view &v, const placement &at, const std::uint32_t *order, float *rows,
                        unsigned long long *bad, cudaStream_t stream);
-  // Widens *around, which clear_extent() has emptied, by the balls around the elements' boxes, those that are finite.
+  // Widens *around, which clear_extent() has emptied, by the balls around the finite boxes of the elements.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
-  // The filter's columns of all objects in the frame of *around: as X (first) or Y. With balls around boxes the filter
-  // lets every pair through whose boxes touch.
+  // Writes the filter's columns of all objects in the frame of *around, as X (first) or as Y. With balls around boxes,
+  // the filter passes every pair whose boxes touch.
   cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
                          const extent *around, void *columns, cudaStream_t stream);
 };
@@ -122,7 +124,7 @@ struct part {
   std::uint32_t first_a, end_a, first_b, end_b;
 };
 
-// What a decision step runs on a list of candidates.
+// What runs on a list of candidates.
 enum class step : std::uint8_t {
   near_boxes,  // keeps the pairs whose closed boxes touch
   near_reject, // ... and that the reject stage, certified in fp32, does not rule out
@@ -135,8 +137,7 @@ enum class step : std::uint8_t {
   certify_fp64x2,
 };
 
-// What a rung takes after the first step (near_reject for `certified`, else near_boxes): each step what the one before
-// left unsure. count 0: no such rung.
+// What a rung runs after first_step(): each step takes what the one before left unsure. count 0: there is no such rung.
 struct ladder_steps {
   step of[4];
   int count;
@@ -163,7 +164,7 @@ constexpr bool reads_stored(rung precision) {
 constexpr step first_step(rung precision) {
   return precision == rung::certified ? step::near_reject : step::near_boxes;
 }
-// Plain rungs can say yes where nothing touches; with balls around boxes they are asked about what the CPU asks about.
+// Plain rungs can say yes where nothing touches. With balls around boxes they decide the same pairs as on the CPU.
 constexpr cover balls_for(rung precision) {
   return precision == rung::certified || precision == rung::exact ? cover::element : cover::box;
 }
@@ -178,7 +179,7 @@ struct stored_launcher {
 
 struct predicate_launchers {
   const char *name;
-  int kind_a, kind_b; // places in the catalogue's kinds
+  int kind_a, kind_b; // indices of the catalogue's kinds
   // Reads min(*in.count, in.capacity) pairs of objects, takes them apart into pairs of slots, and appends those that the
   // step keeps to `kept`; the number of pairs whose boxes touch is added to *touching. `which` is near_boxes or
   // near_reject. cudaErrorInvalidValue where the scene does not ask for the rung.
@@ -206,7 +207,7 @@ struct catalogue {
   // Appends the pairs of objects in the part whose enclosing balls may touch. Both operands are grouped alike. Once the
   // list is full it stops early, and the count may leave pairs out.
   cudaError_t (*candidates)(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream);
-  // Refutes the model of the matrix units, or does not; checks the arithmetic that the bounds assume.
+  // Tests the model of the matrix units, and the arithmetic that the bounds assume.
   cudaError_t (*probe)(probe_result *out, cudaStream_t stream);
 };
 

@@ -32,7 +32,7 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const S
   if constexpr (P::rare_stage::atoms > 0) {
     const truth rare = needs_rare_stage<P>(f);
     if (can_be_true(rare)) {
-      if (can_be_false(rare)) { // perhaps: the next rung will know
+      if (can_be_false(rare)) { // perhaps yes: the next rung decides
         for (int i = 0; i < P::rare_stage::atoms; ++i)
           f.sets[P::rare_stage::first + i] = sign_set::all();
         f.known = false;
@@ -47,23 +47,23 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const S
   return usual_answer<P>(f);
 }
 
-// One rung of `certified` where the environment is known to be the standard one: no and yes are proved.
+// One rung of `certified`, where the environment is known to be the standard one. Its no and yes are proved.
 template <class P, class A> MEETC_HD MEETC_INLINE answer certify_here(const float *row_a, const float *row_b) {
   return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
 }
-// The same anywhere: unsure in any other environment.
+// The same in any environment; unsure unless it is the standard one.
 template <class P, class A> MEETC_HD inline answer certify(const float *row_a, const float *row_b) {
   if (!standard_environment())
     return answer::unsure;
   return before_return(certify_here<P, A>(after_check(row_a), after_check(row_b)));
 }
 
-// The rungs of `certified` after fp32, in the standard environment. What few pairs need stays out of line.
+// The rungs of `certified` after fp32, in the standard environment. Few pairs need them, so they stay out of line.
 template <class P> MEETC_NOINLINE MEETC_HD inline bool decide_after_fp32(const float *row_a, const float *row_b) {
   const answer x = certify_here<P, in_fp64>(row_a, row_b);
   return x == answer::unsure ? decide<P>(exact_signs<P>(row_a, row_b)) : x == answer::yes;
 }
-// All rungs of `certified` for one pair: never wrong, for any valid operands, in any environment.
+// All rungs of `certified` for one pair: never wrong, for any valid operands and in any environment.
 template <class P> MEETC_HD inline bool decide_certified(const float *row_a, const float *row_b) {
   if (!standard_environment())
     return decide<P>(integer_signs<P>(row_a, row_b));
@@ -72,7 +72,7 @@ template <class P> MEETC_HD inline bool decide_certified(const float *row_a, con
   return before_return(x == answer::unsure ? decide_after_fp32<P>(row_a, row_b) : x == answer::yes);
 }
 
-// One sign, for kernels that are nothing else.
+// The value of a kernel that is a single sign.
 template <class P, class Signs> MEETC_HD inline sign decide_sign(const Signs &signs) {
   sign s[P::atoms + 1];
   if constexpr (P::common_stage::atoms > 0)

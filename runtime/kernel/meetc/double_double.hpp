@@ -1,10 +1,10 @@
 // Numbers of about 106 bits as unevaluated sums of two doubles, |lo| <= ulp(hi)/2.
 //
-// Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic",
-// ACM TOMS 44(2), 2017: sums are within 3 u^2 / (1 - 4u), products within 5 u^2 of the true result, u = 2^-53. All
+// Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM
+// TOMS 44(2), 2017: sums are within 3 u^2 / (1 - 4u) of the true result, products within 5 u^2, u = 2^-53. All
 // operations here are therefore within 2^-102, with room for underflow as long as products stay above 2^-960.
 //
-// All are inlined: a copy that another translation unit calls may know another fma().
+// All functions are inlined, since a copy in another translation unit may have been compiled with another fma().
 #ifndef MEETC_DOUBLE_DOUBLE_HPP
 #define MEETC_DOUBLE_DOUBLE_HPP
 
@@ -21,7 +21,7 @@ struct double_double {
   MEETC_HD double_double(double h, double l) : hi(h), lo(l) {}
 };
 
-// ---- error-free transforms: exact barring overflow (two_product: and underflow), for any compiler flags ----
+// ---- error-free transforms: exact unless they overflow (or two_product underflows), for any compiler flags ----
 
 // hi + lo = a + b.
 MEETC_HD MEETC_INLINE double_double two_sum(double a, double b) {
@@ -29,7 +29,7 @@ MEETC_HD MEETC_INLINE double_double two_sum(double a, double b) {
   const double s = __dadd_rn(a, b), t = __dsub_rn(s, a);
   return {s, __dadd_rn(__dsub_rn(a, __dsub_rn(s, t)), __dsub_rn(b, t))};
 #else
-  a = opaque(a), b = opaque(b); // a product that comes in must not be contracted with the sum
+  a = opaque(a), b = opaque(b); // an incoming product must not be contracted with the sum
   const double s = opaque(a + b), t = opaque(s - a), rest = opaque(s - t), x = opaque(a - rest), y = opaque(b - t);
   return {s, x + y};
 #endif
@@ -133,7 +133,7 @@ MEETC_HD MEETC_INLINE float magnitude_of(float v) {
 MEETC_HD MEETC_INLINE double magnitude_of(double v) {
   return __builtin_fabs(v);
 }
-// Of a double-double, its high word's: within 2^-53 of the whole.
+// The magnitude of a double-double's high word, which is within 2^-53 of the whole.
 MEETC_HD MEETC_INLINE double magnitude_of(const double_double &v) {
   return __builtin_fabs(v.hi);
 }

@@ -1,7 +1,7 @@
-// A ball around any bounded element: its hull, a few points, and the radius around that.
+// A ball around any bounded element, which is the hull of a few points, widened by a radius.
 //
-// A Shape says where a kind's points and its radius lie in a row: fields, hull (the number of points), place(), pad, and
-// a closed box, box().
+// A Shape says where the points and the radius of a kind lie in a row: fields, hull (the number of points), place(),
+// pad; and it has a closed box, box().
 #ifndef MEETC_ENCLOSING_HPP
 #define MEETC_ENCLOSING_HPP
 
@@ -18,9 +18,9 @@ template <class Shape> MEETC_HD inline double hull_point(const float *row, int p
   return at < 0 ? 0 : static_cast<double>(row[at]);
 }
 
-// A ball x, y, z, r that holds the element, in fp64: r is rounded up, by more than it can be off. The centre starts in
-// the middle of the hull's box and walks towards the farthest point (Badoiu and Clarkson, "Smaller core-sets for
-// balls", 2003); any centre gives a right ball.
+// A ball x, y, z, r that holds the element, in fp64. r is rounded up by more than its possible error. The centre starts
+// in the middle of the hull's box and moves towards the farthest point (Badoiu and Clarkson, "Smaller core-sets for
+// balls", 2003); the ball holds the element wherever the centre ends.
 template <class Shape> MEETC_HD inline void enclosing_ball(const float *row, double ball[4]) {
   for (int k = 0; k < 3; ++k) {
     double lo = hull_point<Shape>(row, 0, k), hi = lo;
@@ -53,10 +53,10 @@ template <class Shape> MEETC_HD inline void enclosing_ball(const float *row, dou
     ball[3] = (ball[3] + static_cast<double>(row[Shape::pad])) * (1 + 0x1p-50);
 }
 
-// What an object's ball encloses: the elements, or their boxes too.
+// What an object's ball encloses: the elements, or their boxes as well.
 enum class cover : std::uint8_t { element, box };
 
-// False of NaN.
+// False for NaN.
 MEETC_HD inline bool is_finite(float x) {
   return std::fabs(x) < HUGE_VALF;
 }
@@ -64,8 +64,8 @@ MEETC_HD inline bool is_finite(double x) {
   return std::fabs(x) < HUGE_VAL;
 }
 
-// Whether the boxes of all these elements are finite. A box rounded outwards can reach beyond float32 where the element's
-// own numbers do not; no ball is made of such a box, and no frame takes it in.
+// Whether the boxes of all these elements are finite. A box that is rounded outwards can exceed float32 although the
+// element's own numbers do not. Such a box gets no ball and takes no part in a frame.
 template <class Shape>
 MEETC_HD inline bool have_finite_boxes(const float *rows, std::uint32_t first, std::uint32_t end) {
   bool finite = true;
@@ -78,7 +78,7 @@ MEETC_HD inline bool have_finite_boxes(const float *rows, std::uint32_t first, s
   return finite;
 }
 
-// A ball that holds the element's box, however that is rounded. The box is finite.
+// A ball that holds the element's box, which must be finite.
 template <class Shape> MEETC_HD inline void ball_of_box(const float *row, double ball[4]) {
   float lo[3], hi[3];
   Shape::box(row, lo, hi);
@@ -92,7 +92,7 @@ template <class Shape> MEETC_HD inline void ball_of_box(const float *row, double
   ball[3] = std::sqrt(square) * (1 + 0x1p-48);
 }
 
-// The ball of an object: what `c` says of each of its elements. Their boxes are finite.
+// A ball around what `c` names of each element in the object. The boxes of the elements must be finite.
 template <class Shape>
 MEETC_HD inline void object_ball(cover c, const float *rows, std::uint32_t first, std::uint32_t end, double ball[4]) {
   const auto one = [&](std::uint32_t i, double out[4]) {

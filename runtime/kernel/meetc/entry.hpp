@@ -1,8 +1,8 @@
 // What emitted entry points call, for operands as they are stored.
 //
-// to_row() is the operands' own. It reads them after the check of the environment, and once more for what few pairs
-// need, so that the rows of the others can stay in registers. What few pairs need is compiled in the generated library,
-// P::after_fp32 and its like; on a device, where nothing is called out of line, it is inline.
+// to_row() comes with the operands. It reads them after the check of the environment, and again on the rare paths, so
+// that the rows can stay in registers on the others. The rare paths are compiled in the generated library
+// (P::after_fp32 and its like); on a device, which calls nothing out of line, they are inline.
 #ifndef MEETC_ENTRY_HPP
 #define MEETC_ENTRY_HPP
 
@@ -17,7 +17,7 @@ template <class P, class A, class B> struct rows_of {
   float a[P::inputs_a], b[P::inputs_b];
   MEETC_HD MEETC_INLINE rows_of(const A &x, const B &y) { to_row(x, a), to_row(y, b); }
 };
-// f(row_a, row_b) of rows that are read here, out of line.
+// Reads the rows and calls f(row_a, row_b), out of line.
 template <class P, class A, class B, class F>
 MEETC_NOINLINE MEETC_HD inline auto rarely(const A &x, const B &y, F &&f) {
   const rows_of<P, A, B> rows(x, y);

@@ -1,9 +1,9 @@
-// What the arithmetic of generated code takes for granted of compiler and machine, and how it is checked.
+// What generated code assumes of the compiler and the machine, and how it is checked.
 //
-// Bounds assume IEEE 754 binary32 and binary64, round to nearest, gradual underflow, an fma() that rounds once, NaN and
-// infinities that are kept, and sums that are not reassociated. They do not mind whether a product and a sum are
-// contracted to a fused multiply-add. Error-free transforms do mind: they stand behind opaque(), which no compiler looks
-// through. docs/numerics.md lists each assumption with the place that checks it.
+// Bounds assume IEEE 754 binary32 and binary64, rounding to nearest, gradual underflow, an fma() that rounds once, NaN
+// and infinities that are kept, and sums that are not reassociated. They hold whether or not a product and a sum are
+// contracted to a fused multiply-add. Error-free transforms need it not to be: they stand behind opaque(), which no
+// compiler sees through. docs/numerics.md lists each assumption with the place that checks it.
 #ifndef MEETC_ENVIRONMENT_HPP
 #define MEETC_ENVIRONMENT_HPP
 
@@ -33,15 +33,15 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 #error "meet: intermediate results are wider than their type; compile with -msse2 -mfpmath=sse"
 #endif
 
-// The rare paths are kept out of line, and rolled up on the device: they cost little time and save much code. On the
-// device nothing is called out of line (see bytecode.hpp).
+// The rare paths are kept out of line, and rolled up on the device: they take little time, and inlining them costs much
+// code. On the device nothing is called out of line (see bytecode.hpp).
 //
-// MEETC_INLINE marks arithmetic that a bound is claimed for, and what checks the compiler: both must be compiled as one
-// function, by one set of flags. A linker that finds two copies of an inline function keeps either, and the other may
-// have been compiled under `#pragma GCC optimize("Ofast")`.
+// MEETC_INLINE marks the arithmetic for which a bound is claimed, and the checks of the compiler. Both must be compiled
+// within the calling function, with its flags: a linker that finds two copies of an inline function keeps either, and
+// the other may have been compiled under `#pragma GCC optimize("Ofast")`.
 //
-// MEETC_INLINED marks decisions over signs, which are a few instructions where they stand; MEETC_LARGE those of the rare
-// case, which a host may call.
+// MEETC_INLINED marks decisions over signs, which are a few instructions when inlined. MEETC_LARGE marks those of the
+// rare case, which a host may call.
 #if defined(__CUDA_ARCH__)
 #define MEETC_NOINLINE
 #define MEETC_INLINE inline
@@ -58,11 +58,11 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 
 namespace meetc {
 
-// The value x, of which the compiler knows nothing: what is computed from it is neither contracted nor reassociated
-// with what it came from.
+// The value x, hidden from the compiler: what is computed from it is neither contracted nor reassociated with what it
+// came from.
 template <class T> MEETC_HD MEETC_INLINE T opaque(T x) {
 #if defined(__CUDA_ARCH__)
-  return x; // device code uses the intrinsics that are never contracted instead
+  return x; // device code uses intrinsics, which are never contracted
 #elif (defined(__GNUC__) || defined(__clang__)) && defined(__SSE2__)
   __asm__("" : "+x"(x));
   return x;
@@ -77,13 +77,13 @@ template <class T> MEETC_HD MEETC_INLINE T opaque(T x) {
 
 // ---- the compiler ----
 
-// Whether this function is compiled as the bounds assume. Flags are refused above where they define a macro; those that
-// come by a pragma or an attribute define none, nor do clang's -fno-honor-nans and -fassociative-math. But an optimiser
-// that may do so reduces the expressions below to constants, and one that may not cannot: nothing is left of them where
-// all is well. Without an optimiser (-O0) they say nothing; that a compiler then computes what is written is taken on
-// trust. On the device standard_environment() looks at what the flags do.
+// Whether this function is compiled as the bounds assume. Flags that define a macro are refused above. Pragmas and
+// attributes define none, nor do clang's -fno-honor-nans and -fassociative-math. An optimiser that is allowed such
+// changes reduces the expressions below to constants, and one that is not cannot, so the checks leave no code where all
+// is well. Without an optimiser (-O0) they prove nothing; it is assumed that the compiler then computes what is
+// written. On the device standard_environment() tests the effect of the flags.
 //
-// No bool here is const: the initialiser of a constant is evaluated before any optimiser has seen it.
+// No bool here is const, because the initialiser of a constant is evaluated before the optimiser runs.
 MEETC_HD MEETC_INLINE bool keeps_nan_and_infinity() {
 #if defined(__CUDA_ARCH__)
   return true;
@@ -110,9 +110,9 @@ MEETC_HD MEETC_INLINE bool compiled_as_written() {
 }
 
 #if !defined(__FMA__) && !defined(__FMA4__) && !defined(__aarch64__) && !defined(__CUDA_ARCH__)
-// Whether the C library's fma() and fmaf() round once, on samples, in a standard environment: where the processor's own
-// instruction is not compiled in, they are calls. Each case is lost by a way of rounding twice: through the type itself,
-// through double, through the 64 bits of the x87; and what works near 1 may not do so far from it.
+// Whether the C library's fma() and fmaf() round once, on samples, in a standard environment. They are calls where the
+// processor's own instruction is not compiled in. Each case fails under one way of rounding twice: through the type
+// itself, through double, or through the 64 bits of the x87. A way that works near 1 may fail far from it.
 MEETC_NOINLINE inline bool library_fma_rounds_once() {
   const float a = opaque(1 + 0x1p-12F); // a a = 1 + 2^-11 + 2^-24, half way between two floats
   bool single = __builtin_fmaf(a, a, opaque(0x1p-100F)) == 1 + 0x1p-11F + 0x1p-23F &&
@@ -128,7 +128,7 @@ MEETC_NOINLINE inline bool library_fma_rounds_once() {
          __builtin_fma(c, opaque(1 - 0x1p-27), opaque(-1.0)) == -0x1p-54 &&
          __builtin_fma(opaque(1 + 0x1p-30), opaque(1 + 0x1p-23), opaque(0x1p-120)) == 1 + 0x1p-23 + 0x1p-30 + 0x1p-52;
 }
-inline int library_fma = 0; // 0: not looked at, 1: it rounds once, 2: it does not
+inline int library_fma = 0; // 0: not tested, 1: it rounds once, 2: it does not
 MEETC_NOINLINE inline bool look_at_library_fma() {
   const bool once = library_fma_rounds_once();
   __atomic_store_n(&library_fma, once ? 1 : 2, __ATOMIC_RELAXED);
@@ -136,7 +136,8 @@ MEETC_NOINLINE inline bool look_at_library_fma() {
 }
 #endif
 
-// Whether fma() rounds once; where it is a call, found out once a process (more often if threads begin together).
+// Whether fma() rounds once. Where it is a call, this is tested once in a process (more often if threads start
+// together).
 MEETC_HD MEETC_INLINE bool fma_rounds_once() {
 #if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDA_ARCH__)
   return true; // an instruction
@@ -146,7 +147,7 @@ MEETC_HD MEETC_INLINE bool fma_rounds_once() {
 #endif
 }
 
-// Both, for each function that computes what a bound is claimed for.
+// Both checks, for each function that computes something with a claimed bound.
 MEETC_HD MEETC_INLINE bool computes_as_bounded() {
   return compiled_as_written() && fma_rounds_once();
 }
@@ -154,19 +155,19 @@ MEETC_HD MEETC_INLINE bool computes_as_bounded() {
 // ---- the thread ----
 
 #if defined(__CUDA_ARCH__)
-// The float with these bits, of which the front end knows nothing: it folds as if subnormals were always kept.
+// The float with these bits, hidden from the front end, which folds constants as if subnormals were always kept.
 __device__ inline float float_of(std::uint32_t bits) {
   asm("" : "+r"(bits));
   return __uint_as_float(bits);
 }
 #endif
 
-// Whether what is computed here, now, is what the bounds assume. A library linked with -ffast-math can have set
-// flush-to-zero for the whole process; certified answers are then taken from the integers alone. On the device the
-// flags of the compilation decide: -ftz=true and --use_fast_math define no macro, but they mark each operation. ptxas
-// knows the marks and folds the difference to what the device would compute, so it costs nothing.
+// Whether arithmetic here and now does what the bounds assume. A library linked with -ffast-math can have set
+// flush-to-zero for the whole process; certified answers then come from the integers alone. On the device the flags of
+// the compilation decide: -ftz=true and --use_fast_math define no macro, but they mark each operation. ptxas knows the
+// marks and folds the difference to what the device would compute, so this costs nothing.
 //
-// The control word comes first: before it is known, not even a probe may compute.
+// The control word is tested first: until it is known, not even a probe may compute.
 MEETC_HD MEETC_INLINE bool standard_environment() {
 #if defined(__CUDA_ARCH__)
   return float_of(2) - float_of(1) > 0; // subnormals
@@ -175,15 +176,15 @@ MEETC_HD MEETC_INLINE bool standard_environment() {
 #endif
 }
 
-// p again, for use after a check of the environment: what is read through it is read, and computed with, after the check.
-// Compilers move arithmetic across changes of the control word, of which they know nothing.
+// p again, for use after a check of the environment: everything read through it is read after the check. Otherwise
+// compilers may move arithmetic across changes of the control word, which they know nothing of.
 template <class T> MEETC_HD MEETC_INLINE const T *after_check(const T *p) {
 #if !defined(__CUDA_ARCH__)
   __asm__ volatile("" : "+r"(p) : : "memory");
 #endif
   return p;
 }
-// The answer, computed before what follows the call.
+// The answer, computed before anything that follows the call.
 template <class T> MEETC_HD MEETC_INLINE T before_return(T answer) {
 #if !defined(__CUDA_ARCH__)
   int word = static_cast<int>(answer);

@@ -1,4 +1,4 @@
-// The exact rung: signs by integers, and by arithmetic of floating point where that is proved to be exact.
+// The exact rung: signs by integers, and by floating-point arithmetic where that is proved to be exact.
 #ifndef MEETC_EXACT_HPP
 #define MEETC_EXACT_HPP
 
@@ -7,8 +7,8 @@
 
 namespace meetc {
 
-// Integers on the grid of the pair's own numbers, as wide as the stage needs. Depends on nothing: neither on compiler
-// flags nor on the control word.
+// Integers on the grid of the pair's own numbers, as wide as the stage needs. They depend neither on compiler flags nor
+// on the control word.
 template <class P> struct integer_signs {
   const float *a, *b;
   grid common;
@@ -37,10 +37,10 @@ private:
   }
 
   template <class Stage> MEETC_NOINLINE MEETC_HD void run_limbs(int need, sign *s) const {
-    // Finite numbers span 277 bits, 2^-149 to 2^128; the bits of infinity and NaN are read as numbers below 2^129.
+    // Finite numbers span 277 bits, 2^-149 to 2^128. The bits of infinity and NaN are read as numbers below 2^129.
     constexpr int most = (Stage::degree * 278 + Stage::growth) / 64 + 1;
     std::uint64_t registers[Stage::bytecode::registers][most];
-    const int limbs = need / 64 + 1; // and a bit for the sign
+    const int limbs = need / 64 + 1; // and one bit for the sign
     MEETC_ROLLED
     for (int i = 0; i < P::inputs_a; ++i)
       to_limbs(a[i], common.low, limbs, registers[i]);
@@ -53,14 +53,14 @@ private:
   }
 };
 
-// The exact rung. Where the differences are short on their common grid, values up to degree 2 are exact in fp64 and
-// the rest in double-double, without a branch; elsewhere double-double with its bound; what is left, in integers. Where the
-// environment is not the standard one, in integers alone.
+// The exact rung. Where the differences are short on their common grid, values up to degree 2 are exact in fp64 and the
+// rest in double-double, without a branch. Elsewhere double-double with its bound is tried, and integers decide what is
+// left. In an environment that is not the standard one, integers decide everything.
 template <class P> struct exact_signs {
   const float *a, *b;
   grid common;
   bool standard;
-  int bits; // of the differences, on the grid; where `standard`
+  int bits; // of the differences on the grid; set where `standard`
   MEETC_HD exact_signs(const float *row_a, const float *row_b)
       : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
         standard(standard_environment()), bits(0) {
@@ -91,14 +91,14 @@ template <class P> struct exact_signs {
 
 private:
   // An e with |d| < 2^e for every difference d that the predicate forms and for every number that stands alone. On an
-  // axis no difference exceeds the largest number less the least; numbers of no axis count twice, since they may
-  // stand in differences with each other. -1000: all of them are zero.
+  // axis no difference exceeds the largest number less the least. Numbers that belong to no axis count twice, since
+  // they may be subtracted from each other. -1000: all numbers are zero.
   MEETC_HD static int spread(const float *row_a, const float *row_b) {
     double low[4] = {0, 0, 0, 0}, high[4] = {0, 0, 0, 0};
     bool seen[4] = {false, false, false, false};
     const auto take = [&](double v, int axis) {
       const int k = axis < 0 || axis > 2 ? 3 : axis;
-      if (k == 3) // as a range from -2 |v| to 0
+      if (k == 3) // a range from -2 |v| to 0
         v = v < 0 ? 2 * v : -2 * v;
       low[k] = seen[k] && low[k] < v ? low[k] : v;
       high[k] = k == 3 ? 0 : seen[k] && high[k] > v ? high[k] : v;

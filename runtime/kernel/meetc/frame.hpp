@@ -1,14 +1,14 @@
-// The cube in which an all-pairs filter evaluates its form: made from a set, and where the objects of two
-// sets lie in it.
+// The cube in which an all-pairs filter evaluates its form. It is made from one set; each object of both sets has a
+// place relative to it.
 //
-// Every thread widens an interval an axis by its elements, intervals are joined, and the bits of their ends
-// are joined across the device by integer minima and maxima. This is the one copy of that arithmetic: kernels
-// call it, and so does whatever stands in for them on a host.
+// Every thread widens one interval for each axis by its elements, intervals are joined, and the bits of their ends are
+// joined across the device by integer minima and maxima. There is one copy of this arithmetic, which kernels call as
+// well as their stand-in on a host.
 //
-// The invariant: an object is called apart, or inside, only where comparisons of finite numbers prove it. No
-// comparison holds of NaN, so what is not known, and what the frame was not made for, meets everything. In
-// particular an element whose box overflows float32 is left out of its own set's frame, which stays that of
-// the others, and is `everywhere`.
+// The invariant: an object is called `inside` or `apart` only where comparisons of finite numbers prove it. No
+// comparison with NaN holds, so an object with unknown numbers, or one that the frame was not made for, meets
+// everything. In particular, an element whose box overflows float32 is left out of its own set's frame, which stays
+// that of the others, and is `everywhere`.
 #ifndef MEETC_FRAME_HPP
 #define MEETC_FRAME_HPP
 
@@ -22,7 +22,7 @@ namespace meetc {
 
 // ---- the extent of a set ----
 
-// Bits in the order of the numbers, and back.
+// Maps doubles to bits whose integer order is that of the numbers, and back.
 MEETC_HD inline unsigned long long ordered(double x) {
   std::uint64_t b;
   std::memcpy(&b, &x, sizeof b);
@@ -36,7 +36,7 @@ MEETC_HD inline double from_ordered(unsigned long long bits) {
   return x;
 }
 
-// Empty as it is made.
+// Empty by default.
 struct interval {
   double lo = HUGE_VAL, hi = -HUGE_VAL;
 };
@@ -47,15 +47,15 @@ MEETC_HD inline interval joined(const interval &x, const interval &y) {
 // Widens the intervals of the three axes by the ball around an element's box, where that is finite.
 template <class Shape> MEETC_HD inline void widen(interval around[3], const float *row) {
   if (!have_finite_boxes<Shape>(row, 0, 1))
-    return; // place_object() says everywhere
+    return; // place_object() calls it everywhere
   double ball[4];
   ball_of_box<Shape>(row, ball);
   for (int k = 0; k < 3; ++k)
     around[k] = joined(around[k], {ball[k] - ball[3], ball[k] + ball[3]});
 }
 
-// The same for a whole set, as the order-keeping bits of its ends: so that it can be joined by integer minima
-// and maxima.
+// The same for a whole set. The ends are stored as bits in the order of the numbers, so that integer minima and maxima
+// join them.
 struct extent {
   unsigned long long low[3], high[3];
 };
@@ -65,15 +65,14 @@ MEETC_HD inline void clear(extent &e, int axis) {
 
 // ---- the frame ----
 
-// Coordinates are moved by -origin and multiplied by scale, a power of two, so that they lie in [-2^11,
-// 2^11].
+// Coordinates are moved by -origin and multiplied by scale, a power of two, so that they lie in [-2^11, 2^11].
 struct matrix_frame {
   double origin[3], scale;
 };
 inline constexpr double matrix_reach = 2048;
 
-// The frame of a set by its intervals. They are empty where it has no element that a frame is made for; all
-// that it has are then everywhere, and any frame will do.
+// The frame of a set by its intervals. They are empty if no element has a finite box. All elements are then
+// `everywhere`, and any frame will do.
 MEETC_HD inline matrix_frame frame_of(const interval around[3]) {
   matrix_frame f{{0, 0, 0}, 1};
   bool known = true;
@@ -103,16 +102,16 @@ MEETC_HD inline matrix_frame frame_of(const extent &e) {
   return frame_of(around);
 }
 
-// Where an object lies. The set that a frame was made from has its elements in the frame's cube, all but
-// those that are everywhere; so what does not reach the cube touches none of the others.
+// Where an object lies. The cube holds all elements of the set that the frame was made from, except those that are
+// `everywhere`. An object that does not reach the cube therefore touches none of the others.
 enum class placing : std::uint8_t {
-  inside,     // within reach in every number; the filter's bound is proved for such balls alone
-  apart,      // does not reach the cube: meets what is everywhere, and nothing else
-  astride,    // of none of these is known: meets all that is not apart
-  everywhere, // not finite somewhere, so that the frame was not made for it: meets all there is
-  nowhere,    // no object, but padding behind the last: meets nothing at all
+  inside,     // within reach in every number; the filter's bound is proved only for such balls
+  apart,      // does not reach the cube: meets only what is everywhere
+  astride,    // none of the others is proved: meets everything that is not apart
+  everywhere, // some number is not finite, so the frame was not made for it: meets everything
+  nowhere,    // not an object, but padding behind the last: meets nothing
 };
-// A ball x, y, z, r, taken into the frame.
+// Transforms the ball x, y, z, r into the frame.
 MEETC_HD inline placing place_ball(const matrix_frame &frame, double ball[4]) {
   bool inside = true, finite = true, apart = false;
   for (int k = 0; k < 4; ++k) {
@@ -120,13 +119,13 @@ MEETC_HD inline placing place_ball(const matrix_frame &frame, double ball[4]) {
     inside &= std::fabs(ball[k]) <= matrix_reach;
     finite &= is_finite(ball[k]);
   }
-  // The slack is far more than these lines round.
+  // The slack far exceeds the rounding errors of these lines.
   for (int k = 0; k < 3; ++k)
     apart |= std::fabs(ball[k]) - ball[3] > matrix_reach + 1 + 1e-9 * (std::fabs(ball[k]) + ball[3]);
   return inside ? placing::inside : !finite ? placing::everywhere : apart ? placing::apart : placing::astride;
 }
 
-// The object that consists of these elements, as a ball in the frame; no ball where it is everywhere.
+// The object that consists of these elements, as a ball in the frame. There is no ball where it is `everywhere`.
 template <class Shape>
 MEETC_HD inline placing place_object(const matrix_frame &frame, cover c, const float *rows, std::uint32_t first,
                                      std::uint32_t end, double ball[4]) {

@@ -28,7 +28,7 @@ MEETC_HD inline decoded decode(float v) {
   return {exponent ? fraction | 0x800000 : fraction, static_cast<int>(exponent ? exponent : 1) - 150, b >> 31 != 0};
 }
 
-// Places of the lowest and the highest set bit of m > 0.
+// The positions of the lowest and the highest set bit of m > 0.
 MEETC_HD inline int lowest_bit(std::uint32_t m) {
 #if defined(__CUDA_ARCH__)
   return __ffs(static_cast<int>(m)) - 1;

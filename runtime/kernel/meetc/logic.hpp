@@ -24,7 +24,7 @@ MEETC_HD constexpr sign square(sign s) {
   return s * s;
 }
 
-// A set of possible signs, as a rung with an error bound knows it: bit 0 negative, bit 1 zero, bit 2 positive.
+// A set of possible signs, as a rung with an error bound knows it. Bit 0: negative, bit 1: zero, bit 2: positive.
 struct sign_set {
   std::uint8_t bits;
   MEETC_HD static constexpr sign_set all() { return {7}; }
@@ -47,7 +47,7 @@ MEETC_HD constexpr sign_set square(sign_set s) {
 MEETC_HD constexpr bool is_known(sign_set s) {
   return s.bits == 1 || s.bits == 2 || s.bits == 4;
 }
-// The sign of a set of one.
+// The sign in a set of one.
 MEETC_HD constexpr sign known_sign(sign_set s) {
   return static_cast<sign>((s.bits >> 2) - (s.bits & 1));
 }
@@ -59,14 +59,14 @@ template <class S> MEETC_HD constexpr S constant_sign(sign s) {
     return S::of(s);
 }
 
-// A three-valued truth: bit 0 can be false, bit 1 can be true.
+// A three-valued truth. Bit 0: it can be false; bit 1: it can be true.
 struct truth {
   std::uint8_t bits;
   MEETC_HD constexpr bool can_be_true() const { return (bits & 2) != 0; }
   MEETC_HD constexpr bool can_be_false() const { return (bits & 1) != 0; }
 };
 
-// Branch-free connectives, alike for bool and truth (strong Kleene logic).
+// Branch-free connectives for bool and truth alike (strong Kleene logic).
 MEETC_HD constexpr bool both(bool a, bool b) {
   return static_cast<bool>(a & b);
 }
@@ -85,7 +85,7 @@ MEETC_HD constexpr truth either(truth a, truth b) {
 MEETC_HD constexpr truth negate(truth a) {
   return {static_cast<std::uint8_t>((a.bits & 1) << 1 | a.bits >> 1)};
 }
-// A branch that is always taken is a plain bool beside truths.
+// A plain bool, where a branch is always taken, combines with truths.
 MEETC_HD constexpr truth to_truth(truth a) {
   return a;
 }
@@ -104,7 +104,7 @@ MEETC_HD constexpr truth either(truth a, bool b) {
 MEETC_HD constexpr truth either(bool a, truth b) {
   return either(to_truth(a), b);
 }
-// Of three and more, from the left.
+// For three and more operands, from the left.
 template <class A, class B, class C, class... More> MEETC_HD constexpr auto both(A a, B b, C c, More... more) {
   return both(both(a, b), c, more...);
 }
@@ -133,7 +133,7 @@ MEETC_HD constexpr answer to_answer(truth a) {
   return a.bits == 3 ? answer::unsure : a.can_be_true() ? answer::yes : answer::no;
 }
 
-// Whether a sign lies in the mask (1 negative, 2 zero, 4 positive): the comparisons < 0, <= 0, == 0 ...
+// Whether a sign lies in the mask (1 negative, 2 zero, 4 positive). This is the comparison < 0, <= 0, == 0 and so on.
 template <int Mask> MEETC_HD constexpr bool in(sign s) {
   return (Mask >> (static_cast<int>(s) + 1) & 1) != 0;
 }
@@ -141,7 +141,7 @@ template <int Mask> MEETC_HD constexpr truth in(sign_set s) {
   return {static_cast<std::uint8_t>(((s.bits & ~Mask & 7) != 0) | ((s.bits & Mask) != 0) << 1)};
 }
 
-// The same by name, as emitted decisions have them.
+// The same by name, as emitted decisions write it.
 template <class S> MEETC_HD constexpr auto below_zero(S s) {
   return in<1>(s);
 }

@@ -1,14 +1,14 @@
-// A bilinear form as a product of half-precision matrices, of whose result only the signs are looked at.
+// A bilinear form as a product of half-precision matrices, of which only the signs of the results are used.
 //
-// A form F(X, Y) = sum_k f_k(X) g_k(Y) + f(X) + g(Y) with few products fits into one matrix step: each factor becomes
-// two halves, h + l; of their product h h, h l and l h are kept, and an additive term takes two columns beside a
-// constant. What that loses, and what the unit's own addition may lose, is folded into the additive terms as a margin,
-// an object at a time. So for any two objects inside the frame
+// A form F(X, Y) = sum_k f_k(X) g_k(Y) + f(X) + g(Y) with few products fits into one matrix step. Each factor becomes
+// two halves, h + l; the products h h, h l and l h are kept, and an additive term takes two columns next to a constant.
+// What this loses, and what the unit's own addition may lose, is subtracted from the additive terms as a margin for
+// each object. For any two objects inside the frame, therefore,
 //   F <= 0 implies that the unit's result is negative,
-// if the unit keeps to the model: from 16 products t_i, each exact, it computes a sum that is within
-// 17 2^-23 sum |t_i| of their sum, in whatever order, with or without truncation and subnormals. No vendor promises
-// that; probe_unit() (cuda_probe.hpp) can refute it, and cannot prove it. Form holds the margin's constants, and says where they
-// come from. Source of the splitting: Markidis et al., "NVIDIA Tensor Core Programmability, Performance and Precision",
+// if the unit obeys the model: from 16 products t_i, each exact, it computes a sum that is within 17 2^-23 sum |t_i| of
+// their sum, in whatever order, with or without truncation and subnormals. No vendor promises that; probe()
+// (cuda_probe.hpp) can refute it and cannot prove it. Form holds the constants of the margin and says where they come
+// from. Source of the splitting: Markidis et al., "NVIDIA Tensor Core Programmability, Performance and Precision",
 // 2018.
 #ifndef MEETC_MATRIX_HPP
 #define MEETC_MATRIX_HPP
@@ -22,10 +22,11 @@
 namespace meetc {
 
 inline constexpr int matrix_columns = 16;
-// Objects come in tiles of 8, and arrays have room for a whole block behind any of them.
+// Objects come in tiles of 8, and arrays have room for a whole block behind any object.
 inline constexpr int matrix_block = 512;
 
-// Where column k of object i lies, in halves: two rows of eight 16-byte pieces a tile, as the matrix units read them.
+// The index of column k of object i, in halves: a tile is two rows of eight 16-byte pieces, as the matrix units read
+// it.
 MEETC_HD constexpr std::size_t matrix_place(std::size_t i, int k) {
   return i / 8 * 128 + static_cast<std::size_t>(k / 8) * 64 + i % 8 * 8 + static_cast<std::size_t>(k % 8);
 }
@@ -33,7 +34,7 @@ MEETC_HD constexpr std::size_t matrix_padded(std::size_t objects) {
   return (objects + 2 * matrix_block - 1) / matrix_block * matrix_block;
 }
 
-// The nearest half to x as its bits, ties to even; 0 below the normal range, 2^-14. |x| <= 65504.
+// The bits of the half nearest to x, ties to even; 0 below the normal range, 2^-14. |x| <= 65504.
 MEETC_HD inline std::uint16_t to_half(double x) {
   std::uint64_t b;
   std::memcpy(&b, &x, sizeof b);
@@ -64,9 +65,9 @@ MEETC_HD inline std::uint16_t to_half_below(double x) {
   return static_cast<std::uint16_t>(h & 0x8000 ? h + 1 : h == 0x0400 ? 0 : h - 1);
 }
 
-inline constexpr double matrix_constant = 256; // what additive columns are multiplied by
+inline constexpr double matrix_constant = 256; // the factor of additive columns
 
-// The additive term of an object with features f (Form::products factors, then the term), its margin taken off.
+// The additive term of an object with features f (Form::products factors, then the term), less its margin.
 template <class Form> MEETC_HD inline double with_margin(const double *f) {
   double squares = 0, sizes = 0;
   for (int k = 0; k < Form::products; ++k)
@@ -76,9 +77,9 @@ template <class Form> MEETC_HD inline double with_margin(const double *f) {
                  Form::margin_absolute);
 }
 
-// The additive term of an object that is not inside; it has no other. Of one that is, the form's own lies between
-// -2.01 2^20 and 6.01 2^20, since inputs are at most 2^11, so the sum of two is negative just where `placing` says that
-// they meet. No rounding comes near it.
+// The only term of an object that is not inside. The form's own additive term of one that is lies between -2.01 2^20
+// and 6.01 2^20, since inputs are at most 2^11. The sum of two terms is therefore negative exactly where `placing` says
+// that the objects meet, and no rounding can change that.
 MEETC_HD constexpr double term_outside(placing where) {
   switch (where) {
   case placing::nowhere:
@@ -124,8 +125,8 @@ MEETC_HD inline void to_columns(const double *object, placing where, std::uint16
 
 // ---- the same in float32, where no matrix unit is trusted ----
 
-// Factors rounded to float32 and the additive term with a margin for it: each product is off by 3 roundings at most,
-// the chain adds 5 more.
+// The factors rounded to float32, and the additive term with a margin for that: each product has at most 3 rounding
+// errors, and the chain adds 5 more.
 template <class Form, bool First> MEETC_HD inline void to_floats(const double *object, placing where, float *out) {
   for (int k = 0; k < Form::products; ++k)
     out[k] = 0;

@@ -1,5 +1,5 @@
-// What a pair that a filter let through has to pass before it is decided: its boxes touch, and the reject
-// stage does not rule it out. Kernels call this, and so does whatever stands in for them on a host.
+// The tests that a pair from a filter must pass before it is decided: its boxes touch, and the reject stage does not
+// rule it out. Kernels call them, and so does their stand-in on a host.
 #ifndef MEETC_NEAR_HPP
 #define MEETC_NEAR_HPP
 
@@ -8,8 +8,8 @@
 
 namespace meetc {
 
-// Whether the closed boxes of a row of A and one of B touch. Boxes that reach beyond float32 have infinite
-// ends; only a comparison that holds makes two boxes apart, and none holds of NaN.
+// Whether the closed boxes of a row of A and a row of B touch. Boxes that exceed float32 have infinite ends. Two boxes
+// are apart only where a comparison holds, and none holds with NaN.
 template <class A, class B> MEETC_HD inline bool boxes_touch(const float *a, const float *b) {
   float low_a[3], high_a[3], low_b[3], high_b[3];
   A::box(a, low_a, high_a);

@@ -1,5 +1,5 @@
-// What few pairs need, for rows: the rungs after fp32. On a host the generated library compiles it, and the entry points
-// call it there; see entry.hpp.
+// The rungs after fp32, for rows. Few pairs need them. On a host the generated library compiles them and the entry
+// points call them there; see entry.hpp.
 #ifndef MEETC_REST_HPP
 #define MEETC_REST_HPP
 
@@ -7,7 +7,7 @@
 
 namespace meetc {
 
-// The answer where fp32 has none, in any environment.
+// The answer where fp32 gives none, in any environment.
 template <class P> MEETC_HD inline bool decide_rest(const float *row_a, const float *row_b) {
   if (!standard_environment())
     return decide<P>(integer_signs<P>(row_a, row_b));
@@ -17,7 +17,7 @@ template <class P> MEETC_HD inline bool decide_exactly(const float *row_a, const
   return before_return(decide<P>(exact_signs<P>(row_a, row_b)));
 }
 
-// The same of one sign.
+// The same for one sign.
 template <class P> MEETC_HD inline sign decide_rest_sign(const float *row_a, const float *row_b) {
   if (!standard_environment())
     return decide_sign<P>(integer_signs<P>(row_a, row_b));

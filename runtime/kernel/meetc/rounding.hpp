@@ -1,4 +1,4 @@
-// The neighbours of float32 numbers, and the powers of two above them, on their bits.
+// The neighbours of float32 numbers and the powers of two above them, by operations on bits.
 #ifndef MEETC_ROUNDING_HPP
 #define MEETC_ROUNDING_HPP
 
@@ -31,13 +31,13 @@ MEETC_HD inline float most_of(float a, float b) {
   return a < b ? b : a;
 }
 
-// The larger of m and |x|; NaN when x is.
+// The larger of m and |x|; NaN where x is NaN.
 MEETC_HD MEETC_INLINE float larger(float m, float x) {
   const float a = magnitude_of(x);
   return a <= m ? m : a;
 }
 
-// The least power of two that is not below x >= 0; infinite and NaN stay.
+// The least power of two that is not below x >= 0. Infinity and NaN are returned as they are.
 MEETC_HD inline float power_above(float x) {
   std::uint32_t b;
   std::memcpy(&b, &x, sizeof b);
@@ -47,7 +47,7 @@ MEETC_HD inline float power_above(float x) {
   return x;
 }
 
-// The least power of two that is above x >= 0; infinite and NaN stay.
+// The least power of two that is above x >= 0. Infinity and NaN are returned as they are.
 MEETC_HD inline float power_over(float x) {
   std::uint32_t b;
   std::memcpy(&b, &x, sizeof b);

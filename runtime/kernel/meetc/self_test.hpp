@@ -1,10 +1,10 @@
 // Whether compiler and machine compute as the bounds assume: a test that runs where the answers are computed.
 //
 // Most flags that break the arithmetic define a macro, and environment.hpp refuses them. Some define none
-// (-fassociative-math with clang, -ftz=true with nvcc, pragmas), and a library linked with -ffast-math flushes subnormals
-// for the whole process. self_test() sees what they do, and says which it is. It allocates nothing, takes well below a
-// microsecond, and looks at the calling thread and this translation unit's flags alone: code with other flags needs a test
-// of its own.
+// (-fassociative-math with clang, -ftz=true with nvcc, pragmas), and a library linked with -ffast-math flushes
+// subnormals for the whole process. self_test() detects their effects and says which it found. It allocates nothing,
+// takes well below a microsecond, and tests only the calling thread and this translation unit's flags: code with other
+// flags needs a test of its own.
 #ifndef MEETC_SELF_TEST_HPP
 #define MEETC_SELF_TEST_HPP
 
@@ -52,7 +52,7 @@ MEETC_HD constexpr const char *text_of(arithmetic_fault f) {
   }
   return "an unknown fault";
 }
-// The text of the first fault of a set of them; the first is the likeliest cause of the others.
+// The text for the first fault in a set. The first is the likeliest cause of the others.
 MEETC_HD constexpr const char *text_of_faults(unsigned faults) {
   for (unsigned bit = 1; bit & fault_bits; bit <<= 1)
     if (faults & bit)
@@ -62,13 +62,14 @@ MEETC_HD constexpr const char *text_of_faults(unsigned faults) {
 
 namespace self_test_parts {
 
-// x, of which no compiler knows the value, for host and device.
+// The value x, hidden from every compiler on host and device.
 template <class T> MEETC_HD inline T hidden(T x) {
   volatile T y = x;
   return y;
 }
 
-// One format: the least normal and the least subnormal number, u = 2^-p, and 1 + h whose square needs two words.
+// The constants of a format: the least normal and the least subnormal number, u = 2^-p, and a number 1 + h whose square
+// needs two words.
 template <class T> struct format { T least_normal, least, u, wide; };
 MEETC_HD constexpr format<float> of(float) {
   return {0x1p-126F, 0x1p-149F, 0x1p-24F, 1 + 0x1p-12F};
@@ -85,7 +86,8 @@ template <class T> MEETC_HD inline bool keeps_subnormals() {
          ::meetc::fma(normal, hidden(T(0.5)), zero) == half;
 }
 
-// 1 + u and 1 + 3u are ties; the other modes each round some of these another way. Products: (1 + 2u)(1 - 2u) < 1.
+// 1 + u and 1 + 3u are ties, and each of the other rounding modes rounds some of these differently. For products, (1 +
+// 2u)(1 - 2u) < 1.
 template <class T> MEETC_HD inline bool rounds_to_nearest() {
   constexpr format<T> f = of(T());
   const T one = hidden(T(1)), u = hidden(f.u), two_u = hidden(2 * f.u);
@@ -98,16 +100,16 @@ template <class T> MEETC_HD inline bool rounds_to_nearest() {
 template <class T> MEETC_HD inline bool fuses() {
   constexpr format<T> f = of(T());
   const T a = hidden(f.wide), square = hidden(a * a), rest = ::meetc::fma(a, a, -square);
-  // (1 + h)^2 = 1 + 2h + h^2, and h^2 = u (float) or u/2 (double) is what rounding to nearest drops.
+  // (1 + h)^2 = 1 + 2h + h^2, and rounding to nearest drops h^2 = u (float) or u/2 (double).
   return square == 1 + 2 * (a - 1) && rest == (f.wide - 1) * (f.wide - 1) && rest > 0;
 }
 
-// As a compiler would simplify them were it allowed to: not behind opaque().
+// These expressions are not behind opaque(), so that a compiler simplifies them if it is allowed to.
 template <class T> MEETC_HD inline bool keeps_order() {
   constexpr format<T> f = of(T());
   const T x = hidden(T(1)), big = hidden(1 / f.u * 4), small = hidden(f.u);
   const T first = (x + big) - big, second = (x + small) - x, third = (small - x) + x;
-  // A sum in a loop, which reassociation would split into lanes: 1 absorbs every u.
+  // A sum in a loop, which reassociation would split into lanes; 1 absorbs every u.
   const T step = hidden(f.u);
   T sum = x;
   for (int i = 0; i < 16; ++i)
@@ -138,7 +140,7 @@ MEETC_HD inline bool two_sum_is_exact() {
     const double_double s = ::meetc::two_sum(hidden(c[0]), hidden(c[1]));
     exact = exact && s.hi == c[2] && s.lo == c[3];
   }
-  // A product that comes in must not be fused with the sum: a a + b is then another number than fl(a a) + b.
+  // An incoming product must not be fused with the sum, because a a + b differs from fl(a a) + b.
   const double a = hidden(1 + 0x1p-30), b = hidden(-1.0);
   const double_double fused = ::meetc::two_sum(a * a, b);
   return exact && fused.hi == 0x1p-29 && fused.lo == 0;
@@ -162,7 +164,7 @@ MEETC_HD inline bool two_product_is_exact() {
 
 } // namespace self_test_parts
 
-// The faults of this thread's arithmetic, as bits; 0: none.
+// The faults of this thread's arithmetic, as bits; 0 where there are none.
 MEETC_HD inline unsigned self_test() {
   namespace parts = self_test_parts;
 #if !defined(__CUDA_ARCH__)
@@ -175,7 +177,7 @@ MEETC_HD inline unsigned self_test() {
   require(parts::rounds_to_nearest<float>() && parts::rounds_to_nearest<double>(), arithmetic_fault::rounding);
 #if defined(__FLT_EVAL_METHOD__) && !defined(__CUDA_ARCH__)
   require(__FLT_EVAL_METHOD__ == 0 || __FLT_EVAL_METHOD__ == 16,
-          arithmetic_fault::excess_precision); // 16: for _Float16 alone
+          arithmetic_fault::excess_precision); // 16 concerns only _Float16
 #endif
   require(parts::fuses<float>() && parts::fuses<double>() && fma_rounds_once(), arithmetic_fault::fused_multiply_add);
   require(parts::keeps_order<float>() && parts::keeps_order<double>() && keeps_order_of_sums(),
@@ -188,8 +190,8 @@ MEETC_HD inline unsigned self_test() {
 }
 
 #if defined(__CUDACC__)
-// The same on a device: one thread writes the faults to *faults, device memory. A template, so that it may stand in
-// a header.
+// The same on a device: one thread writes the faults to *faults, device memory. It is a template, so that it can stand
+// in a header.
 template <int = 0> __global__ void self_test_kernel(unsigned *faults) {
   *faults = self_test();
 }

@@ -1,7 +1,7 @@
 // meetc/support.hpp: what every generated header includes.
 //
-// Signs, three-valued answers, the arithmetic of the rungs as far as most pairs take it, and the plain types through which
-// generated code meets a runtime. Host and device, C++20, no dependency but a compiler.
+// Signs, three-valued answers, the arithmetic of the rungs as far as most pairs take it, and the plain types by which
+// generated code and a runtime communicate. For host and device, in C++20, with no dependency but a compiler.
 #ifndef MEETC_SUPPORT_HPP
 #define MEETC_SUPPORT_HPP
 

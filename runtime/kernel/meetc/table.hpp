@@ -1,4 +1,4 @@
-// What a runtime and generated code tell each other: plain data and functions, no shapes.
+// What a runtime and generated code tell each other: plain data and functions, which name no shape.
 #ifndef MEETC_TABLE_HPP
 #define MEETC_TABLE_HPP
 
@@ -8,7 +8,7 @@
 
 namespace meetc {
 
-// What a stored number is, so that a runtime can move an element and check it without knowing its shape.
+// What a stored number is. A runtime can then move an element and check it without knowing its shape.
 enum class role : std::uint8_t { x, y, z, length, other };
 
 // One kind of element. A row is `fields` floats in the spec's store order.
@@ -17,7 +17,7 @@ struct kind_info {
   const char *csv;   // the CSV header: the stored names, comma-separated
   int fields;        // floats a row
   const role *roles; // of each field
-  int points;        // > 0: the row is that many points x, y, z and nothing else, so it can be indexed
+  int points;        // > 0: the row is this many points x, y, z and nothing else, so it can be indexed
   // A closed box that encloses the element, never too small (where subnormals are not flushed to zero).
   void (*box)(const float *row, float lo[3], float hi[3]);
   const char *(*fault)(const float *row); // the broken `where` rule, or null
@@ -43,8 +43,8 @@ struct index_pair {
   std::uint32_t a, b;
 };
 
-// fp32, fp64 and fp64x2 are plain: they take the sign of the computed value. exact and certified are never wrong;
-// certified runs the bounded rungs first, the cheapest first, each on what the one before left unsure.
+// fp32, fp64 and fp64x2 are plain: they take the sign of the computed value. exact and certified are never wrong.
+// certified runs the bounded rungs, the cheapest first, each on what the one before left unsure, and exact last.
 enum class rung : std::uint8_t { fp32 = 0, fp64 = 1, fp64x2 = 2, exact = 3, certified = 4 };
 inline constexpr int rung_count = 5;
 // The rungs of `certified` before exact are named as the plain ones: fp32, fp64, fp64x2.
@@ -58,12 +58,12 @@ struct predicate_info {
   const char *name;
   const char *mode; // "solid", "surface", or "" where the two do not differ
   const kind_info *a, *b;
-  // By rung; rows have a->fields and b->fields floats. Null where the scene does not ask for the rung. None answers
-  // unsure.
+  // Indexed by rung; rows have a->fields and b->fields floats. Null where the scene does not ask for the rung. No entry
+  // answers unsure.
   decide_function decide[rung_count];
-  // The bounded rungs of `certified`, fp32 first, to be run on what the one before left unsure: no and yes are proved.
-  // decide[exact] is run last, so a table made by hand must fill it too: with any of the four missing the runtime has
-  // no `certified`. Null without `certified`.
+  // The bounded rungs of `certified`, fp32 first, each for the pairs that the one before left unsure. Their no and yes
+  // are proved. decide[exact] runs last, so a table made by hand must fill it as well: if any of the four is missing,
+  // the runtime has no `certified`. Null without `certified`.
   decide_function certify[bounded_rungs];
   // The first of them in a box of side D: a power of two from box_least to box_most that no difference of coordinates,
   // no coordinate and no length of the elements exceeds. Bounds take each object's own extents.

@@ -1,4 +1,4 @@
-// The functions of a runtime's table, for any predicate; compiled in the generated library.
+// The functions in a runtime's table, for any predicate. They are compiled in the generated library.
 #ifndef MEETC_TABLE_FUNCTIONS_HPP
 #define MEETC_TABLE_FUNCTIONS_HPP
 

@@ -1,6 +1,6 @@
-// A pair's decision as far as most pairs take it: the reject stage and the usual case, on sets of signs.
+// A pair's decision as far as most pairs need it: the reject stage and the usual case, on sets of signs.
 //
-// While every sign is known the logic of signs is taken, which is several times faster than that of sets.
+// While every sign is known, the logic of signs is used, which is several times faster than that of sets.
 #ifndef MEETC_USUAL_HPP
 #define MEETC_USUAL_HPP
 
@@ -8,7 +8,7 @@
 
 namespace meetc {
 
-// Sets of one sign each as those signs.
+// Reads sets of one sign each as signs.
 template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, sign *s) {
   for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
     s[i] = known_sign(sets[i]);
@@ -17,15 +17,15 @@ template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, si
 // The signs that a rung with a bound has found so far.
 template <class P> struct found_signs {
   sign_set sets[P::atoms + 1];
-  sign s[P::atoms + 1]; // where all are known
+  sign s[P::atoms + 1]; // valid where all are known
   bool known = true;
 };
 
-// Whether the predicate has a rare stage; not whether it has been defined.
+// Whether the predicate has a rare stage, even if only declared.
 template <class P> inline constexpr bool has_rare_stage = !std::is_same_v<typename P::rare_stage, no_stage>;
 
-// Runs the reject stage and that of the usual case; false: the pair is a miss. A reject stage that is unsure is no reason to
-// stop, since the decision is right without it.
+// Runs the reject stage and that of the usual case. Returns false where the pair is a miss. A reject stage that is
+// unsure is no reason to stop, since the decision is right without it.
 template <class P, class Signs> MEETC_HD MEETC_INLINE bool find_usual(const Signs &signs, found_signs<P> &f) {
   if constexpr (P::reject_stage::atoms > 0) {
     f.known = signs.template get<typename P::reject_stage>(f.sets);
@@ -51,7 +51,7 @@ template <class P> MEETC_HD MEETC_INLINE answer usual_answer(const found_signs<P
   return f.known ? to_answer(P::usual(f.s)) : to_answer(P::usual(f.sets));
 }
 
-// What a bounded rung says without the rare stage; `rare`: the rare stage has to say it.
+// What a bounded rung says without the rare stage; `rare` means that the rare stage must decide.
 enum class first_answer : std::uint8_t { no, yes, unsure, rare };
 template <class P, class A> MEETC_HD MEETC_INLINE first_answer look(const float *row_a, const float *row_b) {
   found_signs<P> f;
@@ -63,7 +63,7 @@ template <class P, class A> MEETC_HD MEETC_INLINE first_answer look(const float 
   return static_cast<first_answer>(usual_answer<P>(f));
 }
 
-// The set of one sign, for kernels that are nothing else.
+// The set of signs of a kernel that is a single sign.
 template <class P, class A> MEETC_HD MEETC_INLINE sign_set certify_sign_here(const float *row_a, const float *row_b) {
   sign_set s[P::atoms + 1];
   if constexpr (P::common_stage::atoms > 0)

@@ -1,5 +1,5 @@
-// Whether a number is one that a kind may hold: finite, and as its `where` says. On bits alone, so that the answer
-// depends neither on flags nor on the control word (which can make a negative subnormal number compare as zero).
+// Whether a number is one that a kind may hold: finite, and as its `where` says. The test uses bits alone, so the
+// answer depends neither on flags nor on the control word (which can make a negative subnormal number compare as zero).
 #ifndef MEETC_VALID_HPP
 #define MEETC_VALID_HPP
 
@@ -10,7 +10,7 @@
 namespace meetc {
 
 struct number_parts {
-  std::uint64_t magnitude, infinity; // without the sign
+  std::uint64_t magnitude, infinity; // without the sign bit
   bool negative;
 };
 MEETC_HD inline number_parts parts_of(float x) {
@@ -28,7 +28,7 @@ template <class T> MEETC_HD inline bool is_finite(T x) {
   const number_parts b = parts_of(x);
   return b.magnitude < b.infinity;
 }
-// x >= 0 and x > 0; no for NaN.
+// x >= 0 and x > 0; both are false for NaN.
 template <class T> MEETC_HD inline bool not_negative(T x) {
   const number_parts b = parts_of(x);
   return b.magnitude <= b.infinity && (!b.negative || b.magnitude == 0);

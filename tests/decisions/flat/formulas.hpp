@@ -1,5 +1,5 @@
-// The four decisions, written once more by hand in determinants, turns and differences; and each with one
-// thing wrong, to see that the enumeration finds that out.
+// The four decisions, written a second time by hand in determinants, turns and differences, and each with one mistake,
+// to see that the enumeration finds it.
 //
 // This is what the proof in docs/decisions.md reads. That the emitted functions say the same for all signs is
 // checked, so neither the spec language nor the compiler is trusted.

@@ -1,4 +1,4 @@
-// The enumeration bites: each decision with one thing wrong is refuted by a class.
+// The enumeration finds mistakes: each decision with one thing wrong is refuted by a class.
 #include "tests/catch.hpp"
 #include "tests/decisions/flat/witness.hpp"
 

@@ -1,5 +1,5 @@
-// Step 3 of the proof: every claim has a certificate that multiplies out to zero. And a wrong decision has
-// not.
+// Step 3 of the proof: every claim has a certificate that multiplies out to zero. A wrong decision has a claim without
+// one.
 #include "tests/catch.hpp"
 #include "tests/decisions/round/claim.hpp"
 

@@ -1,4 +1,4 @@
-// Asks for no pair, so that no device is needed.
+// Decides no pair, so it needs no device.
 #include <cell/cell.hpp>
 #include <cell/cell_cuda.hpp>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Asks for a device, which is there or is not.
+// Opens a device, which may or may not exist.
 #include <cell/cell_cuda.hpp>
 #include <core/device/collide.hpp>
 #include <cstdio>

@@ -1,10 +1,10 @@
-// A user's program with any flags: batches of inputs near zero through the headers' certified rungs, in loops
-// that a compiler may vectorise, against integers. Nothing that is certified may be wrong.
+// A user's program with any flags: batches of inputs near zero through the headers' certified rungs, in loops that a
+// compiler may vectorise, against integers. No certified answer may be wrong.
 //
-//   hostile            as the process is
-//   hostile words      and once more under every control word that is not the standard one
+//   hostile            in the environment of the process
+//   hostile words      and again under every control word that is not the standard one
 //
-// With HOSTILE_FEW defined it has one predicate of each sort: compiling them all takes most of a test's time.
+// With HOSTILE_FEW defined it has one predicate of each sort, because compiling them all takes most of a test's time.
 #include "rows.hpp"
 #include "words.hpp"
 
@@ -24,7 +24,7 @@ struct tally {
 } total;
 bool boxed_rungs_too = true;                // they do not ask the control word
 const decltype(plain_word) *word = nullptr; // that hits are taken under
-// While a batch is answered.
+// The control word while a batch is answered.
 std::unique_ptr<other_word> under_the_word() {
   return std::unique_ptr<other_word>(word ? new other_word(*word) : nullptr);
 }
@@ -164,8 +164,7 @@ void check_all() {
 #endif
 }
 
-// The corner of a triangle that is so large that products of differences overflow: NaN must not pass for an
-// answer.
+// The corner of a triangle that is so large that products of differences overflow: NaN must not be taken for an answer.
 bool large_triangle_holds() {
   constexpr float h = 0x1p103F;
   const cga::triangle<float> t{{h, -h, -h}, {-h, h, 0}, {h, -h, h}};

@@ -1,4 +1,4 @@
-// Two translation units of one program, under flags of their own, ask the same rows.
+// Two translation units of one program, with different flags, decide the same rows.
 #pragma once
 
 #include <cstddef>

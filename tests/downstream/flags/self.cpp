@@ -1,4 +1,4 @@
-// What self_test() says, every fault by its text. Exit code 1 where there is one.
+// Prints the result of self_test(), every fault by its text. Exit code 1 where there is one.
 #include <meetc/support.hpp>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
-// A user's program that changes the control word beside calls: before a call, after it, and between two calls
-// on the same operands. What is computed under one word must not be used under another, however much a
-// compiler inlines and moves.
+// A user's program that changes the control word around calls: before a call, after it, and between two calls on the
+// same operands. What is computed under one word must not be used under another, however much a compiler inlines and
+// moves.
 #include "rows.hpp"
 #include "words.hpp"
 
@@ -17,8 +17,8 @@ cga::triangle<float> triangle_of(const float *r) {
   return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
 }
 
-// What the program itself does with its operands: the differences that hit() takes, too. A compiler that
-// inlines hit() would rather not take them twice.
+// The program's own work on its operands includes differences that hit() computes as well. A compiler that inlines
+// hit() would rather compute them once.
 volatile float seen;
 void look(const cga::point<float> &p, const cga::point<float> &q) {
   seen = q.x - p.x;
@@ -43,14 +43,14 @@ template <class P, class A, class B> __attribute__((noinline)) bool asked_under(
   set_control_word(plain_word);
   return hit;
 }
-// The answer under the plain word, after the program has looked at the same operands under the other.
+// The answer under the plain word, after the program has used the same operands under the other.
 template <class P, class A, class B> __attribute__((noinline)) bool asked_after(A a, B b, decltype(plain_word) word) {
   set_control_word(word);
   look(a, b);
   set_control_word(plain_word);
   return P::hit(a, b);
 }
-// The answer under the plain word, before the program looks at the same operands under the other.
+// The answer under the plain word, before the program uses the same operands under the other.
 template <class P, class A, class B> __attribute__((noinline)) bool asked_before(A a, B b, decltype(plain_word) word) {
   const bool hit = P::hit(a, b);
   set_control_word(word);

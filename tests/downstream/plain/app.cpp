@@ -1,5 +1,5 @@
-// Headers alone. Segments through a far, thin triangle whose common grid makes the right answer known: the piercing
-// point is (i + d)/n along an edge, d = -1, 0 or 1 units in the last place, on or beside the edge.
+// Headers only. Segments through a far, thin triangle, whose common grid makes the right answer known: the piercing
+// point is (i + d)/n along an edge, d = -1, 0 or 1 units in the last place, on the edge or next to it.
 #include <cell/cell.hpp>
 #include <cell/header_only.hpp>
 #include <cmath>

@@ -1,6 +1,5 @@
-// Decisions that are wrong (decisions.toml), each compiled by meetc and put through the campaign's
-// check as the right ones are. Judged by their own signs they are right on every rung; judged by geometry,
-// every one is caught.
+// Wrong decisions (decisions.toml), each compiled by meetc and put through the same check as the right ones. Judged by
+// their own signs they are right on every rung; judged by geometry, each is caught.
 #include "tests/extremes/geometry.hpp"
 
 #include "tests/catch.hpp"
@@ -65,7 +64,7 @@ TEST_CASE("wrong decisions: no check by signs sees them, and geometry does") {
         const int known = truth_by_geometry(s, p);
         seen_by_signs += w.check(p.a.data(), p.b.data(), side, nullptr).wrong != 0;
         const unsigned wrong = w.check(p.a.data(), p.b.data(), side, &known).wrong;
-        // The decision on true signs is wrong, and so is what is certified.
+        // The decision on true signs is wrong, and so are the certified answers.
         here += (wrong & bit(on_signs)) && (wrong & bit(certified));
         right_caught += s.check(p.a.data(), p.b.data(), side, &known).wrong != 0;
       }

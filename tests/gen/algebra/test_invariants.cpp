@@ -1,4 +1,4 @@
-// Facts that any right compiler must find in the shipped algebra, as identities of polynomials.
+// Facts that any correct compiler must find in the shipped algebra, as identities of polynomials.
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 #include "tests/gen/oracle/random.hpp"
@@ -110,7 +110,7 @@ TEST_CASE("the radius comes back from the blade of a sphere through four points"
     for (auto &point : p)
       for (rational &x : point)
         inputs.push_back(x = random.fraction(4));
-    // The centre by three linear equations: |c - p0|^2 = |c - pi|^2.
+    // The centre follows from three linear equations: |c - p0|^2 = |c - pi|^2.
     std::array<std::array<rational, 3>, 3> a;
     std::array<rational, 3> b;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -123,7 +123,7 @@ TEST_CASE("the radius comes back from the blade of a sphere through four points"
     const auto coefficients = ir::evaluate(through.code, inputs);
     const rational weight = number("(I*S) | n", coefficients);
     if (weight == 0)
-      continue; // four points of one plane
+      continue; // four coplanar points
     const auto c = solve(a, b);
     rational square = 0;
     for (std::size_t k = 0; k < 3; ++k)

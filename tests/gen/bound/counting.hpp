@@ -1,6 +1,6 @@
-// A number that counts its own roundings, by the rules of the proof written down once more. Emitted code that
-// runs on it tells theta (of values) and phi (of magnitudes) without a look at the compiler's analysis.
-// Include before any generated header, as tiny.hpp.
+// A number that counts its own roundings, by the rules of the proof written down a second time. Emitted code that runs
+// on it gives theta (of values) and phi (of magnitudes) without the compiler's analysis. Like tiny.hpp, it must be
+// included before any generated header.
 #ifndef MEETC_TESTS_BOUNDS_COUNTING_HPP
 #define MEETC_TESTS_BOUNDS_COUNTING_HPP
 
@@ -11,12 +11,12 @@
 namespace meetc::bounds_test {
 
 struct counted {
-  // Of the arithmetic at hand.
+  // Properties of the arithmetic that is simulated.
   inline static bool fuses = true, differences_round = true;
 
   int roundings = 0;
-  int scale = 0;        // of a constant: +-2^k is k + 1
-  bool stored = false;  // a stored number, as it is
+  int scale = 0;        // for constants: +-2^k is stored as k + 1
+  bool stored = false;  // the value is a stored number itself
   bool rounded = false; // the last operation rounded
 
   counted() = default;
@@ -36,7 +36,8 @@ struct counted {
     c.rounded = true;
     return c;
   }
-  // Of a value whose sign is all that is wanted, rounded to nearest: the last rounding keeps it.
+  // For a value of which only the sign is wanted. Rounding to nearest keeps the sign, so the last rounding does not
+  // count.
   int without_last() const { return roundings - (rounded ? 1 : 0); }
 
   friend counted operator+(const counted &a, const counted &b) { return of(1 + std::max(a.roundings, b.roundings)); }

@@ -8,7 +8,7 @@ int bits_of(std::int64_t n) {
     ++k;
   return k;
 }
-// The spacing of numbers about n.
+// The spacing of numbers near n.
 std::int64_t unit_at(std::int64_t n, int precision) {
   return std::int64_t{1} << std::max(0, bits_of(n) - precision);
 }
@@ -23,7 +23,7 @@ std::int64_t any_number(const number_range &r, random_numbers &random) {
 std::int64_t stepped(std::int64_t n, std::int64_t steps, const number_range &r) {
   for (; steps != 0; steps -= steps > 0 ? 1 : -1) {
     const std::int64_t toward = steps > 0 ? 1 : -1;
-    // Towards zero from a power of two the spacing is half.
+    // The spacing from a power of two towards zero is half as large.
     const bool inwards = (n > 0) != (toward > 0);
     const std::int64_t unit = unit_at(inwards && n != 0 ? std::abs(n) - 1 : n, r.precision);
     const std::int64_t next = n + toward * unit;

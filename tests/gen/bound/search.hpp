@@ -1,5 +1,5 @@
-// Inputs that are meant to be bad: numbers of p bits in hostile families, and a climb that keeps any change
-// of one number by which a score does not fall.
+// Adversarial inputs: numbers of p bits in hostile families, and a climb that keeps any change of one number by which a
+// score does not fall.
 #ifndef MEETC_TESTS_BOUNDS_SEARCH_HPP
 #define MEETC_TESTS_BOUNDS_SEARCH_HPP
 
@@ -27,15 +27,15 @@ struct number_range {
 };
 
 std::int64_t any_number(const number_range &r, random_numbers &random);
-// The neighbour `steps` units in the last place away, or n itself where that leaves the range.
+// The neighbour `steps` units in the last place away, or n itself if that leaves the range.
 std::int64_t stepped(std::int64_t n, std::int64_t steps, const number_range &r);
 
-// A pair from one of the families: independent, clustered about a point, powers of two and their neighbours,
-// on a coarse grid, with equal coordinates. `groups`: the inputs by axis that a difference may join.
+// A pair from one of the families: independent, clustered about a point, powers of two and their neighbours, on a
+// coarse grid, with equal coordinates. `groups` are the inputs, by axis, that a difference may join.
 sample any_sample(const stage_case &c, const number_range &r, random_numbers &random);
 void change_one(sample &s, const number_range &r, random_numbers &random);
 
-// The best score of some climbs of `steps` steps each.
+// The best score of some climbs with `steps` steps each.
 template <class Score>
 double climb(const stage_case &c, const number_range &r, random_numbers &random, int starts, int steps, Score &&score) {
   double best = -1;

@@ -116,7 +116,7 @@ template <class P> void add_all(std::vector<stage_case> &out, const std::string 
   add<P, typename P::rare_stage>(out, name, "rare", k, k.kernel->decision.rare, k.bounds.rare);
 }
 
-// A sign kernel has the common stage alone.
+// A sign kernel has only the common stage.
 template <class P> void add_sign(std::vector<stage_case> &out, const std::string &name) {
   const analysed_kernel &k = kernel_named(name);
   add<P, typename P::common_stage>(out, name, "sign", k, k.kernel->decision.common, k.bounds.common);

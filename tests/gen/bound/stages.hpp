@@ -1,5 +1,5 @@
-// Every emitted stage of the shipped scene beside the compiler's own analysis of it, behind function
-// pointers: run in tiny precision, run in integers.
+// Every emitted stage of the shipped scene with the compiler's own analysis of it, behind function pointers: run in
+// tiny precision, and run in integers.
 #ifndef MEETC_TESTS_BOUNDS_STAGES_HPP
 #define MEETC_TESTS_BOUNDS_STAGES_HPP
 
@@ -41,7 +41,7 @@ struct stage_case {
   // The exact values, in units of 2^(scale degree), and the exact magnitudes of the leaves as tiny computes
   // them.
   void (*in_integers)(const sample &s, double floor, int128 *v, int128 *m);
-  // The values that the exact rung's window form computes, as high and low words in turn.
+  // The values that the exact rung's window form computes, as alternating high and low words.
   void (*in_fp64)(const sample &s, double *words);
   // The roundings of each value and of each magnitude, in counted's arithmetic.
   void (*count)(counted *v, counted *m);

@@ -1,5 +1,5 @@
-// The box form in tiny precision: |v^ - v| <= c alpha^a beta^b D^k, with alpha, beta, D the powers of two
-// that the leaves of A, of B and all leaves stay below; mixed scales come from the climb itself.
+// The box form in tiny precision: |v^ - v| <= c alpha^a beta^b D^k, where alpha, beta and D are powers of two above the
+// leaves of A, those of B and all leaves. The climb itself produces mixed scales.
 #include "tests/catch.hpp"
 #include "tests/gen/bound/judge.hpp"
 #include "tests/gen/bound/search.hpp"
@@ -58,8 +58,7 @@ double bound_of(const box_node &n, double c, const extents &e) {
   return c * std::pow(e.alpha, n.a) * std::pow(e.beta, n.b) * std::pow(e.d, n.pair);
 }
 
-// |v^ - v| / bound at its worst. Only powers of two scale the bound, so that doubles tell above from below 1
-// but for the last bits of c; those are left to the rounding up.
+// v^ - v| / bound at its worst. The bound is scaled only by powers of two, so doubles distinguish above from below 1 except for the last bits of c, which the rounding up covers.
 double worst(const stage_case &c, int i, int precision, rule by, int starts, int steps, std::uint64_t seed,
              bool contracted = false) {
   tiny::format = {precision, -900, contracted};
@@ -115,8 +114,8 @@ TEST_CASE("box form: the runtime's powers of two are those of the rule") {
   CHECK(meetc::power_over(0) > 0);
 }
 
-// A computed extent of exactly alpha may stand for a leaf that is larger and was rounded down: its error is
-// then that of the next binade, twice as large. So alpha has to be above the computed extent.
+// A computed extent of exactly alpha may belong to a leaf that is larger and was rounded down. Its error is then that
+// of the next binade, twice as large, so alpha has to be above the computed extent.
 TEST_CASE("box form: mutation: extents not above computed ones are beaten") {
   double most = 0;
   for (const stage_case &c : all_stages())
@@ -127,9 +126,9 @@ TEST_CASE("box form: mutation: extents not above computed ones are beaten") {
   CHECK(most > 1);
 }
 
-// The recurrence adds up worst cases that cannot all meet, the more so the higher the degree: the leaves of a
-// triangle in a box cannot all be as long as the box. A quarter of c is beaten for every sign of degree 2 and
-// 3; of those of degree 4 and 6 for some.
+// The recurrence adds up worst cases that cannot all occur together, the less so the higher the degree: the leaves of a
+// triangle in a box cannot all be as long as the box. A quarter of c is beaten for every sign of degree 2 and 3, and
+// for some of degree 4 and 6.
 TEST_CASE("box form: mutation: a quarter of c is beaten") {
   int low = 0, high = 0;
   for (const stage_case &c : all_stages())
@@ -149,7 +148,7 @@ TEST_CASE("box form: mutation: a quarter of c is beaten") {
   CHECK(high > 0);
 }
 
-// A term in alpha beside one in D, as |a|^2 - (b - a)^2: the smaller one is bounded by D, too, never by alpha
+// A term in alpha next to one in D, as in |a|^2 - (b - a)^2: the smaller one is bounded by D as well, never by alpha
 // alone.
 TEST_CASE("box form: sums of mixed scales take the larger scale") {
   int mixed = 0;

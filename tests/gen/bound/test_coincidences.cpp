@@ -1,4 +1,4 @@
-// Equal points that make a sign zero: those that are claimed do, and no single one is missed.
+// Equal points that make a sign zero: those that are claimed do, and none is missing from the claims.
 #include "tests/catch.hpp"
 #include "tests/gen/bound/search.hpp"
 
@@ -99,7 +99,7 @@ TEST_CASE("coincidences: points that differ in one coordinate do not count, zero
       s.numbers[points[j].back()] = s.numbers[points[i].back()];
       seen |= coincident(c, s);
     }
-    // Every claimed bit is some pair's.
+    // Every claimed bit belongs to some pair.
     for (int k = 0; k < c.signs; ++k)
       CHECK((c.zero_if(k) & ~seen) == 0);
     std::vector<float> positive(static_cast<std::size_t>(c.inputs()), 0.0F), mixed = positive;

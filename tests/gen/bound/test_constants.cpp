@@ -1,4 +1,4 @@
-// The emitted factors against the formula, counted and computed here a second time, in exact rationals.
+// The emitted factors, compared with the formula, which is counted and computed here a second time in exact rationals.
 #include "tests/catch.hpp"
 #include "tests/gen/bound/judge.hpp"
 
@@ -6,7 +6,7 @@ using namespace meetc::bounds_test;
 
 namespace {
 
-// `emitted` is at least q, and the next number of 12 bits below it is not.
+// `emitted` is at least q, and the next smaller number of 12 bits is below q.
 bool is_rounded_up(double emitted, const mpq_class &q) {
   const mpq_class e(emitted);
   if (q == 0)
@@ -58,7 +58,7 @@ TEST_CASE("constants: emitted factors are the formula's, rounded up and no furth
       const mpq_class u32 = power_of_two(-24), u64 = power_of_two(-53), u128 = power_of_two(-102);
       CHECK(is_rounded_up(static_cast<double>(k.fp32), threshold_factor(r32.theta, r32.phi, u32, u32)));
       CHECK(is_rounded_up(k.fp64, threshold_factor(r64.theta, r64.phi, u64, u64)));
-      // M is of differences rounded to fp64, the high word stands for the value.
+      // M has differences rounded to fp64; the high word represents the value.
       const mpq_class rounded_leaves = power(1 + u64, r128.degree + 8);
       CHECK(is_rounded_up(k.fp64x2, threshold_factor(r128.theta, r128.phi, u128, u64) * rounded_leaves));
     }

@@ -1,4 +1,4 @@
-// Double-double arithmetic against integers of any size: transforms exact, every operation within 2^-102.
+// Double-double arithmetic against integers of any size: transforms are exact, every operation is within 2^-102.
 #include "tests/catch.hpp"
 #include "tests/gen/bound/search.hpp"
 #include "tests/generated/effort.hpp"
@@ -40,7 +40,7 @@ bool is_normal(const double_double &x) {
 }
 
 double any_double(random_numbers &random, int span) {
-  // Few bits now and then: ties and trailing zeros.
+  // Sometimes only a few bits: ties and trailing zeros.
   const int bits = random.one_in(4) ? static_cast<int>(random.integer(1, 52)) : 52;
   const std::int64_t top = std::int64_t{1} << bits;
   double d = static_cast<double>(random.integer(0, top - 1) + top);
@@ -135,8 +135,7 @@ TEST_CASE("double-double: mutation: a sloppy sum is found") {
   CHECK(refused > 0);
 }
 
-// Through the emitted formulas' own words: products of doubles widen, sums of a product and a wide number
-// keep it.
+// As emitted formulas write it: products of doubles widen, and sums of a product and a wide number stay wide.
 TEST_CASE("double-double: times and fma widen exactly") {
   random_numbers random(4);
   bool wide = true, fused = true;

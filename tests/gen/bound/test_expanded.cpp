@@ -1,5 +1,5 @@
-// The magnitude is that of the graph as scheduled. A mutation puts that of the expanded polynomial in its
-// place, in which terms have cancelled that the graph computes: the bound is then beaten, by any factor.
+// The magnitude is that of the graph as scheduled. A mutation replaces it by that of the expanded polynomial, in which
+// terms that the graph computes have cancelled. The bound is then beaten, by any factor.
 #include "gen/ir/evaluate.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/bound/judge.hpp"
@@ -45,7 +45,7 @@ struct expanded {
     terms = meetc::ir::to_poly(out, leaves).front().terms();
   }
 
-  // The sum of the terms' magnitudes, of leaves as computed.
+  // The sum of the terms' magnitudes, for leaves as computed.
   double magnitude(const stage_case &c, const sample &s) const {
     double sum = 0;
     for (const meetc::poly::term &t : terms) {
@@ -80,7 +80,7 @@ TEST_CASE("expanded: mutation: the magnitude of the expanded polynomial is beate
       const expanded e(c, i);
       random_numbers random(static_cast<std::uint64_t>(i));
       const number_range range{11, std::min(c.bits(), 18)};
-      // Does it differ from the graph's at all?
+      // Whether it differs from the graph's magnitude at all.
       bool differs = false;
       for (int n = 0; n < 20 && !differs; ++n) {
         const sample s = any_sample(c, range, random);
@@ -104,7 +104,7 @@ TEST_CASE("expanded: mutation: the magnitude of the expanded polynomial is beate
   CHECK(beaten > 0);
 }
 
-// The textbook case: a(b + c) - ab, which is ac.
+// The textbook case: a(b + c) - ab equals ac.
 TEST_CASE("expanded: a(b + c) - ab has an error of hundreds of times the bound of ac") {
   tiny::format = {11, -900};
   const double u = 0x1p-11;

@@ -1,5 +1,5 @@
-// The magnitude form in precisions of 4 to 11 bits: no input found that beats it, and inputs that beat what
-// is less.
+// The magnitude form in precisions of 4 to 11 bits: no input that was found beats it, and some inputs beat anything
+// smaller.
 #include "tests/catch.hpp"
 #include "tests/gen/bound/judge.hpp"
 #include "tests/gen/bound/search.hpp"
@@ -18,14 +18,14 @@ number_range range_of(const stage_case &c, int precision) {
   return {precision, std::min(c.bits(), precision + 20)};
 }
 
-// error > growth M, exactly; doubles first, since it is hardly ever close.
+// error > growth M, exactly. Doubles are tried first, since it is hardly ever close.
 bool beats(int128 error, const mpq_class &growth, double growth_double, int128 m) {
   if (static_cast<double>(error) < growth_double * static_cast<double>(m) * (1 - 1e-9))
     return false;
   return mpq_class(to_mpz(error)) > growth * mpq_class(to_mpz(m));
 }
 
-// What the proof says of sign i, at one precision.
+// What the proof claims of sign i at one precision.
 struct claims {
   int theta, phi;
   mpq_class u, growth, factor;
@@ -45,7 +45,7 @@ struct claims {
   bool magnitude_is_large(const run_of_stage &r, int i) const {
     return mpq_class(r.computed_magnitude(i).value()) >= mpq_class(to_mpz(r.magnitude(i))) * power(1 - u, phi);
   }
-  // The rung's own rule: v^ > fl(K M^) is said to prove v > 0. K is `times` the true one.
+  // The rung's own rule: v^ > fl(K M^) should prove v > 0. The K used is `times` the true one.
   bool sign_is_right(const run_of_stage &r, int i, double times = 1) const {
     const tiny m = r.computed_magnitude(i), v = r.value(i);
     if (m.value() == 0)
@@ -62,8 +62,8 @@ double ratio(const run_of_stage &r, int i, double growth) {
   return e == 0 ? 0 : growth == 0 || m == 0 ? 1e9 : e / (growth * m);
 }
 
-// How far beyond 0 a value is computed, as a part of K M^, less what the true value is on that side: above 0
-// only where the error is larger than the value.
+// How far beyond 0 a value is computed, as a share of K M^, less the true value on that side. It is above 0 only where
+// the error exceeds the value.
 double wrong_side(const run_of_stage &r, int i, double factor, double weight) {
   const double v = r.value(i).value(), m = r.computed_magnitude(i).value();
   if (m == 0)
@@ -101,7 +101,7 @@ TEST_CASE("magnitude form: no sign's bound is beaten on thousands of hostile inp
   }
 }
 
-// A compiler may contract products and sums of one program and not of the other: each loses roundings and gains none.
+// A compiler may contract products and sums of one program and not of the other. Each loses roundings and gains none.
 TEST_CASE("magnitude form: holds however compilers contract products and sums") {
   int values = 0, magnitudes = 0; // that contraction changed
   for (const int precision : precisions)
@@ -140,7 +140,7 @@ TEST_CASE("magnitude form: holds however compilers contract products and sums") 
   CHECK(magnitudes > 0);
 }
 
-// Where the two programs are contracted differently, one can overflow without the other.
+// If the two programs are contracted differently, one can overflow without the other.
 TEST_CASE("magnitude form: a value that is not finite proves nothing, whatever its magnitude") {
   constexpr float inf = std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::max();
   for (const float error : {0.0F, 1.0F, most, inf, std::numeric_limits<float>::quiet_NaN()})
@@ -178,7 +178,7 @@ TEST_CASE("magnitude form: climbing does not beat it, and shows that a quarter o
     }
 }
 
-// theta - 1 in place of theta. The gap to theta closes only where few roundings meet: there it must show.
+// theta - 1 instead of theta. The two come close only where few roundings meet, so it must show there.
 TEST_CASE("magnitude form: mutation: one rounding less is beaten on signs of few roundings") {
   int beaten = 0, tried = 0;
   tiny::format = {11, -900};
@@ -199,7 +199,7 @@ TEST_CASE("magnitude form: mutation: one rounding less is beaten on signs of few
   CHECK(beaten > tried / 2);
 }
 
-// Not only is the bound beaten: the rung would certify a sign that is wrong.
+// The rung would not only exceed the bound: it would certify a wrong sign.
 TEST_CASE("magnitude form: mutation: a quarter of K certifies wrong signs") {
   for (const stage_case &c : all_stages())
     for (int i = 0; i < c.signs; ++i) {

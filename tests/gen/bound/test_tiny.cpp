@@ -1,4 +1,4 @@
-// The simulated precision itself: with float32's format it is float32.
+// The simulated precision itself: with float32's format it gives float32's results.
 #include "tests/catch.hpp"
 #include "tests/gen/bound/search.hpp"
 
@@ -18,7 +18,7 @@ TEST_CASE("tiny: float32's format gives float32's results, subnormals and ties i
   random_numbers random(1);
   bool sums = true, products = true, fused = true;
   for (int i = 0; i < 400000; ++i) {
-    // About 1, about the least normal number, and anywhere that does not overflow.
+    // Near 1, near the least normal number, and anywhere that does not overflow.
     const int span = i % 3 == 0 ? 3 : i % 3 == 1 ? 26 : 36;
     const float low = i % 3 == 2 ? 0x1p-82F : 1;
     const float a = any_float(random, span) * low, b = any_float(random, span) * low;

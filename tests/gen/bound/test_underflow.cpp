@@ -1,8 +1,8 @@
-// Gradual underflow: with a least exponent, the magnitude form holds where leaves count as at least the
-// floor, and not without it.
+// Gradual underflow: with a least exponent, the magnitude form holds if leaves count as at least the floor, and not
+// without that.
 //
-// The floor's rule at any precision p and least subnormal 2^lowest: floor^degree >= 2^(lowest + 2p - 1), so
-// that even u M is a normal number. For float32 that is 2^-102.
+// The floor's rule at any precision p and least subnormal 2^lowest is floor^degree >= 2^(lowest + 2p - 1), so that even
+// u M is a normal number. For float32 that is 2^-102.
 #include "tests/catch.hpp"
 #include "tests/gen/bound/judge.hpp"
 #include "tests/gen/bound/search.hpp"
@@ -30,7 +30,7 @@ underflow_range underflow_of(const stage_case &c, int precision) {
 
 struct outcome {
   double ratio = 0;         // |v^ - v| / (growth M)
-  bool zero_is_zero = true; // M^ = 0 where and only where M = 0, and then v = 0
+  bool zero_is_zero = true; // M^ = 0 if and only if M = 0, and then v = 0
   bool sign_is_right = true;
 };
 
@@ -67,7 +67,7 @@ TEST_CASE("underflow: with the floor the bound is never beaten, and a zero magni
         bool zero = true, right = true;
         const double best = climb(c, range.numbers, random, 3, effort(500), [&](sample x) {
           x.scale = range.format.lowest;
-          // Leaves that are zero, and leaves of nothing but subnormals.
+          // Leaves that are zero, and sets of leaves that are all subnormal.
           if (random.one_in(20))
             for (std::int64_t &n : x.numbers)
               n = random.integer(-1, 1) * n % 8;

@@ -8,8 +8,7 @@ using namespace meetc::bounds_test;
 
 namespace {
 
-// Positions in [0, 2^bits), so that differences stay below 2^bits; numbers that stand alone in (-2^bits,
-// 2^bits).
+// Positions in [0, 2^bits), so that differences stay below 2^bits. Numbers that stand alone are in (-2^bits, 2^bits).
 std::int64_t any_on_grid(const stage_case &c, std::size_t input, int bits, random_numbers &random) {
   const std::int64_t top = (std::int64_t{1} << bits) - 1;
   const bool alone = c.analysed->axes[input] < 0;
@@ -25,8 +24,8 @@ std::int64_t any_on_grid(const stage_case &c, std::size_t input, int bits, rando
   }
 }
 
-// Where the computed value is not the integer: by how much at most. Climbs towards the largest error, or,
-// while there is none, the largest value.
+// The largest difference between a computed value and the integer. It climbs towards the largest error or, while there
+// is none, towards the largest value.
 double largest_error(const stage_case &c, int bits, int i, int starts, int steps, std::uint64_t seed) {
   random_numbers random(seed);
   std::vector<double> words(2 * static_cast<std::size_t>(c.signs));

@@ -1,10 +1,9 @@
 // A number of a few bits, rounded to nearest even after every operation, on which emitted code runs
 // unchanged.
 //
-// Method: the value stands in a double. A sum of two doubles is known exactly as a rounded sum and its rest,
-// a product of numbers of at most 24 bits is exact, so each result is rounded once from its exact value. The
-// format (precision, least exponent) is global, so that one instantiation of the emitted code serves all of
-// them.
+// Method: the value is kept in a double. A sum of two doubles is known exactly as a rounded sum and a remainder, and a
+// product of numbers of at most 24 bits is exact, so each result is rounded once from its exact value. The format
+// (precision, least exponent) is global, so that one instantiation of the emitted code serves all formats.
 //
 // Limits: exponents well inside double's; no overflow is simulated. Include this before any generated header:
 // those call ::meetc::fma with a qualified name, which finds only what is declared before them.
@@ -23,8 +22,8 @@ namespace meetc::bounds_test {
 struct tiny_format {
   int precision = 8;
   int lowest = -900; // values are multiples of 2^lowest: gradual underflow
-  // Whether a sum takes a product unrounded, as a compiler may have it that contracts the two to a fused multiply-add:
-  // in the programs of values, and in those of magnitudes.
+  // Whether a sum takes a product unrounded, as with a compiler that contracts the two to a fused multiply-add: in the
+  // programs of values, and in those of magnitudes.
   bool contract_values = false, contract_magnitudes = false;
 };
 
@@ -44,14 +43,14 @@ public:
 
   tiny() = default;
   explicit tiny(int k) : tiny(rounded({static_cast<double>(k), 0})) {}
-  // The number d, which must have the format.
+  // The number d, which the format must be able to represent.
   static tiny of(double d) { return tiny(d, {d, 0}); }
   static tiny rounded(const exact_sum &x) { return tiny(nearest(x), x); }
 
   double value() const { return value_; }
   exact_sum unrounded() const { return unrounded_; } // the exact result of the last operation
 
-  // Of two products one is taken unrounded: an fma() has but one.
+  // Of two products one stays unrounded, since an fma() has only one.
   friend tiny operator+(tiny a, tiny b) {
     if (contracting && a.product_)
       return rounded(sum_of(a.unrounded_.high, b.value_));

@@ -78,7 +78,7 @@ TEST_CASE("twice, from another folder and by another path: the same bytes, and n
   }
 }
 
-TEST_CASE("generate --check tells what would change, and writes nothing") {
+TEST_CASE("generate --check names what would change, and writes nothing") {
   const temporary_folder out;
   const std::string arguments = fmt::format("generate '{}' -o gen", default_scene_path().string());
   CHECK(run_meetc(arguments + " --check", out.path()).code == 1); // nothing is there
@@ -99,7 +99,7 @@ TEST_CASE("generate --check tells what would change, and writes nothing") {
   CHECK(read(out.path() / "gen/mine.hpp") == "mine"); // somebody's own file is left alone
 }
 
-TEST_CASE("what has not changed is not written again") {
+TEST_CASE("unchanged files are not written again") {
   const temporary_folder out;
   const std::string arguments = fmt::format("generate '{}' -o gen", default_scene_path().string());
   REQUIRE(run_meetc(arguments, out.path()).code == 0);

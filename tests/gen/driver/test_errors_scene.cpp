@@ -106,7 +106,7 @@ TEST_CASE("kernels that a scene cannot have") {
   }
 }
 
-TEST_CASE("scenes that are none") {
+TEST_CASE("scene files that are not scenes") {
   for (const scene_row &r : scenes) {
     INFO(r.text);
     const temporary_folder folder;
@@ -116,7 +116,7 @@ TEST_CASE("scenes that are none") {
   }
 }
 
-TEST_CASE("files that are not there, or no files") {
+TEST_CASE("missing files, and paths that are not files") {
   const temporary_folder folder;
   folder.write("a.toml", small_algebra);
   folder.write("s.toml", small_scene("'touch'"));
@@ -128,7 +128,7 @@ TEST_CASE("files that are not there, or no files") {
   check_error(folder, "s.toml", {"", "", "a.toml:19:19", "invalid utf-8", "*", ""});
 }
 
-TEST_CASE("imports: missing, a folder, of another algebra, of a scene, of a broken file, and in a circle") {
+TEST_CASE("imports: a missing file, a folder, another algebra, a scene, a broken file, and a cycle") {
   const auto fails = [](const std::string &import, const std::string &imported, const broken &want) {
     const temporary_folder folder;
     folder.write("a.toml", edited(small_algebra, "null ", "import = ['" + import + "']\nnull "));

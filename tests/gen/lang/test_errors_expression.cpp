@@ -86,10 +86,10 @@ const broken names[] = {
 TEST_CASE("expressions that cannot be read") {
   check_broken(syntax);
 }
-TEST_CASE("expressions that are no literal strings, and places inside strings of many lines") {
+TEST_CASE("expressions that are not literal strings, and places inside multi-line strings") {
   check_broken(strings);
 }
-TEST_CASE("names that nothing has, and calls with too many or too few arguments") {
+TEST_CASE("unknown names, and calls with too many or too few arguments") {
   check_broken(names);
 }
 

@@ -1,4 +1,4 @@
-// Tables of a spec that hold what they may not hold.
+// Tables of a spec with contents that they may not have.
 #include "tests/catch.hpp"
 #include "tests/gen/error_fixture.hpp"
 
@@ -65,7 +65,7 @@ const broken names[] = {
      "'side'", ""},
     {"'side(H, p)'", "'side(H, H)'", "a.toml:32:1", "parameter 'H' is given twice", "'side(H, H)'", ""},
     {"'side(H, p)'", "'side(H, )'", "a.toml:32:1", "'' is not a name for a parameter", "'side(H, )'", ""},
-    {"'side(H, p)'", "'sign(H)'", "a.toml:32:1", "'sign' is a word of the language", "'sign(H)'", ""},
+    {"'side(H, p)'", "'sign(H)'", "a.toml:32:1", "'sign' is a keyword of the language", "'sign(H)'", ""},
     {"'e1', 'e2'", "'e1', 'e 2'", "a.toml:2:11", "'e 2' is not a name for a basis vector",
      "['e1', 'e 2', 'e3', 'e', 'eb']", ""},
 };
@@ -124,13 +124,13 @@ const broken bounds[] = {
 };
 } // namespace
 
-TEST_CASE("keys that a table does not have, or lacks") {
+TEST_CASE("unknown keys, and missing ones") {
   check_broken(keys);
 }
-TEST_CASE("names that stand twice, or are no names") {
+TEST_CASE("duplicate names, and strings that are not names") {
   check_broken(names);
 }
-TEST_CASE("what is defined by itself") {
+TEST_CASE("definitions that refer to themselves") {
   check_broken(circles);
 }
 TEST_CASE("metrics and null vectors") {

@@ -1,4 +1,4 @@
-// Reading a spec: order as in the file, and what does not matter does not matter.
+// Reading a spec: the order is that of the file where it matters, and nothing else changes the result.
 #include "tests/catch.hpp"
 #include "tests/gen/error_fixture.hpp"
 
@@ -38,7 +38,7 @@ std::map<std::string, std::string> generated_from(const std::string &algebra, bo
 } // namespace
 
 TEST_CASE("kinds, functions, constants and lets keep the order of the file") {
-  // Names against the alphabet, since the TOML library sorts its tables.
+  // The names are not in alphabetical order, since the TOML library sorts its tables.
   const lang::algebra a = read_algebra(R"([algebra]
 vectors = ['z', 'y']
 squares = [1, '-3/4']
@@ -119,7 +119,7 @@ TEST_CASE("comments and blanks change the hash in the banner and nothing else") 
     CHECK(generated_from(text, false) == plain);
     CHECK(generated_from(text, true) != hashed);
   }
-  // The order of tables matters where it is memory order, and only there.
+  // The order of entries matters only where it is the order in memory.
   const std::string meaning = edited(base, "r*r*n", "2*r*r*n");
   CHECK(generated_from(meaning, false) != plain);
 }

@@ -28,7 +28,7 @@ TEST_CASE("the graphs of the ball form are its factors, and the whole is |c - c'
     sum = sum + a[k] * b[k];
   }
   CHECK(sum == form.whole);
-  // The sign is the one that the shipped predicate of solid balls decides by.
+  // It is the sign by which the shipped predicate of solid balls decides.
   const lower::predicate &solid = default_kernel("ball_ball").decision;
   const poly::poly atom = solid.signs.atoms().at(0);
   std::vector<poly::poly> images;
@@ -112,14 +112,14 @@ TEST_CASE("the ball form is found by what a predicate says, not by its name, and
   const auto shipped = lower::find_ball_form(*default_scene().model);
   REQUIRE(shipped.has_value());
   CHECK(shipped->of->name == "ball_ball");
-  // The other way about, and as twice the sign: the same form.
+  // Negated, and twice the sign: the form is the same.
   for (const char *same : {"sign(-((I*S) | (I*T)) - 4*S.r*T.r) <= 0", "sign(2*((I*S) | (I*T)) + 8*S.r*T.r) >= 0"}) {
     const auto form = form_with(same);
     INFO(same);
     REQUIRE(form.has_value());
     CHECK(form->whole.text() == shipped->whole.text());
   }
-  // Strictly, or with the radii's difference, or of two signs: none that the proved margins cover.
+  // A strict test, the difference of the radii, two signs: the proved margins cover none of these.
   for (const char *other :
        {"sign(((I*S) | (I*T)) + 4*S.r*T.r) > 0", "sign(((I*S) | (I*T)) + 4*S.r*T.r) >= 0 and sign(S.r - T.r) >= 0",
         "sign(S.r*S.r*S.c[e1]*T.c[e1] - T.r*S.r) >= 0"}) {

@@ -1,5 +1,5 @@
-// Expressions that can be read and mean nothing: wrong types, members, indices, domains. These come out when
-// a kernel is expanded, so each carries the trail that led to it.
+// Expressions that can be parsed and have no meaning: wrong types, members, indices, domains. They are found when a
+// kernel is expanded, so each error carries the trail that led to it.
 #include "tests/catch.hpp"
 #include "tests/gen/error_fixture.hpp"
 
@@ -31,8 +31,8 @@ const broken values[] = {
     {blade, "'sign(r)'", "a.toml:19:10", "a sign where a number or a multivector is needed", "sign(r)", in_norm2},
     {blade, "'sign(r) + r'", "a.toml:19:10", "a sign and a number: signs only multiply with signs", "sign(r) + r",
      in_norm2},
-    {blade, "'grade(c + r)'", "a.toml:19:16", "this has no one grade", "c + r", in_norm2},
-    {blade, "'grade(c - c)'", "a.toml:19:16", "this has no one grade: it is zero", "c - c", in_norm2},
+    {blade, "'grade(c + r)'", "a.toml:19:16", "this has no single grade", "c + r", in_norm2},
+    {blade, "'grade(c - c)'", "a.toml:19:16", "this has no single grade: it is zero", "c - c", in_norm2},
     {blade, "'any(k in r: k > 0)'", "a.toml:19:19", "a number where a list is needed", "r", in_norm2},
     {blade, "'sphere'", "a.toml:19:10", "'sphere' is a kind, not a value", "sphere", in_norm2},
 };
@@ -78,7 +78,7 @@ const broken signs[] = {
     {hit, "'[S] > 0'", "a.toml:40:8", "a list where a number or a multivector is needed", "[S]", in_touch, touch},
 };
 
-// Functions and predicates called with what they cannot take: the trail names every call on the way.
+// Functions and predicates called with arguments that they cannot take. The trail names every call on the way.
 const broken calls[] = {
     {hit, "'side(S, T) >= 0'", "a.toml:32:22", "a multivector where a number is needed", "meet(H, p)",
      "  in side(S, T), at a.toml:40:8\n  in kernel touch, at s.toml:4:12\n", touch},

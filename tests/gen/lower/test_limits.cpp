@@ -103,7 +103,7 @@ TEST_CASE("definitions that double at every step, forty deep") {
        "this is of a degree above 100", "'norm2(f0(sphere))'"},
       {"a polynomial that grows", functions, functions + chain("'f{0}(x)' = 'f{1}(x*x + x)'", "'f40(x)' = 'x'\n"),
        "this expands to more than", "'f0(sphere)'"},
-      // A constant is worked out once, however often it is named; its size has a limit.
+      // A constant is computed once, however often it is named, and its size has a limit.
       {"constants that square", constants, constants + chain("k{0} = 'k{1}*k{1}'", "k40 = '10000'\n"),
        "this number has more than 4096 bits", "'norm2(k0*sphere)'"},
       {"predicates", "[predicates.touch]",

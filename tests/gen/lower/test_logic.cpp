@@ -1,4 +1,4 @@
-// The emitted decisions, compiled as they are: bool and three-valued, against the compiler's own and against
+// The emitted decisions, compiled as they are, boolean and three-valued, against the compiler's decision and against
 // each other.
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
@@ -14,7 +14,7 @@ using oracle_test::random_numbers;
 
 namespace {
 
-// What can be asked of a decision.
+// The questions that a decision can answer.
 enum class question { rejected, needs_rare, usual, whole };
 constexpr std::array questions{question::rejected, question::needs_rare, question::usual, question::whole};
 
@@ -54,7 +54,7 @@ template <class P> void check_logic(const char *name) {
   std::vector<int> by_atom(p.signs.atoms().size());
   int certain = 0, unsure = 0;
   for (int round = 0; round < 2000; ++round) {
-    // Singletons: the emitted bool, the emitted truth and the compiler's decision are one.
+    // Singletons: the emitted bool, the emitted truth and the compiler's decision agree.
     const int zeros = random.integer(0, 3); // some rounds have many zeros
     for (std::size_t i = 0; i < one.size(); ++i) {
       one[i] = zeros == 0 && random.integer(0, 1) ? ::meetc::sign::zero : random_sign(random);
@@ -77,7 +77,7 @@ template <class P> void check_logic(const char *name) {
     if (!rare && have[2] != have[3])
       FAIL_CHECK("the usual case differs from the whole where no condition holds");
 
-    // Sets: a certain answer is the answer of every choice, and a larger set never turns it over.
+    // Sets: a certain answer is the answer for every choice, and a larger set never reverses it.
     const int wide = random.integer(1, 12);
     for (std::size_t i = 0; i < sets.size(); ++i) {
       if (random.integer(0, wide) == 0)

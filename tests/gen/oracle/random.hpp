@@ -12,7 +12,7 @@ class random_numbers {
 public:
   explicit random_numbers(std::uint64_t seed) : engine_(seed) {}
 
-  // An integer of [low, high].
+  // An integer in [low, high].
   int integer(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }

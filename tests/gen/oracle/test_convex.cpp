@@ -21,7 +21,7 @@ hull random_hull(random_numbers &r, int limit) {
   return h;
 }
 
-// ---- the same distance by hand-made cases in double: corners on faces, edges on edges, edges through faces ----
+// ---- the same distance in double, by cases: corners on faces, edges on edges, edges through faces ----
 
 using vec = std::array<double, 3>;
 vec operator-(const vec &a, const vec &b) {
@@ -182,7 +182,7 @@ TEST_CASE("convex: symmetric, and blind to the order of the points") {
         CHECK(squared_distance(a, b) == d);
       while (std::next_permutation(b.begin(), b.end(), less));
     } while (std::next_permutation(a.begin(), a.end(), less));
-    // Motions that keep the lattice: swap axes, mirror, shift.
+    // Motions that preserve the lattice: swap axes, mirror, shift.
     hull u = a, v = b;
     for (hull *h : {&u, &v})
       for (point &p : *h)

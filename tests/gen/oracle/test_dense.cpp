@@ -1,4 +1,4 @@
-// The dense product against hand-known values, the laws of the algebra, and a product built another way.
+// The dense product against known values, the laws of the algebra, and a product that is computed in another way.
 #include "gen/oracle/dense.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/oracle/random.hpp"
@@ -25,8 +25,8 @@ matrix random_metric(std::size_t n, random_numbers &r) {
   return g;
 }
 
-// The product by another road, which needs no orthogonal basis: a vector times b is v ^ b + v ⌋ b, and a
-// blade is taken apart by v ^ R = v R − v ⌋ R.
+// The product in another way, which needs no orthogonal basis: a vector times b is v ^ b + v ⌋ b, and a blade is taken
+// apart by v ^ R = v R − v ⌋ R.
 class chevalley {
 public:
   explicit chevalley(matrix g) : g_(std::move(g)) {}

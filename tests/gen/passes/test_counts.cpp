@@ -1,8 +1,7 @@
-// Exact operation counts: what the compiler reaches today, and the limits of MATH.md that it must keep.
+// Exact operation counts: the counts that the compiler reaches, and the limits that it must keep.
 //
-// A count is {multiplications, additions}; a fused multiply-add counts as one of each; negations, duals and
-// products with powers of two are free (those that a fusion took in are not, so counts here are never too
-// small).
+// A count is {multiplications, additions}. A fused multiply-add counts as one of each. Negations, duals and products
+// with powers of two are free (except those that a fusion has absorbed, so counts here are never too small).
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 
@@ -37,7 +36,7 @@ bool within(const ops &have, const ops &limit) {
   return have.multiplications <= limit.multiplications && have.additions <= limit.additions;
 }
 
-// On blades; from what is stored: all, and what is left for the pair when objects keep their own values.
+// On blades; from stored numbers: all operations, and those left for the pair when objects keep their own values.
 struct formula_row {
   const char *name;
   ops blades, stored, pair;
@@ -73,7 +72,7 @@ const formula_row formulas[] = {
     {"norm2_meet_point_pair_sphere", {24, 18}, {12, 20}, {8, 15}},
 };
 
-// Signs, then once an object A, once an object B, once a pair.
+// Signs, then operations for an object A, for an object B, and for a pair.
 struct stage_row {
   int signs;
   ops a, b, pair;
@@ -118,7 +117,7 @@ const maker_row made[] = {
     {"segment", "", {6, 6}},       {"triangle", "", {15, 14}},
 };
 
-// MATH.md, "B structural": never to be exceeded.
+// The structural counts for B, never to be exceeded.
 struct limit_row {
   const char *name;
   ops limit;
@@ -131,11 +130,11 @@ const limit_row structural[] = {
     {"meet_point_pair_line", {6, 5}}, {"meet_point_pair_circle", {10, 9}},
 };
 
-// MATH.md, "best B²", against what a pair costs here once objects keep their own values. `met` documents
-// today: a row that comes to be met fails the test, so that the table follows. Not met are plane–plane (9/5:
-// on kept squares |N|² |M|² - (N.M)² would cost the pair 5/3, but the whole 11/7, and the whole is what forms
-// are chosen by), sphere–plane (5/5), circle–plane (12/8), circle–sphere (14/13), circle–line (17/14), point
-// pair–plane (8/6) and point pair–sphere (8/15); the table's last two drop the positive factor |p - q|².
+// The best known counts for B², against what a pair costs here once objects keep their own values. `met` records the
+// present state: a row that becomes met fails the test, so that the table is updated. These are not met: plane–plane
+// (9/5: with kept squares |N|² |M|² - (N.M)² would cost the pair 5/3 but the whole 11/7, and forms are chosen by the
+// whole), sphere–plane (5/5), circle–plane (12/8), circle–sphere (14/13), circle–line (17/14), point pair–plane (8/6)
+// and point pair–sphere (8/15). The table's last two rows drop the positive factor |p - q|².
 struct best_row {
   const char *name;
   ops best;

@@ -69,7 +69,7 @@ bool moves(const poly::frame &f, int base) {
   return false;
 }
 
-// lower and raise are inverse; vector forms say the same; an invariant polynomial reads no position.
+// lower and raise are inverse; vector forms expand to the same polynomial; an invariant polynomial reads no position.
 void check_frame(const poly::frame &f, const polynomial &p) {
   const polynomial lowered = f.lower(p);
   CHECK(f.raise(lowered) == p);
@@ -84,7 +84,7 @@ void check_frame(const poly::frame &f, const polynomial &p) {
   }
 }
 
-// A node's residency is the join of the inputs that it truly depends on, by walking the graph.
+// A node's residency is the join over the inputs on which it depends, found by walking the graph.
 void check_residency(const ir::program &p, int inputs_a) {
   std::vector<int> reads(p.nodes.size());
   for (const node_id id : ir::needed(p.nodes, p.results)) {
@@ -119,7 +119,7 @@ TEST_CASE("stages compute the polynomials of their atoms, exactly") {
       check_residency(s->code, k->decision.inputs_a);
       all.insert(all.end(), s->atoms.begin(), s->atoms.end());
     }
-    // Every atom that the decision reads belongs to one stage and no more.
+    // Every atom that the decision reads belongs to exactly one stage.
     std::sort(all.begin(), all.end());
     CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
     if (k->is_sign)
@@ -161,7 +161,7 @@ TEST_CASE("formulas compute their polynomials, from blades and from what is stor
     REQUIRE(have.size() == 1);
     CHECK(have[0] == expanded);
     check_residency(f.from_stored, static_cast<int>(m.layout(*k->asked.kinds[0]).reals.size()));
-    // The other road: the blades' own makers put into the formula on blades.
+    // Computed in another way: the blades' own makers, put into the formula on blades.
     std::vector<polynomial> images;
     for (std::size_t i = 0; i < k->asked.kinds.size(); ++i) {
       const lower::blade_maker maker = lower::makers(m, *k->asked.kinds[i]).front();
@@ -232,7 +232,7 @@ TEST_CASE("lowering to differences is undone by raising, and vector forms expand
     }
 }
 
-TEST_CASE("what a translation changes is not lowered") {
+TEST_CASE("polynomials that a translation changes are not lowered") {
   const stored_frame local(default_kernel("norm2_meet_line_line").asked);
   const polynomial x = polynomial::variable(*local.ring.numbers, 0);
   CHECK_FALSE(local.frame.is_invariant(x));

@@ -1,6 +1,6 @@
-// The separation of polynomials: the terms add up to what was separated, exactly, and no fewer would do. The second
-// is shown without the pass: the numbers p(X_i, Y_j) at random points, modulo a prime, have a rank that no sum of
-// fewer products can have.
+// The separation of polynomials: the terms add up to the polynomial, exactly, and fewer would not do. The second part
+// is shown without the pass: the numbers p(X_i, Y_j) at random points, modulo a prime, have a rank that no sum of fewer
+// products can have.
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 #include "tests/gen/oracle/random.hpp"
@@ -34,7 +34,7 @@ std::uint64_t inverse(std::uint64_t a) {
   return out;
 }
 
-// The rank modulo the prime of p at `points` random values of X by as many of Y.
+// The rank, modulo the prime, of p at `points` random values of X by as many of Y.
 int rank_of_values(const polynomial &p, int first_of_y, int points, std::uint64_t seed) {
   random_numbers random(seed);
   const auto n = static_cast<std::size_t>(points), variables = static_cast<std::size_t>(p.in().size());
@@ -124,7 +124,7 @@ polynomial balls(const poly::ring &r) {
   return p - (v(3) + v(7)) * (v(3) + v(7));
 }
 
-// Polynomials as JSON has them, by their variables with exponents.
+// Polynomials as in the JSON, by their variables with exponents.
 using terms = std::map<std::map<std::string, int>, mpq_class>;
 terms read_terms(const nlohmann::json &list) {
   terms out;

@@ -1,5 +1,5 @@
-// `show --emit=json` for every ordered pair of declared kinds: B and B^2 in the declared basis against the
-// dense product, exactly, on valid operands that the oracle alone made.
+// `show --emit=json` for every ordered pair of declared kinds: B and B^2 in the declared basis against the dense
+// product, exactly, on valid operands that only the oracle made.
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 #include "tests/gen/oracle/random.hpp"
@@ -51,7 +51,7 @@ std::vector<std::string> declared_order() {
   return out;
 }
 
-// The paper's objects, written here once more, in its declared basis.
+// The paper's objects, written here a second time, in its declared basis.
 class geometry {
 public:
   explicit geometry(std::uint64_t seed) : dense_(oracle::dense_algebra::diagonal({1, 1, 1, 1, -1})), random_(seed) {}
@@ -125,7 +125,7 @@ const std::map<std::string, int> grades{{"point", 1},   {"direction", 1}, {"poin
                                         {"line", 3},    {"circle", 3},    {"plane", 4},      {"sphere", 4},
                                         {"segment", 3}, {"triangle", 4}};
 
-// Keys of an object stand in the order that is given.
+// The keys of an object are in the given order.
 void check_order(const json &object, const std::vector<std::string> &order) {
   std::size_t at = 0;
   for (const auto &[key, value] : object.items()) {

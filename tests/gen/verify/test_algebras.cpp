@@ -1,5 +1,5 @@
-// Other algebras: the compiler knows none by name. A degenerate, a planar and two non-diagonal metrics, each
-// verified against the dense product in its own basis, and predicates of the plane against exact geometry.
+// Other algebras, since the compiler knows none by name. A degenerate, a planar and two non-diagonal metrics are each
+// verified against the dense product in their own basis, and predicates of the plane against exact geometry.
 #include "gen/verify/dense_evaluator.hpp"
 #include "gen/verify/verify.hpp"
 #include "tests/catch.hpp"
@@ -95,7 +95,7 @@ and turn(t.p, t.q, s.p) * turn(t.p, t.q, s.q) <= 0
 and all(k in axes: overlap(k, s.ends, t.ends))'''
 )";
 
-// The conformal space again, declared in its null basis: the metric is not diagonal and no basis is changed.
+// The conformal space, declared in its null basis: the metric is not diagonal, and the basis does not change.
 const char *const null_basis = R"([algebra]
 vectors = ['o', 'e1', 'e2', 'e3', 'n']
 metric  = [[0, 0, 0, 0, -1], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [-1, 0, 0, 0, 0]]
@@ -180,7 +180,7 @@ compilation compile_other(const temporary_folder &folder, const other &o) {
 
 } // namespace
 
-TEST_CASE("formulas and predicates of other algebras are verified like any") {
+TEST_CASE("formulas and predicates of other algebras are verified in the same way") {
   for (const other &o : others) {
     const temporary_folder folder;
     const compilation c = compile_other(folder, o);

@@ -1,5 +1,4 @@
-// A check that cannot fail is a defect: small wrongs in the shipped spec and in compiled programs must be
-// seen.
+// A check that cannot fail is a defect: small errors in the shipped spec and in compiled programs must be found.
 #include "gen/verify/verify.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
@@ -100,7 +99,7 @@ verify::report verified(const compilation &c, long cases) {
   return verify::verify_predicate(*c.model, c.kernels.front(), cases, 7);
 }
 
-// The program with one node changed as `kind` says; nodes above it follow.
+// The program with one node changed as `kind` says; the nodes above it follow.
 enum class change { minus_for_plus, twice, other_input };
 ir::program changed(const ir::program &p, node_id at, change kind) {
   ir::program out{ir::arena(p.nodes.inputs()), {}};
@@ -144,7 +143,7 @@ ir::program changed(const ir::program &p, node_id at, change kind) {
   return out;
 }
 
-// Changes nodes of one program of a formula, a few spread over it; each that changes a value must be seen.
+// Changes some nodes of one program of a formula, one at a time. Each change of a value must be found.
 int check_changes(const lower::kernel &k, ir::program lower::formula::*which, const poly::ring &ring) {
   const ir::program &whole = k.value.*which;
   const auto ids = ir::needed(whole.nodes, whole.results);
@@ -200,9 +199,8 @@ TEST_CASE("unchanged, and without any reject line, nothing is wrong") {
   }
 }
 
-TEST_CASE("a meet in the other order is seen by whoever does not read the spec") {
-  // The dense evaluator of verify reads the same definition, so it cannot see this; the oracle's own meet
-  // does.
+TEST_CASE("a meet in the other order is found by a judge that does not read the spec") {
+  // The dense evaluator of verify reads the same definition and cannot see this; the oracle's own meet can.
   const spec_copy copy({"meet(sphere, sphere)"});
   copy.replace(algebra_file, "'(I*X) | Y'", "'(I*Y) | X'");
   const compilation c = copy.compile();

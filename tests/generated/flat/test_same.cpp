@@ -1,6 +1,6 @@
-// The flat scene asks another algebra, pga3, for the predicates of points, segments and triangles. Whatever the algebra,
-// the polynomials are the same ones, and so each rung answers as that of the shipped scene does, to the last pair: plain
-// rungs, the wrong answers included, and bounded ones, the unsure included.
+// The flat scene asks for the predicates of points, segments and triangles in another algebra, pga3. The polynomials
+// are the same in both algebras, so each rung answers every pair as that of the shipped scene does: plain rungs with
+// the same wrong answers, bounded ones with the same unsure ones.
 #include "tests/catch.hpp"
 #include "tests/extremes/families.hpp"
 #include "tests/generated/effort.hpp"
@@ -19,7 +19,7 @@ using meetc::generated_test::effort;
 
 namespace {
 
-// Pairs of rows one behind the other, as a runtime has them.
+// Pairs of rows in sequence, as a runtime stores them.
 struct rows {
   std::vector<float> a, b;
   std::vector<meetc::index_pair> pairs;
@@ -40,7 +40,7 @@ answers all(meetc::decide_function decide, const rows &r) {
   return out;
 }
 
-// What each rung answers, by its name.
+// The answers of each rung, by its name.
 std::map<std::string, answers> all(const predicate_info &p, const rows &r) {
   static constexpr std::array<const char *, meetc::rung_count> names = {"fp32", "fp64", "fp64x2", "exact", "certified"};
   std::map<std::string, answers> out;
@@ -104,7 +104,7 @@ TEST_CASE("both scenes give the same answers on every rung") {
   for (int i = 0; i < flat.predicate_count; ++i) {
     const predicate_info &p = flat.predicates[i], &q = named(cga::catalogue(), p.name);
     const subject &s = subject_named(p.name);
-    std::map<std::string, std::array<bool, 3>> given; // no, yes, unsure: does a rung give it at all
+    std::map<std::string, std::array<bool, 3>> given; // no, yes, unsure: whether a rung gives it at all
     for (const family &f : families()) {
       if (!f.applies(s.a, s.b))
         continue;
@@ -121,7 +121,7 @@ TEST_CASE("both scenes give the same answers on every rung") {
         CHECK(different == 0);
       }
     }
-    // The cases leave no rung with one answer alone.
+    // The cases bring every rung to give more than one answer.
     for (const auto &[rung, some] : given) {
       INFO(p.name << ", " << rung);
       CHECK(some[0] + some[1] + some[2] >= 2);

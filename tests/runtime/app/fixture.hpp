@@ -1,4 +1,4 @@
-// What the tests of `meet` share: a folder of their own, the program run as a user runs it, and what it said.
+// Shared by the tests of `meet`: a separate folder, and the program run as a user runs it, with its output.
 #ifndef MEETC_TESTS_APP_FIXTURE_HPP
 #define MEETC_TESTS_APP_FIXTURE_HPP
 
@@ -47,8 +47,7 @@ struct said {
   std::string out, err;
 };
 
-// Through the shell, in the tests' folder: the program with the arguments, each passed as it is. `around` may
-// redirect.
+// Runs the program through the shell, in the tests' folder, with each argument passed unchanged. `around` may redirect.
 inline said run_program(const fs::path &program, const std::vector<std::string> &arguments,
                         const std::string &around = "") {
   std::string words;
@@ -65,7 +64,7 @@ inline said run(const std::vector<std::string> &arguments, const std::string &ar
   return run_program(MEETC_MEET, arguments, around);
 }
 
-// A run that must do well; gives its JSON, which is all that it prints.
+// A run that must succeed. Returns its JSON, which is all that it prints.
 inline json answer(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "collide");
   arguments.emplace_back("--json");
@@ -76,7 +75,7 @@ inline json answer(std::vector<std::string> arguments) {
   return json::parse(s.out);
 }
 
-// A run that must fail: checks the exit code and that one line is said; gives that line less "meet: ".
+// A run that must fail: checks the exit code and that there is one line. Returns that line without "meet: ".
 inline std::string complaint(const std::vector<std::string> &arguments, int code = 2) {
   const said s = run(arguments);
   INFO(s.err);
@@ -93,7 +92,7 @@ inline bool has(const std::string &text, std::string_view part) {
 
 using pair_list = std::vector<std::pair<unsigned, unsigned>>;
 
-// The rows of a pairs file; checks its header.
+// The rows of a pairs file, whose header is checked.
 inline pair_list pairs_in(const fs::path &path) {
   std::ifstream in(path);
   std::string line;
@@ -106,7 +105,7 @@ inline pair_list pairs_in(const fs::path &path) {
   return out;
 }
 
-// The pairs of a run that must do well.
+// The pairs of a run that must succeed.
 inline pair_list pairs_of(std::vector<std::string> arguments) {
   const json counts = answer(arguments);
   arguments.insert(arguments.end(), {"--pairs", at("pairs.csv")});

@@ -1,4 +1,4 @@
-// Where the shipped algebra is looked for: beside the program first, wherever that has been moved to.
+// The places searched for the shipped algebra: next to the program first, even after it has been moved.
 #include "fixture.hpp"
 
 #include "app/algebra_file.hpp"
@@ -13,7 +13,7 @@ TEST_CASE("the algebra is looked for from the program first, then where it was i
   REQUIRE(places.size() >= 3);
   CHECK(places[0] == "/moved/share/meetc/algebra_spec/cga3.toml");
   CHECK(places.back() == fs::path(MEETC_ALGEBRA).lexically_normal());
-  // From where the program was built, the second place is the source tree's.
+  // For a program in its build folder, the second place is in the source tree.
   const std::vector<fs::path> built = algebra_places(fs::path(MEETC_MEET).parent_path());
   CHECK(built[1] == fs::path(MEETC_ALGEBRA).lexically_normal());
   CHECK(algebra_places(fs::path()).size() == 2);

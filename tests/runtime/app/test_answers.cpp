@@ -1,4 +1,4 @@
-// What `meet collide` answers on meshes: counts, files against themselves, polygons, edge cases.
+// The answers of `meet collide` on meshes: counts, files against themselves, polygons, edge cases.
 #include "fixture.hpp"
 
 #include <algorithm>
@@ -98,7 +98,7 @@ TEST_CASE("a polygon is one face, and each pair counts once") {
   put("cut.csv", "x0,y0,z0,x1,y1,z1\n0.25,0.25,-1,0.25,0.25,1\n0.5,0.5,-1,0.5,0.5,1\n5.5,0.5,-1,5.5,0.5,1\n");
   CHECK(pairs_of({"quads.obj", "cut.csv"}) == pair_list{{0, 0}, {0, 1}, {1, 2}});
   CHECK(pairs_of({"cut.csv", "quads.obj"}) == pair_list{{0, 0}, {1, 0}, {2, 1}});
-  // All three lie on a diagonal, which both triangles of a square have.
+  // All three lie on a diagonal, which belongs to both triangles of a square.
   CHECK(answer({"triangles.obj", "cut.csv"})["pairs"] == 6);
   const json self = answer({"quads.obj", "quads.obj"});
   CHECK(self["a"]["elements"] == 2);
@@ -152,7 +152,7 @@ TEST_CASE("disjoint boxes, nested meshes, empty meshes") {
   CHECK(run({"collide", "empty.ply", "empty.ply", "--color", "colours", "--image", "none.png"}).code == 0);
 }
 
-TEST_CASE("option --any says whether, not which") {
+TEST_CASE("option --any says whether there is a pair, not which") {
   put_mesh("ball.ply", icosphere(3));
   put_mesh("ring.ply", torus(48, 24));
   const json yes = answer({"ball.ply", "ring.ply", "--any"});
@@ -179,8 +179,8 @@ TEST_CASE("precisions and devices that there are") {
 }
 
 TEST_CASE("certified, the default, is exact and says what each rung handed on") {
-  // One triangle against others whose corners lie so near its plane that fp32, fp64 or none of the rungs with
-  // bounds can tell, and against one that fp32 decides.
+  // One triangle against others whose corners lie so near its plane that fp32, fp64 or all bounded rungs are unsure,
+  // and against one that fp32 decides.
   put("a.csv", "x0,y0,z0,x1,y1,z1,x2,y2,z2\n0,0,0,1,1e-3,0.333,0.777,1,0.6543\n");
   std::string rows = "x0,y0,z0,x1,y1,z1,x2,y2,z2\n0.5,0.3,-9,0.6,0.4,-9,0.6,0.3,9\n";
   for (const int i : {1, 2, 3, 4, 5, 6, 7, 8, 9}) // corners a rounding off its plane
@@ -210,6 +210,6 @@ TEST_CASE("certified, the default, is exact and says what each rung handed on") 
                                unsure["fp64"].get<int>(), unsure["fp64x2"].get<int>())));
   CHECK(has(run({"collide", "a.csv", "b.csv"}).out,
             fmt::format("rungs used: fp32 ({} handed on), fp64 (", unsure["fp32"].get<int>())));
-  // Where nothing is decided no rung is used.
+  // Where nothing is decided, no rung runs.
   CHECK_FALSE(has(run({"collide", "a.csv", "b.csv", "--translate-b", "99,0,0"}).out, "rungs used"));
 }

@@ -1,4 +1,4 @@
-// `meet bench paper`: its rows are there, its counts are collide's, its laws are what their rows say.
+// `meet bench paper`: its rows exist, its counts are those of collide, and its fitted laws follow from its rows.
 #include "fixture.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ std::vector<std::string> words_of(const json &options) {
   return words;
 }
 
-// What `meet collide` says of two meshes under the pose that the benchmark prints.
+// The answer of `meet collide` on two meshes in the pose that the benchmark prints.
 void check_row(const json &row, const std::string &a, const std::string &b, const json &pose) {
   std::vector<std::string> arguments{a, b};
   for (const std::string &w : words_of(pose))
@@ -83,7 +83,7 @@ TEST_CASE("bench paper: counts of built-in meshes are those of collide") {
 
 TEST_CASE("bench paper: counts of files, and of what is cut out of them, are those of collide") {
   using namespace meetc::bodies;
-  // In the units that the pose is for.
+  // In the units for which the pose is given.
   fs::create_directories(at("meshes"));
   put_mesh("meshes/bunny_1k.ply", larger(torus(25, 20), 0.08F));
   const mesh small = larger(knot(100, 25), 60), middle = larger(knot(150, 50), 60);
@@ -119,8 +119,8 @@ TEST_CASE("bench paper: the exponent is the slope of its rows, and near enough t
   }
   const json &law = j["laws"]["armadillo_hit"];
   CHECK(law["exponent"].get<double>() == Approx(product / square).margin(1e-5));
-  // Counts of some hundred triangles scatter by a few per cent, and a coarser mesh is another surface: with
-  // 10 % each the slope can be off by this much and no more.
+  // Counts of some hundred triangles scatter by a few per cent, and a coarser mesh is another surface. If each is off
+  // by 10 %, the slope can be off by this much and no more.
   const double tolerance = std::log(1.1) * absolute / square;
   CHECK(law["tolerance"].get<double>() == Approx(tolerance).margin(1e-5));
   CHECK(std::abs(law["exponent"].get<double>() - 0.5) <= tolerance);
@@ -137,7 +137,7 @@ TEST_CASE("bench paper: spheres touch as often as random ones must") {
   for (const json &row : spheres) {
     const double count = row["spheres"], pairs = row["pairs"], expected = row["expected"];
     CHECK(count == std::vector<double>{500, 1000, 2500, 5000, 10000}[n++]);
-    // Half a neighbour each, less what the walls take; the number of rare pairs scatters by its root.
+    // Half a neighbour each, less the effect of the walls. The number of rare pairs scatters by its square root.
     CHECK(expected <= count / 4);
     CHECK(expected >= 0.85 * count / 4);
     CHECK(std::abs(pairs - expected) <= 4 * std::sqrt(expected));
@@ -146,7 +146,7 @@ TEST_CASE("bench paper: spheres touch as often as random ones must") {
   }
 }
 
-TEST_CASE("bench paper: segments, times and what has no device") {
+TEST_CASE("bench paper: segments, times, and the columns without a device") {
   const json &j = built_in();
   const json &segments = rows(j, "segments");
   REQUIRE(segments.size() == 8);
@@ -196,7 +196,7 @@ TEST_CASE("bench paper: a page and six pictures, and text that says what it is")
   CHECK(has(s.out, "wrote again/figure_6.png"));
 }
 
-TEST_CASE("bench paper: what is wrong is said in one line, and nothing is written") {
+TEST_CASE("bench paper: an error is one line, and nothing is written") {
   const auto with = [](std::vector<std::string> more, int code = 2) {
     more.insert(more.begin(), {"bench", "paper", "--quick"});
     return complaint(more, code);

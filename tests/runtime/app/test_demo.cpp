@@ -1,4 +1,4 @@
-// `meet demo`: a table, coloured meshes and pictures, from nothing.
+// `meet demo`: a table, coloured meshes and pictures, without any input.
 #include "fixture.hpp"
 
 using namespace fixture;
@@ -22,7 +22,7 @@ TEST_CASE("the demo writes what it says and its meshes give the counts it prints
   const std::uint64_t pairs = answer({"show/animal.ply", "show/figure.ply"})["pairs"];
   CHECK(pairs == 1690);
   CHECK(has(s.out, "1,690"));
-  // Safe to run again, with the same files.
+  // It can be run again, with the same files.
   const std::string before = get(at("show/animal-figure.png"));
   CHECK(run({"demo", "-o", "show"}).code == 0);
   CHECK(get(at("show/animal-figure.png")) == before);

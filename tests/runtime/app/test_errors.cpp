@@ -1,4 +1,4 @@
-// Whatever is wrong: one line that says what, exit code 2 (3 for the device), and nothing on standard output.
+// Every error is one line that says what is wrong, with exit code 2 (3 for the device) and nothing on standard output.
 #include "fixture.hpp"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ TEST_CASE("values of options") {
     CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--any", option, "x"}), "--any stops at the first pair"));
 }
 
-TEST_CASE("kinds and predicates that do not fit say what does") {
+TEST_CASE("kinds and predicates that do not fit name those that do") {
   put_files();
   const std::string none = collide_complaint({"points.csv", "balls.csv"});
   CHECK(has(none, "no predicate for point with sphere; supported: segment with segment, point with triangle, "));

@@ -1,4 +1,4 @@
-// `meet inspect`: what is said of the files, and the scene that it writes.
+// `meet inspect`: its report on the files, and the scene that it writes.
 #include "fixture.hpp"
 
 using namespace fixture;
@@ -47,7 +47,7 @@ TEST_CASE("the grid") {
 }
 
 TEST_CASE("degeneracies") {
-  // Faces: good; the same, turned; collinear; two corners equal; nearly flat. Vertex 7 is not used.
+  // The faces are good; the same, rotated; collinear; with two equal corners; nearly flat. Vertex 7 is not used.
   put("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 3 1 0\nv 0.5 0 0\nv 1e-30 1e-38 0\nv 9 9 9\nv 0 0 3e38\n"
                   "f 1 2 3\nf 3 2 1\nf 1 5 2\nf 4 4 1\nf 1 2 6\nf 1 8 6\n");
   put("rods.csv", "x0,y0,z0,x1,y1,z1\n0,0,0,1,0,0\n1,0,0,-0,0,0\n2,2,2,2,2,2\n");
@@ -85,7 +85,7 @@ TEST_CASE("the scene that the files require") {
     CHECK(std::system(command.c_str()) == 0);
     CHECK(fs::exists(at("generated/robot_cell/ball_triangle.hpp")));
   }
-  // Without --algebra the one that belongs to the program is found.
+  // Without --algebra the program finds the algebra that comes with it.
   CHECK(run({"inspect", "ball.ply", "ball.ply", "--scene", "7 meshes.toml"}).code == 0);
   CHECK(has(get(at("7 meshes.toml")), "namespace = 'scene_7_meshes'"));
   CHECK(has(get(at("7 meshes.toml")), "cga3.toml'"));
@@ -111,7 +111,7 @@ TEST_CASE("the scene's box is the least power of two that holds both files") {
   CHECK(box_of("0,0,0,0", "0,0,0,0") == 0);
 }
 
-TEST_CASE("what inspect refuses") {
+TEST_CASE("errors of inspect") {
   put_mesh("ball.ply", meetc::bodies::icosphere(1));
   put("balls.csv", "x,y,z,r\n1,0,0,0.5\n");
   put("points.csv", "x,y,z\n1,0,0\n");

@@ -1,5 +1,5 @@
-// The files that `meet collide` writes: what is in them, the same for any number of threads, whole or not
-// there.
+// The files that `meet collide` writes: their contents, which are the same for any number of threads, and that each is
+// written whole or not at all.
 #include "fixture.hpp"
 
 #include "io/read.hpp"
@@ -56,11 +56,11 @@ TEST_CASE("coloured meshes: as many bright faces as are touched") {
   CHECK(a.at("\xff\xd6" + std::string(1, '\0')) == j["touched_a"]);
   CHECK(b.at("\xff\x14\x89") == j["touched_b"]);
   CHECK(files_in(at("new/folder")) == 2);
-  // B is written as it was moved, and may be read again.
+  // B is written as it was moved, and can be read again.
   run({"collide", "ball.ply", "ring.ply", "--translate-b", "0.5,0,0", "--color", "new/folder"});
   CHECK(answer({"ball.ply", "new/folder/b.ply"})["pairs"] ==
         answer({"ball.ply", "ring.ply", "--translate-b", "0.5,0,0"})["pairs"]);
-  // What is no mesh has no colours.
+  // Sets that are not meshes have no colours.
   fs::remove_all(at("new"));
   const said s = run({"collide", "balls.csv", "ring.ply", "--colour", "new"});
   CHECK(s.code == 0);
@@ -85,7 +85,7 @@ TEST_CASE("pictures, of every kind") {
   }
 }
 
-TEST_CASE("an output never is an input, nor another output") {
+TEST_CASE("an output is never an input, nor another output") {
   put_files();
   const std::string before = get(at("ball.ply"));
   fs::remove(at("alias.ply"));
@@ -119,7 +119,7 @@ TEST_CASE("all outputs or none, and nothing is left over") {
             "plain: is not a folder"));
   CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", "."}), "."));
   CHECK(has(complaint({"collide", "ball.ply", "ring.ply", "--pairs", ""}), "not the name of a file"));
-  // Bad input: outputs that were there stay as they were.
+  // After bad input, existing outputs stay as they were.
   put("bad.ply", "ply\n");
   put("p.csv", "old");
   CHECK(has(complaint({"collide", "ball.ply", "bad.ply", "--pairs", "p.csv", "--color", "fresh"}), "bad.ply"));
@@ -148,8 +148,8 @@ TEST_CASE("a file that is replaced keeps its mode and its links, special files a
 
 TEST_CASE("standard output that is gone, closed or full") {
   put_files();
-  // What is printed to a closed stream is lost, and that is a fault. A file that is written is whole: it does
-  // not get the stream's place.
+  // Text printed to a closed stream is lost, which is an error. A file is still written whole: it does not take the
+  // stream's number.
   const said closed = run({"collide", "ball.ply", "ring.ply", "--pairs", "p.csv"}, ">&-");
   CHECK(closed.code == 2);
   CHECK(has(closed.err, "meet: standard output: "));
@@ -161,7 +161,7 @@ TEST_CASE("standard output that is gone, closed or full") {
   const said full = run({"collide", "ball.ply", "ring.ply", "--json"}, ">/dev/full");
   CHECK(full.code == 2);
   CHECK(has(full.err, "meet: standard output: "));
-  // The reader leaves before anything is written.
+  // The reader exits before anything is written.
   const std::string command =
       fmt::format("cd '{}' && {{ sleep 0.2; '{}' collide ball.ply ring.ply; echo $? > code.txt; }} | true",
                   folder().string(), MEETC_MEET);

@@ -1,12 +1,12 @@
-// How B is moved: in double, scale, matrix, translation, rounded once.
+// How B is moved: in double, by scale, matrix and translation, rounded once.
 #include "fixture.hpp"
 
 using namespace fixture;
 
 namespace {
 
-// Whether the sphere B, moved so, still touches the expected one; with surfaces, a wrong radius about the
-// same centre does not.
+// Whether the sphere B, after this move, still touches the expected one. With surfaces, a wrong radius about the same
+// centre does not.
 bool becomes(const std::string &b, const std::vector<std::string> &how, const std::string &expected) {
   put("b.csv", fmt::format("x,y,z,r\n{}\n", b));
   put("expected.csv", fmt::format("x,y,z,r\n{}\n", expected));
@@ -14,7 +14,7 @@ bool becomes(const std::string &b, const std::vector<std::string> &how, const st
   arguments.insert(arguments.end(), how.begin(), how.end());
   return answer(arguments)["pairs"] == 1;
 }
-// Whether the point B, moved so, is exactly the expected one.
+// Whether the point B, after this move, is exactly the expected one.
 bool point_becomes(const std::string &b, const std::vector<std::string> &how, const std::string &expected) {
   put("b.csv", fmt::format("x0,y0,z0,x1,y1,z1\n{0},{0}\n", b));
   put("expected.csv", fmt::format("x0,y0,z0,x1,y1,z1\n{0},{0}\n", expected));
@@ -36,10 +36,10 @@ TEST_CASE("scale, then matrix, then translation, whatever their order on the lin
 }
 
 TEST_CASE("rounded once, at the end") {
-  // 0.1 in double times 3 rounds to 0.3 in float32; 0.1 in float32 first gives 0.3 and a step.
+  // 0.1 in double times 3 rounds to 0.3 in float32; 0.1 rounded to float32 first gives one step more.
   CHECK(point_becomes("0.1,0,0", {"--scale-b", "3"}, "0.3,0,0"));
   CHECK(point_becomes("16777217,0,0", {"--translate-b", "-16777216,0,0"}, "1,0,0"));
-  // With no transform decimals round straight to float32.
+  // Without a transform decimals are rounded directly to float32.
   CHECK(point_becomes("1.00000017881393432617187499,0,0", {}, "1.00000011920929,0,0"));
 }
 
@@ -47,7 +47,8 @@ TEST_CASE("radii take the scale") {
   CHECK(becomes("1,0,0,1", {"--scale-b", "2"}, "2,0,0,2"));
   CHECK_FALSE(becomes("1,0,0,1", {"--scale-b", "2"}, "2,0,0,1"));
   CHECK(becomes("1,0,0,1", {"--scale-b", "2", "--translate-b", "0,5,0"}, "2,5,0,2"));
-  // A matrix only where it is a similarity; here a turn about z by atan(4/3) and a scale of 5, then mirrored.
+  // A matrix is allowed only if it is a similarity; this one rotates about z by atan(4/3) and scales by 5, and is then
+  // mirrored.
   CHECK(becomes("1,0,0,1", {"--matrix-b", "3,-4,0,0,4,3,0,0,0,0,5,7"}, "3,4,7,5"));
   CHECK_FALSE(becomes("1,0,0,1", {"--matrix-b", "3,-4,0,0,4,3,0,0,0,0,5,7"}, "3,4,7,1"));
   CHECK(becomes("1,0,0,1", {"--matrix-b", "3,4,0,0,4,-3,0,0,0,0,5,0", "--scale-b", "2"}, "6,8,0,10"));

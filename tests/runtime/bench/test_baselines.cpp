@@ -1,8 +1,8 @@
 // The classic tests against our exact answers.
 //
-// They must agree wherever no determinant is near zero, and, where they neither divide nor round (small
-// integers), on everything. Where rounding matters, how often they are wrong is told, not asserted: what is
-// asserted there is that our own answers do not change when a scene is shrunk exactly.
+// They must agree wherever no determinant is near zero and, where they neither divide nor round (small integers), on
+// everything. Where rounding matters, their errors are counted and printed, not asserted; the assertion there is that
+// our own answers do not change when a scene is shrunk exactly.
 #include "tests/catch.hpp"
 
 #include "bench/baselines.hpp"
@@ -117,8 +117,7 @@ bool has_area(const triangle &t) {
   return n.x != 0 || n.y != 0 || n.z != 0;
 }
 
-// Below it a rounded determinant of numbers up to 1 might have the wrong sign, or fall under Moeller's
-// epsilon.
+// Below this a rounded determinant of numbers up to 1 might have the wrong sign, or be less than Möller's epsilon.
 constexpr double clear = 1e-3;
 
 } // namespace
@@ -233,7 +232,7 @@ TEST_CASE("balls: the Euclidean test gives the exact answer, also for whole numb
   CHECK(hits < pairs - pairs / 10);
 }
 
-TEST_CASE("a scene shrunk exactly: how often the classic tests are wrong is told, ours keep their answers") {
+TEST_CASE("a scene shrunk exactly: the classic tests' errors are counted, ours keep their answers") {
   std::mt19937 random(7);
   std::vector<int> wrong(triangle_tests().size());
   constexpr int pairs = 20000;
@@ -251,9 +250,9 @@ TEST_CASE("a scene shrunk exactly: how often the classic tests are wrong is told
     WARN(fmt::format("{} random pairs, shrunk by 2^20: {} wrong: {}", pairs, triangle_tests()[i].name, wrong[i]));
 }
 
-TEST_CASE("degenerate families: how often the classic tests are wrong is told, ours keep their answers") {
+TEST_CASE("degenerate families: the classic tests' errors are counted, ours keep their answers") {
   std::mt19937 random(6);
-  // Pairs that share an edge or a corner, or touch in a corner on an edge's middle; then shrunk exactly.
+  // Pairs that share an edge or a corner, or touch with a corner on the midpoint of an edge; then shrunk exactly.
   std::vector<std::array<triangle, 2>> pairs;
   while (pairs.size() < 20000) {
     triangle a = random_row<9>(random), b = random_row<9>(random);

@@ -1,4 +1,4 @@
-// Charts: what gnuplot draws lies where it should, twice the same, and a missing gnuplot is said.
+// Charts: gnuplot draws points where they belong, the same file each time, and a missing gnuplot is reported.
 #include "tests/catch.hpp"
 
 #include "app/failure.hpp"
@@ -63,9 +63,9 @@ std::array<int, 4> drawn(const chart &c) {
 
 } // namespace
 
-TEST_CASE("a chart draws its points where they are, by powers of ten") {
+TEST_CASE("a chart draws its points at their places on logarithmic axes") {
   const std::array<int, 4> two = drawn(one_curve({{1, 1}, {10000, 100}}));
-  // (100, 10) lies half-way on both axes, so on the line.
+  // (100, 10) is at the midpoint of both axes, and so on the line.
   CHECK(drawn(one_curve({{1, 1}, {100, 10}, {10000, 100}})) == two);
   CHECK(two[1] - two[0] > 300);
   CHECK(two[3] - two[2] > 150);
@@ -78,7 +78,7 @@ TEST_CASE("a chart draws its points where they are, by powers of ten") {
   CHECK(std::abs(2 * (half[3] - half[2]) - (two[3] - two[2])) < 40); // the legend takes another line
 }
 
-TEST_CASE("points that have no place on a chart by powers of ten are left out") {
+TEST_CASE("points that a logarithmic chart cannot show are left out") {
   const std::array<int, 4> none = drawn(one_curve({{1, 0}, {10, -1}, {100, NAN}, {INFINITY, 1}}));
   CHECK(none[1] == 0);
   CHECK(drawn(one_curve({}))[1] == 0);
@@ -97,7 +97,7 @@ TEST_CASE("the same chart is the same file, and its words are in the script") {
     CHECK(script.find(part) != std::string::npos);
 }
 
-TEST_CASE("a file that cannot be written, and a gnuplot that is not there, are said in a line") {
+TEST_CASE("a file that cannot be written and a missing gnuplot are one-line errors") {
   CHECK_THROWS_AS(write_chart(here("no-such-folder") / "x.png", one_curve({{1, 1}}), 600, 400), meetc::app::failure);
   CHECK_NOTHROW(need_gnuplot());
   const std::string path = std::getenv("PATH");

@@ -1,4 +1,4 @@
-// Tables, brute force, and what is asked of a device.
+// Tables, brute force, and the interface to a device.
 #include "tests/catch.hpp"
 
 #include "app/failure.hpp"
@@ -58,7 +58,7 @@ TEST_CASE("brute force finds what the search finds, and its sample is a part of 
   CHECK(part.pairs <= 200'000);
   CHECK(part.pairs > 100'000);
   CHECK(part.of[0].yes < pairs);
-  // Scaled to all pairs, so about the same; a factor of 3 is far beyond what rows differ by.
+  // Scaled to all pairs, so about the same. Rows differ by far less than a factor of 3.
   CHECK(part.of[1].time < 3 * whole.of[1].time);
   CHECK(part.of[1].time > whole.of[1].time / 3);
 }

@@ -22,7 +22,7 @@ std::vector<double> powers(double exponent) {
 
 } // namespace
 
-TEST_CASE("a power is found, and told from others") {
+TEST_CASE("a power is found, and distinguished from others") {
   const power_fit root = fit_power(sizes, powers(0.5), 0.5, 0.1);
   CHECK(root.exponent == Approx(0.5));
   CHECK(root.holds);
@@ -55,7 +55,7 @@ TEST_CASE("counts within the scatter never leave the tolerance, and some reach i
   CHECK_FALSE(fit_power(sizes, tilted, 0.5, 0.05).holds);
 }
 
-TEST_CASE("the farthest row is named, and rows that say nothing are left out") {
+TEST_CASE("the farthest row is named, and rows of size or count 0 are left out") {
   std::vector<double> counts = powers(0.5);
   counts[4] *= 0.8;
   const power_fit fit = fit_power(sizes, counts, 0.5, 0.1);

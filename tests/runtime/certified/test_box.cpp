@@ -13,8 +13,8 @@ using namespace meetc;
 
 namespace {
 
-// Rows with coordinates in [-box, box] and lengths in [0, 2 box]. Half of them on a coarse lattice, so that
-// much is degenerate, and some at the box's very corners.
+// Rows with coordinates in [-box, box] and lengths in [0, 2 box]. Half of them are on a coarse lattice, so that many
+// are degenerate, and some are at the corners of the box.
 std::vector<float> some_rows(float box, const kind_info &kind, std::size_t n, std::mt19937 &g) {
   std::vector<float> rows;
   for (std::size_t i = 0; i < n; ++i) {
@@ -65,7 +65,7 @@ TEST_CASE("the same pairs in any box as without one") {
         const float side = power_above(2 * box);
         covered += side >= p.box_least && side <= p.box_most;
       }
-      // One number a step outside: said, and nothing is decided by a box that does not hold.
+      // One number is a step outside: this is reported, and nothing is decided by a box that does not hold.
       a[static_cast<std::size_t>(p.a->fields) * 100] = std::nextafter(box, 2 * box);
       const prepared x = ready(a, *p.a);
       const result exact = collide(x, y, p, rung::exact), none = collide(x, y, p, rung::certified),

@@ -1,9 +1,9 @@
 // Real meshes, where the folder MEETC_DATA has them: the pairs of `certified` are those of `exact`, for every
 // predicate, as stored, far from the origin, tiny, huge, and for each mesh against itself.
 //
-// Each mesh meets the next one, turned and brought to its size and place. Segments are the first edges of
-// faces, points their first corners, spheres a quarter of the edge about the corner. Whatever is computed
-// here is rounded to float32 before either rung sees it.
+// Each mesh meets the next one, which is rotated and brought to its size and place. Segments are the first edges of
+// faces, points their first corners, and spheres have a quarter of the edge as radius about the corner. All of this is
+// rounded to float32 before either rung sees it.
 #include "tests/catch.hpp"
 
 #include "core/collide.hpp"
@@ -66,7 +66,7 @@ const std::vector<body> &bodies() {
   return all;
 }
 
-// Scaled and turned about the body's middle, which goes to `to`.
+// Scaled and rotated about the centre of the body, which moves to `to`.
 pose placed(const body &b, double scale, bool turned, const std::array<double, 3> &to) {
   constexpr double turn[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
   pose p;
@@ -129,7 +129,7 @@ void same_pairs(const body &a, const pose &at_a, const body &b, const pose &at_b
 
 constexpr std::array<double, 3> origin{0, 0, 0};
 
-// Every mesh and the next one at a size about a place; the first rung must leave so many pairs unsure.
+// Every mesh and the next one at a given size and place. The first rung must leave this many pairs unsure.
 void neighbours(const char *what, double size, const std::array<double, 3> &place, std::uint64_t least_unsure) {
   totals sum;
   for (std::size_t i = 0; i < bodies().size(); ++i) {
@@ -157,8 +157,7 @@ TEST_CASE("each mesh with the next, as stored", "[data]") {
   CHECK((sum.pairs > 10'000 || bodies().empty()));
 }
 
-// Steps of float32 are 1/16 there, and edges of the finest mesh a dozen steps long: many faces are
-// degenerate.
+// Steps of float32 are 1/16 there, and edges of the finest mesh are a dozen steps long, so many faces are degenerate.
 TEST_CASE("at 1e6 from the origin", "[data]") {
   neighbours("at +1e6", 200, {1e6, -1e6, 1e6}, 0);
 }

@@ -1,5 +1,5 @@
-// What `meet` says where a set leaves the scene's box. The shipped scene has none, so its catalogue is given
-// one here.
+// The warning of `meet` where a set leaves the scene's box. The shipped scene has no box, so its catalogue gets one
+// here.
 #include "tests/catch.hpp"
 #include "tests/folder.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 using test_files::folder, test_files::get, test_files::put;
 namespace fs = std::filesystem;
 
-// What the command says on standard error; its answer must hold `pairs`.
+// The text of the command on standard error; its answer must hold `pairs`.
 std::string said(float box, const fs::path &a, const fs::path &b, const char *pairs,
                  meetc::rung precision = meetc::rung::certified) {
   meetc::catalogue all = cga::catalogue();
@@ -50,7 +50,7 @@ TEST_CASE("a set that leaves the scene's box is warned of, once, and the answer 
   const std::string both = "meet: warning: outside of the scene's box, -2 to 2 in each coordinate: A ";
   CHECK(said(2, balls, rods, "2").rfind(both, 0) == 0);
   CHECK(said(2, balls, rods, "2").find(", B [-2, -1, 0] to [2, 1, 3]; fp32") != std::string::npos);
-  // In either order of the files, with one line.
+  // The order of the files does not matter, and there is one line.
   const fs::path small = put("small.csv", "x,y,z,r\n0,0,0,1\n");
   const std::string second = said(2, small, rods, "1"), first = said(2, rods, small, "1");
   CHECK(second.find("coordinate: B [-2, -1, 0] to [2, 1, 3]; ") != std::string::npos);

@@ -1,4 +1,4 @@
-// Counts, flags and any: of every element, by both layers, with owners and without, against brute force.
+// Counts, flags and any, for every element, by both layers, with owners and without, against brute force.
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
@@ -17,7 +17,7 @@ struct wanted {
   std::vector<std::uint8_t> flags_a, flags_b;
 };
 
-// What distinct pairs say of each of so many.
+// The answers that distinct pairs give for each of n elements or items.
 wanted from(std::vector<index_pair> pairs, std::size_t a, std::size_t b) {
   wanted w{std::move(pairs), std::vector<std::uint64_t>(a), std::vector<std::uint64_t>(b), {}, {}};
   for (const index_pair p : w.pairs)
@@ -130,18 +130,18 @@ TEST_CASE("flags and counts in the caller's memory") {
     CHECK(count == want.pairs.size());
     CHECK((counts_a == want.counts_a && counts_b == want.counts_b));
     CHECK((flags_a == want.flags_a && flags_b == want.flags_b));
-    // One side alone, and no list.
+    // Only one side, without a list.
     std::fill(flags_b.begin(), flags_b.end(), std::uint8_t{7});
     out = {nullptr, 0, &count};
     out.flags_b = flags_b.data();
     REQUIRE(ask({.threads = threads}) == status::ok);
     CHECK(count == want.pairs.size());
     CHECK(flags_b == want.flags_b);
-    // The first pair says nothing of any element.
+    // The first pair sets no flag and no count.
     REQUIRE(ask({.threads = threads, .stop_at_first = true}) == status::ok);
     CHECK(count == 1);
     CHECK(flags_b == std::vector<std::uint8_t>(700));
-    // What is refused leaves them.
+    // A refused call leaves them unchanged.
     flags_b[3] = 9;
     work.resize(8);
     CHECK(ask({.threads = threads}) == status::workspace_too_small);
@@ -149,7 +149,7 @@ TEST_CASE("flags and counts in the caller's memory") {
   }
 }
 
-TEST_CASE("a list the other way round") {
+TEST_CASE("a transposed list") {
   const std::vector<index_pair> list{{0, 5}, {1, 2}, {1, 9}, {4, 0}, {4, 5}};
   CHECK(same(transposed(list), {{0, 4}, {2, 1}, {5, 0}, {5, 4}, {9, 1}}));
   CHECK(transposed({}).empty());

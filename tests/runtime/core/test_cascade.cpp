@@ -1,5 +1,4 @@
-// `certified`: each rung sees only what the one before left unsure, whatever the threads; and the scene's
-// box.
+// `certified`: each rung sees only what the one before left unsure, for any number of threads. The scene's box.
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
@@ -10,8 +9,8 @@ using namespace toy;
 
 namespace {
 
-// How far down the ladder a pair of boxes must go: 0 to 3, by their numbers alone. `every` >= 0: all pairs
-// alike.
+// The rung of the cascade, 0 to 3, that decides a pair of boxes, which depends only on their numbers. `every` >= 0: the
+// same for all pairs.
 int every = -1;
 int hardness(const float *a, const float *b) {
   std::uint32_t hash = 1;
@@ -25,7 +24,7 @@ int hardness(const float *a, const float *b) {
   return every >= 0 ? every : static_cast<int>(hash % 4);
 }
 
-// What the rungs were asked: pairs a rung, and those that an earlier rung would have decided.
+// What the rungs were asked: the pairs for each rung, and those that an earlier rung would have decided.
 std::atomic<std::uint64_t> asked[4], too_easy;
 std::atomic<float> side_used;
 
@@ -60,7 +59,7 @@ void forget() {
   side_used = 0;
 }
 
-// Candidates that a rung must hand on.
+// The candidates that each rung must leave unsure.
 std::array<std::uint64_t, 3> handed_on(const rows &a, const rows &b) {
   std::array<std::uint64_t, 3> n{};
   for (std::size_t i = 0; i < a.size(); i += 6)
@@ -123,7 +122,7 @@ TEST_CASE("owners and the caller's memory get the same") {
                   {.threads = threads}) == status::ok);
     CHECK(same(out, want));
     CHECK(std::equal(unsure.begin(), unsure.end(), rungs.unsure));
-    // A refused call leaves nothing of an earlier one.
+    // A refused call leaves nothing from an earlier one.
     CHECK(pairs(hard_boxes, rung::fp64, view_of(a, boxes), {}, view_of(b, boxes), {}, {nullptr, 0, &count, &rungs},
                 {work.data(), work.size()}) == status::no_such_rung);
     CHECK(rungs.unsure[0] == 0);
@@ -159,7 +158,7 @@ TEST_CASE("a search for one pair goes no deeper than it must") {
   every = -1;
 }
 
-TEST_CASE("a ladder that lacks a rung is no ladder") {
+TEST_CASE("a cascade that lacks a rung is refused") {
   const rows a = some_boxes(5, 1, 1, 96);
   const prepared x = prepare(view_of(a, boxes), boxes);
   std::vector<std::byte> work(workspace(hard_boxes, 5, 5, 1));
@@ -191,7 +190,7 @@ std::ostream &operator<<(std::ostream &out, const entered &e) {
   return out << "{side " << e.side << ", " << e.a << ", " << e.b << "}";
 }
 
-// By both layers; they must agree.
+// By both layers, which must agree.
 entered enter(float box, const rows &a, const rows &b, const predicate_info &p = hard_boxes, const pose &at_b = {},
               rung precision = rung::certified) {
   forget();
@@ -220,7 +219,7 @@ TEST_CASE("the first rung takes the scene's box where both sets lie in it") {
   CHECK(enter(1, in, out) == entered{0, false, true});
   CHECK(enter(1, below, in) == entered{0, true, false});
   CHECK(enter(1, in, {}) == entered{0, false, false}); // nothing to decide
-  // As posed.
+  // As it stands after the pose.
   pose away;
   away.m[3] = 0.5;
   CHECK(enter(1, in, in, hard_boxes, away) == entered{0, false, true});
@@ -233,7 +232,7 @@ TEST_CASE("the first rung takes the scene's box where both sets lie in it") {
   CHECK(enter(0x1p-11f, zero, zero) == entered{0x1p-10f, false, false});
   CHECK(enter(0x1p-12f, zero, zero) == entered{0, false, false});
   CHECK(enter(1e-45f, zero, zero) == entered{0, false, false});
-  // Only `certified` looks at it.
+  // Only `certified` uses it.
   CHECK(enter(1, out, out, hard_boxes, {}, rung::fp32) == entered{0, false, false});
   predicate_info none = hard_boxes;
   none.certify_in_box = nullptr;
@@ -266,7 +265,7 @@ TEST_CASE("no element is overlooked, and lengths may be twice the box") {
   CHECK(enter(100, unit(-1, 1), unit(-1, 1), q) == entered{0, true, false});
 }
 
-TEST_CASE("what is no box is refused") {
+TEST_CASE("a box that is not one is refused") {
   const rows a = unit(-1, 1);
   const prepared x = prepare(view_of(a, boxes), boxes);
   std::vector<std::byte> work(workspace(hard_boxes, 1, 1));

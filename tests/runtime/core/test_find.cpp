@@ -1,4 +1,4 @@
-// A predicate by its name, and what is said where there is none.
+// Finds a predicate by its name, and checks the message where there is none.
 #include "tests/catch.hpp"
 #include "toy.hpp"
 

@@ -1,4 +1,4 @@
-// Several elements that are one item: each pair of items counts once.
+// Several elements form one item: each pair of items counts once.
 #include "tests/catch.hpp"
 #include "toy.hpp"
 

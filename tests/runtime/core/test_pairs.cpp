@@ -1,4 +1,4 @@
-// The layer in the caller's memory: its protocol, its statuses, and that it allocates nothing.
+// The layer in the caller's memory: how it is called, its statuses, and that it allocates nothing.
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
@@ -102,7 +102,7 @@ TEST_CASE("the workspace suffices at any alignment, and less is refused") {
   for (const int threads : {1, 3}) {
     const std::size_t need = workspace(box_box_hit, 333, 333, threads);
     for (std::size_t shift = 0; shift < 70; shift += 3) {
-      // Exactly as much as said, so that a sanitizer sees a byte too many.
+      // Exactly the size that was asked for, so that a sanitizer sees one byte too many.
       const std::unique_ptr<std::byte[]> bytes(new std::byte[shift + need]);
       std::uint64_t count = 0;
       const pairs_options options{.threads = threads};

@@ -1,4 +1,4 @@
-// Views, poses and what check() says of bad input.
+// Views, poses and the messages of check() for bad input.
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
@@ -23,7 +23,7 @@ bool same_bits(const rows &x, const rows &y) {
   return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(float)) == 0);
 }
 
-// The contract in volatile steps, which no compiler may fuse.
+// The arithmetic of a pose in volatile steps, which no compiler may fuse.
 float moved(const double *m, float x, float y, float z) {
   volatile double a = m[0] * static_cast<double>(x);
   volatile double b = m[1] * static_cast<double>(y);
@@ -72,7 +72,7 @@ TEST_CASE("a pose is applied in fp64 in its order, without fma, and rounded once
     }
     CHECK(got[3] == static_cast<float>(static_cast<double>(r[3]) * p.length_scale));
   }
-  // Cancellation shows an fma, or another order, in float32.
+  // Cancellation makes an fma, or another order, visible in float32.
   pose p;
   p.m[0] = 0.1;
   p.m[1] = -0.3;

@@ -1,4 +1,4 @@
-// Toy kinds for the tests of core: boxes, balls and rods, and what brute force says of them.
+// Toy kinds for the tests of core (boxes, balls and rods), and their answers by brute force.
 #ifndef MEETC_TESTS_CORE_TOY_HPP
 #define MEETC_TESTS_CORE_TOY_HPP
 
@@ -17,7 +17,7 @@ using meetc::index_pair;
 using meetc::kind_info;
 using meetc::role;
 
-// A decision on two rows, made a predicate's `decide`.
+// Turns a decision on two rows into a predicate's `decide`.
 template <int FieldsA, int FieldsB, bool (*Hit)(const float *, const float *)>
 void decide(meetc::row_array a, meetc::row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   for (std::size_t i = 0; i < n; ++i)

@@ -1,4 +1,4 @@
-// What the parts of the device test share.
+// Shared by the parts of the device test.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -69,7 +69,7 @@ inline float number(std::mt19937_64 &random, int family) {
   }
 }
 
-// Each gives the number of differences and prints what it compared.
+// Each returns the number of differences and prints what it compared.
 long same_decisions();
 long same_formulas();
 long same_signs();

@@ -181,7 +181,8 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
         fails("the pairs are not sorted");
       if (!same_pairs(want.pairs, have.pairs))
         fails(std::to_string(have.count) + " pairs, and the CPU has " + std::to_string(want.count));
-      // The CPU's candidates are touching boxes. For the plain rungs they are here, too; for the others balls rule out more.
+      // The CPU's candidates are touching boxes. For the plain rungs the device has the same; for the others balls rule
+      // out more.
       if (have.candidates > want.candidates || (!never_wrong(r) && have.candidates != want.candidates))
         fails(std::to_string(have.candidates) + " candidates, and the CPU has " + std::to_string(want.candidates));
       if (!grouped && have.near_balls < have.candidates)

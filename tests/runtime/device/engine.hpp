@@ -1,4 +1,4 @@
-// What the tests of whole queries on the device share: sets, the CPU's answers beside the device's, and a table.
+// Shared by the tests of whole queries on the device: sets, the CPU's answers next to the device's, and a table.
 #pragma once
 #include "core/device/collide.hpp"
 
@@ -34,8 +34,8 @@ struct rows_of {
 };
 meetc::view view_of(const rows_of &r);
 
-// n elements about points of a cube, each about `size` large; half of them on a lattice, so that they touch exactly.
-// Numbers are multiplied by `scale` and moved by `offset`, then rounded.
+// n elements about points of a cube, each about `size` large, half of them on a lattice so that they touch exactly.
+// Numbers are multiplied by `scale`, moved by `offset` and then rounded.
 struct place {
   double cube = 1, size = 0.1, scale = 1, offset = 0;
 };
@@ -45,10 +45,10 @@ rows_of family_rows(const meetc::kind_info &kind, std::size_t n, int family, eng
 // One row, n times.
 rows_of same_rows(const meetc::kind_info &kind, std::size_t n);
 
-// ---- what the filter may let through ----
+// ---- what the filter may pass ----
 
-// Counts that a device may give: `least` where every doubt falls one way, `most` where it falls the other. In float32
-// there is no doubt.
+// Counts that a device may give: `least` if every doubtful pair is dropped, `most` if every one is kept. In float32 no
+// pair is doubtful.
 struct range {
   std::uint64_t least = 0, most = 0;
   bool holds(std::uint64_t n) const { return least <= n && n <= most; }
@@ -85,15 +85,16 @@ public:
   // Filters by elements and by groups, as the options ask.
   std::vector<std::pair<meetc::cuda::filter, meetc::cuda::grouping>> ways(const options &o = {}) const;
 
-  // Every rung of `rungs` by every filter against the CPU; differences are counted under the scene's name and printed.
+  // Compares every rung of `rungs` and every filter with the CPU. Differences are counted under the scene's name and
+  // printed.
   void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
             const meetc::prepared &b, std::span<const meetc::rung> rungs, const options &o = {});
-  // The same for sets that are on the device already, under whatever pose a and b were prepared with.
+  // The same for sets that are on the device already, in the poses in which a and b were prepared.
   void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a, meetc::device_set &da,
             const meetc::prepared &b, meetc::device_set &db, std::span<const meetc::rung> rungs, const options &o = {});
-  // Anything else that has to hold.
+  // Any other condition.
   void require(const std::string &scene, bool holds, const std::string &what);
-  // One query's figures, under the scene's name.
+  // The figures of one query, under the scene's name.
   void add(const std::string &scene, const meetc::predicate_info &p, const meetc::device_result &r);
 
   void print() const; // a line a scene and predicate

@@ -13,7 +13,7 @@ using namespace meetc;
 
 constexpr float most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
 
-// Of two sets, the larger makes the frame, the second where they are as large.
+// Of two sets the larger makes the frame, or the second if they are equally large.
 class scenes {
 public:
   scenes(comparison &with, const settings &s) : with_(with), random_(s.seed + 30), small_(s.small) {}
@@ -29,7 +29,7 @@ public:
   }
 
 private:
-  // Rows in which each number is one of the palette, lengths without their sign.
+  // Rows in which each number comes from the palette, with lengths as magnitudes.
   rows_of drawn(const kind_info &kind, std::size_t n, std::span<const float> palette) {
     rows_of out{&kind, {}};
     for (std::size_t i = 0; i < n * static_cast<std::size_t>(kind.fields); ++i) {
@@ -41,7 +41,7 @@ private:
   rows_of ordinary(const kind_info &kind, std::size_t n, double offset = 0) {
     return random_rows(kind, n, {1, 0.1, 1, offset}, random_);
   }
-  // One that reaches to the end of float32 and, where the kind has a length, so far that its box overflows.
+  // An element that reaches the end of float32 and, where the kind has a length, so far that its box overflows.
   static void add_huge(rows_of &to) {
     static constexpr float sphere[] = {0, 0, 0, most};
     static constexpr float row[] = {most, most, most, -most, -most, -most, -most, most, most};
@@ -58,7 +58,7 @@ private:
     return all_pairs_agree(scene, p, x, y, collide(a, b, p, rung::certified));
   }
 
-  // Every pair, with no box and no filter before it.
+  // Every pair, without a box or a filter.
   std::uint64_t all_pairs_agree(const std::string &scene, const predicate_info &p, const rows_of &x, const rows_of &y,
                                 const result &have) {
     std::vector<index_pair> pairs, hits;
@@ -78,8 +78,8 @@ private:
     return hits.size();
   }
 
-  // Small elements about 0 and one whose box is infinite make the frame; what lies far beyond the small ones
-  // touches it.
+  // Small elements about 0 and one whose box is infinite make the frame. An element far beyond the small ones touches
+  // the infinite one.
   void beside_one_that_overflows(const predicate_info &p) {
     const std::string scene = "beside one that overflows";
     for (const bool first : {true, false})
@@ -118,12 +118,12 @@ private:
     for (const palette &t : all)
       for (const auto &[m, n] : {std::pair<std::size_t, std::size_t>{1, 9}, {9, 1}, {18, 13}, {13, 18}}) {
         const std::size_t times = small_ ? 1 : 8;
-        // fp32 has balls around boxes, certified around the elements.
+        // For fp32 balls enclose boxes, for certified they enclose elements.
         static constexpr rung few_rungs[] = {rung::fp32, rung::certified};
         const std::span<const rung> rungs = small_ ? std::span<const rung>(few_rungs) : all_rungs;
         hits += same(t.name, p, drawn(*p.a, m * times, t.numbers), drawn(*p.b, n * times, t.numbers), rungs);
         pairs += m * n * times * times;
-        // Some of them among ordinary ones, in groups with them and not.
+        // Some of them are among ordinary elements, with and without groups.
         rows_of x = drawn(*p.a, m, t.numbers), y = ordinary(*p.b, 4 * n);
         const rows_of more = ordinary(*p.a, 3 * m), few = drawn(*p.b, 2, t.numbers);
         x.rows.insert(x.rows.end(), more.rows.begin(), more.rows.end());
@@ -133,8 +133,8 @@ private:
     with_.require("palettes", hits > 0 && hits < pairs, std::string(p.name) + ": all pairs touch, or none does");
   }
 
-  // An element whose box overflows is looked at with every other, and costs nothing more: the frame is that
-  // of the rest.
+  // An element whose box overflows is tested against every other, and costs nothing more: the frame is that of the
+  // others.
   void one_among_many(const predicate_info &p) {
     const std::string scene = "one among many";
     const std::size_t n = small_ ? 2000 : 20000, m = small_ ? 100 : 1000;

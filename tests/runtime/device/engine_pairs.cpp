@@ -1,4 +1,4 @@
-// Sets of every size, shape and scale, and every way to ask.
+// Sets of every size, shape and scale, and all options of a query.
 #include "engine.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ prepared ready(const rows_of &r) {
   return prepare(view_of(r), *r.kind);
 }
 
-// An element's size with which an element of one set meets a few of the other's.
+// The size of an element at which it meets a few of the other set's elements.
 double size_for(std::size_t n) {
   return std::max(0.02, 0.7 / std::cbrt(static_cast<double>(n) + 1));
 }
@@ -133,7 +133,7 @@ void all_hits(comparison &with, const settings &s) {
   });
   if (s.small)
     return;
-  // The CPU decides one of the pairs, and all others are the same.
+  // The CPU decides one of the pairs; all others are the same.
   each_predicate([&](const predicate_info &p) {
     constexpr std::uint32_t n = 3000;
     const std::string scene = "3000 alike, small lists";
@@ -161,7 +161,7 @@ void all_hits(comparison &with, const settings &s) {
   });
 }
 
-// Dense and thin places in turns, so that parts are cut to different sizes, none of the sets a multiple of a block.
+// Dense and sparse places alternate, so that parts are cut to different sizes. No set is a multiple of a block.
 void cut_parts(comparison &with, const settings &s) {
   engine random(s.seed + 4);
   const std::size_t m = s.small ? 1301 : 5003, n = s.small ? 1601 : 7001;
@@ -206,7 +206,7 @@ void owners(comparison &with, const settings &s) {
   });
 }
 
-// The same question again, of other filters and in between other questions.
+// The same query again, with other filters and with other queries in between.
 void again(comparison &with, const settings &s) {
   engine random(s.seed + 6);
   const predicate_info &p = predicate_named("triangle_triangle"), &q = predicate_named("ball_triangle");
@@ -240,7 +240,7 @@ void again(comparison &with, const settings &s) {
   on_cpu("another predicate on the CPU", z, x, q, balls);
 }
 
-// Long grids: many X by few Y and the other way, and sets that are no multiple of anything.
+// Long grids: many X by few Y and the reverse, with sets whose sizes are multiples of nothing.
 void long_sets(comparison &with, const settings &s) {
   engine random(s.seed + 7);
   const predicate_info &p = predicate_named("ball_ball");

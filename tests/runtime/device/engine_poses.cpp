@@ -1,4 +1,4 @@
-// Poses: rows bit for bit, pairs, and what is refused.
+// Poses: rows bit for bit, pairs, and errors.
 #include "engine.hpp"
 
 #include "core/element_set.hpp"
@@ -29,7 +29,7 @@ pose turned(double scale, double x, double y, double z) {
   return p;
 }
 
-// The rows on the device are those that the CPU makes, bit for bit. The set keeps the slots that it was uploaded with.
+// The rows on the device equal those of the CPU, bit for bit. The set keeps the slots with which it was uploaded.
 bool same_rows_there(const device_set &there, const prepared &uploaded, const prepared &moved) {
   const auto fields = static_cast<std::size_t>(there.kind().fields);
   std::vector<float> rows(there.elements() * fields);
@@ -136,7 +136,7 @@ void overflows(comparison &with, const settings &s) {
       }
     }
   }
-  // A kind of which a pose knows nothing: a point's kernels, and roles that are none.
+  // A kind that no pose can move: a point's kernels with roles that have no meaning.
   static constexpr role roles[] = {role::other, role::x, role::y};
   kind_info odd = cga::catalogue().kinds[0];
   odd.roles = roles;
@@ -151,7 +151,7 @@ void overflows(comparison &with, const settings &s) {
   }
   with.require(scene, refused && !can_move(odd), "a kind that cannot be moved");
   there.move({}); // the identity passes
-  // Nothing to move.
+  // There is nothing to move.
   const kind_info &point = cga::catalogue().kinds[0];
   const rows_of none{&point, {}};
   device_set empty(with.on(), prepare(view_of(none), point));

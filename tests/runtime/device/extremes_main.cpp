@@ -1,7 +1,7 @@
 // The hostile families of tests/extremes on the device:  test_cuda_extremes [--cases N] [--seed N] [--threads N]
 //
-// Pair by pair every rung's launcher: certified answers are the truth of the integers or unsure, and all answers are the
-// CPU's, bit for bit. Then, a family and predicate at a time, a query on whole sets of such elements by every filter.
+// Every rung's launcher, pair by pair: certified answers are the truth of the integers or unsure, and all answers equal
+// the CPU's, bit for bit. Then, for each family and predicate, a query on whole sets of such elements by every filter.
 #include "core/device/collide.hpp"
 #include "cuda_test.hpp"
 #include "launchers.hpp"

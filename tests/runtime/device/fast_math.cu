@@ -1,6 +1,6 @@
-// A user's own kernel, compiled with --use_fast_math, which flushes subnormals and defines no macro: `hit` must
-// see it and be right, and `filter` must see it and be unsure. The fp32 rung without the check, which takes the
-// environment for granted, must be wrong somewhere, or the cases show nothing.
+// A user's own kernel, compiled with --use_fast_math, which flushes subnormals and defines no macro: `hit` must notice
+// it and be right, and `filter` must notice it and be unsure. The fp32 rung without the check must be wrong somewhere,
+// or the cases would show nothing.
 #include "cuda_test.hpp"
 
 #include <cga/ball_ball.hpp>

@@ -1,4 +1,4 @@
-// What is said of devices and drivers that cannot be used: one line each, also where there is none to try it on.
+// The messages for devices and drivers that cannot be used, one line each. No such device is needed to test them.
 #include <core/device/device.hpp>
 #include <cstdio>
 #include <string>

@@ -140,7 +140,7 @@ long same_queries() {
           ++queries;
           hits += static_cast<long>(want.count);
         }
-    // A bad element is named; a list that is too short is told.
+    // A bad element is named, and a list that is too short is reported.
     operand_data a = make(*info.a, 40, random, 0);
     const operand_data b = make(*info.b, 50, random, 0);
     const on_device db(b);
@@ -185,7 +185,7 @@ long same_queries() {
     check(launch.pairs(q, nullptr), "query");
     expect(result.read()[0].bad_a >> 32 == 7, info.name, "a bad element is not named");
   }
-  // Enough groups for the large kernels of every filter that there is.
+  // Enough groups for the large kernels of every filter.
   const buffer<meetc::cuda::probe_result> probed(1);
   check(launchers.probe(probed.data(), nullptr), "probe");
   const bool has_wgmma = probed.read()[0].has_wgmma != 0;

@@ -1,5 +1,5 @@
-// Sign for sign, where answers alone would hide a slip: integers of every width and the exact rung, all stages of the
-// largest predicates whether the decision needs them or not, and the box form.
+// Compares sign by sign, since answers alone could hide a mistake: integers of every width and the exact rung, all
+// stages of the largest predicates whether or not the decision needs them, and the box form.
 #include "cuda_test.hpp"
 
 #include <cga/ball_triangle.hpp>
@@ -39,7 +39,7 @@ template <class P> long same(const char *name) {
   std::mt19937_64 random(7);
   std::vector<float> a, b;
   for (int i = 0; i < n; ++i) {
-    // One family of numbers, or two that are far apart: then the widest integers are needed.
+    // One family of numbers, or two that are far apart, which need the widest integers.
     const int family_a = static_cast<int>(random() % 6),
               family_b = random() % 2 ? family_a : static_cast<int>(random() % 6);
     for (int f = 0; f < P::inputs_a; ++f)

@@ -1,7 +1,8 @@
-// A stand-in for the device, on the host: memory is memory, and the launchers are loops. So what the engine itself does
-// (parts, lists, owners, poses, frames) is tested by the same scenes where there is no device. Extents, frames, columns
-// and the first step are computed by the functions that the kernels call, in the order of the kernels' joins. Two of its
-// filters are the worst and the best that the assumed matrix unit may be: one lets go what it may, one keeps what it may.
+// A stand-in for the device, on the host: memory is memory, and the launchers are loops. What the engine itself does
+// (parts, lists, owners, poses, frames) is thus tested by the same scenes where there is no device. Extents, frames,
+// columns and the first step are computed by the functions that the kernels call, in the order in which the kernels
+// join results. Two of its filters are the extremes that the model of the matrix unit allows: one drops every pair that
+// it may drop, the other keeps every pair that it may keep.
 #include "core/device/kernels.hpp"
 
 #include <cga/ball_form.hpp>
@@ -242,7 +243,7 @@ bool negative(cuda::filter by, const double *x, const double *y) {
   return by == cuda::filter::mma ? sum + off < 0 : sum - off < 0;
 }
 
-// Whether all the padding is as the first of it.
+// Whether all padding equals the first padded object.
 bool padded_alike(cuda::filter by, const operand &o) {
   const std::size_t first = o.objects();
   bool alike = true;
@@ -260,7 +261,7 @@ bool padded_alike(cuda::filter by, const operand &o) {
 
 cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda::part of, pair_list out,
                        cudaStream_t) {
-  // Where the part ends with the set, its padding is looked at, too.
+  // Where the part ends with the set, its padding is tested as well.
   const auto end_of = [](std::uint32_t end, const operand &o) { return end == o.objects() ? end + 1 : end; };
   if (!padded_alike(by, a) || !padded_alike(by, b))
     return cudaErrorIllegalAddress;

@@ -1,5 +1,5 @@
-// The launchers for lists of pairs, on the host: see stand_in.cpp. They are the CPU's own tables, so what is compared
-// pair by pair is trivially equal; the truth, the counting and the queries on sets are not.
+// The launchers for lists of pairs, on the host: see stand_in.cpp. They use the CPU's own tables, so a comparison pair
+// by pair is trivial; the truth, the counting and the queries on sets are not.
 #include <cga/cga_cuda.hpp>
 #include <cga/cga_runtime.hpp>
 

@@ -1,4 +1,4 @@
-// What the tests of meetc::io share: kinds of element, a folder of their own, and checks of messages.
+// Shared by the tests of meetc::io: kinds of element, a separate folder, and checks of messages.
 #ifndef MEETC_TESTS_IO_FIXTURE_HPP
 #define MEETC_TESTS_IO_FIXTURE_HPP
 
@@ -45,7 +45,7 @@ inline meetc::io::element_set read(const std::string &name, std::string_view con
   return meetc::io::read(put(name, content), kinds, move);
 }
 
-// What the reader says of a bad file, less the folder; fails the test where it says nothing.
+// The message of the reader for a bad file, without the folder. The test fails where there is none.
 inline std::string complaint(const std::string &name, std::string_view content, const meetc::io::transform &move = {}) {
   try {
     read(name, content, move);

@@ -45,6 +45,6 @@ TEST_CASE("bad rows name their line", "[csv]") {
   CHECK(row("1,2,3,-1e-9") == "a.csv:3: sphere 1: r < 0");
   CHECK(row("1,2,3,\x01\x02\n") == "a.csv:3: r is '\\x01\\x02', not a number");
   CHECK(row("\n1,2,3,4") == "a.csv:4: a row after a blank line");
-  // Below the smallest subnormal the radius is a point's, and that is allowed.
+  // Below the smallest subnormal the radius becomes that of a point, which is allowed.
   CHECK(read("a.csv", "x,y,z,r\n1,2,3,-1e-99\n").data[3] == 0.0F);
 }

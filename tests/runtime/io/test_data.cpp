@@ -1,4 +1,4 @@
-// Real meshes, where they are at hand: their counts are known.
+// Real meshes with known counts, if they are available.
 #include "fixture.hpp"
 
 #include <chrono>
@@ -36,7 +36,7 @@ TEST_CASE("real meshes have their known counts", "[data]") {
     CHECK(set.owner.empty());
     CHECK(set.index.size() == 3 * mesh.triangles);
     CHECK(set.data.size() == 3 * mesh.vertices);
-    // Generous: a sanitizer or a busy machine must not fail it, a slow reader must.
+    // This is generous: a sanitizer or a busy machine must not make it fail, but a slow reader must.
     CHECK(took.count() < 5000);
     if (mesh.triangles > 300000)
       UNSCOPED_INFO("read in " << took.count() << " ms");

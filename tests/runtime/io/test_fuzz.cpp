@@ -1,5 +1,5 @@
-// Small valid files, damaged at random but always in the same way: only io::error may come out, and what is
-// accepted keeps its promises.
+// Small valid files with random but reproducible damage: only io::error may be thrown, and accepted content satisfies
+// all promises.
 #include "fixture.hpp"
 
 #include <cmath>
@@ -93,10 +93,10 @@ void fuzz(const std::string &name, const std::string &good, std::uint32_t seed) 
   int accepted = 0;
   for (int i = 0; i < rounds; ++i)
     accepted += survives(name, damage(good, roll), i % 4 == 0 ? move : meetc::io::transform{});
-  // Were all refused, or none, the damage would test nothing.
+  // If all or none were refused, the damage would test nothing.
   CHECK(accepted > 0);
   CHECK(accepted < rounds);
-  // Every prefix, since a cut file is the most common damage.
+  // Every prefix, since a truncated file is the most common damage.
   for (std::size_t n = 0; n < good.size(); ++n)
     survives(name, good.substr(0, n), {});
 }

@@ -30,7 +30,7 @@ TEST_CASE("decimals round once to float32", "[number]") {
   CHECK(direct("-.5") == -0.5F);
   CHECK(direct("5.") == 5.0F);
   CHECK(std::signbit(direct("-0")));
-  // Just above the middle of 1 and the next float32; through double it would fall on the tie and round to 1.
+  // Just above the midpoint of 1 and the next float32. Through double it would become the tie and round to 1.
   const char *const above_tie = "1.000000059604644775390625000001";
   CHECK(direct(above_tie) == 0x1.000002p0F);
   CHECK(to_float32(as_double(above_tie)) == 1.0F);
@@ -86,7 +86,7 @@ TEST_CASE("integers are whole and fit", "[number]") {
 }
 
 TEST_CASE("the locale does not matter", "[number]") {
-  // Where no such locale is installed this is the plain test again.
+  // Where no such locale is installed, this repeats the plain test.
   const char *const set = std::setlocale(LC_ALL, "de_DE.UTF-8");
   CHECK(direct("1.5") == 1.5F);
   CHECK(direct("1e-46") == 0.0F);

@@ -105,7 +105,7 @@ TEST_CASE("which matrices are similarities, and their scale", "[transform]") {
   CHECK(similarity_scale(identity) == 1.0);
   CHECK(similarity_scale({0, 0, -2, 0, 2, 0, 0, 0, 0, 2, 0, 0}) == 2.0); // a permutation, mirrored
   CHECK(similarity_scale({0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3}) == std::nullopt);
-  // Turns about all axes, computed in double and multiplied: off by some units in the last place.
+  // Rotations about all axes, computed in double and multiplied, which are off by some units in the last place.
   std::size_t seen = 0;
   for (double x = 0.1; x < 6.3; x += 0.37)
     for (double y = 0.2; y < 6.3; y += 0.41) {
@@ -113,14 +113,14 @@ TEST_CASE("which matrices are similarities, and their scale", "[transform]") {
       const matrix turn{c * a, -c * b, d, 1, b, a, 0, 2, -d * a, d * b, c, 3};
       for (const double s : {1.0, 1e-3, 1e300, 1e-300, 0x1p-1060}) {
         const std::optional<double> k = similarity_scale(scaled(turn, s));
-        // Near the least double the entries themselves are coarse: no similarity any more.
+        // Near the least double the entries themselves are coarse, so this is no longer a similarity.
         REQUIRE(k.has_value() == (s > 0x1p-1000));
         if (k)
           CHECK(std::abs(*k / s - 1) < 0x1p-50);
         ++seen;
       }
-      // One entry off by 2^-40 of the length is seen wherever it stands, and so are two swapped columns'
-      // lengths.
+      // One entry that is off by 2^-40 of the length is noticed wherever it is, and so are two swapped lengths of
+      // columns.
       for (std::size_t i = 0; i < 12; ++i) {
         matrix off = turn;
         off[i] += 0x1p-40;
@@ -130,7 +130,7 @@ TEST_CASE("which matrices are similarities, and their scale", "[transform]") {
   CHECK(seen > 1000);
   CHECK(similarity_scale({1, 0x1p-40, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}) == std::nullopt); // sheared
   CHECK(similarity_scale({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}) == std::nullopt);       // flattened
-  // Six decimals are too few to say that one is meant.
+  // Six decimals are too few for a similarity.
   CHECK(similarity_scale({0.866025, -0.5, 0, 0, 0.5, 0.866025, 0, 0, 0, 0, 1, 0}) == std::nullopt);
   CHECK(similarity_scale({0.8660254037844386, -0.5, 0, 0, 0.5, 0.8660254037844386, 0, 0, 0, 0, 1, 0}).has_value());
 }

@@ -31,7 +31,7 @@ sphere random_sphere(engine &random, double size) {
           finite(random() % 8 ? within(random, 0, size / 2) : 0)};
 }
 
-// One that touches s in some direction, as nearly as float32 holds it, and now and then one ulp beside that.
+// A ball that touches s in some direction, as nearly as float32 can hold it, and sometimes one ulp away from that.
 sphere tangent_to(const sphere &s, double r, engine &random) {
   static constexpr double directions[][3] = {
       {1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {2.0 / 3, -2.0 / 3, 1.0 / 3}, {0.6, 0, 0.8}, {-2.0 / 7, 3.0 / 7, 6.0 / 7}};
@@ -83,7 +83,7 @@ scene at_random(engine &random) {
   return out;
 }
 
-// The frame is much wider than the balls that touch, so that they touch by few of its steps.
+// The frame is much wider than the balls that touch, so they are only a few of its steps wide.
 scene tangent(engine &random) {
   scene out;
   const double frame = std::ldexp(1.0, whole(random, 0, 14));
@@ -170,7 +170,7 @@ scene huge(engine &random) {
   return out;
 }
 
-// A small frame, and others of any size that touch what is in it: many lie astride.
+// A small frame, and others of any size that touch it: many of them are astride.
 scene astride(engine &random) {
   scene out = any_of_those(random);
   const std::size_t n = out.owners.size();
@@ -193,7 +193,7 @@ scene any_exponents(engine &random) {
     if (random() % 2)
       out.others.push_back(tangent_to(out.owners.back(), std::fabs(number()), random));
   }
-  // One place, and radii that vanish beside it.
+  // One point, with radii that vanish next to its coordinates.
   if (random() % 4 == 0) {
     const float x = number();
     out.owners.assign(1,

@@ -1,4 +1,4 @@
-// Balls that touch, or nearly, in the ways that a filter may get wrong; and who is right about them.
+// Balls that touch, or nearly touch, in ways that a filter may get wrong; and the exact answers.
 #ifndef MEETC_TESTS_MATRIX_SCENES_HPP
 #define MEETC_TESTS_MATRIX_SCENES_HPP
 
@@ -19,7 +19,7 @@ using sphere = std::array<float, 4>; // x, y, z, r
 using ball = std::array<double, 4>;
 using form = cga::ball_form;
 
-// The frame is made from `owners`; `others` are what they are held against.
+// The frame is made from `owners`; `others` are compared with them.
 struct scene {
   std::vector<sphere> owners, others;
 };
@@ -39,12 +39,12 @@ meetc::placing place(const meetc::matrix_frame &frame, const sphere &s, meetc::c
 bool touch(const sphere &a, const sphere &b);
 bool touch(const ball &a, const ball &b);
 
-// ---- what the assumed unit may give ----
+// ---- the results that the assumed unit may give ----
 
 using columns = std::array<std::uint16_t, meetc::matrix_columns>;
 
-// The exact sum of the products, and what the unit may be off by: 17 2^-23 of the sum of their magnitudes. As
-// integers, both times the same number.
+// The exact sum of the products, and the error allowed to the unit: 17 2^-23 of the sum of their magnitudes. Both are
+// integers, scaled by the same factor.
 struct unit_result {
   bool always_negative, never_negative; // of every result within the model
 };

@@ -1,6 +1,6 @@
-// From balls to the sign of the matrix unit's result, whatever the unit does within its model: balls that touch come
-// out negative. The margins' constants are proved in proofs/ and pressed one by one in tests/proofs; here is the whole
-// way, from float32 numbers by the frame to halves.
+// From balls to the sign of the matrix unit's result, whatever the unit does within its model: balls that touch give
+// negative results. The constants of the margins are proved in proofs/, and tests/proofs reduces each in turn. Here the
+// whole way is tested, from float32 numbers through the frame to halves.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/runtime/kernel/scenes.hpp"
@@ -39,7 +39,7 @@ placed padding() {
   return with_columns(out);
 }
 
-// The sign bit, which is all that the kernels look at.
+// The sign bit, which is all that the kernels use.
 bool kept(const placed &x, const placed &y) {
   return std::signbit(meetc::bilinear<form>(x.float_x, y.float_y));
 }
@@ -57,7 +57,7 @@ void go_through(const family &f, int scenes, tally &sum) {
     const scene s = f.make(random);
     const meetc::matrix_frame frame = frame_around(s.owners);
     const auto pair = [&](const sphere &a, const placed &p, const sphere &b, const placed &q) {
-      // Either may be X.
+      // Either ball may be X.
       const bool negative = multiply(p.x, q.y).always_negative && multiply(q.x, p.y).always_negative;
       const bool in_float = kept(p, q) && kept(q, p);
       if (touch(a, b)) {
@@ -91,7 +91,7 @@ void go_through(const family &f, int scenes, tally &sum) {
   }
 }
 
-// Whether the pair comes out negative under Form's margins, whatever the unit does.
+// Whether the pair's result is negative under Form's margins, whatever the unit does.
 template <class Form> bool surely_kept(const ball &a, const ball &b) {
   return multiply(columns_of<Form, true>(a, placing::inside), columns_of<Form, false>(b, placing::inside))
       .always_negative;
@@ -130,7 +130,8 @@ TEST_CASE("what is apart is mostly let go") {
   CHECK(sum.kept_in_float < sum.apart / 500);
 }
 
-// Each of these margins is four times and more what the others leave to do, so a quarter of it would do; none would not.
+// Each of these margins is at least four times what the others leave over, so a quarter of it would suffice, and none
+// would not.
 TEST_CASE("without the linear margin some that touch may be missed") {
   std::mt19937_64 random(13);
   long seen = 0, missed = 0, missed_without = 0;

@@ -1,4 +1,5 @@
-// Enclosing balls: every point of the hull with its pad lies within, in exact rationals; and they are not much too large.
+// Enclosing balls: every point of the hull with its pad lies inside, in exact rationals, and the balls are not much too
+// large.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/runtime/kernel/scenes.hpp"
@@ -117,7 +118,7 @@ template <class Shape> void each_holds(const char *name) {
   CHECK(wrong == 0);
 }
 
-// Objects of one element and of up to eight: the ball holds all elements, or their boxes, where all boxes are finite.
+// Objects of one and of up to eight elements: the ball holds all elements, or their boxes, where all boxes are finite.
 template <class Shape> void objects_hold(const char *name) {
   std::mt19937_64 random(29);
   long wrong = 0, refused = 0, wrongly_told = 0;

@@ -1,4 +1,4 @@
-// The frame and the places in it: what decides, before any product, which pairs are kept and which are not.
+// The frame and the places in it, which decide before any product which pairs are kept.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/runtime/kernel/scenes.hpp"
@@ -102,7 +102,7 @@ TEST_CASE("an element whose box overflows is left out of the frame, and is every
     REQUIRE_FALSE(has_finite_box(s));
     CHECK(same(frame_around({small, s, other}), frame));
     CHECK(same(meetc::frame_of(extent_of({s, small, other})), frame));
-    // Alone it has a frame, too, and is everywhere in it.
+    // Alone it has a frame as well, and is `everywhere` in it.
     const meetc::matrix_frame alone = meetc::frame_of(extent_of({s}));
     CHECK((std::isfinite(alone.origin[0]) && std::isfinite(alone.origin[1]) && std::isfinite(alone.origin[2])));
     CHECK((alone.scale > 0 && std::isfinite(alone.scale)));
@@ -110,7 +110,7 @@ TEST_CASE("an element whose box overflows is left out of the frame, and is every
       for (const meetc::cover c : {meetc::cover::element, meetc::cover::box}) {
         ball b;
         CHECK(place(f, s, c, b) == placing::everywhere);
-        // In a group of eight, at any place.
+        // In a group of eight, at any index.
         for (std::size_t at = 0; at < 8; ++at) {
           std::vector<sphere> group(8, small);
           group[at] = s;

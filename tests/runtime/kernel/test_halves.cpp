@@ -1,4 +1,4 @@
-// Halves: rounding to them, back, and where they lie in memory.
+// Halves: rounding to them and back, and their layout in memory.
 #include "tests/catch.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@ using namespace meetc;
 
 namespace {
 
-// What the standard says of a normal half; subnormal ones are not used.
+// The value of a normal half according to the standard; subnormal ones are not used.
 double value_of(unsigned bits) {
   const int exponent = static_cast<int>(bits >> 10 & 31), fraction = static_cast<int>(bits & 1023);
   const double size = std::ldexp(1024 + fraction, exponent - 25);
@@ -18,7 +18,7 @@ double value_of(unsigned bits) {
 }
 constexpr unsigned least = 0x0400, most = 0x7bff; // 2^-14 and 65504
 
-// Of two neighbours with bits n and n + 1, the nearer; of both, the even.
+// Of two neighbours with bits n and n + 1, the nearer; in a tie, the even one.
 unsigned nearest(unsigned n, double x) {
   const double to_low = x - value_of(n), to_high = value_of(n + 1) - x; // exact
   if (to_low == to_high)

@@ -1,4 +1,4 @@
-// Boxes of which some end is not finite: only a comparison that holds makes two of them apart.
+// Boxes with an end that is not finite: two boxes are apart only where a comparison holds.
 #include "tests/catch.hpp"
 
 #include <cga/shapes.hpp>

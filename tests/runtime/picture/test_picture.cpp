@@ -1,4 +1,4 @@
-// Pictures: the file decodes, hits are seen in every way they can lie, and no input does harm.
+// Pictures: the file decodes, hits are visible wherever they lie, and no input does harm.
 #include "bodies/meshes.hpp"
 #include "picture/render.hpp"
 
@@ -26,7 +26,7 @@ image decode(const std::vector<std::uint8_t> &file) {
   return out;
 }
 
-// Pixels of about the hue of a saturated colour, whatever the light.
+// Pixels with about the hue of a saturated colour, whatever the light.
 std::size_t count(const image &i, colour c) {
   std::size_t n = 0;
   for (std::size_t p = 0; p + 2 < i.rgb.size(); p += 3) {

@@ -1,5 +1,5 @@
-// The width of the exact rung's integers: what a stage claims (degree, growth) holds for every value that it
-// computes, and the ladder never runs a stage in integers that are too narrow for that.
+// The width of the exact rung's integers: what a stage claims (degree, growth) holds for every value that it computes,
+// and the rung never runs a stage in integers that are too narrow for that.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/numbers.hpp"
@@ -21,8 +21,8 @@ template <class P, class Stage> std::size_t widest_of(const std::vector<mpz_clas
   return counted_integer::widest;
 }
 
-// The largest numbers of `bits` bits, with random signs and zeros, then climbing: a change of one number
-// stays if values do not get narrower. And random ones.
+// The largest numbers of `bits` bits with random signs and zeros, followed by climbing: a change of one number is kept
+// if values do not get narrower. Random numbers as well.
 template <class P, class Stage> void check_growth(const char *predicate, const char *stage) {
   if constexpr (Stage::atoms > 0) {
     constexpr std::size_t inputs = P::inputs_a + P::inputs_b;
@@ -49,14 +49,15 @@ template <class P, class Stage> void check_growth(const char *predicate, const c
         seen = std::max(seen, best);
       }
       CHECK(seen <= most);
-      // The claim is not so generous that a slip would hide in it. (The smallest inputs never come close.)
+      // The claim is not so generous that it would hide a mistake. (The smallest inputs never come close to it.)
       if (bits > 3)
         CHECK(seen + 6 >= most);
     }
   }
 }
 
-// A stage whose one value is a^Degree: its sign is wrong in integers that are too narrow. It tells the width of the
+// A stage whose only value is a^Degree; its sign is wrong in integers that are too narrow. It records the width of the
+// built-in integers in which it runs.
 // built-in ones that it is run in.
 int width_used = 0;
 template <int Degree, int Growth> struct probe_stage {
@@ -67,7 +68,7 @@ template <int Degree, int Growth> struct probe_stage {
     for (int i = 1; i < Degree; ++i)
       v[0] = v[0] * a[0];
   }
-  // Registers 2 and 3 in turn; the last instruction takes the sign.
+  // Registers 2 and 3 alternate; the last instruction takes the sign.
   using bytecode = probe_stage;
   static constexpr int registers = 4, instruction_count = Degree;
   static meetc::instruction instruction_at(int i) {
@@ -95,7 +96,7 @@ template <int Degree, int Growth> void check_steps() {
     const int low = bits <= 200 ? -100 : -149;
     const float b = std::ldexp(1.0F, low);
     for (const float sign : {1.0F, -1.0F}) {
-      // The largest magnitude of so many bits that a float32 has.
+      // The largest magnitude of this many bits in float32.
       const float a =
           sign * (bits <= 24 ? std::ldexp(1.0F, low + bits) - b : std::ldexp(0x1.fffffep0F, low + bits - 1));
       width_used = 0;
@@ -114,7 +115,7 @@ template <int Degree, int Growth> void check_steps() {
 
 } // namespace
 
-TEST_CASE("ladder: no value of a stage is wider than it claims") {
+TEST_CASE("integer widths: no value of a stage is wider than it claims") {
   for_each_predicate([](auto p) {
     using P = typename decltype(p)::type;
     check_growth<P, typename P::reject_stage>(p.name, "reject");
@@ -123,7 +124,7 @@ TEST_CASE("ladder: no value of a stage is wider than it claims") {
   });
 }
 
-TEST_CASE("ladder: a stage always runs in integers that hold it") {
+TEST_CASE("integer widths: a stage always runs in integers that hold it") {
   check_steps<1, 0>();
   check_steps<2, 3>();
   check_steps<2, 6>();
