@@ -15,22 +15,22 @@
 
 namespace meetc {
 
-template <class Stage> constexpr int stored_values_a() {
+template <class Stage> MEETC_HD constexpr int stored_values_a() {
   if constexpr (Stage::atoms > 0)
     return Stage::fields_a;
   return 0;
 }
-template <class Stage> constexpr int stored_values_b() {
+template <class Stage> MEETC_HD constexpr int stored_values_b() {
   if constexpr (Stage::atoms > 0)
     return Stage::fields_b;
   return 0;
 }
-template <class Stage> constexpr int stored_magnitudes_a() {
+template <class Stage> MEETC_HD constexpr int stored_magnitudes_a() {
   if constexpr (requires { Stage::magnitudes_of_a; })
     return Stage::magnitudes_of_a;
   return 0;
 }
-template <class Stage> constexpr int stored_magnitudes_b() {
+template <class Stage> MEETC_HD constexpr int stored_magnitudes_b() {
   if constexpr (requires { Stage::magnitudes_of_b; })
     return Stage::magnitudes_of_b;
   return 0;
