@@ -2,7 +2,7 @@
 #ifndef MEETC_ROUNDING_HPP
 #define MEETC_ROUNDING_HPP
 
-#include <meetc/environment.hpp>
+#include <meetc/double_double.hpp>
 
 #include <cstring>
 
