@@ -11,7 +11,7 @@ struct declared_formula {
   int numbers_of_x = 0;                           // how many of them belong to the first operand
   std::vector<std::vector<basis_blade>> supports; // of the operands
   std::vector<basis_blade> blades;
-  std::vector<poly::poly> values; // of the blades
+  std::vector<poly::poly> values; // for each blade
   poly::poly norm2;               // the scalar part of the value's square
 };
 declared_formula in_declared_basis(const model &m, const request &r);

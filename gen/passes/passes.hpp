@@ -22,8 +22,8 @@ struct pass {
 // All passes, first to last. "lower" is not among them: it is their input.
 std::span<const pass> all();
 
-// Runs the passes up to the one called `last` (all of them where it is empty, none for "lower"), each checked. `inputs` is
-// the ring of the program's inputs.
+// Runs the passes up to the one called `last` (all of them where it is empty, none for "lower"), and checks each.
+// `inputs` is the ring of the program's inputs.
 ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last = {}, bool of_sets = false);
 
 // The same for every program of a kernel, including those that compute blades.

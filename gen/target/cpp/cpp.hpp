@@ -8,14 +8,14 @@ std::string banner(const lang::scene &s, const std::string &what, const char *co
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes = {},
                         const std::vector<std::string> &kernel_headers = {});
 std::string close_header(const lang::scene &s);
-// Long lines of code broken after commas.
+// Breaks long lines of code after commas.
 std::string broken_lines(const std::string &text);
 
 // The structs of all kinds.
 std::string kinds_header(const unit &u);
 // What the header of a formula has inside its namespace.
 std::string formula_header(const unit &u, const lower::kernel &k);
-// The header of a kernel that is made of signs, after its banner.
+// The header of a kernel that consists of signs, after its banner.
 std::string kernel_header(const unit &u, std::size_t kernel);
 // The code of the generated library, for header-only users.
 std::string header_only(const unit &u);

@@ -105,7 +105,7 @@ MEETC_HD MEETC_INLINE void stage_magnitudes(const M *a, const M *b, const Leaf &
   Stage::magnitudes(a, of_a, b, of_b, leaf, m);
 }
 
-// Signs with the bound K M of arithmetic A. get() says whether every sign of the stage is known.
+// Signs under the bound K M of arithmetic A. get() says whether every sign of the stage is known.
 template <class P, class A> struct bounded_signs {
   using V = typename A::value;
   using M = typename A::magnitude;

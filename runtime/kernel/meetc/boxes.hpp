@@ -27,7 +27,8 @@ template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
     float alpha = d, beta = d;
     if constexpr (F == box_form::per_object) {
       const float least = power_of_two(Stage::box_lowest, 0.0F);
-      // Over the computed leaves, not at them: a difference of a little more than a power of two is rounded to it.
+      // The extents are taken over the computed leaves: a difference slightly above a power of two may have been
+      // rounded to it.
       alpha = power_over(Stage::extent_a(pair.row_a)), beta = power_over(Stage::extent_b(pair.row_b));
       alpha = alpha < least ? least : alpha > d ? d : alpha, beta = beta < least ? least : beta > d ? d : beta;
     }

@@ -46,10 +46,10 @@ template <class Of> inline constexpr bool of_stored = requires(const stored_pair
   Of::of(p);
 };
 
-// in.count may be null: then in.capacity pairs are there.
+// in.count may be null: there are then in.capacity pairs.
 template <class P, class Of>
 __global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_array b, pair_list in, sink to) {
-  // A warp stays whole: each lane has pairs or none.
+  // A warp stays whole, since a lane without pairs takes part as well.
   for (walk w(in); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
     unsigned yes = 0, unsure = 0;

@@ -35,7 +35,7 @@ struct operand {
   const float *rows;
   std::uint32_t elements;
   grouping by;
-  const void *columns; // half_bytes or float_bytes an object, for matrix_padded(objects) of them
+  const void *columns; // half_bytes or float_bytes for each of matrix_padded(objects) objects
   // What the predicate's stored_launcher made of the rows; null where it stores nothing.
   const float *stored = nullptr;
 

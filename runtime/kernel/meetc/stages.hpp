@@ -29,7 +29,7 @@ template <class Stage, class T> MEETC_HD MEETC_INLINE void stage_fields_b(const 
 // The stage's values for rows of T; those of degree 3 and more in W.
 template <class Stage, class T, class W> MEETC_HD MEETC_INLINE void stage_values(const T *a, const T *b, W *v) {
   T fields_a[Stage::fields_a + 1], fields_b[Stage::fields_b + 1];
-  fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare places, for stages that store nothing
+  fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare elements are for stages that store nothing
   stage_fields_a<Stage>(a, fields_a);
   stage_fields_b<Stage>(b, fields_b);
   Stage::template pair<T, W>(a, fields_a, b, fields_b, v);

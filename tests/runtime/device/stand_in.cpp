@@ -307,7 +307,7 @@ template <class Store> cuda::stored_launcher stored_by(const stored_values &on_h
   return {on_host.number, on_host.floats, on_host.floats > 0 ? store<Store> : nullptr};
 }
 
-// The steps of the predicate at this place of the catalogue, as the kernels have them.
+// The steps of the predicate at this index of the catalogue, as in the kernels.
 template <class P, class A, class B>
 cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list kept,
                  unsigned long long *touching, cudaStream_t) {
