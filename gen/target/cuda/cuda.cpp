@@ -40,7 +40,7 @@ std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
   std::string out = "namespace {\n\nusing form = ball_form;\n\nconst meetc::cuda::kind_launchers all_kinds[] = {\n";
   for (const lower::lowered_kind *k : kinds)
-    out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::place<{1}>, meetc::cuda::enclose<{1}>, "
+    out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::enclose<{1}>, "
                        "meetc::cuda::columns<{1}, form>}},\n",
                        k->name, shape_of(k->name));
   out += "};\n\n"

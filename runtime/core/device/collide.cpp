@@ -186,7 +186,7 @@ private:
           "starting the step that tests boxes");
     static constexpr counter unsure[] = {counter::unsure_fp32, counter::unsure_fp64, counter::unsure_fp64x2,
                                          counter::unused};
-    const cuda::ladder_steps steps = cuda::steps_of(precision_);
+    const cuda::cascade_steps steps = cuda::steps_of(precision_);
     for (int s = 0; s < steps.count; ++s) {
       const cuda::pair_list out = list(s % 2 == 0 ? buffers_.first : buffers_.second, unsure[s]);
       check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");

@@ -64,15 +64,15 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
   const kind_launchers &a = all.kinds[p.kind_a], &b = all.kinds[p.kind_b];
   cutter from(q.workspace, q.bytes);
   const query_memory m = query_memory::of(from, all, p, q.a.elements, q.b.elements, q.list_capacity);
-  const ladder_steps steps = steps_of(q.precision);
+  const cascade_steps steps = steps_of(q.precision);
   if (steps.count == 0 || !from.fits() || !q.workspace || reinterpret_cast<std::uintptr_t>(q.workspace) % 256 != 0 ||
       !q.result)
     return cudaErrorInvalidValue;
   cudaError_t e = cudaMemsetAsync(q.result, 0, sizeof *q.result, stream);
   const auto then = [&e](auto &&enqueue) { e = e == cudaSuccess ? enqueue() : e; };
   then([&] { return cudaMemsetAsync(m.counts, 0, 5 * sizeof *m.counts, stream); });
-  then([&] { return a.place(q.a, q.at_a, nullptr, m.rows_a, &q.result->bad_a, stream); });
-  then([&] { return b.place(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
+  then([&] { return a.pose(q.a, q.at_a, nullptr, m.rows_a, &q.result->bad_a, stream); });
+  then([&] { return b.pose(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
   if (q.a.elements == 0 || q.b.elements == 0)
     return e;
   // The steps below are finished even if elements are bad; their results then mean nothing.

@@ -72,7 +72,7 @@ struct view {
 
 // Row-major 3x4: a point becomes ((m0*x + m1*y) + m2*z) + m3 in fp64, in this order, without fma, rounded once to float32;
 // lengths are multiplied by length_scale. The identity passes every bit through.
-struct placement {
+struct pose_matrix {
   double m[12];
   double length_scale;
   bool identity;
@@ -91,9 +91,9 @@ struct query {
   rung precision;
   filter by; // one that probe() did not refute
   view a;
-  placement at_a;
+  pose_matrix at_a;
   view b;
-  placement at_b;
+  pose_matrix at_b;
   index_pair *pairs; // in any order; null: only count
   unsigned long long capacity;
   query_result *result;
@@ -108,8 +108,8 @@ struct kind_launchers {
   int fields;
   // Writes packed rows in the pose `at`. *bad is as in query_result. Element i is written from element order[i], or
   // from i where order is null.
-  cudaError_t (*place)(const view &v, const placement &at, const std::uint32_t *order, float *rows,
-                       unsigned long long *bad, cudaStream_t stream);
+  cudaError_t (*pose)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
+                      unsigned long long *bad, cudaStream_t stream);
   // Widens *around, which clear_extent() has emptied, by the balls around the finite boxes of the elements.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
   // Writes the filter's columns of all objects in the frame of *around, as X (first) or as Y. With balls around boxes,
@@ -138,11 +138,11 @@ enum class step : std::uint8_t {
 };
 
 // What a rung runs after first_step(): each step takes what the one before left unsure. count 0: there is no such rung.
-struct ladder_steps {
+struct cascade_steps {
   step of[4];
   int count;
 };
-constexpr ladder_steps steps_of(rung precision) {
+constexpr cascade_steps steps_of(rung precision) {
   switch (precision) {
   case rung::fp32:
     return {{step::plain_fp32}, 1};
