@@ -1,4 +1,4 @@
-// A scene from TOML, with the algebra that it names.
+// Reads a scene from TOML, with the algebra that it names.
 #include "gen/lang/spec.hpp"
 #include "gen/lang/toml_reader.hpp"
 

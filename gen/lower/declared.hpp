@@ -8,7 +8,7 @@ namespace meetc::lower {
 // kind (such as equal e and eb parts) are used to eliminate some of them, so that each value has one name.
 struct declared_formula {
   std::shared_ptr<poly::ring> numbers;
-  int numbers_of_x = 0;                           // how many of them belong to the first operand
+  int numbers_of_x = 0;                           // how many numbers belong to the first operand
   std::vector<std::vector<basis_blade>> supports; // of the operands
   std::vector<basis_blade> blades;
   std::vector<poly::poly> values; // for each blade

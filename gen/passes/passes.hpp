@@ -16,7 +16,7 @@ struct pass {
   const char *name; // as in `meetc show --emit=after:NAME`
   const char *does; // one line: what it needs, keeps and improves
   ir::program (*run)(const ir::program &);
-  bool of_sets = false; // only on programs that run for most pairs of two sets: lower::kernel_program::of_sets
+  bool of_sets = false; // runs only on programs that run for most pairs of two sets: lower::kernel_program::of_sets
 };
 
 // All passes, first to last. "lower" is not among them: it is their input.
@@ -30,8 +30,8 @@ ir::program run(const ir::program &p, const poly::ring &inputs, const std::strin
 void run(lower::kernel &k, const std::string &last = {});
 void run(std::vector<lower::blade_maker> &makers);
 
-// What remains once the bounds are there: magnitudes are programs too, and those of one object are stored by the same
-// rule, for the stages that run for most pairs.
+// Runs after the bounds are computed: magnitudes are programs too, and those of one object are stored by the same rule
+// in the stages that run for most pairs.
 void run(bound::kernel_bounds &b);
 
 // "lower" and the names of all passes.

@@ -20,7 +20,7 @@ statements::statements(const ir::arena &nodes, const std::vector<ir::node_id> &r
   // A result that is requested twice is computed once.
   for (const ir::node_id r : results)
     ++uses_[r];
-  // Users come before what they use. A negation is written wherever it is used, and what it negates with it.
+  // Users come before their operands. A negation is written wherever it is used, together with its operand.
   const std::vector<ir::node_id> order = ir::needed(nodes, results, keys(given_));
   for (auto id = order.rbegin(); id != order.rend(); ++id)
     if (!given_.count(*id))

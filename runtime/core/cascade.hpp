@@ -12,7 +12,7 @@ namespace meetc {
 
 struct element_set;
 
-// What the rungs of `certified` did. The other rungs leave it as it is.
+// Counts of the rungs of `certified`; the other rungs do not change them.
 struct rung_report {
   std::uint64_t unsure[bounded_rungs] = {0, 0, 0}; // pairs of elements that fp32, fp64 and fp64x2 left unsure
   bool left_box_a = false, left_box_b = false;     // some number of this set lies outside the stated box
@@ -23,7 +23,7 @@ struct cascade {
   decide_function rungs[bounded_rungs + 1] = {};
   int count = 0;  // number of rungs; 0: the predicate was not generated for this precision
   float side = 0; // above 0: the first rung uses the bounds of a box with this side
-  // What the sets are to store for the first rung.
+  // The values that the sets store for the first rung.
   stored_values stored_a, stored_b;
   rung_report start;
 

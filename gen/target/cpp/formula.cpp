@@ -1,4 +1,4 @@
-// A formula as functions on blades and on what is stored.
+// A formula as functions on blades and on stored operands.
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"

@@ -1,4 +1,4 @@
-// What emitted files have around their own text: a banner, an include guard, the namespace, lines of a bounded length.
+// The frame of emitted files: a banner, an include guard, the namespace, and lines of a bounded length.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 

@@ -1,4 +1,4 @@
-// Kinds as structs: what is stored, whether it is valid, its row, and its blade with the ways to make it.
+// Kinds as structs: the stored numbers, whether they are valid, their row, and the blade with its constructors.
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
@@ -106,7 +106,7 @@ std::string maker_text(const lower::lowered_kind &k) {
 } // namespace
 
 std::string kinds_header(const unit &u) {
-  std::string out = banner(u.scene, "Kinds: what is stored, and the blades that it stands for.");
+  std::string out = banner(u.scene, "Kinds: the stored numbers, and the blades that they represent.");
   out += open_header(u.scene, "file_kinds");
   for (const lower::lowered_kind &k : u.kinds)
     out += struct_text(u, k);

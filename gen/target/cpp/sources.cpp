@@ -38,7 +38,7 @@ std::string predicate_source(const emitted_predicate &p) {
 
 std::string header_only(const unit &u) {
   std::string out = banner(u.scene, "For header-only users: defines inline what the generated library would compile.");
-  std::vector<std::string> includes, rest; // a kernel's own header comes before the rest of it
+  std::vector<std::string> includes, rest; // a kernel's header precedes its rest header
   std::string functions;
   for (std::size_t i = 0; i < u.kernels.size(); ++i)
     if (u.kernels[i].is_predicate) {

@@ -1,5 +1,5 @@
-// The predicates on a CUDA device: a source a predicate with its launchers, and the catalogue through which a runtime
-// runs all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
+// The predicates on a CUDA device: a source with launchers for each predicate, and the catalogue through which a
+// runtime runs all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
 #include "gen/target/cuda/cuda.hpp"
 
 #include "gen/target/cpp/cpp.hpp"
@@ -91,7 +91,7 @@ std::string cuda_header(const unit &u) {
            "// One call in a process is enough, before its first certified answer is used.\n"
            "cudaError_t self_test(unsigned *faults, cudaStream_t stream);\n";
   out += "\n// The rungs that the scene asks for: bit r stands for the rung of value r.\n" + rungs_constant(u);
-  out += "\n// near() and run() are one step of a query on sets, stored_a() and stored_b() what its operands store: "
+  out += "\n// near() and run() are steps of a query on sets; stored_a() and stored_b() compute stored values: "
          "see\n// meetc::cuda::predicate_launchers.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);

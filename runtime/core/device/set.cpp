@@ -38,7 +38,7 @@ device_set::device_set(device &on, const prepared &set)
                         on.stream()),
         "uploading a set");
   enclose();
-  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may now change his memory
+  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may now change the memory
 }
 
 void device_set::enclose() {
@@ -111,7 +111,7 @@ const float *device_set::stored(const cuda::stored_launcher &values) {
   store &s = stores_[at];
   if (s.of != version_) {
     s.of = 0;
-    s.numbers.reserve(elements_ * static_cast<std::size_t>(values.floats), "what a set stores");
+    s.numbers.reserve(elements_ * static_cast<std::size_t>(values.floats), "a set's stored values");
     check(values.compute(rows(), elements_, s.numbers.data(), on_->stream()), "starting a kernel");
     s.of = version_;
   }

@@ -3,7 +3,7 @@
 //
 // No list can grow here, because nothing waits for the device; the result says whether one was too short. Elements keep
 // the caller's order, so a group holds elements that follow each other in it. Meshes mostly list neighbours together.
-// Where they do not, the filter is as correct and slower.
+// If they do not, the filter is slower, but as correct.
 #ifndef MEETC_CUDA_QUERY_HPP
 #define MEETC_CUDA_QUERY_HPP
 
@@ -75,7 +75,7 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
   then([&] { return b.pose(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
   if (q.a.elements == 0 || q.b.elements == 0)
     return e;
-  // The steps below are finished even if elements are bad; their results then mean nothing.
+  // The steps below run even if elements are bad; their results then mean nothing.
   const cover c = balls_for(q.precision);
   const bool frame_of_a = q.b.elements < q.a.elements;
   then([&] { return all.clear_extent(m.around, stream); });

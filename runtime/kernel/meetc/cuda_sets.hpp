@@ -1,4 +1,4 @@
-// What is done to one set on the device: placing it, its extent, and the columns that the filter reads. Included by nvcc alone.
+// Work on one set on the device: its pose, its extent, and the columns that the filter reads. Included by nvcc only.
 #ifndef MEETC_CUDA_SETS_HPP
 #define MEETC_CUDA_SETS_HPP
 
@@ -42,7 +42,7 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
   return cudaGetLastError();
 }
 
-// Writes the padding as well.
+// Writes the padding too.
 template <class Shape, class Form, bool First, bool Halves>
 __global__ void __launch_bounds__(set_threads)
     columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
