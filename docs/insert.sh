@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# insert.sh PAGE NAME FILE: puts FILE between the lines `<!-- NAME -->` and `<!-- end of NAME -->` of PAGE, its headings one
-# level lower, without its title and without the pictures at its end (from the heading "Figures" on).
+# insert.sh PAGE NAME FILE: puts FILE between the lines `<!-- NAME -->` and `<!-- end of NAME -->` of PAGE, with headings
+# one level lower, without the title and without the pictures at the end (from the heading "Figures" on).
 set -euo pipefail
 page=$1 name=$2 file=$3
 [ -s "$file" ] || { echo "$file: nothing to insert" >&2; exit 1; }

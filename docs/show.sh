@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# show.sh MEETC [--check]: refreshes every excerpt that the README and the pages of docs/ show, or says which is old.
+# show.sh MEETC [--check]: refreshes every excerpt that the README and the pages of docs/ show, or names the old ones.
 #
-# A fenced block is an excerpt where it follows one of these comment lines at once, or begins with the third line:
+# A fenced block is an excerpt if it directly follows one of the first two lines, or begins with the third:
 #
 #   <!-- docs/examples/tiny.toml -->         the text of that file
 #   <!-- meetc show SCENE KERNEL -->         what this command prints, run from the top of the source tree
-#   $ meetc show SCENE KERNEL | sed -n 1p    the same, where the reader sees the command
+#   $ meetc show SCENE KERNEL | sed -n 1p    the same, with the command visible to the reader
 #
 # Commands begin with meetc or grep and read all of their input. With --check nothing is written, and the exit code is 1
-# where a block differs from what it should show.
+# if a block differs from what it should show.
 set -euo pipefail
 meetc_program=$(realpath "$1") mode=${2:-}
 cd "$(dirname "$0")/.."

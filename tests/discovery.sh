@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# discovery.sh CTEST BUILD NAME=PROGRAM...: each case of each PROGRAM is a test "NAME/CASE" of CTest, once, and no other
-# is. Programs that are not built are passed over. Before that, a name that discovery drops must be noticed here.
+# discovery.sh CTEST BUILD NAME=PROGRAM...: each case of each PROGRAM is exactly one CTest test "NAME/CASE", and there
+# are no others. Programs that are not built are skipped. First, the script must itself notice a case that discovery drops.
 set -euo pipefail
 ctest=$1 build=$2
 shift 2
 
-# differences LISTED REGISTERED: what is in one alone.
+# differences LISTED REGISTERED: the names that are in only one of them.
 differences() { diff <(sort <<<"$1") <(sort <<<"$2"); }
 
 if differences $'a: one\na: two; three' $'a: one\na: two' >/dev/null; then
@@ -18,7 +18,7 @@ failed=0 total=0
 for each in "$@"; do
   name=${each%%=*} program=${each#*=}
   [ -x "$program" ] || continue
-  # Version 2 ends with the number of cases for its code; version 3 has another option.
+  # Version 2 exits with the number of cases; version 3 has another option.
   if [[ $("$program" --help) == *--list-test-names-only* ]]; then
     listed=$("$program" --list-test-names-only || true)
   else

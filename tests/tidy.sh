@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tidy.sh BUILD [COMMIT]: clang-tidy (.clang-tidy) on the sources of gen/ and runtime/ that have changed since COMMIT, and
-# on one that includes each changed header. COMMIT is by default where this branch left main, or the commit before. At
-# most MEETC_TIDY_SECONDS (900) are spent; what was not looked at then is told.
+# on one that includes each changed header. The default COMMIT is where this branch left main, or the previous commit. It
+# takes at most MEETC_TIDY_SECONDS (900) and then reports the units that were not checked.
 set -euo pipefail
 build=$1 base=${2:-} seconds=${MEETC_TIDY_SECONDS:-900}
 [ -e "$build/compile_commands.json" ] || {
@@ -13,7 +13,7 @@ if [ -z "$base" ]; then
   [ "$base" != "$(git rev-parse HEAD)" ] || base=$(git rev-parse -q --verify HEAD~1) || base=
 fi
 [ -n "$base" ] || {
-  echo "tidy: there is no commit before this one to compare with; name one"
+  echo "tidy: there is no previous commit to compare with; name one"
   exit 0
 }
 git rev-parse -q --verify "$base^{commit}" >/dev/null || {
@@ -22,7 +22,7 @@ git rev-parse -q --verify "$base^{commit}" >/dev/null || {
 }
 
 mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- 'gen/*.[ch]pp' 'runtime/*.[ch]pp')
-# A header is seen through the source of its name, or the first that includes it.
+# A header is checked through the source with its name, or the first source that includes it.
 units=()
 for file in "${changed[@]}"; do
   case $file in
@@ -45,7 +45,7 @@ done)
 log=$(mktemp -d)
 trap 'rm -rf "$log"' EXIT
 export build log
-# One unit: what it says is shown where it fails. One that would start too late is told as not looked at.
+# One unit: its output is shown if it fails. A unit that would start too late is reported as not checked.
 look() {
   local name=${1//\//_}
   if [ "$(date +%s)" -ge "$deadline" ]; then
@@ -64,6 +64,6 @@ status=0
 printf '%s\0' "${units[@]}" | xargs -0 -P "$(nproc)" -n 1 bash -c 'look "$1"' look || status=1
 late=0
 [ ! -e "$log/late" ] || late=$(wc -l <"$log/late")
-echo "tidy: $((${#units[@]} - late)) of ${#units[@]} changed units were looked at"
+echo "tidy: $((${#units[@]} - late)) of ${#units[@]} changed units were checked"
 [ "$late" = 0 ] || sed 's/^/tidy: no time was left for /' "$log/late"
 exit $status

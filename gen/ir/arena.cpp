@@ -88,7 +88,7 @@ node_id arena::multiply(node_id a, node_id b) {
   }
   if (at(a).kind == op::constant && at(b).kind == op::constant)
     return constant(value(a) * value(b));
-  // c1 (c2 x) = (c1 c2) x, so constants are gathered in one factor.
+  // c1 (c2 x) = (c1 c2) x, so constants are collected in one factor.
   for (const auto &[x, y] : {std::pair(a, b), std::pair(b, a)})
     if (at(x).kind == op::constant && at(y).kind == op::multiply)
       for (const auto &[c, rest] : {std::pair(at(y).a, at(y).b), std::pair(at(y).b, at(y).a)})

@@ -76,12 +76,12 @@ private:
 struct program {
   arena nodes;
   std::vector<node_id> results;
-  // Values of one object that are computed once and stored beside it, ascending: the pair reads them. What one object
-  // alone decides and is not among them is computed for each pair. See gen/passes/store.hpp.
+  // Values of one object that are computed once and stored beside it, in ascending order; the pair reads them. All
+  // other values of one object are computed for each pair. See gen/passes/store.hpp.
   std::vector<node_id> stored = {};
 };
 
-// The ids that the results need, ascending; nothing is needed below a node of `given`.
+// The ids of the nodes that the results need, in ascending order. Operands of a node in `given` are not needed for it.
 std::vector<node_id> needed(const arena &nodes, const std::vector<node_id> &results,
                             const std::vector<node_id> &given = {});
 // The stored values of object A or of object B.

@@ -14,7 +14,7 @@ bool is_power_of_two(const rational &q) {
   return mpz_popcount(n.get_mpz_t()) == 1 && mpz_popcount(d.get_mpz_t()) == 1;
 }
 
-// The value says only whether multiplying by it is free.
+// The value only says whether a multiplication by it is free.
 struct counter {
   using value = bool;
   counts &into;

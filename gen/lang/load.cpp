@@ -1,4 +1,4 @@
-// An algebra from TOML: what each table may hold, and nothing else.
+// Reads an algebra from TOML, and checks what each table may hold.
 #include "gen/lang/spec.hpp"
 #include "gen/lang/toml_reader.hpp"
 

@@ -1,4 +1,4 @@
-// A scene from TOML, with the algebra that it names.
+// Reads a scene from TOML, with the algebra that it names.
 #include "gen/lang/spec.hpp"
 #include "gen/lang/toml_reader.hpp"
 
@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where an algebra may lie: beside the scene, else where those lie that came with the program, which share/ beside its
-// folder is in an install and in a build tree alike.
+// Where an algebra may be: next to the scene, or where the shipped algebras are, in the share/ next to the program's
+// folder. The layout is the same in an install and in a build tree.
 std::vector<fs::path> algebra_places(const std::string &scene, const std::string &name) {
   std::vector<fs::path> out{fs::path(scene).parent_path() / name};
   std::error_code ignored;
@@ -22,7 +22,7 @@ std::vector<fs::path> algebra_places(const std::string &scene, const std::string
   return out;
 }
 
-// A float32 that is no subnormal and that can be doubled.
+// A float32 that is not subnormal and that can be doubled.
 double box_size(const toml_reader &in, const toml::node &node) {
   const double v = in.as_positive_number(node, "scene.box");
   if (v >= 0x1p127)

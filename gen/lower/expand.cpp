@@ -11,7 +11,7 @@ using lang::op;
 
 // Limits far above any reasonable spec, which turn a runaway spec into an error.
 constexpr long most_steps = 2'000'000;
-constexpr int most_depth = 400; // keeps the stack safe, sanitizers included
+constexpr int most_depth = 400; // protects the stack, even with sanitizers
 
 rational parse_number(const std::string &text) {
   const auto dot = text.find('.');

@@ -1,4 +1,4 @@
-// Expansion of sums, products and quotients of multivectors, and the limits of what comes out.
+// Expansion of sums, products and quotients of multivectors, with limits on the result.
 #include "gen/lower/expand.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@ namespace meetc::lower {
 namespace {
 using lang::op;
 
-// Limits that no spec which a person writes comes near; they turn a runaway spec into an error.
+// Limits far above any reasonable spec, which turn a runaway spec into an error.
 constexpr std::size_t most_terms = 200'000;
 constexpr int most_degree = 100;
 constexpr std::size_t most_bits = 4096; // of a constant

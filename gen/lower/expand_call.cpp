@@ -11,13 +11,13 @@ using lang::op;
 }
 
 std::string expander::said(const lang::expr &e, const environment &env) {
-  // From the last part to the first, so that the places of those before stay.
+  // Replaces from the last part to the first, so that the positions of earlier parts stay valid.
   std::string out = lang::print(e);
   const std::function<void(const lang::expr &)> replace = [&](const lang::expr &part) {
     const bool bound = part.kind == op::name &&
                        std::any_of(env.begin(), env.end(), [&](const auto &b) { return b.first == part.text; });
     if (bound || part.kind == op::member) {
-      const long steps = steps_; // this is not work that the spec asks for
+      const long steps = steps_; // this work is not the spec's and does not count
       const std::string text = evaluate(part, env).text;
       steps_ = steps;
       if (!text.empty()) {
@@ -33,7 +33,7 @@ std::string expander::said(const lang::expr &e, const environment &env) {
 }
 
 value expander::call(const lang::expr &e, const environment &env) {
-  // Expressions of a spec are checked when they are read; what a scene or the command line asks is not.
+  // Expressions of a spec were checked when they were read; those of a scene or the command line were not.
   const lang::function *defined = model_.spec().find_function(e.text);
   const lang::predicate *asked = model_.spec().find_predicate(e.text);
   const lang::kind *made = model_.spec().find_kind(e.text);
@@ -52,7 +52,7 @@ value expander::call(const lang::expr &e, const environment &env) {
   if (e.text == "grade") {
     const int g = evaluate_multivector(*e.args[0], env).homogeneous_grade();
     if (g < 0)
-      throw spec_error(e.args[0]->where, "this has no one grade: it is zero or of mixed grade");
+      throw spec_error(e.args[0]->where, "this has no single grade: it is zero or of mixed grade");
     return {number(g)};
   }
   std::vector<value> args;

@@ -1,4 +1,4 @@
-// Expansion of what is true or false: comparisons, and all, any and each over lists.
+// Expansion of truths: comparisons, and all, any and each over lists.
 #include "gen/lower/expand.hpp"
 
 #include <fmt/format.h>

@@ -40,7 +40,7 @@ std::vector<kernel_program> programs(kernel &k) {
   formula &f = k.value;
   out.push_back({"from blades", &f.from_blades, f.numbers.get(), &f.blade_inputs});
   if (f.stored_numbers)
-    out.push_back({"from what is stored", &f.from_stored, f.stored_numbers.get(), &f.stored_inputs});
+    out.push_back({"from stored numbers", &f.from_stored, f.stored_numbers.get(), &f.stored_inputs});
   return out;
 }
 

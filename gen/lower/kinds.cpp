@@ -10,7 +10,7 @@ namespace {
 
 using kind_set = std::set<const lang::kind *>;
 
-// The kinds of operands and results, of all kernels or of formulas alone.
+// The kinds of operands and results of all kernels, or of formulas only.
 kind_set used_by(const std::vector<kernel> &kernels, bool formulas_alone) {
   kind_set out;
   for (const kernel &k : kernels) {
@@ -23,7 +23,7 @@ kind_set used_by(const std::vector<kernel> &kernels, bool formulas_alone) {
   return out;
 }
 
-// With the kinds that they and their constructors are made of.
+// Adds the kinds that they and their constructors contain.
 kind_set with_parts(const lang::algebra &a, const kind_set &kinds) {
   kind_set out;
   const std::function<void(const lang::kind *)> want = [&](const lang::kind *k) {
@@ -40,7 +40,7 @@ kind_set with_parts(const lang::algebra &a, const kind_set &kinds) {
   return out;
 }
 
-// In the spec's order, but for parts, which come first.
+// In the spec's order, except that parts come first.
 std::vector<const lang::kind *> parts_first(const lang::algebra &a, const kind_set &kinds) {
   std::vector<const lang::kind *> out;
   kind_set done;

@@ -12,9 +12,9 @@ namespace meetc::passes {
 namespace {
 
 constexpr pass list[] = {
-    {"prune", "drops the nodes that only forms which were not chosen need; keeps the order of the others", prune},
-    {"fuse", "makes a product that is used once, in a sum of the same residency, a fused multiply-add", fuse},
-    {"store", "stores what one object decides beside it, where that costs more than one operation", store, true},
+    {"prune", "drops the nodes that no chosen form needs; keeps the order of the others", prune},
+    {"fuse", "turns a product that is used once, in a sum of the same residency, into a fused multiply-add", fuse},
+    {"store", "stores values of one object beside it if they cost more than one operation", store, true},
 };
 
 } // namespace

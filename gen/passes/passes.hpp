@@ -16,22 +16,22 @@ struct pass {
   const char *name; // as in `meetc show --emit=after:NAME`
   const char *does; // one line: what it needs, keeps and improves
   ir::program (*run)(const ir::program &);
-  bool of_sets = false; // only on programs that run for most pairs of two sets: lower::kernel_program::of_sets
+  bool of_sets = false; // runs only on programs that run for most pairs of two sets: lower::kernel_program::of_sets
 };
 
 // All passes, first to last. "lower" is not among them: it is their input.
 std::span<const pass> all();
 
-// Runs the passes up to the one called `last` (all of them where it is empty, none for "lower"), each checked. `inputs` is
-// the ring of the program's inputs.
+// Runs the passes up to the one called `last` (all of them where it is empty, none for "lower"), and checks each.
+// `inputs` is the ring of the program's inputs.
 ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last = {}, bool of_sets = false);
 
 // The same for every program of a kernel, including those that compute blades.
 void run(lower::kernel &k, const std::string &last = {});
 void run(std::vector<lower::blade_maker> &makers);
 
-// What remains once the bounds are there: magnitudes are programs too, and those of one object are stored by the same
-// rule, for the stages that run for most pairs.
+// Runs after the bounds are computed: magnitudes are programs too, and those of one object are stored by the same rule
+// in the stages that run for most pairs.
 void run(bound::kernel_bounds &b);
 
 // "lower" and the names of all passes.

@@ -16,7 +16,7 @@ bool of_one_object(const ir::arena &nodes, node_id id) {
   return where == residency::a || where == residency::b;
 }
 
-// A negation is never stored: what reads it negates.
+// A negation is not stored; its readers negate.
 node_id without_sign(const ir::arena &nodes, node_id id) {
   while (nodes.at(id).kind == op::negate)
     id = nodes.at(id).a;

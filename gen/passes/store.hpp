@@ -3,16 +3,16 @@
 
 namespace meetc::passes {
 
-// Chooses the values of one object that are stored beside it (ir::program::stored): those that a pair reads, that one
-// object alone decides, and that cost more operations than `cheapest`.
+// Chooses the values that are stored beside an object (ir::program::stored): those that a pair reads, that depend on
+// one object only, and that cost more than `cheapest` operations.
 //
-// A stored value costs the pair a load, from memory that no other stage reads. A difference of two coordinates, or a
-// square, costs one operation on numbers that the pair has loaded anyway: recomputing it beats loading it. Operations
-// count with all that they need, since what a stored value needs is not computed for the pair.
+// A stored value costs the pair a load from memory that no other stage reads. A difference of two coordinates, or a
+// square, costs one operation on numbers that the pair has loaded anyway, so recomputing it is cheaper. The cost of a
+// value includes its operands', since the pair does not compute the operands of a stored value.
 inline constexpr int cheapest = 1;
 
-// Results and operations stay as they are, so error bounds hold for stored values as for others: each is rounded as it
-// would be in the pair. Only what runs once an object, and what once a pair, changes.
+// Results and operations stay the same, so error bounds hold for stored values too: each is rounded as it would be in
+// the pair. Only the split into work for each object and work for each pair changes.
 ir::program store(const ir::program &p);
 
 } // namespace meetc::passes

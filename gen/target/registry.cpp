@@ -1,4 +1,4 @@
-// The one table of targets.
+// The table of targets.
 #include "gen/target/c/c.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cuda/cuda.hpp"
@@ -97,7 +97,7 @@ bool needs_balls(const lang::scene &s) {
 }
 
 namespace {
-// What a target cannot carry is an error that says so.
+// Throws an error if the scene asks for something that the target cannot carry.
 void check_carried(const target &t, const unit &u) {
   const auto refuse = [&](const lower::kernel &k, const char *what) {
     throw spec_error(k.asked.where, fmt::format("the backend '{}' carries no {}, and the scene asks for '{}'", t.name,

@@ -17,10 +17,10 @@ std::vector<ir::node_id> keys(const std::map<ir::node_id, std::string> &given) {
 statements::statements(const ir::arena &nodes, const std::vector<ir::node_id> &results, syntax s,
                        std::map<ir::node_id, std::string> given)
     : syntax_(std::move(s)), given_(std::move(given)) {
-  // A result that is given twice is computed once.
+  // A result that is requested twice is computed once.
   for (const ir::node_id r : results)
     ++uses_[r];
-  // Users come before what they use. A negation is written wherever it is used, and what it negates with it.
+  // Users come before their operands. A negation is written wherever it is used, together with its operand.
   const std::vector<ir::node_id> order = ir::needed(nodes, results, keys(given_));
   for (auto id = order.rbegin(); id != order.rend(); ++id)
     if (!given_.count(*id))

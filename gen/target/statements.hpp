@@ -1,7 +1,7 @@
 // Programs as statements of a C-like language: the domain of the fold with which targets write code.
 //
 // A node that is used once is written where it is used, as long as that stays readable; every other node becomes a
-// constant. The order of operations is that of the graph, and every parenthesis that keeps it is written.
+// constant. The order of operations is that of the graph, and all parentheses that keep it are written.
 #pragma once
 #include "gen/ir/fold.hpp"
 
@@ -13,18 +13,18 @@ namespace meetc::target {
 
 // What differs from language to language.
 struct syntax {
-  std::string type;                                          // for kept values: "T", "double"
+  std::string type;                                          // of the constants: "T", "double"
   std::string fma;                                           // the function: "meetc::fma", "fmaf"
   std::function<std::string(const ir::rational &)> constant; // a literal that needs no parentheses
   std::function<std::string(int)> input;                     // an input's number to an expression without parentheses
   std::string indent;
-  // By node, where there are two types: the values of a wider one, its name, and the function that multiplies values of
-  // `type` into one of it.
+  // With two types: for each node, whether its value has the wider type; the name of that type; and the function that
+  // multiplies values of `type` and returns one of that type.
   std::vector<char> wide = {};
   std::string wide_type = {}, wide_product = {};
 };
 
-// An expression, and how tightly it binds.
+// An expression and how tightly it binds.
 struct expression {
   std::string text;
   enum class binding { atom, product, sum } as = binding::atom;
@@ -33,7 +33,7 @@ struct expression {
 class statements {
 public:
   using value = expression;
-  // Of what the results need; `given` names the values that are there already.
+  // For the nodes that the results need; `given` names the values that exist already.
   statements(const ir::arena &nodes, const std::vector<ir::node_id> &results, syntax s,
              std::map<ir::node_id, std::string> given = {});
 

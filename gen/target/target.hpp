@@ -1,7 +1,7 @@
 // Targets: text from lowered kernels. They know no algebra and solve nothing.
 //
-// A target is a struct of functions in one table (registry.cpp): a name, what it can carry, the files that it writes and
-// what it shows of one kernel. A new target is a folder here and a line there.
+// A target is an entry of one table (registry.cpp): a name, what it can carry, and functions that write its files and
+// show one kernel. A new target is a folder here and an entry there.
 #pragma once
 #include "gen/bound/bound.hpp"
 #include "gen/lower/ball_form.hpp"
@@ -21,30 +21,30 @@ struct file {
   std::string text;
 };
 
-// What only targets for eyes and for other programs need of a kernel.
+// The forms of a kernel that only targets for readers and for other programs need.
 struct forms {
-  std::optional<lower::declared_formula> declared;  // of a formula
+  std::optional<lower::declared_formula> declared;  // for a formula
   std::vector<lower::separated> separated;          // its signs, or its values on general blades
   std::vector<lower::separated> declared_separated; // its values in the declared basis
 };
 
-// Everything that a target is given: lowered kernels after the last pass, and their bounds.
+// The input of a target: lowered kernels after the last pass, and their bounds.
 struct unit {
   const lang::scene &scene;
   std::vector<lower::kernel> kernels;
-  // Of kernels made of signs, where the scene asks for rungs that need them.
+  // For kernels that consist of signs, if the scene asks for rungs that need them.
   std::vector<std::optional<bound::kernel_bounds>> bounds;
-  std::vector<lower::lowered_kind> kinds; // that the kernels need, each after those that it holds
-  std::optional<lower::ball_form> balls;  // where a backend filters by enclosing balls
-  std::vector<forms> shown;               // by kernel; empty where nothing is shown
+  std::vector<lower::lowered_kind> kinds; // the kinds that the kernels need, each after those that it contains
+  std::optional<lower::ball_form> balls;  // if a backend filters by enclosing balls
+  std::vector<forms> shown;               // by kernel; empty if nothing is shown
 
-  // A kind of the unit.
+  // The kind with this name.
   const lower::lowered_kind &kind(const std::string &name) const;
   bool asks(lang::rung r) const { return scene.asks(r); }
   bool asks_plain() const { return std::any_of(scene.rungs.begin(), scene.rungs.end(), lang::is_plain); }
 };
 
-// What a target can carry of what a scene asks for.
+// Which requests of a scene a target can carry.
 struct carries {
   bool formulas = false, signs = false, plain = false, certified = false, launchers = false;
 };
@@ -53,36 +53,37 @@ struct target {
   const char *name; // as in a scene's `backends` and in `meetc show --emit=NAME`
   const char *what; // one line, for help
   carries can;
-  bool is_default = false;  // written where the scene names no backends
+  bool is_default = false;  // written if the scene names no backends
   bool needs_balls = false; // it filters by enclosing balls
-  // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error for what it cannot carry.
+  // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error if it cannot carry the
+  // unit.
   std::vector<file> (*files)(const unit &) = nullptr;
-  const char *over = nullptr;   // the target whose files its own include; they are written too
-  const char *source = nullptr; // what a build compiles once: <space>/<space> and this, "_runtime.cpp"
-  // One kernel of the unit, for eyes; null: it shows nothing. Throws spec_error for what it cannot carry.
+  const char *over = nullptr;   // the target whose files its files include; those are written too
+  const char *source = nullptr; // the ending of <space>/<space>..., which a build compiles once: "_runtime.cpp"
+  // One kernel of the unit, to be read; null: it shows nothing. Throws spec_error if it cannot carry the kernel.
   std::string (*show)(const unit &, std::size_t kernel) = nullptr;
-  // All kernels of the unit in one table, for eyes; null: it has none.
+  // All kernels of the unit in one table, to be read; null: there is none.
   std::string (*show_all)(const unit &) = nullptr;
 };
 
-// The folders below the namespace's own that emitted files lie in, of C++ ("//" opens a comment) and of proofs ("#").
+// The subfolders of the namespace's folder with emitted C++ ("//" opens a comment) and with proofs ("#").
 inline constexpr const char *code_folders[] = {"detail", "src", "units"};
 inline constexpr const char *proof_folder = "proofs";
 
-// So many sources a language that include the predicates' own sources, which lie in <space>/src: for a build that has to
-// know the names of what it compiles before the scene is read.
+// For each language, `units` sources that include the predicates' sources in <space>/src. They serve a build that must
+// know the names of its sources before the scene is read.
 std::vector<file> umbrella_sources(const std::vector<file> &files, const lang::scene &s, int units);
 
-// All of them, in the order in which help lists them.
+// All targets, in the order in which help lists them.
 std::span<const target> all();
-// Null where there is none of this name.
+// Null if no target has this name.
 const target *find(const std::string &name);
-// Those that write files: what a scene's `backends` may hold.
+// The targets that write files, which a scene's `backends` may name.
 lang::backend_choice backends();
 // Whether a backend of the scene filters by enclosing balls.
 bool needs_balls(const lang::scene &s);
-// The files of the scene's backends and of what they stand over, sorted by path, with the kernel headers. Throws
-// spec_error where two would have one path.
+// The files of the scene's backends and of the targets that those include, with the kernel headers, sorted by path.
+// Throws spec_error if two files would have one path.
 std::vector<file> files_of(const unit &u);
 
 } // namespace meetc::target

@@ -40,7 +40,7 @@ std::string space_named(const std::string &stem) {
     out = "scene_" + out;
   while (out.back() == '_')
     out.pop_back();
-  return out == "meet" ? "meet_scene" : out;
+  return out == "meetc" ? "meetc_scene" : out; // the namespace of the kernel headers
 }
 
 } // namespace

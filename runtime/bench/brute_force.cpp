@@ -44,7 +44,7 @@ struct rows_with_stored {
   }
 };
 
-// One row of a, and all rows of b.
+// One row of a against all rows of b.
 struct sweep {
   rows_with_stored a, b;
   std::vector<index_pair> pairs; // (0, j)

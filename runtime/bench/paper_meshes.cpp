@@ -116,14 +116,14 @@ void add_scalings(const paper_context &c, const std::vector<double> &sizes, cons
                          fit_power(sizes, bunny_hits, 0, scatter)});
   to.scalings.push_back({"paper_armadillo_hit", "The paper's own rows of the Armadillo",
                          fit_power(printed_sizes, printed_hits, 0.5, scatter)});
-  for (const paper_scaling &law : to.scalings)
-    counts.notes.push_back(fmt::format("{}: {}.", law.words, in_words(law.fit)));
+  for (const paper_scaling &scaling : to.scalings)
+    counts.notes.push_back(fmt::format("{}: {}.", scaling.words, in_words(scaling.fit)));
   counts.notes.push_back(fmt::format("The curve in which two surfaces cross meets c sqrt(n) of n triangles "
                                      "of one of them. A tolerance is what counts "
                                      "that are off by up to {:.0f} % can do to the exponent.",
                                      100 * scatter));
-  counts.notes.push_back(fmt::format("The paper does not give its pose, so its counts cannot be had again. "
-                                     "Here: the Armadillo's place is taken under "
+  counts.notes.push_back(fmt::format("The paper does not give its pose, so its counts cannot be reproduced. "
+                                     "Here the Armadillo is placed by "
                                      "`{}`.",
                                      c.bodies.pose_options()));
 }

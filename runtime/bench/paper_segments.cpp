@@ -76,7 +76,7 @@ std::size_t segment_rows(const paper_context &c) {
 void add_segments(const paper_context &c, paper_result &to) {
   table t;
   t.name = "segments";
-  t.title = fmt::format("Line segments and the {} in ever more triangles (section 4.2)", c.bodies.bunny_name());
+  t.title = fmt::format("Line segments and the {} at increasing triangle counts (section 4.2)", c.bodies.bunny_name());
   t.columns = {{"triangles", c.bodies.bunny_name() + "|triangles"},
                {"segments", "segments"},
                {"pairs", "pairs|touch"},

@@ -59,7 +59,7 @@ std::string in_words(const power_fit &fit) {
                                    : fmt::format("farthest from it is the row of {}, {:.0f} % {}", row,
                                                  std::abs(100 * fit.worst), fit.worst < 0 ? "below" : "above");
   const double exponent = std::abs(fit.exponent) < 5e-4 ? 0 : fit.exponent; // avoids "-0.000"
-  return fmt::format("exponent {:.3f}, the law's {} ± {:.3f}: the law {}; {}", exponent, fit.expected, fit.tolerance,
+  return fmt::format("exponent {:.3f}, expected {} ± {:.3f}: the scaling {}; {}", exponent, fit.expected, fit.tolerance,
                      fit.holds ? "holds" : "does not hold", farthest);
 }
 

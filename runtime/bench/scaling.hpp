@@ -28,7 +28,7 @@ struct power_fit {
 power_fit fit_power(const std::vector<double> &sizes, const std::vector<double> &counts, double expected,
                     double scatter);
 
-// "exponent 0.497, the law's 0.5 ± 0.027: the law holds; farthest from it is the row of 20,000, 3 % above"
+// "exponent 0.497, expected 0.5 ± 0.027: the scaling holds; farthest from it is the row of 20,000, 3 % above"
 std::string in_words(const power_fit &fit);
 app::json as_json(const power_fit &fit);
 

@@ -12,7 +12,7 @@ namespace meetc {
 
 struct element_set;
 
-// What the rungs of `certified` did. The other rungs leave it as it is.
+// Counts of the rungs of `certified`; the other rungs do not change them.
 struct rung_report {
   std::uint64_t unsure[bounded_rungs] = {0, 0, 0}; // pairs of elements that fp32, fp64 and fp64x2 left unsure
   bool left_box_a = false, left_box_b = false;     // some number of this set lies outside the stated box
@@ -21,9 +21,9 @@ struct rung_report {
 struct cascade {
   const predicate_info *predicate = nullptr;
   decide_function rungs[bounded_rungs + 1] = {};
-  int count = 0;  // of the rungs; 0: the predicate was not generated for this precision
-  float side = 0; // above 0: the first rung takes the bounds of a box with this side
-  // What the sets are to store for the first rung.
+  int count = 0;  // number of rungs; 0: the predicate was not generated for this precision
+  float side = 0; // above 0: the first rung uses the bounds of a box with this side
+  // The values that the sets store for the first rung.
   stored_values stored_a, stored_b;
   rung_report start;
 
@@ -32,7 +32,7 @@ struct cascade {
   // Uses the bounds of [-box, box] where both sets lie in it and the predicate has such bounds. 0: there is no box.
   void enter_box(float box, const element_set &a, const element_set &b);
 
-  // Decides n pairs by one rung, 0 <= at < count. The rows are packed, as the predicate's kinds have them.
+  // Decides n pairs by rung `at`, 0 <= at < count. The rows are packed, as in the predicate's kinds.
   void decide(int at, const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n,
               answer *out) const {
     if (at == 0 && side > 0)

@@ -8,7 +8,7 @@
 namespace meetc {
 namespace {
 
-// A batch is flushed at some thousand pairs. A run that began just before can add its whole length.
+// A batch is flushed at about this number of pairs. A run that began just before can still add its whole length.
 constexpr std::size_t flush_at = 4096, early_flush_at = 128;
 constexpr std::size_t batch_capacity = flush_at + pair_sink::longest_run;
 

@@ -1,4 +1,4 @@
-// core/decide.hpp: decides candidates, on all threads.
+// core/decide.hpp: decides candidates on all threads.
 //
 // Each thread collects candidates in a batch and takes it through the cascade; a rung sees only the pairs that the one
 // before left unsure. The taker gets each hit by the caller's element indices. Memory is one batch for each thread,
@@ -20,7 +20,7 @@ public:
 
 struct decision_job {
   const element_set &a, &b;
-  const float *stored_a, *stored_b; // by.stored_a and by.stored_b of all rows, or null
+  const float *stored_a, *stored_b; // the values of by.stored_a and by.stored_b for all rows, or null
   const cascade &by;
   const candidate_source &source;
   int threads;

@@ -30,7 +30,7 @@ float largest(const float *v, std::size_t n, std::size_t stride) {
 void widen(element_set &set, const float *rows, std::size_t count, std::mutex &lock) {
   const kind_info &kind = *set.kind;
   const auto fields = static_cast<std::size_t>(kind.fields);
-  const std::size_t n = count * fields, stride = kind.points > 0 ? 1 : fields; // such kinds have only coordinates
+  const std::size_t n = count * fields, stride = kind.points > 0 ? 1 : fields; // such kinds have coordinates only
   for (std::size_t f = 0; f < stride; ++f) {
     const float most =
         kind.roles[f] == role::other ? std::numeric_limits<float>::infinity() : largest(rows + f, n - f, stride);

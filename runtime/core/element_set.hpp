@@ -17,12 +17,12 @@ struct element_set {
   std::size_t elements = 0;
   float *rows = nullptr;
   std::uint32_t *order = nullptr;
-  // The largest |coordinate| and |length| of any row; infinite where a field is neither.
+  // The largest |coordinate| and |length| of any row; infinite if a field is neither.
   float reach = 0, longest = 0;
   hierarchy boxes;
 };
 
-// Memory that building needs and the set does not keep.
+// Memory that is needed to build a set and not kept.
 struct set_scratch {
   float *rows = nullptr;
   box *boxes = nullptr;
@@ -35,8 +35,8 @@ set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t element
 // Fills a set whose memory was taken for this kind and number of elements.
 status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads);
 
-// What a predicate wants stored beside the rows of a filled set, values.floats numbers a row. false where it cannot be
-// stored: see stored_values.
+// Computes a predicate's stored values for a filled set, values.floats numbers for each row. Returns false if they
+// cannot be stored: see stored_values.
 bool fill_stored(const element_set &set, const stored_values &values, float *to, int threads);
 
 } // namespace meetc

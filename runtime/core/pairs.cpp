@@ -17,7 +17,7 @@ struct layout {
   memory batches;
 };
 
-// Both sets are kept. Building them and holding the batches happen one after the other, in the same memory.
+// Both sets are kept. The memory that was needed to build them then holds the batches.
 layout take_layout(arena &from, const predicate_info &p, std::size_t a, std::size_t b, int threads) {
   layout l;
   l.a = take_set(from, *p.a, a);

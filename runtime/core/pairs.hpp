@@ -13,7 +13,7 @@
 
 namespace meetc {
 
-// Where the answers go. Null pointers mean that an answer is not wanted; only `count` is required.
+// The destinations of the answers. A null pointer means that an answer is not wanted; only `count` is required.
 struct pairs_out {
   index_pair *data = nullptr; // room for `capacity` pairs; null with capacity 0: only count
   std::size_t capacity = 0;

@@ -40,7 +40,7 @@ const float *prepared::stored(const stored_values &values, int threads) const {
   if (!s.numbers) {
     std::unique_ptr<float[]> numbers(new float[elements() * static_cast<std::size_t>(values.floats)]);
     if (!fill_stored(*set_, values, numbers.get(), threads))
-      return nullptr; // perhaps the next caller's environment is the standard one
+      return nullptr; // the next caller's environment may be the standard one
     s.numbers = std::move(numbers);
   }
   return s.numbers.get();

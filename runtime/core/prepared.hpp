@@ -12,7 +12,7 @@
 
 namespace meetc {
 
-// What prepare() throws for a bad element.
+// The exception of prepare() for a bad element.
 class input_error : public std::invalid_argument {
 public:
   input_error(const fault &f, const kind_info &kind) : std::invalid_argument(describe(f, kind)), where(f) {}
@@ -34,8 +34,8 @@ public:
   // The closed box around all elements: finite, in the units of their coordinates; lo > hi for the empty set.
   void bounds(float lo[3], float hi[3]) const;
   const element_set &set() const { return *set_; }
-  // What a predicate wants stored beside the rows, computed when it is first asked for and kept; null where nothing is
-  // to be stored or cannot be. Any thread may ask. Throws std::bad_alloc.
+  // A predicate's stored values, computed at the first call and kept; null if there are none or they cannot be stored.
+  // Any thread may call it. Throws std::bad_alloc.
   const float *stored(const stored_values &values, int threads) const;
 
 private:
@@ -44,7 +44,7 @@ private:
   prepared();
   std::unique_ptr<std::byte[]> bytes_;
   std::unique_ptr<element_set> set_;
-  std::unique_ptr<store[]> stores_; // kind().stored of them
+  std::unique_ptr<store[]> stores_; // kind().stored elements
 };
 
 // Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. Throws

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # readme.sh MEETC MEET SOURCE: the README's commands run, its measured figures are those of docs/gpu.md, its example is
-# small, and every link of the README and of docs/, and every file of this tree that they name, is there.
+# small, and every link of the README and docs/, and every file of this tree that they name, exists.
 set -euo pipefail
 meetc=$1 meet=$2
 cd "$3"
@@ -48,7 +48,7 @@ shown 'Möller, his epsilon, fp32'
 bad=0
 for page in README.md docs/*.md; do
   while IFS= read -r link; do
-    [ -e "$(dirname "$page")/${link%%#*}" ] || { echo "$page: leads nowhere: $link"; bad=1; }
+    [ -e "$(dirname "$page")/${link%%#*}" ] || { echo "$page: broken link: $link"; bad=1; }
   done < <(grep -oE '\]\([^)# ]+[^) ]*\)' "$page" | sed -E 's/^\]\((.*)\)$/\1/' | grep -vE '^https?:' || true)
 done
 while IFS= read -r named; do

@@ -1,5 +1,5 @@
-# A project that has meetc as a subfolder. The generator's own build is only planned here (the main build made it
-# already); what is built uses the finished one.
+# A project that has meetc as a subfolder. The generator's build is only configured here, since the main build has
+# made it; the project uses the finished one.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(cell)
 
@@ -13,7 +13,7 @@ if(GENERATOR STREQUAL "Ninja")
     fail("generates before there is a generator:\n${OUTPUT}")
   endif()
 endif()
-# A subproject brings no tests and installs nothing of its own.
+# A subproject adds no tests and installs nothing.
 run(${CMAKE_COMMAND} --install "${ROOM}/cell-build" --prefix "${ROOM}/none")
 if(EXISTS "${ROOM}/none")
   fail("the subproject installs itself")

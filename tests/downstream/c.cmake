@@ -1,4 +1,4 @@
-# A program in C99, by the C compilers that are there: the numbers and the answers that the same program gets in C++.
+# A program in C99, compiled by each installed C compiler, gives the numbers and answers of the same program in C++.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(c)
 
@@ -16,7 +16,7 @@ if(NOT OUTPUT STREQUAL wanted)
   fail("C and C++ differ")
 endif()
 
-# The header alone is C99 to the letter, for each compiler and at each level; the answers stay.
+# The header is strict C99 for each compiler and at each optimisation level, with the same answers.
 file(GLOB library "${ROOM}/c-build/librobot_cell*")
 foreach(compiler IN ITEMS gcc clang)
   find_program(CC_${compiler} ${compiler})
@@ -33,7 +33,7 @@ foreach(compiler IN ITEMS gcc clang)
   endif()
 endforeach()
 
-# Below C99 it is one line.
+# Below C99 there is one error line.
 file(WRITE "${ROOM}/old.c" "#include <cell/cell.h>\nint main(void) { return 0; }\n")
 if(CC_gcc)
   run_to_fail("${CC_gcc}" -std=c90 "-I${ROOM}/c-build/robot_cell.generated" -fsyntax-only "${ROOM}/old.c")

@@ -1,10 +1,10 @@
-# Files that are checked in: compiled as they are, brought up to date on demand, and watched by a test.
+# Checked-in files: they are compiled as they are, regenerated on demand, and compared by a test.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(cell checked_in)
 set(project "${ROOM}/checked_in")
 file(COPY "${ALGEBRA}" DESTINATION "${project}")
 
-# The first time, there is nothing yet.
+# At first there are no files.
 configure("${project}" "-DCMAKE_PREFIX_PATH=${PREFIX}" -DFIND_MEETC=ON)
 expect("not there yet; run: cmake --build" "--target robot_cell.update")
 run_to_fail(${CMAKE_COMMAND} --build "${project}-build" --target app)
@@ -15,7 +15,7 @@ run("${project}-build/app")
 expect("norm2 1024 1024, off the axis 0" "hit 1 0")
 run(${CMAKE_CTEST_COMMAND} --test-dir "${project}-build")
 
-# The build does not look at the scene; the test does.
+# The build does not read the scene; the test does.
 file(APPEND "${project}/robot_cell.toml" "# a remark\n")
 build("${project}")
 expect_none("Generating" "Building")

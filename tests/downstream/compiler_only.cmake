@@ -1,4 +1,4 @@
-# Generated files copied into a folder, and nothing but a compiler: no library, no CMake.
+# Generated files copied into a folder, with only a compiler: no library and no CMake.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(plain)
 set(MEETC_ALGEBRA_DIR "${ALGEBRA}")
@@ -11,7 +11,7 @@ set(found "")
 foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
   run_to_fail("${compiler}" -std=c++17 "-I${ROOM}/generated" -c "${ROOM}/plain/app.cpp" -o "${ROOM}/app.o")
   expect("meetc needs C++20: compile with -std=c++20")
-  # The user's flags may be any: what is certified must not depend on them.
+  # The user may choose any flags; certified answers must not depend on them.
   foreach(flags IN ITEMS "-O0" "-O3;-march=native")
     run("${compiler}" -std=c++20 ${flags} -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
       "-I${ROOM}/generated" "${ROOM}/plain/app.cpp" -o "${ROOM}/app")

@@ -16,11 +16,11 @@ expect_none("sm_90" "std=c++17")
 build("${ROOM}/cuda")
 expect_none("Generating" "Building")
 
-# The headers in a kernel of the user's own.
+# The headers in a user's kernel.
 run("${NVCC}" -std=c++20 -arch=sm_80 --Werror all-warnings "-I${ROOM}/cuda-build/robot_cell.generated"
   -c "${ROOM}/cuda/kernel.cu" -o "${ROOM}/kernel.o")
 
-# Installed and exported; the third project has C++ alone.
+# Installed and exported; the third project uses only C++.
 run(${CMAKE_COMMAND} --install "${ROOM}/cuda-build" --prefix "${ROOM}/installed")
 configure("${ROOM}/cuda_third" "-DCMAKE_PREFIX_PATH=${ROOM}/installed" "-DCUDAToolkit_ROOT=${toolkit}/..")
 build("${ROOM}/cuda_third")

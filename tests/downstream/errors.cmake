@@ -1,9 +1,9 @@
-# Calls that cannot work say why, in one line.
+# Calls that cannot work give the reason in one line.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(errors)
 file(COPY "${ALGEBRA}" DESTINATION "${ROOM}/errors")
 
-# refuse(CALL TEXT ...): the call ends the configuration, and TEXT is said.
+# refuse(CALL TEXT ...): the call stops the configuration with a message that contains TEXT.
 function(refuse call)
   configure_command(command "${ROOM}/errors" "-DMEETC_FUNCTIONS=${SOURCE}/gen/cmake/meetc_add_kernels.cmake"
     "-DCALL=${call}" "-DMEETC_EXECUTABLE=${MEETC_EXECUTABLE}")
@@ -28,7 +28,7 @@ refuse("meetc_add_kernels(k SCENE scene.toml NAMESPACE cell)" "none', which is n
 set(MEETC_EXECUTABLE "")
 refuse("meetc_add_kernels(k SCENE scene.toml NAMESPACE cell)" "there is no meetc: say find_package(meetc" "CHECKED_IN")
 
-# What only meetc can know, it says at build time.
+# Errors that only meetc can find are reported at build time.
 run_to_fail("${MEETC}" generate "${ROOM}/errors/scene.toml" -o "${ROOM}/out" --namespace class)
 expect("'class' cannot be the namespace")
 run_to_fail("${MEETC}" generate "${ROOM}/errors/scene.toml" -o "${ROOM}/out" --require-backend cuda)

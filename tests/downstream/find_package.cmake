@@ -1,4 +1,4 @@
-# A project of its own that finds the installed package.
+# A separate project that finds the installed package.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(cell)
 
@@ -9,7 +9,7 @@ expect("norm2 1024 1024, off the axis 0" "hit 1 0" "2 predicates of cell")
 run("${ROOM}/cell-build/frame")
 expect("2 pairs")
 
-# What is not there is named, and another minor version is not taken.
+# A missing component is named, and another minor version is not accepted.
 file(MAKE_DIRECTORY "${ROOM}/wrong")
 file(WRITE "${ROOM}/wrong/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)\nproject(wrong LANGUAGES CXX)\n"
   "find_package(meetc \${WANT} REQUIRED CONFIG COMPONENTS \${PARTS})\n")

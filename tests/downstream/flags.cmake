@@ -1,9 +1,9 @@
-# The checked-in headers under a user's flags: no library, no CMake, and nothing that is certified may be wrong. Where
-# flags break the arithmetic itself, they are refused, or noticed in each call, which then takes integers alone.
+# The checked-in headers under a user's flags, without library and CMake: no certified answer may be wrong. Flags that
+# break the arithmetic itself are refused, or each call notices them and then uses only integers.
 include("${CMAKE_CURRENT_LIST_DIR}/flags_steps.cmake")
 set(sound "standard 1, faults 0:" "${right}" "0 transforms inexact" "words: 13 noticed, 0 missed, 0 lacking; 0 certified wrong, 0 hits wrong")
 
-# refused(COMPILER TEXT FLAGS ...): each set of flags stops the compilation, and says TEXT.
+# refused(COMPILER TEXT FLAGS ...): each set of flags stops the compilation with a message that contains TEXT.
 function(refused compiler text)
   foreach(flags IN LISTS ARGN)
     string(REPLACE " " ";" flags "${flags}")
@@ -18,7 +18,7 @@ foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
     run_hostile("${compiler}" ${flags})
     expect(${sound})
   endforeach()
-  # The self-test alone, at the levels that the programs above do not have.
+  # Only the self-test, at the optimisation levels that the programs above do not use.
   set(levels "-O0" "-O1")
   if(LONG)
     list(APPEND levels "-O2" "-O3" "-O2\;-march=native\;-ffp-contract=fast" "-O2\;-ffp-contract=off")
@@ -28,24 +28,24 @@ foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
     run("${ROOM}/self")
     expect("faults 0: the arithmetic is as the error bounds assume")
   endforeach()
-  # Refused.
+  # These are refused.
   refused("${compiler}" "compile without it" "-ffast-math" "-Ofast" "-ffinite-math-only" "-O2 -ffast-math -march=native")
   # One object of the program is linked with -ffast-math: subnormals are flushed in all of it. Hits are right all the same.
   run("${compiler}" -std=c++20 -O2 ${few} ${headers} -c "${hostile}" -o "${ROOM}/hostile.o")
   run("${compiler}" -ffast-math "${ROOM}/hostile.o" -o "${ROOM}/hostile")
   run("${ROOM}/hostile")
   expect("standard 0," "subnormal numbers are flushed to zero" "${right}")
-  # The C library's fma() rounds twice.
+  # The fma() of this C library rounds twice.
   run("${compiler}" "${ROOM}/hostile.o" "${ROOM}/flags/twice.cpp" -o "${ROOM}/hostile")
   run("${ROOM}/hostile")
   expect("standard 0," "fma() is not rounded once" "${right}")
-  # The word is changed beside calls.
+  # The control word is changed between calls.
   compile("${compiler}" switched -O2 ${strict} "${ROOM}/flags/switched.cpp")
   run("${ROOM}/switched")
   expect("0 wrong beside changes of the control word")
 endforeach()
 
-# gcc says by a macro that sums are reassociated, and that intermediate results are wide; clang does not, and calls notice.
+# gcc defines macros if sums are reassociated or intermediate results are wide; clang does not, and the calls notice.
 set(reassociating "-O2 -fassociative-math -fno-signed-zeros -fno-trapping-math" "-O2 -funsafe-math-optimizations")
 if(GXX)
   refused("${GXX}" "compile without it" ${reassociating} "-fsingle-precision-constant")

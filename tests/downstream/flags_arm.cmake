@@ -1,5 +1,5 @@
-# The same headers on AArch64: cross-compiled, and run under an emulator. A bit that the emulator lacks is set and not kept;
-# such words are counted as lacking here, and tested as plain numbers in tests/generated/test_words.cpp.
+# The same headers on AArch64: cross-compiled, and run under an emulator. A control bit that the emulator lacks is not kept
+# when set; such words are counted as missing here, and tested as plain numbers in tests/generated/test_words.cpp.
 include("${CMAKE_CURRENT_LIST_DIR}/flags_steps.cmake")
 find_program(ARMXX aarch64-linux-gnu-g++)
 find_program(QEMU NAMES qemu-aarch64 qemu-aarch64-static)
@@ -16,7 +16,7 @@ foreach(flags IN ITEMS "-O2" "-O3;-ffp-contract=fast")
   run("${QEMU}" "${ROOM}/hostile" words)
   expect("standard 1, faults 0:" "${right}" "0 transforms inexact" "0 missed," "; 0 certified wrong, 0 hits wrong")
   string(REGEX MATCH "words: ([0-9]+) noticed" found "${OUTPUT}")
-  if(CMAKE_MATCH_1 LESS 4) # three rounding modes and flush-to-zero are in every processor
+  if(CMAKE_MATCH_1 LESS 4) # every processor has three rounding modes and flush-to-zero
     fail("too few words were noticed:\n${OUTPUT}")
   endif()
   compile("${ARMXX}" switched ${flags} -static ${strict} "${ROOM}/flags/switched.cpp")

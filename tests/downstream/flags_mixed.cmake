@@ -19,12 +19,12 @@ if(GXX)
     compile("${GXX}" here.o -O2 ${lto} ${strict} -c "${here}")
     compile("${GXX}" there.o -O2 ${lto} ${strict} ${under_pragma} -c "${there}")
     link_mixed("${GXX}" -O2 ${lto})
-    # An attribute of the caller.
+    # An attribute of the caller is used.
     compile("${GXX}" there.o -O2 ${lto} "-DMIXED_CALLER=__attribute__((optimize(\"Ofast\")))" -c "${there}")
     link_mixed("${GXX}" -O2 ${lto})
     compile("${GXX}" there.o -O2 ${lto} "-DMIXED_CALLER=__attribute__((target(\"fma\")))" -c "${there}")
     link_mixed("${GXX}" -O2 ${lto})
-    # One has the processor's fma(), the other a library's that rounds twice.
+    # One unit uses the processor's fma(), the other a library function that rounds twice.
     compile("${GXX}" there.o -O2 ${lto} -march=native -c "${there}")
     link_mixed("${GXX}" -O2 ${lto} "${ROOM}/flags/twice.cpp")
   endforeach()

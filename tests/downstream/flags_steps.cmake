@@ -1,10 +1,10 @@
-# What the scripts about flags share: the checked-in headers, compilers, and the hostile program.
+# Shared by the scripts about flags: the checked-in headers, the compilers, and the hostile program.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(flags)
 set(headers "-I${SOURCE}/generated/default" "-I${SOURCE}/runtime/kernel")
 set(hostile "${ROOM}/flags/hostile.cpp")
 set(strict -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
-# Variants of the hostile program have one predicate of each sort, and all of them in the long mode.
+# Variants of the hostile program have one predicate of each sort, or all of them in the long mode.
 set(few -DHOSTILE_FEW)
 if(LONG)
   set(few "")
@@ -21,12 +21,12 @@ endif()
 macro(compile compiler program)
   run("${compiler}" -std=c++20 ${headers} ${ARGN} -o "${ROOM}/${program}")
 endmacro()
-# run_hostile(COMPILER [flag ...]): builds the hostile program and runs it; what it says is in OUTPUT.
+# run_hostile(COMPILER [flag ...]): builds and runs the hostile program; its output is in OUTPUT.
 macro(run_hostile compiler)
   compile("${compiler}" hostile ${strict} "${hostile}" ${ARGN})
   run("${ROOM}/hostile" words)
 endmacro()
-# Puts a pragma before all that a program includes; by ${under_pragma}.
+# Puts a pragma before all includes of a program, by ${under_pragma}.
 function(write_pragma text)
   file(WRITE "${ROOM}/pragma.hpp" "#pragma ${text}\n")
 endfunction()

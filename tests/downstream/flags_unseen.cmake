@@ -1,4 +1,4 @@
-# Flags that define no macro, so that nothing is refused: pragmas, and clang's own. Each call notices them.
+# Flags that define no macro and therefore are not refused: pragmas, and some flags of clang. Each call notices them.
 include("${CMAKE_CURRENT_LIST_DIR}/flags_steps.cmake")
 
 # `Ofast` stands for all that -ffast-math allows.
@@ -8,7 +8,7 @@ if(GXX)
     run_hostile("${GXX}" -O2 ${few} ${under_pragma})
     expect("standard 0," "${right}" "0 certified wrong, 0 hits wrong")
   endforeach()
-  # The x87 for one translation unit: no call sees it, the self-test does.
+  # The x87 for one translation unit: no call notices it, but the self-test does.
   execute_process(COMMAND "${GXX}" -dumpmachine OUTPUT_VARIABLE machine)
   if(machine MATCHES "^x86_64")
     write_pragma("GCC target(\"fpmath=387\")")
@@ -27,7 +27,7 @@ if(CLANGXX)
     run_hostile("${CLANGXX}" -O2 ${few} ${flag})
     expect("standard 0," "comparisons with NaN or infinities are wrong" "${right}" "0 certified wrong, 0 hits wrong")
   endforeach()
-  # All is inlined, and differences of the program's own are there to be used again.
+  # All code is inlined, and the compiler could reuse differences that the program computes itself.
   compile("${CLANGXX}" switched -O3 -mllvm -inline-threshold=100000 "${ROOM}/flags/switched.cpp")
   run("${ROOM}/switched")
   expect("0 wrong beside changes of the control word")

@@ -1,4 +1,4 @@
-# Installs the main build, then moves the result, so that all other tests use a package that is not where it was put.
+# Installs the main build and then moves the result, so that all other tests use a relocated package.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 
 file(REMOVE_RECURSE "${PREFIX}" "${RUNTIME_PREFIX}")
@@ -7,7 +7,7 @@ file(RENAME "${PREFIX}.first" "${PREFIX}")
 run(${CMAKE_COMMAND} --install "${BUILD}" --config "${CONFIG}" --component meetc_runtime --prefix "${RUNTIME_PREFIX}.first")
 file(RENAME "${RUNTIME_PREFIX}.first" "${RUNTIME_PREFIX}")
 
-# No package file may know where it was built or first installed.
+# No package file may contain the path of the build or of the first installation.
 file(GLOB_RECURSE files "${PREFIX}/${LIBDIR}/cmake/*" "${PREFIX}/include/*")
 foreach(file IN LISTS files)
   file(READ "${file}" OUTPUT)

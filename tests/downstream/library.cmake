@@ -1,5 +1,5 @@
-# The examples of docs/library.md and the README: against the installed package they are built and run; as a subfolder
-# and by FetchContent the library's targets are found under the same names.
+# The examples of docs/library.md and the README are built and run with the installed package. As a subfolder and by
+# FetchContent, the library's targets have the same names.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room()
 file(COPY "${SOURCE}/docs/examples/library" DESTINATION "${ROOM}")
@@ -25,7 +25,7 @@ if(NOT headers STREQUAL "meetc")
   fail("installed beside include/meetc: ${headers}")
 endif()
 
-# The same project, with meetc in other ways; only planned, since the main build has compiled all that it would.
+# The same project with meetc added in other ways. It is only configured, since the main build has compiled the same code.
 function(plan how text)
   string(REPLACE "${find}" "${text}\n" changed "${lists}")
   if(changed STREQUAL lists)

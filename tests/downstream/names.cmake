@@ -1,4 +1,4 @@
-# Names that C++ keeps for itself, two scenes in one program, and the user's own warnings.
+# Names that C++ reserves, two scenes in one program, and the user's warnings.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(cell names)
 
@@ -7,7 +7,7 @@ build("${ROOM}/names")
 run("${ROOM}/names-build/app")
 expect("2 2 2" "int of meet" "namespace of meet" "second 1")
 
-# Whichever folder comes first on the include path, the support header is the same; the runtime's is, too.
+# The support header is the same whichever folder comes first on the include path, also the runtime's.
 set(generated "${ROOM}/names-build")
 file(SHA256 "${PREFIX}/include/meetc/support.hpp" wanted)
 foreach(target IN ITEMS robot_cell other_cell odd_cell)

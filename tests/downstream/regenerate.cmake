@@ -1,4 +1,4 @@
-# What a build does after a change: regenerates when it must, compiles what is new, and else does nothing.
+# After a change a build regenerates if necessary, compiles new files, and otherwise does nothing.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(regenerate)
 set(project "${ROOM}/regenerate")
@@ -27,7 +27,7 @@ expect("Generating")
 expect_none("Building" "Linking")
 build_does_nothing()
 
-# A remark changes the first line of each file, and no other; the headers in meetc/ stay.
+# A remark changes only the first line of each file; the headers in meetc/ do not change.
 file(COPY "${generated}" DESTINATION "${ROOM}/before")
 file(TIMESTAMP "${generated}/meetc/support.hpp" support_time "%s" UTC)
 file(APPEND "${project}/algebra_spec/cga3.toml" "# a remark\n")
@@ -54,7 +54,7 @@ if(NOT support_time STREQUAL support_time_after)
 endif()
 build_does_nothing()
 
-# Another meaning: one build is enough for the program to give the new answer.
+# If the meaning changes, one build is enough for the program to give the new answer.
 file(READ "${project}/algebra_spec/cga3.toml" spec)
 string(REPLACE "'(B*B)[1]'" "'3*(B*B)[1]'" changed "${spec}")
 file(WRITE "${project}/algebra_spec/cga3.toml" "${changed}")
@@ -63,7 +63,7 @@ run("${project}-build/app")
 expect("norm2 3072")
 build_does_nothing()
 
-# A mistake stops the build at its place, and the next build tries again.
+# A mistake stops the build with its location, and the next build tries again.
 string(REPLACE "'(B*B)[1]'" "'(B*C)[1]'" wrong "${spec}")
 file(WRITE "${project}/algebra_spec/cga3.toml" "${wrong}")
 run_to_fail(${CMAKE_COMMAND} --build "${project}-build")
@@ -74,7 +74,7 @@ build("${project}")
 run("${project}-build/app")
 expect("norm2 1024")
 
-# A kernel that is no longer asked for leaves no file behind; another one comes.
+# The file of a kernel that is no longer requested is removed; that of a new kernel appears.
 file(READ "${project}/robot_cell.toml" scene)
 string(REPLACE "'ball_ball'" "'sphere_sphere'" scene "${scene}")
 file(WRITE "${project}/robot_cell.toml" "${scene}")
@@ -84,12 +84,12 @@ if(EXISTS "${generated}/cell/ball_ball.hpp" OR NOT EXISTS "${generated}/cell/sph
 endif()
 build_does_nothing()
 
-# After a clean all comes back.
+# After a clean, all files are generated again.
 build("${project}" --target clean)
 build("${project}")
 build_does_nothing()
 
-# A meetc that the user names, and another meetc in its place.
+# The user names a meetc, and then replaces it by another one.
 file(COPY "${MEETC}" DESTINATION "${ROOM}")
 configure("${project}" "-DMEETC_EXECUTABLE=${ROOM}/meetc")
 build("${project}")

@@ -1,18 +1,18 @@
-# What the test scripts are made of. A step that fails ends the script with its command and all that it said.
+# The steps of the test scripts. A step that fails stops the script with its command and complete output.
 cmake_minimum_required(VERSION 3.25)
 
 set(HERE "${CMAKE_CURRENT_LIST_DIR}")
-set(PREFIX "${WORK}/prefix")          # everything installed
-set(RUNTIME_PREFIX "${WORK}/runtime") # the runtime alone
+set(PREFIX "${WORK}/prefix")          # the complete installation
+set(RUNTIME_PREFIX "${WORK}/runtime") # only the runtime
 set(ALGEBRA "${PREFIX}/${DATADIR}/meetc/algebra_spec")
 set(MEETC "${PREFIX}/bin/meetc")
-set(ROOM "${WORK}/room of ${NAME}")   # this script's own; the blanks are meant
+set(ROOM "${WORK}/room of ${NAME}")   # for this script only; the blanks are intended
 
 function(fail text)
   message(FATAL_ERROR "${NAME}: ${text}")
 endfunction()
 
-# run(COMMAND ...): must succeed; its output, both streams, is in OUTPUT.
+# run(COMMAND ...): must succeed; the output of both streams is in OUTPUT.
 macro(run)
   _run("${ARGN}")
   if(NOT RESULT EQUAL 0)
@@ -34,7 +34,7 @@ function(_run command)
   set(OUTPUT "${output}" PARENT_SCOPE)
 endfunction()
 
-# expect(TEXT ...): each stands in OUTPUT, however lines are broken.
+# expect(TEXT ...): each text is in OUTPUT, however its lines are broken.
 function(expect)
   string(REGEX REPLACE "[ \n]+" " " flat "${OUTPUT}")
   foreach(text IN LISTS ARGN)
@@ -54,7 +54,7 @@ function(expect_none)
   endforeach()
 endfunction()
 
-# fresh_room([FOLDER ...]): empties the script's own folder and copies projects from here into it.
+# fresh_room([FOLDER ...]): empties the script's folder and copies these projects into it.
 function(fresh_room)
   file(REMOVE_RECURSE "${ROOM}")
   file(MAKE_DIRECTORY "${ROOM}")

@@ -1,5 +1,5 @@
-# Checked-in files where there is no generator: with the runtime's package, and with nothing of meetc at all; and the
-# runtime itself, built without the generator and what that needs.
+# Checked-in files without a generator: with the package of the runtime, and without any part of meetc; and the runtime
+# itself, built without the generator and its dependencies.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room(cell checked_in)
 set(project "${ROOM}/checked_in")
@@ -8,7 +8,7 @@ file(COPY "${ALGEBRA}" DESTINATION "${project}")
 configure_to_fail("${project}" "-DCMAKE_PREFIX_PATH=${RUNTIME_PREFIX}" -DFIND_MEETC=ON)
 expect("cell_runtime.cpp and 8 more: not there, and it cannot be generated: there is no meetc")
 run("${MEETC}" generate "${project}/robot_cell.toml" -o "${project}/generated")
-file(REMOVE_RECURSE "${project}/algebra_spec") # not looked at
+file(REMOVE_RECURSE "${project}/algebra_spec") # not read
 
 configure("${project}" "-DCMAKE_PREFIX_PATH=${RUNTIME_PREFIX}" -DFIND_MEETC=ON --fresh)
 expect("compiles what is checked in; no robot_cell.update")
@@ -21,7 +21,7 @@ expect("2 pairs")
 configure("${project}" "-DMEETC_FUNCTIONS=${SOURCE}/gen/cmake/meetc_add_kernels.cmake" -DFIND_MEETC=OFF --fresh)
 build("${project}" --target app)
 
-# The runtime's own build: the generator's libraries are not looked for, and nothing of the generator is planned.
+# The build of the runtime does not search for the generator's libraries and has none of its targets.
 configure_command(command "${SOURCE}" -DMEETC_BUILD_GENERATOR=OFF -DMEETC_BUILD_TESTS=OFF -DMEETC_CUDA=OFF
   -DFLINT_LIBRARY=FLINT_LIBRARY-NOTFOUND)
 list(APPEND command -B "${ROOM}/meetc-build")

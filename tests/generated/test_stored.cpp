@@ -1,4 +1,4 @@
-// What sets store beside their rows: answers that read it are those that compute it, and they do read it.
+// Stored values: answers that read them equal those that compute them, and the rungs in fp32 do read them.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/operands.hpp"
@@ -23,7 +23,7 @@ const meetc::predicate_info &named(const char *name) {
   throw std::logic_error("no such predicate");
 }
 
-// Rows of every family, and pairs of them that do and do not go in step.
+// Rows of every family, with pairs of equal and of different indices.
 struct many_rows {
   row a, b;
   std::vector<meetc::index_pair> pairs;
@@ -60,7 +60,7 @@ template <class Decide> std::vector<answer> answers(const many_rows &r, const De
 
 } // namespace
 
-TEST_CASE("stored: the rungs in fp32 answer the same, bit for bit, with what is stored and without") {
+TEST_CASE("stored: the rungs in fp32 give the same answers with and without stored values") {
   for_each_predicate([](auto p) {
     INFO(p.name);
     const meetc::predicate_info &info = named(p.name);
@@ -79,7 +79,7 @@ TEST_CASE("stored: the rungs in fp32 answer the same, bit for bit, with what is 
   });
 }
 
-TEST_CASE("stored: what is stored is read") {
+TEST_CASE("stored: the stored values are read") {
   int kinds = 0;
   for_each_predicate([&](auto p) {
     INFO(p.name);
@@ -99,25 +99,25 @@ TEST_CASE("stored: what is stored is read") {
       ++kinds;
       const std::vector<float> before = *numbers;
       std::fill(numbers->begin(), numbers->end(), std::numeric_limits<float>::quiet_NaN());
-      CHECK(certify() != right); // nothing that reads it is known
+      CHECK(certify() != right); // no sign that reads it is known
       *numbers = before;
     }
   });
   CHECK(kinds == 8); // 2 of triangle_triangle; one of 6 others
 }
 
-TEST_CASE("stored: predicates share what is the same, and a triangle's normal is three numbers and their magnitudes") {
+TEST_CASE("stored: predicates share equal values, and a triangle's normal is three numbers and their magnitudes") {
   using layout = meetc::stored_layout<cga::triangle_triangle>;
   CHECK(cga::triangle_triangle::reject_stage::fields_a == 3);
   CHECK(layout::floats_a == 6);
   CHECK(layout::floats_b == 6);
-  CHECK(cga::triangle_triangle::common_stage::fields_a == 0); // differences
+  CHECK(cga::triangle_triangle::common_stage::fields_a == 0); // only differences
   const meetc::stored_values normal = named("triangle_triangle").stored_a;
   CHECK(named("triangle_triangle").stored_b.number == normal.number);
   CHECK(named("segment_triangle").stored_b.number == normal.number);
   CHECK(named("segment_triangle").stored_a.number == -1);
   CHECK(named("ball_triangle").stored_b.number != normal.number);
-  // Sharing means equal numbers: on rows of every family, for every two predicates that share.
+  // Two predicates that share stored values compute equal numbers on rows of every family.
   for_each_predicate([](auto p) {
     for_each_predicate([&](auto q) {
       INFO(p.name << ' ' << q.name);
@@ -139,7 +139,7 @@ TEST_CASE("stored: predicates share what is the same, and a triangle's normal is
   });
 }
 
-TEST_CASE("stored: nothing is stored while rounding is not to nearest") {
+TEST_CASE("stored: nothing is stored unless rounding is to nearest") {
   const meetc::stored_values v = named("triangle_triangle").stored_a;
   const row one{0, 0, 0, 1, 0, 0, 0, 1, 0};
   std::vector<float> out(static_cast<std::size_t>(v.floats), 7.0F);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bites.sh: a small tree that keeps the order passes includes.sh, and each fault that is planted in it is told with its
-# place.
+# bites.sh: a small tree that keeps the order passes includes.sh, and each fault that is planted in it is reported with its
+# location.
 set -euo pipefail
 check=$(cd "$(dirname "$0")" && pwd)/includes.sh
 tree=$(mktemp -d)
@@ -37,7 +37,7 @@ sound() {
   put generated/default/cga/kinds.hpp '#include <meetc/table.hpp>'
 }
 
-# refused TEXT FILE LINE: with LINE at the end of FILE the check fails and says TEXT.
+# refused TEXT FILE LINE: with LINE at the end of FILE the check fails with a message that contains TEXT.
 refused() {
   local said
   sound
@@ -76,4 +76,4 @@ refused "generated code includes <meetc/...> and its own files, not <fmt/format.
 refused '"nowhere.hpp" is no file of this tree' gen/lang/load.hpp '#include "nowhere.hpp"'
 refused "this file lies in no room of the order" gen/somewhere/new.hpp '#include <string>'
 refused "a cycle of includes: generated/default/cga/" generated/default/cga/kinds.hpp '#include <cga/cga.hpp>'
-echo "a sound tree passes, and each fault is told"
+echo "a sound tree passes, and each fault is reported"

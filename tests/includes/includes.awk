@@ -1,17 +1,17 @@
 # includes.awk: reads `FILE:LINE:#include ...` lines, as grep prints them, and the list of all files before them
-# (-v files=LIST), and holds each include against the order of the rooms. Prints a line for each fault; with -v draw=1 it
-# prints the picture of the rooms instead. Exit code 1: there is a fault.
+# (-v files=LIST), and compares each include with the order of the rooms. It prints a line for each fault; with -v draw=1 it
+# prints the picture of the rooms instead. The exit code is 1 if there is a fault.
 #
-# A room includes itself and the rooms before it. What stands otherwise in this table is the exception.
+# A room may include itself and the rooms before it. This table has the exceptions.
 BEGIN {
-  # The generator, in its order. `oracle` is a judge that shares nothing with the others.
+  # The generator, in its order. `oracle` is a judge that is independent of the others.
   split("support lang algebra poly ir bound lower passes target", order_gen, " ")
   for (i = 1; i in order_gen; ++i) {
     rooms["gen/" order_gen[i]] = 1
     for (j = 1; j <= i; ++j)
       may["gen/" order_gen[i], "gen/" order_gen[j]] = 1
   }
-  delete may["gen/target", "gen/algebra"] # targets read what lowering has worked out
+  delete may["gen/target", "gen/algebra"] # targets read the results of lowering
   rooms["gen/oracle"] = rooms["gen/verify"] = rooms["gen"] = 1
   may["gen/oracle", "gen/oracle"] = 1
   for (room in rooms) {
@@ -26,7 +26,7 @@ BEGIN {
     for (j = 1; j <= i; ++j)
       may["runtime/" order_runtime[i], "runtime/" order_runtime[j]] = 1
   }
-  # Shapes and predicates are known to the program and its benchmarks alone. Generated code includes the kernel headers and its own.
+  # Only the program and its benchmarks know shapes and predicates. Generated code includes the kernel headers and its own.
   rooms["generated"] = 1
   may["generated", "generated"] = may["generated", "runtime/kernel"] = 1
   may["runtime/app", "generated"] = may["runtime/bench", "generated"] = may["runtime/main", "generated"] = 1
@@ -43,7 +43,7 @@ function folder(path) {
   return path
 }
 
-# The room that a file lies in, or "".
+# The room of a file, or "".
 function room_of(path,    room) {
   if (path == "runtime/main.cpp")
     return "runtime/main"
@@ -55,13 +55,13 @@ function room_of(path,    room) {
   return ""
 }
 
-# generated/default/cga: where a generated file's namespace lies.
+# The folder of a generated file's namespace: generated/default/cga.
 function namespace_of(path,    part) {
   split(path, part, "/")
   return part[1] "/" part[2] "/" part[3]
 }
 
-# The file that an include of `from` names: in its own folder, the tree, runtime/, runtime/kernel/ or a folder of generated/.
+# The file that an include in `from` names: in the same folder, the tree, runtime/, runtime/kernel/ or a folder of generated/.
 function resolve(from, name,    file) {
   if ((folder(from) "/" name) in exists)
     return folder(from) "/" name
@@ -100,7 +100,7 @@ function fault(text) {
   }
   target = resolve(file, name)
   if (target == "") {
-    # Another library's; generated code has the language's own headers alone, and those have no folder.
+    # The header of another library. Generated code includes only standard headers, which have no folder.
     if (quoted)
       fault(place ": \"" name "\" is no file of this tree")
     else if (here == "generated" && name ~ /\//)
@@ -116,7 +116,7 @@ function fault(text) {
   follows[file] = follows[file] " " target
 }
 
-# Depth first; `path` is the way here.
+# A depth-first search; `path` is the current path.
 function visit(file, path,    next_files, count, i) {
   state[file] = 1
   count = split(follows[file], next_files, " ")
@@ -132,7 +132,7 @@ function visit(file, path,    next_files, count, i) {
   state[file] = 2
 }
 
-# The picture leaves an arrow out where a longer way says as much.
+# The picture omits an arrow if a longer path implies it.
 function reaches(from, to, long,    room) {
   if (!long && ((from, to) in arrow))
     return 1

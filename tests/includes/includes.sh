@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# includes.sh [--draw|--check] [TREE]: holds every #include of gen/, runtime/ and generated/ against the order of the rooms
-# (includes.awk has it), and looks for cycles. --draw writes the picture of the rooms to docs/images/includes.dot, and
-# includes.svg beside it where Graphviz is installed; --check fails where includes.dot would change.
+# includes.sh [--draw|--check] [TREE]: compares every #include of gen/, runtime/ and generated/ with the order of the rooms
+# in includes.awk, and looks for cycles. --draw writes the picture of the rooms to docs/images/includes.dot, and
+# includes.svg beside it if Graphviz is installed; --check fails if includes.dot would change.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 mode=order

@@ -4,11 +4,11 @@
 #   prove      every script is proved
 #   theorems   of rounding, each proof uses only what also holds in finer formats (gen/target/gappa/gappa.cpp)
 #   quarter    with a quarter of its bound, no script is proved
-#   roundings  every rounding counts: without it the bound that Gappa finds is less, with one more it is more than the
-#              script's
-#   coq        Coq accepts each proof, and refuses what is false (coq/coq.sh)
-# Two scripts are not of signs: half_parts, and ball_filter, whose errors are variables. There `quarter` divides each
-# part of the margin by 4, and `roundings` doubles each error, widens what else counts, and spoils the rule.
+#   roundings  every rounding counts: without one, the bound that Gappa finds is smaller; with one more, it is larger than
+#              the script's
+#   coq        Coq accepts each proof, and refuses false claims (coq/coq.sh)
+# Two scripts are not about signs: half_parts, and ball_filter, whose errors are variables. For these `quarter` divides
+# each part of the margin by 4, and `roundings` doubles each error, widens the other ranges, and breaks the rule.
 set -euo pipefail
 check=$1 gappa=$2 coqc_found=$3
 shift 3
@@ -35,10 +35,10 @@ best() {
     sed -nE 's/.*\|[ve] - e\| in \[0, 0\]/0/p; s/.*\|v - e\| in .*\{([0-9.e+-]*),.*/\1/p'
 }
 
-# is A OPERATOR B: compares numbers; false where one is missing.
+# is A OPERATOR B: compares numbers; false if one is missing.
 is() { awk -v a="$1" -v b="$3" 'BEGIN {exit !(a != "" && b != "" && (a + 0) '"$2"' (b + 0))}'; }
 
-# refused FILE WHY: the script on stdin has another text than FILE's, and Gappa does not prove it.
+# refused FILE WHY: the script on stdin differs from FILE, and Gappa does not prove it.
 refused() {
   local changed said
   changed=$(cat)
@@ -56,7 +56,7 @@ refused() {
   }
 }
 
-# quarters FILE: the changes (of sed) that make its claim false: each takes a quarter of a bound or of what it rests on.
+# quarters FILE: the changes (for sed) that make its claim false: each takes a quarter of a bound or of its premise.
 quarters() {
   local part m e
   case $(basename "$1" .gappa) in
@@ -77,7 +77,7 @@ quarters() {
   esac
 }
 
-# one_filter FILE: the same for the scripts that are not of signs.
+# one_filter FILE: the same for the scripts that are not about signs.
 one_filter() {
   local text change said changes=()
   text=$(grep -v '^#' "$1")
@@ -86,10 +86,10 @@ one_filter() {
     for change in 'e[xy][0-3]' 'i[xy][0-3]' 't[xy][0-3]' 'p[0-3]' 'p[xy]' 'z[xy]'; do
       changes+=("s/\\|($change)\\| <= 1b/|\\1| <= 2b/; s/\\|($change)\\| <= 17b/|\\1| <= 34b/")
     done
-    # What is lost of the first part, the second has: it counts for little.
+    # The second part contains what the first one loses, so it counts for little.
     changes+=('s/\|(s[xy][0-3])\| <= 1b/|\1| <= 64b/'
       's/(w[xy]) in \[0, 8\]/\1 in [-8, 8]/' 's/(d[xy][0-3]) in \[-1, 1\]/\1 in [-2, 2]/' 's/  F <= 0/  F <= 1/')
-    # Gappa takes a rule that is no identity, but says so.
+    # Gappa accepts a rule that is not an identity, but says so.
     said=$(sed 's/(W0 + W1/(2 * W0 + W1/' <<<"$text" | timeout "$limit" "$gappa" 2>&1) || true
     [[ $said == *"not trivially equal"* ]] || bad "$1: Gappa does not check the rule"
     echo identity
@@ -108,7 +108,7 @@ one_filter() {
   done
 }
 
-# one FILE: prints a line for each check that went well. 255 stops xargs.
+# one FILE: prints a line for each check that passed. 255 stops xargs.
 one() {
   local text line n least bound changed changes
   text=$(grep -v '^#' "$1")
@@ -152,11 +152,11 @@ one() {
     bound=$(sed -nE 's/.*\|v - e\| <= ([0-9]+)b-([0-9]+) \}$/\1 \2/p' <<<"$text" | awk '{printf "%.9g", $1 / 2 ^ $2}')
     is "$least" "<=" "$bound" || bad "$1: Gappa finds the bound '$least' and not '$bound'"
     while read -r n line; do
-      # One rounding less.
+      # One rounding is removed.
       changed=$(sed "${n}s/= rnd(\(.*\));/= \1;/" <<<"$text" | best)
       is "$changed" "<" "$least" || bad "$1: '$line' counts for nothing ('$changed' without it, '$least' with it)"
       echo less
-      # One more: a product that was fused is rounded by itself.
+      # One rounding is added: a product that was fused is rounded separately.
       [[ $line == *" * "*" "[+-]" "* ]] || continue
       changed=$(sed -E "${n}s/rnd\((.* \* .*) ([+-] [a-z0-9 *]+)\);/rnd(rnd(\1) \2);/" <<<"$text" | best)
       is "$changed" ">" "$bound" || bad "$1: '$line' unfused is within the bound too ('$changed' of '$bound')"
@@ -168,7 +168,7 @@ one() {
 }
 export -f one one_filter quarters refused best is
 
-# The same script may lie in several folders; once is enough but for `prove`.
+# The same script may be in several folders; except for `prove`, it is checked once.
 mapfile -t scripts < <(
   find "$@" -path '*/proofs/*.gappa' | while read -r f; do
     echo "$({ [ "$check" != prove ] || echo "$f"; grep -v '^#' "$f"; } | sha1sum | cut -d' ' -f1) $f"

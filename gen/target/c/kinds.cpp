@@ -60,18 +60,17 @@ std::string c_kinds(const unit &u) {
   std::string out = fmt::format("static inline int {}_sign_of(double v) {{ return (v > 0) - (v < 0); }}\n\n",
                                 identifier(u.scene.space));
   for (const lower::lowered_kind &k : u.kinds) {
-    out += fmt::format("/* {}: as it is stored, {} numbers. */\n", k.name, k.reals.size());
+    out += fmt::format("/* A {} as it is stored: {} numbers. */\n", k.name, k.reals.size());
     for (const c_number &n : c_numbers)
       out += stored_struct(u, k, n);
-    out += fmt::format(
-        "/* Whether all numbers are finite and the kind's rule holds: what predicates take for granted. */\n"
-        "bool {}_valid_{}(const {} *k);\n\n",
-        identifier(u.scene.space), identifier(k.name), c_name(u, k.name, c_numbers[1]));
+    out += fmt::format("/* Whether all numbers are finite and the kind's rule holds. Predicates assume it. */\n"
+                       "bool {}_valid_{}(const {} *k);\n\n",
+                       identifier(u.scene.space), identifier(k.name), c_name(u, k.name, c_numbers[1]));
   }
   for (const lower::lowered_kind &k : u.kinds) {
     if (!k.has_blade())
       continue;
-    out += fmt::format("/* The blade of a {}, and how it is made from what is stored. */\n", k.name);
+    out += fmt::format("/* The blade of a {}, and how to compute it from stored numbers. */\n", k.name);
     for (const c_number &n : c_numbers)
       out += blade_struct(u, k, n);
     for (const lower::blade_maker &m : k.makers) {

@@ -20,7 +20,7 @@ syntax cpp_syntax(const std::string &type, const std::function<std::string(int)>
           "W",  "meetc::times<W>"};
 }
 
-// A statement, and what it says: beside it where there is room, else above it.
+// A statement with a remark, which goes on the same line if there is room and otherwise on the line above.
 std::string line(const std::string &indent, const std::string &statement, const std::string &remark = "") {
   if (remark.empty())
     return fmt::format("{}{}\n", indent, statement);

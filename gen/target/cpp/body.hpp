@@ -9,18 +9,18 @@
 
 namespace meetc::target {
 
-// How a program's inputs are read and its results are kept.
+// How a program reads its inputs and assigns its results.
 struct body_names {
-  std::function<std::string(int)> input;                               // input number to an expression
-  std::function<std::string(std::size_t, const std::string &)> result; // result number and value to a statement
+  std::function<std::string(int)> input;                               // from input number to expression
+  std::function<std::string(std::size_t, const std::string &)> result; // from result number and value to statement
   std::string type = "T";
 };
 
-// All of a program. Values that are used once are written where they are used.
+// The whole program. Values that are used once are written where they are used.
 std::string body(const ir::program &p, const body_names &names, const std::string &indent);
 
-// What a program stores beside the objects: statements that fill f[0], f[1], ..., and how the pair reads them, fa[i] and
-// fb[i].
+// The values that a program stores beside the objects: statements that compute f[0], f[1], ..., and the expressions
+// fa[i] and fb[i] by which the pair reads them.
 struct stored_body {
   int fields_a = 0, fields_b = 0;
   std::string object_a, object_b;
@@ -29,18 +29,18 @@ struct stored_body {
 stored_body stored_parts(const ir::program &p, const std::function<std::string(int)> &input, const std::string &type,
                          const std::string &indent);
 
-// What runs for each pair. With `mixed`, values of degree 3 and more are of type W, the others of names.type. A result's
-// remark says what it is; no remarks: none has one.
+// The code that runs for each pair. With `mixed`, values of degree 3 and more have type W, the others names.type. A
+// result's remark describes it; an empty list means no remarks.
 std::string pair_body(const ir::program &p, const stored_body &stored, const body_names &names, bool mixed,
                       const std::vector<std::string> &remarks, const std::string &indent);
 
 // "27 multiplications, 17 additions"; fused multiply-adds count as one of each.
 std::string count_text(const ir::counts &c);
 
-// A polynomial with other variable names.
+// A polynomial with these variable names.
 std::string poly_with_names(const poly::poly &p, const std::vector<std::string> &names);
 
-// Breaks a long sum after operators, each line behind `prefix`.
+// Breaks a long sum at its operators; each line starts with `prefix`.
 std::string wrapped(const std::string &text, const std::string &prefix, std::size_t width = 110);
 
 } // namespace meetc::target

@@ -14,7 +14,7 @@ std::string leaf_text(const leaf &l, const emitted_predicate &p) {
   return l.subtrahend < 0 ? p.input(l.minuend) : fmt::format("{} - {}", p.input(l.minuend), p.input(l.subtrahend));
 }
 
-// A function of the sign's number that looks its value up; equal values for all become one constant.
+// A function that looks up a value by the sign's number; if all values are equal, it returns a constant.
 std::string lookup(const char *type, const char *name, const std::vector<std::string> &values) {
   const std::string head = fmt::format("  MEETC_HD static {} {}(", type, name);
   if (std::all_of(values.begin(), values.end(), [&](const std::string &v) { return v == values.front(); }))
@@ -47,7 +47,7 @@ std::string extent_text(const char *object, const std::vector<leaf> &leaves, con
                      operand.empty() ? "" : fmt::format("row_{}", object), operand, body);
 }
 
-// The magnitudes as functions: of each object, where some are stored beside it, and of the pair.
+// The magnitudes as functions: one for each object that stores some, and one for the pair.
 std::string magnitudes_text(const bound::stage_bounds &b, const emitted_predicate &p) {
   const ir::program &code = b.magnitudes;
   const auto input = [&](int i) {
@@ -55,7 +55,7 @@ std::string magnitudes_text(const bound::stage_bounds &b, const emitted_predicat
   };
   const stored_body stored = stored_parts(
       code, [](int i) { return fmt::format("l{}", i); }, "T", "    ");
-  // Each leaf that a part reads has a name, since it takes some operations.
+  // Each leaf that a part reads is a named constant, since it takes some operations.
   const auto with_leaves = [&](const std::vector<ir::node_id> &results, const std::vector<ir::node_id> &given,
                                const std::string &text) {
     std::string out;
@@ -73,10 +73,10 @@ std::string magnitudes_text(const bound::stage_bounds &b, const emitted_predicat
                        "Leaf &leaf, T *f) {{\n{}  }}\n",
                        which, row(text, which == 'a' ? "row_a" : "row_b"), text);
   };
-  std::string out =
-      fmt::format("  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.\n"
-                  "  static constexpr int magnitudes_of_a = {}, magnitudes_of_b = {};\n",
-                  stored.fields_a, stored.fields_b);
+  std::string out = fmt::format(
+      "  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.\n"
+      "  static constexpr int magnitudes_of_a = {}, magnitudes_of_b = {};\n",
+      stored.fields_a, stored.fields_b);
   if (stored.fields_a > 0)
     out += object('a', poly::residency::a, stored.object_a);
   if (stored.fields_b > 0)
@@ -155,7 +155,7 @@ std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_pred
   const auto row = [&](const char *name) {
     return fmt::format("const float *{}", operands.find(name) == std::string::npos ? "" : name);
   };
-  std::string out = fmt::format("  // Which points are equal, as bits: some signs are zero then, see zero_if.\n"
+  std::string out = fmt::format("  // Bits of the points that coincide; zero_if says which signs are then zero.\n"
                                 "  static constexpr int coincidences = {};\n"
                                 "  MEETC_HD static unsigned coincident({}, {}) {{\n{}  }}\n",
                                 b.coincidences.size(), row("row_a"), row("row_b"),
@@ -164,7 +164,7 @@ std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_pred
   std::string axes;
   for (const int axis : b.axes)
     axes += fmt::format("{}{}", axes.empty() ? "" : ", ", axis);
-  return out + fmt::format("  // The axis of each input, or -1 where it stands alone.\n"
+  return out + fmt::format("  // The axis of each input, or -1 if it occurs outside a difference.\n"
                            "  MEETC_HD static constexpr int axis(int i) {{\n    constexpr int all[] = {{{}}};\n    "
                            "return all[i];\n  }}\n",
                            axes);

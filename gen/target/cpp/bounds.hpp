@@ -6,12 +6,12 @@
 
 namespace meetc::target {
 
-// A dyadic rational as a hexadecimal C++ literal, exact; suffix "f" for float.
+// A dyadic rational as an exact hexadecimal C++ literal; the suffix is "f" for float.
 std::string hex_literal(const ir::rational &q, const char *suffix);
 
-// Members of a stage: factor, box, magnitudes, extents, zeros, window.
+// The members of a stage: factor, box, magnitudes, extents, zeros, window.
 std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage &stage, const emitted_predicate &p);
-// Members of a predicate: coincidences, axes.
+// The members of a predicate: coincidences, axes.
 std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_predicate &p);
 
 } // namespace meetc::target

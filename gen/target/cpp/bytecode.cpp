@@ -13,14 +13,14 @@ namespace {
 using ir::node_id;
 using ir::place;
 
-// A value, and the register that holds it.
+// A value and the register that holds it.
 struct held {
   node_id id;
   int in;
 };
 
-// The domain of the fold that writes instructions. A register is taken again once the value in it has been read for the
-// last time.
+// The domain of the fold that writes instructions. A register is reused once its value has been read for the last
+// time.
 class scheduler {
 public:
   using value = held;
@@ -110,7 +110,7 @@ private:
     if (--readers_[x.id] == 0)
       free_.insert(x.in);
   }
-  // The value of this place, made from `operands`; where it is a result, its sign is taken at once.
+  // The value of this node, computed from `operands`; if it is a result, its sign is taken at once.
   value made(const place &at, int r, std::initializer_list<value> operands) {
     const value out{at.id, r};
     for (const value &x : operands)

@@ -6,7 +6,7 @@
 
 namespace meetc::target {
 
-// The members registers, instruction_count and instruction_at of a stage. Inputs stand in the first registers.
+// The members registers, instruction_count and instruction_at of a stage. The first registers hold the inputs.
 std::string bytecode_text(const ir::program &p, int inputs);
 
 } // namespace meetc::target

@@ -8,14 +8,14 @@ std::string banner(const lang::scene &s, const std::string &what, const char *co
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes = {},
                         const std::vector<std::string> &kernel_headers = {});
 std::string close_header(const lang::scene &s);
-// Long lines of code broken after commas.
+// Breaks long lines of code after commas.
 std::string broken_lines(const std::string &text);
 
 // The structs of all kinds.
 std::string kinds_header(const unit &u);
-// What the header of a formula has inside its namespace.
+// The contents of a formula's namespace in its header.
 std::string formula_header(const unit &u, const lower::kernel &k);
-// The header of a kernel that is made of signs, after its banner.
+// The header of a kernel that consists of signs, after its banner.
 std::string kernel_header(const unit &u, std::size_t kernel);
 // The code of the generated library, for header-only users.
 std::string header_only(const unit &u);
@@ -23,7 +23,7 @@ std::string header_only(const unit &u);
 std::vector<const lower::kernel *> predicates_of(const unit &u);
 // The kinds that predicates take, in the spec's order.
 std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
-// The place of a kernel's operand among them.
+// The index of a kernel's operand among them.
 std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
                           std::size_t operand);
 std::string shapes_header(const unit &u);

@@ -1,4 +1,4 @@
-// A formula as functions on blades and on what is stored.
+// A formula as functions on blades and on stored operands.
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
@@ -9,7 +9,7 @@
 namespace meetc::target {
 namespace {
 
-// Marks an operand that nothing reads, so that no compiler warns of it.
+// Marks an operand that nothing reads, so that no compiler warns about it.
 std::string unused_mark(const std::string &body, const std::string &name) {
   return body.find(name + '.') == std::string::npos ? "[[maybe_unused]] " : "";
 }
@@ -75,16 +75,17 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
                        kernel_function(k.asked), parameters("_blade", code), type, code, rest);
   }
-  // On what is stored.
+  // On stored operands.
   if (number) {
     std::vector<std::string> inputs;
     for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
       for (const lower::stored_real &r : u.kind(k.asked.kinds[i]->name).reals)
         inputs.push_back(identifier(k.asked.names[i]) + '.' + path_identifier(r.path));
     names.input = [&](int i) { return inputs[static_cast<std::size_t>(i)]; };
-    out += fmt::format("\n// {} from what is stored, in differences where a translation changes nothing; B is never "
-                       "formed.\n// {}.\n",
-                       k.asked.text, count_text(ir::count(f.from_stored.nodes, f.from_stored.results)));
+    out +=
+        fmt::format("\n// {} from stored numbers, in differences if it is translation invariant; B is not computed.\n"
+                    "// {}.\n",
+                    k.asked.text, count_text(ir::count(f.from_stored.nodes, f.from_stored.results)));
     const std::string code = body(f.from_stored, names, "  ");
     out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
                        parameters("", code), code);

@@ -1,4 +1,4 @@
-// What emitted files have around their own text: a banner, an include guard, the namespace, lines of a bounded length.
+// The frame of emitted files: a banner, an include guard, the namespace, and lines of a bounded length.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 
@@ -29,7 +29,7 @@ std::string banner(const lang::scene &s, const std::string &what, const char *co
 std::string open_header(const lang::scene &s, const std::string &name, const std::vector<std::string> &includes,
                         const std::vector<std::string> &kernel_headers) {
   const std::string space = identifier(s.space);
-  // The length keeps guards apart where '_' could stand for the border of two names.
+  // The length keeps guards different where '_' could be the border between two names.
   std::string out = fmt::format("#ifndef MEETC_{2}_{0}_{1}_HPP\n#define MEETC_{2}_{0}_{1}_HPP\n\n#include "
                                 "<meetc/support.hpp>\n",
                                 space, name, space.size());

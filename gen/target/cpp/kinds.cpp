@@ -1,4 +1,4 @@
-// Kinds as structs: what is stored, whether it is valid, its row, and its blade with the ways to make it.
+// Kinds as structs: the stored numbers, whether they are valid, their row, and the blade with its constructors.
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
@@ -8,7 +8,7 @@
 namespace meetc::target {
 namespace {
 
-// What predicates take for granted of an operand: finite numbers, and the kind's `where`.
+// The condition that predicates assume of an operand: finite numbers, and the kind's `where`.
 std::string valid_text(const lower::lowered_kind &k) {
   std::string holds;
   for (const lower::stored_real &r : k.reals)
@@ -19,20 +19,20 @@ std::string valid_text(const lower::lowered_kind &k) {
     holds += " &&\n      " + rule_test(*k.enclosed, "k." + path);
     rule = fmt::format(" and {}", k.enclosed->rule_text);
   }
-  return fmt::format("// Whether all numbers are finite{}, on their bits: what predicates take for granted.\n"
+  return fmt::format("// Whether all numbers are finite{}, by their bits. Predicates assume it.\n"
                      "template <class T> MEETC_HD inline bool valid(const {}<T> &k) {{\n  return {};\n}}\n",
                      rule, identifier(k.name), holds);
 }
 
 std::string struct_text(const unit &u, const lower::lowered_kind &k) {
   const std::string name = identifier(k.name);
-  std::string out = fmt::format("// {}: as it is stored, {} numbers.\ntemplate <class T = float> struct {} {{\n",
+  std::string out = fmt::format("// A {} as it is stored: {} numbers.\ntemplate <class T = float> struct {} {{\n",
                                 k.name, k.reals.size(), name);
   for (std::size_t i = 0; i < k.fields.size();) {
-    // Neighbours of one type share a line.
+    // Adjacent members of one type share a line.
     std::vector<std::string> names;
     const std::string &type = k.fields[i].type;
-    bool clash = false; // a member named like its type would change what the type's name means
+    bool clash = false; // a member named like its type would change the meaning of that name
     for (; i < k.fields.size() && k.fields[i].type == type; ++i) {
       names.push_back(identifier(k.fields[i].name));
       for (const lang::field &f : k.fields)
@@ -49,7 +49,7 @@ std::string struct_text(const unit &u, const lower::lowered_kind &k) {
   return out + "}\n" + valid_text(k) + "\n";
 }
 
-// The row of a kind as its struct, from the number `at` on; `at` moves behind it.
+// Reads a kind's struct from the row, starting at `at`, which moves past it.
 std::string members_in_row(const unit &u, const lower::lowered_kind &k, int &at) {
   std::string out;
   for (const lang::field &f : k.fields)
@@ -106,11 +106,11 @@ std::string maker_text(const lower::lowered_kind &k) {
 } // namespace
 
 std::string kinds_header(const unit &u) {
-  std::string out = banner(u.scene, "Kinds: what is stored, and the blades that it stands for.");
+  std::string out = banner(u.scene, "Kinds: the stored numbers, and the blades that they represent.");
   out += open_header(u.scene, "file_kinds");
   for (const lower::lowered_kind &k : u.kinds)
     out += struct_text(u, k);
-  out += "// Kinds as their rows hold them.\nnamespace detail {\n";
+  out += "// Reads kinds from rows.\nnamespace detail {\n";
   for (const lower::lowered_kind &k : u.kinds)
     out += row_reader(u, k);
   out += "} // namespace detail\n\n";

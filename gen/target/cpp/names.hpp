@@ -10,9 +10,9 @@ namespace meetc::target {
 std::string identifier(const std::string &name);
 // "c.x" with each part mangled.
 std::string path_identifier(const std::string &path);
-// The field of a blade: "e1_n"; the scalar's is "scalar".
+// The field of a blade: "e1_n", or "scalar".
 std::string blade_field(const lower::basis_blade &b);
-// A function's or struct's name for a kernel.
+// The name of a kernel's function or struct.
 std::string kernel_function(const lower::request &r);
 // Whether a number obeys a kind's rule, as C++ code that tests its bits.
 std::string rule_test(const lower::enclosure &e, const std::string &number);

@@ -9,7 +9,7 @@
 namespace meetc::target {
 namespace {
 
-// An operand's name as a local variable: not one that emitted functions use themselves.
+// An operand's name as a local variable, different from those that emitted functions use themselves.
 std::string operand_name(const std::string &name) {
   std::string out = identifier(name);
   const bool numbered = out.size() > 1 && std::string("tlms").find(out[0]) != std::string::npos &&
@@ -37,7 +37,7 @@ constexpr const char *exact_comment = "Right for all valid operands (see valid()
 constexpr const char *plain_comment =
     "Takes the sign of the value computed in T (float, double), whose error is not bounded.";
 
-// Functions of two rows that the generated library holds.
+// The functions of two rows that the generated library contains.
 std::string library_functions(const emitted_predicate &p, const char *type) {
   constexpr const char *rows = "(const float *row_a, const float *row_b);\n";
   std::string out;
@@ -50,7 +50,7 @@ std::string library_functions(const emitted_predicate &p, const char *type) {
   if (p.has_rare() && p.asks_plain())
     out += fmt::format("  template <class T> static bool whole_plain{}", rows);
   return out.empty() ? out
-                     : "\n  // Few pairs need these. They are compiled in the generated library, or where <" +
+                     : "\n  // Only few pairs need these. They are compiled in the generated library, or where <" +
                            identifier(p.of.scene.space) + "/header_only.hpp> is included.\n" + out;
 }
 
@@ -112,7 +112,7 @@ std::string emitted_predicate::input(int i) const {
 std::string emitted_predicate::operands_in(const std::string &text, const std::string &indent) const {
   std::string out;
   const auto read = [&](const std::string &operand, const std::string &kind, const char *row) {
-    // Not the end of a longer name.
+    // This must not be the end of a longer name.
     for (std::size_t at = text.find(operand + '.'); at != std::string::npos; at = text.find(operand + '.', at + 1))
       if (at == 0 ||
           (std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0 && text[at - 1] != '_' && text[at - 1] != '.')) {
@@ -214,7 +214,7 @@ std::string kernel_header(const unit &u, std::size_t number) {
     includes.push_back(callee + ".hpp");
   return open_header(u.scene, "kernel_" + name, includes) +
          (p.kernel.is_sign ? sign_text(u, number) : predicate_text(u, number)) +
-         fmt::format("\n}} // namespace {}\n\n#if defined(__CUDACC__) // on the device everything is "
+         fmt::format("\n}} // namespace {}\n\n#if defined(__CUDACC__) // on a device, all code is "
                      "inline\n{}#endif\n\n#endif\n",
                      identifier(u.scene.space), detail_header(p, "rest"));
 }

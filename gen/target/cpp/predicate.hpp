@@ -1,4 +1,4 @@
-// The parts of an emitted predicate, between the files that write them.
+// The parts of an emitted predicate, shared by the files that write them.
 #pragma once
 #include "gen/target/cpp/cpp.hpp"
 
@@ -15,7 +15,7 @@ struct emitted_stage {
   int first;                         // the number of its first sign
 };
 
-// A kernel that is made of signs, with the names that its parts have in the text.
+// A kernel that consists of signs, with the names of its parts in the text.
 struct emitted_predicate {
   const unit &of;
   const lower::kernel &kernel;
@@ -27,32 +27,32 @@ struct emitted_predicate {
   std::vector<emitted_stage> stages;
 
   emitted_predicate(const unit &u, std::size_t number);
-  const emitted_stage *stage(const std::string &which) const; // null where it is not there
+  const emitted_stage *stage(const std::string &which) const; // null if there is none
   bool has_rare() const { return stage("rare") != nullptr; }
   bool asks_plain() const { return of.asks_plain(); }
   bool of_scene(const lower::sub_decision &c) const;
   std::string input(int i) const; // "A.c.y"
-  // Declarations of the operands that a text mentions, read from the rows row_a and row_b of the type T.
+  // Declares the operands that a text mentions. They are read from the rows row_a and row_b of type T.
   std::string operands_in(const std::string &text, const std::string &indent) const;
 };
 
-// "struct reject_stage ..."; `scope` goes before the name where the stage is defined outside of its predicate.
+// "struct reject_stage ..."; `scope` precedes the name if the stage is defined outside its predicate.
 std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const std::string &scope);
-// A function of the decision that holds where any of the truths does.
+// A function of the decision that is true if any of these truths is.
 std::string truth_function(const emitted_predicate &p, const std::string &name, const std::vector<int> &any_of,
                            const std::string &scope);
 
-// The predicates whose decisions this one's calls: those that the scene asks for, too.
+// The predicates whose decisions this decision calls, among those that the scene asks for.
 std::vector<std::string> called_by(const emitted_predicate &p);
 
-// The files in detail/: bounds of the stages before the rare one; all that only the rungs after fp32 need.
+// The files in detail/: the bounds of the stages before the rare one, and all that only the rungs after fp32 need.
 std::string bounds_header(const emitted_predicate &p);
 std::string rest_header(const emitted_predicate &p);
-// Definitions of what is compiled in the generated library; `head` goes before each.
+// Definitions of the functions that are compiled in the generated library; `head` precedes each.
 std::string out_of_line(const emitted_predicate &p, const std::string &head);
-// The source of the library that compiles it.
+// The source of the library that compiles them.
 std::string predicate_source(const emitted_predicate &p);
-// "triangle_triangle_info": the function in detail:: that gives a predicate's entry of the runtime's table.
+// "triangle_triangle_info": the function in detail:: that returns a predicate's entry in the runtime's table.
 std::string info_function(const lower::kernel &k);
 
 } // namespace meetc::target

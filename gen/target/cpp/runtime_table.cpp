@@ -36,7 +36,7 @@ std::size_t element_place(const std::vector<const lower::lowered_kind *> &elemen
 
 namespace {
 
-// The CSV header: axes alone where there is one point, numbered where there are more.
+// The CSV header: only the axes where there is one point, with numbers where there are more.
 std::string csv_names(const lower::lowered_kind &k) {
   std::vector<std::string> names;
   for (const lower::stored_real &r : k.reals) {
@@ -51,7 +51,7 @@ std::string csv_names(const lower::lowered_kind &k) {
   return join(names, ",");
 }
 
-// What each stored number is, for moving it.
+// The role of each stored number, by which it is moved.
 std::vector<std::string> roles_of(const lower::lowered_kind &k) {
   std::vector<std::string> roles;
   int i = 0;
@@ -123,8 +123,10 @@ std::string shapes_header(const unit &u) {
   std::string out =
       banner(u.scene, "Bounded kinds: where a row holds their points and radius, and their closed boxes.") +
       open_header(u.scene, "file_shapes") +
-      "// place(): where the row holds a coordinate of a point of the hull; -1: it is 0. pad: where it holds the\n"
-      "// radius around the hull; -1: there is none. box(): never too small, where subnormals are not flushed.\n\n";
+      "// place(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the index of "
+      "the\n"
+      "// radius around the hull; -1: there is none. box(): never too small, provided that subnormals are not "
+      "flushed.\n\n";
   for (const lower::lowered_kind *k : element_kinds(u))
     out += shape_text(*k);
   out.pop_back();

@@ -12,7 +12,7 @@ std::string info_function(const lower::kernel &k) {
 
 std::string predicate_source(const emitted_predicate &p) {
   const std::string space = identifier(p.of.scene.space), name = p.kernel.asked.name();
-  std::string out = banner(p.of.scene, fmt::format("The rungs of {} that few pairs need.", p.kernel.asked.text));
+  std::string out = banner(p.of.scene, fmt::format("The parts of {} that only few pairs need.", p.kernel.asked.text));
   out +=
       fmt::format("#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_rest.hpp>\n#include <meetc/table_functions.hpp>\n\n"
                   "namespace {0} {{\n\n",
@@ -37,9 +37,8 @@ std::string predicate_source(const emitted_predicate &p) {
 }
 
 std::string header_only(const unit &u) {
-  std::string out =
-      banner(u.scene, "For those who have the headers alone: what the generated library else compiles, inline.");
-  std::vector<std::string> includes, rest; // a kernel's own header comes before the rest of it
+  std::string out = banner(u.scene, "For header-only users: defines inline what the generated library would compile.");
+  std::vector<std::string> includes, rest; // a kernel's header precedes its rest header
   std::string functions;
   for (std::size_t i = 0; i < u.kernels.size(); ++i)
     if (u.kernels[i].is_predicate) {

@@ -1,4 +1,4 @@
-// A stage as a struct, and its bounds and bytecode as structs of their own in detail/.
+// A stage as a struct, with its bounds and bytecode as separate structs in detail/.
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/bounds.hpp"
 #include "gen/target/cpp/bytecode.hpp"
@@ -22,7 +22,7 @@ std::string detail_name(const emitted_predicate &p, const emitted_stage &s, cons
   return fmt::format("{}_{}_{}", p.name, s.name, what);
 }
 
-// A parameter of a pointer, without its name where the text does not use it.
+// A pointer parameter, without its name where the text does not use it.
 std::string pointer(const char *type, const std::string &name, const std::string &text) {
   const bool used = text.find(name + '[') != std::string::npos || text.find('(' + name + ')') != std::string::npos;
   return used ? fmt::format("{} *{}", type, name) : fmt::format("{} *", type);
@@ -40,7 +40,7 @@ std::string opened(const emitted_predicate &p, const char *which, const std::vec
   return open_header(p.of.scene, fmt::format("detail_{}_{}", p.kernel.asked.name(), which), includes, kernel_headers);
 }
 
-// What runs once an object of a set, and what once a pair.
+// The operations that run once for each object of a set, and those that run for each pair.
 std::string counts_of(const emitted_predicate &p, const emitted_stage &s, const stored_body &stored,
                       const std::string &indent) {
   const ir::program &code = s.code->code;
@@ -52,7 +52,7 @@ std::string counts_of(const emitted_predicate &p, const emitted_stage &s, const 
   };
   object(p.a, stored.fields_a, poly::residency::a);
   object(p.b, stored.fields_b, poly::residency::b);
-  return out + fmt::format("{}// A pair{}: {}.\n", indent, out.empty() ? "" : ", which reads them",
+  return out + fmt::format("{}// For each pair{}: {}.\n", indent, out.empty() ? "" : ", which reads them",
                            count_text(ir::count_pair(code)));
 }
 
@@ -87,7 +87,7 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
   const std::string body = pair_body(code, stored, names, s.bounds && s.bounds->mixed, remarks, inner + "  ");
   const std::string pair = p.operands_in(body, inner + "  ") + body;
   out += fmt::format(
-      "{0}// The values whose signs are wanted; W holds those of degree 3 and more.\n"
+      "{0}// The values of the signs; W holds those of degree 3 and more.\n"
       "{0}template <class T, class W = T>\n{0}MEETC_HD MEETC_INLINE static void pair({1}, {2}, {3}, {4}, W *v) "
       "{{\n{5}{0}}}\n",
       inner, pointer("const T", "row_a", pair), pointer("const T", "fa", pair), pointer("const T", "row_b", pair),
@@ -101,7 +101,7 @@ std::string bounds_header(const emitted_predicate &p) {
   out += fmt::format("struct {}_points {{\n{}}};\n", p.name, kernel_bounds_text(*p.bounds, p));
   for (const emitted_stage &s : p.stages)
     if (s.name != std::string("rare")) {
-      out += fmt::format("\nstruct {};\n", detail_name(p, s, "bytecode")); // in the other header
+      out += fmt::format("\nstruct {};\n", detail_name(p, s, "bytecode")); // defined in the other header
       out += fmt::format("struct {} {{\n{}}};\n", detail_name(p, s, "bounds"), stage_bounds_text(*s.bounds, s, p));
     }
   return out + "\n} // namespace detail\n" + close_header(p.of.scene);
@@ -114,10 +114,10 @@ std::string rest_header(const emitted_predicate &p) {
     includes.push_back(fmt::format("detail/{}_rest.hpp", callee));
   std::string out =
       banner(p.of.scene,
-             fmt::format("What only few pairs need of {}: the rare case, and the program as bytecode for the "
+             fmt::format("The parts of {} that only few pairs need: the rare case, and the program as bytecode for the "
                          "exact rung.",
                          p.kernel.asked.text)) +
-      fmt::format("// To be included after {}.hpp, which includes it on a device.\n", name) +
+      fmt::format("// Include {0}.hpp first; on a device it includes this file.\n", name) +
       opened(p, "rest", includes, {"rest.hpp"});
   if (p.bounds) {
     out += "namespace detail {\n\n";

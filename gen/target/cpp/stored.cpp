@@ -7,8 +7,8 @@
 namespace meetc::target {
 namespace {
 
-// All that is computed for one operand, with its stored numbers as row[0], row[1], ...: equal texts, equal values. Empty
-// where nothing is stored.
+// All code for one operand, with its stored numbers as row[0], row[1], ...: equal texts compute equal values. Empty if
+// nothing is stored.
 std::string stored_text(const emitted_predicate &p, int operand) {
   const auto row = [&](int input) {
     return fmt::format("row[{}]", operand == 0 ? input : input - p.kernel.decision.inputs_a);

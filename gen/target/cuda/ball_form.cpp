@@ -37,7 +37,7 @@ std::string ball_form_header(const unit &u) {
   const auto constant = [](const char *name, const bound::dyadic &value) {
     return fmt::format("  static constexpr float {} = {};\n", name, hex_literal(value.value(), "f"));
   };
-  out += fmt::format("  // The filter in half precision{}: with |input| <= largest_input, and the margin\n",
+  out += fmt::format("  // The filter in half precision{}: if |input| <= largest_input and the margin\n",
                      u.asks(lang::rung::certified) ? " (proofs/ball_filter.gappa)" : "") +
          "  //   m = margin_square * sum f_k^2 + margin_additive * |f| + margin_linear * sum |f_k| + margin_absolute\n"
          "  // is subtracted from f, and likewise from g, then the computed sum of balls that touch is negative.\n";

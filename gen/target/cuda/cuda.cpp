@@ -1,5 +1,5 @@
-// The predicates on a CUDA device: a source a predicate with its launchers, and the catalogue through which a runtime
-// runs all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
+// The predicates on a CUDA device: a source with launchers for each predicate, and the catalogue through which a
+// runtime runs all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
 #include "gen/target/cuda/cuda.hpp"
 
 #include "gen/target/cpp/cpp.hpp"
@@ -40,7 +40,7 @@ std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
   std::string out = "namespace {\n\nusing form = ball_form;\n\nconst meetc::cuda::kind_launchers all_kinds[] = {\n";
   for (const lower::lowered_kind *k : kinds)
-    out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::place<{1}>, meetc::cuda::enclose<{1}>, "
+    out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::enclose<{1}>, "
                        "meetc::cuda::columns<{1}, form>}},\n",
                        k->name, shape_of(k->name));
   out += "};\n\n"
@@ -76,21 +76,22 @@ std::string cuda_header(const unit &u) {
   out += fmt::format("#ifndef MEETC_{0}_cuda_HPP\n#define MEETC_{0}_cuda_HPP\n\n#include <meetc/cuda_table.hpp>\n"
                      "#include <meetc/support.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space);
-  out +=
-      "// What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.\n"
-      "const meetc::cuda::catalogue &catalogue();\n\n"
-      "// Decides n pairs of rows on the device: a, b, pairs and out are device pointers, rows are packed floats in\n"
-      "// the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.\n"
-      "// Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), "
-      "which may\n"
-      "// answer unsure. An unknown rung gives cudaErrorInvalidValue.\n";
+  out += "// What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.\n"
+         "const meetc::cuda::catalogue &catalogue();\n\n"
+         "// Decides n pairs of rows on the device. a, b, pairs and out are device pointers; rows are packed floats in "
+         "the\n"
+         "// spec's store order. The work is enqueued on the stream; nothing is allocated, waited for or thrown.\n"
+         "// The answers equal those of the CPU, bit for bit. certify() runs one bounded rung of `certified` (fp32, "
+         "fp64, fp64x2), "
+         "which may\n"
+         "// answer unsure. An unknown rung gives cudaErrorInvalidValue.\n";
   if (u.asks(lang::rung::certified))
-    out += "// Bits of meetc::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds "
-           "assume. Once a\n"
-           "// process is enough, before the first certified answer is relied upon.\n"
+    out += "// Writes bits of meetc::arithmetic_fault to *faults (device memory): 0 if the arithmetic is as the bounds "
+           "assume.\n"
+           "// One call in a process is enough, before its first certified answer is used.\n"
            "cudaError_t self_test(unsigned *faults, cudaStream_t stream);\n";
   out += "\n// The rungs that the scene asks for: bit r stands for the rung of value r.\n" + rungs_constant(u);
-  out += "\n// near() and run() are one step of a query on sets, stored_a() and stored_b() what its operands store: "
+  out += "\n// near() and run() are steps of a query on sets; stored_a() and stored_b() compute stored values: "
          "see\n// meetc::cuda::predicate_launchers.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);

@@ -31,17 +31,17 @@ struct ball_ball : detail::ball_ball_points {
     return meetc::hit_plain<ball_ball, T>(S_, T_);
   }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static bool after_fp32(const float *row_a, const float *row_b);
 
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 0, degree 2.
-  // A pair: 4 multiplications, 7 additions.
+  // For each pair: 4 multiplications, 7 additions.
   struct common_stage : detail::ball_ball_common_bounds {
     static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0;
     using bytecode = detail::ball_ball_common_bytecode;
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto S_ = detail::sphere_in(row_a);
@@ -68,7 +68,7 @@ struct ball_ball : detail::ball_ball_points {
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/ball_ball_rest.hpp>
 #endif
 

@@ -21,7 +21,7 @@ namespace cga {
 struct ball_form {
   static constexpr int inputs = 4, products = 4;
 
-  // The filter in half precision (proofs/ball_filter.gappa): with |input| <= largest_input, and the margin
+  // The filter in half precision (proofs/ball_filter.gappa): if |input| <= largest_input and the margin
   //   m = margin_square * sum f_k^2 + margin_additive * |f| + margin_linear * sum |f_k| + margin_absolute
   // is subtracted from f, and likewise from g, then the computed sum of balls that touch is negative.
   static constexpr float largest_input = 0x1p11f;

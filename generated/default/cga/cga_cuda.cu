@@ -16,13 +16,13 @@ namespace {
 using form = ball_form;
 
 const meetc::cuda::kind_launchers all_kinds[] = {
-  {"point", point_shape::fields, meetc::cuda::place<point_shape>, meetc::cuda::enclose<point_shape>,
+  {"point", point_shape::fields, meetc::cuda::pose_rows<point_shape>, meetc::cuda::enclose<point_shape>,
       meetc::cuda::columns<point_shape, form>},
-  {"sphere", sphere_shape::fields, meetc::cuda::place<sphere_shape>, meetc::cuda::enclose<sphere_shape>,
+  {"sphere", sphere_shape::fields, meetc::cuda::pose_rows<sphere_shape>, meetc::cuda::enclose<sphere_shape>,
       meetc::cuda::columns<sphere_shape, form>},
-  {"segment", segment_shape::fields, meetc::cuda::place<segment_shape>, meetc::cuda::enclose<segment_shape>,
-      meetc::cuda::columns<segment_shape, form>},
-  {"triangle", triangle_shape::fields, meetc::cuda::place<triangle_shape>,
+  {"segment", segment_shape::fields, meetc::cuda::pose_rows<segment_shape>,
+      meetc::cuda::enclose<segment_shape>, meetc::cuda::columns<segment_shape, form>},
+  {"triangle", triangle_shape::fields, meetc::cuda::pose_rows<triangle_shape>,
       meetc::cuda::enclose<triangle_shape>, meetc::cuda::columns<triangle_shape, form>},
 };
 

@@ -12,12 +12,12 @@ namespace cuda {
 // What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.
 const meetc::cuda::catalogue &catalogue();
 
-// Decides n pairs of rows on the device: a, b, pairs and out are device pointers, rows are packed floats in
-// the spec's store order. Enqueued on the stream: allocates nothing, waits for nothing, throws nothing.
-// Answers are the CPU's, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), which may
+// Decides n pairs of rows on the device. a, b, pairs and out are device pointers; rows are packed floats in the
+// spec's store order. The work is enqueued on the stream; nothing is allocated, waited for or thrown.
+// The answers equal those of the CPU, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), which may
 // answer unsure. An unknown rung gives cudaErrorInvalidValue.
-// Bits of meetc::arithmetic_fault in *faults, device memory: whether the arithmetic here is as the bounds assume. Once a
-// process is enough, before the first certified answer is relied upon.
+// Writes bits of meetc::arithmetic_fault to *faults (device memory): 0 if the arithmetic is as the bounds assume.
+// One call in a process is enough, before its first certified answer is used.
 cudaError_t self_test(unsigned *faults, cudaStream_t stream);
 
 // The rungs that the scene asks for: bit r stands for the rung of value r.
@@ -27,7 +27,7 @@ inline constexpr unsigned rungs = 1U << static_cast<int>(meetc::rung::fp32) |
     1U << static_cast<int>(meetc::rung::exact) |
     1U << static_cast<int>(meetc::rung::certified);
 
-// near() and run() are one step of a query on sets, stored_a() and stored_b() what its operands store: see
+// near() and run() are steps of a query on sets; stored_a() and stored_b() compute stored values: see
 // meetc::cuda::predicate_launchers.
 struct segment_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,

@@ -24,7 +24,7 @@ template <class T> MEETC_HD inline T meet(const point_pair_blade<T> &X, const ci
   return meetc::fma(X.n_nb, Y.e1_e2_e3, t2) * T(2);
 }
 
-// meet(point_pair, circle) from what is stored, in differences where a translation changes nothing; B is never formed.
+// meet(point_pair, circle) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 18 multiplications, 19 additions.
 template <class T> MEETC_HD inline T meet(const point_pair<T> &X, const circle<T> &Y) {
   const T t0 = X.q.x - X.p.x;

@@ -21,7 +21,7 @@ template <class T> MEETC_HD inline T meet(const point_pair_blade<T> &X, const li
   return t1 * T(2);
 }
 
-// meet(point_pair, line) from what is stored, in differences where a translation changes nothing; B is never formed.
+// meet(point_pair, line) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 9 multiplications, 14 additions.
 template <class T> MEETC_HD inline T meet(const point_pair<T> &X, const line<T> &Y) {
   const T t0 = Y.q.y - Y.p.y;

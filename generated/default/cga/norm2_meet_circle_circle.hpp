@@ -33,7 +33,7 @@ template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const 
   return t13;
 }
 
-// norm2(meet(circle, circle)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(circle, circle)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 40 multiplications, 32 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const circle<T> &Y) {
   const T t0 = meetc::fma(X.N.z, X.N.z, meetc::fma(X.N.y, X.N.y, X.N.x * X.N.x));

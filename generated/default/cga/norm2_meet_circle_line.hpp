@@ -44,7 +44,7 @@ template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const 
   return t9;
 }
 
-// norm2(meet(circle, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(circle, line)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 21 multiplications, 19 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const line<T> &Y) {
   const T t0 = Y.p.x - X.c.x;

@@ -53,7 +53,7 @@ template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const 
   return -meetc::fma(t7 * t7, T(-4), t10);
 }
 
-// norm2(meet(circle, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(circle, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 19 multiplications, 12 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const plane<T> &Y) {
   const T t0 = meetc::fma(X.N.z, X.N.z, meetc::fma(X.N.y, X.N.y, X.N.x * X.N.x));

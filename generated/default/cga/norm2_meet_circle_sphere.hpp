@@ -74,7 +74,7 @@ template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const 
   return -meetc::fma(t13 * t13, T(-4), t15);
 }
 
-// norm2(meet(circle, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(circle, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 19 multiplications, 15 additions.
 template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const sphere<T> &Y) {
   const T t0 = meetc::fma(X.N.z, X.N.z, meetc::fma(X.N.y, X.N.y, X.N.x * X.N.x));

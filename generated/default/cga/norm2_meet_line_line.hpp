@@ -18,7 +18,7 @@ template <class T> MEETC_HD inline T norm2_meet([[maybe_unused]] const line_blad
   return T(0);
 }
 
-// norm2(meet(line, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(line, line)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 0 multiplications, 0 additions.
 template <class T> MEETC_HD inline T norm2_meet([[maybe_unused]] const line<T> &X,
     [[maybe_unused]] const line<T> &Y) {

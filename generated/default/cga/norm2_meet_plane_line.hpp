@@ -21,7 +21,7 @@ template <class T> MEETC_HD inline T norm2_meet(const plane_blade<T> &X, const l
   return (t0 * t0) * T(16);
 }
 
-// norm2(meet(plane, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(plane, line)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 4 multiplications, 5 additions.
 template <class T> MEETC_HD inline T norm2_meet(const plane<T> &X, const line<T> &Y) {
   const T t0 = meetc::fma(Y.q.z - Y.p.z, X.N.z, meetc::fma(Y.q.y - Y.p.y, X.N.y, (Y.q.x - Y.p.x) * X.N.x));

@@ -24,7 +24,7 @@ template <class T> MEETC_HD inline T norm2_meet(const plane_blade<T> &X, const p
   return T(4) * meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
 }
 
-// norm2(meet(plane, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(plane, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 9 multiplications, 5 additions.
 template <class T> MEETC_HD inline T norm2_meet(const plane<T> &X, const plane<T> &Y) {
   const T t0 = meetc::fma(-X.N.z, Y.N.y, X.N.y * Y.N.z);

@@ -49,7 +49,7 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, co
   return (t3 * t3) * T(4);
 }
 
-// norm2(meet(point_pair, circle)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(point_pair, circle)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 19 multiplications, 19 additions.
 template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const circle<T> &Y) {
   const T t0 = X.q.x - X.p.x;

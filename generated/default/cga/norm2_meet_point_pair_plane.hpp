@@ -41,7 +41,7 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, co
   return t8;
 }
 
-// norm2(meet(point_pair, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(point_pair, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 14 multiplications, 14 additions.
 template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const plane<T> &Y) {
   const T t0 = meetc::fma(X.p.z, meetc::fma(-X.q.z, T(2), X.p.z), meetc::fma(X.q.z, X.q.z, meetc::fma(X.q.y,

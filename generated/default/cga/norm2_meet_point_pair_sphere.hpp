@@ -49,7 +49,7 @@ template <class T> MEETC_HD inline T norm2_meet(const point_pair_blade<T> &X, co
   return t8;
 }
 
-// norm2(meet(point_pair, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(point_pair, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 12 multiplications, 20 additions.
 template <class T> MEETC_HD inline T norm2_meet(const point_pair<T> &X, const sphere<T> &Y) {
   const T t0 = X.q.x - X.p.x;

@@ -44,7 +44,7 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const 
   return -meetc::fma(t7 * t7, T(-4), t9);
 }
 
-// norm2(meet(sphere, line)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(sphere, line)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 12 multiplications, 14 additions.
 template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const line<T> &Y) {
   const T t0 = Y.p.x - X.c.x;

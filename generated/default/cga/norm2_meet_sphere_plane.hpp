@@ -35,7 +35,7 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const 
   return -meetc::fma(T(-4), t3 * t3, meetc::fma(T(-4), t2 * t2, t8));
 }
 
-// norm2(meet(sphere, plane)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(sphere, plane)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 10 multiplications, 7 additions.
 template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const plane<T> &Y) {
   const T t0 = meetc::fma(X.c.z, Y.N.z, meetc::fma(X.c.y, Y.N.y, X.c.x * Y.N.x));

@@ -44,7 +44,7 @@ template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const 
   return -meetc::fma(T(-4), t6 * t6, meetc::fma(T(-4), t5 * t5, t10));
 }
 
-// norm2(meet(sphere, sphere)) from what is stored, in differences where a translation changes nothing; B is never formed.
+// norm2(meet(sphere, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.
 // 6 multiplications, 9 additions.
 template <class T> MEETC_HD inline T norm2_meet(const sphere<T> &X, const sphere<T> &Y) {
   const T t0 = Y.c.x - X.c.x;

@@ -33,14 +33,14 @@ struct point_triangle : detail::point_triangle_points {
     return meetc::hit_plain<point_triangle, T>(p, t);
   }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static bool after_fp32(const float *row_a, const float *row_b);
 
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 18, degree 3.
   // Stored beside t: 3 numbers (6 multiplications, 9 additions).
-  // A pair, which reads them: 21 multiplications, 29 additions.
+  // For each pair, which reads them: 21 multiplications, 29 additions.
   struct common_stage : detail::point_triangle_common_bounds {
     static constexpr int first = 0, atoms = 19, fields_a = 0, fields_b = 3;
     using bytecode = detail::point_triangle_common_bytecode;
@@ -56,7 +56,7 @@ struct point_triangle : detail::point_triangle_points {
       f[1] = meetc::fma(-t2, t4, t1 * t5);
       f[2] = meetc::fma(-t3, t5, t0 * t4);
     }
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
       const auto p = detail::point_in(row_a);
@@ -137,7 +137,7 @@ struct point_triangle : detail::point_triangle_points {
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/point_triangle_rest.hpp>
 #endif
 

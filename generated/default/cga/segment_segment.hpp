@@ -34,17 +34,17 @@ struct segment_segment : detail::segment_segment_points {
     return meetc::hit_plain<segment_segment, T>(s, e);
   }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static bool after_fp32(const float *row_a, const float *row_b);
 
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 24, degree 3.
-  // A pair: 33 multiplications, 35 additions.
+  // For each pair: 33 multiplications, 35 additions.
   struct common_stage : detail::segment_segment_common_bounds {
     static constexpr int first = 0, atoms = 25, fields_a = 0, fields_b = 0;
     using bytecode = detail::segment_segment_common_bytecode;
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto s = detail::segment_in(row_a);
@@ -123,7 +123,7 @@ struct segment_segment : detail::segment_segment_points {
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/segment_segment_rest.hpp>
 #endif
 

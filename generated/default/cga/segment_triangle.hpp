@@ -38,14 +38,14 @@ struct segment_triangle : detail::segment_triangle_points {
     return meetc::hit_plain<segment_triangle, T>(s, t);
   }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static bool after_fp32(const float *row_a, const float *row_b);
   static meetc::answer whole_filter(const float *row_a, const float *row_b);
   template <class T> static bool whole_plain(const float *row_a, const float *row_b);
 
   // Decides most misses: signs 0 to 1, degree 3.
   // Stored beside t: 3 numbers (6 multiplications, 9 additions).
-  // A pair, which reads them: 6 multiplications, 10 additions.
+  // For each pair, which reads them: 6 multiplications, 10 additions.
   struct reject_stage : detail::segment_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 3;
     using bytecode = detail::segment_triangle_reject_bytecode;
@@ -61,7 +61,7 @@ struct segment_triangle : detail::segment_triangle_points {
       f[1] = meetc::fma(-t2, t4, t1 * t5);
       f[2] = meetc::fma(-t3, t5, t0 * t4);
     }
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
       const auto s = detail::segment_in(row_a);
@@ -76,11 +76,11 @@ struct segment_triangle : detail::segment_triangle_points {
   };
 
   // The usual case: signs 2 to 4, degree 3.
-  // A pair: 27 multiplications, 33 additions.
+  // For each pair: 27 multiplications, 33 additions.
   struct common_stage : detail::segment_triangle_common_bounds {
     static constexpr int first = 2, atoms = 3, fields_a = 0, fields_b = 0;
     using bytecode = detail::segment_triangle_common_bytecode;
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto s = detail::segment_in(row_a);
@@ -135,7 +135,7 @@ struct segment_triangle : detail::segment_triangle_points {
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/segment_triangle_rest.hpp>
 #endif
 

@@ -9,8 +9,8 @@ static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another versi
 
 namespace cga {
 
-// place(): where the row holds a coordinate of a point of the hull; -1: it is 0. pad: where it holds the
-// radius around the hull; -1: there is none. box(): never too small, where subnormals are not flushed.
+// place(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the index of the
+// radius around the hull; -1: there is none. box(): never too small, provided that subnormals are not flushed.
 
 struct point_shape {
   static constexpr int fields = 3, hull = 1, pad = -1;

@@ -16,11 +16,11 @@ struct side_sphere_point_sign : detail::side_sphere_point_sign_points {
   static constexpr int inputs_a = 4, inputs_b = 3, atoms = 1;
 
   // The sign: signs 0 to 0, degree 2.
-  // A pair: 4 multiplications, 6 additions.
+  // For each pair: 4 multiplications, 6 additions.
   struct common_stage : detail::side_sphere_point_sign_common_bounds {
     static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0;
     using bytecode = detail::side_sphere_point_sign_common_bytecode;
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto X = detail::sphere_in(row_a);
@@ -34,7 +34,7 @@ struct side_sphere_point_sign : detail::side_sphere_point_sign_points {
 
   template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return -s[0]; }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static meetc::sign after_fp32(const float *row_a, const float *row_b);
 };
 
@@ -50,7 +50,7 @@ template <class T> MEETC_HD inline meetc::sign side_plain(const sphere<float> &X
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/side_sphere_point_rest.hpp>
 #endif
 

@@ -32,14 +32,14 @@ struct sphere_segment : detail::sphere_segment_points {
     return meetc::hit_plain<sphere_segment, T>(S_, s);
   }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static bool after_fp32(const float *row_a, const float *row_b);
 
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 4, degree 4.
   // Stored beside s: 1 number (3 multiplications, 5 additions).
-  // A pair, which reads them: 20 multiplications, 24 additions.
+  // For each pair, which reads them: 20 multiplications, 24 additions.
   struct common_stage : detail::sphere_segment_common_bounds {
     static constexpr int first = 0, atoms = 5, fields_a = 0, fields_b = 1;
     using bytecode = detail::sphere_segment_common_bytecode;
@@ -50,7 +50,7 @@ struct sphere_segment : detail::sphere_segment_points {
       const T t2 = s.q.z - s.p.z;
       f[0] = meetc::fma(t2, t2, meetc::fma(t1, t1, t0 * t0));
     }
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
       const auto S_ = detail::sphere_in(row_a);
@@ -96,7 +96,7 @@ struct sphere_segment : detail::sphere_segment_points {
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/sphere_segment_rest.hpp>
 #endif
 

@@ -31,17 +31,17 @@ struct sphere_sphere : detail::sphere_sphere_points {
     return meetc::hit_plain<sphere_sphere, T>(S_, T_);
   }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static bool after_fp32(const float *row_a, const float *row_b);
 
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 1, degree 2.
-  // A pair: 5 multiplications, 9 additions.
+  // For each pair: 5 multiplications, 9 additions.
   struct common_stage : detail::sphere_sphere_common_bounds {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 0;
     using bytecode = detail::sphere_sphere_common_bytecode;
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto S_ = detail::sphere_in(row_a);
@@ -70,7 +70,7 @@ struct sphere_sphere : detail::sphere_sphere_points {
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/sphere_sphere_rest.hpp>
 #endif
 

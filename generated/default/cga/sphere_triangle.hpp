@@ -32,14 +32,14 @@ struct sphere_triangle : detail::sphere_triangle_points {
     return meetc::hit_plain<sphere_triangle, T>(S_, t);
   }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static bool after_fp32(const float *row_a, const float *row_b);
 
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 15, degree 6.
   // Stored beside t: 10 numbers (21 multiplications, 24 additions).
-  // A pair, which reads them: 60 multiplications, 61 additions.
+  // For each pair, which reads them: 60 multiplications, 61 additions.
   struct common_stage : detail::sphere_triangle_common_bounds {
     static constexpr int first = 0, atoms = 16, fields_a = 0, fields_b = 10;
     using bytecode = detail::sphere_triangle_common_bytecode;
@@ -71,7 +71,7 @@ struct sphere_triangle : detail::sphere_triangle_points {
       f[8] = t3 - t11;
       f[9] = t10 - t11;
     }
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
       const auto S_ = detail::sphere_in(row_a);
@@ -150,7 +150,7 @@ struct sphere_triangle : detail::sphere_triangle_points {
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/sphere_triangle_rest.hpp>
 #endif
 

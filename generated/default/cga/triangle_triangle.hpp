@@ -37,7 +37,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
     return meetc::hit_plain<triangle_triangle, T>(A, B);
   }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static bool after_fp32(const float *row_a, const float *row_b);
   static meetc::answer whole_filter(const float *row_a, const float *row_b);
   template <class T> static bool whole_plain(const float *row_a, const float *row_b);
@@ -45,7 +45,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
   // Decides most misses: signs 0 to 5, degree 3.
   // Stored beside A: 3 numbers (6 multiplications, 9 additions).
   // Stored beside B: 3 numbers (6 multiplications, 9 additions).
-  // A pair, which reads them: 18 multiplications, 27 additions.
+  // For each pair, which reads them: 18 multiplications, 27 additions.
   struct reject_stage : detail::triangle_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 6, fields_a = 3, fields_b = 3;
     using bytecode = detail::triangle_triangle_reject_bytecode;
@@ -73,7 +73,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
       f[1] = meetc::fma(-t2, t4, t1 * t5);
       f[2] = meetc::fma(-t3, t5, t0 * t4);
     }
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
       const auto A = detail::triangle_in(row_a);
@@ -101,11 +101,11 @@ struct triangle_triangle : detail::triangle_triangle_points {
   };
 
   // The usual case: signs 6 to 14, degree 3.
-  // A pair: 81 multiplications, 75 additions.
+  // For each pair: 81 multiplications, 75 additions.
   struct common_stage : detail::triangle_triangle_common_bounds {
     static constexpr int first = 6, atoms = 9, fields_a = 0, fields_b = 0;
     using bytecode = detail::triangle_triangle_common_bytecode;
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto A = detail::triangle_in(row_a);
@@ -222,7 +222,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/triangle_triangle_rest.hpp>
 #endif
 

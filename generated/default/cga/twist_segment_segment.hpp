@@ -16,11 +16,11 @@ struct twist_segment_segment_sign : detail::twist_segment_segment_sign_points {
   static constexpr int inputs_a = 6, inputs_b = 6, atoms = 1;
 
   // The sign: signs 0 to 0, degree 3.
-  // A pair: 9 multiplications, 14 additions.
+  // For each pair: 9 multiplications, 14 additions.
   struct common_stage : detail::twist_segment_segment_sign_common_bounds {
     static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0;
     using bytecode = detail::twist_segment_segment_sign_common_bytecode;
-    // The values whose signs are wanted; W holds those of degree 3 and more.
+    // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
     MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
       const auto X = detail::segment_in(row_a);
@@ -39,7 +39,7 @@ struct twist_segment_segment_sign : detail::twist_segment_segment_sign_points {
 
   template <class S> MEETC_HD static constexpr S value([[maybe_unused]] const S *s) { return s[0]; }
 
-  // Few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
+  // Only few pairs need these. They are compiled in the generated library, or where <cga/header_only.hpp> is included.
   static meetc::sign after_fp32(const float *row_a, const float *row_b);
 };
 
@@ -55,7 +55,7 @@ template <class T> MEETC_HD inline meetc::sign twist_plain(const segment<float> 
 
 } // namespace cga
 
-#if defined(__CUDACC__) // on the device everything is inline
+#if defined(__CUDACC__) // on a device, all code is inline
 #include <cga/detail/twist_segment_segment_rest.hpp>
 #endif
 

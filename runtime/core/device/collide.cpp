@@ -96,7 +96,7 @@ private:
     result_.device_seconds = static_cast<double>(ms) / 1000 - download_seconds_;
   }
 
-  // Reserves room for the first lists, or keeps the lists that are there.
+  // Reserves room for the first lists, or keeps the existing lists.
   void take_room() {
     capacity_ =
         std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, first_capacity), options_.list_capacity);
@@ -106,7 +106,7 @@ private:
     if (keep_)
       buffers_.hits.reserve(capacity_, "a list of hits");
   }
-  // Enlarges the lists, where the options and the device's memory allow it.
+  // Enlarges the lists if the options and the device's memory allow it.
   bool take_more_room() {
     const std::size_t more = std::min(capacity_ * 8, options_.list_capacity);
     if (more == capacity_ || !buffers_.first.grow(more, 0, on_.stream()) ||
@@ -123,7 +123,7 @@ private:
   unsigned long long seen(counter c) const { return buffers_.seen[static_cast<int>(c)]; }
 
   bool overflowed() const { return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_; }
-  // So many pairs of objects never overflow a list.
+  // This number of pairs of objects never overflows a list.
   std::uint64_t always_fits() const {
     const std::uint64_t size = cuda::size_of(options_.by);
     return capacity_ / (size * size);
@@ -146,7 +146,7 @@ private:
 
   void go_through(const cuda::part &whole) {
     std::vector<cuda::part> left{whole};
-    std::uint64_t most = ~std::uint64_t{0}, done = 0; // pairs in a part that is worth trying; pairs finished
+    std::uint64_t most = ~std::uint64_t{0}, done = 0; // the largest part that is worth trying, and the finished pairs
     while (!left.empty()) {
       const cuda::part p = left.back();
       left.pop_back();
@@ -186,7 +186,7 @@ private:
           "starting the step that tests boxes");
     static constexpr counter unsure[] = {counter::unsure_fp32, counter::unsure_fp64, counter::unsure_fp64x2,
                                          counter::unused};
-    const cuda::ladder_steps steps = cuda::steps_of(precision_);
+    const cuda::cascade_steps steps = cuda::steps_of(precision_);
     for (int s = 0; s < steps.count; ++s) {
       const cuda::pair_list out = list(s % 2 == 0 ? buffers_.first : buffers_.second, unsure[s]);
       check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
@@ -199,7 +199,7 @@ private:
     ++result_.parts;
   }
 
-  // Takes the results of a part, after lists that have held everything.
+  // Takes the results of a part whose lists did not overflow.
   void take_part() {
     result_.near_balls += seen(counter::candidates);
     result_.candidates += seen(counter::touching);

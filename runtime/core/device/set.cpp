@@ -38,7 +38,7 @@ device_set::device_set(device &on, const prepared &set)
                         on.stream()),
         "uploading a set");
   enclose();
-  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may now change his memory
+  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may now change the memory
 }
 
 void device_set::enclose() {
@@ -62,10 +62,10 @@ void device_set::move(const pose &at) {
   device_memory<unsigned long long> bad;
   to.reserve(elements_ * fields, "a set under a pose");
   bad.reserve(1, "a set under a pose");
-  cuda::placement placed{{}, at.length_scale, false};
-  std::copy_n(at.m, 12, placed.m);
-  check(launchers_->place({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, placed, order_.data(),
-                          to.data(), bad.data(), on_->stream()),
+  cuda::pose_matrix matrix{{}, at.length_scale, false};
+  std::copy_n(at.m, 12, matrix.m);
+  check(launchers_->pose({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, matrix, order_.data(),
+                         to.data(), bad.data(), on_->stream()),
         "starting a kernel");
   unsigned long long first = 0;
   check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, on_->stream()), "moving a set");
@@ -111,7 +111,7 @@ const float *device_set::stored(const cuda::stored_launcher &values) {
   store &s = stores_[at];
   if (s.of != version_) {
     s.of = 0;
-    s.numbers.reserve(elements_ * static_cast<std::size_t>(values.floats), "what a set stores");
+    s.numbers.reserve(elements_ * static_cast<std::size_t>(values.floats), "a set's stored values");
     check(values.compute(rows(), elements_, s.numbers.data(), on_->stream()), "starting a kernel");
     s.of = version_;
   }

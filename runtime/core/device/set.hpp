@@ -1,6 +1,7 @@
 // core/device/set.hpp: a prepared set on a device.
 //
-// Uploaded once, posed and collided often. Slots are those of the prepared set, so neighbours in space lie side by side.
+// It is uploaded once, and posed and collided often. Its slots are those of the prepared set, so neighbours in space
+// are adjacent.
 #ifndef MEETC_CORE_DEVICE_SET_HPP
 #define MEETC_CORE_DEVICE_SET_HPP
 
@@ -13,7 +14,7 @@ namespace meetc {
 
 class device_set {
 public:
-  // Throws device_error, also where the catalogue lacks the kind.
+  // Throws device_error, also if the catalogue lacks the kind.
   device_set(device &on, const prepared &set);
 
   const kind_info &kind() const { return *kind_; }
@@ -29,14 +30,14 @@ public:
   // The extent of all elements whose boxes are finite, in device memory.
   const extent *around() const { return around_.data(); }
 
-  // What the filter reads, in the frame of `frame`, which is this set or the other. It is computed unless it is there
-  // already.
+  // The columns that the filter reads, in the frame of `frame`, which is this set or the other. They are computed
+  // unless they exist already.
   cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame);
-  // What a predicate wants stored beside the rows, device memory: made where it is not there yet. Null: nothing.
+  // A predicate's stored values, in device memory. They are computed unless they exist already. Null: there are none.
   const float *stored(const cuda::stored_launcher &values);
 
 private:
-  struct made { // what columns hold
+  struct made { // describes the contents of columns
     bool floats = false;
     cuda::grouping by = cuda::grouping::single;
     cover of = cover::element;

@@ -9,7 +9,7 @@
 
 namespace meetc {
 
-// ---- with a bound ----
+// ---- with an error bound ----
 
 // K in |computed - true| <= K M, where M is the magnitude of the value, for each arithmetic.
 struct factors {
@@ -93,11 +93,11 @@ MEETC_HD inline void zero_by_equal_points(const float *row_a, const float *row_b
   }
 }
 
-// The magnitudes of a stage's values, those of one object included.
+// The magnitudes of a stage's values, including those of one object.
 template <class Stage, class M, class Leaf>
 MEETC_HD MEETC_INLINE void stage_magnitudes(const M *a, const M *b, const Leaf &leaf, M *m) {
   M of_a[Stage::magnitudes_of_a + 1], of_b[Stage::magnitudes_of_b + 1];
-  of_a[Stage::magnitudes_of_a] = of_b[Stage::magnitudes_of_b] = M(0); // the spare places
+  of_a[Stage::magnitudes_of_a] = of_b[Stage::magnitudes_of_b] = M(0); // the spare elements
   if constexpr (Stage::magnitudes_of_a > 0)
     Stage::magnitudes_a(a, leaf, of_a);
   if constexpr (Stage::magnitudes_of_b > 0)
@@ -105,7 +105,7 @@ MEETC_HD MEETC_INLINE void stage_magnitudes(const M *a, const M *b, const Leaf &
   Stage::magnitudes(a, of_a, b, of_b, leaf, m);
 }
 
-// Signs with the bound K M of arithmetic A. get() says whether every sign of the stage is known.
+// Signs under the bound K M of arithmetic A. get() says whether every sign of the stage is known.
 template <class P, class A> struct bounded_signs {
   using V = typename A::value;
   using M = typename A::magnitude;

@@ -10,9 +10,10 @@ namespace meetc {
 enum class box_form : std::uint8_t { per_object, whole_box };
 
 // Signs in fp32 inside a box of side D, a power of two: every difference of two coordinates, every length and every
-// coordinate that stands alone (P::axis) is at most D, exactly. per_object also takes the objects' own extents, found
-// anew for each pair; whole_box ("static") takes D for them. Stage::box_lowest <= log2 D <= Stage::box_highest must
-// hold for every stage: see box_holds(). Pair is a row_pair, or a stored_pair, whose values are read.
+// coordinate outside a difference (P::axis) is at most D, exactly. per_object also uses the extents of both objects,
+// which it computes for each pair; whole_box ("static") uses D for them. Stage::box_lowest <= log2 D <=
+// Stage::box_highest must hold for every stage: see box_holds(). Pair is a row_pair, or a stored_pair, whose stored
+// values are read.
 template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
   Pair pair;
   float d;
@@ -27,7 +28,8 @@ template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
     float alpha = d, beta = d;
     if constexpr (F == box_form::per_object) {
       const float least = power_of_two(Stage::box_lowest, 0.0F);
-      // Over the computed leaves, not at them: a difference of a little more than a power of two is rounded to it.
+      // The extents are taken over the computed leaves: a difference slightly above a power of two may have been
+      // rounded to it.
       alpha = power_over(Stage::extent_a(pair.row_a)), beta = power_over(Stage::extent_b(pair.row_b));
       alpha = alpha < least ? least : alpha > d ? d : alpha, beta = beta < least ? least : beta > d ? d : beta;
     }
@@ -55,7 +57,7 @@ private:
   }
 };
 
-// Whether the box form covers a box of this side.
+// Whether the bounds of the box form hold for a box of this side.
 template <class P> MEETC_HD inline bool box_holds(float side) {
   const auto holds = [side](auto stage) {
     using Stage = decltype(stage);

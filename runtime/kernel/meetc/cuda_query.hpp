@@ -3,7 +3,7 @@
 //
 // No list can grow here, because nothing waits for the device; the result says whether one was too short. Elements keep
 // the caller's order, so a group holds elements that follow each other in it. Meshes mostly list neighbours together.
-// Where they do not, the filter is as correct and slower.
+// If they do not, the filter is slower, but as correct.
 #ifndef MEETC_CUDA_QUERY_HPP
 #define MEETC_CUDA_QUERY_HPP
 
@@ -64,18 +64,18 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
   const kind_launchers &a = all.kinds[p.kind_a], &b = all.kinds[p.kind_b];
   cutter from(q.workspace, q.bytes);
   const query_memory m = query_memory::of(from, all, p, q.a.elements, q.b.elements, q.list_capacity);
-  const ladder_steps steps = steps_of(q.precision);
+  const cascade_steps steps = steps_of(q.precision);
   if (steps.count == 0 || !from.fits() || !q.workspace || reinterpret_cast<std::uintptr_t>(q.workspace) % 256 != 0 ||
       !q.result)
     return cudaErrorInvalidValue;
   cudaError_t e = cudaMemsetAsync(q.result, 0, sizeof *q.result, stream);
   const auto then = [&e](auto &&enqueue) { e = e == cudaSuccess ? enqueue() : e; };
   then([&] { return cudaMemsetAsync(m.counts, 0, 5 * sizeof *m.counts, stream); });
-  then([&] { return a.place(q.a, q.at_a, nullptr, m.rows_a, &q.result->bad_a, stream); });
-  then([&] { return b.place(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
+  then([&] { return a.pose(q.a, q.at_a, nullptr, m.rows_a, &q.result->bad_a, stream); });
+  then([&] { return b.pose(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
   if (q.a.elements == 0 || q.b.elements == 0)
     return e;
-  // The steps below are finished even if elements are bad; their results then mean nothing.
+  // The steps below run even if elements are bad; their results then mean nothing.
   const cover c = balls_for(q.precision);
   const bool frame_of_a = q.b.elements < q.a.elements;
   then([&] { return all.clear_extent(m.around, stream); });

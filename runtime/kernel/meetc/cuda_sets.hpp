@@ -1,4 +1,4 @@
-// What is done to one set on the device: placing it, its extent, and the columns that the filter reads. Included by nvcc alone.
+// Work on one set on the device: its pose, its extent, and the columns that the filter reads. Included by nvcc only.
 #ifndef MEETC_CUDA_SETS_HPP
 #define MEETC_CUDA_SETS_HPP
 
@@ -42,7 +42,7 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
   return cudaGetLastError();
 }
 
-// Writes the padding as well.
+// Writes the padding too.
 template <class Shape, class Form, bool First, bool Halves>
 __global__ void __launch_bounds__(set_threads)
     columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
@@ -90,7 +90,7 @@ __device__ inline float moved(const double *m, double x, double y, double z) {
 
 template <class Shape>
 __global__ void __launch_bounds__(set_threads)
-    place_kernel(view v, placement at, const std::uint32_t *order, float *rows, unsigned long long *bad) {
+    pose_kernel(view v, pose_matrix at, const std::uint32_t *order, float *rows, unsigned long long *bad) {
   for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < v.elements; i += gridDim.x * set_threads) {
     float in[Shape::fields], out[Shape::fields];
     bool good = true;
@@ -131,15 +131,15 @@ __global__ void __launch_bounds__(set_threads)
   }
 }
 template <class Shape>
-cudaError_t place(const view &v, const placement &at, const std::uint32_t *order, float *rows, unsigned long long *bad,
-                  cudaStream_t stream) {
+cudaError_t pose_rows(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
+                      unsigned long long *bad, cudaStream_t stream) {
   const cudaError_t e = cudaMemsetAsync(bad, 0xff, sizeof *bad, stream);
   if (e != cudaSuccess || v.elements == 0)
     return e;
   if (v.index && (Shape::fields % 3 != 0 || Shape::pad >= 0))
     return cudaErrorInvalidValue; // the kind does not consist of points
   const unsigned blocks = std::min(blocks_for(v.elements), 65536U);
-  place_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad);
+  pose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad);
   return cudaGetLastError();
 }
 

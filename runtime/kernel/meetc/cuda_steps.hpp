@@ -21,15 +21,15 @@ struct sink {
   pair_list yes, unsure;
 };
 
-// How many pairs a lane takes at once from a long list: their rows are loaded together, and counters are touched less
-// often. From a short list it takes one, so that all lanes have work.
+// The number of pairs that a lane takes at once from a long list: their rows are loaded together, and counters are
+// updated less often. From a short list a lane takes one pair, so that all lanes have work.
 inline constexpr int step_pairs = 4;
 
 // The share of a list that a warp takes at a time, and where it begins.
 struct walk {
   unsigned long long n, at, stride;
   unsigned each; // pairs for a lane
-  // `times`: an entry of the list stands for so many.
+  // `times`: the number of pairs in each entry of the list.
   __device__ explicit walk(const pair_list &l, unsigned times = 1)
       : n((l.count && *l.count < l.capacity ? *l.count : l.capacity) * times) {
     const unsigned long long lanes = gridDim.x * std::size_t{step_threads};
@@ -41,15 +41,15 @@ struct walk {
   __device__ unsigned long long place(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
 };
 
-// A step that reads stored values has of(stored_pair), any other of(row_a, row_b).
+// A step that reads stored values has of(stored_pair); any other step has of(row_a, row_b).
 template <class Of> inline constexpr bool of_stored = requires(const stored_pair &p) {
   Of::of(p);
 };
 
-// in.count may be null: then in.capacity pairs are there.
+// in.count may be null: there are then in.capacity pairs.
 template <class P, class Of>
 __global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_array b, pair_list in, sink to) {
-  // A warp stays whole: each lane has pairs or none.
+  // A warp stays whole, since a lane without pairs takes part as well.
   for (walk w(in); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
     unsigned yes = 0, unsure = 0;
@@ -83,7 +83,7 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_a
   }
 }
 
-// Pair i of a list of pairs of objects, taken apart into pairs of slots; false where a group has no such slot.
+// Pair i of the pairs of slots in a list of pairs of objects; false if a group has no such slot.
 __device__ inline bool slots_of(const index_pair *objects, unsigned long long i, const operand &a, const operand &b,
                                 index_pair &p) {
   if (a.by == grouping::single) {
@@ -148,7 +148,7 @@ template <class P, class A> struct certify_step {
   }
 };
 
-// The rungs in fp32 where both operands store what P reads.
+// The rungs in fp32 if both operands store the values that P reads.
 template <class P> struct stored_plain_step {
   __device__ static answer of(const stored_pair &p) { return to_answer(decide<P>(stored_plain_signs<P>{p})); }
 };
@@ -169,7 +169,7 @@ cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs,
     return cudaSuccess;
   const std::size_t wanted = (n + step_threads * step_pairs - 1) / (step_threads * step_pairs);
   const unsigned blocks = wanted < 0x7fffffff ? static_cast<unsigned>(wanted) : 0x7fffffff;
-  const pair_list in{const_cast<index_pair *>(pairs), nullptr, n}; // only read
+  const pair_list in{const_cast<index_pair *>(pairs), nullptr, n}; // which is only read
   decide_kernel<P, Of><<<blocks, step_threads, 0, stream>>>(a, b, in, {out, {}, {}});
   return cudaGetLastError();
 }
@@ -181,10 +181,10 @@ cudaError_t decide_list(const operand &a, const operand &b, pair_list in, pair_l
   return cudaGetLastError();
 }
 
-// The step in fp32 for sets: that which reads stored values where P has any.
+// The step in fp32 for sets; it reads stored values if P has any.
 template <class P, class Stored, class Plain>
 using fp32_step = std::conditional_t<(stored_layout<P>::floats_a + stored_layout<P>::floats_b > 0), Stored, Plain>;
-// Whether the operands have what P reads beside their rows.
+// Whether the operands have the stored values that P reads.
 template <class P> bool have_stored(const operand &a, const operand &b) {
   return (stored_layout<P>::floats_a == 0 || a.stored) && (stored_layout<P>::floats_b == 0 || b.stored);
 }

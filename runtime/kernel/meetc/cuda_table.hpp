@@ -1,4 +1,4 @@
-// What generated CUDA code offers to a host: plain data and launchers, which name no shape.
+// The interface of generated CUDA code for a host: plain data and launchers, which name no shape.
 //
 // Every launcher enqueues its work on the stream; it allocates nothing, waits for nothing and throws nothing. All
 // pointers are device memory unless said otherwise. An element's index in its array is its slot.
@@ -35,15 +35,15 @@ struct operand {
   const float *rows;
   std::uint32_t elements;
   grouping by;
-  const void *columns; // half_bytes or float_bytes an object, for matrix_padded(objects) of them
-  // What the predicate's stored_launcher made of the rows; null where it stores nothing.
+  const void *columns; // half_bytes or float_bytes for each of matrix_padded(objects) objects
+  // The values that the predicate's stored_launcher computed from the rows; null if it stores nothing.
   const float *stored = nullptr;
 
   MEETC_HD constexpr std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
 };
 inline constexpr std::size_t half_bytes = 2 * matrix_columns, float_bytes = 20;
 
-// What finds the pairs whose enclosing balls may touch.
+// The units that can find the pairs whose enclosing balls may touch.
 enum class filter : std::uint8_t {
   float32, // the form in float32; needs no assumption but IEEE arithmetic
   mma,     // mma.sync, any device of capability 8.0 or more
@@ -70,9 +70,9 @@ struct view {
   std::uint32_t vertices, elements;
 };
 
-// Row-major 3x4: a point becomes ((m0*x + m1*y) + m2*z) + m3 in fp64, in this order, without fma, rounded once to float32;
-// lengths are multiplied by length_scale. The identity passes every bit through.
-struct placement {
+// Row-major 3x4: a point becomes ((m0*x + m1*y) + m2*z) + m3 in fp64, in this order, without fma, rounded once to
+// float32; lengths are multiplied by length_scale. The identity passes every bit through.
+struct pose_matrix {
   double m[12];
   double length_scale;
   bool identity;
@@ -84,16 +84,16 @@ struct query_result {
   // Above list_capacity: the workspace is too small, count is too low, and the room that is needed is not known.
   unsigned long long candidates, kept;
   // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus its slot; ~0
-  // where all elements are good. Where one is not, the rest means nothing.
+  // if all elements are good. If one is not, the rest means nothing.
   unsigned long long bad_a, bad_b;
 };
 struct query {
   rung precision;
   filter by; // one that probe() did not refute
   view a;
-  placement at_a;
+  pose_matrix at_a;
   view b;
-  placement at_b;
+  pose_matrix at_b;
   index_pair *pairs; // in any order; null: only count
   unsigned long long capacity;
   query_result *result;
@@ -108,8 +108,8 @@ struct kind_launchers {
   int fields;
   // Writes packed rows in the pose `at`. *bad is as in query_result. Element i is written from element order[i], or
   // from i where order is null.
-  cudaError_t (*place)(const view &v, const placement &at, const std::uint32_t *order, float *rows,
-                       unsigned long long *bad, cudaStream_t stream);
+  cudaError_t (*pose)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
+                      unsigned long long *bad, cudaStream_t stream);
   // Widens *around, which clear_extent() has emptied, by the balls around the finite boxes of the elements.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
   // Writes the filter's columns of all objects in the frame of *around, as X (first) or as Y. With balls around boxes,
@@ -124,7 +124,7 @@ struct part {
   std::uint32_t first_a, end_a, first_b, end_b;
 };
 
-// What runs on a list of candidates.
+// The steps that run on a list of candidates.
 enum class step : std::uint8_t {
   near_boxes,  // keeps the pairs whose closed boxes touch
   near_reject, // ... and that the reject stage, certified in fp32, does not rule out
@@ -137,12 +137,13 @@ enum class step : std::uint8_t {
   certify_fp64x2,
 };
 
-// What a rung runs after first_step(): each step takes what the one before left unsure. count 0: there is no such rung.
-struct ladder_steps {
+// The steps of a rung after first_step(): each step takes the pairs that the one before left unsure. count 0: there is
+// no such rung.
+struct cascade_steps {
   step of[4];
   int count;
 };
-constexpr ladder_steps steps_of(rung precision) {
+constexpr cascade_steps steps_of(rung precision) {
   switch (precision) {
   case rung::fp32:
     return {{step::plain_fp32}, 1};
@@ -157,7 +158,7 @@ constexpr ladder_steps steps_of(rung precision) {
   }
   return {{}, 0};
 }
-// Whether a rung reads what sets store.
+// Whether a rung reads stored values.
 constexpr bool reads_stored(rung precision) {
   return precision == rung::certified || precision == rung::fp32;
 }
@@ -169,9 +170,9 @@ constexpr cover balls_for(rung precision) {
   return precision == rung::certified || precision == rung::exact ? cover::element : cover::box;
 }
 
-// What a set stores beside its rows for a predicate, as stored_values on the host.
+// The values that a set stores beside its rows for a predicate, like stored_values on the host.
 struct stored_launcher {
-  int number = -1; // which of the kind's; -1: nothing is stored
+  int number = -1; // by kind; -1: nothing is stored
   int floats = 0;
   // Fills out for n rows.
   cudaError_t (*compute)(const float *rows, std::uint32_t n, float *out, cudaStream_t stream) = nullptr;
@@ -180,20 +181,20 @@ struct stored_launcher {
 struct predicate_launchers {
   const char *name;
   int kind_a, kind_b; // indices of the catalogue's kinds
-  // Reads min(*in.count, in.capacity) pairs of objects, takes them apart into pairs of slots, and appends those that the
-  // step keeps to `kept`; the number of pairs whose boxes touch is added to *touching. `which` is near_boxes or
-  // near_reject. cudaErrorInvalidValue where the scene does not ask for the rung.
+  // Reads min(*in.count, in.capacity) pairs of objects, takes them apart into pairs of slots, and appends those that
+  // the step keeps to `kept`; the number of pairs whose boxes touch is added to *touching. `which` is near_boxes or
+  // near_reject. Returns cudaErrorInvalidValue if the scene does not ask for the rung.
   cudaError_t (*near)(step which, const operand &a, const operand &b, pair_list in, pair_list kept,
                       unsigned long long *touching, cudaStream_t stream);
-  // Reads min(*in.count, in.capacity) pairs of slots; hits go to `yes` and what certify_* cannot tell to `unsure`.
-  // cudaErrorInvalidValue where the scene does not ask for the rung, and, as for near(), where an operand lacks what the
-  // step reads beside the rows.
+  // Reads min(*in.count, in.capacity) pairs of slots; hits go to `yes`, and pairs that certify_* cannot decide to
+  // `unsure`. Returns cudaErrorInvalidValue if the scene does not ask for the rung and, like near(), if an operand
+  // lacks stored values that the step reads.
   cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                      cudaStream_t stream);
   // A whole query, and the bytes that it needs.
   cudaError_t (*pairs)(const query &q, cudaStream_t stream);
   std::size_t (*workspace)(std::uint32_t elements_a, std::uint32_t elements_b, unsigned long long list_capacity);
-  // What certify_fp32, plain_fp32 and near_reject read beside the rows.
+  // The stored values that certify_fp32, plain_fp32 and near_reject read.
   stored_launcher stored_a = {}, stored_b = {};
 };
 

@@ -6,7 +6,7 @@
 
 namespace meetc {
 
-// Runs the stages in order and stops at the first that decides.
+// Runs the stages in order and stops at the first one that decides.
 template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) {
   sign s[P::atoms + 1];
   if constexpr (P::reject_stage::atoms > 0) {
@@ -32,7 +32,7 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const S
   if constexpr (P::rare_stage::atoms > 0) {
     const truth rare = needs_rare_stage<P>(f);
     if (can_be_true(rare)) {
-      if (can_be_false(rare)) { // perhaps yes: the next rung decides
+      if (can_be_false(rare)) { // possibly yes: the next rung decides
         for (int i = 0; i < P::rare_stage::atoms; ++i)
           f.sets[P::rare_stage::first + i] = sign_set::all();
         f.known = false;
@@ -47,11 +47,11 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const S
   return usual_answer<P>(f);
 }
 
-// One rung of `certified`, where the environment is known to be the standard one. Its no and yes are proved.
+// One rung of `certified`, in an environment that is known to be the standard one. Its no and yes are proved.
 template <class P, class A> MEETC_HD MEETC_INLINE answer certify_here(const float *row_a, const float *row_b) {
   return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
 }
-// The same in any environment; unsure unless it is the standard one.
+// The same in any environment. The answer is unsure unless the environment is the standard one.
 template <class P, class A> MEETC_HD inline answer certify(const float *row_a, const float *row_b) {
   if (!standard_environment())
     return answer::unsure;

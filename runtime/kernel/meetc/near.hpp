@@ -20,7 +20,7 @@ template <class A, class B> MEETC_HD inline bool boxes_touch(const float *a, con
   return touch;
 }
 
-// Whether the reject stage, certified in fp32, rules the pair out; P has one.
+// Whether the reject stage, certified in fp32, rules the pair out. P must have one.
 template <class P> MEETC_HD inline bool surely_rejected(const stored_pair &p) {
   sign_set s[P::atoms + 1];
   stored_bounded_signs<P>{p}.template get<typename P::reject_stage>(s);

@@ -1,8 +1,8 @@
-// The stages of a predicate: how their programs are run on rows of any number type.
+// Runs the stages of a predicate on rows of any number type.
 //
 // A predicate P has stages (reject, common, rare; absent ones are no_stage), each a program from stored numbers to
 // values. object_a and object_b compute the fields_a and fields_b values of one object that sets store (stored.hpp);
-// pair reads them and computes the rest. P::rejected, P::usual, P::needs_rare and P::whole are its decision, for sign
+// pair() reads them and computes the rest. P::rejected, P::usual, P::needs_rare and P::whole are its decision, for sign
 // and for sign_set alike. Signs are numbered over all stages; a stage's own begin at Stage::first.
 #ifndef MEETC_STAGES_HPP
 #define MEETC_STAGES_HPP
@@ -29,7 +29,7 @@ template <class Stage, class T> MEETC_HD MEETC_INLINE void stage_fields_b(const 
 // The stage's values for rows of T; those of degree 3 and more in W.
 template <class Stage, class T, class W> MEETC_HD MEETC_INLINE void stage_values(const T *a, const T *b, W *v) {
   T fields_a[Stage::fields_a + 1], fields_b[Stage::fields_b + 1];
-  fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare places, for stages that store nothing
+  fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare elements are for stages that store nothing
   stage_fields_a<Stage>(a, fields_a);
   stage_fields_b<Stage>(b, fields_b);
   Stage::template pair<T, W>(a, fields_a, b, fields_b, v);
@@ -55,10 +55,10 @@ template <class P, class T> struct rows_in {
 
 // ---- plain ----
 
-// A plain rung takes the sign of the computed value and says nothing about how wrong it can be.
+// A plain rung takes the sign of the computed value, whose error is not bounded.
 //
-// A set of signs, such as this, has get<Stage>(s), which finds the signs of one stage. stored.hpp has those that read
-// stored values.
+// A source of signs, such as this, has get<Stage>(s), which computes the signs of one stage. stored.hpp has the sources
+// that read stored values.
 template <class P, class T> struct plain_signs {
   rows_in<P, T> rows;
   MEETC_HD plain_signs(const float *row_a, const float *row_b) : rows(row_a, row_b) {}

@@ -1,13 +1,13 @@
-// What sets store beside their rows: the values of one object that a predicate reads, in float.
+// Stored values: the values of one object that a predicate reads, kept by sets beside their rows in float.
 //
 // Problem: a triangle's normal, or its magnitude in an error bound, is the same for every pair that the triangle is in.
-// Method: the compiler says which values of one object cost more than loading them (Stage::fields_a, fields_b for values,
-// Stage::magnitudes_of_a, _b for magnitudes). A set stores them, in the order of its rows, and the rungs in fp32 read
-// them; the other rungs compute in other types and decide few pairs. What is stored is what the pair would compute, bit
-// for bit, so that every bound covers it.
+// Method: the compiler selects the values of one object that cost more to compute than to load (Stage::fields_a, _b for
+// values, Stage::magnitudes_of_a, _b for magnitudes). A set stores them in the order of its rows, and the rungs in fp32
+// read them. The other rungs do not, since they compute in other types and decide few pairs. A stored value equals the
+// one that the pair would compute, bit for bit, so every bound covers it.
 //
-// The values of P's first object lie one stage after another, a stage's values before its magnitudes. The rare stage
-// stores nothing.
+// The values of an object are stored stage by stage, each stage's values before its magnitudes. The rare stage stores
+// nothing.
 #ifndef MEETC_STORED_HPP
 #define MEETC_STORED_HPP
 
@@ -36,25 +36,25 @@ template <class Stage> MEETC_HD constexpr int stored_magnitudes_b() {
   return 0;
 }
 
-// Where P's stages find their values, in floats from an object's first.
+// The offsets of the stages' values, in floats from an object's first one.
 template <class P> struct stored_layout {
   using reject = typename P::reject_stage;
   using common = typename P::common_stage;
   static constexpr int reject_a = stored_values_a<reject>() + stored_magnitudes_a<reject>();
   static constexpr int reject_b = stored_values_b<reject>() + stored_magnitudes_b<reject>();
-  // Floats an object.
+  // The number of floats for each object.
   static constexpr int floats_a = reject_a + stored_values_a<common>() + stored_magnitudes_a<common>();
   static constexpr int floats_b = reject_b + stored_values_b<common>() + stored_magnitudes_b<common>();
   template <class Stage> static constexpr int first_a = std::is_same_v<Stage, reject> ? 0 : reject_a;
   template <class Stage> static constexpr int first_b = std::is_same_v<Stage, reject> ? 0 : reject_b;
 };
 
-// The leaves of magnitudes in fp32.
+// The magnitude of a leaf in fp32.
 template <class Stage> MEETC_HD MEETC_INLINE leaf_magnitude<float> fp32_leaf() {
   return {power_of_two(Stage::floor_fp32, 0.0F)};
 }
 
-// Computes what a set stores for an object of P: stored_layout<P>::floats_a or floats_b numbers.
+// Computes the stored values of an object of P: stored_layout<P>::floats_a or floats_b numbers.
 template <class P> struct store_a {
   static constexpr int inputs = P::inputs_a, floats = stored_layout<P>::floats_a;
   MEETC_HD static void compute(const float *row, float *out) {
@@ -86,8 +86,7 @@ private:
   }
 };
 
-// A pair of rows; and one with what is stored beside them, where the pointers may be anything for an object that stores
-// nothing.
+// A pair of rows, and a pair of rows with stored values. The pointer of an object that stores nothing is not read.
 struct row_pair {
   const float *row_a, *row_b;
 };
@@ -108,7 +107,7 @@ template <class P, class Stage> MEETC_HD MEETC_INLINE void stage_values(const st
                                        p.stored_b + stored_layout<P>::template first_b<Stage>, v);
 }
 
-// As plain_signs in float, and as bounded_signs in fp32.
+// The same signs as plain_signs in float, and as bounded_signs in fp32.
 template <class P> struct stored_plain_signs {
   stored_pair pair;
   template <class Stage> MEETC_HD void get(sign *s) const {

@@ -1,4 +1,4 @@
-// What a runtime and generated code tell each other: plain data and functions, which name no shape.
+// The interface between a runtime and generated code: plain data and functions, which name no shape.
 #ifndef MEETC_TABLE_HPP
 #define MEETC_TABLE_HPP
 
@@ -8,35 +8,36 @@
 
 namespace meetc {
 
-// What a stored number is. A runtime can then move an element and check it without knowing its shape.
+// The role of a stored number, by which a runtime can move and check an element without knowing its shape.
 enum class role : std::uint8_t { x, y, z, length, other };
 
 // One kind of element. A row is `fields` floats in the spec's store order.
 struct kind_info {
   const char *name;
   const char *csv;   // the CSV header: the stored names, comma-separated
-  int fields;        // floats a row
-  const role *roles; // of each field
+  int fields;        // floats in a row
+  const role *roles; // one for each field
   int points;        // > 0: the row is this many points x, y, z and nothing else, so it can be indexed
   // A closed box that encloses the element, never too small (where subnormals are not flushed to zero).
   void (*box)(const float *row, float lo[3], float hi[3]);
   const char *(*fault)(const float *row); // the broken `where` rule, or null
-  int stored = 0;                         // how many different stored_values its predicates have
+  int stored = 0;                         // the number of different stored_values of its predicates
 };
 
-// What a set stores beside its rows for a predicate: `floats` numbers an element, in the order of the rows.
+// The values that a set stores beside its rows for a predicate: `floats` numbers for each element, in the order of the
+// rows.
 struct stored_values {
-  int number = -1; // which of the kind's; predicates that store the same share a number. -1: nothing is stored
+  int number = -1; // by kind; predicates with the same stored values share a number. -1: nothing is stored
   int floats = 0;
-  // Fills out for n rows. false where the floating-point environment is not the standard one: nothing can be stored then.
+  // Fills out for n rows. Returns false, and stores nothing, unless the floating-point environment is the standard one.
   bool (*compute)(const float *rows, std::size_t n, float *out) = nullptr;
 };
 
-// A set's rows, and what it stores for the predicate; null: each pair computes it.
+// A set's rows, and its stored values for the predicate; null: each pair computes them.
 struct row_array {
   const float *rows;
   const float *stored;
-  MEETC_HD row_array(const float *r, const float *s = nullptr) : rows(r), stored(s) {} // NOLINT: rows alone will do
+  MEETC_HD row_array(const float *r, const float *s = nullptr) : rows(r), stored(s) {} // NOLINT: rows alone suffice
 };
 
 struct index_pair {
@@ -65,11 +66,11 @@ struct predicate_info {
   // are proved. decide[exact] runs last, so a table made by hand must fill it as well: if any of the four is missing,
   // the runtime has no `certified`. Null without `certified`.
   decide_function certify[bounded_rungs];
-  // The first of them in a box of side D: a power of two from box_least to box_most that no difference of coordinates,
-  // no coordinate and no length of the elements exceeds. Bounds take each object's own extents.
+  // The first of them in a box of side D, which is a power of two from box_least to box_most that no difference of
+  // coordinates, no coordinate and no length of the elements exceeds. Bounds use the extents of each object.
   void (*certify_in_box)(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out);
   float box_least, box_most;
-  // What decide[fp32], decide[certified], certify[0] and certify_in_box read beside the rows.
+  // The stored values that decide[fp32], decide[certified], certify[0] and certify_in_box read.
   stored_values stored_a = {}, stored_b = {};
 };
 

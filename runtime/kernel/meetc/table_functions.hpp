@@ -8,7 +8,7 @@
 
 namespace meetc {
 
-// one(x) for each pair of rows x.
+// Calls one(x) for each pair of rows x.
 template <class P, class Decide>
 void decide_each(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
                  Decide &&one) {
@@ -16,7 +16,7 @@ void decide_each(const row_array &a, const row_array &b, const index_pair *pairs
     out[i] =
         one(row_pair{a.rows + std::size_t{pairs[i].a} * P::inputs_a, b.rows + std::size_t{pairs[i].b} * P::inputs_b});
 }
-// The same for the rungs in fp32, which read what the sets store where they store it.
+// The same for the rungs in fp32, which read stored values if the sets have them.
 template <class P, class Decide>
 void decide_each_stored(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
                         Decide &&one) {
@@ -32,7 +32,7 @@ void decide_each_stored(const row_array &a, const row_array &b, const index_pair
   decide_each<P>(a, b, pairs, n, out, one);
 }
 
-// The signs of a pair by the rungs in fp32.
+// The signs of a pair in the rungs in fp32.
 template <class P> plain_signs<P, float> plain_fp32(const row_pair &p) {
   return {p.row_a, p.row_b};
 }
@@ -84,7 +84,7 @@ void certify_pairs(row_array a, row_array b, const index_pair *pairs, std::size_
     decide_each_stored<P>(a, b, pairs, n, out, [](const auto &p) { return decide_sets<P>(bounded_fp32<P>(p)); });
   else
     decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return certify_here<P, A>(p.row_a, p.row_b); });
-  after_check(out); // what is stored is computed before the call returns
+  after_check(out); // keeps the computation before the return
 }
 template <class P>
 void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
@@ -99,7 +99,7 @@ void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair
     });
 }
 
-// What a set stores, by Store (store_a<P> or store_b<P>), for n rows.
+// Computes the stored values of n rows by Store (store_a<P> or store_b<P>).
 template <class Store> bool store_each(const float *rows, std::size_t n, float *out) {
   if (!standard_environment())
     return false;
@@ -115,7 +115,7 @@ template <class Store> constexpr stored_values stored_by(int number) {
   return {};
 }
 
-// The sides of a box that the box form covers, for the stages of P.
+// The sides of the boxes for which the box form holds in all stages of P.
 template <class P> constexpr float least_box() {
   float least = 0;
   const auto take = [&](auto stage) {
@@ -141,8 +141,8 @@ template <class P> constexpr float most_box() {
   return most;
 }
 
-// The entry of a predicate, with the rungs that the scene asks for; number_a and number_b are those of what its kinds
-// store for it.
+// The entry of a predicate, with the rungs that the scene asks for; number_a and number_b are the numbers of its stored
+// values.
 template <class P, rung... Rungs>
 predicate_info info_of(const char *name, const char *mode, const kind_info *a, const kind_info *b, int number_a,
                        int number_b) {

@@ -1,4 +1,4 @@
-// A pair's decision as far as most pairs need it: the reject stage and the usual case, on sets of signs.
+// The part of a decision that most pairs need: the reject stage and the usual case, on sets of signs.
 //
 // While every sign is known, the logic of signs is used, which is several times faster than that of sets.
 #ifndef MEETC_USUAL_HPP
@@ -8,24 +8,24 @@
 
 namespace meetc {
 
-// Reads sets of one sign each as signs.
+// Converts sets of one sign each to signs.
 template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, sign *s) {
   for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
     s[i] = known_sign(sets[i]);
 }
 
-// The signs that a rung with a bound has found so far.
+// The signs that a bounded rung has computed so far.
 template <class P> struct found_signs {
   sign_set sets[P::atoms + 1];
-  sign s[P::atoms + 1]; // valid where all are known
+  sign s[P::atoms + 1]; // valid if all are known
   bool known = true;
 };
 
 // Whether the predicate has a rare stage, even if only declared.
 template <class P> inline constexpr bool has_rare_stage = !std::is_same_v<typename P::rare_stage, no_stage>;
 
-// Runs the reject stage and that of the usual case. Returns false where the pair is a miss. A reject stage that is
-// unsure is no reason to stop, since the decision is right without it.
+// Runs the reject stage and the stage of the usual case. Returns false if the pair is a miss. An unsure reject stage
+// does not stop it, since the decision is right without that stage.
 template <class P, class Signs> MEETC_HD MEETC_INLINE bool find_usual(const Signs &signs, found_signs<P> &f) {
   if constexpr (P::reject_stage::atoms > 0) {
     f.known = signs.template get<typename P::reject_stage>(f.sets);
@@ -51,7 +51,7 @@ template <class P> MEETC_HD MEETC_INLINE answer usual_answer(const found_signs<P
   return f.known ? to_answer(P::usual(f.s)) : to_answer(P::usual(f.sets));
 }
 
-// What a bounded rung says without the rare stage; `rare` means that the rare stage must decide.
+// The answer of a bounded rung without the rare stage; `rare` means that the rare stage must decide.
 enum class first_answer : std::uint8_t { no, yes, unsure, rare };
 template <class P, class A> MEETC_HD MEETC_INLINE first_answer look(const float *row_a, const float *row_b) {
   found_signs<P> f;

@@ -64,7 +64,7 @@ atom_table::atom_table(int n, std::vector<atom> atoms) : n_(n), atoms_(std::move
 std::pair<std::size_t, int> atom_table::find(shape kind, int axis, std::initializer_list<int> of) const {
   const int at = index_[place_of(kind, axis, of)];
   if (at < 0)
-    throw std::logic_error("a sign that the emitted decision does not have");
+    throw std::logic_error("the emitted decision does not have this sign");
   int sign = atoms_[static_cast<std::size_t>(at)].sign;
   for (const int *i = of.begin(); i != of.end(); ++i)
     for (const int *j = i + 1; j != of.end(); ++j)
@@ -90,7 +90,7 @@ atom_table recognise(int n, const std::vector<polynomial> &values) {
   for (const polynomial &v : values) {
     const auto at = known.find(v.value().key());
     if (at == known.end())
-      throw std::logic_error("an emitted value that is no determinant, turn or difference: " + v.value().text());
+      throw std::logic_error("an emitted value is not a determinant, a turn or a difference: " + v.value().text());
     atoms.push_back(at->second);
   }
   return {n, atoms};

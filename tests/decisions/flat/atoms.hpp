@@ -1,6 +1,6 @@
-// What each emitted sign is the sign of, found by running the emitted stages on polynomials.
+// The expression whose sign each emitted sign is, found by running the emitted stages on polynomials.
 //
-// A value is recognised where it is, as a polynomial in the coordinates, exactly one of these or its
+// A value is recognised if it is, as a polynomial in the coordinates, exactly one of these or its
 // negative:
 //   determinant(a, b, c, d)  det (b - a, c - a, d - a)
 //   turn(k, a, b, c)         component k of (b - a) x (c - a)
@@ -21,8 +21,8 @@ namespace meetc::decisions_test {
 enum class shape { determinant, turn, difference };
 struct atom {
   shape kind;
-  int axis;  // of a determinant 0
-  labels of; // ascending
+  int axis;  // 0 for a determinant
+  labels of; // in ascending order
   int sign;  // the value is sign * kind(axis, of)
 };
 
@@ -31,8 +31,8 @@ public:
   atom_table(int n, std::vector<atom> atoms);
   int label_count() const { return n_; }
   const std::vector<atom> &all() const { return atoms_; }
-  // The sign of kind(axis, of), labels in any order, from the signs of the values. Throws where no value is
-  // that.
+  // The sign of kind(axis, of), with labels in any order, from the signs of the values. Throws if there is no
+  // such value.
   template <class S> S read(const S *values, shape kind, int axis, std::initializer_list<int> of) const {
     const auto [index, sign] = find(kind, axis, of);
     return sign > 0 ? values[index] : -values[index];
@@ -41,7 +41,7 @@ public:
 private:
   int n_;
   std::vector<atom> atoms_;
-  std::array<int, 3 * 3 * 64> index_; // by kind, axis and the labels' bits; -1 for none
+  std::array<int, 3 * 3 * 64> index_; // by kind, axis and the bits of the labels; -1 for none
   std::pair<std::size_t, int> find(shape kind, int axis, std::initializer_list<int> of) const;
 };
 
@@ -62,7 +62,7 @@ private:
   poly::poly p_;
 };
 
-// Throws std::logic_error where a value is none of the above.
+// Throws std::logic_error if a value is none of the above.
 atom_table recognise(int n, const std::vector<polynomial> &values);
 
 template <class P, class F> void each_stage(F &&f) {
@@ -75,7 +75,7 @@ template <class P, class F> void each_stage(F &&f) {
   one(typename P::rare_stage());
 }
 
-// Of a predicate whose operands are points, segments and triangles; computed once.
+// The table of a predicate whose operands are points, segments and triangles; computed once.
 template <class P> const atom_table &atoms_of() {
   static const atom_table table = [] {
     constexpr int first = P::inputs_a / 3, all = first + P::inputs_b / 3;

@@ -26,7 +26,7 @@ std::vector<labels> all_subsets(int n, int k) {
 
 constexpr int most = 6; // labels
 
-// By the subset's bits.
+// Indexed by the bits of the subset.
 using index_table = std::array<std::size_t, 1U << most>;
 unsigned bits_of(const labels &l) {
   unsigned bits = 0;
@@ -74,7 +74,7 @@ int sort_labels(labels &l) {
 
 std::int64_t determinant(const points &x, const labels &of) {
   const std::size_t d = of.size() - 1;
-  std::int64_t m[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; // of fewer dimensions: the rest is the unit matrix
+  std::int64_t m[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; // in fewer dimensions the rest is the unit matrix
   for (std::size_t i = 0; i < d; ++i)
     for (std::size_t k = 0; k < d; ++k)
       m[i][k] = x[static_cast<std::size_t>(of[i + 1])][k] - x[static_cast<std::size_t>(of[0])][k];

@@ -9,7 +9,7 @@
 namespace meetc::decisions_test {
 namespace {
 
-// Points on a line: any weak order of n labels is that of n numbers below n.
+// Points on a line: any weak order of n labels is the order of n numbers below n.
 witnesses weak_orders(int n) {
   witnesses out;
   points x(static_cast<std::size_t>(n), place{});
@@ -44,8 +44,8 @@ void add_grid(witnesses &all, int n, int side) {
   choose(choose, 0, 0);
 }
 
-// Six points of the plane. The last list is of the one class, up to labels, that has no room on a grid of 6
-// by 6.
+// Six points in the plane. The last list represents the only class, up to labels, that does not fit on a grid of
+// 6 by 6.
 witnesses six_in_the_plane() {
   witnesses out;
   for (const int side : {3, 4, 5, 6})
@@ -53,7 +53,7 @@ witnesses six_in_the_plane() {
   add_relabelled(out, {{6, 0, 0}, {6, 6, 0}, {0, 1, 0}, {3, 2, 0}, {2, 1, 0}, {5, 3, 0}}, 2);
   const std::vector<key> possible = possible_keys(6, 2);
   if (out.size() != possible.size() || !std::ranges::all_of(possible, [&](key k) { return out.contains(k); }))
-    throw std::logic_error("not every sign vector that six points of the plane could have has points");
+    throw std::logic_error("some possible sign vector of six points in the plane has no points");
   return out;
 }
 

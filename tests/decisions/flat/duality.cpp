@@ -1,13 +1,12 @@
 // Classes by duality. The affine dependences of n points that span d-space are a space of dimension e = n - d
 // - 1, the row space of a matrix of n columns g in e-space with sum 0; the determinant of d + 1 of the points
-// is, up to one factor for all, that of the other e columns, with the sign of the shuffle. Any columns that
-// span e-space and have a dependence with positive coefficients can be scaled to have sum 0, and then are of
-// some points.
-//   e = 0: there is nothing to choose.
-//   e = 1: numbers; signs of both kinds must be among them.
-//   e = 2: vectors of the plane, zero allowed. Their signs det(g, h) are those of vectors on six fixed lines,
-//   since
-//          only the order of the lines by angle counts, and there are at most six.
+// is, up to a common factor, the determinant of the other e columns, with the sign of the permutation. Any
+// columns that span e-space and have a dependence with positive coefficients can be scaled to sum 0, and then
+// belong to some points.
+//   e = 0: there is no choice.
+//   e = 1: numbers; both signs must occur.
+//   e = 2: vectors in the plane, including zero. Their signs det(g, h) are those of vectors on six fixed lines,
+//          since only the order of the lines by angle counts, and there are at most six lines.
 #include "tests/decisions/flat/classes.hpp"
 
 #include <algorithm>
@@ -20,7 +19,7 @@ namespace meetc::decisions_test {
 namespace {
 
 using planar = std::array<std::int64_t, 2>;
-using columns = std::vector<planar>;                                          // where e = 1 the second coordinate is 0
+using columns = std::vector<planar>;                                          // for e = 1 the second coordinate is 0
 constexpr planar lines[] = {{1, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 1}, {-1, 1}}; // by angle, from 0 to below pi
 
 std::int64_t det(const planar &g, const planar &h) {
@@ -42,7 +41,7 @@ labels without(int n, const labels &some) {
   return out;
 }
 
-// The points' key: for each S of d + 1 labels, sign (S, rest) det g_rest.
+// The key of the points: for each S of d + 1 labels, sign (S, rest) det g_rest.
 class dual_keys {
 public:
   dual_keys(int n, int d) {
@@ -90,7 +89,7 @@ bool add_dependence(const columns &g, std::size_t i, std::size_t e, std::vector<
   return false;
 }
 
-// Coefficients > 0 of a dependence of all columns, or nothing.
+// The coefficients > 0 of a dependence of all columns, or nothing.
 std::vector<std::int64_t> positive_dependence(const columns &g, std::size_t e) {
   std::vector<std::int64_t> weight(g.size());
   for (std::size_t i = 0; i < g.size(); ++i)
@@ -100,8 +99,8 @@ std::vector<std::int64_t> positive_dependence(const columns &g, std::size_t e) {
 }
 
 // Points whose dependences are the rows of g, which has sum 0: d independent vectors of its kernel are the
-// coordinates. With a basis B of columns, vector m has D = det g_B at m, and at B what Cramer's rule asks
-// for.
+// coordinates. With a basis B of columns, vector m has D = det g_B at m, and at B the values that
+// Cramer's rule gives.
 points points_of(const columns &g, int d) {
   const int n = static_cast<int>(g.size()), e = n - d - 1;
   labels basis;
@@ -131,7 +130,7 @@ points points_of(const columns &g, int d) {
   return x;
 }
 
-// One list of columns, scaled to sum 0, for every key that such lists have.
+// For every key that such lists have, one list of columns, scaled to sum 0.
 std::unordered_map<key, columns> dual_lists(int n, int d) {
   const int e = n - d - 1;
   std::unordered_map<key, columns> out;
@@ -177,17 +176,17 @@ witnesses witnesses_by_duality(int n, int d) {
       continue;
     points x = points_of(g, d);
     if (const key found = chirotope_of(x, d); found != k && found != negative(k, n, d))
-      throw std::logic_error("points whose signs are not those of their dual");
+      throw std::logic_error("the signs of some points are not those of their dual");
     for (int mirrored = 0; mirrored < 2; ++mirrored) {
       add_relabelled(out, x, d);
       for (place &p : x)
         p[0] = -p[0];
     }
   }
-  // Relabelling and mirroring lead to no other keys than the duals have, but for the other orientation of a
+  // Relabelling and mirroring give only keys that the duals have, except for the other orientation of a
   // simplex.
   if (out.size() != duals.size() + (n == d + 1 ? 1 : 0))
-    throw std::logic_error("the points' classes are not those of their duals");
+    throw std::logic_error("the classes of the points are not those of their duals");
   return out;
 }
 

@@ -1,8 +1,8 @@
-// The four decisions, written a second time by hand in determinants, turns and differences, and each with one mistake,
-// to see that the enumeration finds it.
+// The four decisions, written independently by hand in determinants, turns and differences; and each of them with one
+// mistake, to test that the enumeration finds it.
 //
-// This is what the proof in docs/decisions.md reads. That the emitted functions say the same for all signs is
-// checked, so neither the spec language nor the compiler is trusted.
+// The proof in docs/decisions.md is about these. The tests show that the emitted functions agree with them for all
+// signs, so neither the spec language nor the compiler is trusted.
 #ifndef MEETC_TESTS_DECISIONS_FORMULAS_HPP
 #define MEETC_TESTS_DECISIONS_FORMULAS_HPP
 
@@ -16,14 +16,14 @@ namespace meetc::decisions_test {
 enum class change {
   none,
   // segment_segment
-  ss_off_the_plane,    // no twist
-  ss_one_way_crossing, // only the ends of the first on both sides of the second
+  ss_off_the_plane,    // the twist is not tested
+  ss_one_way_crossing, // only the ends of the first must be on both sides of the second
   ss_other_way_crossing,
   ss_open_crossing, // an end on the other's line does not count
   ss_no_overlap,
-  ss_open_overlap, // ranges must share more than a bound
-  ss_two_axes,     // turns along the third axis are not looked at
-  ss_two_ranges,   // nor the overlap there
+  ss_open_overlap, // ranges must share more than an end
+  ss_two_axes,     // turns along the third axis are not tested
+  ss_two_ranges,   // the overlap along the third axis is not tested
   // point_triangle
   pt_off_the_plane,
   pt_open, // the edges do not count
@@ -37,15 +37,15 @@ enum class change {
   st_open_twists, // edges do not count
   st_no_twists,
   st_two_twists,
-  st_no_end,       // coplanar: edges only
-  st_two_edges,    // coplanar: two of them
-  st_no_rare,      // coplanar as if it were not
-  st_rare_no,      // coplanar is a miss
-  st_two_rejected, // reject: one end off the plane is enough
+  st_no_end,       // coplanar: only edges are tested
+  st_two_edges,    // coplanar: only two edges are tested
+  st_no_rare,      // coplanar pairs are treated like others
+  st_rare_no,      // coplanar pairs miss
+  st_two_rejected, // reject: one end off the plane suffices
   // triangle_triangle
-  tt_edges_of_one,     // B's edges are not tried
+  tt_edges_of_one,     // the edges of B are not tested
   tt_closed_rejection, // reject: touching the plane from one side is a miss
-  tt_hasty_rejection,  // reject: two corners on one side are enough
+  tt_hasty_rejection,  // reject: two corners on one side suffice
   tt_rare_no,          // a coplanar edge is a miss
   count
 };
@@ -123,8 +123,8 @@ public:
     return meetc::in<4>(side(a, b, c, p) * side(a, b, c, q));
   }
 
-  // Of corners 0, 1, 2 and 3, 4, 5; each_edge(f): `f` of every edge of one and all of the other, joined by
-  // "or".
+  // The corners are 0, 1, 2 and 3, 4, 5. each_edge(f) joins `f` of every edge of one triangle and all of the other
+  // by "or".
   template <class F> truth each_edge(F &&f) const {
     truth t = meetc::either(meetc::either(f(0, 1, 3, 4, 5), f(1, 2, 3, 4, 5)), f(2, 0, 3, 4, 5));
     if (!is(change::tt_edges_of_one))

@@ -9,7 +9,7 @@ constexpr std::size_t none = ~std::size_t{0};
 
 struct product {
   int sign;
-  std::size_t first, second; // determinants, by index; second may be none
+  std::size_t first, second; // indices of determinants; there may be no second one
 };
 using identity = std::vector<product>; // their sum is zero
 
@@ -20,7 +20,7 @@ labels joined(const labels &a, int b, int c) {
   return out;
 }
 
-// sign * [u][v], labels in any order but all of one list different.
+// sign * [u][v], with labels in any order that are different within one list.
 product of(int n, int sign, labels u, labels v) {
   sign *= sort_labels(u) * sort_labels(v);
   return {sign, index_of(n, u), index_of(n, v)};
@@ -60,7 +60,7 @@ std::vector<identity> identities(int n, int d) {
 
 std::vector<key> possible_keys(int n, int d) {
   const std::size_t count = subsets(n, d + 1).size();
-  // Each identity is looked at as soon as its last determinant has a sign.
+  // Each identity is tested as soon as its last determinant has a sign.
   std::vector<std::vector<identity>> at(count);
   for (identity &terms : identities(n, d)) {
     std::size_t last = 0;

@@ -1,8 +1,8 @@
-// Sign vectors that determinants could have: all that contradict no identity of a given list.
+// The possible sign vectors of determinants: all that contradict no identity of a given list.
 //
-// Whatever the real points, their determinants obey identities; a sign vector under which the terms of one
-// identity are not all zero and all of one sign, is of no points. So this is a list of keys that leaves none
-// out. Where each has points that attain it, the list is the list of classes.
+// The determinants of any real points satisfy identities. If under a sign vector the terms of one identity are
+// not all zero but have one sign, no points have that sign vector. The list therefore contains all keys; if each
+// of them has points, it is the list of classes.
 #ifndef MEETC_TESTS_DECISIONS_NECESSARY_HPP
 #define MEETC_TESTS_DECISIONS_NECESSARY_HPP
 

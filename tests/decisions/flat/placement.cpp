@@ -9,7 +9,7 @@ place cross(const place &u, const place &v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-// Two integer vectors with a positive multiple of n for cross product.
+// Two integer vectors whose cross product is a positive multiple of n.
 std::vector<place> across(const place &n) {
   const std::vector<place> units{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::size_t k = n[0] != 0 ? 0 : n[1] != 0 ? 1 : 2;
@@ -22,7 +22,7 @@ std::vector<place> directions() {
   for (int x = 0; x <= 1; ++x)
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z)
-        if (x > 0 || y > 0 || (y == 0 && z > 0)) // the first that is not zero is positive
+        if (x > 0 || y > 0 || (y == 0 && z > 0)) // the first non-zero coordinate is positive
           out.push_back({x, y, z});
   return out;
 }

@@ -1,4 +1,4 @@
-// Classes put into space: points of d-space under an injective linear map with integer coefficients.
+// Placements of classes in space: points of d-space under an injective linear map with integer coefficients.
 #ifndef MEETC_TESTS_DECISIONS_PLACEMENT_HPP
 #define MEETC_TESTS_DECISIONS_PLACEMENT_HPP
 
@@ -9,24 +9,23 @@
 
 namespace meetc::decisions_test {
 
-// The images of the unit vectors; and what the signs of turns and differences come from: of two vectors their
-// cross product, of one the vector itself, else nothing (0).
+// The images of the unit vectors; and the direction that gives the signs of turns and differences: the cross
+// product of two vectors, a single vector itself, else 0.
 struct placement {
   std::vector<place> image;
   place direction;
 };
 
-// d = 2: planes, and d = 1: lines, one for each sign vector of the direction but for its negative, 13 in all:
-// a negative direction with a class is the direction with the class's mirror image. d = 3: space as it is,
-// and three maps that keep orientations: one that leaves no axis in its place, and two that flatten space so
-// that a corner tetrahedron's opposite edges, or a corner and a face, meet in all three projections along
-// axes. d = 0: one.
+// d = 2: planes, and d = 1: lines, one for each sign vector of the direction up to its negative, 13 in all: a
+// negative direction with a class is the direction with the mirror image of the class. d = 3: the identity, and
+// three maps that keep orientations: one that moves every axis, and two that flatten space so that opposite edges
+// of a corner tetrahedron, or a corner and a face, meet in all three projections along axes. d = 0: one.
 const std::vector<placement> &placements(int d);
 
 points placed(const points &x, const placement &p);
 
 // Whether the hulls of the first m points and of the others share a point, by exact distances (gen/oracle).
-// Lists of points that have the same two hulls are judged once.
+// Lists of points with the same two hulls are judged once.
 class judge {
 public:
   bool touching(const points &x, std::size_t m);

@@ -1,4 +1,4 @@
-// The four predicates of points, segments and triangles with what is written by hand for each.
+// The four predicates of points, segments and triangles, each with its hand-written decision.
 #ifndef MEETC_TESTS_DECISIONS_SUBJECTS_HPP
 #define MEETC_TESTS_DECISIONS_SUBJECTS_HPP
 
@@ -9,8 +9,8 @@
 
 namespace meetc::decisions_test {
 
-// written<P>: how many points each operand has, and the parts of the decision; the labels of A's points come
-// first.
+// written<P>: the number of points of each operand, and the parts of the decision; the labels of A's points
+// come first.
 template <class P> struct written;
 
 template <> struct written<cga::segment_segment> {

@@ -34,8 +34,8 @@ formula number_of(form f) {
   return where->second;
 }
 
-// `kind` over all parts: parts of the same kind are opened, the neutral constant is left out, the other one
-// wins.
+// `kind` over all parts: parts of the same kind are flattened, the neutral constant is left out, and the other
+// constant is the result.
 formula join(joint kind, const std::vector<formula> &parts) {
   const formula neutral = constant(kind == joint::all), winner = constant(kind != joint::all);
   std::set<formula> out;
@@ -79,7 +79,7 @@ std::vector<formula> alternatives(formula f) {
 }
 
 formula where_false(formula f, const std::vector<formula> &untrue) {
-  const form here = at(f); // a copy: the store grows below
+  const form here = at(f); // a copy, because the store grows below
   for (const formula u : untrue) {
     if (u == f)
       return constant(false);

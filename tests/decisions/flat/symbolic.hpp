@@ -1,11 +1,11 @@
-// The emitted decisions as formulas: the very functions of the headers, run on signs that are names.
+// The emitted decisions as formulas: the functions of the headers, run on symbolic signs.
 //
-// Include this before any header of a predicate: those name the connectives as ::meetc::both and so on, and
-// see only what was declared before them.
+// Include this before any header of a predicate: those name the connectives ::meetc::both and so on, and see
+// only what was declared before them.
 //
 // A formula is kept in a form that depends neither on the order, the grouping nor the repetition of what
-// `both` and `either` join. One form, then, means one truth for all signs whatever; the converse is not
-// needed. This is written without the compiler's own decision graphs, which it judges.
+// `both` and `either` join. Equal forms therefore mean equal truths for all signs; the converse is not
+// needed. This does not use the decision graphs of the compiler, which it checks.
 #ifndef MEETC_TESTS_DECISIONS_SYMBOLIC_HPP
 #define MEETC_TESTS_DECISIONS_SYMBOLIC_HPP
 
@@ -19,7 +19,7 @@
 
 namespace meetc::decisions_test {
 
-using formula = int; // a number a form
+using formula = int; // the number of a form
 
 formula constant(bool value);
 // Whether the product of these atoms is in the mask (1 negative, 2 zero, 4 positive).
@@ -27,9 +27,9 @@ formula test(std::vector<int> atoms, int mask);
 formula all_of(std::vector<formula> parts);
 formula any_of(std::vector<formula> parts);
 formula negation(formula f);
-// What an any_of joins; a formula of another kind alone.
+// The parts of an any_of, or the formula itself if it is of another kind.
 std::vector<formula> alternatives(formula f);
-// What is left of f where none of these formulas is true.
+// The rest of f if none of these formulas is true.
 formula where_false(formula f, const std::vector<formula> &untrue);
 
 } // namespace meetc::decisions_test

@@ -1,4 +1,4 @@
-// The enumeration finds mistakes: each decision with one thing wrong is refuted by a class.
+// The enumeration finds mistakes: each decision with one mistake is refuted by a class.
 #include "tests/catch.hpp"
 #include "tests/decisions/flat/witness.hpp"
 
@@ -8,8 +8,8 @@ using namespace meetc::decisions_test;
 
 namespace {
 
-// In how many placed classes a changed decision is wrong: by itself, or because a reject line holds of a pair
-// that meets. Stops at the first if told so.
+// The number of placed classes for which a changed decision is wrong: by itself, or because a reject line holds
+// for a pair that meets. Stops at the first one if told to.
 template <class P> int wrong(change c, bool stop) {
   constexpr int m = written<P>::of_a, n = m + written<P>::of_b;
   int count = 0;

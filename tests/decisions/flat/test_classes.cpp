@@ -1,4 +1,4 @@
-// The lists of classes: complete, and as long as they are known to be.
+// The lists of classes are complete, and as long as is known.
 #include "tests/catch.hpp"
 #include "tests/decisions/flat/classes.hpp"
 #include "tests/decisions/flat/necessary.hpp"
@@ -10,8 +10,8 @@ using namespace meetc::decisions_test;
 
 namespace {
 
-// Up to labels and reflection, of those without a coincident pair; `general`: also without a vanishing
-// determinant.
+// The number of classes without a coincident pair, up to labels and reflection; `general`: also without a
+// vanishing determinant.
 struct types {
   int all = 0, general = 0;
 };
@@ -48,7 +48,7 @@ std::size_t without_coincidences(int n, int d) {
 
 } // namespace
 
-TEST_CASE("classes: as many as there are, each of points with these very signs") {
+TEST_CASE("classes: their number is right, and each has points with its signs") {
   struct row {
     int n, d;
     std::size_t all, distinct; // `distinct`: no two points coincide
@@ -65,7 +65,7 @@ TEST_CASE("classes: as many as there are, each of points with these very signs")
 }
 
 // 180 = 3^5 - 2 * 2^5 + 1 sign vectors have signs of both kinds, and 50 = 3^4 - 2 * 2^4 + 1.
-TEST_CASE("classes: they are all the sign vectors that contradict no identity") {
+TEST_CASE("classes: they are all sign vectors that contradict no identity") {
   for (int n = 4; n <= 6; ++n)
     for (int d = 1; d <= 3; ++d) {
       CAPTURE(n, d);

@@ -1,5 +1,4 @@
-// The emitted decisions are the hand-written ones for all signs whatever, and their stages agree: see
-// symbolic.hpp.
+// The emitted decisions equal the hand-written ones for all signs, and their stages agree: see symbolic.hpp.
 #include "tests/decisions/flat/symbolic.hpp"
 
 #include "tests/catch.hpp"
@@ -48,18 +47,18 @@ TEST_CASE("formulas: every emitted sign is that of a determinant, a turn or a di
   for_each_subject([](auto p) {
     using P = decltype(p);
     INFO(written<P>::name);
-    const atom_table &table = atoms_of<P>(); // throws where a value is something else
+    const atom_table &table = atoms_of<P>(); // throws if a value is something else
     CHECK(table.label_count() == written<P>::of_a + written<P>::of_b);
     CHECK(table.all().size() == P::atoms);
   });
-  // A value that is half of one, or a sum of two, is not taken for it.
+  // Half of such a value, or a sum of two, is not recognised.
   const auto x = [](int label) { return polynomial::coordinate(label, 0); };
   CHECK_NOTHROW(recognise(3, {x(1) - x(0)}));
   CHECK_THROWS(recognise(3, {x(1) + x(0)}));
   CHECK_THROWS(recognise(3, {x(1) - x(0) + x(1) - x(0)}));
 }
 
-TEST_CASE("formulas: the emitted decision is the hand-written one for all signs") {
+TEST_CASE("formulas: the emitted decision equals the hand-written one for all signs") {
   for_each_subject([](auto p) {
     using P = decltype(p);
     INFO(written<P>::name);
@@ -74,7 +73,7 @@ TEST_CASE("formulas: the emitted decision is the hand-written one for all signs"
   });
 }
 
-TEST_CASE("formulas: where no rare sign is needed, the usual decision is the whole one") {
+TEST_CASE("formulas: if no rare sign is needed, the usual decision equals the whole one") {
   for_each_subject([](auto p) {
     using P = decltype(p);
     INFO(written<P>::name);
@@ -82,7 +81,7 @@ TEST_CASE("formulas: where no rare sign is needed, the usual decision is the who
     const formula rare = needs_rare<P>(s), whole = P::whole(s.data()).form, usual = P::usual(s.data()).form;
     const auto untrue = alternatives(rare);
     CHECK(where_false(whole, untrue) == where_false(usual, untrue));
-    // With one rare condition forgotten it is not.
+    // Without one rare condition it does not.
     if constexpr (staged<P>)
       for (std::size_t i = 0; i < untrue.size(); ++i) {
         auto fewer = untrue;
@@ -103,7 +102,7 @@ TEST_CASE("formulas: another formula, or another table of signs, has another for
       if (whole_by_hand<P>(s, atoms_of<P>(), static_cast<change>(c)) != whole ||
           rejected_by_hand<P>(s, static_cast<change>(c)) != reject)
         seen[c] = true;
-    // One sign taken for its opposite. A test for zero alone does not mind.
+    // One sign is replaced by its opposite. A test for zero alone is not affected.
     int minded = 0;
     for (std::size_t i = 0; i < s.size(); ++i) {
       auto atoms = atoms_of<P>().all();
@@ -116,7 +115,7 @@ TEST_CASE("formulas: another formula, or another table of signs, has another for
   CHECK(std::ranges::count(seen, true) == static_cast<int>(change::count) - 1);
 }
 
-// The forms are no part of this one.
+// This case does not use forms.
 TEST_CASE("formulas: hand-written and emitted answers agree on random signs") {
   for_each_subject([](auto p) {
     using P = decltype(p);

@@ -1,6 +1,6 @@
-// segment_segment and point_triangle for all real points, at the level of signs: of four points the class and
-// the signs of one direction fix every determinant and every turn, and, but for points that span a plane,
-// every difference. docs/decisions.md says why; here the emitted decisions are run on those very signs.
+// segment_segment and point_triangle for all real points, at the level of signs: for four points the class and
+// the signs of one direction determine every determinant and every turn and, unless the points span a plane,
+// every difference. docs/decisions.md says why; here the emitted decisions are run on those signs.
 #include "tests/catch.hpp"
 #include "tests/decisions/flat/witness.hpp"
 
@@ -45,16 +45,16 @@ template <class P> int check_signs() {
       const bool meets = hulls_meet(k, n, d, m);
       for (const placement &p : placements(d)) {
         std::vector<sign_set> s = signs_of<P>(k, d, p.direction);
-        // What the points of this class really have is among it.
+        // The actual signs of points of this class are among the possible ones.
         meetc::sign real[P::atoms];
         integer_pair<P>(placed(x, p)).all(real);
         for (std::size_t i = 0; i < P::atoms; ++i)
           witnessed = witnessed && (s[i].bits & sign_set::of(real[i]).bits) != 0;
-        if (meets) // then all ranges overlap, which is all that differences are asked; equal points' do
+        if (meets) // then all ranges overlap, for which alone differences are used; those of equal points do
           for (std::size_t i = 0; i < P::atoms; ++i)
             if (s[i].bits == 7 && atoms_of<P>().all()[i].kind == shape::difference)
               s[i] = sign_set::of(meetc::sign::zero);
-        // Certain, whatever the signs that are left open.
+        // The answer is certain, whatever the undetermined signs are.
         decided = decided && meetc::to_answer(P::whole(s.data())) == (meets ? meetc::answer::yes : meetc::answer::no);
         if (d < 3 || &p == &placements(3).front())
           ++situations;

@@ -1,5 +1,5 @@
-// The emitted decisions against exact geometry: one member of every class, see docs/decisions.md for why that
-// is enough, and the counts.
+// The emitted decisions against exact geometry on one member of every class. docs/decisions.md says why that is
+// enough, and has the counts.
 #include "tests/catch.hpp"
 #include "tests/decisions/flat/witness.hpp"
 #include "tests/generated/effort.hpp"
@@ -12,7 +12,7 @@ namespace generated_test = meetc::generated_test;
 
 namespace {
 
-// Of classes, by the dimension that the points span.
+// Counts of classes, by the dimension that the points span.
 struct counts {
   int meet, miss;
 };
@@ -24,7 +24,7 @@ template <class P> void check_all(const std::array<counts, 4> &want) {
     CAPTURE(written<P>::name, d);
     judge oracle;
     findings f;
-    // Every class in every build; in one placement alone where the build is a slow one.
+    // Every class in every build; slow builds use only one placement.
     const std::size_t each = generated_test::effort(2) == 2 ? placements(d).size() : 1;
     for (const auto &[k, x] : classes_of(n, d)) {
       const bool meets = hulls_meet(k, n, d, m);
@@ -47,9 +47,9 @@ template <class P> void check_all(const std::array<counts, 4> &want) {
 
 } // namespace
 
-// Many of these are known beforehand. With a points and b: on a line the misses are 2 w(a) w(b), where w
-// counts weak orders, 1, 3, 13 of 1, 2, 3 labels; where a + b = d + 2 there is one dependence, and the hits
-// are 2 (2^a - 1) (2^b - 1).
+// Many of these are known in advance. With a and b points: on a line the misses are 2 w(a) w(b), where w counts
+// weak orders, 1, 3, 13 of 1, 2, 3 labels; if a + b = d + 2 there is one dependence, and the hits are
+// 2 (2^a - 1) (2^b - 1).
 TEST_CASE("geometry: segment_segment") {
   check_all<cga::segment_segment>({counts{1, 0}, {56, 18}, {18, 32}, {0, 2}});
 }

@@ -1,4 +1,4 @@
-// One class member, put into space, before the emitted decision and before the judge.
+// Tests one placed member of a class by the emitted decision and by the judge.
 #ifndef MEETC_TESTS_DECISIONS_WITNESS_HPP
 #define MEETC_TESTS_DECISIONS_WITNESS_HPP
 
@@ -22,7 +22,7 @@ template <class P> struct integer_pair {
     for (std::size_t i = 0; i < P::inputs_b; ++i)
       b[i] = x[(P::inputs_a + i) / 3][i % 3];
   }
-  // As meetc::decide asks for them.
+  // In the form that meetc::decide requires.
   template <class Stage> void get(meetc::sign *s) const {
     static_assert(18 * Stage::degree + Stage::growth < 63);
     meetc::stage_signs<Stage>(a, b, s);
@@ -36,7 +36,7 @@ template <class P> struct integer_pair {
   }
 };
 
-// The answer of the header's own entry point for the same numbers in float32, which holds them exactly.
+// The answer of the header's entry point for the same numbers in float32, which represents them exactly.
 template <class P> bool hit_of(const points &x) {
   std::vector<float> rows;
   for (const place &p : x)
@@ -50,13 +50,13 @@ template <class P> bool hit_of(const points &x) {
   return hit;
 }
 
-// What was found wrong with a witness, none of which may be.
+// Counts of faults of a witness, all of which must be 0.
 struct findings {
   int big = 0;      // a coordinate is too large for this proof
-  int judges = 0;   // the key's answer is not the oracle's
+  int judges = 0;   // the key's answer differs from the oracle's
   int decision = 0; // the staged decision on exact signs
   int whole = 0;    // the decision without its reject lines and stages
-  int rejected = 0; // a reject line holds of a pair that meets
+  int rejected = 0; // a reject line holds for a pair that meets
   int header = 0;   // P::hit
   int hits = 0, misses = 0;
   bool clean() const { return big + judges + decision + whole + rejected + header == 0; }

@@ -65,7 +65,7 @@ std::vector<claim> claims_of(const emitted &e, const decision &d) {
   }
   if (e.surface && e.second != other::sphere)
     append(out, far_claims(d, e.second == other::triangle));
-  // A hit by a way that no claim above is about.
+  // A hit by a way that no claim above covers.
   for (const way &w : d.near)
     if (std::find(known.begin(), known.end(), w.name) == known.end())
       out.push_back({w.name + " hit, which touches nothing that is known", with(d, w, {}), {}, {}});

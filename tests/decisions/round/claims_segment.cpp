@@ -1,4 +1,4 @@
-// A ball and an edge from p to q: a segment's own, or one of a triangle's three.
+// A ball and an edge from p to q: a segment, or one of the three edges of a triangle.
 //
 // With A = |w|^2, B = w.d, C = |d|^2, w the centre less p, d = q - p, the point at s is p + s d, and its
 // squared distance from the centre is f(s) = A - 2 s B + s^2 C.
@@ -15,11 +15,11 @@ struct edge {
   polynomial reach(const polynomial &s) const { return A - 2 * (s * B) + s * s * C; }
 };
 
-// A hit by the edge's own way: the foot of the perpendicular lies between the ends and is within reach.
+// A hit by the way of the edge: the foot of the perpendicular lies between the ends and is within reach.
 void add_hits(const decision &d, const edge &e, std::vector<claim> &out) {
   const way *w = d.find("edge " + e.name());
   if (!w)
-    return; // a way that is not there gives no hit
+    return; // a missing way gives no hit
   const gram &g = gram::ring();
   const std::string between = e.name() + " between", close = e.name() + " close";
   const fact length = at_least("length", e.C);
@@ -38,7 +38,7 @@ void add_hits(const decision &d, const edge &e, std::vector<claim> &out) {
                  {{"foot", -foot}}});
 }
 
-// A point of the edge within reach: then an end's way or the edge's way hits.
+// If a point of the edge is within reach, the way of an end or of the edge hits.
 void add_misses(const decision &d, const edge &e, std::vector<claim> &out) {
   const gram &g = gram::ring();
   const polynomial rest = g.one - g.s;

@@ -14,7 +14,7 @@ std::vector<corner> corners() {
   return {{"a", g.one - g.s - g.t, g.ma}, {"b", g.s, g.mb}, {"c", g.t, g.mc}};
 }
 
-// A hit by the face's way: the foot is a point of the triangle, and within reach.
+// A hit by the way of the face: the foot is a point of the triangle and is within reach.
 void add_hits(const decision &d, std::vector<claim> &out) {
   const gram &g = gram::ring();
   if (const way *w = d.find("reversed face")) // no foot lies on the wrong side of all three edges
@@ -52,7 +52,7 @@ void add_hits(const decision &d, std::vector<claim> &out) {
   out.push_back(k);
 }
 
-// A point of the triangle within reach, the foot inside: then the face's way hits.
+// If a point of the triangle is within reach and the foot is inside, the way of the face hits.
 void add_misses(const decision &d, std::vector<claim> &out) {
   const gram &g = gram::ring();
   const polynomial at_s = g.area * g.s - g.mb, at_t = g.area * g.t - g.mc;
@@ -76,15 +76,15 @@ void add_misses(const decision &d, std::vector<claim> &out) {
                });
 }
 
-// Facts of the triangle alone, whatever the decision.
+// Facts about the triangle that do not depend on the decision.
 void add_geometry(std::vector<claim> &out) {
   const gram &g = gram::ring();
   out.push_back({"area, yet a first edge without length",
                  {above("area", g.area), at_least("other", g.g22), at_least("none", -g.g11)},
                  {{1, {"area"}}, {1, {"none", "other"}}, {1, {}, g.g12}},
                  {}});
-  // (l1, l2) is the foot: w - l1 d1 - l2 d2 is at right angles to d1 and d2. From (s, t) a part tau of the
-  // way to it.
+  // (l1, l2) is the foot: w - l1 d1 - l2 d2 is at right angles to d1 and d2. The point is the part tau of the
+  // way from (s, t) to it.
   const polynomial u = g.s - g.l1, v = g.t - g.l2;
   const polynomial nearer = g.reach(g.s - g.tau * u, g.t - g.tau * v);
   const product along{1, {"tau"}, g.g11 * u + g.g12 * v}, across{1, {"tau", "area"}, v};

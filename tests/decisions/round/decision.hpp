@@ -1,4 +1,4 @@
-// The decisions as the written proof states them: polynomials over inner products, a list of ways to be near
+// The decisions as the written proof states them: polynomials in inner products, a list of ways to be near
 // enough, and for surfaces a list of ways to be far enough.
 #ifndef MEETC_TESTS_DECISIONS_ROUND_DECISION_HPP
 #define MEETC_TESTS_DECISIONS_ROUND_DECISION_HPP
@@ -16,21 +16,21 @@ struct literal {
   int mask;
 };
 
-// All of the literals; the name says which points of the figure it is about.
+// A conjunction of literals; the name says which points of the figure it is about.
 struct way {
   std::string name;
   std::vector<literal> all;
 };
 
-// Hit: one of the ways `near`, and where `bounded_below` one of the literals `far`.
+// A hit: one of the ways `near` holds and, if `bounded_below`, one of the literals `far`.
 struct decision {
   std::vector<polynomial> atoms;
   std::vector<way> near;
   std::vector<literal> far;
   bool bounded_below = false;
 
-  const way *find(const std::string &name) const; // null where there is none
-  // The literal holds where this is: a polynomial that is >= 0, or > 0 where `strict`.
+  const way *find(const std::string &name) const; // null if there is none
+  // The literal holds if this does: a polynomial is >= 0, or > 0 if `strict`.
   struct inequality {
     polynomial value;
     bool strict;
@@ -39,16 +39,16 @@ struct decision {
   inequality fails(const literal &l) const;
 
   bool hit(const std::vector<int> &signs) const;
-  // 64 cases at once, by bits: negative[i] and positive[i] are the cases in which atom i is so.
+  // 64 cases at once, one in each bit: negative[i] and positive[i] are the cases in which atom i is so.
   std::uint64_t hits(const std::vector<std::uint64_t> &negative, const std::vector<std::uint64_t> &positive) const;
 };
 
-// As stated for a predicate (not for the lone sign, which is one atom).
+// The stated decision of a predicate (not of the single sign, which is one atom).
 decision stated(const emitted &e);
 // The one atom of side(sphere, point): the sign is its opposite.
 polynomial stated_side();
 
-// Decisions with one thing wrong.
+// Decisions with one mistake.
 struct mutant {
   std::string of, what;
   decision wrong;

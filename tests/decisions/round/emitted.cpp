@@ -24,7 +24,7 @@ template <class P, class F> void for_each_stage(F &&f) {
     run(typename P::rare_stage{});
 }
 
-// The polynomials of rows that are the ring's variables.
+// The polynomials of the atoms for rows of the ring's variables.
 template <class P> std::vector<symbol> variables(const poly::ring &numbers) {
   symbol::ring = &numbers;
   std::vector<symbol> out;
@@ -45,7 +45,7 @@ template <class P> std::vector<polynomial> polynomials(const poly::ring &numbers
   return out;
 }
 
-// The interpreter of bytecode once more, on polynomials. Registers of inputs come first, as in run_limbs().
+// An interpreter of bytecode on polynomials. The first registers hold the inputs, as in run_limbs().
 template <class P> std::vector<polynomial> step_polynomials(const poly::ring &numbers) {
   const std::vector<symbol> row = variables<P>(numbers);
   std::vector<polynomial> out(static_cast<std::size_t>(P::atoms), polynomial(numbers));
@@ -93,7 +93,7 @@ std::vector<meetc::sign> signs(const std::vector<rational> &row_a, const std::ve
   return out;
 }
 
-// A source of signs that knows them.
+// A source of known signs.
 struct given {
   const meetc::sign *known;
   template <class Stage> void get(meetc::sign *s) const {

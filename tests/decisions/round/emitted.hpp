@@ -11,7 +11,7 @@
 
 namespace meetc::decisions_round {
 
-// What the second operand is; the first is always a sphere.
+// The type of the second operand; the first is always a sphere.
 enum class other { sphere, segment, triangle, point };
 
 struct emitted {
@@ -23,25 +23,25 @@ struct emitted {
   // Each atom as a polynomial in the stored numbers: the emitted template run on polynomials. `numbers` has
   // the variables of the first operand's row, then of the second's.
   std::vector<polynomial> (*polynomials)(const poly::ring &numbers);
-  // The same of the second program that is emitted, the list of steps that wide integers take.
+  // The same for the emitted bytecode, which wide integers run.
   std::vector<polynomial> (*step_polynomials)(const poly::ring &numbers);
   // Exact signs of the atoms: the emitted template run on rationals.
   std::vector<meetc::sign> (*signs)(const std::vector<rational> &row_a, const std::vector<rational> &row_b);
-  // The product's own staging (meetc::decide) over given signs; of a lone sign, whether it is not negative.
+  // The staged decision (meetc::decide) over given signs; for the single sign, whether it is not negative.
   bool (*decide)(const meetc::sign *signs);
-  // The parts of the staging; null for a lone sign.
+  // The parts of the staging; null for the single sign.
   bool (*rejected)(const meetc::sign *signs);
   bool (*needs_rare)(const meetc::sign *signs);
   bool (*usual)(const meetc::sign *signs);
   bool (*whole)(const meetc::sign *signs);
-  // A lone sign's value; null for a predicate.
+  // The value of the single sign; null for a predicate.
   meetc::sign (*value)(const meetc::sign *signs);
 };
 
-const std::vector<emitted> &emitted_predicates(); // six predicates and the lone sign side(sphere, point)
+const std::vector<emitted> &emitted_predicates(); // six predicates and the single sign side(sphere, point)
 const emitted &emitted_predicate(const std::string &name);
 
-// The names of a predicate's stored numbers as the tests' rings have them: "a0", ..., "b0", ...
+// The names of a predicate's stored numbers in the rings of the tests: "a0", ..., "b0", ...
 std::vector<std::string> row_names(const emitted &e);
 
 } // namespace meetc::decisions_round

@@ -13,8 +13,8 @@ namespace meetc::decisions_round {
 using poly::rational;
 using polynomial = poly::poly;
 
-// V is a polynomial or a rational. Emitted code wants a number that it can make from 0, add and multiply,
-// nothing else; a wrapper, because GMP's operators give expressions and a polynomial needs to know its ring.
+// V is a polynomial or a rational. Emitted code only needs a number that can be made from 0, added and
+// multiplied. A wrapper is needed because operators of GMP return expressions and a polynomial needs its ring.
 template <class V> class exact {
 public:
   V value;
@@ -23,7 +23,7 @@ public:
   explicit exact(int k) : value(make(k)) {}
   explicit exact(V v) : value(std::move(v)) {}
 
-  // Of the polynomials that are made from integers.
+  // The ring of polynomials that are made from integers.
   inline static const poly::ring *ring = nullptr;
 
   friend exact operator+(const exact &a, const exact &b) { return exact(V(a.value + b.value)); }

@@ -24,21 +24,20 @@ inline fact fails(const decision &d, const literal &l) {
   return {"not " + l.name, i.value, i.strict ? relation::above : relation::at_least};
 }
 
-// The facts, and after them that every literal of the way holds.
+// The facts, followed by the fact that each literal of the way holds.
 inline std::vector<fact> with(const decision &d, const way &w, std::vector<fact> facts) {
   for (const literal &l : w.all)
     facts.push_back(holds(d, l));
   return facts;
 }
-// The facts, and after them that a way of one literal fails. A decision without that way says nothing.
+// The facts, followed by the fact that a way with one literal fails. A decision without that way adds nothing.
 inline void add_failure(const decision &d, const std::string &name, std::vector<fact> &facts) {
   if (const way *w = d.find(name); w && w->all.size() == 1)
     facts.push_back(fails(d, w->all.front()));
 }
 
-// One claim for each literal by which a way can fail, since a way fails where one of its literals does; where
-// the decision has no such way, or one that asks for nothing, the facts alone. `prove` adds the certificate
-// by the literal's name.
+// One claim for each literal of a way, since a way fails if one of its literals does; only the facts if the
+// decision has no such way, or one without literals. `prove` adds the certificate by the name of the literal.
 template <class Prove>
 void add_failures(const decision &d, const std::string &name, const std::string &what, const std::vector<fact> &facts,
                   std::vector<claim> &out, const Prove &prove) {

@@ -1,7 +1,7 @@
-// What the proof speaks of: inner products of a few vectors, as polynomials of one ring.
+// The terms of the proof: inner products of a few vectors, as polynomials of one ring.
 //
 // A segment is a + s d1 with 0 <= s <= 1; a triangle is a + s d1 + t d2 with 0 <= s, 0 <= t, s + t <= 1, d1 =
-// b - a and d2 = c - a; w is the ball's centre less a. Points are never mentioned again: squared distances,
+// b - a and d2 = c - a; w is the ball's centre minus a. Points do not occur otherwise: squared distances,
 // heights and signs are polynomials in the six inner products of w, d1 and d2, and in R, the squared radius.
 #ifndef MEETC_TESTS_DECISIONS_ROUND_GRAM_HPP
 #define MEETC_TESTS_DECISIONS_ROUND_GRAM_HPP
@@ -34,7 +34,7 @@ public:
   // itself.
   const polynomial s, t, tau, l1, l2;
 
-  // The squared distances of the centre from b and c; an edge from b to c: w'.d, d.d with w' from b.
+  // The squared distances of the centre from b and c; for the edge from b to c: w'.d and d.d, with w' from b.
   const polynomial wb, wc, w3, g33;
   // |d1 x d2|^2; the foot's weights of a, b and c, times that; the squared volume (w, d1, d2).
   const polynomial area, ma, mb, mc, volume;
@@ -44,10 +44,9 @@ public:
   // |u d1 + v d2|^2
   polynomial length(const polynomial &u, const polynomial &v) const;
 
-  // Each variable as what it stands for, in the numbers that a predicate stores (row_names); unknowns are
-  // zero.
+  // The value of each variable in the stored numbers of a predicate (row_names); unknowns are zero.
   std::vector<polynomial> images(const emitted &e, const poly::ring &stored) const;
-  // Whether a polynomial speaks of operands alone, so that images() says all of it.
+  // Whether a polynomial contains only variables of operands, so that images() determines it.
   bool of_operands(const polynomial &p) const;
 
 private:
@@ -55,12 +54,12 @@ private:
   polynomial variable(const char *name) const;
 };
 
-// Vectors of polynomials, for identities that are about vectors.
+// Vectors of polynomials, for identities of vectors.
 using vector3 = std::vector<polynomial>;
 polynomial dot(const vector3 &u, const vector3 &v);
 vector3 cross(const vector3 &u, const vector3 &v);
 vector3 minus(const vector3 &u, const vector3 &v);
-// Three numbers of a row, from `first` on.
+// Three numbers of a row, starting at `first`.
 vector3 stored_point(const poly::ring &stored, int first);
 
 } // namespace meetc::decisions_round

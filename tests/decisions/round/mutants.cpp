@@ -1,4 +1,4 @@
-// Decisions with one thing wrong: a check that accepts one of them checks nothing.
+// Decisions with one mistake: a check that accepts one of them is useless.
 #include "tests/decisions/round/decision.hpp"
 
 #include <functional>
@@ -27,7 +27,7 @@ void drop_way(decision &d, const std::string &name) {
 void drop_literal(decision &d, const std::string &name, const std::string &which) {
   std::erase_if(way_of(d, name).all, [&](const literal &l) { return l.name == which; });
 }
-// < 0 for <= 0, <= 0 for < 0, and so on.
+// Replaces <= 0 by < 0, < 0 by <= 0, and so on.
 void turn_equality(literal &l) {
   l.mask ^= 2;
 }

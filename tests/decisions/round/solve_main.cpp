@@ -1,6 +1,6 @@
 // round_solver Z3 FOLDER: has z3 answer every claim of the proof, whole statements and planted wrong
-// decisions. Exit code 0 where each claim is "unsat" and each wrong decision makes some query "sat"; 1 where
-// not, and an unanswered query is no proof; 77 where there is no z3.
+// decisions. The exit code is 0 if each claim is "unsat" and each wrong decision makes some query "sat"; 77 if there
+// is no z3; and otherwise 1, also if a query is not answered.
 #include "tests/decisions/round/solver.hpp"
 
 #include <chrono>
@@ -12,11 +12,11 @@ using namespace meetc::decisions_round;
 
 namespace {
 
-constexpr int limit = 10; // seconds a query
+constexpr int limit = 10; // seconds for each query
 
 struct asked {
   std::string z3, folder;
-  std::map<std::string, std::string> known; // by script: the two triangle predicates share most
+  std::map<std::string, std::string> known; // by script, since the two triangle predicates share most scripts
   std::string slowest;
   double longest = 0;
 

@@ -76,7 +76,7 @@ std::vector<query> whole_segment(const emitted &e, const decision &d) {
   const auto within = [&](const polynomial &s) { return std::vector<std::string>{at_least(s), at_least(g.one - s)}; };
   const polynomial at_s = g.reach(g.s, g.zero), at_t = g.reach(g.t, g.zero);
   std::vector<std::string> miss = real, hit = real;
-  // A point within reach, and for a surface one that is not nearer than it; yet no hit.
+  // A point is within reach and, for a surface, one is not nearer than it; yet there is no hit.
   for (const std::string &a : within(g.s))
     miss.push_back(a);
   miss.push_back(at_least(g.R - at_s));
@@ -86,8 +86,8 @@ std::vector<query> whole_segment(const emitted &e, const decision &d) {
     miss.push_back(at_least(at_t - g.R));
   }
   miss.push_back("(not " + text(d) + ")");
-  // A hit; yet the nearest point, the foot clamped to the ends, is out of reach, or for a surface both ends
-  // inside.
+  // There is a hit; yet the nearest point, the foot clamped to the ends, is out of reach, or for a surface both
+  // ends are inside.
   hit.push_back(fmt::format("(or (and (<= w1 0) (= s 0)) (and (> w1 0) (>= w1 g11) (= s 1))"
                             " (and (< 0 w1 g11) (= (* s g11) w1)))"));
   hit.push_back(fmt::format("(or {} {})", above(at_s - g.R),
@@ -130,7 +130,7 @@ std::vector<query> whole_queries(const emitted &e, const decision &d) {
 }
 
 // The weights of the point are m0, m1, m2, those of the foot l0, l1, l2. At the step tau = m_k / (m_k - l_k),
-// where the weight of corner k comes to zero, no other is negative, for one k with l_k <= 0; times m_k - l_k.
+// where the weight of corner k becomes zero, no other is negative, for one k with l_k <= 0; times m_k - l_k.
 query way_out() {
   std::string out = "; a way out of a triangle leaves it through an edge\n(set-logic QF_NRA)\n";
   for (const char *v : {"m0", "m1", "m2", "l0", "l1", "l2"})

@@ -6,21 +6,21 @@
 
 namespace meetc::decisions_round {
 
-// A script that is unsatisfiable where what its name says is true.
+// A script that is unsatisfiable if the statement of its name is true.
 struct query {
   std::string name, script;
 };
 
-// That the facts of a claim cannot all be true. Where the certificate is good, only the facts that it takes
-// are asked about; how it takes them the solver does not see.
+// States that the facts of a claim cannot all be true. If the certificate is valid, the script has only the facts
+// that it uses; the solver does not see the certificate.
 query query_of(const claim &c);
-// Decision against geometry in one question, with no case made by hand: two spheres or balls; a ball or
-// sphere and a segment. None for triangles, which took the solver more than minutes.
+// The decision against geometry in one query, without cases made by hand: two spheres or balls; a ball or sphere
+// and a segment. There is none for triangles, for which the solver needs more than minutes.
 std::vector<query> whole_queries(const emitted &e, const decision &d);
-// That a way from inside a triangle to a point that is not leaves it through an edge.
+// States that a way from a point inside a triangle to one outside leaves it through an edge.
 query way_out();
 
-// "unsat", "sat", "unknown", "timeout" or what else the solver says; the script is kept in `folder`.
+// "unsat", "sat", "unknown", "timeout" or another answer of the solver; the script is kept in `folder`.
 std::string answer(const query &q, const std::string &z3, const std::string &folder, int seconds);
 
 } // namespace meetc::decisions_round

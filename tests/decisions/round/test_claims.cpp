@@ -64,7 +64,7 @@ TEST_CASE("a certificate with one thing changed proves nothing") {
       }
       for (std::size_t i = 0; i < right.equations.size(); ++i)
         refused([&](claim &c) { c.equations.erase(c.equations.begin() + static_cast<std::ptrdiff_t>(i)); });
-      refused([&](claim &c) { // what rests on no strict inequality contradicts nothing
+      refused([&](claim &c) { // without a strict inequality there is no contradiction
         for (fact &f : c.facts)
           f.is = f.is == relation::above ? relation::at_least : f.is;
       });

@@ -1,5 +1,5 @@
-// Step 1 of the proof: each emitted atom is the stated polynomial in inner products, and those are what the
-// proof says of vectors. All by expansion over the rationals; nothing is sampled.
+// Step 1 of the proof: each emitted atom is the stated polynomial in inner products, and those have the meaning for
+// vectors that the proof states. All is expanded over the rationals; nothing is sampled.
 #include "tests/catch.hpp"
 #include "tests/decisions/round/decision.hpp"
 
@@ -59,12 +59,12 @@ TEST_CASE("every emitted atom is the stated polynomial in inner products") {
   CHECK(atoms == 1 + 2 + 5 + 5 + 16 + 16 + 1);
 }
 
-TEST_CASE("a stated polynomial with one thing wrong is not the emitted one") {
+TEST_CASE("a stated polynomial with one mistake is not the emitted one") {
   int seen = 0;
   for (const mutant &m : mutants()) {
     const emitted &e = emitted_predicate(m.of);
     if (m.wrong.atoms == stated(e).atoms)
-      continue; // the function of signs is wrong, not an atom
+      continue; // the mistake is in the function of signs, not in an atom
     INFO(m.of << ": " << m.what);
     const poly::ring stored(row_names(e));
     const std::vector<polynomial> images = gram::ring().images(e, stored), emits = e.polynomials(stored);
@@ -77,7 +77,7 @@ TEST_CASE("a stated polynomial with one thing wrong is not the emitted one") {
   CHECK(seen == 4);
 }
 
-TEST_CASE("the steps that wide integers take compute the same polynomials") {
+TEST_CASE("the bytecode for wide integers computes the same polynomials") {
   for (const emitted &e : emitted_predicates()) {
     INFO(e.name);
     const poly::ring stored(row_names(e));
@@ -85,10 +85,10 @@ TEST_CASE("the steps that wide integers take compute the same polynomials") {
   }
 }
 
-TEST_CASE("the polynomials in inner products say of vectors what the proof reads into them") {
+TEST_CASE("the polynomials in inner products have the meaning for vectors that the proof states") {
   const gram &g = gram::ring();
   const triangle_vectors v;
-  // Squared lengths, so none is negative.
+  // These are squared lengths, so none is negative.
   CHECK(v.of(g.ww) == dot(v.w, v.w));
   CHECK(v.of(g.g11) == dot(v.d1, v.d1));
   CHECK(v.of(g.g22) == dot(v.d2, v.d2));
@@ -119,7 +119,7 @@ TEST_CASE("edges, corners and the foot of the perpendicular are those of the tri
   CHECK(g.reach(g.one, g.zero) == g.wb);
   CHECK(g.reach(g.zero, g.one) == g.wc);
   CHECK(g.ma + g.mb + g.mc == g.area);
-  // w less the foot is at right angles to both edges; times the squared area.
+  // w minus the foot is at right angles to both edges; all times the squared area.
   CHECK(g.area * g.w1 == g.mb * g.g11 + g.mc * g.g12);
   CHECK(g.area * g.w2 == g.mb * g.g12 + g.mc * g.g22);
 }

@@ -1,5 +1,5 @@
-// Step 2 of the proof: the emitted decision, with its staging, is the stated decision and the spec's, on
-// every vector of signs, whether or not any operands have it.
+// Step 2 of the proof: the emitted decision with its staging equals the stated decision and the spec's on every
+// vector of signs, whether or not any operands have it.
 #include "gen/driver.hpp"
 #include "tests/catch.hpp"
 #include "tests/decisions/round/decision.hpp"
@@ -12,11 +12,11 @@ using namespace meetc::decisions_round;
 namespace {
 
 using bits = std::uint64_t;
-constexpr int lane_atoms = 3, lanes = 27; // 3^3 vectors of signs in a word
+constexpr int lane_atoms = 3, lanes = 27; // a word has 3^3 vectors of signs
 
-// All vectors of signs of `atoms` atoms, a word at a time, until `f` returns false: the first three atoms
-// vary within a word. `f` takes the masks of the vectors in which each atom is negative and positive, and how
-// many vectors they are.
+// All vectors of signs of `atoms` atoms, one word at a time, until `f` returns false; the first three atoms vary
+// within a word. `f` takes the masks of the vectors in which each atom is negative and positive, and the number of
+// vectors.
 template <class F> long for_each_word(int atoms, F &&f) {
   const int inner = std::min(atoms, lane_atoms), outer = atoms - inner;
   int in_word = 1;
@@ -47,8 +47,8 @@ template <class F> long for_each_word(int atoms, F &&f) {
   }
 }
 
-// The spec's decision, as the compiler keeps it, on a word of sign vectors; written once more, so that the
-// compiler's own evaluation is not trusted either. `place` is an atom's place among the emitted ones.
+// The spec's decision, as the compiler keeps it, on a word of sign vectors. It is written independently, so that
+// the compiler's evaluation is not trusted either. `place` is an atom's index among the emitted ones.
 bits spec_hits(const lower::decision &d, int id, const std::vector<int> &place, const std::vector<bits> &below,
                const std::vector<bits> &above, std::vector<bits> &value) {
   using type = lower::truth_node::type;
@@ -93,7 +93,7 @@ bits spec_hits(const lower::decision &d, int id, const std::vector<int> &place, 
   return value[static_cast<std::size_t>(id)];
 }
 
-// What the emitted functions say of one word.
+// The answers of the emitted functions for one word.
 struct words {
   bits decide = 0, rejected = 0, needs_rare = 0, usual = 0, whole = 0;
 };
@@ -114,7 +114,7 @@ words emitted_words(const emitted &e, const std::vector<bits> &below, const std:
 
 } // namespace
 
-TEST_CASE("on all sign vectors the emitted decision is the stated one and the spec's") {
+TEST_CASE("on all sign vectors the emitted decision equals the stated one and the spec's") {
   const compilation scene = load(MEETC_SCENE);
   long expected[] = {3, 9, 243, 243, 43046721, 43046721};
   std::size_t number = 0;
@@ -163,12 +163,12 @@ TEST_CASE("on all sign vectors the emitted decision is the stated one and the sp
   }
 }
 
-TEST_CASE("a stated decision with one thing wrong is not the emitted one") {
+TEST_CASE("a stated decision with one mistake is not the emitted one") {
   for (const mutant &m : mutants()) {
     INFO(m.of << ": " << m.what);
     const emitted &e = emitted_predicate(m.of);
     if (m.wrong.atoms != stated(e).atoms)
-      continue; // an atom is wrong, which the identities see
+      continue; // the mistake is in an atom, which the identities find
     bool differs = false;
     for_each_word(e.atoms, [&](const auto &below, const auto &above, int count) {
       const bits mask = (bits{1} << count) - 1;
@@ -179,7 +179,7 @@ TEST_CASE("a stated decision with one thing wrong is not the emitted one") {
   }
 }
 
-TEST_CASE("the lone sign is the opposite of its atom's") {
+TEST_CASE("the single sign is the opposite of that of its atom") {
   const emitted &e = emitted_predicate("side_sphere_point");
   for (const meetc::sign s : {meetc::sign::negative, meetc::sign::zero, meetc::sign::positive})
     CHECK(e.value(&s) == -s);

@@ -1,5 +1,5 @@
-// Step 5: the emitted decision on exact signs against exact distances, on witnesses of every case of the
-// proof; and wrong decisions are caught by some witness.
+// Step 5: the emitted decision on exact signs against exact distances, on witnesses of every case of the proof; each
+// wrong decision is wrong on some witness.
 #include "tests/catch.hpp"
 #include "tests/decisions/round/witnesses.hpp"
 
@@ -13,7 +13,7 @@ constexpr int count = 8000;
 constexpr unsigned seed = 12;
 } // namespace
 
-TEST_CASE("the emitted decision is the geometry on witnesses of every case") {
+TEST_CASE("the emitted decision is right on witnesses of every case") {
   for (const emitted &e : emitted_predicates()) {
     INFO(e.name);
     std::map<std::string, long> seen;

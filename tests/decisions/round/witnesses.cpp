@@ -37,8 +37,8 @@ std::optional<rational> root(const rational &q) {
   return rational(n, d);
 }
 
-// Where the nearest point lies, and how far the nearest and the farthest are, squared. Corners first, then
-// the inside of edges, then the face, so that of equal distances the least part of the figure is named.
+// The location of the nearest point, and the squared distances of the nearest and the farthest one. Corners come
+// first, then the inside of edges, then the face, so that of equal distances the smallest part of the figure is named.
 struct place {
   std::string nearest;
   rational least, most;
@@ -133,7 +133,7 @@ std::vector<witness> witnesses(const emitted &e, int count, unsigned seed) {
       }
     for (int x = 0; x < 3; ++x)
       w.a.emplace_back(random.next(-4, 4));
-    if (random.next(0, 9) == 0) // in the figure
+    if (random.next(0, 9) == 0) // a point of the figure
       for (std::size_t x = 0; x < 3; ++x)
         w.a[x] = (w.b[x] + w.b[3 * (corners - 1) + x]) / 2;
     const place at = find(corner(w.a, 0), hull_of(e, w.b));
@@ -146,7 +146,7 @@ std::vector<witness> witnesses(const emitted &e, int count, unsigned seed) {
     }
     r.canonicalize();
     r = abs(r);
-    if (e.second == other::sphere) { // two radii, some of whose sums or differences are the distance
+    if (e.second == other::sphere) { // two radii, whose sum or difference is sometimes the distance
       rational first(random.next(0, 12), 4);
       first.canonicalize();
       w.b.push_back(how == 0 ? rational(abs(r - first)) : how == 1 ? rational(r + first) : first);
@@ -179,7 +179,7 @@ std::vector<std::string> cases_of(const emitted &e) {
   if (e.second == other::segment)
     forms = {{"a point", {all[0]}}, {"a segment", {all[0], all[1], all[2]}}};
   else
-    // On a line, what lies within edge bc is corner a or lies within another edge, which is named first.
+    // On a line, a point inside edge bc is corner a or is inside another edge, which is named first.
     forms = {{"a point", {all[0]}}, {"collinear", {all.begin(), all.end() - 2}}, {"a triangle", all}};
   std::vector<std::string> out;
   for (const auto &[form, places] : forms)
@@ -190,7 +190,7 @@ std::vector<std::string> cases_of(const emitted &e) {
           out.push_back(start);
         else
           for (const char *most : {"<", "=", ">"})
-            // Nearest and farthest are as far only where the figure is one point, and there they always are.
+            // The nearest and the farthest distance are equal if and only if the figure is one point.
             if (form == "a point" ? most[0] == least[0] : least[0] == '<' || most[0] == '>')
               out.push_back(start + ", most " + most + " r");
       }

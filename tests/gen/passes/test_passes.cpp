@@ -143,7 +143,7 @@ TEST_CASE("atoms are irreducible, primitive and distinct") {
   }
 }
 
-TEST_CASE("formulas compute their polynomials, from blades and from what is stored") {
+TEST_CASE("formulas compute their polynomials, from blades and from stored numbers") {
   const lower::model &m = *default_scene().model;
   for (const lower::kernel *k : default_kernels(want::formulas)) {
     INFO(k->asked.text);

@@ -1,4 +1,4 @@
-// The pass that chooses what is stored beside an object: by what it costs, and nothing else changes.
+// The pass that chooses stored values by their cost, and changes nothing else.
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 
@@ -21,14 +21,14 @@ ops of(const ir::counts &c) {
   return {c.multiplications + c.fused, c.additions + c.fused};
 }
 
-// a, b of object A; c of object B.
+// a and b belong to object A, c to object B.
 ir::program small() {
   return {ir::arena({residency::a, residency::a, residency::b}), {}};
 }
 
 } // namespace
 
-TEST_CASE("store: one operation is computed again, two are stored, and a sign costs nothing") {
+TEST_CASE("store: one operation is recomputed, two are stored, and a negation costs nothing") {
   ir::program p = small();
   ir::arena &n = p.nodes;
   const auto a = n.input(0), b = n.input(1), c = n.input(2);
@@ -40,11 +40,11 @@ TEST_CASE("store: one operation is computed again, two are stored, and a sign co
   CHECK(stored.nodes.size() == p.nodes.size());
   CHECK(of(ir::count_object(stored, residency::a)) == ops{1, 1});
   CHECK(of(ir::count_object(stored, residency::b)) == ops{0, 0});
-  CHECK(of(ir::count_pair(stored)) == ops{2, 1}); // the difference again
+  CHECK(of(ir::count_pair(stored)) == ops{2, 1}); // the difference is recomputed
   CHECK(of(ir::count_pair(p)) == ops{3, 1});      // nothing is stored yet
 }
 
-TEST_CASE("store: what only a stored value reads is not stored") {
+TEST_CASE("store: a value that only a stored value reads is not stored") {
   ir::program p = small();
   ir::arena &n = p.nodes;
   const auto a = n.input(0), b = n.input(1), c = n.input(2);
@@ -53,7 +53,8 @@ TEST_CASE("store: what only a stored value reads is not stored") {
   CHECK(passes::store(p).stored == std::vector<ir::node_id>{outer});
 }
 
-TEST_CASE("store: the reject of two triangles costs a pair 18 multiplications, and the rare stage stores nothing") {
+TEST_CASE(
+    "store: the reject stage of two triangles costs a pair 18 multiplications, and the rare stage stores nothing") {
   const lower::predicate &p = default_kernel("triangle_triangle").decision;
   REQUIRE(p.reject.code.stored.size() == 6);
   CHECK(of(ir::count_object(p.reject.code, residency::a)) == ops{6, 9});
@@ -65,14 +66,14 @@ TEST_CASE("store: the reject of two triangles costs a pair 18 multiplications, a
     INFO(k->asked.name());
     CHECK(k->decision.rare.code.stored.empty());
     if (k->is_sign)
-      CHECK(k->decision.common.code.stored.empty()); // it is of no two sets
+      CHECK(k->decision.common.code.stored.empty()); // it does not run for most pairs of two sets
     for (const lower::stage *s : lower::stages(k->decision))
       for (const ir::node_id id : s->code.stored)
         CHECK(ir::count(s->code.nodes, {id}).total() > passes::cheapest);
   }
 }
 
-TEST_CASE("store: it is the last pass, and only of programs that run for most pairs") {
+TEST_CASE("store: it is the last pass, and runs only on programs that run for most pairs") {
   CHECK(std::string(passes::all().back().name) == "store");
   CHECK(passes::all().back().of_sets);
   const lower::predicate &p = default_kernel("triangle_triangle").decision;

@@ -51,7 +51,7 @@ std::map<std::string, answers> all(const predicate_info &p, const rows &r) {
   for (float side = 0x1p-20F; side <= 0x1p20F; side *= 0x1p8F) {
     answers &found = out["box " + std::to_string(side)];
     found.resize(r.pairs.size());
-    // Only pairs that lie in the box: for others nothing is promised.
+    // Only pairs that lie in the box, since for others nothing is promised.
     for (std::size_t i = 0; i < r.pairs.size(); ++i) {
       const row a(r.a.begin() + static_cast<long>(i) * p.a->fields,
                   r.a.begin() + static_cast<long>(i + 1) * p.a->fields);

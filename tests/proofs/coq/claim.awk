@@ -1,14 +1,14 @@
-# claim.awk: a Gappa script as a proposition of Coq, `name`: its definitions and its claim in the real numbers and
-# Flocq's roundings alone. A rule after the claim is a hint to Gappa and no part of it. The signs' scripts are meant for
-# every finer format too, another for each rounding (gen/target/gappa/gappa.cpp), and so says the proposition: `rnd i` is the
-# script's rounding number i, to a format with the least exponent `least i`.
-# Limits: what the emitter writes, not all of Gappa's language.
+# claim.awk: translates a Gappa script to a Coq proposition `name`: its definitions and its claim, in real numbers and
+# Flocq's roundings only. A rule after the claim is a hint to Gappa and not part of it. The scripts of signs also hold for
+# all finer formats, a different one for each rounding (gen/target/gappa/gappa.cpp), and so does the proposition: `rnd i` is
+# the script's rounding number i, to a format with the least exponent `least i`.
+# Limits: it reads what the emitter writes, not all of Gappa's language.
 function rounding(direction) {
   if (direction == "ne") return "ZnearestE"
   if (direction == "dn") return "Zfloor"
   exit 1
 }
-# An expression: 33b-25 is a power of two's multiple, and a minus before a product is of the whole product.
+# An expression: 33b-25 is a multiple of a power of two, and a minus before a product applies to the whole product.
 function expression(text,    out, token, depth, before, open) {
   out = ""
   before = "("
@@ -43,7 +43,7 @@ function variable(name) {
   known[name]
   variables = variables " " name
 }
-# What a bound is of: X, |X|, or |X -/ Y|, a relative error.
+# The subject of a bound: X, |X|, or |X -/ Y|, a relative error.
 function measured(text,    at, of) {
   gsub(/^ +| +$/, "", text)
   if (text ~ /^\|/) return "Rabs (" measured(substr(text, 2, length(text) - 2)) ")"

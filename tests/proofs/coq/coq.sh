@@ -1,15 +1,15 @@
 # coq.sh, for proofs.sh: Coq checks what Gappa proves, so that Gappa need not be right.
 #
 # For each script a file for Coq is written: the script's claim in plain real numbers (claim.awk), Gappa's proof
-# (-Bcoq), and the theorem that the claim follows (bridge.v). Coq must accept it, and the theorem may rest on the
-# axioms of Coq's real numbers and on nothing else: what Gappa leaves open would be told as one more. In the proofs of
-# signs, Gappa's two theorems of rounding are replaced by those of all finer formats (roundings.v): each rounding has a
-# format of its own.
+# (-Bcoq), and the theorem that the claim follows (bridge.v). Coq must accept it, and the theorem may use only
+# the axioms of Coq's real numbers: a gap in Gappa's proof would be listed as another axiom. In the proofs of
+# signs, Gappa's two theorems of rounding are replaced by those of all finer formats (roundings.v): each rounding has its
+# own format.
 #
-# What is false must be refused: of a claim with a quarter of a bound Gappa writes no proof, the proof of the script is
-# not taken for one, and a forgery, the proof of the script with the quarter in its bound's place, is no proof.
+# False claims must be refused: for a claim with a quarter of a bound Gappa writes no proof, Coq does not accept the
+# script's proof for it, and Coq refuses a forgery, which is the script's proof with the quarter in place of the bound.
 
-coq_limit=300 # seconds a file
+coq_limit=300 # seconds for each file
 coq_axioms=" ClassicalDedekindReals.sig_not_dec ClassicalDedekindReals.sig_forall_dec \
 FunctionalExtensionality.functional_extensionality_dep Classical_Prop.classic "
 
@@ -25,10 +25,10 @@ coq_start() {
   export -f one_coq coq_file coq_run coq_module coq_least
 }
 
-# The least exponent of the format of a sign's script on stdin; nothing for another script.
+# The least exponent of the format of a sign's script on stdin; empty for other scripts.
 coq_least() { sed -nE 's/^@rnd = float<24, (-[0-9]+), ne>;$/\1/p'; }
 
-# Gappa's proof of the script on stdin, as a module.
+# Gappa's proof of the script on stdin as a module.
 coq_module() {
   local text least proof name n=0 formats=()
   text=$(cat)
@@ -48,7 +48,8 @@ coq_module() {
   echo "End gappa."
 }
 
-# coq_file MODULE SCRIPT OTHER...: the whole file. The first script's claim is a theorem; the others' do not follow.
+# coq_file MODULE SCRIPT OTHER...: the whole file. The claim of the first script is a theorem; those of the others must not
+# follow.
 coq_file() {
   local module=$1 script=$2 least numbers proof n=0 text binders
   shift
@@ -60,7 +61,7 @@ coq_file() {
   done
   echo "End script. Require Import roundings bridge."
   echo "$module"
-  # What Gappa supposes of the numbers is a contradiction.
+  # Gappa's assumptions about the numbers are contradictory.
   echo "Lemma last ${least:+(least : nat -> Z) (finer : (forall i, least i <= $least)%Z)} ($numbers: R) :"
   echo "  gappa.s1 ${least:+least} $numbers -> False."
   echo "Proof. without_rule (gappa.l1 ${least:+least finer} $numbers). Qed."
@@ -75,13 +76,13 @@ coq_file() {
   echo "Print Assumptions proved0."
 }
 
-# coq_run FOLDER: compiles the file on stdin; what Coq says, on stdout.
+# coq_run FOLDER: compiles the file on stdin and prints Coq's output.
 coq_run() {
   cat >"$1/proof.v"
   (cd "$1" && timeout "$coq_limit" "$coqc" -Q "$coq_folder" "" proof.v 2>&1)
 }
 
-# one_coq FILE: prints a line for each check that went well.
+# one_coq FILE: prints a line for each check that passed.
 one_coq() {
   local text module forged said status axiom change folder number mantissa exponent changes=() others=()
   text=$(grep -v '^#' "$1")
@@ -102,7 +103,7 @@ one_coq() {
   echo accepted
   for change in "${changes[@]}"; do echo "another claim refused"; done
 
-  # The forgery: the first claim that is false, and Gappa's proof with its number in place of the true one.
+  # The forgery: the first false claim, with its number in place of the true one in Gappa's proof.
   number=$(diff <(grep -oE '[0-9]+b-[0-9]+' <<<"$text") <(grep -oE '[0-9]+b-[0-9]+' <<<"${others[0]}") |
     sed -n 's/^< //p;T;q') || true
   mantissa=${number%b-*} exponent=${number#*b-}

@@ -1,4 +1,4 @@
-// `meet bench paper`: its rows exist, its counts are those of collide, and its fitted laws follow from its rows.
+// `meet bench paper`: its rows exist, its counts are those of collide, and its fitted exponents follow from its rows.
 #include "fixture.hpp"
 
 #include <algorithm>
@@ -124,7 +124,7 @@ TEST_CASE("bench paper: the exponent is the slope of its rows, and near enough t
   const double tolerance = std::log(1.1) * absolute / square;
   CHECK(law["tolerance"].get<double>() == Approx(tolerance).margin(1e-5));
   CHECK(std::abs(law["exponent"].get<double>() - 0.5) <= tolerance);
-  CHECK(tolerance < 0.1); // far from 0 and 1, which other laws would give
+  CHECK(tolerance < 0.1); // far from 0 and 1, which other scalings would give
   CHECK(law["holds"] == true);
   CHECK(j["laws"]["paper_armadillo_hit"]["holds"] == true);
   CHECK(j["laws"]["paper_armadillo_hit"]["worst"].get<double>() < -0.15); // its row of 1000K
@@ -181,7 +181,7 @@ TEST_CASE("bench paper: a page and six pictures, and text that says what it is")
   for (int i = 1; i <= 6; ++i)
     CHECK(is_png(folder() / fmt::format("again/figure_{}.png", i)));
   const std::string page = get(at("again/paper.md"));
-  for (const char *const part : {"Built-in bodies", "the law holds", "1K-5K", "no device"}) {
+  for (const char *const part : {"Built-in bodies", "the scaling holds", "1K-5K", "no device"}) {
     CHECK(has(s.out, part));
     CHECK(has(page, part));
   }

@@ -89,6 +89,11 @@ TEST_CASE("the scene that the files require") {
   CHECK(run({"inspect", "ball.ply", "ball.ply", "--scene", "7 meshes.toml"}).code == 0);
   CHECK(has(get(at("7 meshes.toml")), "namespace = 'scene_7_meshes'"));
   CHECK(has(get(at("7 meshes.toml")), "cga3.toml'"));
+  // The namespace meetc is taken by the kernel headers; meet is free.
+  CHECK(run({"inspect", "ball.ply", "ball.ply", "--scene", "meetc.toml"}).code == 0);
+  CHECK(has(get(at("meetc.toml")), "namespace = 'meetc_scene'"));
+  CHECK(run({"inspect", "ball.ply", "ball.ply", "--scene", "meet.toml"}).code == 0);
+  CHECK(has(get(at("meet.toml")), "namespace = 'meet'"));
 }
 
 TEST_CASE("the scene's box is the least power of two that holds both files") {

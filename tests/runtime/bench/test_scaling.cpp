@@ -62,7 +62,7 @@ TEST_CASE("the farthest row is named, and rows of size or count 0 are left out")
   CHECK(fit.worst == Approx(-0.2));
   CHECK(fit.worst_size == Approx(1.4e6));
   CHECK(in_words(fit).find("farthest from it is the row of 1,400,000, 20 % below") != std::string::npos);
-  CHECK(in_words(fit_power(sizes, powers(0), 0, 0.1)).find("exponent 0.000, the law's 0 ") == 0);
+  CHECK(in_words(fit_power(sizes, powers(0), 0, 0.1)).find("exponent 0.000, expected 0 ") == 0);
   CHECK(in_words(fit_power(sizes, powers(0), 0, 0.1)).find("no row is off it by 1 %") != std::string::npos);
   counts[2] = 0;
   CHECK(fit_power(sizes, counts, 0.5, 0.1).holds);

@@ -1,4 +1,4 @@
-// What a prepared set stores for a predicate: once, for any thread, and only where it can.
+// The stored values of a prepared set: computed once, for any thread, and only if they can be stored.
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 std::atomic<std::size_t> computed{0};
 std::atomic<bool> refuses{false};
 
-// A box's low x, twice.
+// The low x of a box, twice.
 bool store_boxes(const float *rows, std::size_t n, float *out) {
   if (refuses)
     return false;
@@ -25,7 +25,7 @@ bool store_boxes(const float *rows, std::size_t n, float *out) {
 
 std::atomic<std::uint64_t> with_stored{0}, without{0}, wrong{0};
 
-// boxes_hit, which looks at what is stored for each pair.
+// boxes_hit, with a check of the stored values for each pair.
 void decide_stored(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   (a.stored && b.stored ? with_stored : without) += n;
   for (std::size_t i = 0; a.stored && b.stored && i < n; ++i)
@@ -52,14 +52,14 @@ void forget() {
 
 } // namespace
 
-TEST_CASE("stored values are computed once a set and posed rows, whoever asks") {
+TEST_CASE("stored values are computed once for each set, from posed rows, whoever asks") {
   forget();
   const rows some = some_boxes(10000, 1, 0.05f, 5);
   pose away;
   away.m[3] = 0.01;
   const prepared x = prepare(view_of(some, storing_boxes), storing_boxes),
                  y = prepare(view_of(some, storing_boxes), storing_boxes, away);
-  CHECK(computed == 0); // only when they are wanted
+  CHECK(computed == 0); // they are computed when first needed
   const auto want = collide(x, y, storing, rung::exact).pairs;
   CHECK(computed == 0);
   CHECK(without > 0);
@@ -77,7 +77,7 @@ TEST_CASE("stored values are computed once a set and posed rows, whoever asks") 
   CHECK(x.stored({}, 1) == nullptr);
 }
 
-TEST_CASE("where nothing can be stored, pairs compute it, and the next call tries again") {
+TEST_CASE("if nothing can be stored, pairs compute the values, and the next call tries again") {
   forget();
   const prepared x = prepare(view_of(some_boxes(500, 1, 0.5f, 6), storing_boxes), storing_boxes);
   refuses = true;
@@ -89,7 +89,7 @@ TEST_CASE("where nothing can be stored, pairs compute it, and the next call trie
   CHECK(wrong == 0);
 }
 
-TEST_CASE("pairs() stores in the caller's memory") {
+TEST_CASE("pairs() keeps stored values in the caller's memory") {
   forget();
   const rows some = some_boxes(3000, 1, 0.1f, 7);
   const view v = view_of(some, storing_boxes);

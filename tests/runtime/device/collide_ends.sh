@@ -8,7 +8,7 @@ room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 most=3.4028234663852886e38 least=1e-45
 
-# A large sphere that reaches one that lies far from the others: its box overflows on all sides.
+# A large sphere reaches one that is far from the others; its box overflows on all sides.
 printf 'x,y,z,r\n1e6,0,0,1\n' >"$room/far.csv"
 {
   echo 'x,y,z,r'
@@ -16,7 +16,7 @@ printf 'x,y,z,r\n1e6,0,0,1\n' >"$room/far.csv"
   echo "0,0,0,$most"
 } >"$room/huge.csv"
 
-# A table of numbers from a palette, and of small whole ones.
+# A table of numbers from a palette and of small integers.
 table() { # SEED ROWS FIELDS RADIUS(0|1) HEADER
   echo "$5"
   awk -v seed="$1" -v rows="$2" -v fields="$3" -v radius="$4" -v most=$most -v least=$least 'BEGIN {
@@ -77,5 +77,5 @@ both segments.csv triangles_5.obj
 both triangles_5.obj triangles_6.obj
 both triangles_5.obj triangles_5.obj
 both spheres.csv other_spheres.csv --precision exact
-echo "$sets pairs of sets at the ends of float32, $pairs pairs; $([ $failed -eq 0 ] && echo "the device's lists are the CPU's" || echo "FAILED")"
+echo "$sets pairs of sets at the ends of float32, $pairs pairs; $([ $failed -eq 0 ] && echo "the device's lists equal the CPU's" || echo "FAILED")"
 exit $failed

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Tests and times what was built, on a machine with a GPU; leaves logs and tables in OUT.
+# Tests and times a build on a machine with a GPU; writes logs and tables to OUT.
 #   on_gpu.sh BUILD OUT [DATA]
-# DATA: a folder of meshes; without it built-in bodies serve. PARTS in the environment, some of "tests sanitizer bench
-# paper counters", does those alone. `./dev gpu` builds first and copies the tables into
-# docs/gpu.md. compute-sanitizer and ncu are used where they are found.
+# DATA: a folder of meshes; the default is built-in bodies. PARTS in the environment, some of "tests sanitizer bench
+# paper counters", selects these parts only. `./dev gpu` builds first and copies the tables into
+# docs/gpu.md. compute-sanitizer and ncu are used if they are found.
 set -uo pipefail
 build=${1:?the build folder is needed}
 out=${2:?a folder for the results is needed}
@@ -13,7 +13,7 @@ mkdir -p "$out"
 meet="$build/runtime/app/meet"
 failed=0
 
-# step NAME COMMAND...: its output goes to OUT/NAME.log; one line says how it went.
+# step NAME COMMAND...: its output goes to OUT/NAME.log; one line reports the result.
 step() {
   local name=$1
   shift
@@ -48,7 +48,7 @@ if ! does sanitizer; then
   :
 elif command -v compute-sanitizer >/dev/null; then
   for tool in memcheck racecheck initcheck synccheck; do
-    # Under these tools the start-up probe alone would take minutes.
+    # Under these tools the start-up probe would take minutes.
     step "sanitizer_$tool" timeout 150 compute-sanitizer --tool $tool --kernel-name-exclude kernel_substring=probe_kernel \
       --error-exitcode 1 "$build/tests/runtime/device/test_cuda_pairs" --small
   done
@@ -59,7 +59,7 @@ fi
 ! does bench || step bench_gpu "$meet" bench gpu -o "$out" ${data:+--data "$data"}
 ! does paper || step bench_paper "$meet" bench paper --device cuda -o "$out/paper" ${data:+--data "$data"}
 
-# What the matrix units and the logic units are busy with, in the filter of balls x balls.
+# The use of the matrix units and the logic units in the filter of balls x balls.
 if ! does counters; then
   :
 elif command -v ncu >/dev/null; then

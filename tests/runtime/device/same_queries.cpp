@@ -53,8 +53,8 @@ struct on_device {
           static_cast<std::uint32_t>(d.data.size() / d.stride), d.elements} {}
 };
 
-meetc::cuda::placement as_placement(const meetc::pose &p) {
-  meetc::cuda::placement out{{}, p.length_scale, p.identity()};
+meetc::cuda::pose_matrix as_pose_matrix(const meetc::pose &p) {
+  meetc::cuda::pose_matrix out{{}, p.length_scale, p.identity()};
   std::copy_n(p.m, 12, out.m);
   return out;
 }
@@ -112,9 +112,9 @@ long same_queries() {
           meetc::cuda::query q{precision,
                                meetc::cuda::filter::mma,
                                da.v,
-                               as_placement(at_a),
+                               as_pose_matrix(at_a),
                                db.v,
-                               as_placement(at_b),
+                               as_pose_matrix(at_b),
                                out.data(),
                                want.count + 1,
                                result.data(),
@@ -150,9 +150,9 @@ long same_queries() {
       meetc::cuda::query q{meetc::rung::exact,
                            meetc::cuda::filter::mma,
                            da.v,
-                           as_placement({}),
+                           as_pose_matrix({}),
                            db.v,
-                           as_placement({}),
+                           as_pose_matrix({}),
                            nullptr,
                            0,
                            result.data(),
@@ -173,9 +173,9 @@ long same_queries() {
     const meetc::cuda::query q{meetc::rung::exact,
                                meetc::cuda::filter::mma,
                                da.v,
-                               as_placement({}),
+                               as_pose_matrix({}),
                                db.v,
-                               as_placement({}),
+                               as_pose_matrix({}),
                                nullptr,
                                0,
                                result.data(),
@@ -211,9 +211,9 @@ long same_queries() {
       meetc::cuda::query q{meetc::rung::certified,
                            by,
                            da.v,
-                           as_placement({}),
+                           as_pose_matrix({}),
                            db.v,
-                           as_placement({}),
+                           as_pose_matrix({}),
                            out.data(),
                            want.count + 1,
                            result.data(),

@@ -163,8 +163,8 @@ cudaError_t clear_extent(extent *around, cudaStream_t) {
   return cudaSuccess;
 }
 template <class Shape>
-cudaError_t place(const cuda::view &v, const cuda::placement &at, const std::uint32_t *order, float *to,
-                  unsigned long long *bad, cudaStream_t) {
+cudaError_t pose_rows(const cuda::view &v, const cuda::pose_matrix &at, const std::uint32_t *order, float *to,
+                      unsigned long long *bad, cudaStream_t) {
   constexpr int fields = Shape::fields;
   *bad = ~0ULL;
   for (std::uint32_t i = 0; i < v.elements; ++i) {
@@ -307,7 +307,7 @@ template <class Store> cuda::stored_launcher stored_by(const stored_values &on_h
   return {on_host.number, on_host.floats, on_host.floats > 0 ? store<Store> : nullptr};
 }
 
-// The steps of the predicate at this place of the catalogue, as the kernels have them.
+// The steps of the predicate at this index of the catalogue, as in the kernels.
 template <class P, class A, class B>
 cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list kept,
                  unsigned long long *touching, cudaStream_t) {
@@ -357,10 +357,10 @@ cudaError_t probe(cuda::probe_result *out, cudaStream_t) {
 }
 
 const cuda::kind_launchers kinds[] = {
-    {"point", 3, place<cga::point_shape>, enclose<cga::point_shape>, columns<cga::point_shape>},
-    {"sphere", 4, place<cga::sphere_shape>, enclose<cga::sphere_shape>, columns<cga::sphere_shape>},
-    {"segment", 6, place<cga::segment_shape>, enclose<cga::segment_shape>, columns<cga::segment_shape>},
-    {"triangle", 9, place<cga::triangle_shape>, enclose<cga::triangle_shape>, columns<cga::triangle_shape>}};
+    {"point", 3, pose_rows<cga::point_shape>, enclose<cga::point_shape>, columns<cga::point_shape>},
+    {"sphere", 4, pose_rows<cga::sphere_shape>, enclose<cga::sphere_shape>, columns<cga::sphere_shape>},
+    {"segment", 6, pose_rows<cga::segment_shape>, enclose<cga::segment_shape>, columns<cga::segment_shape>},
+    {"triangle", 9, pose_rows<cga::triangle_shape>, enclose<cga::triangle_shape>, columns<cga::triangle_shape>}};
 
 } // namespace
 

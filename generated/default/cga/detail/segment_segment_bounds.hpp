@@ -13,7 +13,7 @@ namespace cga {
 namespace detail {
 
 struct segment_segment_points {
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
+  // Bits of the points that coincide; zero_if says which signs are then zero.
   static constexpr int coincidences = 6;
   MEETC_HD static unsigned coincident(const float *row_a, const float *row_b) {
     const auto s = detail::segment_in(row_a);
@@ -27,7 +27,7 @@ struct segment_segment_points {
     bits |= static_cast<unsigned>((e.p.x == e.q.x) & (e.p.y == e.q.y) & (e.p.z == e.q.z)) << 5;
     return bits;
   }
-  // The axis of each input, or -1 where it stands alone.
+  // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
     return all[i];
@@ -92,7 +92,7 @@ struct segment_segment_common_bounds {
     const float m1 = meetc::larger(m0, e.q.z - e.p.z);
     return meetc::larger(m1, e.q.x - e.p.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,

@@ -13,7 +13,7 @@ namespace cga {
 namespace detail {
 
 struct segment_triangle_points {
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
+  // Bits of the points that coincide; zero_if says which signs are then zero.
   static constexpr int coincidences = 10;
   MEETC_HD static unsigned coincident(const float *row_a, const float *row_b) {
     const auto s = detail::segment_in(row_a);
@@ -31,7 +31,7 @@ struct segment_triangle_points {
     bits |= static_cast<unsigned>((t.b.x == t.c.x) & (t.b.y == t.c.y) & (t.b.z == t.c.z)) << 9;
     return bits;
   }
-  // The axis of each input, or -1 where it stands alone.
+  // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
     return all[i];
@@ -70,7 +70,7 @@ struct segment_triangle_reject_bounds {
     const float m4 = meetc::larger(m3, t.b.x - t.a.x);
     return meetc::larger(m4, t.c.x - t.a.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 3;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes_b(const T *row_b, const Leaf &leaf, T *f) {
@@ -139,7 +139,7 @@ struct segment_triangle_common_bounds {
     const float m7 = meetc::larger(m6, t.c.z - t.a.z);
     return meetc::larger(m7, t.c.x - t.a.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,

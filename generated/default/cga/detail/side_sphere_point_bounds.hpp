@@ -13,12 +13,12 @@ namespace cga {
 namespace detail {
 
 struct side_sphere_point_sign_points {
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
+  // Bits of the points that coincide; zero_if says which signs are then zero.
   static constexpr int coincidences = 0;
   MEETC_HD static unsigned coincident(const float *, const float *) {
     return 0;
   }
-  // The axis of each input, or -1 where it stands alone.
+  // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2};
     return all[i];
@@ -48,7 +48,7 @@ struct side_sphere_point_sign_common_bounds {
   MEETC_HD MEETC_INLINE static float extent_b(const float *) {
     return 0.0f;
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,

@@ -13,7 +13,7 @@ namespace cga {
 namespace detail {
 
 struct sphere_segment_points {
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
+  // Bits of the points that coincide; zero_if says which signs are then zero.
   static constexpr int coincidences = 3;
   MEETC_HD static unsigned coincident(const float *row_a, const float *row_b) {
     const auto S_ = detail::sphere_in(row_a);
@@ -24,7 +24,7 @@ struct sphere_segment_points {
     bits |= static_cast<unsigned>((s.p.x == s.q.x) & (s.p.y == s.q.y) & (s.p.z == s.q.z)) << 2;
     return bits;
   }
-  // The axis of each input, or -1 where it stands alone.
+  // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, 0, 1, 2};
     return all[i];
@@ -76,7 +76,7 @@ struct sphere_segment_common_bounds {
     const float m1 = meetc::larger(m0, s.q.y - s.p.y);
     return meetc::larger(m1, s.q.z - s.p.z);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 1;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes_b(const T *row_b, const Leaf &leaf, T *f) {

@@ -13,12 +13,12 @@ namespace cga {
 namespace detail {
 
 struct sphere_sphere_points {
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
+  // Bits of the points that coincide; zero_if says which signs are then zero.
   static constexpr int coincidences = 0;
   MEETC_HD static unsigned coincident(const float *, const float *) {
     return 0;
   }
-  // The axis of each input, or -1 where it stands alone.
+  // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, -1};
     return all[i];
@@ -53,7 +53,7 @@ struct sphere_sphere_common_bounds {
     const auto T_ = detail::sphere_in(row_b);
     return meetc::larger(0.0f, T_.r);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,

@@ -13,7 +13,7 @@ namespace cga {
 namespace detail {
 
 struct sphere_triangle_points {
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
+  // Bits of the points that coincide; zero_if says which signs are then zero.
   static constexpr int coincidences = 6;
   MEETC_HD static unsigned coincident(const float *row_a, const float *row_b) {
     const auto S_ = detail::sphere_in(row_a);
@@ -27,7 +27,7 @@ struct sphere_triangle_points {
     bits |= static_cast<unsigned>((t.b.x == t.c.x) & (t.b.y == t.c.y) & (t.b.z == t.c.z)) << 5;
     return bits;
   }
-  // The axis of each input, or -1 where it stands alone.
+  // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, 0, 1, 2, 0, 1, 2};
     return all[i];
@@ -93,7 +93,7 @@ struct sphere_triangle_common_bounds {
     const float m7 = meetc::larger(m6, t.c.y - t.a.y);
     return meetc::larger(m7, t.c.z - t.a.z);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 10;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes_b(const T *row_b, const Leaf &leaf, T *f) {

@@ -13,7 +13,7 @@ namespace cga {
 namespace detail {
 
 struct triangle_triangle_points {
-  // Which points are equal, as bits: some signs are zero then, see zero_if.
+  // Bits of the points that coincide; zero_if says which signs are then zero.
   static constexpr int coincidences = 15;
   MEETC_HD static unsigned coincident(const float *row_a, const float *row_b) {
     const auto A = detail::triangle_in(row_a);
@@ -36,7 +36,7 @@ struct triangle_triangle_points {
     bits |= static_cast<unsigned>((B.b.x == B.c.x) & (B.b.y == B.c.y) & (B.b.z == B.c.z)) << 14;
     return bits;
   }
-  // The axis of each input, or -1 where it stands alone.
+  // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};
     return all[i];
@@ -86,7 +86,7 @@ struct triangle_triangle_reject_bounds {
     const float m4 = meetc::larger(m3, B.b.x - B.a.x);
     return meetc::larger(m4, B.c.x - B.a.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 3, magnitudes_of_b = 3;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes_a(const T *row_a, const Leaf &leaf, T *f) {
@@ -187,7 +187,7 @@ struct triangle_triangle_common_bounds {
     const float m7 = meetc::larger(m6, B.c.z - B.a.z);
     return meetc::larger(m7, B.c.x - B.a.x);
   }
-  // The values on magnitudes of leaves, with every subtraction an addition; some are stored.
+  // The program on the magnitudes of its leaves, with additions for subtractions; some values are stored.
   static constexpr int magnitudes_of_a = 0, magnitudes_of_b = 0;
   template <class T, class Leaf>
   MEETC_HD MEETC_INLINE static void magnitudes(const T *row_a, const T *, const T *row_b, const T *,
