@@ -102,7 +102,7 @@ image render(std::span<const shape> all_shapes, const camera &from, int width, i
   // A hit grows by a pixel or more in larger pictures, and its outline by as much again; a hidden one by
   // half.
   const double grow = k * std::clamp(std::min(out.width, out.height) / 600.0, 1.25, 3.0);
-  const int core = static_cast<int>(grow + 0.5), reach = static_cast<int>(grow + k + 0.5);
+  const int core = static_cast<int>(std::lround(grow)), reach = static_cast<int>(std::lround(grow + k));
   const neighbourhood near = widen(drawn, w, h, reach);
   for (std::size_t i = 0; i < drawn.size(); ++i)
     drawn[i] = !marked.at[i].empty() && drawn[i] == 0;
