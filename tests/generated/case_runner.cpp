@@ -6,10 +6,10 @@
 // under any flags, too.
 #include <cga/cga.hpp>
 #include <cga/header_only.hpp>
-#include <meetc/boxes.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <meetc/boxes.hpp>
 
 namespace {
 

@@ -53,8 +53,9 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
   const auto input = [&p](int i) { return p.input(i); };
   const parts text = split_body(s.code->code, input, s.bounds && s.bounds->mixed, remarks, inner + "  ");
   const auto counted = [&](poly::residency r) { return count_text(ir::count(s.code->code, r)); };
-  std::string out = fmt::format("{}// {}: signs {} to {}, degree {}.\n", indent, what_of(p, s), s.first,
-                                s.first + static_cast<int>(s.code->atoms.size()) - 1, (s.bounds ? s.bounds->degree : 0));
+  std::string out =
+      fmt::format("{}// {}: signs {} to {}, degree {}.\n", indent, what_of(p, s), s.first,
+                  s.first + static_cast<int>(s.code->atoms.size()) - 1, (s.bounds ? s.bounds->degree : 0));
   out += fmt::format("{}// Once an object {}: {}; {}: {}; a pair: {}.\n", indent, p.a, counted(poly::residency::a), p.b,
                      counted(poly::residency::b), counted(poly::residency::pair));
   out += fmt::format(
