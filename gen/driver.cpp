@@ -2,11 +2,11 @@
 #include "gen/ir/print.hpp"
 #include "gen/lower/separated.hpp"
 #include "gen/passes/passes.hpp"
+#include "gen/support/output.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <fmt/format.h>
 
 namespace meetc {
@@ -109,16 +109,16 @@ int verify_scene(const verify_options &o) {
     wrong += r.wrong;
     cases += r.cases;
     if (!r.note.empty())
-      fmt::print("{:<36} {}\n", k.asked.text, r.note);
+      say(fmt::format("{:<36} {}\n", k.asked.text, r.note));
     else if (k.is_predicate && !k.is_sign)
-      fmt::print("{:<36} {} wrong of {} ({} hits, {} degenerate)\n", k.asked.text, r.wrong, r.cases, r.hits,
-                 r.degenerate);
+      say(fmt::format("{:<36} {} wrong of {} ({} hits, {} degenerate)\n", k.asked.text, r.wrong, r.cases, r.hits,
+                      r.degenerate));
     else
-      fmt::print("{:<36} {} wrong of {}\n", k.asked.text, r.wrong, r.cases);
+      say(fmt::format("{:<36} {} wrong of {}\n", k.asked.text, r.wrong, r.cases));
     if (r.wrong)
-      fmt::print("  first: {}\n", r.first_wrong);
+      say(fmt::format("  first: {}\n", r.first_wrong));
   }
-  fmt::print("{}: {} wrong of {} cases in {} kernels\n", c.scene->name, wrong, cases, c.kernels.size());
+  say(fmt::format("{}: {} wrong of {} cases in {} kernels\n", c.scene->name, wrong, cases, c.kernels.size()));
   return wrong ? 1 : 0;
 }
 
@@ -212,17 +212,17 @@ int show(const show_options &o) {
     compile_all(c);
     target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
     add_forms(*c.model, u);
-    fmt::print("{}", whole->show_all(u));
+    say(whole->show_all(u));
     return 0;
   }
   const lower::request r = requested(c, o);
   const std::string after = "after:";
   if (o.emit == "spec") {
-    fmt::print("{}", spec_text(*c.model, r));
+    say(spec_text(*c.model, r));
   } else if (o.emit.starts_with(after)) {
-    fmt::print("{}", after_pass(*c.model, r, o.emit.substr(after.size())));
+    say(after_pass(*c.model, r, o.emit.substr(after.size())));
   } else {
-    fmt::print("{}", shown(c, compile(c, r), o.emit));
+    say(shown(c, compile(c, r), o.emit));
   }
   return 0;
 }

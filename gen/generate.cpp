@@ -1,5 +1,6 @@
 // Writes files: only those that changed, each whole or not at all, and none if something is in the way.
 #include "gen/driver.hpp"
+#include "gen/support/output.hpp"
 #include "gen/target/cpp/names.hpp"
 
 #include <algorithm>
@@ -139,7 +140,7 @@ int generate(const generate_options &o) {
     const strays left = find_strays(out, out, space, files);
     int differences = 0;
     const auto report = [&](const std::string &path, const char *what) {
-      fmt::print("{}: {}\n", path, what);
+      say(fmt::format("{}: {}\n", path, what));
       ++differences;
     };
     for (const target::file &f : files) {
@@ -153,11 +154,11 @@ int generate(const generate_options &o) {
       for (const fs::path &p : list)
         report(p.generic_string(), "stray: the scene does not emit it");
     if (differences)
-      fmt::print("{} of {} files are up to date; run: meetc generate {} -o {}\n",
-                 files.size() - static_cast<std::size_t>(std::min<std::ptrdiff_t>(differences, std::ssize(files))),
-                 files.size(), o.scene, o.out);
+      say(fmt::format("{} of {} files are up to date; run: meetc generate {} -o {}\n",
+                      files.size() - static_cast<std::size_t>(std::min<std::ptrdiff_t>(differences, std::ssize(files))),
+                      files.size(), o.scene, o.out));
     else if (!o.quiet)
-      fmt::print("{} files up to date\n", files.size());
+      say(fmt::format("{} files up to date\n", files.size()));
     return differences ? 1 : 0;
   }
   // Anything that would prevent writing is found before the first file is written.
@@ -185,10 +186,10 @@ int generate(const generate_options &o) {
   if (!o.stamp.empty())
     write(o.stamp, "");
   if (!o.quiet) {
-    fmt::print("{} files, {} written", files.size(), written);
+    say(fmt::format("{} files, {} written", files.size(), written));
     if (removed)
-      fmt::print(", {} left-over removed", removed);
-    fmt::print("\n");
+      say(fmt::format(", {} left-over removed", removed));
+    say("\n");
   }
   return 0;
 }

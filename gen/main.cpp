@@ -1,12 +1,15 @@
 // meetc: compiles the meet. Exit codes: 0 done, 1 a check failed, 2 bad usage or input.
 #include "gen/driver.hpp"
+#include "gen/support/output.hpp"
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 
 int main(int argc, char **argv) {
   using namespace meetc;
+  std::signal(SIGPIPE, SIG_IGN); // finish_output() knows what a reader that has gone means
   CLI::App app("meetc generates geometric-algebra kernels from a scene.", "meetc");
   app.set_version_flag("--version", "meetc " MEETC_VERSION);
   app.require_subcommand(1);
@@ -65,8 +68,7 @@ int main(int argc, char **argv) {
   }
   try {
     const int rc = generate_command->parsed() ? generate(g) : verify_command->parsed() ? verify_scene(v) : show(s);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      throw spec_error({}, "standard output cannot be written");
+    finish_output();
     return rc;
   } catch (const spec_error &e) {
     fmt::print(stderr, "{}", e.render());

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # tidy.sh BUILD [COMMIT]: clang-tidy (.clang-tidy) on the sources of gen/ and runtime/ that have changed since COMMIT, and
-# on one that includes each changed header. The default COMMIT is where this branch left main, or the previous commit. It
-# takes at most MEETC_TIDY_SECONDS (900) and then reports the units that were not checked.
+# on one that includes each changed header. The default COMMIT is where this branch left main, or the previous commit;
+# where there is neither, as in a clone without a history, nothing is checked. No unit is begun after MEETC_TIDY_SECONDS
+# (900); the units that were not checked are then reported.
 set -euo pipefail
 build=$1 base=${2:-} seconds=${MEETC_TIDY_SECONDS:-900}
 [ -e "$build/compile_commands.json" ] || {
@@ -9,8 +10,9 @@ build=$1 base=${2:-} seconds=${MEETC_TIDY_SECONDS:-900}
   exit 1
 }
 if [ -z "$base" ]; then
-  base=$(git merge-base HEAD origin/main 2>/dev/null || git merge-base HEAD main 2>/dev/null) || base=
-  [ "$base" != "$(git rev-parse HEAD)" ] || base=$(git rev-parse -q --verify HEAD~1) || base=
+  head=$(git rev-parse -q --verify HEAD) || head=
+  base=$(git merge-base HEAD origin/main 2>/dev/null || git merge-base HEAD main 2>/dev/null) || base=$head
+  [ "$base" != "$head" ] || base=$(git rev-parse -q --verify HEAD~1) || base=
 fi
 [ -n "$base" ] || {
   echo "tidy: there is no previous commit to compare with; name one"
@@ -22,23 +24,44 @@ git rev-parse -q --verify "$base^{commit}" >/dev/null || {
 }
 
 mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- 'gen/*.[ch]pp' 'runtime/*.[ch]pp')
-# A header is checked through the source with its name, or the first source that includes it.
-units=()
-for file in "${changed[@]}"; do
-  case $file in
-  *.cpp) units+=("$file") ;;
-  *)
-    source=${file%.hpp}.cpp
-    [ -e "$source" ] || source=$(grep -rlF --include='*.cpp' "${file#runtime/}\"" gen runtime | sort | head -n 1) || true
-    [ -z "$source" ] || units+=("$source")
-    ;;
-  esac
-done
-mapfile -t units < <(printf '%s\n' "${units[@]}" | sort -u | while read -r file; do
+[ ${#changed[@]} -gt 0 ] || {
+  echo "tidy: nothing in gen/ and runtime/ has changed since $base"
+  exit 0
+}
+
+# What is compiled, of gen/ and runtime/; and who includes whom there, as "FILE INCLUDED".
+compiled() { find gen runtime -name '*.cpp' | sort | while read -r file; do
   ! grep -qF "/$file\"" "$build/compile_commands.json" || echo "$file"
-done)
+done; }
+includes() { grep -roE --include='*.[ch]pp' '^#include ["<][a-z]+/[^">]*' gen runtime | sort |
+  sed -E 's|:#include .gen/| gen/|; s|:#include .meetc/| runtime/kernel/meetc/|; s|:#include .| runtime/|'; }
+# The changed sources; and for each changed header that none of them includes, on whatever way, the nearest source that does.
+mapfile -t units < <(awk '
+  function see(file, parts, n, i) {
+    if (file in seen) return
+    seen[file] = 1
+    n = split(below[file], parts)
+    for (i = 1; i <= n; ++i) see(parts[i])
+  }
+  function take(unit) { print unit; see(unit) }
+  function take_nearest(header, queue, met, parts, first, last, n, i) {
+    queue[last = 1] = header
+    met[header] = 1
+    for (first = 1; first <= last; ++first) {
+      if (queue[first] in compiled) { take(queue[first]); return }
+      n = split(above[queue[first]], parts)
+      for (i = 1; i <= n; ++i) if (!(parts[i] in met)) { met[parts[i]] = 1; queue[++last] = parts[i] }
+    }
+    print "tidy: nothing that is compiled here includes " header > "/dev/stderr"
+  }
+  FILENAME == ARGV[1] { compiled[$1]; next }
+  FILENAME == ARGV[2] { below[$1] = below[$1] " " $2; above[$2] = above[$2] " " $1; next }
+  /[.]cpp$/ { if ($1 in compiled) take($1); next }
+  { headers[++count] = $1 }
+  END { for (i = 1; i <= count; ++i) if (!(headers[i] in seen)) take_nearest(headers[i]) }
+' <(compiled) <(includes) <(printf '%s\n' "${changed[@]}"))
 [ ${#units[@]} -gt 0 ] || {
-  echo "tidy: nothing has changed since $base"
+  echo "tidy: nothing that has changed since $base is compiled here"
   exit 0
 }
 

@@ -119,7 +119,7 @@ int decision::negate(int a) {
   }
 }
 
-int decision::connect(truth_node::type kind, std::vector<int> args) {
+int decision::connect(truth_node::type kind, const std::vector<int> &args) {
   const bool absorbing = kind == truth_node::type::either;
   std::set<int> flat;
   for (const int a : args) {
@@ -233,7 +233,7 @@ int decision::usual(int id) {
       std::vector<int> args;
       for (const int a : n.args)
         args.push_back(rewrite(a));
-      out = n.kind == truth_node::type::negate ? negate(args[0]) : connect(n.kind, std::move(args));
+      out = n.kind == truth_node::type::negate ? negate(args[0]) : connect(n.kind, args);
     }
     return done[i] = out;
   };

@@ -44,8 +44,8 @@ public:
   long mark() const { return given_; }
   int constant(bool b);
   int test(const sign_value &s, sign_mask mask);
-  int both(std::vector<int> args) { return connect(truth_node::type::both, std::move(args)); }
-  int either(std::vector<int> args) { return connect(truth_node::type::either, std::move(args)); }
+  int both(const std::vector<int> &args) { return connect(truth_node::type::both, args); }
+  int either(const std::vector<int> &args) { return connect(truth_node::type::either, args); }
   int negate(int a);
   int choose(int condition, int then, int otherwise);
 
@@ -79,7 +79,7 @@ private:
   std::map<truth_node, int> node_ids_;
 
   int intern(truth_node n);
-  int connect(truth_node::type kind, std::vector<int> args);
+  int connect(truth_node::type kind, const std::vector<int> &args);
 };
 
 // A predicate's decision, by stages.

@@ -84,8 +84,8 @@ raw_mesh march(const body &shape, double cell) {
   const std::size_t nx = cells(size.x), ny = cells(size.y), nz = cells(size.z);
   const std::array<std::size_t, 8> offset{0, 1, nx, 1 + nx, nx * ny, 1 + nx * ny, nx + nx * ny, 1 + nx + nx * ny};
   const auto place = [&](std::size_t v) {
-    return shape.low + cell * vec{static_cast<double>(v % nx), static_cast<double>(v / nx % ny),
-                                  static_cast<double>(v / (nx * ny))};
+    const std::size_t x = v % nx, y = v / nx % ny, z = v / nx / ny;
+    return shape.low + cell * vec{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
   };
   std::vector<double> value(nx * ny * nz);
   for (std::size_t v = 0; v < value.size(); ++v)

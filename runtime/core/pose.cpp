@@ -28,8 +28,9 @@ void move_row(const kind_info &kind, const pose &at, float *row) {
     } else if (kind.roles[i] == role::x) {
       const bool has_z = i + 2 < kind.fields && kind.roles[i + 2] == role::z;
       const double x = row[i], y = row[i + 1], z = has_z ? row[i + 2] : 0.0f;
-      for (int k = 0; k < (has_z ? 3 : 2); ++k)
-        row[i + k] = static_cast<float>(moved_coordinate(at.m + 4 * k, x, y, z));
+      const double *of_coordinate = at.m; // a row of the matrix
+      for (int k = 0; k < (has_z ? 3 : 2); ++k, of_coordinate += 4)
+        row[i + k] = static_cast<float>(moved_coordinate(of_coordinate, x, y, z));
     }
   }
 }

@@ -101,7 +101,7 @@ image render(std::span<const shape> all_shapes, const camera &from, int width, i
   // In larger pictures a hit is widened by a pixel or more, its outline by as much again, and a hidden hit by half of
   // that.
   const double grow = k * std::clamp(std::min(out.width, out.height) / 600.0, 1.25, 3.0);
-  const int core = static_cast<int>(grow + 0.5), reach = static_cast<int>(grow + k + 0.5);
+  const int core = static_cast<int>(std::lround(grow)), reach = static_cast<int>(std::lround(grow + k));
   const neighbourhood near = widen(drawn, w, h, reach);
   for (std::size_t i = 0; i < drawn.size(); ++i)
     drawn[i] = !marked.at[i].empty() && drawn[i] == 0;
