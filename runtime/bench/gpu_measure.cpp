@@ -44,13 +44,6 @@ std::vector<baseline> baselines_of(const std::string &predicate) {
   return {baseline::moller_trumbore_0_fp32};
 }
 
-cell of_rate(double pairs_a_second) {
-  return {fmt::format("{:.3g}", pairs_a_second / 1e12), fmt::format("{:.6g}", pairs_a_second / 1e12)};
-}
-cell of_share(double x) {
-  return {fmt::format("{:.1f} %", 100 * x), fmt::format("{:.4g}", x)};
-}
-
 } // namespace
 
 gpu_bench::gpu_bench(const catalogue &all, bool quick)

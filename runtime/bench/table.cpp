@@ -58,6 +58,14 @@ cell of_milliseconds(double seconds) {
   return {fmt::format("{:.3g}", 1000 * seconds), app::with_digits(1000 * seconds, 6)};
 }
 
+cell of_rate(double pairs_a_second) {
+  return {fmt::format("{:.3g}", pairs_a_second / 1e12), app::with_digits(pairs_a_second / 1e12, 6)};
+}
+
+cell of_share(double x) {
+  return {fmt::format("{:.1f} %", 100 * x), app::with_digits(x, 4)};
+}
+
 cell of_words(const std::string &words) {
   return {words, words};
 }

@@ -32,6 +32,16 @@ TEST_CASE("a table as text, Markdown and JSON") {
   CHECK(of_ratio(12345.6).text == "12,346");
 }
 
+TEST_CASE("every measured cell is a number in JSON") {
+  CHECK(of_count(12).value == 12);
+  CHECK(of_ratio(41.96).value == 41.96);
+  CHECK(of_milliseconds(0.0025).value == 2.5);
+  CHECK(of_rate(2.5672e12).value == 2.5672);
+  CHECK(of_rate(2.5672e12).text == "2.57");
+  CHECK(of_share(0.4615).value == 0.4615);
+  CHECK(of_share(0.4615).text == "46.2 %");
+}
+
 TEST_CASE("brute force finds what the search finds, and its sample is a part of it") {
   const meetc::catalogue &all = cga::catalogue();
   const meetc::io::element_set a = of_mesh(all, torus(25, 20)), b = of_mesh(all, knot(100, 25));
