@@ -2,6 +2,7 @@
 #include "gen/driver.hpp"
 #include "gen/support/output.hpp"
 
+#include <cerrno>
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -61,7 +62,12 @@ int main(int argc, char **argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success &e) {
-    return app.exit(e);
+    const int rc = app.exit(e);
+    const bool written = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (written || errno == EPIPE)
+      return rc;
+    fmt::print(stderr, "meetc: standard output cannot be written\n");
+    return 2;
   } catch (const CLI::ParseError &e) {
     fmt::print(stderr, "meetc: {} (see meetc --help)\n", e.what());
     return 2;

@@ -59,7 +59,6 @@ public:
 
   const metric &basis() const { return *basis_; }
   const std::vector<predicate_call> &calls() const { return calls_; }
-  const std::vector<sign_value> &signs_taken() const { return taken_; }
 
 private:
   const model &model_;

@@ -50,8 +50,12 @@ void run(std::vector<lower::blade_maker> &makers) {
 }
 
 void run(bound::kernel_bounds &b) {
-  for (bound::stage_bounds *s : {&b.reject, &b.common})
-    s->magnitudes = store(s->magnitudes);
+  for (bound::stage_bounds *s : {&b.reject, &b.common}) {
+    ir::program stored = store(s->magnitudes);
+    if (stored.results != s->magnitudes.results || stored.nodes.size() != s->magnitudes.nodes.size())
+      throw std::logic_error("the pass 'store' changed a magnitude");
+    s->magnitudes = std::move(stored);
+  }
 }
 
 std::vector<std::string> names() {

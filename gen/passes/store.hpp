@@ -8,7 +8,8 @@ namespace meetc::passes {
 //
 // A stored value costs the pair a load from memory that no other stage reads. A difference of two coordinates, or a
 // square, costs one operation on numbers that the pair has loaded anyway, so recomputing it is cheaper. The cost of a
-// value includes its operands', since the pair does not compute the operands of a stored value.
+// value includes its operands', since the pair does not compute the operands of a stored value. In magnitudes a leaf counts
+// as nothing: the pair computes that difference for the value in any case.
 inline constexpr int cheapest = 1;
 
 // Results and operations stay the same, so error bounds hold for stored values too: each is rounded as it would be in

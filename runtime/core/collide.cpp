@@ -127,9 +127,17 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
     (*static_cast<const std::function<void(double)> *>(context))(fraction);
   };
   const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
-  const tally total = decide_all({a.set(), b.set(), a.stored(by.stored_a, threads), b.stored(by.stored_b, threads), by,
-                                  source, threads, want == answer_kind::any, options.progress ? +report : nullptr,
-                                  const_cast<std::function<void(double)> *>(&options.progress), taker},
+  const tally total = decide_all({a.set(),
+                                  b.set(),
+                                  {a.stored(by.stored_a, *predicate.a), by.stored_a},
+                                  {b.stored(by.stored_b, *predicate.b), by.stored_b},
+                                  by,
+                                  source,
+                                  threads,
+                                  want == answer_kind::any,
+                                  options.progress ? +report : nullptr,
+                                  const_cast<std::function<void(double)> *>(&options.progress),
+                                  taker},
                                  {batches.get(), batch_bytes(threads)});
   r.candidates = total.candidates;
   r.count = total.hits;

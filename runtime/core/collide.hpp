@@ -46,8 +46,9 @@ struct result {
   double seconds = 0;           // wall-clock time of the call
 };
 
-// Memory grows with what is asked for, and with the pairs where there are owners, but never with the product of the
-// sets. Throws std::invalid_argument (kinds, rung, box or owners that do not fit) or std::bad_alloc.
+// Memory grows with what is asked for, with the pairs where there are owners, and by what the sets store
+// (core/stored.hpp); never with the product of the sets. Throws std::invalid_argument (kinds, rung, box or owners that
+// do not fit) or std::bad_alloc.
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 

@@ -59,11 +59,12 @@ private:
   // Moves the hits to the front of the batch and returns their number.
   std::size_t decide() {
     const decision_job &job = shared_.job;
+    const row_array a{job.a.rows, job.stored_a.after(size_, job.a)}, b{job.b.rows, job.stored_b.after(size_, job.b)};
     std::size_t hits = 0, end = size_; // the pairs from hits to end are unsure
     for (int at = 0; at < job.by.count && hits < end && (hits == 0 || !job.stop_at_first); ++at) {
       if (at > 0)
         unsure_[at - 1] += end - hits;
-      job.by.decide(at, {job.a.rows, job.stored_a}, {job.b.rows, job.stored_b}, pairs_ + hits, end - hits, answers_);
+      job.by.decide(at, a, b, pairs_ + hits, end - hits, answers_);
       end = sort_out(hits, end);
     }
     return hits;

@@ -8,6 +8,7 @@
 
 #include "core/candidates.hpp"
 #include "core/cascade.hpp"
+#include "core/stored.hpp"
 
 namespace meetc {
 
@@ -20,7 +21,7 @@ public:
 
 struct decision_job {
   const element_set &a, &b;
-  const float *stored_a, *stored_b; // the values of by.stored_a and by.stored_b for all rows, or null
+  stored_operand stored_a, stored_b; // for by.stored_a and by.stored_b
   const cascade &by;
   const candidate_source &source;
   int threads;

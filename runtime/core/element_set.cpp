@@ -104,14 +104,4 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   return status::ok;
 }
 
-bool fill_stored(const element_set &set, const stored_values &values, float *to, int threads) {
-  std::atomic<bool> done{true};
-  const auto fields = static_cast<std::size_t>(set.kind->fields), floats = static_cast<std::size_t>(values.floats);
-  for_chunks(threads, set.elements, 4096, [&](int, std::size_t begin, std::size_t end) {
-    if (!values.compute(set.rows + begin * fields, end - begin, to + begin * floats))
-      done.store(false, std::memory_order_relaxed);
-  });
-  return done;
-}
-
 } // namespace meetc

@@ -35,10 +35,6 @@ set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t element
 // Fills a set whose memory was taken for this kind and number of elements.
 status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads);
 
-// Computes a predicate's stored values for a filled set, values.floats numbers for each row. Returns false if they
-// cannot be stored: see stored_values.
-bool fill_stored(const element_set &set, const stored_values &values, float *to, int threads);
-
 } // namespace meetc
 
 #endif

@@ -95,12 +95,7 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   if (s != status::ok)
     return s;
 
-  const auto stored = [threads](const element_set &set, const stored_values &values, float *to) {
-    return values.floats > 0 && fill_stored(set, values, to, threads) ? to : nullptr;
-  };
-  const float *const stored_a = stored(l.a, by.stored_a, l.stored_a);
-  const float *const stored_b = stored(l.b, by.stored_b, l.stored_b);
-
+  stored_rows stored_a, stored_b;
   const all_pairs every(l.a, l.b);
   const tree_pairs tree(l.a, l.b);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
@@ -108,10 +103,18 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   clear(mark, a.elements, b.elements);
   append taker(out, mark);
   by.enter_box(options.box, l.a, l.b);
-  const tally total =
-      decide_all({l.a, l.b, stored_a, stored_b, by, source, threads, options.stop_at_first, options.progress,
-                  options.progress_context, out.capacity > 0 || mark.any() ? &taker : nullptr},
-                 l.batches);
+  const tally total = decide_all({l.a,
+                                  l.b,
+                                  {by.stored_a.floats > 0 ? &stored_a : nullptr, by.stored_a, l.stored_a},
+                                  {by.stored_b.floats > 0 ? &stored_b : nullptr, by.stored_b, l.stored_b},
+                                  by,
+                                  source,
+                                  threads,
+                                  options.stop_at_first,
+                                  options.progress,
+                                  options.progress_context,
+                                  out.capacity > 0 || mark.any() ? &taker : nullptr},
+                                 l.batches);
   *out.count = total.hits;
   if (out.rungs)
     *out.rungs = total.rungs;

@@ -1,17 +1,11 @@
 #include "core/prepared.hpp"
 
-#include "core/element_set.hpp"
+#include "core/stored.hpp"
 #include "core/threads.hpp"
 
 #include <algorithm>
-#include <mutex>
 
 namespace meetc {
-
-struct prepared::store {
-  std::mutex making;
-  std::unique_ptr<float[]> numbers;
-};
 
 prepared::prepared() = default;
 prepared::prepared(prepared &&) noexcept = default;
@@ -32,18 +26,9 @@ void prepared::bounds(float lo[3], float hi[3]) const {
   std::copy_n(b.hi, 3, hi);
 }
 
-const float *prepared::stored(const stored_values &values, int threads) const {
-  if (values.number < 0 || values.number >= kind().stored || elements() == 0)
-    return nullptr;
-  store &s = stores_[static_cast<std::size_t>(values.number)];
-  const std::lock_guard lock(s.making);
-  if (!s.numbers) {
-    std::unique_ptr<float[]> numbers(new float[elements() * static_cast<std::size_t>(values.floats)]);
-    if (!fill_stored(*set_, values, numbers.get(), threads))
-      return nullptr; // the next caller's environment may be the standard one
-    s.numbers = std::move(numbers);
-  }
-  return s.numbers.get();
+stored_rows *prepared::stored(const stored_values &values, const kind_info &of) const {
+  const bool any = &of == &kind() && values.number >= 0 && values.number < kind().stored;
+  return any ? &stored_[static_cast<std::size_t>(values.number)] : nullptr;
 }
 
 prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads) {
@@ -65,7 +50,7 @@ prepared prepare(const view &elements, const kind_info &kind, const pose &at, in
     throw input_error(check(elements, kind, at), kind);
   if (s != status::ok)
     throw std::invalid_argument(text(s));
-  p.stores_ = std::make_unique<prepared::store[]>(static_cast<std::size_t>(kind.stored));
+  p.stored_ = std::make_unique<stored_rows[]>(static_cast<std::size_t>(kind.stored));
   return p;
 }
 

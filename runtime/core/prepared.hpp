@@ -20,6 +20,7 @@ public:
 };
 
 struct element_set;
+class stored_rows;
 
 // Packed rows of kind().fields floats in spatial order, boxes and hierarchy. It is immutable, and several calls may use
 // it at once. Only a prepared() that was moved from holds no set; it may then only be assigned to or destroyed.
@@ -34,17 +35,16 @@ public:
   // The closed box around all elements: finite, in the units of their coordinates; lo > hi for the empty set.
   void bounds(float lo[3], float hi[3]) const;
   const element_set &set() const { return *set_; }
-  // A predicate's stored values, computed at the first call and kept; null if there are none or they cannot be stored.
-  // Any thread may call it. Throws std::bad_alloc.
-  const float *stored(const stored_values &values, int threads) const;
+  // Where the values that a predicate reads beside the rows are kept. Null if it reads none, or if `of`, the kind for
+  // which they are computed, is not kind() itself: two catalogues may number such values differently.
+  stored_rows *stored(const stored_values &values, const kind_info &of) const;
 
 private:
-  struct store;
   friend prepared prepare(const view &, const kind_info &, const pose &, int);
   prepared();
   std::unique_ptr<std::byte[]> bytes_;
   std::unique_ptr<element_set> set_;
-  std::unique_ptr<store[]> stores_; // kind().stored elements
+  std::unique_ptr<stored_rows[]> stored_; // kind().stored elements
 };
 
 // Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. Throws

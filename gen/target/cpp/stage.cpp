@@ -40,20 +40,26 @@ std::string opened(const emitted_predicate &p, const char *which, const std::vec
   return open_header(p.of.scene, fmt::format("detail_{}_{}", p.kernel.asked.name(), which), includes, kernel_headers);
 }
 
-// The operations that run once for each object of a set, and those that run for each pair.
-std::string counts_of(const emitted_predicate &p, const emitted_stage &s, const stored_body &stored,
-                      const std::string &indent) {
-  const ir::program &code = s.code->code;
-  std::string out;
-  const auto object = [&](const std::string &name, int fields, poly::residency where) {
-    if (fields > 0)
-      out += fmt::format("{}// Stored beside {}: {} number{} ({}).\n", indent, name, fields, fields == 1 ? "" : "s",
-                         count_text(ir::count_object(code, where)));
+// The operations that run once for each object of a set, and those that run for each pair: of the values, and of the
+// magnitudes where a rung has bounds.
+std::string counts_of(const emitted_predicate &p, const emitted_stage &s, const std::string &indent) {
+  bool any_stored = false;
+  const auto counted = [&](const char *what, const char *one, const ir::program &code) {
+    std::string text = fmt::format("{}// {} cost each pair {}.\n", indent, what, count_text(ir::count_pair(code)));
+    for (const auto &[where, name] : {std::pair(poly::residency::a, &p.a), std::pair(poly::residency::b, &p.b)})
+      if (const std::size_t n = ir::stored_of(code, where).size()) {
+        any_stored = true;
+        text += fmt::format("{}// A set stores {} {}{} beside each {}, by {}.\n", indent, n, one, n == 1 ? "" : "s",
+                            *name, count_text(ir::count_object(code, where)));
+      }
+    return text;
   };
-  object(p.a, stored.fields_a, poly::residency::a);
-  object(p.b, stored.fields_b, poly::residency::b);
-  return out + fmt::format("{}// For each pair{}: {}.\n", indent, out.empty() ? "" : ", which reads them",
-                           count_text(ir::count_pair(code)));
+  std::string out = counted("Values", "value", s.code->code);
+  if (s.bounds)
+    out += counted("Magnitudes, where a rung has bounds,", "magnitude", s.bounds->magnitudes);
+  if (any_stored)
+    out += fmt::format("{}// A call on two single objects computes these as well.\n", indent);
+  return out;
 }
 
 } // namespace
@@ -72,7 +78,7 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
   std::string out =
       fmt::format("{}// {}: signs {} to {}, degree {}.\n", indent, what_of(p, s), s.first,
                   s.first + static_cast<int>(s.code->atoms.size()) - 1, (s.bounds ? s.bounds->degree : 0));
-  out += counts_of(p, s, stored, indent);
+  out += counts_of(p, s, indent);
   out += fmt::format(
       "{}struct {}{}_stage{} {{\n{}static constexpr int first = {}, atoms = {}, fields_a = {}, fields_b = {};\n",
       indent, scope, s.name, s.bounds ? fmt::format(" : detail::{}", detail_name(p, s, "bounds")) : "", inner, s.first,

@@ -21,16 +21,15 @@ std::string rungs_constant(const unit &u) {
   return fmt::format("inline constexpr unsigned rungs = {};\n", bits.empty() ? "0" : bits);
 }
 
-constexpr const char *parameters =
-    "(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,\n"
-    "    std::size_t n, meetc::answer *out, cudaStream_t stream)";
+constexpr const char *parameters = "(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs, "
+                                   "std::size_t n, meetc::answer *out, cudaStream_t stream)";
 
 constexpr const char *near_parameters =
-    "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b,\n"
-    "    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream)";
+    "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b, "
+    "meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream)";
 constexpr const char *run_parameters =
-    "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b,\n"
-    "    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure, cudaStream_t stream)";
+    "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b, "
+    "meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure, cudaStream_t stream)";
 
 std::string shape_of(const std::string &kind) {
   return identifier(kind) + "_shape";
@@ -77,22 +76,22 @@ std::string cuda_header(const unit &u) {
                      "#include <meetc/support.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space);
   out += "// What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.\n"
-         "const meetc::cuda::catalogue &catalogue();\n\n"
-         "// Decides n pairs of rows on the device. a, b, pairs and out are device pointers; rows are packed floats in "
-         "the\n"
-         "// spec's store order. The work is enqueued on the stream; nothing is allocated, waited for or thrown.\n"
-         "// The answers equal those of the CPU, bit for bit. certify() runs one bounded rung of `certified` (fp32, "
-         "fp64, fp64x2), "
-         "which may\n"
-         "// answer unsure. An unknown rung gives cudaErrorInvalidValue.\n";
+         "const meetc::cuda::catalogue &catalogue();\n\n";
   if (u.asks(lang::rung::certified))
     out += "// Writes bits of meetc::arithmetic_fault to *faults (device memory): 0 if the arithmetic is as the bounds "
            "assume.\n"
            "// One call in a process is enough, before its first certified answer is used.\n"
            "cudaError_t self_test(unsigned *faults, cudaStream_t stream);\n";
   out += "\n// The rungs that the scene asks for: bit r stands for the rung of value r.\n" + rungs_constant(u);
-  out += "\n// near() and run() are steps of a query on sets; stored_a() and stored_b() compute stored values: "
-         "see\n// meetc::cuda::predicate_launchers.\n";
+  out +=
+      "\n// One struct for each predicate. decide() decides n pairs of rows: a, b, pairs and out are device pointers, "
+      "and\n"
+      "// rows are packed floats in the spec's store order. certify() runs one bounded rung of `certified` (fp32, "
+      "fp64,\n"
+      "// fp64x2), which may answer unsure. The answers equal those of the CPU, bit for bit. An unknown rung gives\n"
+      "// cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and stored_b() compute\n"
+      "// what sets store: see meetc::cuda::predicate_launchers. All work is enqueued on the stream; nothing is\n"
+      "// allocated, waited for or thrown.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
     if (u.asks(lang::rung::certified))

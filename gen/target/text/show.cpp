@@ -13,9 +13,13 @@ namespace {
 template <class Text> std::string each_program(const lower::kernel &k, const Text &text) {
   std::string out;
   lower::kernel copy = k; // programs() returns references that passes may replace
-  for (const lower::kernel_program &p : lower::programs(copy))
+  for (const lower::kernel_program &p : lower::programs(copy)) {
     out += fmt::format("{}\n{}  ; {}\n", p.title, text(*p.code, *p.inputs),
                        count_text(ir::count(p.code->nodes, p.code->results)));
+    if (!p.code->stored.empty())
+      out += fmt::format("  ; of these, where sets store values, for each pair: {}\n",
+                         count_text(ir::count_pair(*p.code)));
+  }
   return out;
 }
 

@@ -37,7 +37,8 @@ struct ball_ball : detail::ball_ball_points {
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 0, degree 2.
-  // For each pair: 4 multiplications, 7 additions.
+  // Values cost each pair 4 multiplications, 7 additions.
+  // Magnitudes, where a rung has bounds, cost each pair 4 multiplications, 4 additions.
   struct common_stage : detail::ball_ball_common_bounds {
     static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0;
     using bytecode = detail::ball_ball_common_bytecode;

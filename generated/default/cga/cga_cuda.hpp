@@ -12,10 +12,6 @@ namespace cuda {
 // What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.
 const meetc::cuda::catalogue &catalogue();
 
-// Decides n pairs of rows on the device. a, b, pairs and out are device pointers; rows are packed floats in the
-// spec's store order. The work is enqueued on the stream; nothing is allocated, waited for or thrown.
-// The answers equal those of the CPU, bit for bit. certify() runs one bounded rung of `certified` (fp32, fp64, fp64x2), which may
-// answer unsure. An unknown rung gives cudaErrorInvalidValue.
 // Writes bits of meetc::arithmetic_fault to *faults (device memory): 0 if the arithmetic is as the bounds assume.
 // One call in a process is enough, before its first certified answer is used.
 cudaError_t self_test(unsigned *faults, cudaStream_t stream);
@@ -27,165 +23,149 @@ inline constexpr unsigned rungs = 1U << static_cast<int>(meetc::rung::fp32) |
     1U << static_cast<int>(meetc::rung::exact) |
     1U << static_cast<int>(meetc::rung::certified);
 
-// near() and run() are steps of a query on sets; stored_a() and stored_b() compute stored values: see
-// meetc::cuda::predicate_launchers.
+// One struct for each predicate. decide() decides n pairs of rows: a, b, pairs and out are device pointers, and
+// rows are packed floats in the spec's store order. certify() runs one bounded rung of `certified` (fp32, fp64,
+// fp64x2), which may answer unsure. The answers equal those of the CPU, bit for bit. An unknown rung gives
+// cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and stored_b() compute
+// what sets store: see meetc::cuda::predicate_launchers. All work is enqueued on the stream; nothing is
+// allocated, waited for or thrown.
 struct segment_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct point_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct segment_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct triangle_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_sphere {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_ball {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream);
+      std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+      unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list unsure, cudaStream_t stream);
   static meetc::cuda::stored_launcher stored_a(int number);
   static meetc::cuda::stored_launcher stored_b(int number);
 };

@@ -44,8 +44,11 @@ struct segment_triangle : detail::segment_triangle_points {
   template <class T> static bool whole_plain(const float *row_a, const float *row_b);
 
   // Decides most misses: signs 0 to 1, degree 3.
-  // Stored beside t: 3 numbers (6 multiplications, 9 additions).
-  // For each pair, which reads them: 6 multiplications, 10 additions.
+  // Values cost each pair 6 multiplications, 10 additions.
+  // A set stores 3 values beside each t, by 6 multiplications, 9 additions.
+  // Magnitudes, where a rung has bounds, cost each pair 6 multiplications, 4 additions.
+  // A set stores 3 magnitudes beside each t, by 6 multiplications, 3 additions.
+  // A call on two single objects computes these as well.
   struct reject_stage : detail::segment_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 3;
     using bytecode = detail::segment_triangle_reject_bytecode;
@@ -76,7 +79,8 @@ struct segment_triangle : detail::segment_triangle_points {
   };
 
   // The usual case: signs 2 to 4, degree 3.
-  // For each pair: 27 multiplications, 33 additions.
+  // Values cost each pair 27 multiplications, 33 additions.
+  // Magnitudes, where a rung has bounds, cost each pair 27 multiplications, 15 additions.
   struct common_stage : detail::segment_triangle_common_bounds {
     static constexpr int first = 2, atoms = 3, fields_a = 0, fields_b = 0;
     using bytecode = detail::segment_triangle_common_bytecode;

@@ -16,7 +16,8 @@ struct side_sphere_point_sign : detail::side_sphere_point_sign_points {
   static constexpr int inputs_a = 4, inputs_b = 3, atoms = 1;
 
   // The sign: signs 0 to 0, degree 2.
-  // For each pair: 4 multiplications, 6 additions.
+  // Values cost each pair 4 multiplications, 6 additions.
+  // Magnitudes, where a rung has bounds, cost each pair 4 multiplications, 3 additions.
   struct common_stage : detail::side_sphere_point_sign_common_bounds {
     static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0;
     using bytecode = detail::side_sphere_point_sign_common_bytecode;

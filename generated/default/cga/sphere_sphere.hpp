@@ -37,7 +37,8 @@ struct sphere_sphere : detail::sphere_sphere_points {
   using reject_stage = meetc::no_stage;
 
   // The usual case: signs 0 to 1, degree 2.
-  // For each pair: 5 multiplications, 9 additions.
+  // Values cost each pair 5 multiplications, 9 additions.
+  // Magnitudes, where a rung has bounds, cost each pair 5 multiplications, 5 additions.
   struct common_stage : detail::sphere_sphere_common_bounds {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 0;
     using bytecode = detail::sphere_sphere_common_bytecode;

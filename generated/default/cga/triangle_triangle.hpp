@@ -43,9 +43,13 @@ struct triangle_triangle : detail::triangle_triangle_points {
   template <class T> static bool whole_plain(const float *row_a, const float *row_b);
 
   // Decides most misses: signs 0 to 5, degree 3.
-  // Stored beside A: 3 numbers (6 multiplications, 9 additions).
-  // Stored beside B: 3 numbers (6 multiplications, 9 additions).
-  // For each pair, which reads them: 18 multiplications, 27 additions.
+  // Values cost each pair 18 multiplications, 27 additions.
+  // A set stores 3 values beside each A, by 6 multiplications, 9 additions.
+  // A set stores 3 values beside each B, by 6 multiplications, 9 additions.
+  // Magnitudes, where a rung has bounds, cost each pair 18 multiplications, 12 additions.
+  // A set stores 3 magnitudes beside each A, by 6 multiplications, 3 additions.
+  // A set stores 3 magnitudes beside each B, by 6 multiplications, 3 additions.
+  // A call on two single objects computes these as well.
   struct reject_stage : detail::triangle_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 6, fields_a = 3, fields_b = 3;
     using bytecode = detail::triangle_triangle_reject_bytecode;
@@ -101,7 +105,8 @@ struct triangle_triangle : detail::triangle_triangle_points {
   };
 
   // The usual case: signs 6 to 14, degree 3.
-  // For each pair: 81 multiplications, 75 additions.
+  // Values cost each pair 81 multiplications, 75 additions.
+  // Magnitudes, where a rung has bounds, cost each pair 81 multiplications, 45 additions.
   struct common_stage : detail::triangle_triangle_common_bounds {
     static constexpr int first = 6, atoms = 9, fields_a = 0, fields_b = 0;
     using bytecode = detail::triangle_triangle_common_bytecode;

@@ -320,6 +320,7 @@ device_result collide(device &on, device_set &a, device_set &b, const predicate_
     return x.fields == y.fields && std::strcmp(x.name, y.name) == 0;
   };
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
+  require(a.is_on(on) && b.is_on(on), "a set is on another device");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
   require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
   device_result r = device_query(on, a, b, predicate, precision, options).run();

@@ -42,9 +42,9 @@ device_set::device_set(device &on, const prepared &set)
 }
 
 void device_set::enclose() {
+  version_ = next_version(); // first: if a launch fails, nothing that was made of other rows is taken for these
   check(on_->kernels().clear_extent(around_.data(), on_->stream()), "starting a kernel");
   check(launchers_->enclose(rows(), elements_, around_.data(), on_->stream()), "starting a kernel");
-  version_ = next_version();
 }
 
 void device_set::move(const pose &at) {

@@ -19,10 +19,11 @@ public:
 
   const kind_info &kind() const { return *kind_; }
   std::uint32_t elements() const { return elements_; }
+  bool is_on(const device &d) const { return on_ == &d; }
 
   // Moves the set to this pose, which replaces its last one. The arithmetic is that of core/pose.hpp, bit for bit.
   // Throws input_error where a number leaves float32, std::invalid_argument where the kind cannot be moved, and
-  // device_error. After an exception the set is as it was before.
+  // device_error. After an exception other than device_error the set is as it was before.
   void move(const pose &at);
 
   const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }

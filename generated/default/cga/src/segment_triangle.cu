@@ -9,26 +9,22 @@ namespace cga {
 namespace cuda {
 
 cudaError_t segment_triangle::decide(meetc::rung rung, const float *a, const float *b,
-    const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream) {
+    const meetc::index_pair *pairs, std::size_t n, meetc::answer *out, cudaStream_t stream) {
   return meetc::cuda::decide_rows<::cga::segment_triangle, rungs>(rung, a, b, pairs, n, out, stream);
 }
 cudaError_t segment_triangle::certify(meetc::rung rung, const float *a, const float *b,
-    const meetc::index_pair *pairs,
-    std::size_t n, meetc::answer *out, cudaStream_t stream) {
+    const meetc::index_pair *pairs, std::size_t n, meetc::answer *out, cudaStream_t stream) {
   return meetc::cuda::certify_rows<::cga::segment_triangle>(rung, a, b, pairs, n, out, stream);
 }
 cudaError_t segment_triangle::near(meetc::cuda::step which, const meetc::cuda::operand &a,
-    const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching,
-        cudaStream_t stream) {
+    const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
+    unsigned long long *touching, cudaStream_t stream) {
   return meetc::cuda::near<::cga::segment_triangle, segment_shape, triangle_shape, rungs>(which, a, b, in,
       kept, touching, stream);
 }
 cudaError_t segment_triangle::run(meetc::cuda::step which, const meetc::cuda::operand &a,
-    const meetc::cuda::operand &b,
-    meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure,
-        cudaStream_t stream) {
+    const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+    meetc::cuda::pair_list unsure, cudaStream_t stream) {
   return meetc::cuda::run<::cga::segment_triangle, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher segment_triangle::stored_a(int number) {
