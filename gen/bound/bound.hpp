@@ -34,7 +34,7 @@ using ir::rational;
 // borrowed.
 struct subject {
   const poly::ring &numbers; // the stored numbers of both operands
-  const poly::frame &local;
+  const poly::local_origin &local;
   struct stage {
     const ir::program *code = nullptr;
     std::vector<const poly::poly *> signs; // of the program's results; empty: there is no such stage

@@ -73,7 +73,7 @@ struct boxing {
     return rounded(r);
   }
 
-  std::optional<value> given(const ir::place &at) const {
+  std::optional<value> given(const ir::node_ref &at) const {
     const auto l = leaf_at(at.nodes, at.id);
     if (!l)
       return std::nullopt;
@@ -83,18 +83,18 @@ struct boxing {
     (l->where == residency::a ? r.a : l->where == residency::b ? r.b : r.pair) = 1;
     return r;
   }
-  value input(const ir::place &, int) const { return {}; } // a leaf
-  value constant(const ir::place &, const rational &q) const {
+  value input(const ir::node_ref &, int) const { return {}; } // a leaf
+  value constant(const ir::node_ref &, const rational &q) const {
     value r;
     r.exact = abs(q);
     r.computed = rounded_up(r.exact, in.precision);
     r.error = r.unrounded_error = r.computed - r.exact;
     return r;
   }
-  value negate(const ir::place &, const value &x) const { return x; }
-  value add(const ir::place &, const value &x, const value &y) const { return sum(x, y); }
-  value subtract(const ir::place &, const value &x, const value &y) const { return sum(x, y); }
-  value multiply(const ir::place &at, const value &x, const value &y) const {
+  value negate(const ir::node_ref &, const value &x) const { return x; }
+  value add(const ir::node_ref &, const value &x, const value &y) const { return sum(x, y); }
+  value subtract(const ir::node_ref &, const value &x, const value &y) const { return sum(x, y); }
+  value multiply(const ir::node_ref &at, const value &x, const value &y) const {
     value r = product(x, y);
     if (!scales_exactly(at.nodes, at.id))
       return rounded(r);
@@ -102,7 +102,9 @@ struct boxing {
     r.unrounded_error = (first ? y : x).unrounded_error * (first ? x : y).exact;
     return r;
   }
-  value fused(const ir::place &, const value &x, const value &y, const value &z) const { return sum(product(x, y), z); }
+  value fused(const ir::node_ref &, const value &x, const value &y, const value &z) const {
+    return sum(product(x, y), z);
+  }
 };
 } // namespace
 

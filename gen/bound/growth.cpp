@@ -16,24 +16,24 @@ struct growing {
     homogeneous = homogeneous && x.degree == y.degree;
     return {x.degree, std::max(x.bits_more, y.bits_more) + 1};
   }
-  value input(const ir::place &, int) { return {1, 0}; }
-  value constant(const ir::place &, const ir::rational &q) {
+  value input(const ir::node_ref &, int) { return {1, 0}; }
+  value constant(const ir::node_ref &, const ir::rational &q) {
     homogeneous = homogeneous && q.get_den() == 1;
     // q| < 2^size. A power of two needs one bit more than its logarithm.
     return {0, static_cast<int>(mpz_sizeinbase(q.get_num().get_mpz_t(), 2))};
   }
-  value negate(const ir::place &, const value &x) { return x; }
-  value add(const ir::place &, const value &x, const value &y) { return sum(x, y); }
-  value subtract(const ir::place &at, const value &x, const value &y) {
+  value negate(const ir::node_ref &, const value &x) { return x; }
+  value add(const ir::node_ref &, const value &x, const value &y) { return sum(x, y); }
+  value subtract(const ir::node_ref &at, const value &x, const value &y) {
     const ir::node &n = at.operation();
     const auto is_input = [&](ir::node_id id) { return at.nodes.at(id).kind == ir::op::input; };
     const value out = sum(x, y);
     return differences && is_input(n.a) && is_input(n.b) ? value{1, 0} : out;
   }
-  value multiply(const ir::place &, const value &x, const value &y) {
+  value multiply(const ir::node_ref &, const value &x, const value &y) {
     return {x.degree + y.degree, x.bits_more + y.bits_more};
   }
-  value fused(const ir::place &at, const value &x, const value &y, const value &z) {
+  value fused(const ir::node_ref &at, const value &x, const value &y, const value &z) {
     return sum(multiply(at, x, y), z);
   }
 };

@@ -18,7 +18,7 @@ using ir::node_id;
 using ir::op;
 using poly::residency;
 
-rational power(rational base, int exponent) {
+rational power(const rational &base, int exponent) {
   rational out = 1;
   for (int i = 0; i < exponent; ++i)
     out *= base;
@@ -50,21 +50,21 @@ struct counting {
     return {x.theta + y.theta, x.phi + y.phi, x.degree + y.degree};
   }
 
-  std::optional<value> given(const ir::place &at) const {
+  std::optional<value> given(const ir::node_ref &at) const {
     const auto l = leaf_at(at.nodes, at.id);
     if (!l)
       return std::nullopt;
     return value{l->subtrahend >= 0 && in.leaf_rounds ? 1 : 0, 0, 1};
   }
-  value input(const ir::place &, int) const { return {}; } // a leaf
-  value constant(const ir::place &, const rational &q) const {
+  value input(const ir::node_ref &, int) const { return {}; } // a leaf
+  value constant(const ir::node_ref &, const rational &q) const {
     const int m_significand = in.precision == 24 ? 24 : 53;
     return {constant_roundings(q, in.significand), constant_roundings(q, m_significand), 0};
   }
-  value negate(const ir::place &, const value &x) const { return x; }
-  value add(const ir::place &, const value &x, const value &y) const { return sum(x, y); }
-  value subtract(const ir::place &, const value &x, const value &y) const { return sum(x, y); }
-  value multiply(const ir::place &at, const value &x, const value &y) const {
+  value negate(const ir::node_ref &, const value &x) const { return x; }
+  value add(const ir::node_ref &, const value &x, const value &y) const { return sum(x, y); }
+  value subtract(const ir::node_ref &, const value &x, const value &y) const { return sum(x, y); }
+  value multiply(const ir::node_ref &at, const value &x, const value &y) const {
     value r = product(x, y);
     if (!scales_exactly(at.nodes, at.id)) {
       ++r.theta;
@@ -72,7 +72,7 @@ struct counting {
     }
     return r;
   }
-  value fused(const ir::place &, const value &x, const value &y, const value &z) const {
+  value fused(const ir::node_ref &, const value &x, const value &y, const value &z) const {
     value r = product(x, y);
     r.theta += !in.fuses;
     return sum(r, z);
@@ -98,19 +98,19 @@ struct on_magnitudes {
   const std::map<node_id, int> &leaves; // the leaves that are read, by node
   ir::arena to;
 
-  std::optional<value> given(const ir::place &at) {
+  std::optional<value> given(const ir::node_ref &at) {
     if (!leaf_at(at.nodes, at.id))
       return std::nullopt;
     const auto it = leaves.find(at.id);
     return it == leaves.end() ? -1 : to.input(it->second);
   }
-  value input(const ir::place &, int) const { return -1; } // a leaf
-  value constant(const ir::place &, const rational &q) { return to.constant(abs(q)); }
-  value negate(const ir::place &, value x) const { return x; }
-  value add(const ir::place &, value x, value y) { return to.add(x, y); }
-  value subtract(const ir::place &, value x, value y) { return to.add(x, y); }
-  value multiply(const ir::place &, value x, value y) { return to.multiply(x, y); }
-  value fused(const ir::place &, value x, value y, value z) { return to.fused(x, y, z); }
+  value input(const ir::node_ref &, int) const { return -1; } // a leaf
+  value constant(const ir::node_ref &, const rational &q) { return to.constant(abs(q)); }
+  value negate(const ir::node_ref &, value x) const { return x; }
+  value add(const ir::node_ref &, value x, value y) { return to.add(x, y); }
+  value subtract(const ir::node_ref &, value x, value y) { return to.add(x, y); }
+  value multiply(const ir::node_ref &, value x, value y) { return to.multiply(x, y); }
+  value fused(const ir::node_ref &, value x, value y, value z) { return to.fused(x, y, z); }
 };
 
 void make_magnitudes(const ir::program &p, stage_bounds &out) {

@@ -4,7 +4,7 @@
 // Construction folds constants, 0, 1 and signs: x - y and y - x become one node and a negation, which costs nothing in
 // floating point or in integers.
 #pragma once
-#include "gen/poly/frame.hpp"
+#include "gen/poly/local_origin.hpp"
 
 #include <array>
 #include <cstdint>

@@ -21,20 +21,20 @@ struct counter {
   const std::vector<node_id> &known;
   std::optional<residency> only = {};
 
-  std::optional<value> given(const place &at) const {
+  std::optional<value> given(const node_ref &at) const {
     return std::binary_search(known.begin(), known.end(), at.id) ? std::optional(false) : std::nullopt;
   }
-  value made(const place &at, int &kind) const {
+  value made(const node_ref &at, int &kind) const {
     kind += !only || at.where() == *only;
     return false;
   }
-  value input(const place &, int) { return false; }
-  value constant(const place &, const rational &q) { return is_power_of_two(q); }
-  value negate(const place &, value) { return false; }
-  value add(const place &at, value, value) { return made(at, into.additions); }
-  value subtract(const place &at, value, value) { return made(at, into.additions); }
-  value multiply(const place &at, value x, value y) { return x || y ? false : made(at, into.multiplications); }
-  value fused(const place &at, value x, value y, value) { return made(at, x || y ? into.additions : into.fused); }
+  value input(const node_ref &, int) { return false; }
+  value constant(const node_ref &, const rational &q) { return is_power_of_two(q); }
+  value negate(const node_ref &, value) { return false; }
+  value add(const node_ref &at, value, value) { return made(at, into.additions); }
+  value subtract(const node_ref &at, value, value) { return made(at, into.additions); }
+  value multiply(const node_ref &at, value x, value y) { return x || y ? false : made(at, into.multiplications); }
+  value fused(const node_ref &at, value x, value y, value) { return made(at, x || y ? into.additions : into.fused); }
 };
 
 } // namespace

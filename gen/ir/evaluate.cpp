@@ -11,13 +11,13 @@ template <class Value, class Input, class Constant> struct exact_domain {
   Input make_input;
   Constant make_constant;
 
-  value input(const place &, int number) { return make_input(number); }
-  value constant(const place &, const rational &q) { return make_constant(q); }
-  value negate(const place &, const value &x) { return make_constant(-1) * x; }
-  value add(const place &, const value &x, const value &y) { return x + y; }
-  value subtract(const place &, const value &x, const value &y) { return x - y; }
-  value multiply(const place &, const value &x, const value &y) { return x * y; }
-  value fused(const place &, const value &x, const value &y, const value &z) { return x * y + z; }
+  value input(const node_ref &, int number) { return make_input(number); }
+  value constant(const node_ref &, const rational &q) { return make_constant(q); }
+  value negate(const node_ref &, const value &x) { return make_constant(-1) * x; }
+  value add(const node_ref &, const value &x, const value &y) { return x + y; }
+  value subtract(const node_ref &, const value &x, const value &y) { return x - y; }
+  value multiply(const node_ref &, const value &x, const value &y) { return x * y; }
+  value fused(const node_ref &, const value &x, const value &y, const value &z) { return x * y + z; }
 };
 template <class Value, class Input, class Constant> auto exact(Input input, Constant constant) {
   return exact_domain<Value, Input, Constant>{input, constant};

@@ -7,14 +7,14 @@
 //
 //   struct domain {
 //     using value = ...;
-//     value input(const place &at, int number);
-//     value constant(const place &at, const rational &q);
-//     value negate(const place &at, const value &x);
-//     value add(const place &at, const value &x, const value &y);
-//     value subtract(const place &at, const value &x, const value &y);
-//     value multiply(const place &at, const value &x, const value &y);
-//     value fused(const place &at, const value &x, const value &y, const value &z);   // x * y + z
-//     std::optional<value> given(const place &at);  // optional: the value of a node that the domain already has
+//     value input(const node_ref &at, int number);
+//     value constant(const node_ref &at, const rational &q);
+//     value negate(const node_ref &at, const value &x);
+//     value add(const node_ref &at, const value &x, const value &y);
+//     value subtract(const node_ref &at, const value &x, const value &y);
+//     value multiply(const node_ref &at, const value &x, const value &y);
+//     value fused(const node_ref &at, const value &x, const value &y, const value &z);   // x * y + z
+//     std::optional<value> given(const node_ref &at);  // optional: the value of a node that the domain already has
 //   };
 //
 // Operands come before the nodes that use them. A new operation is a new node in arena.hpp, a new case here, and a new
@@ -28,7 +28,7 @@
 namespace meetc::ir {
 
 // The position of the walk.
-struct place {
+struct node_ref {
   const arena &nodes;
   node_id id;
 
@@ -66,7 +66,7 @@ template <class Domain>
 folded<typename Domain::value> fold(const arena &nodes, Domain &d, const std::vector<node_id> &order) {
   folded<typename Domain::value> values(nodes.size());
   for (const node_id id : order) {
-    const place at{nodes, id};
+    const node_ref at{nodes, id};
     const node &n = at.operation();
     if constexpr (requires { d.given(at); })
       if (auto v = d.given(at)) {

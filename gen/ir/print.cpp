@@ -15,18 +15,18 @@ struct printer {
   const std::vector<node_id> &stored;
   std::string out;
 
-  value line(const place &at, const std::string &operation) {
+  value line(const node_ref &at, const std::string &operation) {
     out += fmt::format("  %{} = {}  ; {}{}\n", at.id, operation, name_of(at.where()),
                        std::binary_search(stored.begin(), stored.end(), at.id) ? ", stored" : "");
     return fmt::format("%{}", at.id);
   }
-  value input(const place &at, int number) { return line(at, "input " + inputs[static_cast<std::size_t>(number)]); }
-  value constant(const place &at, const rational &q) { return line(at, "constant " + q.get_str()); }
-  value negate(const place &at, const value &x) { return line(at, "negate " + x); }
-  value add(const place &at, const value &x, const value &y) { return line(at, "add " + x + ' ' + y); }
-  value subtract(const place &at, const value &x, const value &y) { return line(at, "subtract " + x + ' ' + y); }
-  value multiply(const place &at, const value &x, const value &y) { return line(at, "multiply " + x + ' ' + y); }
-  value fused(const place &at, const value &x, const value &y, const value &z) {
+  value input(const node_ref &at, int number) { return line(at, "input " + inputs[static_cast<std::size_t>(number)]); }
+  value constant(const node_ref &at, const rational &q) { return line(at, "constant " + q.get_str()); }
+  value negate(const node_ref &at, const value &x) { return line(at, "negate " + x); }
+  value add(const node_ref &at, const value &x, const value &y) { return line(at, "add " + x + ' ' + y); }
+  value subtract(const node_ref &at, const value &x, const value &y) { return line(at, "subtract " + x + ' ' + y); }
+  value multiply(const node_ref &at, const value &x, const value &y) { return line(at, "multiply " + x + ' ' + y); }
+  value fused(const node_ref &at, const value &x, const value &y, const value &z) {
     return line(at, "fma " + x + ' ' + y + ' ' + z);
   }
 };

@@ -41,7 +41,7 @@ std::vector<named_expr> read_named(const toml_reader &in, const toml::node &node
   for (const auto &[key, value] : in.in_file_order(in.as_table(node, what))) {
     const std::string name(key->str());
     need_name(name, in.place(*key), what.c_str());
-    out.push_back({name, in.as_expression(*value, what + '.' + name), in.place(*key)});
+    out.push_back({name, in.as_expression(*value, fmt::format("{}.{}", what, name)), in.place(*key)});
   }
   return out;
 }

@@ -117,8 +117,8 @@ std::optional<ball_form> form_of(const model &m, const lang::predicate &asked) {
   const poly::separation parts = poly::separate(whole, ball_form::inputs);
   if (!is_covered(parts))
     return std::nullopt;
-  const poly::frame frame(*ring, numbers);
-  builder code(frame, prefer::operations);
+  const poly::local_origin local(*ring, numbers);
+  builder code(local, prefer::operations);
   std::vector<node_id> a, b;
   for (const poly::product &k : parts.products) {
     a.push_back(code.build(k.f));

@@ -115,7 +115,7 @@ std::vector<blade_maker> makers(const model &m, const lang::kind &k) {
         env.emplace_back(f.name, value{multivector(0, poly::poly::variable(ring, ring.find(f.name)))});
       else
         env.emplace_back(f.name, expand.operand(*m.spec().find_kind(f.type), f.name + '.'));
-    const poly::frame still(ring, moves);
+    const poly::local_origin still(ring, moves);
     builder code(still, prefer::operations);
     const multivector v = expand.evaluate_multivector(body, env);
     const node_multivector written = structure(expand, code).evaluate(body, env);

@@ -11,7 +11,7 @@
 namespace meetc::lower {
 namespace {
 
-std::vector<residency> residencies(const poly::frame &f) {
+std::vector<residency> residencies(const poly::local_origin &f) {
   std::vector<residency> out;
   for (int v = 0; v < f.base().size(); ++v)
     out.push_back(f.info(v).where);
@@ -134,16 +134,16 @@ rational take_content(std::vector<poly::term> &p) {
 
 } // namespace
 
-builder::builder(const poly::frame &f, prefer by) : frame_(f), prefer_(by), nodes_(residencies(f)) {}
+builder::builder(const poly::local_origin &f, prefer by) : origin_(f), prefer_(by), nodes_(residencies(f)) {}
 
 node_id builder::leaf(int v) {
-  const poly::local_variable &info = frame_.info(v);
+  const poly::local_variable &info = origin_.info(v);
   const node_id from = nodes_.input(info.minuend);
   return info.subtrahend < 0 ? from : nodes_.subtract(from, nodes_.input(info.subtrahend));
 }
 
 node_id builder::build(const poly::poly &absolute, bool is_irreducible) {
-  const node_id n = local(frame_.lower(absolute), is_irreducible);
+  const node_id n = local(origin_.lower(absolute), is_irreducible);
   asked_.emplace(n, absolute);
   return n;
 }
@@ -181,7 +181,7 @@ node_id builder::irreducible(const poly::poly &p) {
   };
   std::vector<candidate> all;
   const auto cost = [&](node_id root) { return count(nodes_, {root}).total(); };
-  for (const poly::vector_form &v : poly::vector_forms(frame_, p)) {
+  for (const poly::vector_form &v : poly::vector_forms(origin_, p)) {
     std::vector<node_id> symbols;
     for (const poly::invariant &q : v.invariants)
       symbols.push_back(symbol(q));
@@ -202,7 +202,7 @@ node_id builder::irreducible(const poly::poly &p) {
     }
   }
   if (all.empty() || prefer_ == prefer::operations) {
-    std::vector<node_id> leaves(static_cast<std::size_t>(frame_.local().size()), -1);
+    std::vector<node_id> leaves(static_cast<std::size_t>(origin_.local().size()), -1);
     for (const int v : p.variables())
       leaves[static_cast<std::size_t>(v)] = leaf(v);
     const node_id root = horner(p, leaves);
@@ -230,7 +230,7 @@ node_id builder::symbol(const poly::invariant &q) {
   }
   default: {
     // [i j k]: takes the cross product of two vectors of one object if there are two, and otherwise of the first two.
-    const auto where = [&](int v) { return frame_.info(frame_.vector(v)[0]).where; };
+    const auto where = [&](int v) { return origin_.info(origin_.vector(v)[0]).where; };
     int a = q.i, b = q.j, c = q.k; // (a x b) . c; cyclic permutations do not change it
     if (where(a) != where(b) && where(b) == where(c)) {
       a = q.j, b = q.k, c = q.i;
@@ -248,7 +248,7 @@ node_id builder::symbol(const poly::invariant &q) {
     const auto n = cross(std::min(a, b), std::max(a, b));
     node_id sum = nodes_.constant(0);
     for (std::size_t axis = 0; axis < 3; ++axis)
-      sum = nodes_.add(sum, nodes_.multiply(n[axis], leaf(frame_.vector(c)[axis])));
+      sum = nodes_.add(sum, nodes_.multiply(n[axis], leaf(origin_.vector(c)[axis])));
     return flip ? nodes_.negate(sum) : sum;
   }
   }
@@ -256,8 +256,8 @@ node_id builder::symbol(const poly::invariant &q) {
 
 node_id builder::dot(int i, int j) {
   node_id sum = nodes_.constant(0);
-  for (std::size_t axis = 0; axis < frame_.vector(i).size(); ++axis)
-    sum = nodes_.add(sum, nodes_.multiply(leaf(frame_.vector(i)[axis]), leaf(frame_.vector(j)[axis])));
+  for (std::size_t axis = 0; axis < origin_.vector(i).size(); ++axis)
+    sum = nodes_.add(sum, nodes_.multiply(leaf(origin_.vector(i)[axis]), leaf(origin_.vector(j)[axis])));
   return sum;
 }
 
@@ -266,7 +266,7 @@ const std::array<node_id, 3> &builder::cross(int i, int j) {
   if (fresh)
     for (std::size_t a = 0; a < 3; ++a) {
       const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-      const auto at = [&](int v, std::size_t axis) { return leaf(frame_.vector(v)[axis]); };
+      const auto at = [&](int v, std::size_t axis) { return leaf(origin_.vector(v)[axis]); };
       it->second[a] = nodes_.subtract(nodes_.multiply(at(i, b), at(j, c)), nodes_.multiply(at(i, c), at(j, b)));
     }
   return it->second;
@@ -314,7 +314,7 @@ node_id builder::horner(const poly::poly &p, const std::vector<node_id> &leaves)
 
 program builder::finish(const std::vector<node_id> &results) const {
   program out{nodes_, results};
-  const auto have = ir::to_poly(out, frame_.base());
+  const auto have = ir::to_poly(out, origin_.base());
   for (std::size_t i = 0; i < results.size(); ++i)
     if (const auto it = asked_.find(results[i]); it != asked_.end() && !(it->second == have[i]))
       throw std::logic_error("lowering changed a value");

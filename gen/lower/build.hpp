@@ -24,23 +24,23 @@ enum class prefer { operations, accuracy };
 
 class builder {
 public:
-  // The inputs of the program are the base variables of the frame.
-  builder(const poly::frame &f, prefer by);
+  // The inputs of the program are the base variables of the local origin.
+  builder(const poly::local_origin &f, prefer by);
 
-  // A node for a polynomial in the frame's base ring, lowered to differences where possible. Lowering is a change of
+  // A node for a polynomial in its base ring, lowered to differences where possible. Lowering is a change of
   // variables, so an irreducible polynomial stays irreducible and is not factored again.
   node_id build(const poly::poly &absolute, bool is_irreducible = false);
   // A node for a polynomial in any ring, with these nodes as its variables.
   node_id build_over(const poly::poly &p, const std::vector<node_id> &leaves);
 
   arena &nodes() { return nodes_; }
-  const poly::ring &numbers() const { return frame_.base(); }
+  const poly::ring &numbers() const { return origin_.base(); }
   // The program for these results, checked against the polynomials that were asked for. It holds every form that was
   // tried; the passes prune it.
   program finish(const std::vector<node_id> &results) const;
 
 private:
-  const poly::frame &frame_;
+  const poly::local_origin &origin_;
   prefer prefer_;
   arena nodes_;
   std::map<std::string, node_id> known_; // by key of the primitive local polynomial

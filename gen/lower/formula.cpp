@@ -58,7 +58,7 @@ formula compile_formula(const model &m, const request &r) {
     env.emplace_back(r.names[i],
                      expand.general(supports[i], {names.begin() + static_cast<std::ptrdiff_t>(at),
                                                   names.begin() + static_cast<std::ptrdiff_t>(at + sizes[i])}));
-  const poly::frame blades(*out.numbers, unmoved(sizes));
+  const poly::local_origin blades(*out.numbers, unmoved(sizes));
   builder code(blades, prefer::operations);
   const multivector whole = expand.evaluate_multivector(*r.body, env);
   std::set<blade> where;
@@ -127,7 +127,7 @@ formula compile_formula(const model &m, const request &r) {
     for (std::size_t i = 0; i < r.kinds.size(); ++i)
       objects.emplace_back(r.names[i], from_stored.operand(*r.kinds[i], r.names[i] + '.'));
     const multivector v = from_stored.evaluate_multivector(*r.body, objects);
-    const poly::frame local(*stored.numbers, stored.moves);
+    const poly::local_origin local(*stored.numbers, stored.moves);
     builder lowered(local, prefer::operations);
     const poly::poly zero(*stored.numbers);
     out.from_stored = lowered.finish({lowered.build(v.is_zero() ? zero : v.terms().begin()->second)});

@@ -73,7 +73,7 @@ struct predicate {
   std::shared_ptr<poly::ring> numbers;
   std::vector<std::string> stored_inputs;
   int inputs_a = 0, inputs_b = 0;
-  std::shared_ptr<poly::frame> local;
+  std::shared_ptr<poly::local_origin> local;
   lower::decision signs;
   lower::staged truths;
   std::vector<int> conditions;   // if any is true, the rare stage is needed
@@ -87,8 +87,12 @@ struct predicate {
   std::vector<int> order() const;
 };
 
-// The names of the stages in the order in which they run, for predicates and for all else that has stages (bounds).
-inline constexpr std::array<const char *, 3> stage_names{"reject", "common", "rare"};
+// The stages in the order in which they run, for predicates and for all else that has stages (bounds).
+enum class stage_kind : std::uint8_t { reject, common, rare };
+inline constexpr std::array<stage_kind, 3> stage_kinds{stage_kind::reject, stage_kind::common, stage_kind::rare};
+inline constexpr const char *name_of(stage_kind s) {
+  return std::array{"reject", "common", "rare"}[static_cast<std::size_t>(s)];
+}
 template <class ByStage> auto stages(ByStage &of) {
   return std::array{&of.reject, &of.common, &of.rare};
 }

@@ -7,7 +7,8 @@
 namespace meetc::lower {
 namespace {
 
-stage compile_stage(const poly::frame &local, const decision &signs, const std::vector<int> &atoms, const request &r) {
+stage compile_stage(const poly::local_origin &local, const decision &signs, const std::vector<int> &atoms,
+                    const request &r) {
   stage out;
   out.atoms = atoms;
   if (atoms.empty())
@@ -29,7 +30,7 @@ predicate with_operands(const model &m, const request &r) {
   out.stored_inputs = stored.numbers->names();
   out.inputs_a = static_cast<int>(m.layout(*r.kinds[0]).reals.size());
   out.inputs_b = static_cast<int>(m.layout(*r.kinds[1]).reals.size());
-  out.local = std::make_shared<poly::frame>(*out.numbers, stored.moves);
+  out.local = std::make_shared<poly::local_origin>(*out.numbers, stored.moves);
   return out;
 }
 

@@ -11,7 +11,7 @@ std::vector<separated> separate(const model &m, const kernel &k) {
     const auto all = stages(p);
     for (std::size_t s = 0; s < all.size(); ++s)
       for (const int a : all[s]->atoms)
-        out.push_back({stage_names[s], fmt::format("s[{}]", out.size()),
+        out.push_back({name_of(stage_kinds[s]), fmt::format("s[{}]", out.size()),
                        poly::separate(p.signs.atoms()[static_cast<std::size_t>(a)], p.inputs_a)});
     return out;
   }

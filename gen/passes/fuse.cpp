@@ -25,26 +25,26 @@ struct fusing {
         ++uses[static_cast<std::size_t>(operand)];
   }
 
-  static bool fits(const ir::place &sum, const value &x) { return x.a >= 0 && x.where == sum.where(); }
+  static bool fits(const ir::node_ref &sum, const value &x) { return x.a >= 0 && x.where == sum.where(); }
 
-  value input(const ir::place &, int number) { return {to.input(number)}; }
-  value constant(const ir::place &, const ir::rational &q) { return {to.constant(q)}; }
-  value negate(const ir::place &, const value &x) { return {to.negate(x.id)}; }
-  value add(const ir::place &at, const value &x, const value &y) {
+  value input(const ir::node_ref &, int number) { return {to.input(number)}; }
+  value constant(const ir::node_ref &, const ir::rational &q) { return {to.constant(q)}; }
+  value negate(const ir::node_ref &, const value &x) { return {to.negate(x.id)}; }
+  value add(const ir::node_ref &at, const value &x, const value &y) {
     return {fits(at, y) ? to.fused(y.a, y.b, x.id) : fits(at, x) ? to.fused(x.a, x.b, y.id) : to.add(x.id, y.id)};
   }
-  value subtract(const ir::place &at, const value &x, const value &y) {
+  value subtract(const ir::node_ref &at, const value &x, const value &y) {
     return {fits(at, y)   ? to.fused(to.negate(y.a), y.b, x.id)
             : fits(at, x) ? to.fused(x.a, x.b, to.negate(y.id))
                           : to.subtract(x.id, y.id)};
   }
-  value multiply(const ir::place &at, const value &x, const value &y) {
+  value multiply(const ir::node_ref &at, const value &x, const value &y) {
     const node_id product = to.multiply(x.id, y.id);
     if (uses[static_cast<std::size_t>(at.id)] != 1)
       return {product};
     return {product, x.id, y.id, at.where()};
   }
-  value fused(const ir::place &, const value &x, const value &y, const value &z) {
+  value fused(const ir::node_ref &, const value &x, const value &y, const value &z) {
     return {to.fused(x.id, y.id, z.id)};
   }
 };

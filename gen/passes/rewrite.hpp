@@ -10,13 +10,13 @@ struct rewrite {
 
   explicit rewrite(const ir::arena &from) : to(from.inputs()) {}
 
-  value input(const ir::place &, int number) { return to.input(number); }
-  value constant(const ir::place &, const ir::rational &q) { return to.constant(q); }
-  value negate(const ir::place &, value x) { return to.negate(x); }
-  value add(const ir::place &, value x, value y) { return to.add(x, y); }
-  value subtract(const ir::place &, value x, value y) { return to.subtract(x, y); }
-  value multiply(const ir::place &, value x, value y) { return to.multiply(x, y); }
-  value fused(const ir::place &, value x, value y, value z) { return to.fused(x, y, z); }
+  value input(const ir::node_ref &, int number) { return to.input(number); }
+  value constant(const ir::node_ref &, const ir::rational &q) { return to.constant(q); }
+  value negate(const ir::node_ref &, value x) { return to.negate(x); }
+  value add(const ir::node_ref &, value x, value y) { return to.add(x, y); }
+  value subtract(const ir::node_ref &, value x, value y) { return to.subtract(x, y); }
+  value multiply(const ir::node_ref &, value x, value y) { return to.multiply(x, y); }
+  value fused(const ir::node_ref &, value x, value y, value z) { return to.fused(x, y, z); }
 };
 
 } // namespace meetc::passes

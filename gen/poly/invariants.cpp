@@ -12,7 +12,7 @@ using vector_degrees = std::vector<int>;
 
 class finder {
 public:
-  finder(const frame &f, const poly &p) : f_(f), p_(p) {}
+  finder(const local_origin &f, const poly &p) : f_(f), p_(p) {}
 
   std::optional<vector_form> run() {
     if (!collect_vectors())
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  const frame &f_;
+  const local_origin &f_;
   const poly &p_;
   std::vector<int> vectors_;
   std::vector<invariant> invariants_;
@@ -242,7 +242,7 @@ vector_form with_symbols(const vector_form &v, const std::vector<invariant> &add
 
 } // namespace
 
-std::vector<vector_form> vector_forms(const frame &f, const poly &p) {
+std::vector<vector_form> vector_forms(const local_origin &f, const poly &p) {
   const auto plain = finder(f, p).run();
   if (!plain)
     return {};

@@ -4,7 +4,7 @@
 // again and compared. This is the source of identities such as |a x b|^2 = a^2 b^2 - (a.b)^2 (Gram, Lagrange): B^2 of a
 // meet is a Gram determinant (docs/paper.md).
 #pragma once
-#include "gen/poly/frame.hpp"
+#include "gen/poly/local_origin.hpp"
 
 #include <optional>
 
@@ -24,6 +24,6 @@ struct vector_form {
 };
 
 // Equivalent forms of p, the plainest first (dot and triple products only). Empty where p is not rotation invariant.
-std::vector<vector_form> vector_forms(const frame &f, const poly &p);
+std::vector<vector_form> vector_forms(const local_origin &f, const poly &p);
 
 } // namespace meetc::poly

@@ -28,7 +28,7 @@ statements::statements(const ir::arena &nodes, const std::vector<ir::node_id> &r
         uses_[operand] += nodes.at(*id).kind == ir::op::negate ? uses_[*id] : 1;
 }
 
-statements::value statements::made(const ir::place &at, value v) {
+statements::value statements::made(const ir::node_ref &at, value v) {
   if (uses_[at.id] <= 1 && v.text.size() <= longest_inline)
     return v;
   const std::string name = fmt::format("t{}", next_++);
@@ -38,26 +38,26 @@ statements::value statements::made(const ir::place &at, value v) {
 }
 
 // A negation costs nothing: it is written where it is used.
-statements::value statements::negate(const ir::place &, const value &x) const {
+statements::value statements::negate(const ir::node_ref &, const value &x) const {
   return {'-' + factor(x), binding::sum};
 }
 
-statements::value statements::add(const ir::place &at, const value &x, const value &y) {
+statements::value statements::add(const ir::node_ref &at, const value &x, const value &y) {
   return made(at, {fmt::format("{} + {}", term(x), term(y)), binding::sum});
 }
 
-statements::value statements::subtract(const ir::place &at, const value &x, const value &y) {
+statements::value statements::subtract(const ir::node_ref &at, const value &x, const value &y) {
   return made(at, {fmt::format("{} - {}", term(x), factor(y)), binding::sum});
 }
 
-statements::value statements::multiply(const ir::place &at, const value &x, const value &y) {
+statements::value statements::multiply(const ir::node_ref &at, const value &x, const value &y) {
   const ir::node &n = at.operation();
   if (wide(at.id) && !wide(n.a) && !wide(n.b))
     return made(at, {fmt::format("{}({}, {})", syntax_.wide_product, x.text, y.text)});
   return made(at, {fmt::format("{} * {}", factor(x), factor(y)), binding::product});
 }
 
-statements::value statements::fused(const ir::place &at, const value &x, const value &y, const value &z) {
+statements::value statements::fused(const ir::node_ref &at, const value &x, const value &y, const value &z) {
   return made(at, {fmt::format("{}({}, {}, {})", syntax_.fma, x.text, y.text, z.text)});
 }
 

@@ -47,17 +47,17 @@ public:
                  const std::map<ir::node_id, std::string> &given = {});
 
   // ---- the domain ----
-  value input(const ir::place &, int number) const { return {syntax_.input(number)}; }
-  value constant(const ir::place &, const ir::rational &q) const { return {syntax_.constant(q)}; }
-  std::optional<value> given(const ir::place &at) const {
+  value input(const ir::node_ref &, int number) const { return {syntax_.input(number)}; }
+  value constant(const ir::node_ref &, const ir::rational &q) const { return {syntax_.constant(q)}; }
+  std::optional<value> given(const ir::node_ref &at) const {
     const auto it = given_.find(at.id);
     return it == given_.end() ? std::nullopt : std::optional(expression{it->second});
   }
-  value negate(const ir::place &at, const value &x) const;
-  value add(const ir::place &at, const value &x, const value &y);
-  value subtract(const ir::place &at, const value &x, const value &y);
-  value multiply(const ir::place &at, const value &x, const value &y);
-  value fused(const ir::place &at, const value &x, const value &y, const value &z);
+  value negate(const ir::node_ref &at, const value &x) const;
+  value add(const ir::node_ref &at, const value &x, const value &y);
+  value subtract(const ir::node_ref &at, const value &x, const value &y);
+  value multiply(const ir::node_ref &at, const value &x, const value &y);
+  value fused(const ir::node_ref &at, const value &x, const value &y, const value &z);
 
 private:
   using binding = expression::binding;
@@ -67,7 +67,7 @@ private:
   std::string out_;
   int next_ = 0;
 
-  value made(const ir::place &at, value v);
+  value made(const ir::node_ref &at, value v);
   bool wide(ir::node_id id) const { return !syntax_.wide.empty() && syntax_.wide[static_cast<std::size_t>(id)]; }
   static std::string factor(const value &v) { return v.as == binding::atom ? v.text : '(' + v.text + ')'; }
   static std::string term(const value &v) { return v.as == binding::sum ? '(' + v.text + ')' : v.text; }

@@ -111,14 +111,14 @@ private:
 } // namespace
 
 std::size_t batch_bytes(int threads) {
-  arena need;
+  bump_allocator need;
   need.take<index_pair>(static_cast<std::size_t>(threads) * batch_capacity);
   need.take<answer>(static_cast<std::size_t>(threads) * batch_capacity);
   return need.bytes();
 }
 
 tally decide_all(const decision_job &job, memory batches) {
-  arena from(batches);
+  bump_allocator from(batches);
   auto *pairs = from.take<index_pair>(static_cast<std::size_t>(job.threads) * batch_capacity);
   auto *answers = from.take<answer>(static_cast<std::size_t>(job.threads) * batch_capacity);
 

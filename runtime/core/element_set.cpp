@@ -42,7 +42,7 @@ void widen(element_set &set, const float *rows, std::size_t count, std::mutex &l
 
 } // namespace
 
-element_set take_set(arena &from, const kind_info &kind, std::size_t elements) {
+element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements) {
   element_set s;
   s.kind = &kind;
   s.elements = elements;
@@ -52,7 +52,7 @@ element_set take_set(arena &from, const kind_info &kind, std::size_t elements) {
   return s;
 }
 
-set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t elements) {
+set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_t elements) {
   set_scratch s;
   s.rows = from.take<float>(elements * static_cast<std::size_t>(kind.fields));
   s.boxes = from.take<box>(elements);

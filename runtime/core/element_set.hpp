@@ -29,8 +29,8 @@ struct set_scratch {
   std::uint64_t *keys = nullptr, *more_keys = nullptr;
 };
 
-element_set take_set(arena &from, const kind_info &kind, std::size_t elements);
-set_scratch take_scratch(arena &from, const kind_info &kind, std::size_t elements);
+element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements);
+set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_t elements);
 
 // Fills a set whose memory was taken for this kind and number of elements.
 status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads);

@@ -4,7 +4,7 @@
 
 namespace meetc {
 
-hierarchy take_hierarchy(arena &from, std::size_t n) {
+hierarchy take_hierarchy(bump_allocator &from, std::size_t n) {
   hierarchy h;
   for (std::size_t boxes = n; boxes > 0; boxes = h.top().count()) {
     level &l = h.levels[h.depth++];

@@ -26,8 +26,8 @@ struct hierarchy {
   const level &top() const { return levels[depth - 1]; }
 };
 
-// The levels over n elements, with their blocks from the arena.
-hierarchy take_hierarchy(arena &from, std::size_t n);
+// The levels over n elements, with their blocks from the allocator.
+hierarchy take_hierarchy(bump_allocator &from, std::size_t n);
 
 // Fills every level above level 0. The blocks of level 0 must be full or end in empty lanes.
 void enclose(hierarchy &h, int threads);

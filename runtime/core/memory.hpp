@@ -1,7 +1,7 @@
 // core/memory.hpp: memory that a caller lends, and the one way of cutting it into arrays.
 //
-// The same function cuts an arena without memory, to learn the size, and one with memory, to use it, so the two cannot
-// disagree. Every array starts on a cache line.
+// The same function takes arrays from an allocator without memory, to learn the size, and from one with memory, to use
+// it, so the two cannot disagree. Every array starts on a cache line.
 #ifndef MEETC_CORE_MEMORY_HPP
 #define MEETC_CORE_MEMORY_HPP
 
@@ -15,17 +15,17 @@ struct memory {
   std::size_t bytes = 0;
 };
 
-class arena {
+class bump_allocator {
 public:
   static constexpr std::size_t line = 64;
 
-  arena() = default; // only measures
-  explicit arena(memory m) : base_(static_cast<std::byte *>(m.data)) {
+  bump_allocator() = default; // only measures
+  explicit bump_allocator(memory m) : base_(static_cast<std::byte *>(m.data)) {
     const auto address = reinterpret_cast<std::uintptr_t>(m.data);
     skip_ = (line - address % line) % line;
   }
 
-  // n objects of a trivial type, uninitialised; null where the arena only measures.
+  // n objects of a trivial type, uninitialised; null where the allocator only measures.
   template <class T> T *take(std::size_t n) {
     const std::size_t at = used_;
     used_ += (n * sizeof(T) + line - 1) / line * line;

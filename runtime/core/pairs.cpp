@@ -18,19 +18,19 @@ struct layout {
 };
 
 // Both sets are kept. The memory that was needed to build them then holds the batches.
-layout take_layout(arena &from, const predicate_info &p, std::size_t a, std::size_t b, int threads) {
+layout take_layout(bump_allocator &from, const predicate_info &p, std::size_t a, std::size_t b, int threads) {
   layout l;
   l.a = take_set(from, *p.a, a);
   l.b = take_set(from, *p.b, b);
   l.stored_a = from.take<float>(a * static_cast<std::size_t>(p.stored_a.floats));
   l.stored_b = from.take<float>(b * static_cast<std::size_t>(p.stored_b.floats));
-  arena for_a, for_b;
+  bump_allocator for_a, for_b;
   take_scratch(for_a, *p.a, a);
   take_scratch(for_b, *p.b, b);
   l.batches.bytes = std::max({for_a.bytes(), for_b.bytes(), batch_bytes(threads)});
   l.batches.data = from.take<std::byte>(l.batches.bytes);
   if (l.batches.data) {
-    arena again_a(l.batches), again_b(l.batches);
+    bump_allocator again_a(l.batches), again_b(l.batches);
     l.scratch_a = take_scratch(again_a, *p.a, a);
     l.scratch_b = take_scratch(again_b, *p.b, b);
   }
@@ -64,7 +64,7 @@ void clear(const marks &m, std::size_t a, std::size_t b) {
 } // namespace
 
 std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, std::size_t elements_b, int threads) {
-  arena need;
+  bump_allocator need;
   take_layout(need, predicate, elements_a, elements_b, thread_count(threads));
   return need.bytes();
 }
@@ -87,7 +87,7 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   if (!work.data || work.bytes < workspace(predicate, a.elements, b.elements, threads))
     return status::workspace_too_small;
 
-  arena from(work);
+  bump_allocator from(work);
   layout l = take_layout(from, predicate, a.elements, b.elements, threads);
   status s = fill(l.a, a, at_a, l.scratch_a, threads);
   if (s == status::ok)

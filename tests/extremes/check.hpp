@@ -35,18 +35,6 @@ template <class P> constexpr bool lone_sign = !requires {
   typename P::reject_stage;
 };
 
-template <class P, class F> void each_stage(F &&f) {
-  const auto one = [&](auto stage) {
-    if constexpr (decltype(stage)::atoms > 0)
-      f(stage);
-  };
-  if constexpr (!lone_sign<P>)
-    one(typename P::reject_stage());
-  one(typename P::common_stage());
-  if constexpr (!lone_sign<P>)
-    one(typename P::rare_stage());
-}
-
 // Every sign of every stage, whether or not the decision needs it.
 template <class P, class Signs, class S> void all_signs(const Signs &signs, S *s) {
   each_stage<P>([&](auto stage) { signs.template get<decltype(stage)>(s); });

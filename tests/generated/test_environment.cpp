@@ -167,11 +167,8 @@ TEST_CASE("environment: plain rungs are right where their arithmetic is exact") 
     using P = typename decltype(p)::type;
     const auto bits_for = [](int mantissa) {
       int bits = 30;
-      const auto fits = [&]<class Stage>(Stage) {
-        if constexpr (Stage::atoms > 0)
-          bits = std::min(bits, (mantissa - Stage::growth) / Stage::degree);
-      };
-      fits(typename P::reject_stage()), fits(typename P::common_stage()), fits(typename P::rare_stage());
+      meetc::each_stage<P>(
+          [&]<class Stage>(Stage) { bits = std::min(bits, (mantissa - Stage::growth) / Stage::degree); });
       return bits;
     };
     const auto check = [&](int bits, auto plain) {

@@ -55,7 +55,7 @@ private:
   int next_ = 0;
 
   std::string keep(const std::string &text) {
-    const std::string b = fmt::format("b{}", next_++);
+    std::string b = fmt::format("b{}", next_++);
     before_ += fmt::format("  const bool {} = {};\n", b, text);
     return b;
   }
@@ -188,23 +188,21 @@ private:
   std::string plain_predicate(const plain_rung &r) const {
     std::string out;
     const auto all = lower::stages(p_);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (!all[i]->atoms.empty())
-        out += fmt::format("static inline void {}({}, int *sign) {{\n{}{}}}\n",
-                           name(fmt::format("_{}{}", lower::stage_names[i], r.suffix())), parameters(), as_written(),
-                           signs(*all[i], r.in));
-    const auto run = [&](const char *stage) {
-      return fmt::format("  {}({}, sign);\n", name(fmt::format("_{}{}", stage, r.suffix())), arguments());
-    };
+    const auto function = [&](lower::stage_kind s) { return name(fmt::format("_{}{}", name_of(s), r.suffix())); };
+    for (const lower::stage_kind s : lower::stage_kinds)
+      if (const lower::stage &code = *all[static_cast<std::size_t>(s)]; !code.atoms.empty())
+        out += fmt::format("static inline void {}({}, int *sign) {{\n{}{}}}\n", function(s), parameters(), as_written(),
+                           signs(code, r.in));
+    const auto run = [&](lower::stage_kind s) { return fmt::format("  {}({}, sign);\n", function(s), arguments()); };
     out += fmt::format("static inline bool {}({}) {{\n  int sign[{}];\n", name(r.suffix()), parameters(),
                        std::max<std::size_t>(slot_.size(), 1));
     if (!p_.reject.atoms.empty())
-      out += run("reject") + fmt::format("  if ({}(sign))\n    return false;\n", name("_rejected"));
+      out += run(lower::stage_kind::reject) + fmt::format("  if ({}(sign))\n    return false;\n", name("_rejected"));
     if (!p_.common.atoms.empty())
-      out += run("common");
+      out += run(lower::stage_kind::common);
     if (!p_.rare.atoms.empty())
-      out += fmt::format("  if ({}(sign)) {{\n  {}    return {}(sign);\n  }}\n", name("_needs_rare"), run("rare"),
-                         name("_whole"));
+      out += fmt::format("  if ({}(sign)) {{\n  {}    return {}(sign);\n  }}\n", name("_needs_rare"),
+                         run(lower::stage_kind::rare), name("_whole"));
     return out + fmt::format("  return {}(sign);\n}}\n", name("_usual"));
   }
 };

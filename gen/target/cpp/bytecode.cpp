@@ -11,7 +11,7 @@
 namespace meetc::target {
 namespace {
 using ir::node_id;
-using ir::place;
+using ir::node_ref;
 
 // A value and the register that holds it.
 struct held {
@@ -34,8 +34,8 @@ public:
   }
 
   // ---- the domain ----
-  value input(const place &at, int number) { return made(at, number, {}); }
-  value constant(const place &at, const ir::rational &q) {
+  value input(const node_ref &at, int number) { return made(at, number, {}); }
+  value constant(const node_ref &at, const ir::rational &q) {
     const mpz_class z = abs(q.get_num()); // an integer of at most 53 bits
     const unsigned long v = z.get_ui();
     const int r = take();
@@ -46,19 +46,19 @@ public:
       add("negate", r, r, 0);
     return made(at, r, {});
   }
-  value negate(const place &at, const value &x) {
+  value negate(const node_ref &at, const value &x) {
     const int r = take();
     add("negate", r, x.in, 0);
     return made(at, r, {x});
   }
-  value add(const place &at, const value &x, const value &y) { return made(at, combine("add", x, y), {x, y}); }
-  value subtract(const place &at, const value &x, const value &y) {
+  value add(const node_ref &at, const value &x, const value &y) { return made(at, combine("add", x, y), {x, y}); }
+  value subtract(const node_ref &at, const value &x, const value &y) {
     return made(at, combine("subtract", x, y), {x, y});
   }
-  value multiply(const place &at, const value &x, const value &y) {
+  value multiply(const node_ref &at, const value &x, const value &y) {
     return made(at, combine("multiply", x, y), {x, y});
   }
-  value fused(const place &at, const value &x, const value &y, const value &z) {
+  value fused(const node_ref &at, const value &x, const value &y, const value &z) {
     const int r = combine("multiply", x, y);
     add("add", r, r, z.in);
     return made(at, r, {x, y, z});
@@ -111,7 +111,7 @@ private:
       free_.insert(x.in);
   }
   // The value of this node, computed from `operands`; if it is a result, its sign is taken at once.
-  value made(const place &at, int r, std::initializer_list<value> operands) {
+  value made(const node_ref &at, int r, std::initializer_list<value> operands) {
     const value out{at.id, r};
     for (const value &x : operands)
       read(x);

@@ -1,4 +1,4 @@
-// The frame of emitted files: a banner, an include guard, the namespace, and lines of a bounded length.
+// The outline of emitted files: a banner, an include guard, the namespace, and lines of a bounded length.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 

@@ -56,11 +56,11 @@ std::string library_functions(const emitted_predicate &p, const char *type) {
 
 std::string stages_text(const emitted_predicate &p) {
   std::string out;
-  for (const char *which : {"reject", "common"})
+  for (const lower::stage_kind which : {lower::stage_kind::reject, lower::stage_kind::common})
     if (const emitted_stage *s = p.stage(which))
       out += '\n' + stage_text(p, *s, "");
     else
-      out += fmt::format("\n  using {}_stage = meetc::no_stage;\n", which);
+      out += fmt::format("\n  using {}_stage = meetc::no_stage;\n", name_of(which));
   return out;
 }
 
@@ -79,22 +79,20 @@ emitted_predicate::emitted_predicate(const unit &u, std::size_t number)
       name(identifier(kernel.asked.name()) + (kernel.is_sign ? "_sign" : "")),
       kind_a(identifier(kernel.asked.kinds[0]->name)), kind_b(identifier(kernel.asked.kinds[1]->name)),
       a(operand_name(kernel.asked.names[0])), b(operand_name(kernel.asked.names[1])) {
-  const lower::predicate &p = kernel.decision;
-  const auto add = [&](const char *which, const lower::stage &code, const bound::stage_bounds *b_) {
-    if (code.atoms.empty())
-      return;
-    stages.push_back({which, &code, b_, static_cast<int>(slot.size())});
-    for (const int atom : code.atoms)
+  const auto codes = lower::stages(kernel.decision);
+  for (const lower::stage_kind which : lower::stage_kinds) {
+    const auto at = static_cast<std::size_t>(which);
+    if (codes[at]->atoms.empty())
+      continue;
+    stages.push_back({which, codes[at], bounds ? lower::stages(*bounds)[at] : nullptr, static_cast<int>(slot.size())});
+    for (const int atom : codes[at]->atoms)
       slot.emplace(atom, static_cast<int>(slot.size()));
-  };
-  add("reject", p.reject, bounds ? &bounds->reject : nullptr);
-  add("common", p.common, bounds ? &bounds->common : nullptr);
-  add("rare", p.rare, bounds ? &bounds->rare : nullptr);
+  }
 }
 
-const emitted_stage *emitted_predicate::stage(const std::string &which) const {
+const emitted_stage *emitted_predicate::stage(lower::stage_kind which) const {
   for (const emitted_stage &s : stages)
-    if (s.name == which)
+    if (s.kind == which)
       return &s;
   return nullptr;
 }
@@ -128,11 +126,12 @@ std::string emitted_predicate::operands_in(const std::string &text, const std::s
 std::string sign_text(const unit &u, std::size_t number) {
   const emitted_predicate p(u, number);
   const lower::predicate &d = p.kernel.decision;
+  constexpr auto common = lower::stage_kind::common;
   std::string out =
       fmt::format("// {}: one sign.\nstruct {}{} {{\n  static constexpr int inputs_a = {}, inputs_b = {}, "
                   "atoms = {};\n",
                   p.kernel.asked.text, p.name, bases(p), d.inputs_a, d.inputs_b, d.common.atoms.size());
-  out += p.stage("common") ? '\n' + stage_text(p, *p.stage("common"), "") : "  using common_stage = meetc::no_stage;\n";
+  out += p.stage(common) ? '\n' + stage_text(p, *p.stage(common), "") : "  using common_stage = meetc::no_stage;\n";
   std::string product = d.value.unit == 0       ? "meetc::constant_sign<S>(meetc::sign::zero)"
                         : d.value.atoms.empty() ? "meetc::constant_sign<S>(meetc::sign::positive)"
                                                 : "";

@@ -7,9 +7,8 @@
 
 namespace meetc::target {
 
-// A stage as it is emitted: "reject", "common" or "rare".
 struct emitted_stage {
-  const char *name;
+  lower::stage_kind kind;
   const lower::stage *code;
   const bound::stage_bounds *bounds; // null where no rung needs them
   int first;                         // the number of its first sign
@@ -27,8 +26,8 @@ struct emitted_predicate {
   std::vector<emitted_stage> stages;
 
   emitted_predicate(const unit &u, std::size_t number);
-  const emitted_stage *stage(const std::string &which) const; // null if there is none
-  bool has_rare() const { return stage("rare") != nullptr; }
+  const emitted_stage *stage(lower::stage_kind which) const; // null if there is none
+  bool has_rare() const { return stage(lower::stage_kind::rare) != nullptr; }
   bool asks_plain() const { return of.asks_plain(); }
   bool of_scene(const lower::sub_decision &c) const;
   std::string input(int i) const; // "A.c.y"

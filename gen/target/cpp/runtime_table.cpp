@@ -86,7 +86,7 @@ std::string shape_text(const lower::lowered_kind &k) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       places += fmt::format("{}{}", places.empty() ? "" : ", ", axis < point.size() ? point[axis] : -1);
   return fmt::format("struct {}_shape {{\n  static constexpr int fields = {}, hull = {}, pad = {};\n"
-                     "  MEETC_HD static constexpr int place(int point, int axis) {{\n"
+                     "  MEETC_HD static constexpr int coordinate(int point, int axis) {{\n"
                      "    constexpr int all[] = {{{}}};\n    return all[3 * point + axis];\n  }}\n"
                      "  MEETC_HD static constexpr meetc::role role_of(int field) {{\n"
                      "    constexpr meetc::role all[] = {{{}}};\n    return all[field];\n  }}\n"
@@ -123,7 +123,8 @@ std::string shapes_header(const unit &u) {
   std::string out =
       banner(u.scene, "Bounded kinds: where a row holds their points and radius, and their closed boxes.") +
       open_header(u.scene, "file_shapes") +
-      "// place(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the index of "
+      "// coordinate(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the "
+      "index of "
       "the\n"
       "// radius around the hull; -1: there is none. box(): never too small, provided that subnormals are not "
       "flushed.\n\n";

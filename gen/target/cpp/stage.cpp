@@ -11,15 +11,21 @@ namespace meetc::target {
 namespace {
 
 const char *what_of(const emitted_predicate &p, const emitted_stage &s) {
-  const std::string name = s.name;
-  return p.kernel.is_sign   ? "The sign"
-         : name == "reject" ? "Decides most misses"
-         : name == "rare"   ? "The rare case"
-                            : "The usual case";
+  if (p.kernel.is_sign)
+    return "The sign";
+  switch (s.kind) {
+  case lower::stage_kind::reject:
+    return "Decides most misses";
+  case lower::stage_kind::rare:
+    return "The rare case";
+  case lower::stage_kind::common:
+    break;
+  }
+  return "The usual case";
 }
 
 std::string detail_name(const emitted_predicate &p, const emitted_stage &s, const char *what) {
-  return fmt::format("{}_{}_{}", p.name, s.name, what);
+  return fmt::format("{}_{}_{}", p.name, name_of(s.kind), what);
 }
 
 // A pointer parameter, without its name where the text does not use it.
@@ -81,8 +87,8 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
   out += counts_of(p, s, indent);
   out += fmt::format(
       "{}struct {}{}_stage{} {{\n{}static constexpr int first = {}, atoms = {}, fields_a = {}, fields_b = {};\n",
-      indent, scope, s.name, s.bounds ? fmt::format(" : detail::{}", detail_name(p, s, "bounds")) : "", inner, s.first,
-      s.code->atoms.size(), stored.fields_a, stored.fields_b);
+      indent, scope, name_of(s.kind), s.bounds ? fmt::format(" : detail::{}", detail_name(p, s, "bounds")) : "", inner,
+      s.first, s.code->atoms.size(), stored.fields_a, stored.fields_b);
   if (s.bounds)
     out += fmt::format("{}using bytecode = detail::{};\n", inner, detail_name(p, s, "bytecode"));
   if (stored.fields_a > 0)
@@ -106,7 +112,7 @@ std::string bounds_header(const emitted_predicate &p) {
                     opened(p, "bounds", {"kinds.hpp"}) + "namespace detail {\n\n";
   out += fmt::format("struct {}_points {{\n{}}};\n", p.name, kernel_bounds_text(*p.bounds, p));
   for (const emitted_stage &s : p.stages)
-    if (s.name != std::string("rare")) {
+    if (s.kind != lower::stage_kind::rare) {
       out += fmt::format("\nstruct {};\n", detail_name(p, s, "bytecode")); // defined in the other header
       out += fmt::format("struct {} {{\n{}}};\n", detail_name(p, s, "bounds"), stage_bounds_text(*s.bounds, s, p));
     }
@@ -128,14 +134,14 @@ std::string rest_header(const emitted_predicate &p) {
   if (p.bounds) {
     out += "namespace detail {\n\n";
     for (const emitted_stage &s : p.stages) {
-      if (s.name == std::string("rare"))
+      if (s.kind == lower::stage_kind::rare)
         out += fmt::format("struct {} {{\n{}}};\n\n", detail_name(p, s, "bounds"), stage_bounds_text(*s.bounds, s, p));
       out += fmt::format("struct {} {{\n{}}};\n\n", detail_name(p, s, "bytecode"),
                          bytecode_text(s.code->code, p.kernel.decision.inputs_a + p.kernel.decision.inputs_b));
     }
     out += "} // namespace detail\n\n";
   }
-  if (const emitted_stage *rare = p.stage("rare")) {
+  if (const emitted_stage *rare = p.stage(lower::stage_kind::rare)) {
     out += stage_text(p, *rare, p.name + "::") + '\n' +
            truth_function(p, "whole", {p.kernel.decision.truths.hit}, p.name + "::");
   }

@@ -82,7 +82,7 @@ private:
     return c.signs.size() - (usual_ ? c.callee->rare.atoms.size() : 0);
   }
   bool can_be_called(const lower::sub_decision &c) const {
-    const emitted_stage *rare = p_.stage("rare");
+    const emitted_stage *rare = p_.stage(lower::stage_kind::rare);
     for (std::size_t i = 0; i < signs_read(c); ++i)
       for (const auto &[atom, e] : c.signs[i].atoms)
         if (const auto at = p_.slot.find(atom); at == p_.slot.end() || (usual_ && rare && at->second >= rare->first))

@@ -79,7 +79,7 @@ public:
 
   // ---- the domain ----
 
-  std::optional<value> given(const ir::place &at) {
+  std::optional<value> given(const ir::node_ref &at) {
     const auto l = bound::leaf_at(at.nodes, at.id);
     if (!l)
       return std::nullopt;
@@ -90,30 +90,30 @@ public:
       lines_ += fmt::format("t{0} = rnd(d{0});\n", i);
     return value{{l->subtrahend < 0 ? leaves_.back() : fmt::format("t{}", i)}, {leaves_.back()}};
   }
-  value input(const ir::place &, int) { return {}; } // a leaf
-  value constant(const ir::place &, const ir::rational &q) {
+  value input(const ir::node_ref &, int) { return {}; } // a leaf
+  value constant(const ir::node_ref &, const ir::rational &q) {
     const ir::rational size = abs(q);
     const bool negative = q < 0, fits = bound::rounded_up(size, precision) == size;
     return {{fmt::format(fmt::runtime(fits ? "{}" : "rnd({})"), size.get_str()), negative}, {size.get_str(), negative}};
   }
-  value negate(const ir::place &, const value &x) {
+  value negate(const ir::node_ref &, const value &x) {
     return {{x.computed.text, !x.computed.negative}, {x.exact.text, !x.exact.negative}};
   }
-  value add(const ir::place &at, const value &x, const value &y) {
+  value add(const ir::node_ref &at, const value &x, const value &y) {
     const node &n = at.operation();
     return each(at, [&](term twin::*side) {
       const term first = scaled(x.*side, powers_of(n.a), at.id);
       return sum(first, scaled(y.*side, powers_of(n.b), at.id));
     });
   }
-  value subtract(const ir::place &at, const value &x, const value &y) { return add(at, x, negate(at, y)); }
-  value multiply(const ir::place &at, const value &x, const value &y) {
+  value subtract(const ir::node_ref &at, const value &x, const value &y) { return add(at, x, negate(at, y)); }
+  value multiply(const ir::node_ref &at, const value &x, const value &y) {
     return each(at, [&](term twin::*side) {
       const term p = product(x.*side, y.*side);
       return (p.negative ? "-" : "") + p.text;
     });
   }
-  value fused(const ir::place &at, const value &x, const value &y, const value &z) {
+  value fused(const ir::node_ref &at, const value &x, const value &y, const value &z) {
     const node &n = at.operation();
     const auto [alphas, betas] = powers_of(n.a);
     const auto [more_alphas, more_betas] = powers_of(n.b);
@@ -134,7 +134,7 @@ private:
   int next_ = 0;
 
   // Writes an operation, before rounding, on computed and on exact values.
-  template <class Operation> value each(const ir::place &at, const Operation &of) {
+  template <class Operation> value each(const ir::node_ref &at, const Operation &of) {
     const std::string i = at.id == root_ ? "" : fmt::format("{}", next_++);
     const bool rounds = at.id != root_ && !bound::scales_exactly(at.nodes, at.id);
     lines_ += fmt::format(fmt::runtime(rounds ? "v{} = rnd({});\n" : "v{} = {};\n"), i, of(&twin::computed));
@@ -202,7 +202,7 @@ std::vector<bounded_stage> bounded_stages(const unit &u, std::size_t i) {
   const auto bounds = lower::stages(*u.bounds[i]);
   for (std::size_t s = 0; s < signs.size(); ++s)
     if (!signs[s]->atoms.empty())
-      out.push_back({lower::stage_names[s], *signs[s], *bounds[s]});
+      out.push_back({lower::name_of(lower::stage_kinds[s]), *signs[s], *bounds[s]});
   return out;
 }
 

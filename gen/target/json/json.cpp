@@ -47,8 +47,8 @@ std::string json(const unit &u, std::size_t kernel) {
         sums.push_back("      " + json_separation(all.separated[next++].parts));
       }
       const auto list = [&](const std::vector<std::string> &lines) {
-        return fmt::format("    \"{}\": [{}{}{}]", lower::stage_names[s], lines.empty() ? "" : "\n", join(lines, ",\n"),
-                           lines.empty() ? "" : "\n    ");
+        return fmt::format("    \"{}\": [{}{}{}]", lower::name_of(lower::stage_kinds[s]), lines.empty() ? "" : "\n",
+                           join(lines, ",\n"), lines.empty() ? "" : "\n    ");
       };
       stages.push_back(list(atoms));
       separated.push_back(list(sums));

@@ -9,12 +9,12 @@ static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another versi
 
 namespace cga {
 
-// place(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the index of the
+// coordinate(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the index of the
 // radius around the hull; -1: there is none. box(): never too small, provided that subnormals are not flushed.
 
 struct point_shape {
   static constexpr int fields = 3, hull = 1, pad = -1;
-  MEETC_HD static constexpr int place(int point, int axis) {
+  MEETC_HD static constexpr int coordinate(int point, int axis) {
     constexpr int all[] = {0, 1, 2};
     return all[3 * point + axis];
   }
@@ -34,7 +34,7 @@ struct point_shape {
 
 struct sphere_shape {
   static constexpr int fields = 4, hull = 1, pad = 3;
-  MEETC_HD static constexpr int place(int point, int axis) {
+  MEETC_HD static constexpr int coordinate(int point, int axis) {
     constexpr int all[] = {0, 1, 2};
     return all[3 * point + axis];
   }
@@ -54,7 +54,7 @@ struct sphere_shape {
 
 struct segment_shape {
   static constexpr int fields = 6, hull = 2, pad = -1;
-  MEETC_HD static constexpr int place(int point, int axis) {
+  MEETC_HD static constexpr int coordinate(int point, int axis) {
     constexpr int all[] = {0, 1, 2, 3, 4, 5};
     return all[3 * point + axis];
   }
@@ -75,7 +75,7 @@ struct segment_shape {
 
 struct triangle_shape {
   static constexpr int fields = 9, hull = 3, pad = -1;
-  MEETC_HD static constexpr int place(int point, int axis) {
+  MEETC_HD static constexpr int coordinate(int point, int axis) {
     constexpr int all[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     return all[3 * point + axis];
   }

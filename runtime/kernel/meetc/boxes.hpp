@@ -59,15 +59,13 @@ private:
 
 // Whether the bounds of the box form hold for a box of this side.
 template <class P> MEETC_HD inline bool box_holds(float side) {
-  const auto holds = [side](auto stage) {
+  bool holds = true;
+  each_stage<P>([side, &holds](auto stage) {
     using Stage = decltype(stage);
-    if constexpr (Stage::atoms == 0)
-      return true;
-    else
-      return side >= power_of_two(Stage::box_lowest, 0.0F) && side <= 1 / power_of_two(-Stage::box_highest, 0.0F) &&
-             power_above(side) == side;
-  };
-  return holds(typename P::reject_stage()) && holds(typename P::common_stage()) && holds(typename P::rare_stage());
+    holds = holds && side >= power_of_two(Stage::box_lowest, 0.0F) &&
+            side <= 1 / power_of_two(-Stage::box_highest, 0.0F) && power_above(side) == side;
+  });
+  return holds;
 }
 
 } // namespace meetc

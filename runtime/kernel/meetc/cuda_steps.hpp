@@ -38,7 +38,7 @@ struct walk {
     stride = lanes * each;
   }
   // The index of this lane's pair k; n or more if it has no such pair.
-  __device__ unsigned long long place(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
+  __device__ unsigned long long index(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
 };
 
 // A step that reads stored values has of(stored_pair); any other step has of(row_a, row_b).
@@ -55,7 +55,7 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_a
     unsigned yes = 0, unsure = 0;
     MEETC_ROLLED
     for (int k = 0; k < step_pairs; ++k) {
-      const unsigned long long i = w.place(k);
+      const unsigned long long i = w.index(k);
       if (i >= w.n)
         break;
       const index_pair q = in.pairs[i];
@@ -77,7 +77,7 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_a
 #pragma unroll
     for (int k = 0; k < step_pairs; ++k)
       if ((yes | unsure) >> k & 1)
-        p[k] = in.pairs[w.place(k)];
+        p[k] = in.pairs[w.index(k)];
     append(yes, p, to.yes);
     append(unsure, p, to.unsure);
   }
@@ -107,7 +107,7 @@ __global__ void __launch_bounds__(step_threads)
     unsigned keep = 0;
 #pragma unroll
     for (int k = 0; k < step_pairs; ++k) {
-      const unsigned long long i = w.place(k);
+      const unsigned long long i = w.index(k);
       const bool there = i < w.n && slots_of(in.pairs, i, a, b, p[k]);
       const bool touch = there && boxes_touch<A, B>(a.rows + std::size_t{p[k].a} * P::inputs_a,
                                                     b.rows + std::size_t{p[k].b} * P::inputs_b);
@@ -120,7 +120,7 @@ __global__ void __launch_bounds__(step_threads)
         for (unsigned left = keep; left; left &= left - 1) {
           const int k = __ffs(left) - 1;
           index_pair q;
-          slots_of(in.pairs, w.place(k), a, b, q);
+          slots_of(in.pairs, w.index(k), a, b, q);
           const bool rejected =
               surely_rejected<P>({a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b,
                                   a.stored + std::size_t{q.a} * stored_layout<P>::floats_a,

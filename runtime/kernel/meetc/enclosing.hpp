@@ -1,6 +1,6 @@
 // A ball around any bounded element, which is the hull of a few points, widened by a radius.
 //
-// A Shape says where the points and the radius of a kind lie in a row: fields, hull (the number of points), place(),
+// A Shape says where the points and the radius of a kind lie in a row: fields, hull (the number of points), coordinate(),
 // pad; and it has a closed box, box().
 #ifndef MEETC_ENCLOSING_HPP
 #define MEETC_ENCLOSING_HPP
@@ -14,7 +14,7 @@
 namespace meetc {
 
 template <class Shape> MEETC_HD inline double hull_point(const float *row, int point, int axis) {
-  const int at = Shape::place(point, axis);
+  const int at = Shape::coordinate(point, axis);
   return at < 0 ? 0 : static_cast<double>(row[at]);
 }
 

@@ -16,6 +16,19 @@ struct no_stage {
   static constexpr int atoms = 0, first = 0;
 };
 
+// Calls f(Stage()) for each stage that P has, in order. A lone sign has only the common stage.
+template <class P, class F> MEETC_HD constexpr void each_stage(F &&f) {
+  const auto one = [&f](auto stage) {
+    if constexpr (decltype(stage)::atoms > 0)
+      f(stage);
+  };
+  if constexpr (requires { typename P::reject_stage; })
+    one(typename P::reject_stage());
+  one(typename P::common_stage());
+  if constexpr (requires { typename P::rare_stage; })
+    one(typename P::rare_stage());
+}
+
 // The values of one object that a stage reads, computed from its row.
 template <class Stage, class T> MEETC_HD MEETC_INLINE void stage_fields_a(const T *row, T *f) {
   if constexpr (Stage::fields_a > 0)

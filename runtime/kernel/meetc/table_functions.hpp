@@ -118,26 +118,18 @@ template <class Store> constexpr stored_values stored_by(int number) {
 // The sides of the boxes for which the box form holds in all stages of P.
 template <class P> constexpr float least_box() {
   float least = 0;
-  const auto take = [&](auto stage) {
-    using Stage = decltype(stage);
-    if constexpr (Stage::atoms > 0) {
-      const float x = power_of_two(Stage::box_lowest, 0.0F);
-      least = x > least ? x : least;
-    }
-  };
-  take(typename P::reject_stage()), take(typename P::common_stage()), take(typename P::rare_stage());
+  each_stage<P>([&least](auto stage) {
+    const float x = power_of_two(decltype(stage)::box_lowest, 0.0F);
+    least = x > least ? x : least;
+  });
   return least;
 }
 template <class P> constexpr float most_box() {
   float most = 0x1p127F;
-  const auto take = [&](auto stage) {
-    using Stage = decltype(stage);
-    if constexpr (Stage::atoms > 0) {
-      const float x = 1 / power_of_two(-Stage::box_highest, 0.0F);
-      most = x < most ? x : most;
-    }
-  };
-  take(typename P::reject_stage()), take(typename P::common_stage()), take(typename P::rare_stage());
+  each_stage<P>([&most](auto stage) {
+    const float x = 1 / power_of_two(-decltype(stage)::box_highest, 0.0F);
+    most = x < most ? x : most;
+  });
   return most;
 }
 

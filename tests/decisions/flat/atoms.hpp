@@ -65,16 +65,6 @@ private:
 // Throws std::logic_error if a value is none of the above.
 atom_table recognise(int n, const std::vector<polynomial> &values);
 
-template <class P, class F> void each_stage(F &&f) {
-  const auto one = [&](auto stage) {
-    if constexpr (decltype(stage)::atoms > 0)
-      f(stage);
-  };
-  one(typename P::reject_stage());
-  one(typename P::common_stage());
-  one(typename P::rare_stage());
-}
-
 // The table of a predicate whose operands are points, segments and triangles; computed once.
 template <class P> const atom_table &atoms_of() {
   static const atom_table table = [] {

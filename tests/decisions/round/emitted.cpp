@@ -11,19 +11,6 @@ namespace {
 using symbol = exact<polynomial>;
 using number = exact<rational>;
 
-// The stages that a kernel has, in order.
-template <class P, class F> void for_each_stage(F &&f) {
-  const auto run = [&]<class Stage>(Stage) {
-    if constexpr (Stage::atoms > 0)
-      f.template operator()<Stage>();
-  };
-  if constexpr (requires { typename P::reject_stage; })
-    run(typename P::reject_stage{});
-  run(typename P::common_stage{});
-  if constexpr (requires { typename P::rare_stage; })
-    run(typename P::rare_stage{});
-}
-
 // The polynomials of the atoms for rows of the ring's variables.
 template <class P> std::vector<symbol> variables(const poly::ring &numbers) {
   symbol::ring = &numbers;
@@ -36,7 +23,7 @@ template <class P> std::vector<symbol> variables(const poly::ring &numbers) {
 template <class P> std::vector<polynomial> polynomials(const poly::ring &numbers) {
   const std::vector<symbol> row = variables<P>(numbers);
   std::vector<polynomial> out(static_cast<std::size_t>(P::atoms), polynomial(numbers));
-  for_each_stage<P>([&]<class Stage>() {
+  meetc::each_stage<P>([&]<class Stage>(Stage) {
     symbol v[Stage::atoms];
     meetc::stage_values<Stage>(row.data(), row.data() + P::inputs_a, v);
     for (int i = 0; i < Stage::atoms; ++i)
@@ -49,7 +36,7 @@ template <class P> std::vector<polynomial> polynomials(const poly::ring &numbers
 template <class P> std::vector<polynomial> step_polynomials(const poly::ring &numbers) {
   const std::vector<symbol> row = variables<P>(numbers);
   std::vector<polynomial> out(static_cast<std::size_t>(P::atoms), polynomial(numbers));
-  for_each_stage<P>([&]<class Stage>() {
+  meetc::each_stage<P>([&]<class Stage>(Stage) {
     symbol place[Stage::bytecode::registers];
     for (std::size_t i = 0; i < row.size(); ++i)
       place[i] = row[i];
@@ -89,7 +76,7 @@ std::vector<meetc::sign> signs(const std::vector<rational> &row_a, const std::ve
   for (const rational &q : row_b)
     b.emplace_back(q);
   std::vector<meetc::sign> out(static_cast<std::size_t>(P::atoms));
-  for_each_stage<P>([&]<class Stage>() { meetc::stage_signs<Stage>(a.data(), b.data(), out.data()); });
+  meetc::each_stage<P>([&]<class Stage>(Stage) { meetc::stage_signs<Stage>(a.data(), b.data(), out.data()); });
   return out;
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("the arena's folding and fusing keep the value of random programs") {
 TEST_CASE("the bound of the exact rung holds: no value outgrows it") {
   random_numbers random(12);
   for (const lower::kernel *k : default_kernels(want::made_of_signs))
-    for (std::size_t stage = 0; stage < lower::stage_names.size(); ++stage) {
+    for (std::size_t stage = 0; stage < lower::stage_kinds.size(); ++stage) {
       const lower::stage *s = lower::stages(k->decision)[stage];
       const bound::stage_bounds &emitted = *lower::stages(default_bounds(k->asked.name()))[stage];
       if (s->atoms.empty())

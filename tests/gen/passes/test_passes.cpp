@@ -22,12 +22,12 @@ std::vector<const lower::stage *> stages(const lower::predicate &p) {
   return out;
 }
 
-// The frame in which a formula's stored operands move.
-struct stored_frame {
+// The local origin of a formula on stored operands.
+struct stored_origin {
   lower::stored_ring ring;
-  poly::frame frame;
-  explicit stored_frame(const lower::request &r)
-      : ring(lower::stored_numbers(*default_scene().model, r.names, r.kinds)), frame(*ring.numbers, ring.moves) {}
+  poly::local_origin origin;
+  explicit stored_origin(const lower::request &r)
+      : ring(lower::stored_numbers(*default_scene().model, r.names, r.kinds)), origin(*ring.numbers, ring.moves) {}
 };
 
 // The request's value in stored numbers, expanded without any pass.
@@ -42,10 +42,10 @@ polynomial expand_stored(const lower::request &r, const poly::ring &ring) {
   return value.is_zero() ? polynomial(ring) : value.terms().begin()->second;
 }
 
-polynomial component(const poly::frame &f, int vector, std::size_t axis) {
+polynomial component(const poly::local_origin &f, int vector, std::size_t axis) {
   return polynomial::variable(f.local(), f.vector(vector)[axis]);
 }
-polynomial expand(const poly::frame &f, const poly::invariant &q) {
+polynomial expand(const poly::local_origin &f, const poly::invariant &q) {
   using type = poly::invariant::type;
   const auto cross = [&](std::size_t a) {
     const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
@@ -62,7 +62,7 @@ polynomial expand(const poly::frame &f, const poly::invariant &q) {
 }
 
 // Whether a base variable is a coordinate: some difference is taken of it.
-bool moves(const poly::frame &f, int base) {
+bool moves(const poly::local_origin &f, int base) {
   for (int v = 0; v < f.local().size(); ++v)
     if (f.info(v).subtrahend >= 0 && (f.info(v).subtrahend == base || f.info(v).minuend == base))
       return true;
@@ -70,7 +70,7 @@ bool moves(const poly::frame &f, int base) {
 }
 
 // lower and raise are inverse; vector forms expand to the same polynomial; an invariant polynomial reads no position.
-void check_frame(const poly::frame &f, const polynomial &p) {
+void check_local_origin(const poly::local_origin &f, const polynomial &p) {
   const polynomial lowered = f.lower(p);
   CHECK(f.raise(lowered) == p);
   if (f.is_invariant(p))
@@ -155,7 +155,7 @@ TEST_CASE("formulas compute their polynomials, from blades and from stored numbe
     check_residency(f.from_blades, inputs_a);
     if (f.stored_inputs.empty())
       continue;
-    const stored_frame local(k->asked);
+    const stored_origin local(k->asked);
     const polynomial expanded = expand_stored(k->asked, *local.ring.numbers);
     const auto have = ir::to_poly(f.from_stored, *local.ring.numbers);
     REQUIRE(have.size() == 1);
@@ -221,23 +221,23 @@ TEST_CASE("lowering to differences is undone by raising, and vector forms expand
     INFO(k->asked.text);
     for (const polynomial &atom : k->decision.signs.atoms()) {
       CHECK(k->decision.local->is_invariant(atom)); // every sign of the shipped predicates is geometric
-      check_frame(*k->decision.local, atom);
+      check_local_origin(*k->decision.local, atom);
     }
   }
   for (const lower::kernel *k : default_kernels(want::formulas))
     if (!k->value.stored_inputs.empty()) {
       INFO(k->asked.text);
-      const stored_frame local(k->asked);
-      check_frame(local.frame, expand_stored(k->asked, *local.ring.numbers));
+      const stored_origin local(k->asked);
+      check_local_origin(local.origin, expand_stored(k->asked, *local.ring.numbers));
     }
 }
 
 TEST_CASE("polynomials that a translation changes are not lowered") {
-  const stored_frame local(default_kernel("norm2_meet_line_line").asked);
+  const stored_origin local(default_kernel("norm2_meet_line_line").asked);
   const polynomial x = polynomial::variable(*local.ring.numbers, 0);
-  CHECK_FALSE(local.frame.is_invariant(x));
-  CHECK(local.frame.raise(local.frame.lower(x * x)) == x * x);
+  CHECK_FALSE(local.origin.is_invariant(x));
+  CHECK(local.origin.raise(local.origin.lower(x * x)) == x * x);
   const polynomial difference = x - polynomial::variable(*local.ring.numbers, 3);
-  CHECK(local.frame.is_invariant(difference));
-  CHECK(local.frame.lower(difference).length() == 1);
+  CHECK(local.origin.is_invariant(difference));
+  CHECK(local.origin.lower(difference).length() == 1);
 }

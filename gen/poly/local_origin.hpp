@@ -31,9 +31,9 @@ struct local_variable {
   int minuend, subtrahend; // base variables; subtrahend -1: the stored number itself
 };
 
-class frame {
+class local_origin {
 public:
-  frame(const ring &base, std::vector<stored_number> numbers);
+  local_origin(const ring &base, std::vector<stored_number> numbers);
 
   const ring &base() const { return base_; }
   const stored_number &stored(int v) const { return numbers_[static_cast<std::size_t>(v)]; }

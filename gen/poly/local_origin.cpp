@@ -1,11 +1,12 @@
-#include "gen/poly/frame.hpp"
+#include "gen/poly/local_origin.hpp"
 
 #include <algorithm>
 #include <map>
 
 namespace meetc::poly {
 
-frame::frame(const ring &base, std::vector<stored_number> numbers) : base_(base), numbers_(std::move(numbers)) {
+local_origin::local_origin(const ring &base, std::vector<stored_number> numbers)
+    : base_(base), numbers_(std::move(numbers)) {
   std::vector<std::string> names = base.names();
   std::map<std::pair<int, int>, int> group_vector; // maps (operand, group) to a vector
   std::map<std::pair<int, int>, int> group_point;
@@ -48,7 +49,7 @@ frame::frame(const ring &base, std::vector<stored_number> numbers) : base_(base)
     unchanged_.push_back(poly::variable(*local_, v));
 }
 
-std::vector<int> frame::points_of(const poly &p) const {
+std::vector<int> local_origin::points_of(const poly &p) const {
   const std::vector<int> used = p.variables();
   std::vector<int> out;
   for (std::size_t i = 0; i < points_.size(); ++i)
@@ -58,7 +59,7 @@ std::vector<int> frame::points_of(const poly &p) const {
   return out;
 }
 
-bool frame::is_invariant(const poly &absolute) const {
+bool local_origin::is_invariant(const poly &absolute) const {
   if (points_.empty())
     return false;
   for (std::size_t axis = 0; axis < points_[0].variables.size(); ++axis) {
@@ -71,7 +72,7 @@ bool frame::is_invariant(const poly &absolute) const {
   return true;
 }
 
-poly frame::lower(const poly &absolute) const {
+poly local_origin::lower(const poly &absolute) const {
   std::vector<poly> images = unchanged_;
   const std::vector<int> used = points_of(absolute);
   if (!used.empty() && is_invariant(absolute)) {
@@ -104,7 +105,7 @@ poly frame::lower(const poly &absolute) const {
   return absolute.substitute(images, *local_);
 }
 
-poly frame::raise(const poly &local) const {
+poly local_origin::raise(const poly &local) const {
   std::vector<poly> images;
   for (const local_variable &v : info_) {
     poly image = poly::variable(base_, v.minuend);
