@@ -24,6 +24,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace meetc::bound {
@@ -80,6 +81,8 @@ struct box_bound {
   int a = 0, b = 0, pair = 0; // the powers; their sum is the degree
 };
 
+struct unfused_stage;
+
 struct stage_bounds {
   std::vector<leaf> leaves;
   ir::program magnitudes;                    // inputs: |leaf| by number; results: M, one for each sign
@@ -93,6 +96,15 @@ struct stage_bounds {
   // Values of degree 3 and more may be in a wider type than the others. No object stores one.
   bool mixed = false;
   int window = -1; // differences of this many bits on a common grid are exact in fp64 (mixed: and double-double)
+  // The same for machines without a fused multiply-add, which run another schedule; null in such bounds themselves.
+  std::shared_ptr<const unfused_stage> unfused;
+};
+
+// The schedule with a product and a sum for every fused multiply-add, and its bounds. All but the roundings and the box
+// form equals that of the fused one.
+struct unfused_stage {
+  ir::program code;
+  stage_bounds bounds;
 };
 
 // Points of the operands that may have equal coordinates, as inputs by axis.

@@ -6,7 +6,7 @@
 // is at most u M since M >= floor^degree. The computed M^ >= M (1 - u)^phi, and a threshold K M^ is rounded once more.
 #include "gen/bound/bound.hpp"
 #include "gen/bound/growth.hpp"
-#include "gen/ir/fold.hpp"
+#include "gen/ir/rewrite.hpp"
 
 #include <algorithm>
 #include <map>
@@ -166,11 +166,8 @@ bool can_be_mixed(const ir::program &p, const std::vector<growth> &all) {
 }
 
 // Returns nothing where a value is not homogeneous.
-std::optional<stage_bounds> bounds_of(const subject::stage &s) {
+std::optional<stage_bounds> bounds_of(const ir::program &p) {
   stage_bounds out;
-  if (s.signs.empty())
-    return out;
-  const ir::program &p = *s.code;
   const std::vector<growth> all = growths(p);
   if (all.empty())
     return std::nullopt;
@@ -191,6 +188,17 @@ std::optional<stage_bounds> bounds_of(const subject::stage &s) {
   out.box_highest = (120 - out.growth) / out.degree;
   for (const box_node &n : box_nodes(p, 24, box_format_lowest).of(p.results))
     out.box.push_back({rounded_up(n.unrounded_error, 12), n.a, n.b, n.pair});
+  return out;
+}
+std::optional<stage_bounds> bounds_of(const subject::stage &s) {
+  if (s.signs.empty())
+    return stage_bounds();
+  auto out = bounds_of(*s.code);
+  if (out) {
+    ir::program parted = ir::unfused(*s.code);
+    auto bounds = bounds_of(parted);
+    out->unfused = std::make_shared<const unfused_stage>(unfused_stage{std::move(parted), std::move(*bounds)});
+  }
   return out;
 }
 } // namespace

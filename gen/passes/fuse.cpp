@@ -1,6 +1,6 @@
 #include "gen/passes/fuse.hpp"
 
-#include "gen/passes/rewrite.hpp"
+#include "gen/ir/rewrite.hpp"
 
 namespace meetc::passes {
 namespace {

@@ -26,20 +26,24 @@ std::vector<float> rows_of(const io::element_set &set, std::size_t stride) {
   return rows;
 }
 
-// Rows with what a predicate wants stored beside them.
+// Rows with what a predicate wants stored beside them: for its plain rung, and for the others.
 struct rows_with_stored {
-  std::vector<float> rows, stored;
+  std::vector<float> rows, plain, bounded;
   std::size_t fields, floats;
 
-  rows_with_stored(std::vector<float> all, int fields_of_kind, const stored_values &values)
+  rows_with_stored(std::vector<float> all, int fields_of_kind, const stored_values &of_plain,
+                   const stored_values &of_bounded)
       : rows(std::move(all)), fields(static_cast<std::size_t>(fields_of_kind)),
-        floats(static_cast<std::size_t>(values.floats)) {
-    stored.resize(count() * floats);
-    if (floats > 0 && !values.compute(rows.data(), count(), stored.data()))
-      stored.clear();
+        floats(static_cast<std::size_t>(of_bounded.floats)) {
+    for (const auto &[values, to] : {std::pair(&of_plain, &plain), std::pair(&of_bounded, &bounded)}) {
+      to->resize(count() * floats);
+      if (floats > 0 && !values->compute(rows.data(), count(), to->data()))
+        to->clear();
+    }
   }
   std::size_t count() const { return rows.size() / fields; }
-  row_array from(std::size_t row) const {
+  row_array from(std::size_t row, bool for_plain) const {
+    const std::vector<float> &stored = for_plain ? plain : bounded;
     return {rows.data() + row * fields, stored.empty() ? nullptr : stored.data() + row * floats};
   }
 };
@@ -48,12 +52,13 @@ struct rows_with_stored {
 struct sweep {
   rows_with_stored a, b;
   std::vector<index_pair> pairs; // (0, j)
+  decide_function plain;
 
   template <class Take> void run(decide_function test, std::vector<answer> &out, const Take &take) const {
     for (std::size_t i = 0; i < a.count(); ++i)
       for (std::size_t j = 0; j < b.count(); j += block) {
         const std::size_t n = std::min(block, b.count() - j);
-        test(a.from(i), b.from(j), pairs.data(), n, out.data());
+        test(a.from(i, test == plain), b.from(j, test == plain), pairs.data(), n, out.data());
         take(i, j, n);
       }
   }
@@ -101,9 +106,11 @@ brute_force_times time_brute_force(yardstick &by, std::span<const decide_functio
       stride_to(a.elements, std::max<std::uint64_t>(least_rows, budget / std::max<std::size_t>(1, b.elements)));
   const std::size_t taken = (a.elements + stride_a - 1) / stride_a;
   const std::size_t stride_b = stride_to(b.elements, budget / std::max<std::size_t>(1, taken));
-  sweep s{{rows_of(a, stride_a), a.kind->fields, predicate.stored_a},
-          {rows_of(b, stride_b), b.kind->fields, predicate.stored_b},
-          std::vector<index_pair>(block)};
+  const decide_function plain = predicate.decide[static_cast<int>(rung::fp32)];
+  sweep s{{rows_of(a, stride_a), a.kind->fields, predicate.plain_stored_a, predicate.stored_a},
+          {rows_of(b, stride_b), b.kind->fields, predicate.plain_stored_b, predicate.stored_b},
+          std::vector<index_pair>(block),
+          plain};
   for (std::size_t j = 0; j < block; ++j)
     s.pairs[j] = {0, static_cast<std::uint32_t>(j)};
 
@@ -114,7 +121,7 @@ brute_force_times time_brute_force(yardstick &by, std::span<const decide_functio
   std::vector<answer> first(block), out(block);
   for (std::size_t t = 0; t < tests.size(); ++t)
     s.run(tests[t], out, [&](std::size_t i, std::size_t j, std::size_t n) {
-      tests[0](s.a.from(i), s.b.from(j), s.pairs.data(), n, first.data());
+      tests[0](s.a.from(i, tests[0] == plain), s.b.from(j, tests[0] == plain), s.pairs.data(), n, first.data());
       for (std::size_t k = 0; k < n; ++k) {
         times.of[t].yes += out[k] == answer::yes;
         times.of[t].wrong_yes += out[k] == answer::yes && first[k] != answer::yes;

@@ -10,8 +10,10 @@ static bool lies_in(const element_set &set, float box) {
 }
 
 cascade::cascade(const predicate_info &of, rung precision) : predicate(&of) {
-  if (precision == rung::certified || precision == rung::fp32)
+  if (precision == rung::certified)
     stored_a = of.stored_a, stored_b = of.stored_b;
+  else if (precision == rung::fp32)
+    stored_a = of.plain_stored_a, stored_b = of.plain_stored_b;
   if (precision != rung::certified) {
     rungs[0] = of.decide[static_cast<int>(precision)];
     count = rungs[0] ? 1 : 0;

@@ -17,7 +17,7 @@ template <class Stage> double bound_in_box(const float *a, const float *b, doubl
     const double least = std::ldexp(1.0, Stage::box_lowest);
     return form == bound_form::whole_box ? side : std::max(least, static_cast<double>(meetc::power_above(e)));
   };
-  const meetc::box_factor f = Stage::box(i);
+  const meetc::box_factor f = meetc::in_fp32::box<Stage>(i);
   return static_cast<double>(f.c) * std::pow(extent(Stage::extent_a(a)), f.a) *
          std::pow(extent(Stage::extent_b(b)), f.b) * std::pow(side, f.pair);
 }
@@ -29,17 +29,18 @@ template <class P> sample sample_at(const float *a, const float *b, double side,
     const int i = atom - Stage::first;
     if (i < 0 || i >= Stage::atoms)
       return;
-    const meetc::rows_in<P, float> rows(a, b);
+    using number = meetc::in_fp32::value;
+    const meetc::rows_in<P, number> rows(a, b);
     const meetc::rows_in<P, meetc::double_double> finer(a, b);
-    float v[Stage::atoms], m[Stage::atoms];
+    number v[Stage::atoms], m[Stage::atoms];
     meetc::double_double t[Stage::atoms];
     meetc::stage_values<Stage>(rows.a, rows.b, v);
     meetc::stage_values<Stage>(finer.a, finer.b, t);
-    out.truth = t[i].hi, out.computed = static_cast<double>(v[i]);
+    out.truth = t[i].hi, out.computed = static_cast<double>(static_cast<float>(v[i]));
     if (form == bound_form::magnitude) {
-      const meetc::leaf_magnitude<float> leaf{meetc::power_of_two(Stage::floor_fp32, 0.0F)};
+      const meetc::leaf_magnitude<number> leaf{number(meetc::power_of_two(Stage::floor_fp32, 0.0F))};
       meetc::stage_magnitudes<Stage>(rows.a, rows.b, leaf, m);
-      out.bound = static_cast<double>(Stage::factor(i).fp32) * static_cast<double>(m[i]);
+      out.bound = static_cast<double>(meetc::in_fp32::factor<Stage>(i)) * static_cast<double>(static_cast<float>(m[i]));
     } else {
       out.bound = bound_in_box<Stage>(a, b, side, form, i);
     }

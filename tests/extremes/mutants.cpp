@@ -9,18 +9,22 @@ namespace {
 // A stage with one thing changed.
 template <class Stage, mutation M> struct changed : Stage {
   static constexpr int window = Stage::window + (M == mutation::wider_window ? 4 : 0);
-  static meetc::factors factor(int i) {
-    const meetc::factors k = Stage::factor(i);
-    return M == mutation::quarter_factor ? meetc::factors{k.fp32 / 4, k.fp64 / 4, k.fp64x2 / 4} : k;
-  }
-  static meetc::box_factor box(int i) {
-    meetc::box_factor f = Stage::box(i);
-    f.c = M == mutation::quarter_box ? f.c / 4 : f.c;
-    return f;
-  }
+  static meetc::factors factor(int i) { return changed_factors(Stage::factor(i)); }
+  static meetc::factors factor_unfused(int i) { return changed_factors(Stage::factor_unfused(i)); }
+  static meetc::box_factor box(int i) { return changed_box(Stage::box(i)); }
+  static meetc::box_factor box_unfused(int i) { return changed_box(Stage::box_unfused(i)); }
   static unsigned zero_if(int i) { return M == mutation::equal_points ? ~0U : Stage::zero_if(i); }
   static int degree_of(int i) {
     return Stage::degree_of(i) + (M == mutation::degree_above) - (M == mutation::degree_below);
+  }
+
+private:
+  static meetc::factors changed_factors(const meetc::factors &k) {
+    return M == mutation::quarter_factor ? meetc::factors{k.fp32 / 4, k.fp64 / 4, k.fp64x2 / 4} : k;
+  }
+  static meetc::box_factor changed_box(meetc::box_factor f) {
+    f.c = M == mutation::quarter_box ? f.c / 4 : f.c;
+    return f;
   }
 };
 template <mutation M> struct changed<meetc::no_stage, M> : meetc::no_stage {};

@@ -8,6 +8,7 @@
 #include <utility>
 
 using namespace meetc::extremes_test;
+using meetc::each_stage;
 using meetc::generated_test::effort;
 
 namespace {

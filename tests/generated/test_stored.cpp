@@ -66,11 +66,15 @@ TEST_CASE("stored: the rungs in fp32 give the same answers with and without stor
     const meetc::predicate_info &info = named(p.name);
     const many_rows r(p, static_cast<std::uint32_t>(effort(200)));
     const std::vector<float> of_a = stored(info.stored_a, r.a, info.a->fields),
-                             of_b = stored(info.stored_b, r.b, info.b->fields);
+                             of_b = stored(info.stored_b, r.b, info.b->fields),
+                             plain_of_a = stored(info.plain_stored_a, r.a, info.a->fields),
+                             plain_of_b = stored(info.plain_stored_b, r.b, info.b->fields);
     const row_array a = r.a.data(), b = r.b.data(), a_stored{r.a.data(), or_null(of_a)},
-                    b_stored{r.b.data(), or_null(of_b)};
-    for (const meetc::decide_function f :
-         {info.decide[0], info.certify[0], info.decide[static_cast<int>(meetc::rung::certified)]})
+                    b_stored{r.b.data(), or_null(of_b)}, a_plain{r.a.data(), or_null(plain_of_a)},
+                    b_plain{r.b.data(), or_null(plain_of_b)};
+    CHECK(answers(r, [&](auto... to) { info.decide[0](a_plain, b_plain, to...); }) ==
+          answers(r, [&](auto... to) { info.decide[0](a, b, to...); }));
+    for (const meetc::decide_function f : {info.certify[0], info.decide[static_cast<int>(meetc::rung::certified)]})
       CHECK(answers(r, [&](auto... to) { f(a_stored, b_stored, to...); }) ==
             answers(r, [&](auto... to) { f(a, b, to...); }));
     for (const float side : {info.box_least, 1.0F, info.box_most})
@@ -122,6 +126,7 @@ TEST_CASE("stored: predicates share equal values, and a triangle's normal is thr
     for_each_predicate([&](auto q) {
       INFO(p.name << ' ' << q.name);
       const meetc::predicate_info &x = named(p.name), &y = named(q.name);
+      CHECK((x.stored_a.number < 0) == (x.plain_stored_a.number < 0));
       const auto same = [](const meetc::kind_info *k, const meetc::stored_values &v, const meetc::kind_info *l,
                            const meetc::stored_values &w, const row &rows) {
         if (k != l || v.number < 0 || v.number != w.number)
@@ -131,10 +136,12 @@ TEST_CASE("stored: predicates share equal values, and a triangle's normal is thr
         CHECK(std::memcmp(by_v.data(), by_w.data(), by_v.size() * sizeof(float)) == 0);
       };
       const many_rows r(p, 20);
-      same(x.a, x.stored_a, y.a, y.stored_a, r.a);
-      same(x.a, x.stored_a, y.b, y.stored_b, r.a);
-      same(x.b, x.stored_b, y.a, y.stored_a, r.b);
-      same(x.b, x.stored_b, y.b, y.stored_b, r.b);
+      for (const meetc::stored_values &v : {y.stored_a, y.plain_stored_a})
+        same(x.a, x.stored_a, y.a, v, r.a), same(x.a, x.plain_stored_a, y.a, v, r.a),
+            same(x.b, x.stored_b, y.a, v, r.b), same(x.b, x.plain_stored_b, y.a, v, r.b);
+      for (const meetc::stored_values &v : {y.stored_b, y.plain_stored_b})
+        same(x.a, x.stored_a, y.b, v, r.a), same(x.a, x.plain_stored_a, y.b, v, r.a),
+            same(x.b, x.stored_b, y.b, v, r.b), same(x.b, x.plain_stored_b, y.b, v, r.b);
     });
   });
 }

@@ -30,10 +30,21 @@ struct emitted_stage {
   meetc::box_factor (*box)(int);
 };
 
+// The values of a stage in the schedule without fma.
+template <class P, class Stage> void unfused_values(const float *row, float *v) {
+  using number = meetc::unfused<float>;
+  const meetc::rows_in<P, number> rows(row, row + P::inputs_a);
+  number values[Stage::atoms];
+  meetc::stage_values<Stage>(rows.a, rows.b, values);
+  for (int i = 0; i < Stage::atoms; ++i)
+    v[i] = values[i];
+}
 template <class P, class Stage> void add(std::map<std::string, emitted_stage> &to, const std::string &name) {
-  if constexpr (Stage::atoms > 0)
+  if constexpr (Stage::atoms > 0) {
     to[name] = {P::inputs_a, Stage::atoms,
                 [](const float *row, float *v) { meetc::stage_values<Stage>(row, row + P::inputs_a, v); }, Stage::box};
+    to[name + "_unfused"] = {P::inputs_a, Stage::atoms, unfused_values<P, Stage>, Stage::box_unfused};
+  }
 }
 template <class P> void add_predicate(std::map<std::string, emitted_stage> &to, const std::string &name) {
   add<P, typename P::reject_stage>(to, name + " reject");
@@ -111,9 +122,9 @@ const std::vector<subject> &subjects() {
           s.predicate = &k.decision;
       INFO(s.path);
       REQUIRE(s.predicate);
-      s.stage = s.proof.stage == "reject"   ? &s.predicate->reject
-                : s.proof.stage == "common" ? &s.predicate->common
-                                            : &s.predicate->rare;
+      s.stage = s.proof.stage.starts_with("reject")   ? &s.predicate->reject
+                : s.proof.stage.starts_with("common") ? &s.predicate->common
+                                                      : &s.predicate->rare;
       const auto code = emitted_stages().find(s.proof.kernel + ' ' + s.proof.stage);
       REQUIRE(code != emitted_stages().end());
       s.code = code->second;

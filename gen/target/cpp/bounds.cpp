@@ -116,24 +116,33 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage 
                   "  static constexpr int floor_fp32 = {}, floor_fp64 = {}, box_lowest = {}, box_highest = {};\n",
                   b.degree, b.growth, b.mixed ? ", and double-double from degree 3" : "", b.window, b.mixed,
                   b.floor_fp32, b.floor_fp64, b.box_lowest, b.box_highest);
-  std::vector<std::string> factors, boxes, degrees, zeros;
-  for (std::size_t i = 0; i < s.atoms.size(); ++i) {
+  std::vector<std::string> factors, unfused_factors, boxes, unfused_boxes, degrees, zeros;
+  const bound::stage_bounds &unfused = b.unfused->bounds;
+  const auto factor = [](const bound::stage_bounds &of, std::size_t i) {
     const auto k = [&](const bound::arithmetic &a, const bound::roundings &r, const char *suffix) {
       return hex_literal(bound::rounded_up(bound::factor(a, r), 12), suffix);
     };
-    factors.push_back(fmt::format("{{{}, {}, {}}}", k(bound::fp32, b.fp32[i], "f"), k(bound::fp64, b.fp64[i], ""),
-                                  k(bound::fp64x2, b.fp64x2[i], "")));
-    boxes.push_back(
-        fmt::format("{{{}, {}, {}, {}}}", hex_literal(b.box[i].value, "f"), b.box[i].a, b.box[i].b, b.box[i].pair));
+    return fmt::format("{{{}, {}, {}}}", k(bound::fp32, of.fp32[i], "f"), k(bound::fp64, of.fp64[i], ""),
+                       k(bound::fp64x2, of.fp64x2[i], ""));
+  };
+  const auto box = [](const bound::box_bound &x) {
+    return fmt::format("{{{}, {}, {}, {}}}", hex_literal(x.value, "f"), x.a, x.b, x.pair);
+  };
+  for (std::size_t i = 0; i < s.atoms.size(); ++i) {
+    factors.push_back(factor(b, i)), unfused_factors.push_back(factor(unfused, i));
+    boxes.push_back(box(b.box[i])), unfused_boxes.push_back(box(unfused.box[i]));
     degrees.push_back(fmt::format("{}", b.fp32[i].degree));
     zeros.push_back(fmt::format("0x{:x}u", b.zero_if[i]));
   }
   out += "  // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi "
-         "+ 1).\n";
+         "+ 1).\n"
+         "  // factor_unfused and box_unfused hold where a fused multiply-add is computed as a product and a sum.\n";
   out += lookup("meetc::factors", "factor", factors);
+  out += lookup("meetc::factors", "factor_unfused", unfused_factors);
   out += "  // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of "
          "two.\n";
   out += lookup("meetc::box_factor", "box", boxes);
+  out += lookup("meetc::box_factor", "box_unfused", unfused_boxes);
   out += lookup("int", "degree_of", degrees);
   out += "  // The coincidences of points that make the sign zero.\n";
   out += lookup("unsigned", "zero_if", zeros);

@@ -96,8 +96,8 @@ std::string shape_text(const lower::lowered_kind &k) {
 
 std::string kind_entry(const lower::lowered_kind &k, int stored) {
   const bool points_only = std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
-  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, {}}},\n", k.name, csv_names(k),
-                     k.reals.size(), identifier(k.name), points_only ? k.points : 0, identifier(k.name),
+  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, meetc::stored_count({})}},\n", k.name,
+                     csv_names(k), k.reals.size(), identifier(k.name), points_only ? k.points : 0, identifier(k.name),
                      k.enclosed->rule_input >= 0 ? identifier(k.name) + "_fault" : "nullptr", stored);
 }
 

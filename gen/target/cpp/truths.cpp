@@ -122,7 +122,7 @@ private:
     return out;
   }
   std::string keep(const std::string &text) {
-    const std::string b = fmt::format("b{}", next_++);
+    std::string b = fmt::format("b{}", next_++);
     out_ += fmt::format("    const auto {} = {};\n", b, text);
     return b;
   }

@@ -141,9 +141,10 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
                      "  return meetc::cuda::run<{1}, rungs>(which, a, b, in, yes, unsure, stream);\n}}\n",
                      name, predicate, run_parameters);
   for (const char which : {'a', 'b'})
-    out += fmt::format("meetc::cuda::stored_launcher {0}::stored_{2}(int number) {{\n"
-                       "  return meetc::cuda::stored_by<meetc::store_{2}<{1}>, rungs>(number);\n}}\n",
-                       name, predicate, which);
+    out += fmt::format(
+        "meetc::cuda::stored_launcher {0}::stored_{2}(int number) {{\n"
+        "  return meetc::cuda::stored_by<meetc::store_{2}<{1}, meetc::in_fp32::value>, rungs>(number);\n}}\n",
+        name, predicate, which);
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
 

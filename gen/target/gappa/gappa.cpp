@@ -10,7 +10,8 @@
 //   free number s in [0, 1]. In the static form, alpha = beta = D, it is 1.
 // - A leaf is rnd(d) for an exact difference d, or a stored number r: any number in [-1, 1]. alpha, beta and D must bound
 //   the exact difference; one slightly above a power of two is rounded to it.
-// - Every operation is one rnd of what it computes exactly, an fma as well. Constants are exact, or rounded where they
+// - Every operation is one rnd of what it computes exactly, an fma as well. The scripts named "unfused" are about the
+//   schedule without fma. Constants are exact, or rounded where they
 //   have more than 24 bits. Negations and products with powers of two round nothing. The exact twin is the same line
 //   without rnd. Nothing is reordered.
 // - The last rounding is left out: it keeps the order of a value and a threshold that is itself a float32. A leaf that
@@ -211,26 +212,30 @@ std::vector<file> proof_files(const unit &u) {
   std::map<std::string, std::size_t> known; // by text
   for (std::size_t i = 0; i < u.kernels.size(); ++i)
     for (const bounded_stage &stage : bounded_stages(u, i)) {
-      const ir::program &p = stage.signs.code;
-      const ir::folded<box_node> boxes = bound::box_nodes(p, precision, bound::box_format_lowest);
       const std::string kernel = u.kernels[i].asked.name();
-      std::map<std::pair<std::size_t, std::string>, std::string> covers; // of one stage, by proof and powers
-      for (std::size_t sign = 0; sign < p.results.size(); ++sign) {
-        const bound::box_bound &bound = stage.bounds.box[sign];
-        if (bound.value == 0) // a leaf: the sign of its only rounding
-          continue;
-        const auto [root, scale] = bound::last_rounding_of(p.nodes, p.results[sign]);
-        const script s(p, boxes, root, bound.value / scale);
-        const auto [at, fresh] = known.try_emplace(s.text(), proofs.size());
-        if (fresh)
-          proofs.push_back({fmt::format("{}_{}_{}", kernel, stage.name, sign),
-                            s.text(),
-                            meaning(u.kernels[i], s, stage.signs.atoms[sign]),
-                            {}});
-        covers[{at->second, powers_text(bound)}] += fmt::format(" {}", sign);
-      }
-      for (const auto &[which, signs] : covers)
-        proofs[which.first].covers.push_back(fmt::format("{} {}:{}; c {}", kernel, stage.name, signs, which.second));
+      const auto prove = [&](const ir::program &p, const bound::stage_bounds &bounds, const char *schedule) {
+        const ir::folded<box_node> boxes = bound::box_nodes(p, precision, bound::box_format_lowest);
+        std::map<std::pair<std::size_t, std::string>, std::string> covers; // of one stage, by proof and powers
+        for (std::size_t sign = 0; sign < p.results.size(); ++sign) {
+          const bound::box_bound &bound = bounds.box[sign];
+          if (bound.value == 0) // a leaf: the sign of its only rounding
+            continue;
+          const auto [root, scale] = bound::last_rounding_of(p.nodes, p.results[sign]);
+          const script s(p, boxes, root, bound.value / scale);
+          const auto [at, fresh] = known.try_emplace(s.text(), proofs.size());
+          if (fresh)
+            proofs.push_back({fmt::format("{}_{}_{}{}", kernel, stage.name, sign, schedule),
+                              s.text(),
+                              meaning(u.kernels[i], s, stage.signs.atoms[sign]),
+                              {}});
+          covers[{at->second, powers_text(bound)}] += fmt::format(" {}", sign);
+        }
+        for (const auto &[which, signs] : covers)
+          proofs[which.first].covers.push_back(
+              fmt::format("{} {}{}:{}; c {}", kernel, stage.name, schedule, signs, which.second));
+      };
+      prove(stage.signs.code, stage.bounds, "");
+      prove(stage.bounds.unfused->code, stage.bounds.unfused->bounds, "_unfused");
     }
   std::vector<file> out;
   for (const proof &p : proofs) {

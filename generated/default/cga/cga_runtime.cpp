@@ -44,10 +44,11 @@ const meetc::role triangle_roles[] = {meetc::role::x, meetc::role::y, meetc::rol
     meetc::role::y, meetc::role::z, meetc::role::x, meetc::role::y, meetc::role::z};
 
 const meetc::kind_info all_kinds[] = {
-  {"point", "x,y,z", 3, point_roles, 1, point_shape::box, nullptr, 0},
-  {"sphere", "x,y,z,r", 4, sphere_roles, 0, sphere_shape::box, sphere_fault, 0},
-  {"segment", "x0,y0,z0,x1,y1,z1", 6, segment_roles, 2, segment_shape::box, nullptr, 1},
-  {"triangle", "x0,y0,z0,x1,y1,z1,x2,y2,z2", 9, triangle_roles, 3, triangle_shape::box, nullptr, 2},
+  {"point", "x,y,z", 3, point_roles, 1, point_shape::box, nullptr, meetc::stored_count(0)},
+  {"sphere", "x,y,z,r", 4, sphere_roles, 0, sphere_shape::box, sphere_fault, meetc::stored_count(0)},
+  {"segment", "x0,y0,z0,x1,y1,z1", 6, segment_roles, 2, segment_shape::box, nullptr, meetc::stored_count(1)},
+  {"triangle", "x0,y0,z0,x1,y1,z1,x2,y2,z2", 9, triangle_roles, 3, triangle_shape::box, nullptr,
+      meetc::stored_count(2)},
 };
 
 } // namespace

@@ -22,25 +22,39 @@ struct box_factor {
   signed char a, b, pair;
 };
 
-// The three arithmetics with bounds.
-struct in_fp32 {
-  using value = float;
-  using magnitude = float;
-  MEETC_HD static constexpr float factor(const factors &k) { return k.fp32; }
+// The three arithmetics with bounds, each with and without the fused multiply-add. `real` is the type of the thresholds.
+template <class T, bool Fused> using bounded_number = std::conditional_t<Fused, T, unfused<T>>;
+template <bool Fused, class Stage> MEETC_HD constexpr factors factors_of(int i) {
+  return Fused ? Stage::factor(i) : Stage::factor_unfused(i);
+}
+template <bool Fused> struct fp32_arithmetic {
+  using real = float;
+  using value = bounded_number<float, Fused>;
+  using magnitude = value;
+  template <class Stage> MEETC_HD static constexpr float factor(int i) { return factors_of<Fused, Stage>(i).fp32; }
   template <class Stage> MEETC_HD static constexpr int floor() { return Stage::floor_fp32; }
+  template <class Stage> MEETC_HD static constexpr box_factor box(int i) {
+    return Fused ? Stage::box(i) : Stage::box_unfused(i);
+  }
 };
-struct in_fp64 {
-  using value = double;
-  using magnitude = double;
-  MEETC_HD static constexpr double factor(const factors &k) { return k.fp64; }
+template <bool Fused> struct fp64_arithmetic {
+  using real = double;
+  using value = bounded_number<double, Fused>;
+  using magnitude = value;
+  template <class Stage> MEETC_HD static constexpr double factor(int i) { return factors_of<Fused, Stage>(i).fp64; }
   template <class Stage> MEETC_HD static constexpr int floor() { return Stage::floor_fp64; }
 };
-struct in_fp64x2 {
+template <bool Fused> struct fp64x2_arithmetic {
+  using real = double;
   using value = double_double;
-  using magnitude = double;
-  MEETC_HD static constexpr double factor(const factors &k) { return k.fp64x2; }
+  using magnitude = bounded_number<double, Fused>;
+  template <class Stage> MEETC_HD static constexpr double factor(int i) { return factors_of<Fused, Stage>(i).fp64x2; }
   template <class Stage> MEETC_HD static constexpr int floor() { return Stage::floor_fp64; }
 };
+// Those of this compilation. Functions that differ between compilations have the arithmetic in their names.
+using in_fp32 = fp32_arithmetic<MEETC_FUSES>;
+using in_fp64 = fp64_arithmetic<MEETC_FUSES>;
+using in_fp64x2 = fp64x2_arithmetic<MEETC_FUSES>;
 
 // 2^e in the type T, e <= 0.
 template <class T> MEETC_HD MEETC_INLINE constexpr T power_of_two(int e, T) {
@@ -109,6 +123,7 @@ MEETC_HD MEETC_INLINE void stage_magnitudes(const M *a, const M *b, const Leaf &
 template <class P, class A> struct bounded_signs {
   using V = typename A::value;
   using M = typename A::magnitude;
+  using R = typename A::real;
   const float *row_a, *row_b;
   MEETC_HD bounded_signs(const float *a, const float *b) : row_a(a), row_b(b) {}
 
@@ -119,7 +134,7 @@ template <class P, class A> struct bounded_signs {
     V v[Stage::atoms];
     stage_values<Stage>(rows.a, rows.b, v);
     M m[Stage::atoms];
-    const leaf_magnitude<M> leaf{power_of_two(A::template floor<Stage>(), M(0))};
+    const leaf_magnitude<M> leaf{M(power_of_two(A::template floor<Stage>(), R(0)))};
     if constexpr (std::is_same_v<V, M>) {
       stage_magnitudes<Stage>(rows.a, rows.b, leaf, m);
     } else {
@@ -134,10 +149,10 @@ template <class P, class A> struct bounded_signs {
     sign_set *s = all + Stage::first;
     int unsure = 0;
     for (int i = 0; i < Stage::atoms; ++i) {
-      s[i] = m[i] == M(0) ? sign_set::of(sign::zero) : within(v[i], A::factor(Stage::factor(i)) * m[i]);
+      s[i] = m[i] == M(0) ? sign_set::of(sign::zero) : within(v[i], A::template factor<Stage>(i) * R(m[i]));
       unsure |= s[i].bits == 7;
     }
-    if constexpr (P::coincidences > 0 || !std::is_same_v<M, float>)
+    if constexpr (P::coincidences > 0 || !std::is_same_v<R, float>)
       return !unsure || settle<Stage>(v, m, s);
     else
       return !unsure;
@@ -150,11 +165,11 @@ private:
     zero_by_equal_points<P, Stage>(row_a, row_b, s);
     if (!compiled_as_written())
       return all_known<Stage>(s);
-    if constexpr (!std::is_same_v<M, float>) {
+    if constexpr (!std::is_same_v<R, float>) {
       const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
       for (int i = 0; i < Stage::atoms; ++i)
-        if (s[i].bits == 7 &&
-            magnitude_of(v[i]) + A::factor(Stage::factor(i)) * m[i] < std::ldexp(M(0.5), low * Stage::degree_of(i)))
+        if (s[i].bits == 7 && R(magnitude_of(v[i])) + A::template factor<Stage>(i) * R(m[i]) <
+                                  std::ldexp(R(0.5), low * Stage::degree_of(i)))
           s[i] = sign_set::of(sign::zero);
     }
     return all_known<Stage>(s);

@@ -23,7 +23,7 @@ template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
   template <class Stage> MEETC_HD bool get(sign_set *all) const {
     if (!computes_as_bounded())
       return nothing_known<Stage>(all);
-    float v[Stage::atoms];
+    in_fp32::value v[Stage::atoms];
     stage_values<P, Stage>(pair, v);
     float alpha = d, beta = d;
     if constexpr (F == box_form::per_object) {
@@ -36,7 +36,7 @@ template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
     sign_set *s = all + Stage::first;
     int unsure = 0;
     for (int i = 0; i < Stage::atoms; ++i) {
-      const box_factor f = Stage::box(i);
+      const box_factor f = in_fp32::box<Stage>(i);
       s[i] = within(v[i], f.c * power(alpha, f.a) * power(beta, f.b) * power(d, f.pair));
       unsure |= s[i].bits == 7;
     }

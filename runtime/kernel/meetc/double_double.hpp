@@ -1,7 +1,8 @@
 // Numbers of about 106 bits as unevaluated sums of two doubles, |lo| <= ulp(hi)/2.
 //
 // Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM
-// TOMS 44(2), 2017: sums are within 3 u^2 / (1 - 4u) of the true result, products within 5 u^2, u = 2^-53. All
+// TOMS 44(2), 2017: sums are within 3 u^2 / (1 - 4u) of the true result, products within 6 u^2 with fma and within 7 u^2
+// without (algorithms 11 and 10), products with a double within 2 u^2 and 3/2 u^2 + 4 u^3 (9 and 7), u = 2^-53. All
 // operations here are therefore within 2^-102, with room for underflow as long as products stay above 2^-960.
 //
 // All functions are inlined, since a copy in another translation unit may have been compiled with another fma().
@@ -46,14 +47,29 @@ MEETC_HD MEETC_INLINE double_double fast_two_sum(double a, double b) {
 #endif
 }
 
+// hi + lo = a b where it is no product of a fused multiply-add: Veltkamp's splitting and Dekker's product (Dekker, "A
+// floating-point technique for extending the available precision", Numerische Mathematik 18, 1971). It is exact for
+// |a|, |b| <= 2^995 where |a b| <= 2^1021 and either a b = 0 or |a b| >= 2^-969; tests/proofs/coq/dekker.v proves it.
+// Every number that a rung multiplies is within 2^-149 and 2^810 or zero.
+MEETC_HD MEETC_INLINE double_double two_product_by_parts(double a, double b) {
+  const double splitter = 0x1p27 + 1;
+  const double p = opaque(a * b), x = opaque(a * splitter), y = opaque(b * splitter);
+  const double ah = opaque(opaque(a - x) + x), al = opaque(a - ah);
+  const double bh = opaque(opaque(b - y) + y), bl = opaque(b - bh);
+  const double rest = opaque(opaque(ah * bh) - p);
+  return {p, opaque(opaque(rest + opaque(ah * bl)) + opaque(al * bh)) + opaque(al * bl)};
+}
+
 // hi + lo = a b.
 MEETC_HD MEETC_INLINE double_double two_product(double a, double b) {
 #if defined(__CUDA_ARCH__)
   const double p = __dmul_rn(a, b);
   return {p, __fma_rn(a, b, -p)};
-#else
+#elif MEETC_FUSES
   const double p = opaque(a * b);
   return {p, __builtin_fma(a, b, -p)};
+#else
+  return two_product_by_parts(a, b);
 #endif
 }
 
@@ -87,12 +103,21 @@ MEETC_HD MEETC_INLINE double_double operator-(double x, const double_double &y) 
 
 MEETC_HD MEETC_INLINE double_double operator*(const double_double &x, const double_double &y) {
   const double_double c = two_product(x.hi, y.hi);
+#if MEETC_FUSES
   const double low = __builtin_fma(x.lo, y.hi, opaque(x.hi * y.lo));
+#else
+  const double low = opaque(x.lo * y.hi) + opaque(x.hi * y.lo);
+#endif
   return fast_two_sum(c.hi, opaque(c.lo + low));
 }
 MEETC_HD MEETC_INLINE double_double operator*(const double_double &x, double y) {
   const double_double c = two_product(x.hi, y);
+#if MEETC_FUSES
   return fast_two_sum(c.hi, __builtin_fma(x.lo, y, c.lo));
+#else
+  const double_double t = fast_two_sum(c.hi, opaque(x.lo * y));
+  return fast_two_sum(t.hi, opaque(t.lo + c.lo));
+#endif
 }
 MEETC_HD MEETC_INLINE double_double operator*(double x, const double_double &y) {
   return y * x;
@@ -100,6 +125,35 @@ MEETC_HD MEETC_INLINE double_double operator*(double x, const double_double &y) 
 
 MEETC_HD MEETC_INLINE sign sign_of(const double_double &v) {
   return static_cast<sign>(static_cast<int>(v.hi > 0) - static_cast<int>(v.hi < 0));
+}
+
+// ---- numbers without fma ----
+
+// A number on which emitted code runs with a product and a sum for every fma(). Its bounds are Stage::factor_unfused and
+// box_unfused.
+template <class T> struct unfused {
+  T v;
+  unfused() = default;
+  MEETC_HD MEETC_INLINE explicit unfused(T x) : v(x) {}
+  MEETC_HD MEETC_INLINE operator T() const { return v; } // NOLINT: comparisons are those of T
+};
+template <class T> MEETC_HD MEETC_INLINE unfused<T> operator-(unfused<T> a) {
+  return unfused<T>(-a.v);
+}
+template <class T> MEETC_HD MEETC_INLINE unfused<T> operator+(unfused<T> a, unfused<T> b) {
+  return unfused<T>(a.v + b.v);
+}
+template <class T> MEETC_HD MEETC_INLINE unfused<T> operator-(unfused<T> a, unfused<T> b) {
+  return unfused<T>(a.v - b.v);
+}
+template <class T> MEETC_HD MEETC_INLINE unfused<T> operator*(unfused<T> a, unfused<T> b) {
+  return unfused<T>(a.v * b.v);
+}
+template <class T> MEETC_HD MEETC_INLINE unfused<T> magnitude_of(unfused<T> a) {
+  return unfused<T>(a.v < 0 ? -a.v : a.v);
+}
+template <class T> MEETC_HD MEETC_INLINE T leading(unfused<T> a) {
+  return a.v;
 }
 
 // ---- one emitted formula for every number type ----
@@ -111,7 +165,8 @@ template <class T> MEETC_HD MEETC_INLINE constexpr sign sign_of(const T &v) {
 }
 
 template <class W, class A, class B> MEETC_HD MEETC_INLINE constexpr W times(const A &a, const B &b) {
-  if constexpr (std::is_same_v<W, double_double> && std::is_same_v<A, double> && std::is_same_v<B, double>)
+  if constexpr (std::is_same_v<W, double_double> && std::is_convertible_v<A, double> &&
+                std::is_convertible_v<B, double>)
     return two_product(a, b);
   else
     return W(a * b);

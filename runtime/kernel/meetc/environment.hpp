@@ -1,7 +1,7 @@
 // What generated code assumes of the compiler and the machine, and how it is checked.
 //
-// Bounds assume IEEE 754 binary32 and binary64, rounding to nearest, gradual underflow, an fma() that rounds once, NaN
-// and infinities that are kept, and sums that are not reassociated. They hold whether or not a product and a sum are
+// Bounds assume IEEE 754 binary32 and binary64, rounding to nearest, gradual underflow, an fma() that rounds once where
+// it is used, NaN and infinities that are kept, and sums that are not reassociated. They hold whether or not a product and a sum are
 // contracted to a fused multiply-add. Error-free transforms need it not to be: they stand behind opaque(), which no
 // compiler sees through. docs/numerics.md lists each assumption with the place that checks it.
 #ifndef MEETC_ENVIRONMENT_HPP
@@ -54,6 +54,16 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 #define MEETC_INLINED __attribute__((always_inline)) inline
 #define MEETC_LARGE
 #define MEETC_ROLLED
+#endif
+
+// Whether certified rungs use the fused multiply-add. It is a call of the C library where the processor's instruction is
+// not compiled in, and takes as long as twenty products, so these rungs then run a schedule without it, under bounds of
+// its own. Plain rungs always use it, since they give the same answers everywhere. Both compilations of a CUDA source
+// must name the same device kernels, so its host code uses it as well.
+#if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDACC__)
+#define MEETC_FUSES 1
+#else
+#define MEETC_FUSES 0
 #endif
 
 namespace meetc {
@@ -136,7 +146,7 @@ MEETC_NOINLINE inline bool look_at_library_fma() {
 }
 #endif
 
-// Whether fma() rounds once. Where it is a call, this is tested once in a process (more often if threads start
+// Whether fma() rounds once, as plain rungs, and the certified ones of CUDA's host code, need it. Where it is a call, this is tested once in a process (more often if threads start
 // together).
 MEETC_HD MEETC_INLINE bool fma_rounds_once() {
 #if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDA_ARCH__)
@@ -147,9 +157,13 @@ MEETC_HD MEETC_INLINE bool fma_rounds_once() {
 #endif
 }
 
-// Both checks, for each function that computes something with a claimed bound.
+// The checks for each function that computes something with a claimed bound.
 MEETC_HD MEETC_INLINE bool computes_as_bounded() {
+#if MEETC_FUSES
   return compiled_as_written() && fma_rounds_once();
+#else
+  return compiled_as_written();
+#endif
 }
 
 // ---- the thread ----

@@ -73,11 +73,12 @@ template <class P> struct exact_signs {
   template <class Stage> MEETC_HD void get(sign *s) const {
     if (standard && computes_as_bounded()) {
       if (bits <= Stage::window) {
-        const rows_in<P, double> rows(a, b);
+        using number = in_fp64::value; // no rounding happens, so that either schedule will do
+        const rows_in<P, number> rows(a, b);
         if constexpr (Stage::mixed)
-          stage_signs<Stage, double, double_double>(rows.a, rows.b, s);
+          stage_signs<Stage, number, double_double>(rows.a, rows.b, s);
         else
-          stage_signs<Stage, double>(rows.a, rows.b, s);
+          stage_signs<Stage, number>(rows.a, rows.b, s);
         return;
       }
       sign_set sets[P::atoms];

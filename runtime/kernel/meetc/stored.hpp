@@ -50,39 +50,49 @@ template <class P> struct stored_layout {
 };
 
 // The magnitude of a leaf in fp32.
-template <class Stage> MEETC_HD MEETC_INLINE leaf_magnitude<float> fp32_leaf() {
-  return {power_of_two(Stage::floor_fp32, 0.0F)};
+template <class Stage, class V> MEETC_HD MEETC_INLINE leaf_magnitude<V> fp32_leaf() {
+  return {V(power_of_two(Stage::floor_fp32, 0.0F))};
 }
 
-// Computes the stored values of an object of P: stored_layout<P>::floats_a or floats_b numbers.
-template <class P> struct store_a {
+// Computes the stored values of an object of P, with the arithmetic of V: stored_layout<P>::floats_a or floats_b numbers.
+template <class P, class V = float> struct store_a {
   static constexpr int inputs = P::inputs_a, floats = stored_layout<P>::floats_a;
   MEETC_HD static void compute(const float *row, float *out) {
-    stage<typename P::reject_stage>(row, out);
-    stage<typename P::common_stage>(row, out + stored_layout<P>::reject_a);
+    V numbers[inputs], values[floats + 1];
+    for (int i = 0; i < inputs; ++i)
+      numbers[i] = V(row[i]);
+    stage<typename P::reject_stage>(numbers, values);
+    stage<typename P::common_stage>(numbers, values + stored_layout<P>::reject_a);
+    for (int i = 0; i < floats; ++i)
+      out[i] = float(values[i]);
   }
 
 private:
-  template <class Stage> MEETC_HD MEETC_INLINE static void stage(const float *row, float *out) {
+  template <class Stage> MEETC_HD MEETC_INLINE static void stage(const V *row, V *out) {
     if constexpr (stored_values_a<Stage>() > 0)
       Stage::object_a(row, out);
     if constexpr (stored_magnitudes_a<Stage>() > 0)
-      Stage::magnitudes_a(row, fp32_leaf<Stage>(), out + stored_values_a<Stage>());
+      Stage::magnitudes_a(row, fp32_leaf<Stage, V>(), out + stored_values_a<Stage>());
   }
 };
-template <class P> struct store_b {
+template <class P, class V = float> struct store_b {
   static constexpr int inputs = P::inputs_b, floats = stored_layout<P>::floats_b;
   MEETC_HD static void compute(const float *row, float *out) {
-    stage<typename P::reject_stage>(row, out);
-    stage<typename P::common_stage>(row, out + stored_layout<P>::reject_b);
+    V numbers[inputs], values[floats + 1];
+    for (int i = 0; i < inputs; ++i)
+      numbers[i] = V(row[i]);
+    stage<typename P::reject_stage>(numbers, values);
+    stage<typename P::common_stage>(numbers, values + stored_layout<P>::reject_b);
+    for (int i = 0; i < floats; ++i)
+      out[i] = float(values[i]);
   }
 
 private:
-  template <class Stage> MEETC_HD MEETC_INLINE static void stage(const float *row, float *out) {
+  template <class Stage> MEETC_HD MEETC_INLINE static void stage(const V *row, V *out) {
     if constexpr (stored_values_b<Stage>() > 0)
       Stage::object_b(row, out);
     if constexpr (stored_magnitudes_b<Stage>() > 0)
-      Stage::magnitudes_b(row, fp32_leaf<Stage>(), out + stored_values_b<Stage>());
+      Stage::magnitudes_b(row, fp32_leaf<Stage, V>(), out + stored_values_b<Stage>());
   }
 };
 
@@ -94,17 +104,37 @@ struct stored_pair {
   const float *row_a, *row_b, *stored_a, *stored_b;
 };
 
-// The values of a stage in float.
-template <class P, class Stage> MEETC_HD MEETC_INLINE void stage_values(const row_pair &p, float *v) {
-  const rows_in<P, float> rows(p.row_a, p.row_b);
-  stage_values<Stage>(rows.a, rows.b, v);
+// A pair's numbers in V, the float of plain or of bounded rungs, and its stored values where it has some.
+template <class P, class V> struct pair_numbers {
+  V row_a[P::inputs_a], row_b[P::inputs_b];
+  V stored_a[stored_layout<P>::floats_a + 1], stored_b[stored_layout<P>::floats_b + 1];
+
+  MEETC_HD MEETC_INLINE explicit pair_numbers(const row_pair &p) {
+    copy<P::inputs_a>(p.row_a, row_a), copy<P::inputs_b>(p.row_b, row_b);
+  }
+  MEETC_HD MEETC_INLINE explicit pair_numbers(const stored_pair &p) : pair_numbers(row_pair{p.row_a, p.row_b}) {
+    copy<stored_layout<P>::floats_a>(p.stored_a, stored_a), copy<stored_layout<P>::floats_b>(p.stored_b, stored_b);
+  }
+
+private:
+  template <int N> MEETC_HD MEETC_INLINE static void copy(const float *from, V *to) {
+    for (int i = 0; i < N; ++i)
+      to[i] = V(from[i]);
+  }
+};
+
+// The values of a stage.
+template <class P, class Stage, class V> MEETC_HD MEETC_INLINE void stage_values(const row_pair &p, V *v) {
+  const pair_numbers<P, V> n(p);
+  stage_values<Stage>(n.row_a, n.row_b, v);
 }
-template <class P, class Stage> MEETC_HD MEETC_INLINE void stage_values(const stored_pair &p, float *v) {
+template <class P, class Stage, class V> MEETC_HD MEETC_INLINE void stage_values(const stored_pair &p, V *v) {
+  const pair_numbers<P, V> n(p);
   if constexpr (std::is_same_v<Stage, typename P::rare_stage>)
-    stage_values<Stage>(p.row_a, p.row_b, v);
+    stage_values<Stage>(n.row_a, n.row_b, v);
   else
-    Stage::template pair<float, float>(p.row_a, p.stored_a + stored_layout<P>::template first_a<Stage>, p.row_b,
-                                       p.stored_b + stored_layout<P>::template first_b<Stage>, v);
+    Stage::template pair<V, V>(n.row_a, n.stored_a + stored_layout<P>::template first_a<Stage>, n.row_b,
+                               n.stored_b + stored_layout<P>::template first_b<Stage>, v);
 }
 
 // The same signs as plain_signs in float, and as bounded_signs in fp32.
@@ -126,12 +156,14 @@ template <class P> struct stored_bounded_signs {
     } else {
       if (!computes_as_bounded())
         return nothing_known<Stage>(all);
-      float v[Stage::atoms], m[Stage::atoms];
+      using V = in_fp32::value;
+      V v[Stage::atoms], m[Stage::atoms];
       stage_values<P, Stage>(pair, v);
+      const pair_numbers<P, V> n(pair);
       using layout = stored_layout<P>;
-      Stage::magnitudes(pair.row_a, pair.stored_a + layout::template first_a<Stage> + stored_values_a<Stage>(),
-                        pair.row_b, pair.stored_b + layout::template first_b<Stage> + stored_values_b<Stage>(),
-                        fp32_leaf<Stage>(), m);
+      Stage::magnitudes(n.row_a, n.stored_a + layout::template first_a<Stage> + stored_values_a<Stage>(), n.row_b,
+                        n.stored_b + layout::template first_b<Stage> + stored_values_b<Stage>(), fp32_leaf<Stage, V>(),
+                        m);
       return anew.template sort_out<Stage>(v, m, all);
     }
   }

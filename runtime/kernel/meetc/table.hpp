@@ -33,6 +33,11 @@ struct stored_values {
   bool (*compute)(const float *rows, std::size_t n, float *out) = nullptr;
 };
 
+// The number of different stored values of a kind whose predicates store `n` for the bounded rungs.
+constexpr int stored_count(int n) {
+  return MEETC_FUSES ? n : 2 * n; // those of plain rungs follow
+}
+
 // A set's rows, and its stored values for the predicate; null: each pair computes them.
 struct row_array {
   const float *rows;
@@ -70,8 +75,9 @@ struct predicate_info {
   // coordinates, no coordinate and no length of the elements exceeds. Bounds use the extents of each object.
   void (*certify_in_box)(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out);
   float box_least, box_most;
-  // The stored values that decide[fp32], decide[certified], certify[0] and certify_in_box read.
-  stored_values stored_a = {}, stored_b = {};
+  // The stored values that decide[certified], certify[0] and certify_in_box read, and those that decide[fp32] reads.
+  // They differ where only the latter are computed with the fused multiply-add.
+  stored_values stored_a = {}, stored_b = {}, plain_stored_a = {}, plain_stored_b = {};
 };
 
 // All that a namespace offers to a runtime.

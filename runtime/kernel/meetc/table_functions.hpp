@@ -99,7 +99,7 @@ void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair
     });
 }
 
-// Computes the stored values of n rows by Store (store_a<P> or store_b<P>).
+// Computes the stored values of n rows by Store (store_a<P, V> or store_b<P, V>).
 template <class Store> bool store_each(const float *rows, std::size_t n, float *out) {
   if (!standard_environment())
     return false;
@@ -113,6 +113,11 @@ template <class Store> constexpr stored_values stored_by(int number) {
   if constexpr (Store::floats > 0)
     return {number, Store::floats, store_each<Store>};
   return {};
+}
+
+// The number of the values that plain rungs store, for the number of those that the bounded ones do.
+inline int plain_number(int number, const kind_info *of) {
+  return number < 0 || MEETC_FUSES ? number : number + of->stored / 2;
 }
 
 // The sides of the boxes for which the box form holds in all stages of P.
@@ -160,7 +165,10 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.box_most = most_box<P>();
   }
   if constexpr (asks(rung::fp32) || certified)
-    p.stored_a = stored_by<store_a<P>>(number_a), p.stored_b = stored_by<store_b<P>>(number_b);
+    p.stored_a = stored_by<store_a<P, in_fp32::value>>(number_a),
+    p.stored_b = stored_by<store_b<P, in_fp32::value>>(number_b),
+    p.plain_stored_a = stored_by<store_a<P, float>>(plain_number(number_a, a)),
+    p.plain_stored_b = stored_by<store_b<P, float>>(plain_number(number_b, b));
   return p;
 }
 

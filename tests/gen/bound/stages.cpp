@@ -8,17 +8,19 @@
 namespace meetc::bounds_test {
 namespace {
 
-template <class P, class Stage> struct runner {
+template <class P, class Stage, bool Fused> struct runner {
   static void in_tiny(const sample &s, double floor, tiny *v, tiny *m) {
     tiny a[P::inputs_a], b[P::inputs_b];
     for (int i = 0; i < P::inputs_a + P::inputs_b; ++i)
       (i < P::inputs_a ? a[i] : b[i - P::inputs_a]) =
           tiny::of(std::ldexp(static_cast<double>(s.numbers[static_cast<std::size_t>(i)]), s.scale));
+    tiny::fusing = Fused;
     tiny::contracting = tiny::format.contract_values;
     meetc::stage_values<Stage>(a, b, v);
     tiny::contracting = tiny::format.contract_magnitudes;
     meetc::stage_magnitudes<Stage>(a, b, meetc::leaf_magnitude<tiny>{tiny::of(floor)}, m);
     tiny::contracting = false;
+    tiny::fusing = true;
   }
   template <class I> static void rows(const sample &s, I *a, I *b) {
     for (int i = 0; i < P::inputs_a + P::inputs_b; ++i)
@@ -51,6 +53,7 @@ template <class P, class Stage> struct runner {
     }
   }
   static void count(counted *v, counted *m) {
+    counted::fuses = counted::fuses && Fused;
     counted a[P::inputs_a], b[P::inputs_b];
     std::fill(a, a + P::inputs_a, counted::input());
     std::fill(b, b + P::inputs_b, counted::input());
@@ -76,12 +79,12 @@ const analysed_kernel &kernel_named(const std::string &name) {
   throw std::logic_error("the shipped scene has no " + name);
 }
 
-template <class P, class Stage>
-void add(std::vector<stage_case> &out, const std::string &name, const char *which, const analysed_kernel &k,
-         const lower::stage &from, const bound::stage_bounds &bounds) {
+template <class P, class Stage, bool Fused>
+void add(std::vector<stage_case> &out, const std::string &name, const analysed_kernel &k, const ir::program &code,
+         const bound::stage_bounds &bounds) {
   if constexpr (Stage::atoms > 0) {
-    using run = runner<P, Stage>;
-    out.push_back({name + ", " + which,
+    using run = runner<P, Stage, Fused>;
+    out.push_back({name,
                    P::inputs_a,
                    P::inputs_b,
                    Stage::atoms,
@@ -93,12 +96,13 @@ void add(std::vector<stage_case> &out, const std::string &name, const char *whic
                    Stage::box_lowest,
                    Stage::box_highest,
                    Stage::mixed,
+                   Fused,
                    k.kernel,
-                   &from,
+                   &code,
                    &k.bounds,
                    &bounds,
-                   &Stage::factor,
-                   &Stage::box,
+                   Fused ? &Stage::factor : &Stage::factor_unfused,
+                   Fused ? &Stage::box : &Stage::box_unfused,
                    &Stage::degree_of,
                    &Stage::zero_if,
                    &P::coincident,
@@ -109,17 +113,26 @@ void add(std::vector<stage_case> &out, const std::string &name, const char *whic
   }
 }
 
+template <class P, class Stage>
+void add_both(std::vector<stage_case> &out, const std::string &name, const analysed_kernel &k, const lower::stage &from,
+              const bound::stage_bounds &bounds) {
+  if (from.atoms.empty())
+    return;
+  add<P, Stage, true>(out, name, k, from.code, bounds);
+  add<P, Stage, false>(out, name + ", unfused", k, bounds.unfused->code, bounds.unfused->bounds);
+}
 template <class P> void add_all(std::vector<stage_case> &out, const std::string &name) {
   const analysed_kernel &k = kernel_named(name);
-  add<P, typename P::reject_stage>(out, name, "reject", k, k.kernel->decision.reject, k.bounds.reject);
-  add<P, typename P::common_stage>(out, name, "common", k, k.kernel->decision.common, k.bounds.common);
-  add<P, typename P::rare_stage>(out, name, "rare", k, k.kernel->decision.rare, k.bounds.rare);
+  const lower::predicate &d = k.kernel->decision;
+  add_both<P, typename P::reject_stage>(out, name + ", reject", k, d.reject, k.bounds.reject);
+  add_both<P, typename P::common_stage>(out, name + ", common", k, d.common, k.bounds.common);
+  add_both<P, typename P::rare_stage>(out, name + ", rare", k, d.rare, k.bounds.rare);
 }
 
 // A sign kernel has only the common stage.
 template <class P> void add_sign(std::vector<stage_case> &out, const std::string &name) {
   const analysed_kernel &k = kernel_named(name);
-  add<P, typename P::common_stage>(out, name, "sign", k, k.kernel->decision.common, k.bounds.common);
+  add_both<P, typename P::common_stage>(out, name + ", sign", k, k.kernel->decision.common, k.bounds.common);
 }
 
 } // namespace
@@ -133,7 +146,7 @@ const compilation &shipped_scene() {
   return compiled;
 }
 
-const std::vector<stage_case> &all_stages() {
+const std::vector<stage_case> &both_schedules() {
   static const std::vector<stage_case> stages = [] {
     std::vector<stage_case> out;
     add_sign<cga::side_sphere_point_sign>(out, "side_sphere_point");
@@ -152,6 +165,15 @@ const std::vector<stage_case> &all_stages() {
     return out;
   }();
   return stages;
+}
+
+const std::vector<stage_case> &all_stages() {
+  static const std::vector<stage_case> fused = [] {
+    std::vector<stage_case> out = both_schedules();
+    std::erase_if(out, [](const stage_case &c) { return !c.fused; });
+    return out;
+  }();
+  return fused;
 }
 
 } // namespace meetc::bounds_test

@@ -23,12 +23,12 @@ struct sample {
 };
 
 struct stage_case {
-  std::string name; // "segment_triangle, rare"
+  std::string name; // "segment_triangle, rare", "segment_triangle, rare, unfused"
   int inputs_a, inputs_b, signs;
   int degree, growth, window, floor_fp32, floor_fp64, box_lowest, box_highest;
-  bool mixed;
+  bool mixed, fused;
   const lower::kernel *kernel;
-  const lower::stage *from;
+  const ir::program *code;
   const bound::kernel_bounds *analysed;
   const bound::stage_bounds *bounds;
   meetc::factors (*factor)(int);
@@ -52,7 +52,8 @@ struct stage_case {
 };
 
 const compilation &shipped_scene();
-const std::vector<stage_case> &all_stages();
+const std::vector<stage_case> &all_stages(); // in the schedule with fma
+const std::vector<stage_case> &both_schedules();
 
 } // namespace meetc::bounds_test
 

@@ -19,7 +19,7 @@ struct expanded {
   std::vector<meetc::poly::term> terms;
 
   expanded(const stage_case &c, int i) : leaves(names(c)) {
-    const meetc::ir::program &from = c.from->code;
+    const meetc::ir::program &from = *c.code;
     std::vector<meetc::poly::residency> where;
     for (const meetc::bound::leaf &l : c.bounds->leaves)
       where.push_back(l.where);

@@ -40,6 +40,7 @@ class tiny {
 public:
   inline static tiny_format format;
   inline static bool contracting = false; // the program that runs now
+  inline static bool fusing = true;       // whether fma() rounds once
 
   tiny() = default;
   explicit tiny(int k) : tiny(rounded({static_cast<double>(k), 0})) {}
@@ -102,7 +103,8 @@ private:
 namespace meetc {
 inline meetc::bounds_test::tiny fma(meetc::bounds_test::tiny a, meetc::bounds_test::tiny b,
                                     meetc::bounds_test::tiny c) {
-  return meetc::bounds_test::tiny::rounded(meetc::bounds_test::sum_of(a.value() * b.value(), c.value()));
+  using meetc::bounds_test::tiny;
+  return tiny::fusing ? tiny::rounded(meetc::bounds_test::sum_of(a.value() * b.value(), c.value())) : a * b + c;
 }
 } // namespace meetc
 

@@ -18,11 +18,35 @@ coq_start() {
   [ -x "$1" ] || return 77
   echo "Require Flocq.Core.Core Gappa.Gappa_library." >"$2/installed.v"
   (cd "$2" && "$1" installed.v) >/dev/null 2>&1 || return 77
-  cp "$(dirname "${BASH_SOURCE[0]}")"/{claim.awk,roundings.v,bridge.v} "$2"
+  cp "$(dirname "${BASH_SOURCE[0]}")"/{claim.awk,roundings.v,bridge.v,dekker.v} "$2"
   (cd "$2" && "$1" -Q . "" roundings.v && "$1" -Q . "" bridge.v) || return 1 # Coq leaves files where it runs
+  coq_dekker "$1" "$2" || return 1
   coqc=$1 coq_folder=$2
   export coqc coq_folder coq_limit coq_axioms
   export -f one_coq coq_file coq_run coq_module coq_least
+}
+
+# coq_dekker COQC FOLDER: Coq accepts the proof of two_product_by_parts, without an axiom of its own, and refuses it with
+# another splitter and with a wider range.
+coq_dekker() {
+  local said axiom change
+  said=$(cd "$2" && timeout "$coq_limit" "$1" -Q . "" dekker.v 2>&1) || {
+    echo "FAILED: dekker.v: $said" >&2
+    return 1
+  }
+  for axiom in $(grep -oE '^[A-Z][A-Za-z_]*[.][A-Za-z_.]+' <<<"$said"); do
+    [[ $coq_axioms == *" $axiom "* ]] || {
+      echo "FAILED: dekker.v assumes $axiom" >&2
+      return 1
+    }
+  done
+  for change in 's/134217729/67108865/g' 's/radix2 [(]-969[)]/radix2 (-970)/'; do
+    sed "$change" "$2/dekker.v" >"$2/other.v"
+    if (cd "$2" && timeout "$coq_limit" "$1" -Q . "" other.v) >/dev/null 2>&1; then
+      echo "FAILED: Coq accepts dekker.v with $change" >&2
+      return 1
+    fi
+  done
 }
 
 # The least exponent of the format of a sign's script on stdin; empty for other scripts.

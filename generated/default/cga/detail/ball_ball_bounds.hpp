@@ -35,9 +35,12 @@ struct ball_ball_common_bounds {
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -51, floor_fp64 = -200, box_lowest = -51, box_highest = 57;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
+  // factor_unfused and box_unfused hold where a fused multiply-add is computed as a product and a sum.
   MEETC_HD static meetc::factors factor(int) { return {0xa01p-33f, 0xa01p-62, 0x801p-111}; }
+  MEETC_HD static meetc::factors factor_unfused(int) { return {0xa01p-33f, 0xa01p-62, 0x801p-111}; }
   // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
   MEETC_HD static meetc::box_factor box(int) { return {0xa81p-32f, 0, 0, 2}; }
+  MEETC_HD static meetc::box_factor box_unfused(int) { return {0xd81p-32f, 0, 0, 2}; }
   MEETC_HD static int degree_of(int) { return 2; }
   // The coincidences of points that make the sign zero.
   MEETC_HD static unsigned zero_if(int) { return 0x0u; }

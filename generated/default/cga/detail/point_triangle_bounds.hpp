@@ -44,7 +44,19 @@ struct point_triangle_common_bounds {
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -34, floor_fp64 = -200, box_lowest = -34, box_highest = 38;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
+  // factor_unfused and box_unfused hold where a fused multiply-add is computed as a product and a sum.
   MEETC_HD static meetc::factors factor(int i) {
+    static constexpr meetc::factors all[] = {
+      {0xe01p-33f, 0xe01p-62, 0xa01p-111}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
+      {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
+      {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
+      {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
+      {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
+      {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
+      {0.0f, 0.0, 0.0}, {0.0f, 0.0, 0.0}};
+    return all[i];
+  }
+  MEETC_HD static meetc::factors factor_unfused(int i) {
     static constexpr meetc::factors all[] = {
       {0xe01p-33f, 0xe01p-62, 0xa01p-111}, {0xc01p-34f, 0xc01p-63, 0x801p-112},
       {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0xc01p-34f, 0xc01p-63, 0x801p-112}, {0.0f, 0.0, 0.0},
@@ -62,6 +74,14 @@ struct point_triangle_common_bounds {
       {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1},
       {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xa01p-34f, 0, 1, 1},
       {0xa01p-34f, 0, 1, 1}, {0xa01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}};
+    return all[i];
+  }
+  MEETC_HD static meetc::box_factor box_unfused(int i) {
+    static constexpr meetc::box_factor all[] = {
+      {0xa01p-31f, 0, 2, 1}, {0xc01p-34f, 0, 1, 1}, {0xc01p-34f, 0, 1, 1}, {0xc01p-34f, 0, 1, 1},
+      {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xc01p-34f, 0, 1, 1}, {0xc01p-34f, 0, 1, 1},
+      {0xc01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0xc01p-34f, 0, 1, 1},
+      {0xc01p-34f, 0, 1, 1}, {0xc01p-34f, 0, 1, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}, {0.0f, 0, 0, 1}};
     return all[i];
   }
   MEETC_HD static int degree_of(int i) {

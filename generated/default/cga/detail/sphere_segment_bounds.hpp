@@ -41,7 +41,15 @@ struct sphere_segment_common_bounds {
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -25, floor_fp64 = -200, box_lowest = -25, box_highest = 27;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
+  // factor_unfused and box_unfused hold where a fused multiply-add is computed as a product and a sum.
   MEETC_HD static meetc::factors factor(int i) {
+    static constexpr meetc::factors all[] = {
+      {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
+      {0xb01p-32f, 0xb01p-61, 0x801p-110}, {0x801p-33f, 0x801p-62, 0xc01p-112},
+      {0xa01p-33f, 0xa01p-62, 0x801p-111}};
+    return all[i];
+  }
+  MEETC_HD static meetc::factors factor_unfused(int i) {
     static constexpr meetc::factors all[] = {
       {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
       {0xb01p-32f, 0xb01p-61, 0x801p-110}, {0x801p-33f, 0x801p-62, 0xc01p-112},
@@ -53,6 +61,12 @@ struct sphere_segment_common_bounds {
     static constexpr meetc::box_factor all[] = {
       {0xe01p-33f, 0, 0, 2}, {0xe01p-33f, 0, 0, 2}, {0x801p-29f, 0, 2, 2}, {0x901p-33f, 0, 1, 1},
       {0xd01p-32f, 0, 1, 1}};
+    return all[i];
+  }
+  MEETC_HD static meetc::box_factor box_unfused(int i) {
+    static constexpr meetc::box_factor all[] = {
+      {0x801p-32f, 0, 0, 2}, {0x801p-32f, 0, 0, 2}, {0x9a1p-29f, 0, 2, 2}, {0xb01p-33f, 0, 1, 1},
+      {0xf01p-32f, 0, 1, 1}};
     return all[i];
   }
   MEETC_HD static int degree_of(int i) {

@@ -44,6 +44,7 @@ struct sphere_triangle_common_bounds {
   // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.
   static constexpr int floor_fp32 = -17, floor_fp64 = -150, box_lowest = -17, box_highest = 17;
   // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi + 1).
+  // factor_unfused and box_unfused hold where a fused multiply-add is computed as a product and a sum.
   MEETC_HD static meetc::factors factor(int i) {
     static constexpr meetc::factors all[] = {
       {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
@@ -56,6 +57,18 @@ struct sphere_triangle_common_bounds {
       {0xc01p-32f, 0xc01p-61, 0xa01p-110}, {0xb01p-32f, 0xb01p-61, 0x801p-110}};
     return all[i];
   }
+  MEETC_HD static meetc::factors factor_unfused(int i) {
+    static constexpr meetc::factors all[] = {
+      {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
+      {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xb01p-32f, 0xb01p-61, 0x801p-110},
+      {0x801p-33f, 0x801p-62, 0xc01p-112}, {0xa01p-33f, 0xa01p-62, 0x801p-111},
+      {0xb01p-32f, 0xb01p-61, 0x801p-110}, {0x801p-33f, 0x801p-62, 0xc01p-112},
+      {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0xb01p-32f, 0xb01p-61, 0x801p-110},
+      {0xa01p-33f, 0xa01p-62, 0x801p-111}, {0x801p-33f, 0x801p-62, 0xc01p-112},
+      {0x881p-31f, 0x881p-60, 0xc01p-110}, {0xb01p-32f, 0xb01p-61, 0x801p-110},
+      {0xd01p-32f, 0xd01p-61, 0xa01p-110}, {0xb01p-32f, 0xb01p-61, 0x801p-110}};
+    return all[i];
+  }
   // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of two.
   MEETC_HD static meetc::box_factor box(int i) {
     static constexpr meetc::box_factor all[] = {
@@ -63,6 +76,14 @@ struct sphere_triangle_common_bounds {
       {0x901p-33f, 0, 1, 1}, {0xd01p-32f, 0, 1, 1}, {0x801p-29f, 0, 2, 2}, {0x901p-33f, 0, 1, 1},
       {0xd01p-32f, 0, 1, 1}, {0x801p-29f, 0, 2, 2}, {0xd01p-32f, 0, 1, 1}, {0x901p-33f, 0, 1, 1},
       {0x9e1p-27f, 0, 4, 2}, {0xac1p-29f, 0, 3, 1}, {0xfc1p-28f, 0, 3, 1}, {0xac1p-29f, 0, 3, 1}};
+    return all[i];
+  }
+  MEETC_HD static meetc::box_factor box_unfused(int i) {
+    static constexpr meetc::box_factor all[] = {
+      {0x801p-32f, 0, 0, 2}, {0x801p-32f, 0, 0, 2}, {0x801p-32f, 0, 0, 2}, {0x9a1p-29f, 0, 2, 2},
+      {0xb01p-33f, 0, 1, 1}, {0xf01p-32f, 0, 1, 1}, {0x9a1p-29f, 0, 2, 2}, {0xb01p-33f, 0, 1, 1},
+      {0xf01p-32f, 0, 1, 1}, {0x9a1p-29f, 0, 2, 2}, {0xf01p-32f, 0, 1, 1}, {0xb01p-33f, 0, 1, 1},
+      {0xc81p-27f, 0, 4, 2}, {0xd41p-29f, 0, 3, 1}, {0x9f1p-27f, 0, 3, 1}, {0xd41p-29f, 0, 3, 1}};
     return all[i];
   }
   MEETC_HD static int degree_of(int i) {

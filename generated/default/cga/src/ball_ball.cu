@@ -28,10 +28,10 @@ cudaError_t ball_ball::run(meetc::cuda::step which, const meetc::cuda::operand &
   return meetc::cuda::run<::cga::ball_ball, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher ball_ball::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_ball>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_ball, meetc::in_fp32::value>, rungs>(number);
 }
 meetc::cuda::stored_launcher ball_ball::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_ball>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_ball, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

@@ -28,10 +28,10 @@ cudaError_t ball_segment::run(meetc::cuda::step which, const meetc::cuda::operan
   return meetc::cuda::run<::cga::ball_segment, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher ball_segment::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_segment>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_segment, meetc::in_fp32::value>, rungs>(number);
 }
 meetc::cuda::stored_launcher ball_segment::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_segment>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_segment, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

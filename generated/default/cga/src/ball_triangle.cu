@@ -28,10 +28,10 @@ cudaError_t ball_triangle::run(meetc::cuda::step which, const meetc::cuda::opera
   return meetc::cuda::run<::cga::ball_triangle, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher ball_triangle::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_triangle>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_triangle, meetc::in_fp32::value>, rungs>(number);
 }
 meetc::cuda::stored_launcher ball_triangle::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_triangle>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_triangle, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

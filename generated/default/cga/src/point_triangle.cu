@@ -28,10 +28,10 @@ cudaError_t point_triangle::run(meetc::cuda::step which, const meetc::cuda::oper
   return meetc::cuda::run<::cga::point_triangle, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher point_triangle::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::point_triangle>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::point_triangle, meetc::in_fp32::value>, rungs>(number);
 }
 meetc::cuda::stored_launcher point_triangle::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::point_triangle>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::point_triangle, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

@@ -28,10 +28,10 @@ cudaError_t segment_segment::run(meetc::cuda::step which, const meetc::cuda::ope
   return meetc::cuda::run<::cga::segment_segment, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher segment_segment::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::segment_segment>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::segment_segment, meetc::in_fp32::value>, rungs>(number);
 }
 meetc::cuda::stored_launcher segment_segment::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::segment_segment>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::segment_segment, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

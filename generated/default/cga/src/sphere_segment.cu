@@ -28,10 +28,10 @@ cudaError_t sphere_segment::run(meetc::cuda::step which, const meetc::cuda::oper
   return meetc::cuda::run<::cga::sphere_segment, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher sphere_segment::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::sphere_segment>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::sphere_segment, meetc::in_fp32::value>, rungs>(number);
 }
 meetc::cuda::stored_launcher sphere_segment::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::sphere_segment>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::sphere_segment, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

@@ -28,10 +28,10 @@ cudaError_t sphere_sphere::run(meetc::cuda::step which, const meetc::cuda::opera
   return meetc::cuda::run<::cga::sphere_sphere, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher sphere_sphere::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::sphere_sphere>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::sphere_sphere, meetc::in_fp32::value>, rungs>(number);
 }
 meetc::cuda::stored_launcher sphere_sphere::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::sphere_sphere>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::sphere_sphere, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

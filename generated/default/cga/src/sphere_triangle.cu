@@ -28,10 +28,10 @@ cudaError_t sphere_triangle::run(meetc::cuda::step which, const meetc::cuda::ope
   return meetc::cuda::run<::cga::sphere_triangle, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher sphere_triangle::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::sphere_triangle>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::sphere_triangle, meetc::in_fp32::value>, rungs>(number);
 }
 meetc::cuda::stored_launcher sphere_triangle::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::sphere_triangle>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::sphere_triangle, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

@@ -28,10 +28,12 @@ cudaError_t triangle_triangle::run(meetc::cuda::step which, const meetc::cuda::o
   return meetc::cuda::run<::cga::triangle_triangle, rungs>(which, a, b, in, yes, unsure, stream);
 }
 meetc::cuda::stored_launcher triangle_triangle::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::triangle_triangle>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_a<::cga::triangle_triangle, meetc::in_fp32::value>,
+      rungs>(number);
 }
 meetc::cuda::stored_launcher triangle_triangle::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::triangle_triangle>, rungs>(number);
+  return meetc::cuda::stored_by<meetc::store_b<::cga::triangle_triangle, meetc::in_fp32::value>,
+      rungs>(number);
 }
 
 } // namespace cuda
