@@ -10,7 +10,9 @@
 int main(int argc, char **argv) {
   const meetc::catalogue &all = cga::catalogue();
   return meetc::app::run(argc, argv,
-                         {[&all](CLI::App &program) { return meetc::app::add_collide(program, all); },
+                         {[](CLI::App &program) {
+                            return meetc::app::add_collide(program, {cga::catalogue, cga::catalogue_for});
+                          },
                           [&all](CLI::App &program) { return meetc::app::add_inspect(program, all); },
                           [&all](CLI::App &program) { return meetc::app::add_demo(program, all); },
                           [&all](CLI::App &program) { return meetc::bench::add_bench(program, all); }});

@@ -101,4 +101,18 @@ rung precision_named(std::string_view name) {
                             join({std::begin(rung_names), std::end(rung_names)})));
 }
 
+const catalogue &kernels_named(const kernel_library &all, std::string_view name) {
+  if (name == "auto")
+    return all.best();
+  std::vector<std::string> known{"auto"};
+  for (int i = 0; i < instruction_set_count; ++i)
+    if (const catalogue *kernels = all.of(static_cast<instruction_set>(i))) {
+      known.emplace_back(name_of(kernels->compiled_for));
+      if (name == known.back())
+        return *kernels;
+    }
+  throw failure(fmt::format("--instruction-set {}: not in this build or not for this processor; known: {}",
+                            io::quote(name), join(known)));
+}
+
 } // namespace meetc::app

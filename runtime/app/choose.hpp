@@ -33,6 +33,16 @@ const char *name_of(rung precision);
 // Throws failure where this build does not have the precision.
 rung precision_named(std::string_view name);
 
+// The same kernels, compiled for several instruction sets: for the best one that runs here, and for each (null: not in
+// this build, or not for this processor).
+struct kernel_library {
+  const catalogue &(*best)();
+  const catalogue *(*of)(instruction_set);
+};
+
+// The kernels for the value of --instruction-set, "auto" or a set's name. Throws failure with the sets that run here.
+const catalogue &kernels_named(const kernel_library &all, std::string_view name);
+
 } // namespace meetc::app
 
 #endif

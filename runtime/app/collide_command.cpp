@@ -98,8 +98,18 @@ std::string collide(const catalogue &all, const collide_request &q) {
     std::fprintf(stderr, "meet: %s\n", warning.c_str());
 
   std::error_code code;
-  collide_report report{q.a.string(),   q.b.string(), a,  b, h, found, fs::equivalent(q.a, q.b, code),
-                        q.move_b.any(), read.count(), {}, {}};
+  collide_report report{q.a.string(),
+                        q.b.string(),
+                        a,
+                        b,
+                        h,
+                        found,
+                        fs::equivalent(q.a, q.b, code),
+                        q.move_b.any(),
+                        read.count(),
+                        name_of(all.compiled_for),
+                        {},
+                        {}};
   write_all(q, outputs, report);
   return q.json ? as_json(report) : summary(report);
 }

@@ -2,6 +2,7 @@
 #ifndef MEETC_APP_COLLIDE_COMMAND_HPP
 #define MEETC_APP_COLLIDE_COMMAND_HPP
 
+#include "app/choose.hpp"
 #include "app/command.hpp"
 #include "app/device_pairs.hpp"
 #include "io/transform.hpp"
@@ -28,8 +29,8 @@ struct collide_request {
 // on standard error warns of it. Throws io::error.
 std::string collide(const catalogue &all, const collide_request &request);
 
-// The command and its options. The catalogue must outlive it.
-command add_collide(CLI::App &program, const catalogue &all);
+// The command and its options.
+command add_collide(CLI::App &program, const kernel_library &all);
 
 } // namespace meetc::app
 

@@ -14,7 +14,7 @@ namespace {
 // Filled by CLI11. Where its own conversion would give a poorer message, the members are strings.
 struct arguments {
   collide_request request;
-  std::string precision = "certified", device = "auto";
+  std::string precision = "certified", device = "auto", instruction_set = "auto";
   std::optional<std::string> translate, scale, matrix, threads;
 };
 
@@ -37,6 +37,11 @@ void add_question(CLI::App &c, arguments &to) {
       ->type_name("fp32|fp64|fp64x2|exact|certified");
   c.add_option("--device", to.device, "Where pairs are decided; auto, the default, is the CPU")
       ->type_name("auto|cpu|cuda");
+  c.add_option(
+       "--instruction-set", to.instruction_set,
+       "For which processor the code that decides pairs on the CPU was compiled; auto, the default, is the best "
+       "that this one runs. Certified and exact answers do not depend on it")
+      ->type_name("auto|baseline|avx2|avx512");
   c.add_option(io::scale_option, to.scale, "Multiply B by s first: coordinates and radii")->type_name("s");
   c.add_option(io::matrix_option, to.matrix,
                "Then move B by m00,m01,..,m23: 12 numbers, row-major 3x4; for spheres a similarity")
@@ -77,13 +82,13 @@ const collide_request &read(arguments &args) {
 
 } // namespace
 
-command add_collide(CLI::App &program, const catalogue &all) {
+command add_collide(CLI::App &program, const kernel_library &all) {
   CLI::App &c = *program.add_subcommand("collide", "Find all touching pairs of the elements of two files");
   const auto args = std::make_shared<arguments>();
   add_sets(c, *args);
   add_question(c, *args);
   add_answers(c, *args);
-  return {&c, [&all, args] { return collide(all, read(*args)); }};
+  return {&c, [all, args] { return collide(kernels_named(all, args->instruction_set), read(*args)); }};
 }
 
 } // namespace meetc::app

@@ -17,6 +17,7 @@ struct collide_report {
   const answers &found;
   bool same_file = false, moved = false; // A and B are one file; B was moved
   double read_seconds = 0;
+  const char *instruction_set = ""; // of the code that decides on the CPU
   std::vector<std::string> written; // files
   std::vector<std::string> notes;
 };

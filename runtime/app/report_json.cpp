@@ -46,6 +46,8 @@ std::string as_json(const collide_report &r) {
               {"seconds", seconds(r)},
               {"predicate", r.asked.by.predicate->name},
               {"mode", r.asked.by.predicate->mode}};
+  if (!on_device)
+    out["instruction_set"] = r.instruction_set;
   if (on_device) {
     out["device_name"] = f.device;
     out["model"] = f.model;

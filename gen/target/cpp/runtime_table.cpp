@@ -115,7 +115,11 @@ std::string kind_functions(const lower::lowered_kind &k) {
 
 std::string runtime_header(const unit &u) {
   return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, "file_runtime") +
-         "// The bounded kinds and the predicates on them.\nconst meetc::catalogue &catalogue();\n" +
+         "// The bounded kinds and the predicates on them, for the best instruction set that the library has and this\n"
+         "// processor runs.\n"
+         "const meetc::catalogue &catalogue();\n"
+         "// The same for one instruction set; null if the library lacks it or this processor does not run it.\n"
+         "const meetc::catalogue *catalogue_for(meetc::instruction_set set);\n" +
          close_header(u.scene);
 }
 
@@ -145,7 +149,7 @@ std::string runtime_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of kinds and predicates.");
   out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
-  out += fmt::format("\nnamespace {} {{\n\n", space);
+  out += fmt::format("\nnamespace MEETC_CODE({}) {{\n\n", space);
   std::string declared;
   for (const lower::kernel *k : predicates_of(u))
     declared +=
@@ -175,10 +179,31 @@ std::string runtime_source(const unit &u) {
   if (!rows.empty())
     rows = "  static const meetc::predicate_info all_predicates[] = {\n" + rows + "  };\n";
   out += fmt::format(
-      "}} // namespace\n\nconst meetc::catalogue &catalogue() {{\n{}  static const meetc::catalogue c{{\"{}\", {}, "
-      "{}, {}, {}, {}}};\n  return c;\n}}\n\n}} // namespace {}\n",
+      "}} // namespace\n\n// The table of the instruction set that this is compiled for.\n"
+      "const meetc::catalogue &compiled_catalogue() {{\n{}  static const meetc::catalogue c{{\"{}\", {}, "
+      "{}, {}, {}, {}, MEETC_COMPILED_FOR}};\n  return c;\n}}\n\n}} // namespace {}\n",
       rows, u.scene.space, kinds.empty() ? "nullptr" : "all_kinds", kinds.size(),
       rows.empty() ? "nullptr" : "all_predicates", predicates_of(u).size(), box_literal(u.scene.box), space);
+  out += fmt::format("\n#if !defined(MEETC_INSTRUCTION_SET) // compiled once\nnamespace {} {{\n\n", space);
+  std::string cases;
+  for (const char *set : {"avx2", "avx512"}) {
+    const std::string condition = fmt::format("#if defined(MEETC_WITH_{})\n", set);
+    out +=
+        fmt::format("{}namespace {} {{\nconst meetc::catalogue &compiled_catalogue();\n}}\n#endif\n", condition, set);
+    cases += fmt::format("{}  case meetc::instruction_set::{}:\n    return &{}::compiled_catalogue();\n#endif\n",
+                         condition, set, set);
+  }
+  out +=
+      fmt::format("\nconst meetc::catalogue *catalogue_for(meetc::instruction_set set) {{\n"
+                  "  if (!meetc::runs_here(set))\n    return nullptr;\n"
+                  "  switch (set) {{\n  case meetc::instruction_set::baseline:\n    return &compiled_catalogue();\n{}"
+                  "  default:\n    return nullptr;\n  }}\n}}\n\n"
+                  "const meetc::catalogue &catalogue() {{\n"
+                  "  for (int i = meetc::instruction_set_count; i-- > 1;)\n"
+                  "    if (const meetc::catalogue *best = catalogue_for(static_cast<meetc::instruction_set>(i)))\n"
+                  "      return *best;\n"
+                  "  return compiled_catalogue();\n}}\n\n}} // namespace {}\n#endif\n",
+                  cases, space);
   return out;
 }
 

@@ -3,7 +3,7 @@
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
 
-namespace cga {
+namespace MEETC_CODE(cga) {
 
 namespace detail { // each is defined in the source of its predicate
 meetc::predicate_info segment_segment_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
@@ -53,7 +53,8 @@ const meetc::kind_info all_kinds[] = {
 
 } // namespace
 
-const meetc::catalogue &catalogue() {
+// The table of the instruction set that this is compiled for.
+const meetc::catalogue &compiled_catalogue() {
   static const meetc::predicate_info all_predicates[] = {
     detail::segment_segment_info(&all_kinds[2], &all_kinds[2], -1, -1),
     detail::point_triangle_info(&all_kinds[0], &all_kinds[3], -1, 0),
@@ -66,8 +67,51 @@ const meetc::catalogue &catalogue() {
     detail::ball_triangle_info(&all_kinds[1], &all_kinds[3], -1, 1),
     detail::sphere_triangle_info(&all_kinds[1], &all_kinds[3], -1, 1),
   };
-  static const meetc::catalogue c{"cga", all_kinds, 4, all_predicates, 10, 0.0f};
+  static const meetc::catalogue c{"cga", all_kinds, 4, all_predicates, 10, 0.0f, MEETC_COMPILED_FOR};
   return c;
 }
 
 } // namespace cga
+
+#if !defined(MEETC_INSTRUCTION_SET) // compiled once
+namespace cga {
+
+#if defined(MEETC_WITH_avx2)
+namespace avx2 {
+const meetc::catalogue &compiled_catalogue();
+}
+#endif
+#if defined(MEETC_WITH_avx512)
+namespace avx512 {
+const meetc::catalogue &compiled_catalogue();
+}
+#endif
+
+const meetc::catalogue *catalogue_for(meetc::instruction_set set) {
+  if (!meetc::runs_here(set))
+    return nullptr;
+  switch (set) {
+  case meetc::instruction_set::baseline:
+    return &compiled_catalogue();
+#if defined(MEETC_WITH_avx2)
+  case meetc::instruction_set::avx2:
+    return &avx2::compiled_catalogue();
+#endif
+#if defined(MEETC_WITH_avx512)
+  case meetc::instruction_set::avx512:
+    return &avx512::compiled_catalogue();
+#endif
+  default:
+    return nullptr;
+  }
+}
+
+const meetc::catalogue &catalogue() {
+  for (int i = meetc::instruction_set_count; i-- > 1;)
+    if (const meetc::catalogue *best = catalogue_for(static_cast<meetc::instruction_set>(i)))
+      return *best;
+  return compiled_catalogue();
+}
+
+} // namespace cga
+#endif

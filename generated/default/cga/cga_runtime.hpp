@@ -7,10 +7,13 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace cga {
+namespace MEETC_CODE(cga) {
 
-// The bounded kinds and the predicates on them.
+// The bounded kinds and the predicates on them, for the best instruction set that the library has and this
+// processor runs.
 const meetc::catalogue &catalogue();
+// The same for one instruction set; null if the library lacks it or this processor does not run it.
+const meetc::catalogue *catalogue_for(meetc::instruction_set set);
 
 } // namespace cga
 

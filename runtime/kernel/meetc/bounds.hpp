@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // ---- with an error bound ----
 
@@ -73,6 +73,12 @@ template <class M> struct leaf_magnitude {
     return m == M(0) ? M(0) : m > floor ? m : m != m ? m : floor;
   }
 };
+
+// The number of different stored values of a kind whose predicates store `n` for the bounded rungs. Where these do without
+// fma, those of plain rungs follow.
+constexpr int stored_count(int n) {
+  return MEETC_FUSES ? n : 2 * n;
+}
 
 // The signs that v can have when it is within `error` of the truth: all three where v is NaN or infinite. A value can
 // overflow where its bound does not, if the compiler contracts one of the two programs and not the other.

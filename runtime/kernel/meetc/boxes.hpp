@@ -5,7 +5,7 @@
 #include <meetc/rounding.hpp>
 #include <meetc/stored.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 enum class box_form : std::uint8_t { per_object, whole_box };
 

@@ -4,7 +4,7 @@
 
 #include <meetc/grid.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 //
 // Integers have n limbs, least significant first, in two's complement modulo 2^(64 n); the caller's proof says that

@@ -7,9 +7,11 @@
 #ifndef MEETC_CONTROL_WORD_HPP
 #define MEETC_CONTROL_WORD_HPP
 
+#include <meetc/instruction_set.hpp>
+
 #include <cstdint>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // MXCSR: all six exceptions are masked (bits 7 to 12), rounding is to nearest (13, 14), and neither denormals-are-zero
 // (6) nor flush-to-zero (15) is set. Bits 0 to 5 record past exceptions and change nothing.

@@ -4,7 +4,7 @@
 
 #include <meetc/exact.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // Runs the stages in order and stops at the first one that decides.
 template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) {

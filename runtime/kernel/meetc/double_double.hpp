@@ -13,7 +13,7 @@
 
 #include <type_traits>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 struct double_double {
   double hi, lo;

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 template <class Shape> MEETC_HD inline double hull_point(const float *row, int point, int axis) {
   const int at = Shape::coordinate(point, axis);

@@ -11,7 +11,7 @@
 #include <meetc/rest.hpp>
 #endif
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 template <class P, class A, class B> struct rows_of {
   float a[P::inputs_a], b[P::inputs_b];

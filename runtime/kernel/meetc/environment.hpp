@@ -66,7 +66,7 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 #define MEETC_FUSES 0
 #endif
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // The value x, hidden from the compiler: what is computed from it is neither contracted nor reassociated with what it
 // came from.

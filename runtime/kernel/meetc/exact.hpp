@@ -5,7 +5,7 @@
 #include <meetc/bytecode.hpp>
 #include <meetc/usual.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // Integers on the grid of the pair's own numbers, as wide as the stage needs. They depend neither on compiler flags nor
 // on the control word.

@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // ---- the extent of a set ----
 

@@ -10,7 +10,7 @@
 
 #include <cstring>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 __extension__ typedef __int128 int128;
 __extension__ typedef unsigned __int128 uint128;

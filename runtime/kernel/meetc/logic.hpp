@@ -14,6 +14,10 @@ enum class sign : signed char { negative = -1, zero = 0, positive = 1 };
 // The answer of a decision under one rung. `unsure` goes to the next rung.
 enum class answer : std::uint8_t { no = 0, yes = 1, unsure = 2 };
 
+} // namespace meetc
+
+namespace MEETC_CODE(meetc) {
+
 MEETC_HD constexpr sign operator-(sign s) {
   return static_cast<sign>(-static_cast<int>(s));
 }

@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <cstring>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 inline constexpr int matrix_columns = 16;
 // Objects come in tiles of 8, and arrays have room for a whole block behind any object.

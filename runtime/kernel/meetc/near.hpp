@@ -6,7 +6,7 @@
 #include <meetc/decide.hpp>
 #include <meetc/stored.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // Whether the closed boxes of a row of A and a row of B touch. Boxes that exceed float32 have infinite ends. Two boxes
 // are apart only where a comparison holds, and none holds with NaN.

@@ -5,7 +5,7 @@
 
 #include <meetc/decide.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // The answer where fp32 gives none, in any environment.
 template <class P> MEETC_HD inline bool decide_rest(const float *row_a, const float *row_b) {

@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // The neighbours of v, for boxes that must enclose: a rounded sum is at most one step from the true one.
 MEETC_HD inline float step_up(float v) {

@@ -10,7 +10,7 @@
 
 #include <meetc/double_double.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // Bits of self_test().
 enum class arithmetic_fault : unsigned {

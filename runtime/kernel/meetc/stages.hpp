@@ -10,7 +10,7 @@
 #include <meetc/double_double.hpp>
 #include <meetc/logic.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 struct no_stage {
   static constexpr int atoms = 0, first = 0;

@@ -13,7 +13,7 @@
 
 #include <meetc/bounds.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 template <class Stage> MEETC_HD constexpr int stored_values_a() {
   if constexpr (Stage::atoms > 0)
@@ -61,10 +61,13 @@ template <class P, class V = float> struct store_a {
     V numbers[inputs], values[floats + 1];
     for (int i = 0; i < inputs; ++i)
       numbers[i] = V(row[i]);
-    stage<typename P::reject_stage>(numbers, values);
-    stage<typename P::common_stage>(numbers, values + stored_layout<P>::reject_a);
+    compute_from(numbers, values);
     for (int i = 0; i < floats; ++i)
       out[i] = float(values[i]);
+  }
+  MEETC_HD MEETC_INLINE static void compute_from(const V *numbers, V *values) {
+    stage<typename P::reject_stage>(numbers, values);
+    stage<typename P::common_stage>(numbers, values + stored_layout<P>::reject_a);
   }
 
 private:
@@ -81,10 +84,13 @@ template <class P, class V = float> struct store_b {
     V numbers[inputs], values[floats + 1];
     for (int i = 0; i < inputs; ++i)
       numbers[i] = V(row[i]);
-    stage<typename P::reject_stage>(numbers, values);
-    stage<typename P::common_stage>(numbers, values + stored_layout<P>::reject_b);
+    compute_from(numbers, values);
     for (int i = 0; i < floats; ++i)
       out[i] = float(values[i]);
+  }
+  MEETC_HD MEETC_INLINE static void compute_from(const V *numbers, V *values) {
+    stage<typename P::reject_stage>(numbers, values);
+    stage<typename P::common_stage>(numbers, values + stored_layout<P>::reject_b);
   }
 
 private:

@@ -33,16 +33,11 @@ struct stored_values {
   bool (*compute)(const float *rows, std::size_t n, float *out) = nullptr;
 };
 
-// The number of different stored values of a kind whose predicates store `n` for the bounded rungs.
-constexpr int stored_count(int n) {
-  return MEETC_FUSES ? n : 2 * n; // those of plain rungs follow
-}
-
 // A set's rows, and its stored values for the predicate; null: each pair computes them.
 struct row_array {
   const float *rows;
   const float *stored;
-  MEETC_HD row_array(const float *r, const float *s = nullptr) : rows(r), stored(s) {} // NOLINT: rows alone suffice
+  MEETC_HD MEETC_INLINE row_array(const float *r, const float *s = nullptr) : rows(r), stored(s) {} // NOLINT: rows alone suffice
 };
 
 struct index_pair {
@@ -89,6 +84,7 @@ struct catalogue {
   int predicate_count;
   // The scene's box: every coordinate lies in [-box, box], every length in [0, 2 box]. 0: the scene states none.
   float box;
+  instruction_set compiled_for = instruction_set::baseline;
 };
 
 } // namespace meetc

@@ -1,12 +1,16 @@
-// The functions in a runtime's table, for any predicate. They are compiled in the generated library.
+// The functions in a runtime's table, for any predicate. They are compiled in the generated library, whose sources
+// include this first (see lanes.hpp).
 #ifndef MEETC_TABLE_FUNCTIONS_HPP
 #define MEETC_TABLE_FUNCTIONS_HPP
 
+#include <meetc/lane_decide.hpp>
+
 #include <meetc/boxes.hpp>
 #include <meetc/decide.hpp>
+#include <meetc/rest.hpp>
 #include <meetc/table.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // Calls one(x) for each pair of rows x.
 template <class P, class Decide>
@@ -16,20 +20,35 @@ void decide_each(const row_array &a, const row_array &b, const index_pair *pairs
     out[i] =
         one(row_pair{a.rows + std::size_t{pairs[i].a} * P::inputs_a, b.rows + std::size_t{pairs[i].b} * P::inputs_b});
 }
-// The same for the rungs in fp32, which read stored values if the sets have them.
+// Calls use(each), where each(i) is one(x) for the rows x of pair i, with stored values if the sets have them.
+template <class P, class Decide, class Use>
+void with_stored(const row_array &a, const row_array &b, const index_pair *pairs, Decide &&one, Use &&use) {
+  constexpr std::size_t floats_a = stored_layout<P>::floats_a, floats_b = stored_layout<P>::floats_b;
+  const auto rows = [&](std::size_t i) {
+    return row_pair{a.rows + std::size_t{pairs[i].a} * P::inputs_a, b.rows + std::size_t{pairs[i].b} * P::inputs_b};
+  };
+  if constexpr (floats_a + floats_b > 0)
+    if ((floats_a == 0 || a.stored) && (floats_b == 0 || b.stored))
+      return use([&](std::size_t i) {
+        const row_pair r = rows(i);
+        return one(stored_pair{r.row_a, r.row_b, a.stored + pairs[i].a * floats_a, b.stored + pairs[i].b * floats_b});
+      });
+  use([&](std::size_t i) { return one(rows(i)); });
+}
+// The same as decide_each for the rungs in fp32, which read stored values.
 template <class P, class Decide>
 void decide_each_stored(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
                         Decide &&one) {
-  constexpr std::size_t floats_a = stored_layout<P>::floats_a, floats_b = stored_layout<P>::floats_b;
-  if constexpr (floats_a + floats_b > 0)
-    if ((floats_a == 0 || a.stored) && (floats_b == 0 || b.stored)) {
-      for (std::size_t i = 0; i < n; ++i)
-        out[i] = one(stored_pair{a.rows + std::size_t{pairs[i].a} * P::inputs_a,
-                                 b.rows + std::size_t{pairs[i].b} * P::inputs_b, a.stored + pairs[i].a * floats_a,
-                                 b.stored + pairs[i].b * floats_b});
-      return;
-    }
-  decide_each<P>(a, b, pairs, n, out, one);
+  with_stored<P>(a, b, pairs, one, [&](const auto &each) {
+    for (std::size_t i = 0; i < n; ++i)
+      out[i] = each(i);
+  });
+}
+// The same, in lanes as far as they decide. They find the answers of `one`.
+template <class P, class How, class Decide>
+void decide_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
+                  Decide &&one) {
+  with_stored<P>(a, b, pairs, one, [&](const auto &each) { decide_in_lanes<P, How>(a, b, pairs, n, out, each); });
 }
 
 // The signs of a pair in the rungs in fp32.
@@ -48,8 +67,11 @@ template <class P> stored_bounded_signs<P> bounded_fp32(const stored_pair &p) {
 
 template <class P, class T>
 void decide_plain(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
-  if constexpr (std::is_same_v<T, float>)
-    decide_each_stored<P>(a, b, pairs, n, out, [](const auto &p) { return to_answer(decide<P>(plain_fp32<P>(p))); });
+  const auto by_float = [](const auto &p) { return to_answer(decide<P>(plain_fp32<P>(p))); };
+  if constexpr (std::is_same_v<T, float> && MEETC_FUSES)
+    decide_lanes<P, plain_lanes>(a, b, pairs, n, out, by_float);
+  else if constexpr (std::is_same_v<T, float>)
+    decide_each_stored<P>(a, b, pairs, n, out, by_float);
   else
     decide_each<P>(a, b, pairs, n, out,
                    [](const row_pair &p) { return to_answer(decide<P>(plain_signs<P, T>(p.row_a, p.row_b))); });
@@ -57,19 +79,6 @@ void decide_plain(row_array a, row_array b, const index_pair *pairs, std::size_t
 template <class P> void decide_exact(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   decide_each<P>(a, b, pairs, n, out,
                  [](const row_pair &p) { return to_answer(decide<P>(exact_signs<P>(p.row_a, p.row_b))); });
-}
-template <class P> bool all_rungs(const row_pair &p) {
-  return decide_certified<P>(p.row_a, p.row_b);
-}
-template <class P> bool all_rungs(const stored_pair &p) {
-  if (!standard_environment())
-    return decide<P>(integer_signs<P>(p.row_a, p.row_b));
-  const answer x = decide_sets<P>(bounded_fp32<P>(stored_pair{after_check(p.row_a), p.row_b, p.stored_a, p.stored_b}));
-  return before_return(x == answer::unsure ? decide_after_fp32<P>(p.row_a, p.row_b) : x == answer::yes);
-}
-template <class P>
-void decide_certified(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
-  decide_each_stored<P>(a, b, pairs, n, out, [](const auto &p) { return to_answer(all_rungs<P>(p)); });
 }
 inline void unsure_each(std::size_t n, answer *out) {
   for (std::size_t i = 0; i < n; ++i)
@@ -81,10 +90,19 @@ void certify_pairs(row_array a, row_array b, const index_pair *pairs, std::size_
     return unsure_each(n, out);
   a = {after_check(a.rows), a.stored}, b = {after_check(b.rows), b.stored};
   if constexpr (std::is_same_v<A, in_fp32>)
-    decide_each_stored<P>(a, b, pairs, n, out, [](const auto &p) { return decide_sets<P>(bounded_fp32<P>(p)); });
+    decide_lanes<P, bounded_lanes>(a, b, pairs, n, out,
+                                   [](const auto &p) { return decide_sets<P>(bounded_fp32<P>(p)); });
   else
     decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return certify_here<P, A>(p.row_a, p.row_b); });
   after_check(out); // keeps the computation before the return
+}
+template <class P>
+void decide_certified(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  certify_pairs<P, in_fp32>(a, b, pairs, n, out);
+  for (std::size_t i = 0; i < n; ++i)
+    if (out[i] == answer::unsure)
+      out[i] = to_answer(decide_rest<P>(a.rows + std::size_t{pairs[i].a} * P::inputs_a,
+                                        b.rows + std::size_t{pairs[i].b} * P::inputs_b));
 }
 template <class P>
 void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {

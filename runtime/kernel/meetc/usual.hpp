@@ -6,7 +6,7 @@
 
 #include <meetc/bounds.hpp>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 // Converts sets of one sign each to signs.
 template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, sign *s) {

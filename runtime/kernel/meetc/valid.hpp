@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-namespace meetc {
+namespace MEETC_CODE(meetc) {
 
 struct number_parts {
   std::uint64_t magnitude, infinity; // without the sign bit

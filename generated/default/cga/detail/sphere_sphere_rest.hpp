@@ -9,7 +9,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace cga {
+namespace MEETC_CODE(cga) {
 
 namespace detail {
 

@@ -1,0 +1,200 @@
+// Decides pairs in lanes: the rungs in fp32, for the runtime's table.
+//
+// Problem: most pairs are decided by the reject stage or in the usual case, by straight-line arithmetic that is the same
+// for all pairs.
+// Method: lane_count pairs at a time are brought into structure-of-arrays form. Where few of them survive the reject
+// stage, the survivors wait until they fill the lanes, and run it again together with the stage of the usual case. What
+// lanes leave open (rare cases, unsure signs, equal points) is decided pair by pair by the caller's function, which
+// alone says `unsure`. Lanes never decide what that function would not, and never otherwise: their arithmetic is the
+// same, operation by operation, and they know no more of a sign.
+#ifndef MEETC_LANE_DECIDE_HPP
+#define MEETC_LANE_DECIDE_HPP
+
+#include <meetc/lanes.hpp>
+#include <meetc/stored.hpp>
+#include <meetc/table.hpp>
+#include <meetc/usual.hpp>
+
+namespace MEETC_CODE(meetc) {
+
+template <> struct leaf_magnitude<lanes> {
+  lanes floor;
+  MEETC_INLINE lanes operator()(lanes difference) const {
+    const lanes m = magnitude_of(difference), zero(0.0F);
+    lanes r;
+    r.v = (m.v > floor.v) | (m.v != m.v) ? m.v : floor.v;
+    r.v = m.v == zero.v ? zero.v : r.v;
+    return r;
+  }
+};
+
+// How lanes take signs from values: with the bounds of fp32, or as they are.
+struct bounded_lanes {
+  template <class Stage> static MEETC_INLINE void sort_out(const lanes *v, const lanes *m, sign_lanes *s) {
+    for (int i = 0; i < Stage::atoms; ++i) {
+      const lanes error = lanes(in_fp32::factor<Stage>(i)) * m[i], size = magnitude_of(v[i]);
+      const lane_mask zero = equal(m[i], lanes(0.0F)), positive = greater(v[i], lanes(0.0F));
+      const lane_mask unknown = ~(greater(size, error) & ~greater(size, lanes(largest_finite(0.0F)))) & every_lane;
+      s[i] = {(unknown | (~positive & every_lane)) & ~zero, unknown | zero, (unknown | positive) & ~zero};
+    }
+  }
+  static constexpr bool bounded = true;
+};
+struct plain_lanes {
+  template <class Stage> static MEETC_INLINE void sort_out(const lanes *v, const lanes *, sign_lanes *s) {
+    for (int i = 0; i < Stage::atoms; ++i) {
+      const lane_mask positive = greater(v[i], lanes(0.0F)), negative = greater(lanes(0.0F), v[i]);
+      s[i] = {negative, ~(positive | negative) & every_lane, positive}; // NaN counts as zero, as in sign_of()
+    }
+  }
+  static constexpr bool bounded = false;
+};
+
+// The numbers of lane_count pairs by lane, with the values that sets store: read, or computed where they are not there.
+template <class P> struct lane_tile {
+  static constexpr int floats_a = stored_layout<P>::floats_a, floats_b = stored_layout<P>::floats_b;
+  lanes row_a[P::inputs_a], row_b[P::inputs_b], stored_a[floats_a + 1], stored_b[floats_b + 1];
+
+  // Lanes from n on repeat the last pair.
+  MEETC_INLINE void load(const row_array &a, const row_array &b, const index_pair *pairs, int n) {
+    std::uint32_t at_a[lane_count], at_b[lane_count];
+    bool one_a = true;
+    for (int k = 0; k < lane_count; ++k) {
+      const index_pair p = pairs[k < n ? k : n - 1];
+      at_a[k] = p.a, at_b[k] = p.b;
+      one_a &= p.a == at_a[0];
+    }
+    if (one_a) // one object against many, as candidates come
+      repeat<P::inputs_a>(a.rows, at_a[0], row_a);
+    else
+      gather<P::inputs_a>(a.rows, at_a, row_a);
+    gather<P::inputs_b>(b.rows, at_b, row_b);
+    if constexpr (floats_a > 0) {
+      if (!a.stored)
+        store_a<P, lanes>::compute_from(row_a, stored_a);
+      else if (one_a)
+        repeat<floats_a>(a.stored, at_a[0], stored_a);
+      else
+        gather<floats_a>(a.stored, at_a, stored_a);
+    }
+    if constexpr (floats_b > 0) {
+      if (b.stored)
+        gather<floats_b>(b.stored, at_b, stored_b);
+      else
+        store_b<P, lanes>::compute_from(row_b, stored_b);
+    }
+  }
+
+private:
+  template <int N> static MEETC_INLINE void repeat(const float *from, std::uint32_t at, lanes *to) {
+    for (int i = 0; i < N; ++i)
+      to[i] = lanes(from[std::size_t{at} * N + static_cast<std::size_t>(i)]);
+  }
+  template <int N> static MEETC_INLINE void gather(const float *from, const std::uint32_t *at, lanes *to) {
+    float turned[N][lane_count];
+    for (int k = 0; k < lane_count; ++k) {
+      const float *row = from + std::size_t{at[k]} * N;
+      for (int i = 0; i < N; ++i)
+        turned[i][k] = row[i];
+    }
+    for (int i = 0; i < N; ++i)
+      to[i] = lanes::from(turned[i]);
+  }
+};
+
+// The signs of a stage before the rare one.
+template <class P, class Stage, class How> MEETC_INLINE void lane_signs(const lane_tile<P> &t, sign_lanes *all) {
+  using layout = stored_layout<P>;
+  const lanes *fa = t.stored_a + layout::template first_a<Stage>, *fb = t.stored_b + layout::template first_b<Stage>;
+  lanes v[Stage::atoms], m[Stage::atoms];
+  Stage::template pair<lanes, lanes>(t.row_a, fa, t.row_b, fb, v);
+  if constexpr (How::bounded)
+    Stage::magnitudes(t.row_a, fa + stored_values_a<Stage>(), t.row_b, fb + stored_values_b<Stage>(),
+                      fp32_leaf<Stage, lanes>(), m);
+  How::template sort_out<Stage>(v, m, all + Stage::first);
+}
+
+template <class P, class How, class Open> class lane_decider {
+public:
+  // `open(i)` decides pair i alone.
+  lane_decider(const row_array &a, const row_array &b, const index_pair *pairs, answer *out, const Open &open)
+      : a_(a), b_(b), pairs_(pairs), out_(out), open_(open) {}
+
+  void run(std::size_t n) {
+    for (std::size_t at = 0; at < n; at += lane_count) {
+      const int here = static_cast<int>(n - at < lane_count ? n - at : lane_count);
+      std::size_t numbers[lane_count];
+      for (int k = 0; k < here; ++k)
+        numbers[k] = at + static_cast<std::size_t>(k);
+      first(numbers, pairs_ + at, here);
+    }
+    if (waiting_ > 0)
+      second(waiting_numbers_, waiting_pairs_, waiting_);
+  }
+
+private:
+  static constexpr lane_mask first_lanes(int n) { return every_lane >> (lane_count - n); }
+
+  // The reject stage.
+  MEETC_INLINE void first(const std::size_t *numbers, const index_pair *pairs, int n) {
+    if constexpr (P::reject_stage::atoms == 0) {
+      second(numbers, pairs, n);
+    } else {
+      lane_tile<P> t;
+      t.load(a_, b_, pairs, n);
+      sign_lanes s[P::atoms + 1];
+      lane_signs<P, typename P::reject_stage, How>(t, s);
+      const lane_mask left = to_truth_lanes(P::rejected(s)).can_be_false & first_lanes(n);
+      for (int k = 0; k < n; ++k)
+        out_[numbers[k]] = answer::no;
+      if (2 * __builtin_popcount(left) > lane_count)
+        return usual(t, s, left, numbers);
+      for (lane_mask more = left; more != 0; more &= more - 1) {
+        const int k = __builtin_ctz(more);
+        waiting_numbers_[waiting_] = numbers[k], waiting_pairs_[waiting_] = pairs[k];
+        if (++waiting_ == lane_count)
+          second(waiting_numbers_, waiting_pairs_, lane_count), waiting_ = 0;
+      }
+    }
+  }
+  // Both stages, of pairs that the reject stage has left.
+  MEETC_NOINLINE void second(const std::size_t *numbers, const index_pair *pairs, int n) {
+    lane_tile<P> t;
+    t.load(a_, b_, pairs, n);
+    sign_lanes s[P::atoms + 1];
+    if constexpr (P::reject_stage::atoms > 0)
+      lane_signs<P, typename P::reject_stage, How>(t, s);
+    usual(t, s, first_lanes(n), numbers);
+  }
+  // The stage of the usual case, for the lanes of `left`; the others are misses.
+  MEETC_INLINE void usual(const lane_tile<P> &t, sign_lanes *s, lane_mask left, const std::size_t *numbers) {
+    if constexpr (P::common_stage::atoms > 0)
+      lane_signs<P, typename P::common_stage, How>(t, s);
+    const truth_lanes hit = to_truth_lanes(P::usual(s));
+    lane_mask open = hit.can_be_true & hit.can_be_false;
+    if constexpr (has_rare_stage<P>)
+      open |= to_truth_lanes(P::needs_rare(s)).can_be_true;
+    for (int k = 0; k < lane_count; ++k)
+      if (left >> k & 1)
+        out_[numbers[k]] = open >> k & 1 ? open_(numbers[k]) : to_answer((hit.can_be_true >> k & 1) != 0);
+  }
+
+  const row_array &a_, &b_;
+  const index_pair *pairs_;
+  answer *out_;
+  const Open &open_;
+  int waiting_ = 0;
+  std::size_t waiting_numbers_[lane_count];
+  index_pair waiting_pairs_[lane_count];
+};
+
+// Decides n pairs in lanes; open(i) decides pair i where lanes do not.
+template <class P, class How, class Open>
+void decide_in_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
+                     const Open &open) {
+  lane_decider<P, How, Open>(a, b, pairs, out, open).run(n);
+}
+
+} // namespace meetc
+
+#endif
