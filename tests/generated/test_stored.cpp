@@ -1,7 +1,7 @@
 // Stored values: answers that read them equal those that compute them, and the rungs in fp32 do read them.
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
-#include "tests/generated/operands.hpp"
+#include "tests/generated/many_rows.hpp"
 
 #include <cfenv>
 #include <cga/cga_runtime.hpp>
@@ -16,40 +16,7 @@ using meetc::row_array;
 namespace {
 
 const meetc::predicate_info &named(const char *name) {
-  const meetc::catalogue &all = cga::catalogue();
-  for (int i = 0; i < all.predicate_count; ++i)
-    if (std::strcmp(all.predicates[i].name, name) == 0)
-      return all.predicates[i];
-  throw std::logic_error("no such predicate");
-}
-
-// Rows of every family, with pairs of equal and of different indices.
-struct many_rows {
-  row a, b;
-  std::vector<meetc::index_pair> pairs;
-
-  template <class P> many_rows(const P &p, std::uint32_t each) {
-    random_numbers random(11);
-    std::uint32_t n = 0;
-    for (const family &f : families())
-      for (std::uint32_t i = 0; i < each; ++i, ++n) {
-        const pair_of_rows c = f.make(p.a, p.b, random);
-        a.insert(a.end(), c.a.begin(), c.a.end());
-        b.insert(b.end(), c.b.begin(), c.b.end());
-        pairs.push_back({n, n});
-        pairs.push_back({static_cast<std::uint32_t>(random.bits() % (n + 1)), n});
-      }
-  }
-};
-
-std::vector<float> stored(const meetc::stored_values &v, const row &rows, int fields) {
-  std::vector<float> out(rows.size() / static_cast<std::size_t>(fields) * static_cast<std::size_t>(v.floats));
-  if (v.floats > 0)
-    REQUIRE(v.compute(rows.data(), rows.size() / static_cast<std::size_t>(fields), out.data()));
-  return out;
-}
-const float *or_null(const std::vector<float> &v) {
-  return v.empty() ? nullptr : v.data();
+  return meetc::generated_test::named(cga::catalogue(), name);
 }
 
 template <class Decide> std::vector<answer> answers(const many_rows &r, const Decide &decide) {

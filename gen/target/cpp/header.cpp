@@ -38,7 +38,7 @@ std::string open_header(const lang::scene &s, const std::string &name, const std
   for (const std::string &i : includes)
     out += fmt::format("#include <{}/{}>\n", space, i);
   return out + fmt::format("\nstatic_assert(MEETC_SUPPORT_VERSION == 4, \"meetc/support.hpp is of another version; "
-                           "regenerate\");\n\nnamespace MEETC_CODE({}) {{\n\n",
+                           "regenerate\");\n\nMEETC_NAMESPACE({}) {{\n\n",
                            space);
 }
 

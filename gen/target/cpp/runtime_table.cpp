@@ -149,7 +149,7 @@ std::string runtime_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of kinds and predicates.");
   out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
-  out += fmt::format("\nnamespace MEETC_CODE({}) {{\n\n", space);
+  out += fmt::format("\nMEETC_NAMESPACE({}) {{\n\n", space);
   std::string declared;
   for (const lower::kernel *k : predicates_of(u))
     declared +=

@@ -15,7 +15,7 @@ std::string predicate_source(const emitted_predicate &p) {
   std::string out = banner(p.of.scene, fmt::format("The parts of {} that only few pairs need.", p.kernel.asked.text));
   out += fmt::format(
       "#include <meetc/table_functions.hpp>\n\n#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_rest.hpp>\n\n"
-      "namespace MEETC_CODE({0}) {{\n\n",
+      "MEETC_NAMESPACE({0}) {{\n\n",
       space, name);
   out += out_of_line(p, "");
   if (p.has_rare() && p.asks_plain())

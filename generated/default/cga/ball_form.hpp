@@ -7,7 +7,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // Balls (x, y, z, r), r >= 0, touch where |c - c'|^2 <= (r + r')^2, that is where half of the difference,
 //   sum over k < products of f_k(X) g_k(Y), plus f(X) + g(Y),

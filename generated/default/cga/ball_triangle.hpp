@@ -9,7 +9,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // ball_triangle(S: sphere, t: triangle), closed sets.
 //   hit: any(p in t.corners: side(S, p) >= 0)

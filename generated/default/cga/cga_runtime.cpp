@@ -3,7 +3,7 @@
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 namespace detail { // each is defined in the source of its predicate
 meetc::predicate_info segment_segment_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,

@@ -7,7 +7,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // The bounded kinds and the predicates on them, for the best instruction set that the library has and this
 // processor runs.

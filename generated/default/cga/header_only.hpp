@@ -33,7 +33,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // Include this in at least one source of a program that is not linked with the library.
 inline meetc::sign side_triangle_point_sign::after_fp32(const float *row_a, const float *row_b) {

@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // meet(circle, circle) on blades
 //   B.e1 = 2*X.e1_e2_e3*Y.e1_n_nb - 2*X.e1_e2_n*Y.e1_e3_nb + 2*X.e1_e2_nb*Y.e1_e3_n + 2*X.e1_e3_n*Y.e1_e2_nb

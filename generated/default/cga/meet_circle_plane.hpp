@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // meet(circle, plane) on blades
 //   B.e1_e2 = 2*X.e1_e2_e3*Y.e1_e2_n_nb + 2*X.e1_e2_nb*Y.e1_e2_e3_n

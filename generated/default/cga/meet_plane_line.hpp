@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // meet(plane, line) on blades
 //   B.e1_n = 2*X.e1_e2_e3_n*Y.e1_n_nb - 2*X.e1_e2_n_nb*Y.e1_e3_n + 2*X.e1_e3_n_nb*Y.e1_e2_n

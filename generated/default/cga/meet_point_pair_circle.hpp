@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // meet(point_pair, circle) on blades
 //   2*X.e1_e2*Y.e3_n_nb - 2*X.e1_e3*Y.e2_n_nb + 2*X.e1_n*Y.e2_e3_nb - 2*X.e1_nb*Y.e2_e3_n

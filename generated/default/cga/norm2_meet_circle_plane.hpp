@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // norm2(meet(circle, plane)) on blades
 //   -4*X.e1_e2_e3^2*Y.e1_e2_n_nb^2 - 4*X.e1_e2_e3^2*Y.e1_e3_n_nb^2 - 4*X.e1_e2_e3^2*Y.e2_e3_n_nb^2

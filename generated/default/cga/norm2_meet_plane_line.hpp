@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // norm2(meet(plane, line)) on blades
 //   16*X.e1_e2_n_nb^2*Y.e3_n_nb^2 - 32*X.e1_e2_n_nb*X.e1_e3_n_nb*Y.e2_n_nb*Y.e3_n_nb

@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // norm2(meet(point_pair, circle)) on blades
 //   4*X.e1_e2^2*Y.e3_n_nb^2 - 8*X.e1_e2*X.e1_e3*Y.e2_n_nb*Y.e3_n_nb + 8*X.e1_e2*X.e1_n*Y.e2_e3_nb*Y.e3_n_nb

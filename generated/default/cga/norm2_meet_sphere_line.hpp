@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // norm2(meet(sphere, line)) on blades
 //   -16*X.e1_e2_e3_n*X.e1_e2_e3_nb*Y.e1_n_nb^2 - 16*X.e1_e2_e3_n*X.e1_e2_e3_nb*Y.e2_n_nb^2

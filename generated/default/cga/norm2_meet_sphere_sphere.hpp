@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // norm2(meet(sphere, sphere)) on blades
 //   -4*X.e1_e2_e3_n^2*Y.e1_e2_e3_nb^2 + 8*X.e1_e2_e3_n*X.e1_e2_e3_nb*Y.e1_e2_e3_n*Y.e1_e2_e3_nb

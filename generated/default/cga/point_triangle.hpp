@@ -9,7 +9,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // point_triangle(p: point, t: triangle), closed sets.
 //   hit: side(t, p) == 0 and all(k in axes:

@@ -9,7 +9,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // segment_segment(s: segment, e: segment), closed sets.
 //   hit: twist(s, e) == 0 and all(k in axes:

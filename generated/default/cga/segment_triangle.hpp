@@ -11,7 +11,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // segment_triangle(s: segment, t: triangle), closed sets.
 //   sp = side(t, s.p)

@@ -7,7 +7,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // coordinate(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the index of the
 // radius around the hull; -1: there is none. box(): never too small, provided that subnormals are not flushed.

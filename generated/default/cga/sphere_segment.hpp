@@ -10,7 +10,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // sphere_segment(S: sphere, s: segment), closed sets.
 //   hit: ball_segment(S, s) and any(p in s.ends: side(S, p) <= 0)

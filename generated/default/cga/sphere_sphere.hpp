@@ -9,7 +9,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 // sphere_sphere(S: sphere, T: sphere), closed sets.
 //   hit: sign(norm2(meet(S, T))) >= 0

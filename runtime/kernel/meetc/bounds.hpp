@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // ---- with an error bound ----
 
@@ -46,7 +46,7 @@ template <bool Fused> struct fp64_arithmetic {
 };
 template <bool Fused> struct fp64x2_arithmetic {
   using real = double;
-  using value = double_double;
+  using value = double_words<Fused>;
   using magnitude = bounded_number<double, Fused>;
   template <class Stage> MEETC_HD static constexpr double factor(int i) { return factors_of<Fused, Stage>(i).fp64x2; }
   template <class Stage> MEETC_HD static constexpr int floor() { return Stage::floor_fp64; }
@@ -182,6 +182,6 @@ private:
   }
 };
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -5,7 +5,7 @@
 #include <meetc/rounding.hpp>
 #include <meetc/stored.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 enum class box_form : std::uint8_t { per_object, whole_box };
 
@@ -68,6 +68,6 @@ template <class P> MEETC_HD inline bool box_holds(float side) {
   return holds;
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

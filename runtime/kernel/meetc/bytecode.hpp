@@ -4,7 +4,7 @@
 
 #include <meetc/grid.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 //
 // Integers have n limbs, least significant first, in two's complement modulo 2^(64 n); the caller's proof says that
@@ -113,6 +113,6 @@ MEETC_HD inline void execute(const instruction &t, int n, std::uint64_t (*regist
   }
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

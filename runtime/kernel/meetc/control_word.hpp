@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // MXCSR: all six exceptions are masked (bits 7 to 12), rounding is to nearest (13, 14), and neither denormals-are-zero
 // (6) nor flush-to-zero (15) is set. Bits 0 to 5 record past exceptions and change nothing.
@@ -80,6 +80,6 @@ inline bool exceptions_are_masked() {
 }
 #endif
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

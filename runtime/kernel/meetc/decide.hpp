@@ -4,7 +4,7 @@
 
 #include <meetc/exact.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // Runs the stages in order and stops at the first one that decides.
 template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) {
@@ -80,6 +80,6 @@ template <class P, class Signs> MEETC_HD inline sign decide_sign(const Signs &si
   return P::value(s);
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -13,19 +13,21 @@
 
 #include <type_traits>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
-struct double_double {
+// `Fused`: products use the fused multiply-add. Plain rungs always do, so that they answer alike everywhere.
+template <bool Fused> struct double_words {
   double hi, lo;
-  double_double() = default;
-  MEETC_HD explicit double_double(double h) : hi(h), lo(0) {}
-  MEETC_HD double_double(double h, double l) : hi(h), lo(l) {}
+  double_words() = default;
+  MEETC_HD explicit double_words(double h) : hi(h), lo(0) {}
+  MEETC_HD double_words(double h, double l) : hi(h), lo(l) {}
 };
+using double_double = double_words<true>;
 
 // ---- error-free transforms: exact unless they overflow (or two_product underflows), for any compiler flags ----
 
 // hi + lo = a + b.
-MEETC_HD MEETC_INLINE double_double two_sum(double a, double b) {
+template <bool Fused = true> MEETC_HD MEETC_INLINE double_words<Fused> two_sum(double a, double b) {
 #if defined(__CUDA_ARCH__)
   const double s = __dadd_rn(a, b), t = __dsub_rn(s, a);
   return {s, __dadd_rn(__dsub_rn(a, __dsub_rn(s, t)), __dsub_rn(b, t))};
@@ -37,7 +39,7 @@ MEETC_HD MEETC_INLINE double_double two_sum(double a, double b) {
 }
 
 // The same where |a| >= |b| or a = 0.
-MEETC_HD MEETC_INLINE double_double fast_two_sum(double a, double b) {
+template <bool Fused = true> MEETC_HD MEETC_INLINE double_words<Fused> fast_two_sum(double a, double b) {
 #if defined(__CUDA_ARCH__)
   const double s = __dadd_rn(a, b);
   return {s, __dsub_rn(b, __dsub_rn(s, a))};
@@ -47,83 +49,79 @@ MEETC_HD MEETC_INLINE double_double fast_two_sum(double a, double b) {
 #endif
 }
 
-// hi + lo = a b where it is no product of a fused multiply-add: Veltkamp's splitting and Dekker's product (Dekker, "A
-// floating-point technique for extending the available precision", Numerische Mathematik 18, 1971). It is exact for
-// |a|, |b| <= 2^995 where |a b| <= 2^1021 and either a b = 0 or |a b| >= 2^-969; tests/proofs/coq/dekker.v proves it.
-// Every number that a rung multiplies is within 2^-149 and 2^810 or zero.
-MEETC_HD MEETC_INLINE double_double two_product_by_parts(double a, double b) {
-  const double splitter = 0x1p27 + 1;
-  const double p = opaque(a * b), x = opaque(a * splitter), y = opaque(b * splitter);
-  const double ah = opaque(opaque(a - x) + x), al = opaque(a - ah);
-  const double bh = opaque(opaque(b - y) + y), bl = opaque(b - bh);
-  const double rest = opaque(opaque(ah * bh) - p);
-  return {p, opaque(opaque(rest + opaque(ah * bl)) + opaque(al * bh)) + opaque(al * bl)};
-}
-
-// hi + lo = a b.
-MEETC_HD MEETC_INLINE double_double two_product(double a, double b) {
+// hi + lo = a b. Without the fused multiply-add: Veltkamp's splitting and Dekker's product (Dekker, "A floating-point
+// technique for extending the available precision", Numerische Mathematik 18, 1971), which is exact for |a|, |b| <=
+// 2^995 where |a b| <= 2^1021 and either a b = 0 or |a b| >= 2^-969; tests/proofs/coq/dekker.v proves it. Every product
+// that a rung forms is of multiples of 2^-149 and, up to degree 6, below 2^800.
+template <bool Fused = true> MEETC_HD MEETC_INLINE double_words<Fused> two_product(double a, double b) {
 #if defined(__CUDA_ARCH__)
   const double p = __dmul_rn(a, b);
   return {p, __fma_rn(a, b, -p)};
-#elif MEETC_FUSES
-  const double p = opaque(a * b);
-  return {p, __builtin_fma(a, b, -p)};
 #else
-  return two_product_by_parts(a, b);
+  const double p = opaque(a * b);
+  if constexpr (Fused) {
+    return {p, __builtin_fma(a, b, -p)};
+  } else {
+    const double splitter = 0x1p27 + 1, x = opaque(a * splitter), y = opaque(b * splitter);
+    const double ah = opaque(opaque(a - x) + x), al = opaque(a - ah);
+    const double bh = opaque(opaque(b - y) + y), bl = opaque(b - bh);
+    const double rest = opaque(opaque(ah * bh) - p);
+    return {p, opaque(opaque(rest + opaque(ah * bl)) + opaque(al * bh)) + opaque(al * bl)};
+  }
 #endif
 }
 
 // ---- arithmetic ----
 
-MEETC_HD MEETC_INLINE double_double operator-(const double_double &x) {
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator-(const double_words<F> &x) {
   return {-x.hi, -x.lo};
 }
 
-MEETC_HD MEETC_INLINE double_double operator+(const double_double &x, const double_double &y) {
-  const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
-  const double_double v = fast_two_sum(s.hi, opaque(s.lo + t.hi));
-  return fast_two_sum(v.hi, opaque(t.lo + v.lo));
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator+(const double_words<F> &x, const double_words<F> &y) {
+  const double_words<F> s = two_sum<F>(x.hi, y.hi), t = two_sum<F>(x.lo, y.lo);
+  const double_words<F> v = fast_two_sum<F>(s.hi, opaque(s.lo + t.hi));
+  return fast_two_sum<F>(v.hi, opaque(t.lo + v.lo));
 }
-MEETC_HD MEETC_INLINE double_double operator+(const double_double &x, double y) {
-  const double_double s = two_sum(x.hi, y);
-  return fast_two_sum(s.hi, opaque(x.lo + s.lo));
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator+(const double_words<F> &x, double y) {
+  const double_words<F> s = two_sum<F>(x.hi, y);
+  return fast_two_sum<F>(s.hi, opaque(x.lo + s.lo));
 }
-MEETC_HD MEETC_INLINE double_double operator+(double x, const double_double &y) {
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator+(double x, const double_words<F> &y) {
   return y + x;
 }
-MEETC_HD MEETC_INLINE double_double operator-(const double_double &x, const double_double &y) {
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator-(const double_words<F> &x, const double_words<F> &y) {
   return x + -y;
 }
-MEETC_HD MEETC_INLINE double_double operator-(const double_double &x, double y) {
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator-(const double_words<F> &x, double y) {
   return x + -y;
 }
-MEETC_HD MEETC_INLINE double_double operator-(double x, const double_double &y) {
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator-(double x, const double_words<F> &y) {
   return -y + x;
 }
 
-MEETC_HD MEETC_INLINE double_double operator*(const double_double &x, const double_double &y) {
-  const double_double c = two_product(x.hi, y.hi);
-#if MEETC_FUSES
-  const double low = __builtin_fma(x.lo, y.hi, opaque(x.hi * y.lo));
-#else
-  const double low = opaque(x.lo * y.hi) + opaque(x.hi * y.lo);
-#endif
-  return fast_two_sum(c.hi, opaque(c.lo + low));
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator*(const double_words<F> &x, const double_words<F> &y) {
+  const double_words<F> c = two_product<F>(x.hi, y.hi);
+  double low;
+  if constexpr (F)
+    low = __builtin_fma(x.lo, y.hi, opaque(x.hi * y.lo));
+  else
+    low = opaque(x.lo * y.hi) + opaque(x.hi * y.lo);
+  return fast_two_sum<F>(c.hi, opaque(c.lo + low));
 }
-MEETC_HD MEETC_INLINE double_double operator*(const double_double &x, double y) {
-  const double_double c = two_product(x.hi, y);
-#if MEETC_FUSES
-  return fast_two_sum(c.hi, __builtin_fma(x.lo, y, c.lo));
-#else
-  const double_double t = fast_two_sum(c.hi, opaque(x.lo * y));
-  return fast_two_sum(t.hi, opaque(t.lo + c.lo));
-#endif
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator*(const double_words<F> &x, double y) {
+  const double_words<F> c = two_product<F>(x.hi, y);
+  if constexpr (F) {
+    return fast_two_sum<F>(c.hi, __builtin_fma(x.lo, y, c.lo));
+  } else {
+    const double_words<F> t = fast_two_sum<F>(c.hi, opaque(x.lo * y));
+    return fast_two_sum<F>(t.hi, opaque(t.lo + c.lo));
+  }
 }
-MEETC_HD MEETC_INLINE double_double operator*(double x, const double_double &y) {
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> operator*(double x, const double_words<F> &y) {
   return y * x;
 }
 
-MEETC_HD MEETC_INLINE sign sign_of(const double_double &v) {
+template <bool F> MEETC_HD MEETC_INLINE sign sign_of(const double_words<F> &v) {
   return static_cast<sign>(static_cast<int>(v.hi > 0) - static_cast<int>(v.hi < 0));
 }
 
@@ -158,16 +156,20 @@ template <class T> MEETC_HD MEETC_INLINE T leading(unfused<T> a) {
 
 // ---- one emitted formula for every number type ----
 //
-// T holds the values of degree 1 and 2, W those above; they differ only where T is double and W double_double.
+// T holds the values of degree 1 and 2, W those above; they differ only where T is a double and W double_words.
 
 template <class T> MEETC_HD MEETC_INLINE constexpr sign sign_of(const T &v) {
   return static_cast<sign>(static_cast<int>(v > T(0)) - static_cast<int>(v < T(0)));
 }
 
+template <class W> inline constexpr bool is_double_words = false;
+template <bool F> inline constexpr bool is_double_words<double_words<F>> = true;
+template <bool F> MEETC_HD MEETC_INLINE double_words<F> widened_product(double a, double b, const double_words<F> *) {
+  return two_product<F>(a, b);
+}
 template <class W, class A, class B> MEETC_HD MEETC_INLINE constexpr W times(const A &a, const B &b) {
-  if constexpr (std::is_same_v<W, double_double> && std::is_convertible_v<A, double> &&
-                std::is_convertible_v<B, double>)
-    return two_product(a, b);
+  if constexpr (is_double_words<W> && std::is_convertible_v<A, double> && std::is_convertible_v<B, double>)
+    return widened_product(a, b, static_cast<const W *>(nullptr));
   else
     return W(a * b);
 }
@@ -189,7 +191,7 @@ MEETC_HD MEETC_INLINE double magnitude_of(double v) {
   return __builtin_fabs(v);
 }
 // The magnitude of a double-double's high word, which is within 2^-53 of the whole.
-MEETC_HD MEETC_INLINE double magnitude_of(const double_double &v) {
+template <bool F> MEETC_HD MEETC_INLINE double magnitude_of(const double_words<F> &v) {
   return __builtin_fabs(v.hi);
 }
 MEETC_HD MEETC_INLINE float leading(float v) {
@@ -198,7 +200,7 @@ MEETC_HD MEETC_INLINE float leading(float v) {
 MEETC_HD MEETC_INLINE double leading(double v) {
   return v;
 }
-MEETC_HD MEETC_INLINE double leading(const double_double &v) {
+template <bool F> MEETC_HD MEETC_INLINE double leading(const double_words<F> &v) {
   return v.hi;
 }
 MEETC_HD MEETC_INLINE float largest_finite(float) {
@@ -208,6 +210,6 @@ MEETC_HD MEETC_INLINE double largest_finite(double) {
   return 0x1.fffffffffffffp1023;
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 template <class Shape> MEETC_HD inline double hull_point(const float *row, int point, int axis) {
   const int at = Shape::coordinate(point, axis);
@@ -125,6 +125,6 @@ MEETC_HD inline void object_ball(cover c, const float *rows, std::uint32_t first
   ball[3] = reach * (1 + 0x1p-50);
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

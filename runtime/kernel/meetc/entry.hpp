@@ -11,7 +11,7 @@
 #include <meetc/rest.hpp>
 #endif
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 template <class P, class A, class B> struct rows_of {
   float a[P::inputs_a], b[P::inputs_b];
@@ -129,6 +129,6 @@ template <class P, class T, class A, class B> MEETC_HD inline sign sign_plain(co
   return P::value(s);
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -66,7 +66,7 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 #define MEETC_FUSES 0
 #endif
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // The value x, hidden from the compiler: what is computed from it is neither contracted nor reassociated with what it
 // came from.
@@ -208,6 +208,6 @@ template <class T> MEETC_HD MEETC_INLINE T before_return(T answer) {
   return answer;
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

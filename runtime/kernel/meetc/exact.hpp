@@ -5,7 +5,7 @@
 #include <meetc/bytecode.hpp>
 #include <meetc/usual.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // Integers on the grid of the pair's own numbers, as wide as the stage needs. They depend neither on compiler flags nor
 // on the control word.
@@ -76,7 +76,7 @@ template <class P> struct exact_signs {
         using number = in_fp64::value; // no rounding happens, so that either schedule will do
         const rows_in<P, number> rows(a, b);
         if constexpr (Stage::mixed)
-          stage_signs<Stage, number, double_double>(rows.a, rows.b, s);
+          stage_signs<Stage, number, in_fp64x2::value>(rows.a, rows.b, s);
         else
           stage_signs<Stage, number>(rows.a, rows.b, s);
         return;
@@ -118,6 +118,6 @@ private:
   }
 };
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

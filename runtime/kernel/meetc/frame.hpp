@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // ---- the extent of a set ----
 
@@ -135,6 +135,6 @@ MEETC_HD inline placing place_object(const matrix_frame &frame, cover c, const f
   return place_ball(frame, ball);
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -10,7 +10,7 @@
 
 #include <cstring>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 __extension__ typedef __int128 int128;
 __extension__ typedef unsigned __int128 uint128;
@@ -79,6 +79,6 @@ MEETC_HD inline void to_integer(float v, int low, int128 &out) {
   out = d.negative ? -m : m;
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -12,10 +12,10 @@
 #include <cstdint>
 
 #if defined(MEETC_INSTRUCTION_SET)
-#define MEETC_CODE(space) space::inline MEETC_INSTRUCTION_SET
+#define MEETC_NAMESPACE(space) namespace space::inline MEETC_INSTRUCTION_SET
 #define MEETC_COMPILED_FOR ::meetc::instruction_set::MEETC_INSTRUCTION_SET
 #else
-#define MEETC_CODE(space) space
+#define MEETC_NAMESPACE(space) namespace space
 #define MEETC_COMPILED_FOR ::meetc::instruction_set::baseline
 #endif
 

@@ -15,7 +15,7 @@
 #include <meetc/table.hpp>
 #include <meetc/usual.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 template <> struct leaf_magnitude<lanes> {
   lanes floor;
@@ -195,6 +195,6 @@ void decide_in_lanes(const row_array &a, const row_array &b, const index_pair *p
   lane_decider<P, How, Open>(a, b, pairs, out, open).run(n);
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -18,7 +18,7 @@
 #include <arm_neon.h>
 #endif
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // ---- numbers ----
 
@@ -170,6 +170,6 @@ MEETC_INLINE truth_lanes either(bool a, truth_lanes b) {
   return either(to_truth_lanes(a), b);
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

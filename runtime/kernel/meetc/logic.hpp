@@ -16,7 +16,7 @@ enum class answer : std::uint8_t { no = 0, yes = 1, unsure = 2 };
 
 } // namespace meetc
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 MEETC_HD constexpr sign operator-(sign s) {
   return static_cast<sign>(-static_cast<int>(s));
@@ -165,6 +165,6 @@ template <class S> MEETC_HD constexpr auto at_least_zero(S s) {
   return in<6>(s);
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -19,7 +19,7 @@
 #include <cstddef>
 #include <cstring>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 inline constexpr int matrix_columns = 16;
 // Objects come in tiles of 8, and arrays have room for a whole block behind any object.
@@ -155,6 +155,6 @@ template <class Form> MEETC_HD inline float bilinear(const float *x, const float
   return sum;
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -6,7 +6,7 @@
 #include <meetc/decide.hpp>
 #include <meetc/stored.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // Whether the closed boxes of a row of A and a row of B touch. Boxes that exceed float32 have infinite ends. Two boxes
 // are apart only where a comparison holds, and none holds with NaN.
@@ -27,6 +27,6 @@ template <class P> MEETC_HD inline bool surely_rejected(const stored_pair &p) {
   return !can_be_false(P::rejected(s));
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <meetc/decide.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // The answer where fp32 gives none, in any environment.
 template <class P> MEETC_HD inline bool decide_rest(const float *row_a, const float *row_b) {
@@ -27,6 +27,6 @@ template <class P> MEETC_HD inline sign decide_exactly_sign(const float *row_a, 
   return before_return(decide_sign<P>(exact_signs<P>(row_a, row_b)));
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // The neighbours of v, for boxes that must enclose: a rounded sum is at most one step from the true one.
 MEETC_HD inline float step_up(float v) {
@@ -57,6 +57,6 @@ MEETC_HD inline float power_over(float x) {
   return x;
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

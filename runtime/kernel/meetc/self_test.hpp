@@ -10,7 +10,7 @@
 
 #include <meetc/double_double.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // Bits of self_test().
 enum class arithmetic_fault : unsigned {
@@ -201,6 +201,6 @@ inline cudaError_t launch_self_test(unsigned *faults, cudaStream_t stream) {
 }
 #endif
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

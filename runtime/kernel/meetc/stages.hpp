@@ -10,7 +10,7 @@
 #include <meetc/double_double.hpp>
 #include <meetc/logic.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 struct no_stage {
   static constexpr int atoms = 0, first = 0;
@@ -78,6 +78,6 @@ template <class P, class T> struct plain_signs {
   template <class Stage> MEETC_HD void get(sign *s) const { stage_signs<Stage>(rows.a, rows.b, s); }
 };
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

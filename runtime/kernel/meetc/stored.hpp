@@ -13,7 +13,7 @@
 
 #include <meetc/bounds.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 template <class Stage> MEETC_HD constexpr int stored_values_a() {
   if constexpr (Stage::atoms > 0)
@@ -175,6 +175,6 @@ template <class P> struct stored_bounded_signs {
   }
 };
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -37,7 +37,8 @@ struct stored_values {
 struct row_array {
   const float *rows;
   const float *stored;
-  MEETC_HD MEETC_INLINE row_array(const float *r, const float *s = nullptr) : rows(r), stored(s) {} // NOLINT: rows alone suffice
+  MEETC_HD MEETC_INLINE row_array(const float *r, const float *s = nullptr)
+      : rows(r), stored(s) {} // NOLINT: rows alone suffice
 };
 
 struct index_pair {

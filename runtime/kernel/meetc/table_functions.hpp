@@ -10,7 +10,7 @@
 #include <meetc/rest.hpp>
 #include <meetc/table.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // Calls one(x) for each pair of rows x.
 template <class P, class Decide>
@@ -190,6 +190,6 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
   return p;
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

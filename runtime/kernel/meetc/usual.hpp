@@ -6,7 +6,7 @@
 
 #include <meetc/bounds.hpp>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 // Converts sets of one sign each to signs.
 template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, sign *s) {
@@ -71,6 +71,6 @@ template <class P, class A> MEETC_HD MEETC_INLINE sign_set certify_sign_here(con
   return P::value(s);
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-namespace MEETC_CODE(meetc) {
+MEETC_NAMESPACE(meetc) {
 
 struct number_parts {
   std::uint64_t magnitude, infinity; // without the sign bit
@@ -37,6 +37,6 @@ template <class T> MEETC_HD inline bool is_positive(T x) {
   return not_negative(x) && parts_of(x).magnitude != 0;
 }
 
-} // namespace meetc
+} // MEETC_NAMESPACE(meetc)
 
 #endif

@@ -7,6 +7,7 @@
 
 using namespace meetc::bounds_test;
 using meetc::double_double;
+using meetc::double_words;
 
 namespace {
 
@@ -24,18 +25,18 @@ mpz_class exact(double d, int g = grid) {
     z >>= static_cast<mp_bitcnt_t>(-shift); // exact: d is a multiple of the grid
   return z;
 }
-mpz_class exact(const double_double &x) {
+template <bool F> mpz_class exact(const double_words<F> &x) {
   return exact(x.hi) + exact(x.lo);
 }
 
 // |computed - truth| <= 2^-102 |truth|; `computed` on the grid, `truth` on a grid 2^shift finer.
-bool is_near(const double_double &computed, const mpz_class &truth, int shift) {
+template <bool F> bool is_near(const double_words<F> &computed, const mpz_class &truth, int shift) {
   mpz_class c = exact(computed);
   c <<= static_cast<mp_bitcnt_t>(shift);
   const mpz_class error = abs(c - truth);
   return (error << 102) <= abs(truth);
 }
-bool is_normal(const double_double &x) {
+template <bool F> bool is_normal(const double_words<F> &x) {
   return x.hi + x.lo == x.hi;
 }
 
@@ -76,36 +77,35 @@ double_double cancelling(const double_double &x, random_numbers &random) {
 
 constexpr int cases = meetc::generated_test::effort(300000);
 
-} // namespace
-
-TEST_CASE("double-double: the error-free transforms are exact") {
+template <bool F> void check_transforms() {
   random_numbers random(1);
   bool sums = true, fast = true, products = true;
   for (int i = 0; i < cases; ++i) {
     double a = any_double(random, i % 2 ? 60 : 2), b = any_double(random, i % 2 ? 60 : 2);
     if (i % 5 == 0)
       b = std::nextafter(-a, random.one_in(2) ? 0 : 2 * a);
-    const double_double s = meetc::two_sum(a, b), p = meetc::two_product(a, b);
+    const double_words<F> s = meetc::two_sum<F>(a, b), p = meetc::two_product<F>(a, b);
     sums = sums && s.hi == a + b && exact(s) == exact(a) + exact(b);
     products = products && p.hi == a * b && exact(p) == (exact(a) * exact(b) >> grid);
     if (std::abs(a) < std::abs(b))
       std::swap(a, b);
-    fast = fast && exact(meetc::fast_two_sum(a, b)) == exact(a) + exact(b);
+    fast = fast && exact(meetc::fast_two_sum<F>(a, b)) == exact(a) + exact(b);
   }
   CHECK(sums);
   CHECK(fast);
   CHECK(products);
 }
-
-TEST_CASE("double-double: every operation is within 2^-102 of its result") {
+template <bool F> void check_operations() {
   random_numbers random(2);
   bool sums = true, with_double = true, differences = true, products = true, scaled = true, normal = true;
   for (int i = 0; i < cases; ++i) {
     const int span = i % 3 ? 2 : 40;
-    const double_double x = any_pair(random, span), y = i % 2 ? any_pair(random, span) : cancelling(x, random);
+    const double_double first = any_pair(random, span);
+    const double_double second = i % 2 ? any_pair(random, span) : cancelling(first, random);
+    const double_words<F> x{first.hi, first.lo}, y{second.hi, second.lo};
     const double d = i % 2 ? any_double(random, span) : i % 4 ? -x.hi : std::nextafter(-x.hi, 0.0);
     const mpz_class ex = exact(x), ey = exact(y), ed = exact(d);
-    const double_double sum = x + y, difference = x - y, product = x * y;
+    const double_words<F> sum = x + y, difference = x - y, product = x * y;
     sums = sums && is_near(sum, ex + ey, 0);
     differences =
         differences && is_near(difference, ex - ey, 0) && is_near(x - d, ex - ed, 0) && is_near(d - x, ed - ex, 0);
@@ -122,6 +122,32 @@ TEST_CASE("double-double: every operation is within 2^-102 of its result") {
   CHECK(scaled);
   CHECK(normal);
 }
+template <bool F> void check_widening() {
+  random_numbers random(4);
+  bool wide = true, fused = true;
+  for (int i = 0; i < cases / 10; ++i) {
+    const double a = any_double(random, 8), b = any_double(random, 8);
+    const double_double any = i % 2 ? any_pair(random, 8) : -meetc::two_product(a, b);
+    const double_words<F> c{any.hi, any.lo};
+    wide = wide && exact(meetc::times<double_words<F>>(a, b)) == (exact(a) * exact(b) >> grid);
+    const mpz_class truth = (exact(a) * exact(b) >> grid) + exact(c);
+    fused = fused && is_near(meetc::fma(a, b, c), truth, 0);
+  }
+  CHECK(wide);
+  CHECK(fused);
+}
+
+} // namespace
+
+TEST_CASE("double-double: the error-free transforms are exact") {
+  check_transforms<true>();
+  check_transforms<false>();
+}
+
+TEST_CASE("double-double: every operation is within 2^-102 of its result") {
+  check_operations<true>();
+  check_operations<false>();
+}
 
 // The check above can fail: it refuses a sum that drops the low words.
 TEST_CASE("double-double: mutation: a sloppy sum is found") {
@@ -137,15 +163,6 @@ TEST_CASE("double-double: mutation: a sloppy sum is found") {
 
 // As emitted formulas write it: products of doubles widen, and sums of a product and a wide number stay wide.
 TEST_CASE("double-double: times and fma widen exactly") {
-  random_numbers random(4);
-  bool wide = true, fused = true;
-  for (int i = 0; i < cases / 10; ++i) {
-    const double a = any_double(random, 8), b = any_double(random, 8);
-    const double_double c = i % 2 ? any_pair(random, 8) : -meetc::two_product(a, b);
-    wide = wide && exact(meetc::times<double_double>(a, b)) == (exact(a) * exact(b) >> grid);
-    const mpz_class truth = (exact(a) * exact(b) >> grid) + exact(c);
-    fused = fused && is_near(meetc::fma(a, b, c), truth, 0);
-  }
-  CHECK(wide);
-  CHECK(fused);
+  check_widening<true>();
+  check_widening<false>();
 }

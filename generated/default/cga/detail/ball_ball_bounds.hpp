@@ -8,7 +8,7 @@
 
 static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 namespace detail {
 

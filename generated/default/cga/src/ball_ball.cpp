@@ -5,7 +5,7 @@
 #include <cga/ball_ball.hpp>
 #include <cga/detail/ball_ball_rest.hpp>
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 bool ball_ball::after_fp32(const float *row_a, const float *row_b) {
   return meetc::decide_rest<ball_ball>(row_a, row_b);

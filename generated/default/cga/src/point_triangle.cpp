@@ -5,7 +5,7 @@
 #include <cga/point_triangle.hpp>
 #include <cga/detail/point_triangle_rest.hpp>
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 bool point_triangle::after_fp32(const float *row_a, const float *row_b) {
   return meetc::decide_rest<point_triangle>(row_a, row_b);

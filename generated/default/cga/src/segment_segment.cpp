@@ -5,7 +5,7 @@
 #include <cga/segment_segment.hpp>
 #include <cga/detail/segment_segment_rest.hpp>
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 bool segment_segment::after_fp32(const float *row_a, const float *row_b) {
   return meetc::decide_rest<segment_segment>(row_a, row_b);

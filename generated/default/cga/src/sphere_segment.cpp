@@ -5,7 +5,7 @@
 #include <cga/sphere_segment.hpp>
 #include <cga/detail/sphere_segment_rest.hpp>
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 bool sphere_segment::after_fp32(const float *row_a, const float *row_b) {
   return meetc::decide_rest<sphere_segment>(row_a, row_b);

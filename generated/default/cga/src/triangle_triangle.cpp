@@ -5,7 +5,7 @@
 #include <cga/triangle_triangle.hpp>
 #include <cga/detail/triangle_triangle_rest.hpp>
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 bool triangle_triangle::after_fp32(const float *row_a, const float *row_b) {
   return meetc::decide_rest<triangle_triangle>(row_a, row_b);

@@ -5,7 +5,7 @@
 #include <cga/twist_segment_segment.hpp>
 #include <cga/detail/twist_segment_segment_rest.hpp>
 
-namespace MEETC_CODE(cga) {
+MEETC_NAMESPACE(cga) {
 
 meetc::sign twist_segment_segment_sign::after_fp32(const float *row_a, const float *row_b) {
   return meetc::decide_rest_sign<twist_segment_segment_sign>(row_a, row_b);

@@ -1,0 +1,110 @@
+// Lanes, for every instruction set that this processor runs: certified and exact answers are the same on each, plain ones
+// too, and lanes find what the function for one pair finds.
+#include "tests/catch.hpp"
+#include "tests/generated/effort.hpp"
+#include "tests/generated/many_rows.hpp"
+
+#include <cga/cga.hpp>
+#include <cga/cga_runtime.hpp>
+#include <cga/header_only.hpp>
+
+using namespace meetc::generated_test;
+using meetc::answer;
+using meetc::rung;
+
+namespace {
+
+std::vector<const meetc::catalogue *> catalogues() {
+  std::vector<const meetc::catalogue *> out;
+  for (int i = 0; i < meetc::instruction_set_count; ++i)
+    if (const meetc::catalogue *c = cga::catalogue_for(static_cast<meetc::instruction_set>(i))) {
+      CHECK(static_cast<int>(c->compiled_for) == i);
+      out.push_back(c);
+    }
+  return out;
+}
+
+std::vector<answer> answers(const many_rows &r, meetc::decide_function f, const float *stored_a, const float *stored_b,
+                            std::size_t n) {
+  std::vector<answer> out(n, answer::unsure);
+  f({r.a.data(), stored_a}, {r.b.data(), stored_b}, r.pairs.data(), n, out.data());
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("lanes: the best instruction set that runs here is chosen") {
+  const auto all = catalogues();
+  REQUIRE_FALSE(all.empty());
+  CHECK(all.front()->compiled_for == meetc::instruction_set::baseline);
+  CHECK(&cga::catalogue() == all.back());
+}
+
+TEST_CASE("lanes: certified, exact and plain answers are the same on every instruction set") {
+  const auto all = catalogues();
+  for_each_predicate([&](auto p) {
+    const many_rows r(p, static_cast<std::uint32_t>(effort(300)));
+    const std::size_t n = r.pairs.size();
+    const meetc::predicate_info &first = named(*all.front(), p.name);
+    const auto decide = [](const meetc::predicate_info &info, rung by) { return info.decide[static_cast<int>(by)]; };
+    const std::vector<answer> truth = answers(r, decide(first, rung::exact), nullptr, nullptr, n);
+    const std::vector<answer> plain = answers(r, decide(first, rung::fp32), nullptr, nullptr, n);
+    CHECK(std::count(truth.begin(), truth.end(), answer::yes) > 20);
+    for (const meetc::catalogue *c : all) {
+      INFO(p.name << ", " << name_of(c->compiled_for));
+      const meetc::predicate_info &info = named(*c, p.name);
+      CHECK(answers(r, decide(info, rung::exact), nullptr, nullptr, n) == truth);
+      for (const rung by : {rung::fp64, rung::fp64x2})
+        CHECK(answers(r, decide(info, by), nullptr, nullptr, n) == answers(r, decide(first, by), nullptr, nullptr, n));
+      const std::vector<float> of_a = stored(info.stored_a, r.a, info.a->fields),
+                               of_b = stored(info.stored_b, r.b, info.b->fields),
+                               plain_of_a = stored(info.plain_stored_a, r.a, info.a->fields),
+                               plain_of_b = stored(info.plain_stored_b, r.b, info.b->fields);
+      const std::vector<answer> filtered = answers(r, info.certify[0], nullptr, nullptr, n);
+      bool proved = true;
+      for (std::size_t i = 0; i < n; ++i)
+        proved = proved && (filtered[i] == answer::unsure || filtered[i] == truth[i]);
+      CHECK(proved);
+      for (const bool with_a : {false, true})
+        for (const bool with_b : {false, true}) {
+          const float *a = with_a ? or_null(of_a) : nullptr, *b = with_b ? or_null(of_b) : nullptr;
+          CHECK(answers(r, decide(info, rung::certified), a, b, n) == truth);
+          CHECK(answers(r, info.certify[0], a, b, n) == filtered);
+          CHECK(answers(r, decide(info, rung::fp32), with_a ? or_null(plain_of_a) : nullptr,
+                        with_b ? or_null(plain_of_b) : nullptr, n) == plain);
+        }
+    }
+  });
+}
+
+TEST_CASE("lanes: they find what the function for one pair finds, whatever shares the lanes with it") {
+  for_each_predicate([](auto p) {
+    using P = typename decltype(p)::type;
+    const many_rows r(p, static_cast<std::uint32_t>(effort(300)));
+    for (const meetc::catalogue *c : catalogues()) {
+      INFO(p.name << ", " << name_of(c->compiled_for));
+      const meetc::predicate_info &info = named(*c, p.name);
+      const std::vector<answer> all = answers(r, info.certify[0], nullptr, nullptr, r.pairs.size());
+      bool same = true, as_header = true;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        answer alone = answer::unsure;
+        info.certify[0](r.a.data(), r.b.data(), &r.pairs[i], 1, &alone);
+        same = same && alone == all[i];
+        if (c->compiled_for == meetc::instruction_set::baseline)
+          as_header = as_header &&
+                      all[i] == meetc::certify<P, meetc::in_fp32>(r.a.data() + std::size_t{r.pairs[i].a} * P::inputs_a,
+                                                                  r.b.data() + std::size_t{r.pairs[i].b} * P::inputs_b);
+      }
+      CHECK(same);
+      CHECK(as_header);
+      // Lists of every length about that of the lanes; what lies beyond is not touched.
+      for (std::size_t n = 0; n < 40; ++n) {
+        std::vector<answer> some(n + 1, answer::unsure);
+        some[n] = static_cast<answer>(77);
+        info.certify[0](r.a.data(), r.b.data(), r.pairs.data(), n, some.data());
+        CHECK(std::equal(some.begin(), some.end() - 1, all.begin()));
+        CHECK(static_cast<int>(some[n]) == 77);
+      }
+    }
+  });
+}
