@@ -54,15 +54,16 @@ inline box sanitised(box b) {
   return b;
 }
 
+inline constexpr std::uint32_t lane_bit[lanes] = {1,      2,      4,       8,       1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                                                  1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+
 // Bit i is set where lane i of the block may touch q.
 inline std::uint32_t touching(const box_block &block, const box &q) {
-  static constexpr std::uint32_t bit[lanes] = {1,      2,      4,       8,       1 << 4,  1 << 5,  1 << 6,  1 << 7,
-                                               1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
   std::uint32_t mask = 0;
   for (int i = 0; i < lanes; ++i) {
     const bool apart = (q.hi[0] < block.lo[0][i]) | (block.hi[0][i] < q.lo[0]) | (q.hi[1] < block.lo[1][i]) |
                        (block.hi[1][i] < q.lo[1]) | (q.hi[2] < block.lo[2][i]) | (block.hi[2][i] < q.lo[2]);
-    mask |= apart ? 0 : bit[i];
+    mask |= apart ? 0 : lane_bit[i];
   }
   return mask;
 }

@@ -112,8 +112,8 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   by.enter_box(options.box, a.set(), b.set());
 
   const int threads = thread_count(options.threads);
-  const all_pairs every(a.set(), b.set());
-  const tree_pairs tree(a.set(), b.set());
+  const all_pairs every(a.set(), b.set(), what_rules_out(precision));
+  const tree_pairs tree(a.set(), b.set(), what_rules_out(precision));
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   collect list(threads, options.owner_a, options.owner_b);
   const answer_kind want = options.want;

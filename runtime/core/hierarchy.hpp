@@ -14,8 +14,10 @@ namespace meetc {
 struct level {
   box_block *blocks = nullptr;
   std::size_t boxes = 0;
+  double widths[3] = {0, 0, 0}; // the sums of the widths of all boxes
 
   std::size_t count() const { return (boxes + lanes - 1) / lanes; }
+  std::size_t filled(std::size_t block) const { return std::min<std::size_t>(lanes, boxes - block * lanes); }
   box get(std::size_t i) const { return blocks[i / lanes].get(static_cast<int>(i % lanes)); }
 };
 
@@ -29,7 +31,7 @@ struct hierarchy {
 // The levels over n elements, with their blocks from the allocator.
 hierarchy take_hierarchy(bump_allocator &from, std::size_t n);
 
-// Fills every level above level 0. The blocks of level 0 must be full or end in empty lanes.
+// Fills every level above level 0, and the sums of all widths. The blocks of level 0 must be full or end in empty lanes.
 void enclose(hierarchy &h, int threads);
 
 } // namespace meetc

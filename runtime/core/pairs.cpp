@@ -96,8 +96,8 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
     return s;
 
   stored_rows stored_a, stored_b;
-  const all_pairs every(l.a, l.b);
-  const tree_pairs tree(l.a, l.b);
+  const all_pairs every(l.a, l.b, what_rules_out(precision));
+  const tree_pairs tree(l.a, l.b, what_rules_out(precision));
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   const marks mark{out.flags_a, out.flags_b, out.counts_a, out.counts_b};
   clear(mark, a.elements, b.elements);
