@@ -8,7 +8,10 @@
 #ifndef MEETC_CORE_CANDIDATES_HPP
 #define MEETC_CORE_CANDIDATES_HPP
 
-#include "core/element_set.hpp"
+#include "core/candidate_operand.hpp"
+#include "core/walk_cost.hpp"
+
+#include <optional>
 
 namespace meetc {
 
@@ -41,23 +44,6 @@ public:
   virtual bool yield(std::size_t unit, pair_sink &sink) const = 0; // false: the sink asked to stop
 };
 
-// What rules a pair out. The answers of exact and certified do not depend on it. A plain rung may say yes where nothing
-// touches, so its answer is about the pairs whose boxes touch, on a device as well.
-enum class ruled_out_by : std::uint8_t { boxes, boxes_and_points };
-
-inline ruled_out_by what_rules_out(rung precision) {
-  return precision == rung::exact || precision == rung::certified ? ruled_out_by::boxes_and_points
-                                                                  : ruled_out_by::boxes;
-}
-
-// A set as an operand of a query.
-struct candidate_operand {
-  const element_set &set;
-  bool by_points; // its elements are tested by their two points
-
-  candidate_operand(const element_set &s, ruled_out_by what);
-};
-
 // Tests every pair. The sets must outlive it.
 class all_pairs final : public candidate_source {
 public:
@@ -69,7 +55,8 @@ private:
   candidate_operand a_, b_;
 };
 
-// Walks the hierarchy of one set with each block of the other. The sets must outlive it.
+// Walks the hierarchy of one set with each block of the other, or with each of its elements: which set walks, and how, is
+// what is expected to take fewer tests. The sets must outlive it.
 class tree_pairs final : public candidate_source {
 public:
   tree_pairs(const element_set &a, const element_set &b, ruled_out_by what);
@@ -78,9 +65,10 @@ public:
 
 private:
   candidate_operand a_, b_;
-  bool b_walks_ = false;   // the blocks of b walk the hierarchy of a
-  int start_ = 0;          // the level at which a walk starts
-  std::size_t starts_ = 0; // blocks of that level
+  std::optional<walk_cost> cost_; // of the walks of this set; empty where a set is
+  bool b_walks_ = false;          // the blocks of b walk the hierarchy of a
+  int start_ = 0;                 // the level at which a walk starts
+  std::size_t starts_ = 0;        // blocks of that level
 };
 
 } // namespace meetc

@@ -18,16 +18,11 @@ hierarchy take_hierarchy(bump_allocator &from, std::size_t n) {
   return h;
 }
 
-namespace {
-
-// Adds the widths of the boxes in a block. An empty lane has none.
 void add_widths(const box_block &block, std::size_t filled, double widths[3]) {
   for (int k = 0; k < 3; ++k)
     for (std::size_t i = 0; i < filled; ++i)
       widths[k] += static_cast<double>(block.hi[k][i]) - static_cast<double>(block.lo[k][i]);
 }
-
-} // namespace
 
 void enclose(hierarchy &h, int threads) {
   std::mutex lock;

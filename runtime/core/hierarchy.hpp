@@ -31,6 +31,9 @@ struct hierarchy {
 // The levels over n elements, with their blocks from the allocator.
 hierarchy take_hierarchy(bump_allocator &from, std::size_t n);
 
+// Adds the widths of the first `filled` boxes in a block.
+void add_widths(const box_block &block, std::size_t filled, double widths[3]);
+
 // Fills every level above level 0, and the sums of all widths. The blocks of level 0 must be full or end in empty lanes.
 void enclose(hierarchy &h, int threads);
 

@@ -23,12 +23,28 @@ public:
       points_ = points_at(one.set, slot);
   }
 
+  // The element's points; there are some if it is tested by them.
+  const two_points &points() const { return points_; }
+
   // Writes the pairs with the elements of a block, at most sixteen, and returns the end of what is written.
   index_pair *pairs_with(std::size_t block, index_pair *out) const {
     const box_block &boxes = other_.set.boxes.levels[0].blocks[block];
     std::uint32_t mask = touching(boxes, box_);
     if (one_.by_points && mask != 0)
       mask &= touching(boxes, points_);
+    return pairs_of(block, mask, out);
+  }
+  // The same for an element with points whose box holds most of the others: the points are tested first.
+  index_pair *pairs_by_points(std::size_t block, index_pair *out) const {
+    const box_block &boxes = other_.set.boxes.levels[0].blocks[block];
+    std::uint32_t mask = touching(boxes, points_);
+    if (mask != 0)
+      mask &= touching(boxes, box_);
+    return pairs_of(block, mask, out);
+  }
+
+private:
+  index_pair *pairs_of(std::size_t block, std::uint32_t mask, index_pair *out) const {
     const auto mine = static_cast<std::uint32_t>(slot_), first = static_cast<std::uint32_t>(block * lanes);
     for (; mask != 0; mask &= mask - 1) {
       const std::uint32_t theirs = first + static_cast<std::uint32_t>(std::countr_zero(mask));
@@ -39,7 +55,6 @@ public:
     return out;
   }
 
-private:
   bool touches_points_of(std::size_t slot) const {
     const box_block &mine = one_.set.boxes.levels[0].blocks[slot_ / lanes];
     return touching(mine, points_at(other_.set, slot)) >> slot_ % lanes & 1;
