@@ -1,6 +1,5 @@
 #include "core/element_set.hpp"
 
-#include "core/morton.hpp"
 #include "core/rows.hpp"
 #include "core/threads.hpp"
 
@@ -8,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <new>
 
 namespace meetc {
 namespace {
@@ -40,6 +40,66 @@ void widen(element_set &set, const float *rows, std::size_t count, std::mutex &l
   }
 }
 
+// The box of a row, which may be infinite.
+box box_of(const kind_info &kind, const float *row) {
+  box b;
+  kind.box(row, b.lo, b.hi);
+  return b;
+}
+
+// Copies one row. The sizes of most kinds are cases, in which the compiler knows how much to copy.
+void copy_row(float *to, const float *from, std::size_t fields) {
+  switch (fields) {
+  case 3:
+    std::memcpy(to, from, 3 * sizeof(float));
+    break;
+  case 4:
+    std::memcpy(to, from, 4 * sizeof(float));
+    break;
+  case 6:
+    std::memcpy(to, from, 6 * sizeof(float));
+    break;
+  case 9:
+    std::memcpy(to, from, 9 * sizeof(float));
+    break;
+  default:
+    std::memcpy(to, from, fields * sizeof(float));
+  }
+}
+
+// Tells the processor that a row will be read soon. Rows in spatial order lie anywhere in memory.
+void expect_row(const float *row, std::size_t fields) {
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(row);
+  __builtin_prefetch(row + fields - 1);
+#else
+  static_cast<void>(row), static_cast<void>(fields);
+#endif
+}
+
+// Writes the rows and boxes of the blocks from `begin` on in the order of the keys.
+void fill_blocks(element_set &set, const float *rows, const std::uint64_t *keys, std::size_t begin, std::size_t end) {
+  constexpr std::size_t ahead = 16;
+  const auto fields = static_cast<std::size_t>(set.kind->fields);
+  const level &leaves = set.boxes.levels[0];
+  for (std::size_t block = begin; block < end; ++block) {
+    box_block &boxes = leaves.blocks[block];
+    const std::size_t first = block * lanes, filled = leaves.filled(block);
+    if (filled < lanes)
+      boxes.clear();
+    for (std::size_t slot = first; slot < first + filled; ++slot) {
+      if (slot + ahead < set.elements)
+        expect_row(rows + static_cast<std::uint32_t>(keys[slot + ahead]) * fields, fields);
+      const auto element = static_cast<std::uint32_t>(keys[slot]);
+      const float *const row = rows + element * fields;
+      set.order[slot] = element;
+      copy_row(set.rows + slot * fields, row, fields);
+      boxes.set(static_cast<int>(slot - first), box_of(*set.kind, row));
+    }
+    boxes.sanitise(static_cast<int>(filled));
+  }
+}
+
 } // namespace
 
 element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements) {
@@ -55,7 +115,7 @@ element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t el
 set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_t elements) {
   set_scratch s;
   s.rows = from.take<float>(elements * static_cast<std::size_t>(kind.fields));
-  s.boxes = from.take<box>(elements);
+  s.centres = from.take<centre>(elements);
   s.keys = from.take<std::uint64_t>(elements);
   s.more_keys = from.take<std::uint64_t>(elements);
   return s;
@@ -68,38 +128,32 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
     return status::cannot_move;
 
   constexpr std::size_t chunk = 2048;
+  const float *const in_place = rows_in_place(elements, kind, at);
+  const float *const rows = in_place ? in_place : scratch.rows;
   std::atomic<status> outcome{status::ok};
   std::mutex lock;
+  centre_extent all;
   set.reach = set.longest = 0;
   for_chunks(threads, set.elements, chunk, [&](int, std::size_t begin, std::size_t end) {
-    float *rows = scratch.rows + begin * fields;
-    const status s = gather(elements, kind, at, begin, end, rows);
+    const status s = in_place ? check_rows(kind, rows + begin * fields, end - begin)
+                              : gather(elements, kind, at, begin, end, scratch.rows + begin * fields);
     if (s != status::ok) {
       outcome.store(s, std::memory_order_relaxed);
       return;
     }
-    widen(set, rows, end - begin, lock);
-    for (std::size_t e = begin; e < end; ++e, rows += fields) {
-      kind.box(rows, scratch.boxes[e].lo, scratch.boxes[e].hi);
-      scratch.boxes[e] = sanitised(scratch.boxes[e]);
-    }
+    widen(set, rows + begin * fields, end - begin, lock);
+    centre_extent mine;
+    for (std::size_t e = begin; e < end; ++e)
+      mine.add(*new (scratch.centres + e) centre(box_of(kind, rows + e * fields)));
+    const std::scoped_lock hold(lock);
+    all.add(mine);
   });
   if (outcome != status::ok)
     return outcome;
 
-  spatial_order(scratch.boxes, set.elements, scratch.keys, scratch.more_keys, threads);
-  const level &leaves = set.boxes.levels[0];
-  for_chunks(threads, leaves.count(), chunk / lanes, [&](int, std::size_t begin, std::size_t end) {
-    for (std::size_t block = begin; block < end; ++block) {
-      leaves.blocks[block].clear();
-      for (std::size_t slot = block * lanes; slot < std::min(set.elements, (block + 1) * lanes); ++slot) {
-        const auto element = static_cast<std::uint32_t>(scratch.keys[slot]);
-        set.order[slot] = element;
-        std::memcpy(set.rows + slot * fields, scratch.rows + element * fields, fields * sizeof(float));
-        leaves.blocks[block].set(static_cast<int>(slot % lanes), scratch.boxes[element]);
-      }
-    }
-  });
+  spatial_order(scratch.centres, all, set.elements, scratch.keys, scratch.more_keys, threads);
+  for_chunks(threads, set.boxes.levels[0].count(), chunk / lanes,
+             [&](int, std::size_t begin, std::size_t end) { fill_blocks(set, rows, scratch.keys, begin, end); });
   enclose(set.boxes, threads);
   return status::ok;
 }

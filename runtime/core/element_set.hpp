@@ -6,6 +6,7 @@
 #define MEETC_CORE_ELEMENT_SET_HPP
 
 #include "core/hierarchy.hpp"
+#include "core/morton.hpp"
 #include "core/pose.hpp"
 #include "core/status.hpp"
 #include "core/view.hpp"
@@ -25,7 +26,7 @@ struct element_set {
 // Memory that is needed to build a set and not kept.
 struct set_scratch {
   float *rows = nullptr;
-  box *boxes = nullptr;
+  centre *centres = nullptr;
   std::uint64_t *keys = nullptr, *more_keys = nullptr;
 };
 

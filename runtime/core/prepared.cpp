@@ -34,16 +34,13 @@ stored_rows *prepared::stored(const stored_values &values, const kind_info &of) 
 prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads) {
   if (elements.elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
-  const auto allocate = [](const bump_allocator &need) {
-    return std::unique_ptr<std::byte[]>(new std::byte[need.bytes()]);
-  };
   bump_allocator set_need, scratch_need;
   take_set(set_need, kind, elements.elements);
   take_scratch(scratch_need, kind, elements.elements);
 
   prepared p;
-  p.bytes_ = allocate(set_need);
-  const std::unique_ptr<std::byte[]> scratch_bytes = allocate(scratch_need);
+  p.bytes_ = allocate(set_need.bytes());
+  const owned_memory scratch_bytes = allocate(scratch_need.bytes());
   bump_allocator from({p.bytes_.get(), set_need.bytes()}), scratch_from({scratch_bytes.get(), scratch_need.bytes()});
   p.set_ = std::make_unique<element_set>(take_set(from, kind, elements.elements));
   const set_scratch scratch = take_scratch(scratch_from, kind, elements.elements);

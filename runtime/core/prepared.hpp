@@ -3,6 +3,7 @@
 #define MEETC_CORE_PREPARED_HPP
 
 #include "core/check.hpp"
+#include "core/memory.hpp"
 #include "core/pose.hpp"
 #include "core/view.hpp"
 
@@ -42,7 +43,7 @@ public:
 private:
   friend prepared prepare(const view &, const kind_info &, const pose &, int);
   prepared();
-  std::unique_ptr<std::byte[]> bytes_;
+  owned_memory bytes_;
   std::unique_ptr<element_set> set_;
   std::unique_ptr<stored_rows[]> stored_; // kind().stored elements
 };
