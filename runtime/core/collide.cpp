@@ -104,6 +104,7 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   const auto start = std::chrono::steady_clock::now();
   require(same_kind(a.kind(), *predicate.a) && same_kind(b.kind(), *predicate.b),
           "the predicate is for other kinds of element");
+  require(a.fits(b) && b.fits(a), "a set was prepared for collisions with another one");
   require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b),
           "an owner map needs one item for each element");
   cascade by(predicate, precision);

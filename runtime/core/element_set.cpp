@@ -4,10 +4,12 @@
 #include "core/threads.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <mutex>
 #include <new>
+#include <optional>
 
 namespace meetc {
 namespace {
@@ -38,6 +40,59 @@ void widen(element_set &set, const float *rows, std::size_t count, std::mutex &l
     float &all = kind.roles[f] == role::length ? set.longest : set.reach;
     all = std::max(all, most);
   }
+}
+
+constexpr box nothing{{1, 1, 1}, {-1, -1, -1}};
+
+// Which boxes may touch an element of a set.
+class nearness {
+public:
+  nearness(const element_set &to, std::size_t elements) {
+    const hierarchy &h = to.boxes;
+    if (h.depth == 0)
+      return;
+    around_ = h.top().blocks[0].around();
+    if (to.elements <= elements / lanes) // the highest level of several boxes, which are one block
+      boxes_ = h.levels[h.top().boxes > 1 ? h.depth - 1 : h.depth - 2].blocks;
+  }
+
+  bool holds(const box &b) const {
+    bool touches = true;
+    for (int k = 0; k < 3; ++k)
+      touches &= !(b.hi[k] < around_.lo[k]) & !(around_.hi[k] < b.lo[k]);
+    return touches && (!boxes_ || touching(*boxes_, b) != 0);
+  }
+
+private:
+  box around_ = nothing;
+  const box_block *boxes_ = nullptr; // null: not worth testing
+};
+
+// What is known of the elements before they are ordered, of a chunk or of all.
+struct survey {
+  centre_extent centres; // of those that are kept
+  box around{{HUGE_VALF, HUGE_VALF, HUGE_VALF}, {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
+
+  void add(const box &b) {
+    for (int k = 0; k < 3; ++k) {
+      around.lo[k] = b.lo[k] < around.lo[k] ? b.lo[k] : around.lo[k];
+      around.hi[k] = around.hi[k] < b.hi[k] ? b.hi[k] : around.hi[k];
+    }
+  }
+  void add(const survey &s) {
+    centres.add(s.centres);
+    add(s.around);
+  }
+};
+
+// Lists the elements that are kept, in ascending order, and returns their number.
+std::size_t list_kept(const std::uint8_t *kept, std::size_t n, std::uint32_t *list) {
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < n; ++e) {
+    list[count] = static_cast<std::uint32_t>(e);
+    count += kept[e];
+  }
+  return count;
 }
 
 // The box of a row, which may be infinite.
@@ -116,25 +171,29 @@ set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_
   set_scratch s;
   s.rows = from.take<float>(elements * static_cast<std::size_t>(kind.fields));
   s.centres = from.take<centre>(elements);
+  s.kept = from.take<std::uint8_t>(elements);
   s.keys = from.take<std::uint64_t>(elements);
   s.more_keys = from.take<std::uint64_t>(elements);
   return s;
 }
 
-status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads) {
+status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads,
+            const element_set *near) {
   const kind_info &kind = *set.kind;
   const auto fields = static_cast<std::size_t>(kind.fields);
+  const std::size_t given = elements.elements;
   if (!at.identity() && !can_move(kind))
     return status::cannot_move;
 
   constexpr std::size_t chunk = 2048;
   const float *const in_place = rows_in_place(elements, kind, at);
   const float *const rows = in_place ? in_place : scratch.rows;
+  const std::optional<nearness> keep = near ? std::optional<nearness>(std::in_place, *near, given) : std::nullopt;
   std::atomic<status> outcome{status::ok};
   std::mutex lock;
-  centre_extent all;
+  survey all;
   set.reach = set.longest = 0;
-  for_chunks(threads, set.elements, chunk, [&](int, std::size_t begin, std::size_t end) {
+  for_chunks(threads, given, chunk, [&](int, std::size_t begin, std::size_t end) {
     const status s = in_place ? check_rows(kind, rows + begin * fields, end - begin)
                               : gather(elements, kind, at, begin, end, scratch.rows + begin * fields);
     if (s != status::ok) {
@@ -142,16 +201,30 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
       return;
     }
     widen(set, rows + begin * fields, end - begin, lock);
-    centre_extent mine;
-    for (std::size_t e = begin; e < end; ++e)
-      mine.add(*new (scratch.centres + e) centre(box_of(kind, rows + e * fields)));
+    survey mine;
+    for (std::size_t e = begin; e < end; ++e) {
+      const box b = sanitised(box_of(kind, rows + e * fields));
+      mine.add(b);
+      if (keep) {
+        scratch.kept[e] = keep->holds(b);
+        if (!scratch.kept[e])
+          continue;
+      }
+      mine.centres.add(*new (scratch.centres + e) centre(b));
+    }
     const std::scoped_lock hold(lock);
     all.add(mine);
   });
   if (outcome != status::ok)
     return outcome;
 
-  spatial_order(scratch.centres, all, set.elements, scratch.keys, scratch.more_keys, threads);
+  set.around = given > 0 ? all.around : nothing;
+  set.elements = given;
+  if (keep)
+    set.elements = list_kept(scratch.kept, given, set.order); // which the order replaces below
+  resize(set.boxes, set.elements);
+  spatial_order(scratch.centres, keep ? set.order : nullptr, all.centres, set.elements, scratch.keys, scratch.more_keys,
+                threads);
   for_chunks(threads, set.boxes.levels[0].count(), chunk / lanes,
              [&](int, std::size_t begin, std::size_t end) { fill_blocks(set, rows, scratch.keys, begin, end); });
   enclose(set.boxes, threads);

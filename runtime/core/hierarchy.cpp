@@ -6,15 +6,22 @@
 
 namespace meetc {
 
-hierarchy take_hierarchy(bump_allocator &from, std::size_t n) {
-  hierarchy h;
+void resize(hierarchy &h, std::size_t n) {
+  h.depth = 0;
+  for (level &l : h.levels)
+    l.boxes = 0;
   for (std::size_t boxes = n; boxes > 0; boxes = h.top().count()) {
-    level &l = h.levels[h.depth++];
-    l.boxes = boxes;
-    l.blocks = from.take<box_block>(l.count());
+    h.levels[h.depth++].boxes = boxes;
     if (h.depth > 1 && boxes <= lanes)
       break;
   }
+}
+
+hierarchy take_hierarchy(bump_allocator &from, std::size_t n) {
+  hierarchy h;
+  resize(h, n);
+  for (int k = 0; k < h.depth; ++k)
+    h.levels[k].blocks = from.take<box_block>(h.levels[k].count());
   return h;
 }
 

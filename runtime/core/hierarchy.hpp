@@ -31,6 +31,9 @@ struct hierarchy {
 // The levels over n elements, with their blocks from the allocator.
 hierarchy take_hierarchy(bump_allocator &from, std::size_t n);
 
+// Makes it the hierarchy over n elements, at most as many as its blocks were taken for.
+void resize(hierarchy &h, std::size_t n);
+
 // Adds the widths of the first `filled` boxes in a block.
 void add_widths(const box_block &block, std::size_t filled, double widths[3]);
 

@@ -86,13 +86,14 @@ struct distribution {
 
 } // namespace
 
-void spatial_order(const centre *centres, const centre_extent &all, std::size_t n, std::uint64_t *keys,
-                   std::uint64_t *scratch, int threads) {
+void spatial_order(const centre *centres, const std::uint32_t *list, const centre_extent &all, std::size_t n,
+                   std::uint64_t *keys, std::uint64_t *scratch, int threads) {
   const double scale = all.size() > 0 ? cells / all.size() : 0;
   distribution d(n);
   for_chunks(threads, d.parts, 1, [&](int, std::size_t p, std::size_t) {
     for (std::size_t i = p * d.part; i < d.end(p); ++i) {
-      scratch[i] = key_of(centres[i], static_cast<std::uint32_t>(i), all, scale);
+      const std::uint32_t element = list ? list[i] : static_cast<std::uint32_t>(i);
+      scratch[i] = key_of(centres[element], element, all, scale);
       ++d.at[p][distribution::bucket(scratch[i])];
     }
   });

@@ -89,9 +89,11 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
 
   bump_allocator from(work);
   layout l = take_layout(from, predicate, a.elements, b.elements, threads);
-  status s = fill(l.a, a, at_a, l.scratch_a, threads);
+  // The smaller set is filled whole, and the other with what is near it.
+  const bool a_first = a.elements <= b.elements;
+  status s = a_first ? fill(l.a, a, at_a, l.scratch_a, threads) : fill(l.b, b, at_b, l.scratch_b, threads);
   if (s == status::ok)
-    s = fill(l.b, b, at_b, l.scratch_b, threads);
+    s = a_first ? fill(l.b, b, at_b, l.scratch_b, threads, &l.a) : fill(l.a, a, at_a, l.scratch_a, threads, &l.b);
   if (s != status::ok)
     return s;
 

@@ -95,8 +95,8 @@ TEST_CASE("the spatial order is a permutation, the same on any number of threads
       std::vector<centre> centres;
       for (const box &x : b)
         all.add(centres.emplace_back(x));
-      spatial_order(centres.data(), all, n, one.data(), scratch.data(), 1);
-      spatial_order(centres.data(), all, n, four.data(), scratch.data(), 4);
+      spatial_order(centres.data(), nullptr, all, n, one.data(), scratch.data(), 1);
+      spatial_order(centres.data(), nullptr, all, n, four.data(), scratch.data(), 4);
       CHECK(one == four);
       std::vector<std::uint32_t> order(one.begin(), one.end());
       if (spread == 0)
