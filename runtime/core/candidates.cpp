@@ -32,8 +32,8 @@ bool all_pairs::yield(std::size_t unit, pair_sink &sink) const {
   return true;
 }
 
-// There is a unit for each block of the set that walks. Where it has few blocks, the other is cut as well, so that every
-// thread finds work.
+// There is a unit for each block of the set that walks. Where it has few blocks, the other is cut as well, so that
+// every thread finds work.
 tree_pairs::tree_pairs(const element_set &a, const element_set &b, ruled_out_by what) : a_(a, what), b_(b, what) {
   constexpr std::size_t enough = 256;
   if (a.elements == 0 || b.elements == 0)

@@ -55,8 +55,8 @@ private:
   candidate_operand a_, b_;
 };
 
-// Walks the hierarchy of one set with each block of the other, or with each of its elements: which set walks, and how, is
-// what is expected to take fewer tests. The sets must outlive it.
+// Walks the hierarchy of one set with each block of the other, or with each of its elements: which set walks, and how,
+// is what is expected to take fewer tests. The sets must outlive it.
 class tree_pairs final : public candidate_source {
 public:
   tree_pairs(const element_set &a, const element_set &b, ruled_out_by what);

@@ -1,10 +1,10 @@
 // core/element_set.hpp: a prepared set: rows in spatial order, and the hierarchy of their boxes.
 //
 // A set may be filled for queries against one other set alone, `near`. It then holds only the elements that can be
-// candidates there, so that an element that no query visits costs a test of its box and is not sorted. Each box is tested
-// against the box around `near`, and, where `near` has at most a sixteenth as many elements, against the highest level of
-// several boxes: a test of sixteen lanes costs about a fifth of what ordering an element does, and a few small elements rule out
-// most of a large set.
+// candidates there, so that an element that no query visits costs a test of its box and is not sorted. Each box is
+// tested against the box around `near`, and, where `near` has at most a sixteenth as many elements, against the highest
+// level of several boxes: a test of sixteen lanes costs about a fifth of what ordering an element does, and a few small
+// elements rule out most of a large set.
 //
 // A slot is a position in that order; `order` maps it to the caller's element. Rows lie in the order of slots, so that
 // the rows of one block are read together.

@@ -37,7 +37,8 @@ void resize(hierarchy &h, std::size_t n);
 // Adds the widths of the first `filled` boxes in a block.
 void add_widths(const box_block &block, std::size_t filled, double widths[3]);
 
-// Fills every level above level 0, and the sums of all widths. The blocks of level 0 must be full or end in empty lanes.
+// Fills every level above level 0, and the sums of all widths. The blocks of level 0 must be full or end in empty
+// lanes.
 void enclose(hierarchy &h, int threads);
 
 } // namespace meetc

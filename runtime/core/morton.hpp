@@ -4,7 +4,8 @@
 // unevenly they are spread. Method: Morton codes of the box centres on a cubic grid of 1024^3 (Morton 1966), sorted. A
 // run that shares a cell and is longer than a block gets a grid of its own, recursively. One element at 1e38 therefore
 // costs one level, not the order of all others. Cells are computed in fp64, in which no float32 range overflows. The
-// codes are distributed by their first bits; each part is sorted, and its runs get their grids, by one thread. Ties keep the order of the elements, so the order depends on nothing but the boxes.
+// codes are distributed by their first bits; each part is sorted, and its runs get their grids, by one thread. Ties
+// keep the order of the elements, so the order depends on nothing but the boxes.
 #ifndef MEETC_CORE_MORTON_HPP
 #define MEETC_CORE_MORTON_HPP
 
@@ -27,7 +28,8 @@ struct centre {
   }
 };
 
-struct alignas(64) centre_extent {
+// The box around centres; at first it holds none.
+struct centre_extent {
   float lo[3], hi[3];
 
   centre_extent() {
@@ -55,8 +57,8 @@ struct alignas(64) centre_extent {
   }
 };
 
-// Afterwards the low 32 bits of keys[i] are the element at position i, of the n elements in the list, which ascend; null:
-// of 0 to n-1. `all` is the extent of their centres, which are finite; scratch has room for n.
+// Afterwards the low 32 bits of keys[i] are the element at position i, of the n elements in the list, which ascend;
+// null: of 0 to n-1. `all` is the extent of their centres, which are finite; scratch has room for n.
 void spatial_order(const centre *centres, const std::uint32_t *list, const centre_extent &all, std::size_t n,
                    std::uint64_t *keys, std::uint64_t *scratch, int threads);
 

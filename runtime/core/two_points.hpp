@@ -1,10 +1,10 @@
 // core/two_points.hpp: the test of an element whose hull has two points against sixteen boxes.
 //
 // Problem: the box of a long element holds far more than the element. Method: the separating axes of a segment and a
-// box, which are the three axes and their cross products with the segment's direction. The segment enters and leaves the
-// slab of each axis at two parameters; that an entry lies after an exit is a separation along a cross product, and that
-// one of them lies beyond an end of the segment is one along an axis (Kay and Kajiya 1986). A radius around the segment
-// widens each slab.
+// box, which are the three axes and their cross products with the segment's direction. The segment enters and leaves
+// the slab of each axis at two parameters; that an entry lies after an exit is a separation along a cross product, and
+// that one of them lies beyond an end of the segment is one along an axis (Kay and Kajiya 1986). A radius around the
+// segment widens each slab.
 //
 // It is a filter: what it calls apart is proved apart. A parameter is the difference of two stored numbers times a
 // reciprocal; its relative error is therefore at most three roundings at any scale, apart from underflow. Each entry
