@@ -62,7 +62,11 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
     throw failure(fmt::format("--precision {}: {} was not generated for it", name_of(q.precision), predicate.name));
   answers out;
   const auto start = std::chrono::steady_clock::now();
-  const prepared ready_a = prepare(a, q.threads), ready_b = prepare(b, q.threads);
+  // On the CPU the larger set is prepared for the smaller one alone. A device looks at all pairs.
+  const bool a_first = a.elements <= b.elements;
+  const prepared smaller = prepare(a_first ? a : b, q.threads);
+  const prepared larger = prepare(a_first ? b : a, q.threads, q.on == processor::cuda ? nullptr : &smaller);
+  const prepared &ready_a = a_first ? smaller : larger, &ready_b = a_first ? larger : smaller;
   ready_a.bounds(out.a.bounds.lo, out.a.bounds.hi);
   ready_b.bounds(out.b.bounds.lo, out.b.bounds.hi);
   out.prepare_seconds = seconds_since(start);

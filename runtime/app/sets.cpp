@@ -16,8 +16,8 @@ meetc::view view_of(const io::element_set &set) {
   return v;
 }
 
-prepared prepare(const io::element_set &set, int threads) {
-  return meetc::prepare(view_of(set), *set.kind, {}, threads);
+prepared prepare(const io::element_set &set, int threads, const prepared *near) {
+  return meetc::prepare(view_of(set), *set.kind, {}, threads, near);
 }
 
 } // namespace meetc::app

@@ -16,8 +16,9 @@ inline bool is_mesh(const io::element_set &set) {
 meetc::view view_of(const io::element_set &set);
 
 // Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to collide_options,
-// so that pairs are of items. Throws what meetc::prepare throws; sets from io::read are always good.
-prepared prepare(const io::element_set &set, int threads = 0);
+// so that pairs are of items. `near` is as in meetc::prepare, which also says what is thrown; sets from io::read are
+// always good.
+prepared prepare(const io::element_set &set, int threads = 0, const prepared *near = nullptr);
 
 } // namespace meetc::app
 

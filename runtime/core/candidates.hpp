@@ -1,12 +1,17 @@
 // core/candidates.hpp: the sources of candidate pairs. Code that decides pairs does not know which source they come
 // from.
 //
-// A source divides its work into units that may run in any order on any thread. Together they yield each pair whose
-// boxes may touch exactly once. Pairs come in runs of one `a`, and a run is never split between two batches.
+// A source divides its work into units that may run in any order on any thread. Together they yield each candidate
+// exactly once. A candidate is a pair whose boxes may touch, and of which, where that is asked for, an element with two
+// hull points may touch the other's box. Both sources yield the same candidates. Pairs come in runs of one element, of
+// either set, and a run is never split between two batches.
 #ifndef MEETC_CORE_CANDIDATES_HPP
 #define MEETC_CORE_CANDIDATES_HPP
 
-#include "core/element_set.hpp"
+#include "core/candidate_operand.hpp"
+#include "core/walk_cost.hpp"
+
+#include <optional>
 
 namespace meetc {
 
@@ -39,28 +44,31 @@ public:
   virtual bool yield(std::size_t unit, pair_sink &sink) const = 0; // false: the sink asked to stop
 };
 
-// Tests every pair of boxes. The sets must outlive it.
+// Tests every pair. The sets must outlive it.
 class all_pairs final : public candidate_source {
 public:
-  all_pairs(const element_set &a, const element_set &b) : a_(a), b_(b) {}
+  all_pairs(const element_set &a, const element_set &b, ruled_out_by what) : a_(a, what), b_(b, what) {}
   std::size_t units() const override;
   bool yield(std::size_t unit, pair_sink &sink) const override;
 
 private:
-  const element_set &a_, &b_;
+  candidate_operand a_, b_;
 };
 
-// Walks the hierarchy of b with each block of a. The sets must outlive it.
+// Walks the hierarchy of one set with each block of the other, or with each of its elements: which set walks, and how,
+// is what is expected to take fewer tests. The sets must outlive it.
 class tree_pairs final : public candidate_source {
 public:
-  tree_pairs(const element_set &a, const element_set &b);
+  tree_pairs(const element_set &a, const element_set &b, ruled_out_by what);
   std::size_t units() const override;
   bool yield(std::size_t unit, pair_sink &sink) const override;
 
 private:
-  const element_set &a_, &b_;
-  int start_ = 0;          // the level of b at which a walk starts
-  std::size_t starts_ = 0; // blocks of that level
+  candidate_operand a_, b_;
+  std::optional<walk_cost> cost_; // of the walks of this set; empty where a set is
+  bool b_walks_ = false;          // the blocks of b walk the hierarchy of a
+  int start_ = 0;                 // the level at which a walk starts
+  std::size_t starts_ = 0;        // blocks of that level
 };
 
 } // namespace meetc

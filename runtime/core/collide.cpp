@@ -104,6 +104,7 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   const auto start = std::chrono::steady_clock::now();
   require(same_kind(a.kind(), *predicate.a) && same_kind(b.kind(), *predicate.b),
           "the predicate is for other kinds of element");
+  require(a.fits(b) && b.fits(a), "a set was prepared for collisions with another one");
   require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b),
           "an owner map needs one item for each element");
   cascade by(predicate, precision);
@@ -112,8 +113,8 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   by.enter_box(options.box, a.set(), b.set());
 
   const int threads = thread_count(options.threads);
-  const all_pairs every(a.set(), b.set());
-  const tree_pairs tree(a.set(), b.set());
+  const all_pairs every(a.set(), b.set(), what_rules_out(precision));
+  const tree_pairs tree(a.set(), b.set(), what_rules_out(precision));
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   collect list(threads, options.owner_a, options.owner_b);
   const answer_kind want = options.want;

@@ -4,7 +4,8 @@
 // often. pairs(), in core/pairs.hpp, works in the caller's memory.
 //
 // A pair is decided where the closed boxes of its elements touch (the kind's box is never too small), by the
-// predicate's rung; `certified` is several rungs, each for what the one before left unsure. A set against itself gives
+// predicate's rung; `certified` is several rungs, each for what the one before left unsure. For exact and certified an
+// element with two hull points must also touch the other's box itself (core/two_points.hpp). A set against itself gives
 // every ordered pair (i, j), i = j included. The answer is the same for any number of threads and for either source of
 // candidates.
 #ifndef MEETC_CORE_COLLIDE_HPP

@@ -14,8 +14,10 @@ namespace meetc {
 struct level {
   box_block *blocks = nullptr;
   std::size_t boxes = 0;
+  double widths[3] = {0, 0, 0}; // the sums of the widths of all boxes
 
   std::size_t count() const { return (boxes + lanes - 1) / lanes; }
+  std::size_t filled(std::size_t block) const { return std::min<std::size_t>(lanes, boxes - block * lanes); }
   box get(std::size_t i) const { return blocks[i / lanes].get(static_cast<int>(i % lanes)); }
 };
 
@@ -29,7 +31,14 @@ struct hierarchy {
 // The levels over n elements, with their blocks from the allocator.
 hierarchy take_hierarchy(bump_allocator &from, std::size_t n);
 
-// Fills every level above level 0. The blocks of level 0 must be full or end in empty lanes.
+// Makes it the hierarchy over n elements, at most as many as its blocks were taken for.
+void resize(hierarchy &h, std::size_t n);
+
+// Adds the widths of the first `filled` boxes in a block.
+void add_widths(const box_block &block, std::size_t filled, double widths[3]);
+
+// Fills every level above level 0, and the sums of all widths. The blocks of level 0 must be full or end in empty
+// lanes.
 void enclose(hierarchy &h, int threads);
 
 } // namespace meetc

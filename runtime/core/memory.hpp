@@ -7,6 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 
 namespace meetc {
 
@@ -14,6 +16,15 @@ struct memory {
   void *data = nullptr;
   std::size_t bytes = 0;
 };
+
+struct free_memory {
+  void operator()(void *p) const { std::free(p); } // NOLINT: of std::aligned_alloc
+};
+using owned_memory = std::unique_ptr<void, free_memory>;
+
+// Uninitialised memory. A large block asks the system for large pages, where it has them: with small ones, most of the
+// time of filling it for the first time is spent on page faults. Throws std::bad_alloc.
+owned_memory allocate(std::size_t bytes);
 
 class bump_allocator {
 public:

@@ -89,15 +89,17 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
 
   bump_allocator from(work);
   layout l = take_layout(from, predicate, a.elements, b.elements, threads);
-  status s = fill(l.a, a, at_a, l.scratch_a, threads);
+  // The smaller set is filled whole, and the other with what is near it.
+  const bool a_first = a.elements <= b.elements;
+  status s = a_first ? fill(l.a, a, at_a, l.scratch_a, threads) : fill(l.b, b, at_b, l.scratch_b, threads);
   if (s == status::ok)
-    s = fill(l.b, b, at_b, l.scratch_b, threads);
+    s = a_first ? fill(l.b, b, at_b, l.scratch_b, threads, &l.a) : fill(l.a, a, at_a, l.scratch_a, threads, &l.b);
   if (s != status::ok)
     return s;
 
   stored_rows stored_a, stored_b;
-  const all_pairs every(l.a, l.b);
-  const tree_pairs tree(l.a, l.b);
+  const all_pairs every(l.a, l.b, what_rules_out(precision));
+  const tree_pairs tree(l.a, l.b, what_rules_out(precision));
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   const marks mark{out.flags_a, out.flags_b, out.counts_a, out.counts_b};
   clear(mark, a.elements, b.elements);

@@ -8,8 +8,14 @@
 
 namespace meetc {
 
-// Writes the elements [begin, end) as rows, the first to out[0]. Stops at the first bad element and returns bad_index
-// or bad_value; nothing out of bounds is read. The kind must pass can_move() unless the pose is the identity.
+// The view's own numbers, where they are the rows already: packed, not indexed and not moved. Null elsewhere.
+const float *rows_in_place(const view &elements, const kind_info &kind, const pose &at);
+
+// Whether these rows are finite and obey the rule of the kind: ok or bad_value.
+status check_rows(const kind_info &kind, const float *rows, std::size_t count);
+
+// Writes the elements [begin, end) as rows, the first to out[0], and returns ok, or bad_index or bad_value if one of
+// them is bad; nothing out of bounds is read. The kind must pass can_move() unless the pose is the identity.
 status gather(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
               float *out);
 

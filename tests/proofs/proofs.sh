@@ -7,8 +7,9 @@
 #   roundings  every rounding counts: without one, the bound that Gappa finds is smaller; with one more, it is larger than
 #              the script's
 #   coq        Coq accepts each proof, and refuses false claims (coq/coq.sh)
-# Two scripts are not about signs: half_parts, and ball_filter, whose errors are variables. For these `quarter` divides
-# each part of the margin by 4, and `roundings` doubles each error, widens the other ranges, and breaks the rule.
+# Three scripts are not about signs: half_parts, and ball_filter and two_points, whose errors are variables. For these
+# `quarter` divides each part of the margin by 4 (the term of two_points, which has room, by more), and `roundings`
+# doubles each error or multiplies it by 4, widens the other ranges, and breaks the rule.
 set -euo pipefail
 check=$1 gappa=$2 coqc_found=$3
 shift 3
@@ -65,6 +66,9 @@ quarters() {
       echo "s/^($part = [0-9]+)b/\1b-2 * 1b/"
     done
     ;;
+  two_points)
+    printf '%s\n' 's/^margin = 5b-23;/margin = 5b-25;/' 's/^term = 1b-126;/term = 1b-150;/'
+    ;;
   half_parts) # the relative errors, and the precisions that they come from
     printf '%s\n' 's/<= 1b-11 /<= 1b-13 /' 's/<= 1b-10 /<= 1b-12 /' 's/<11, -24, ne>/<9, -24, ne>/' \
       's/<11, -24, dn>/<9, -24, dn>/'
@@ -91,6 +95,21 @@ one_filter() {
       's/(w[xy]) in \[0, 8\]/\1 in [-8, 8]/' 's/(d[xy][0-3]) in \[-1, 1\]/\1 in [-2, 2]/' 's/  F <= 0/  F <= 1/')
     # Gappa accepts a rule that is not an identity, but says so.
     said=$(sed 's/(W0 + W1/(2 * W0 + W1/' <<<"$text" | timeout "$limit" "$gappa" 2>&1) || true
+    [[ $said == *"not trivially equal"* ]] || bad "$1: Gappa does not check the rule"
+    echo identity
+    ;;
+  roundings:two_points) # the factor is the next number above eight roundings, so one error must become 4 times as large
+    for change in a1 a2 c1 c2 g h; do
+      changes+=("s/\|$change\| <= 1b-24/|$change| <= 1b-22/")
+    done
+    for change in b1 b2; do
+      changes+=("s/\|$change\| <= 134217729b-51/|$change| <= 134217729b-49/")
+    done
+    for change in y1 y2 z; do
+      changes+=("s/\|$change\| <= 1b-150/|$change| <= 1b-125/")
+    done
+    changes+=('s/n - f <= 0/n - f <= 1/')
+    said=$(sed 's/\* E1 - f/* E2 - f/' <<<"$text" | timeout "$limit" "$gappa" 2>&1) || true
     [[ $said == *"not trivially equal"* ]] || bad "$1: Gappa does not check the rule"
     echo identity
     ;;

@@ -65,9 +65,18 @@ std::vector<std::string> roles_of(const lower::lowered_kind &k) {
   return roles;
 }
 
+// Where a row holds the coordinates of the hull's points, three for each point; -1: the coordinate is 0.
+std::string hull_fields(const lower::enclosure &e) {
+  std::vector<std::string> places;
+  for (const std::vector<int> &point : e.hull)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      places.push_back(std::to_string(axis < point.size() ? point[axis] : -1));
+  return join(places, ", ");
+}
+
 std::string shape_text(const lower::lowered_kind &k) {
   const lower::enclosure &e = *k.enclosed;
-  std::string places, box;
+  std::string box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::string lo, hi;
     for (const std::vector<int> &point : e.hull) {
@@ -82,29 +91,31 @@ std::string shape_text(const lower::lowered_kind &k) {
     }
     box += fmt::format("    lo[{0}] = {1};\n    hi[{0}] = {2};\n", axis, lo, hi);
   }
-  for (const std::vector<int> &point : e.hull)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      places += fmt::format("{}{}", places.empty() ? "" : ", ", axis < point.size() ? point[axis] : -1);
   return fmt::format("struct {}_shape {{\n  static constexpr int fields = {}, hull = {}, pad = {};\n"
                      "  MEETC_HD static constexpr int coordinate(int point, int axis) {{\n"
                      "    constexpr int all[] = {{{}}};\n    return all[3 * point + axis];\n  }}\n"
                      "  MEETC_HD static constexpr meetc::role role_of(int field) {{\n"
                      "    constexpr meetc::role all[] = {{{}}};\n    return all[field];\n  }}\n"
                      "  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {{\n{}  }}\n}};\n\n",
-                     identifier(k.name), k.reals.size(), e.hull.size(), e.pad, places, join(roles_of(k), ", "), box);
+                     identifier(k.name), k.reals.size(), e.hull.size(), e.pad, hull_fields(e), join(roles_of(k), ", "),
+                     box);
 }
 
 std::string kind_entry(const lower::lowered_kind &k, int stored) {
   const bool points_only = std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
-  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, meetc::stored_count({})}},\n", k.name,
-                     csv_names(k), k.reals.size(), identifier(k.name), points_only ? k.points : 0, identifier(k.name),
-                     k.enclosed->rule_input >= 0 ? identifier(k.name) + "_fault" : "nullptr", stored);
+  const lower::enclosure &e = *k.enclosed;
+  const std::string name = identifier(k.name);
+  return fmt::format(
+      "  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, meetc::stored_count({}), {}, {}_hull, {}}},\n", k.name,
+      csv_names(k), k.reals.size(), name, points_only ? k.points : 0, name,
+      e.rule_input >= 0 ? name + "_fault" : "nullptr", stored, e.hull.size(), name, e.pad);
 }
 
 std::string kind_functions(const lower::lowered_kind &k) {
   const lower::enclosure &e = *k.enclosed;
   const std::string name = identifier(k.name);
   std::string out = fmt::format("const meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(k), ", "));
+  out += fmt::format("const int {}_hull[] = {{{}}};\n", name, hull_fields(e));
   if (e.rule_input >= 0)
     out += fmt::format("const char *{}_fault(const float *row) {{ return {} ? nullptr : \"{}\"; }}\n", name,
                        rule_test(e, fmt::format("row[{}]", e.rule_input)), e.rule_text);

@@ -33,22 +33,28 @@ meetc::predicate_info sphere_triangle_info(const meetc::kind_info *a, const meet
 namespace {
 
 const meetc::role point_roles[] = {meetc::role::x, meetc::role::y, meetc::role::z};
+const int point_hull[] = {0, 1, 2};
 
 const meetc::role sphere_roles[] = {meetc::role::x, meetc::role::y, meetc::role::z, meetc::role::length};
+const int sphere_hull[] = {0, 1, 2};
 const char *sphere_fault(const float *row) { return meetc::not_negative(row[3]) ? nullptr : "r >= 0"; }
 
 const meetc::role segment_roles[] = {meetc::role::x, meetc::role::y, meetc::role::z, meetc::role::x,
     meetc::role::y, meetc::role::z};
+const int segment_hull[] = {0, 1, 2, 3, 4, 5};
 
 const meetc::role triangle_roles[] = {meetc::role::x, meetc::role::y, meetc::role::z, meetc::role::x,
     meetc::role::y, meetc::role::z, meetc::role::x, meetc::role::y, meetc::role::z};
+const int triangle_hull[] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
 
 const meetc::kind_info all_kinds[] = {
-  {"point", "x,y,z", 3, point_roles, 1, point_shape::box, nullptr, meetc::stored_count(0)},
-  {"sphere", "x,y,z,r", 4, sphere_roles, 0, sphere_shape::box, sphere_fault, meetc::stored_count(0)},
-  {"segment", "x0,y0,z0,x1,y1,z1", 6, segment_roles, 2, segment_shape::box, nullptr, meetc::stored_count(1)},
+  {"point", "x,y,z", 3, point_roles, 1, point_shape::box, nullptr, meetc::stored_count(0), 1, point_hull, -1},
+  {"sphere", "x,y,z,r", 4, sphere_roles, 0, sphere_shape::box, sphere_fault, meetc::stored_count(0), 1,
+      sphere_hull, 3},
+  {"segment", "x0,y0,z0,x1,y1,z1", 6, segment_roles, 2, segment_shape::box, nullptr, meetc::stored_count(1),
+      2, segment_hull, -1},
   {"triangle", "x0,y0,z0,x1,y1,z1,x2,y2,z2", 9, triangle_roles, 3, triangle_shape::box, nullptr,
-      meetc::stored_count(2)},
+      meetc::stored_count(2), 3, triangle_hull, -1},
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 #include <vector>
 
 namespace meetc {
@@ -28,6 +29,8 @@ const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_
 device_set::device_set(device &on, const prepared &set)
     : on_(&on), kind_(&set.kind()), launchers_(&launchers_of(on.kernels(), set.kind())),
       elements_(static_cast<std::uint32_t>(set.elements())) {
+  if (!set.whole())
+    throw std::invalid_argument("a set on a device must not be prepared for collisions with one other set");
   const std::size_t floats = std::size_t{elements_} * static_cast<std::size_t>(kind_->fields);
   rows_.reserve(floats, "a set's elements");
   order_.reserve(elements_, "a set's order");

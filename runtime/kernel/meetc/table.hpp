@@ -22,6 +22,11 @@ struct kind_info {
   void (*box)(const float *row, float lo[3], float hi[3]);
   const char *(*fault)(const float *row); // the broken `where` rule, or null
   int stored = 0;                         // the number of different stored_values of its predicates
+  // The element is a part of all points within row[pad] of the convex hull of `hull` points. Coordinate k of point p is
+  // row[hull_fields[3 p + k]], or 0 where that is -1. hull 0: nothing but the box is known; pad -1: the distance is 0.
+  int hull = 0;
+  const int *hull_fields = nullptr;
+  int pad = -1;
 };
 
 // The values that a set stores beside its rows for a predicate: `floats` numbers for each element, in the order of the

@@ -80,7 +80,7 @@ TEST_CASE("lists of pairs become one sorted list") {
 
 TEST_CASE("the spatial order is a permutation, the same on any number of threads, and keeps ties") {
   std::mt19937 g(63);
-  for (const std::size_t n : {1u, 16u, 17u, 1000u, 9000u})
+  for (const std::size_t n : {1u, 16u, 17u, 1000u, 9000u, 300'000u})
     for (const int spread : {0, 1, 277}) { // all equal; one scale; every scale
       std::vector<box> b(n);
       for (box &x : b)
@@ -91,8 +91,12 @@ TEST_CASE("the spatial order is a permutation, the same on any number of threads
           x.lo[k] = x.hi[k] = v;
         }
       std::vector<std::uint64_t> one(n), four(n), scratch(n);
-      spatial_order(b.data(), n, one.data(), scratch.data(), 1);
-      spatial_order(b.data(), n, four.data(), scratch.data(), 4);
+      centre_extent all;
+      std::vector<centre> centres;
+      for (const box &x : b)
+        all.add(centres.emplace_back(x));
+      spatial_order(centres.data(), nullptr, all, n, one.data(), scratch.data(), 1);
+      spatial_order(centres.data(), nullptr, all, n, four.data(), scratch.data(), 4);
       CHECK(one == four);
       std::vector<std::uint32_t> order(one.begin(), one.end());
       if (spread == 0)

@@ -1,0 +1,113 @@
+// core/walk.hpp: two ways down a hierarchy: a block of sixteen elements together, and one element with two points.
+#ifndef MEETC_CORE_WALK_HPP
+#define MEETC_CORE_WALK_HPP
+
+#include "core/probe.hpp"
+
+namespace meetc {
+
+// Tests the box around a block of `walker` against the boxes of `tree`, and yields the candidates of its elements. It
+// collects the leaf blocks first, so that runs of one element are long.
+class block_walk {
+public:
+  block_walk(const candidate_operand &walker, std::size_t block, const candidate_operand &tree, bool swapped,
+             pair_sink &sink)
+      : walker_(walker), tree_(tree), block_(block), around_(walker.set.boxes.levels[1].get(block)), swapped_(swapped),
+        sink_(sink) {}
+
+  // Walks down from one block of level `at` >= 1. Returns false when the sink asks to stop.
+  bool from(int at, std::size_t block) { return down(at, block) && finish(); }
+
+private:
+  bool down(int at, std::size_t block) {
+    const level &l = tree_.set.boxes.levels[at];
+    for (std::uint32_t mask = touching(l.blocks[block], around_); mask != 0; mask &= mask - 1) {
+      const std::size_t child = block * lanes + static_cast<std::size_t>(std::countr_zero(mask));
+      if (!(at == 1 ? collect(child, l.get(child)) : down(at - 1, child)))
+        return false;
+    }
+    return true;
+  }
+
+  bool collect(std::size_t leaf, const box &b) {
+    const std::uint32_t mask = touching(walker_.set.boxes.levels[0].blocks[block_], b);
+    leaves_[size_] = leaf;
+    elements_[size_] = mask;
+    size_ += mask != 0 && touching(tree_.set.boxes.levels[0].blocks[leaf], around_) != 0;
+    return size_ < most || finish();
+  }
+
+  bool finish() {
+    const std::size_t n = size_;
+    size_ = 0;
+    for (std::size_t lane = 0; lane < walker_.set.boxes.levels[0].filled(block_); ++lane) {
+      std::size_t chosen[most], count = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        chosen[count] = leaves_[i];
+        count += elements_[i] >> lane & 1;
+      }
+      if (count == 0)
+        continue;
+      const probe one(walker_, block_ * lanes + lane, tree_, swapped_);
+      index_pair *const begin = sink_.room(), *end = begin;
+      for (std::size_t i = 0; i < count; ++i)
+        end = one.pairs_with(chosen[i], end);
+      if (!sink_.advance(static_cast<std::size_t>(end - begin)))
+        return false;
+    }
+    return true;
+  }
+
+  static constexpr std::size_t most = pair_sink::longest_run / lanes;
+  const candidate_operand &walker_, &tree_;
+  std::size_t block_;
+  box around_;
+  bool swapped_;
+  pair_sink &sink_;
+  std::size_t size_ = 0;
+  std::size_t leaves_[most];
+  std::uint32_t elements_[most]; // the elements of the block that the box around the leaf touches
+};
+
+// Tests the two points of one element of `walker` against the boxes of `tree`. A long element visits the boxes along
+// it, and not those within its box.
+class element_walk {
+public:
+  element_walk(const candidate_operand &walker, std::size_t slot, const candidate_operand &tree, bool swapped,
+               pair_sink &sink)
+      : one_(walker, slot, tree, swapped), tree_(tree.set.boxes), sink_(sink), end_(sink.room()) {}
+
+  bool from(int at, std::size_t block) { return down(at, block) && advance(); }
+
+private:
+  bool down(int at, std::size_t block) {
+    const level &l = tree_.levels[at];
+    std::uint32_t mask = touching(l.blocks[block], one_.points()) & ((1u << l.filled(block)) - 1);
+    for (; mask != 0; mask &= mask - 1) {
+      const std::size_t child = block * lanes + static_cast<std::size_t>(std::countr_zero(mask));
+      if (!(at == 1 ? take(child) : down(at - 1, child)))
+        return false;
+    }
+    return true;
+  }
+
+  bool take(std::size_t leaf) {
+    end_ = one_.pairs_by_points(leaf, end_);
+    return end_ + lanes <= sink_.room() + pair_sink::longest_run || advance();
+  }
+
+  bool advance() {
+    const bool more = sink_.advance(static_cast<std::size_t>(end_ - sink_.room()));
+    end_ = sink_.room();
+    return more;
+  }
+
+  probe one_;
+  const hierarchy &tree_;
+  pair_sink &sink_;
+  index_pair *end_; // of the pairs in the sink's room
+};
+
+} // namespace meetc
+
+#endif
