@@ -98,16 +98,16 @@ std::string kind_entry(const lower::lowered_kind &k, int stored) {
   const bool points_only = std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
   return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, {}}},\n", k.name, csv_names(k),
                      k.reals.size(), identifier(k.name), points_only ? k.points : 0, identifier(k.name),
-                     k.enclosed->rule_input >= 0 ? identifier(k.name) + "_fault" : "nullptr", stored);
+                     k.enclosed->rule ? identifier(k.name) + "_fault" : "nullptr", stored);
 }
 
 std::string kind_functions(const lower::lowered_kind &k) {
   const lower::enclosure &e = *k.enclosed;
   const std::string name = identifier(k.name);
   std::string out = fmt::format("const meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(k), ", "));
-  if (e.rule_input >= 0)
+  if (e.rule)
     out += fmt::format("const char *{}_fault(const float *row) {{ return {} ? nullptr : \"{}\"; }}\n", name,
-                       rule_test(e, fmt::format("row[{}]", e.rule_input)), e.rule_text);
+                       rule_test(*e.rule, [](int i) { return fmt::format("row[{}]", i); }), e.rule->text);
   return out + "\n";
 }
 
