@@ -46,12 +46,16 @@ counts count(const arena &nodes, const std::vector<node_id> &results, const std:
   return out;
 }
 
-counts count(const program &p, residency where) {
+counts count(const arena &nodes, const std::vector<node_id> &results, residency where) {
   counts out;
   const std::vector<node_id> none;
   counter d{out, none, where};
-  fold(p, d);
+  fold(nodes, d, needed(nodes, results));
   return out;
+}
+
+counts count(const program &p, residency where) {
+  return count(p.nodes, p.results, where);
 }
 
 counts count_object(const program &p, residency object) {

@@ -12,6 +12,7 @@ struct counts {
 };
 counts count(const arena &nodes, const std::vector<node_id> &results, const std::vector<node_id> &given = {});
 // The same for the nodes of one residency only.
+counts count(const arena &nodes, const std::vector<node_id> &results, residency where);
 counts count(const program &p, residency where);
 // The operations that run once for each object of A or B, to compute its stored values; and those that run for each
 // pair, which reads them.

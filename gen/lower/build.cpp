@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <stdexcept>
 
 namespace meetc::lower {
@@ -16,120 +15,6 @@ std::vector<residency> residencies(const poly::local_origin &f) {
   for (int v = 0; v < f.base().size(); ++v)
     out.push_back(f.info(v).where);
   return out;
-}
-
-using monomials = std::vector<poly::monomial>;
-
-// Chooses the variables of a multivariate Horner scheme. Coefficients are ignored, and so is sharing between the parts.
-class scheme {
-public:
-  explicit scheme(std::vector<int> rank) : rank_(std::move(rank)) {}
-
-  // The variable to take out, or -1 to add up the terms.
-  int variable(const monomials &p) {
-    std::map<int, int> occurrences;
-    for (const poly::monomial &t : p)
-      for (const poly::power &f : t)
-        ++occurrences[f.variable];
-    std::vector<int> useful;
-    for (const auto &[v, n] : occurrences)
-      if (n >= 2)
-        useful.push_back(v);
-    if (useful.empty())
-      return -1;
-    const auto better = [&](int a, int b) {
-      return std::tuple(-occurrences[a], -rank(a), a) < std::tuple(-occurrences[b], -rank(b), b);
-    };
-    std::sort(useful.begin(), useful.end(), better);
-    if (p.size() > most_searched)
-      return useful.front();
-    int best = useful.front(), best_cost = std::numeric_limits<int>::max();
-    for (const int v : useful) {
-      const auto [quotient, rest] = split(p, v);
-      const int c = cost(quotient) + cost(rest) + 1 + (rest.empty() ? 0 : 1);
-      if (c < best_cost) {
-        best = v;
-        best_cost = c;
-      }
-    }
-    return best;
-  }
-
-private:
-  static constexpr std::size_t most_searched = 10; // longer sums take the most frequent variable
-  std::vector<int> rank_;
-  std::map<monomials, int> costs_;
-
-  int rank(int v) const { return rank_[static_cast<std::size_t>(v)]; }
-
-  static std::pair<monomials, monomials> split(const monomials &p, int v) {
-    std::pair<monomials, monomials> out;
-    for (poly::monomial t : p) {
-      const auto it = std::find_if(t.begin(), t.end(), [&](const poly::power &f) { return f.variable == v; });
-      if (it == t.end()) {
-        out.second.push_back(std::move(t));
-        continue;
-      }
-      if (--it->exponent == 0)
-        t.erase(it);
-      out.first.push_back(std::move(t));
-    }
-    return out;
-  }
-
-  int cost(const monomials &p) {
-    if (p.empty() || (p.size() == 1 && p[0].empty()))
-      return 0;
-    if (const auto it = costs_.find(p); it != costs_.end())
-      return it->second;
-    int out = 0;
-    if (const int v = variable(p); v >= 0) {
-      const auto [quotient, rest] = split(p, v);
-      out = cost(quotient) + cost(rest) + 1 + (rest.empty() ? 0 : 1);
-    } else {
-      for (const poly::monomial &t : p) {
-        int degree = 0;
-        for (const poly::power &f : t)
-          degree += f.exponent;
-        out += std::max(0, degree - 1) + 1;
-      }
-      out -= 1;
-    }
-    return costs_[p] = out;
-  }
-};
-
-// p = v * quotient + rest, where no term of rest contains v.
-std::pair<std::vector<poly::term>, std::vector<poly::term>> split(const std::vector<poly::term> &p, int v) {
-  std::pair<std::vector<poly::term>, std::vector<poly::term>> out;
-  for (poly::term t : p) {
-    const auto it =
-        std::find_if(t.factors.begin(), t.factors.end(), [&](const poly::power &f) { return f.variable == v; });
-    if (it == t.factors.end()) {
-      out.second.push_back(std::move(t));
-      continue;
-    }
-    if (--it->exponent == 0)
-      t.factors.erase(it);
-    out.first.push_back(std::move(t));
-  }
-  return out;
-}
-
-// Takes the common rational factor out of the terms and makes the first term positive.
-rational take_content(std::vector<poly::term> &p) {
-  mpz_class g = 0, l = 1;
-  for (const poly::term &t : p) {
-    g = gcd(g, t.coefficient.get_num());
-    l = lcm(l, t.coefficient.get_den());
-  }
-  rational content(g, l);
-  content.canonicalize();
-  if (p.front().coefficient < 0)
-    content = -content;
-  for (poly::term &t : p)
-    t.coefficient /= content;
-  return content;
 }
 
 } // namespace
@@ -148,6 +33,21 @@ node_id builder::build(const poly::poly &absolute, bool is_irreducible) {
   return n;
 }
 
+builder::candidate builder::candidate_of(std::size_t terms, node_id root) const {
+  return {terms, count(nodes_, {root}, residency::pair).total(), count(nodes_, {root}).total(), root};
+}
+
+builder::candidate builder::best_of(const std::vector<candidate> &all) const {
+  const auto key = [&](const candidate &c) {
+    const int terms = static_cast<int>(c.terms);
+    return prefer_ == prefer::operations ? std::array{c.operations, terms, 0}
+           : prefer_ == prefer::pair     ? std::array{c.pair, c.operations, terms}
+                                         : std::array{terms, c.operations, 0};
+  };
+  return *std::min_element(all.begin(), all.end(),
+                           [&](const candidate &x, const candidate &y) { return key(x) < key(y); });
+}
+
 node_id builder::local(const poly::poly &p, bool is_irreducible) {
   if (p.is_constant())
     return nodes_.constant(p.is_zero() ? rational(0) : p.constant());
@@ -156,37 +56,66 @@ node_id builder::local(const poly::poly &p, bool is_irreducible) {
   node_id n = -1;
   if (const auto it = known_.find(key); it != known_.end()) {
     n = it->second;
-  } else if (is_irreducible) {
-    known_[key] = n = irreducible(primitive);
   } else {
-    const auto f = primitive.factors();
-    if (f.parts.size() == 1 && f.parts[0].second == 1) {
-      n = irreducible(primitive);
-    } else {
-      n = nodes_.constant(f.content);
-      for (const auto &[part, exponent] : f.parts)
-        n = nodes_.multiply(n, nodes_.power(local(part, true), exponent));
+    const auto f = is_irreducible ? poly::poly::factor{{{primitive, 1}}, 1} : primitive.factors();
+    std::vector<candidate> all;
+    if (f.parts.size() > 1 || f.parts[0].second > 1)
+      all.push_back(candidate_of(1, factored(f)));
+    if (all.empty() || prefer_ != prefer::accuracy) {
+      const std::vector<candidate> of_whole = forms(primitive);
+      all.insert(all.end(), of_whole.begin(), of_whole.end());
     }
+    n = best_of(all).root;
     known_[key] = n;
   }
   return nodes_.multiply(nodes_.constant(content), n);
 }
 
-node_id builder::irreducible(const poly::poly &p) {
-  // Every candidate is built. Nodes used only by rejected ones are never emitted.
-  struct candidate {
-    std::size_t terms;
-    int operations;
-    node_id root;
-  };
+// Each factor is measured from points of its own: those of the product may not be its own points.
+node_id builder::factored(const poly::poly::factor &f) {
+  node_id n = nodes_.constant(f.content);
+  for (const auto &[part, exponent] : f.parts)
+    n = nodes_.multiply(n, nodes_.power(local(origin_.lower(origin_.raise(part)), true), exponent));
+  return n;
+}
+
+std::vector<node_id> builder::symbols(const std::vector<poly::invariant> &of) {
+  std::vector<node_id> out;
+  for (const poly::invariant &q : of)
+    out.push_back(symbol(q));
+  return out;
+}
+
+std::array<builder::candidate, 3> builder::with_squares(const poly::form &f, std::vector<node_id> symbols) {
+  symbols.resize(static_cast<std::size_t>(f.symbols->size()), -1);
+  for (std::size_t i = 0; i < f.made.size(); ++i) {
+    const poly::made_symbol &m = f.made[i];
+    node_id n = build_over(m.first, symbols);
+    if (m.kind == poly::made_symbol::type::length) {
+      const node_id second = build_over(m.second, symbols);
+      node_id sum = nodes_.constant(0);
+      for (std::size_t axis = 0; axis < origin_.vector(m.u).size(); ++axis) {
+        const node_id u = leaf(origin_.vector(m.u)[axis]), v = leaf(origin_.vector(m.v)[axis]);
+        const node_id x = nodes_.add(nodes_.multiply(n, u), nodes_.multiply(second, v));
+        sum = nodes_.add(sum, nodes_.multiply(x, x));
+      }
+      n = sum;
+    }
+    symbols[static_cast<std::size_t>(f.symbol(i))] = n;
+  }
+  // A difference of two squares is tried as it is, too.
+  return {candidate_of(f.value.length(), build_over(f.value, symbols)),
+          candidate_of(f.value.length(), horner(nodes_, f.value, symbols, by())),
+          candidate_of(f.value.length(), horner(nodes_, f.value, symbols, other_price()))};
+}
+
+// Every form is built. Nodes used only by rejected ones are never emitted.
+std::vector<builder::candidate> builder::forms(const poly::poly &p) {
   std::vector<candidate> all;
-  const auto cost = [&](node_id root) { return count(nodes_, {root}).total(); };
-  for (const poly::vector_form &v : poly::vector_forms(origin_, p)) {
-    std::vector<node_id> symbols;
-    for (const poly::invariant &q : v.invariants)
-      symbols.push_back(symbol(q));
-    const node_id root = horner(v.form, symbols);
-    all.push_back({v.form.length(), cost(root), root});
+  const std::vector<poly::vector_form> plain = poly::vector_forms(origin_, p);
+  for (const poly::vector_form &v : plain) {
+    const std::vector<node_id> of = symbols(v.invariants);
+    all.push_back(candidate_of(v.form.length(), horner(nodes_, v.form, of, by())));
     // Bare numbers are kept apart where they factor: (r + s)^2 - d^2, not r^2 + 2 r s + s^2 - d^2.
     std::vector<poly::term> bare, rest;
     for (const poly::term &t : v.form.terms()) {
@@ -196,23 +125,28 @@ node_id builder::irreducible(const poly::poly &p) {
       (numbers ? bare : rest).push_back(t);
     }
     if (bare.size() > 1 && !rest.empty()) {
-      const node_id apart = nodes_.add(build_over(poly::poly::from_terms(*v.symbols, bare), symbols),
-                                       horner(poly::poly::from_terms(*v.symbols, rest), symbols));
-      all.push_back({1 + rest.size(), cost(apart), apart});
+      const node_id apart = nodes_.add(build_over(poly::poly::from_terms(*v.symbols, bare), of),
+                                       horner(nodes_, poly::poly::from_terms(*v.symbols, rest), of, by()));
+      all.push_back(candidate_of(1 + rest.size(), apart));
     }
   }
-  if (all.empty() || prefer_ == prefer::operations) {
+  if (all.empty() || prefer_ != prefer::accuracy) {
     std::vector<node_id> leaves(static_cast<std::size_t>(origin_.local().size()), -1);
     for (const int v : p.variables())
       leaves[static_cast<std::size_t>(v)] = leaf(v);
-    const node_id root = horner(p, leaves);
-    all.push_back({p.length(), cost(root), root});
+    all.push_back(candidate_of(p.length(), horner(nodes_, p, leaves, by())));
   }
-  const auto better = [&](const candidate &x, const candidate &y) {
-    return prefer_ == prefer::operations ? std::pair(x.operations, x.terms) < std::pair(y.operations, y.terms)
-                                         : std::pair(x.terms, x.operations) < std::pair(y.terms, y.operations);
-  };
-  return std::min_element(all.begin(), all.end(), better)->root;
+  if (prefer_ == prefer::accuracy)
+    return all;
+  for (const poly::vector_form &v : plain) {
+    const std::vector<node_id> of = symbols(v.invariants);
+    all.push_back(candidate_of(v.form.length(), horner(nodes_, v.form, of, other_price())));
+    for (const poly::form &f : poly::squares(v)) {
+      const auto built = with_squares(f, of);
+      all.insert(all.end(), built.begin(), built.end());
+    }
+  }
+  return all;
 }
 
 node_id builder::symbol(const poly::invariant &q) {
@@ -278,38 +212,8 @@ node_id builder::build_over(const poly::poly &p, const std::vector<node_id> &lea
   const auto f = p.factors();
   node_id n = nodes_.constant(f.content);
   for (const auto &[part, exponent] : f.parts)
-    n = nodes_.multiply(n, nodes_.power(horner(part, leaves), exponent));
+    n = nodes_.multiply(n, nodes_.power(horner(nodes_, part, leaves, by()), exponent));
   return n;
-}
-
-node_id builder::horner(const poly::poly &p, const std::vector<node_id> &leaves) {
-  std::vector<int> rank;
-  for (const node_id l : leaves)
-    rank.push_back(l < 0 ? 0 : static_cast<int>(nodes_.where(l)));
-  scheme choose(rank);
-  const std::function<node_id(std::vector<poly::term>)> build = [&](std::vector<poly::term> q) -> node_id {
-    if (q.empty())
-      return nodes_.constant(0);
-    const rational content = take_content(q);
-    monomials shape;
-    for (const poly::term &t : q)
-      shape.push_back(t.factors);
-    node_id sum = nodes_.constant(0);
-    if (const int v = choose.variable(shape); v >= 0) {
-      auto [quotient, rest] = split(q, v);
-      sum = nodes_.add(nodes_.multiply(leaves[static_cast<std::size_t>(v)], build(std::move(quotient))),
-                       build(std::move(rest)));
-    } else {
-      for (const poly::term &t : q) {
-        node_id product = nodes_.constant(t.coefficient);
-        for (const poly::power &f : t.factors)
-          product = nodes_.multiply(product, nodes_.power(leaves[static_cast<std::size_t>(f.variable)], f.exponent));
-        sum = nodes_.add(sum, product);
-      }
-    }
-    return nodes_.multiply(nodes_.constant(content), sum);
-  };
-  return build(p.terms());
 }
 
 program builder::finish(const std::vector<node_id> &results) const {

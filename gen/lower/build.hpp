@@ -1,12 +1,14 @@
 // Turns polynomials into straight-line code.
 //
-// Each polynomial is factored. An irreducible one is tried in its vector forms (gen/poly/invariants.hpp) and in
-// components, each by a multivariate Horner scheme. The scheme takes out the variable that saves most, values of the
-// pair first, so that what belongs to one object gathers in factors of that object. Every program is expanded again and
-// compared with its polynomials; a difference is a bug and throws.
+// Each polynomial is factored. An irreducible one is tried in its vector forms (gen/poly/invariants.hpp), in those with
+// completed squares (gen/poly/squares.hpp), and in components, each by a multivariate Horner scheme (horner.hpp). Where
+// operations decide, a product of factors competes with the forms of the whole, since a difference of two squares may be
+// cheaper than its factors. Every program is expanded again and compared with its polynomials; a difference is a bug and
+// throws.
 #pragma once
 #include "gen/ir/arena.hpp"
-#include "gen/poly/invariants.hpp"
+#include "gen/lower/horner.hpp"
+#include "gen/poly/squares.hpp"
 
 namespace meetc::lower {
 
@@ -19,8 +21,11 @@ using ir::program;
 using poly::rational;
 using poly::residency;
 
-// How to choose a form: by the fewest operations, or by the fewest terms that can cancel (then by operations).
-enum class prefer { operations, accuracy };
+// How to choose a form: by the fewest operations; by the fewest operations for the pair, where objects keep their own
+// values (then by all operations); or by the fewest terms that can cancel (then by operations). The last is for signs,
+// whose error is bounded. It completes no squares: these save operations, but bring cancellation that the terms do not have,
+// or one rounding more. So a formula and a sign of one polynomial may have different forms.
+enum class prefer { operations, pair, accuracy };
 
 class builder {
 public:
@@ -47,13 +52,26 @@ private:
   std::map<std::vector<int>, std::array<node_id, 3>> crosses_;
   std::map<node_id, poly::poly> asked_; // the polynomials for which build() was called
 
+  // A form that was built.
+  struct candidate {
+    std::size_t terms;
+    int pair, operations; // of the pair; all
+    node_id root;
+  };
+  candidate candidate_of(std::size_t terms, node_id root) const;
+  candidate best_of(const std::vector<candidate> &all) const;
+  price by() const { return prefer_ == prefer::pair ? price::pair : price::whole; }
+  price other_price() const { return prefer_ == prefer::pair ? price::whole : price::pair; }
+
   node_id local(const poly::poly &p, bool is_irreducible);
-  node_id irreducible(const poly::poly &p);
+  node_id factored(const poly::poly::factor &f);
+  std::vector<candidate> forms(const poly::poly &p);
   node_id leaf(int variable);
   node_id symbol(const poly::invariant &q);
   node_id dot(int i, int j);
   const std::array<node_id, 3> &cross(int i, int j);
-  node_id horner(const poly::poly &p, const std::vector<node_id> &leaves);
+  std::vector<node_id> symbols(const std::vector<poly::invariant> &of);
+  std::array<candidate, 3> with_squares(const poly::form &f, std::vector<node_id> symbols);
 };
 
 } // namespace meetc::lower

@@ -38,6 +38,8 @@ sign_value decision::sign_of(const poly::poly &p) {
   const auto f = primitive.factors();
   sign_value out{f.content > 0 ? 1 : -1, {}};
   for (const auto &[part, exponent] : f.parts) {
+    if (known_.is_positive(part))
+      continue;
     const auto [it, fresh] = atom_ids_.try_emplace(part.key(), static_cast<int>(atoms_.size()));
     if (fresh) {
       atoms_.push_back(part);

@@ -4,7 +4,7 @@
 // opposite) signs are one atom however they were written. A sign value is a unit times a product of atoms. A truth is a
 // node of a hash-consed graph over tests of sign values.
 #pragma once
-#include "gen/poly/poly.hpp"
+#include "gen/lower/rule.hpp"
 
 #include <map>
 #include <string>
@@ -36,6 +36,8 @@ struct truth_node {
 // The atoms and truths of one kernel.
 class decision {
 public:
+  // Factors that are positive on all valid operands are left out of the signs taken from here on (rule.hpp).
+  void assume(known_signs known) { known_ = std::move(known); }
   sign_value sign_of(const poly::poly &p);
   // The spec's text for an atom, "side(B, A.a)"; "" where it has none.
   std::string text(int atom) const;
@@ -73,6 +75,7 @@ private:
   std::vector<poly::poly> atoms_;
   std::vector<name> texts_; // by atom
   long given_ = 0;
+  known_signs known_;
   std::map<std::string, int> atom_ids_;
   std::map<std::string, sign_value> signs_; // by the key of the primitive polynomial, factored or not
   std::vector<truth_node> nodes_;

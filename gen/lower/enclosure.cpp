@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 namespace meetc::lower {
-namespace {
+
 int input_of(const lower::value &v, const char *what, const location &where) {
   const auto *m = std::get_if<lower::multivector>(&v.is);
   if (m && m->is_scalar() && !m->is_zero()) {
@@ -15,7 +15,6 @@ int input_of(const lower::value &v, const char *what, const location &where) {
   }
   throw spec_error(where, fmt::format("{} must be a stored number", what));
 }
-} // namespace
 
 enclosure enclosing(const lower::model &m, const lang::kind &k) {
   enclosure out;
@@ -51,20 +50,7 @@ enclosure enclosing(const lower::model &m, const lang::kind &k) {
   }
   if (k.pad)
     out.pad = input_of(expand.evaluate(*k.pad, env), "a pad", k.pad->where);
-  if (k.rule) {
-    const lang::expr &e = *k.rule;
-    const std::string text = lang::print(e);
-    static const std::vector<std::pair<lang::op, const char *>> comparisons{{lang::op::greater_equal, ">= 0"},
-                                                                            {lang::op::greater, "> 0"}};
-    for (const auto &[kind, symbol] : comparisons)
-      if (e.kind == kind && e.args[1]->kind == lang::op::number && e.args[1]->text == "0") {
-        out.rule_input = input_of(expand.evaluate(*e.args[0], env), "what a rule compares", e.args[0]->where);
-        out.rule = symbol;
-        out.rule_text = text;
-      }
-    if (out.rule.empty())
-      throw spec_error(e.where, "a kind's 'where' compares a stored number with 0, as in 'r >= 0'");
-  }
+  out.rule = rule_of(m, k);
   return out;
 }
 

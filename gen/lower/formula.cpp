@@ -1,4 +1,5 @@
 // Formulas: a multivector-valued expression on general blades, and a number on stored operands as well.
+#include "gen/ir/count.hpp"
 #include "gen/lower/compile.hpp"
 
 #include <algorithm>
@@ -130,7 +131,14 @@ formula compile_formula(const model &m, const request &r) {
     const poly::local_origin local(*stored.numbers, stored.moves);
     builder lowered(local, prefer::operations);
     const poly::poly zero(*stored.numbers);
-    out.from_stored = lowered.finish({lowered.build(v.is_zero() ? zero : v.terms().begin()->second)});
+    const poly::poly &value = v.is_zero() ? zero : v.terms().begin()->second;
+    out.from_stored = lowered.finish({lowered.build(value)});
+    if (r.kinds.size() == 2) {
+      builder paired(local, prefer::pair);
+      program p = paired.finish({paired.build(value)});
+      if (ir::count(p, residency::a).total() + ir::count(p, residency::b).total() > 0)
+        out.for_pairs = std::move(p);
+    }
   }
   return out;
 }

@@ -34,13 +34,15 @@ std::vector<kernel_program> programs(kernel &k) {
     for (std::size_t i = 0; i < all.size(); ++i)
       if (const std::size_t n = all[i]->atoms.size())
         out.push_back({fmt::format("stage of {} signs", n), &all[i]->code, p.numbers.get(), &p.stored_inputs,
-                       !k.is_sign && all[i] != &p.rare});
+                       k.is_sign || all[i] == &p.rare ? use::once : use::sets});
     return out;
   }
   formula &f = k.value;
   out.push_back({"from blades", &f.from_blades, f.numbers.get(), &f.blade_inputs});
   if (f.stored_numbers)
     out.push_back({"from stored numbers", &f.from_stored, f.stored_numbers.get(), &f.stored_inputs});
+  if (!f.for_pairs.results.empty())
+    out.push_back({"for pairs", &f.for_pairs, f.stored_numbers.get(), &f.stored_inputs, use::pairs});
   return out;
 }
 
@@ -68,6 +70,7 @@ kernel compile(const model &m, const request &r) {
     out.value = compile_formula(m, r);
     check_constants(out.value.from_blades, r);
     check_constants(out.value.from_stored, r);
+    check_constants(out.value.for_pairs, r);
   }
   return out;
 }

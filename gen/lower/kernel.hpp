@@ -3,6 +3,7 @@
 #include "gen/bound/bound.hpp"
 #include "gen/lower/build.hpp"
 #include "gen/lower/expand.hpp"
+#include "gen/lower/rule.hpp"
 
 namespace meetc::lower {
 
@@ -47,6 +48,9 @@ struct formula {
   program from_blades;                     // inputs: operands' support() coefficients, one operand after another
   std::vector<std::string> blade_inputs;   // their names, as "X.e1^n"
   program from_stored;                     // numbers only; inputs: stored numbers, one operand after another
+  // The same number with the fewest operations for a pair whose objects store what each alone decides (its `stored`,
+  // after the passes). Only for numbers of two operands; without results where nothing would be stored.
+  program for_pairs;
   std::vector<std::string> stored_inputs;
   std::vector<poly::poly> polynomials; // of from_blades, in `numbers`
   std::shared_ptr<poly::ring> numbers, stored_numbers;
@@ -109,15 +113,20 @@ struct kernel {
 kernel compile(const lower::model &m, const request &r);
 std::vector<blade_maker> makers(const lower::model &m, const lang::kind &k);
 
+// How a program is run, which decides what is stored beside an object.
+enum class use {
+  once,  // on two single objects, or for few pairs of two sets, as a predicate's rare stage
+  sets,  // for most pairs of two sets, whose objects the runtime prepares: a predicate's other stages
+  pairs, // by callers that prepare objects themselves: a formula's for_pairs
+};
+
 // Every program of a kernel, with the ring and the names of its inputs.
 struct kernel_program {
   std::string title; // "stage of 2 signs", "from blades"
   program *code;
   const poly::ring *numbers;
   const std::vector<std::string> *inputs;
-  // It runs for most pairs of two sets, so what one object decides may be stored beside it: a predicate's stages but for
-  // the rare one.
-  bool of_sets = false;
+  use as = use::once;
 };
 std::vector<kernel_program> programs(kernel &k);
 
@@ -133,14 +142,15 @@ stored_ring stored_numbers(const lower::model &m, const std::vector<std::string>
                            const std::vector<const lang::kind *> &kinds);
 
 // What a runtime must know of a bounded kind: the points of the hull as inputs by axis, the input of the pad (-1:
-// none), and the rule that a valid element obeys, as (input, "comparison with 0").
+// none), and the rule that a valid element obeys.
 struct enclosure {
   std::vector<std::vector<int>> hull;
   int pad = -1;
-  int rule_input = -1;
-  std::string rule, rule_text; // ">= 0", "r >= 0"
+  std::optional<element_rule> rule;
 };
 // An empty hull means that the kind is not bounded, so sets of it cannot be searched.
 enclosure enclosing(const lower::model &m, const lang::kind &k);
+// The stored number that a value is. Throws spec_error, which says that `what` must be one.
+int input_of(const value &v, const char *what, const location &where);
 
 } // namespace meetc::lower

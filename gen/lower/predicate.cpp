@@ -31,6 +31,11 @@ predicate with_operands(const model &m, const request &r) {
   out.inputs_a = static_cast<int>(m.layout(*r.kinds[0]).reals.size());
   out.inputs_b = static_cast<int>(m.layout(*r.kinds[1]).reals.size());
   out.local = std::make_shared<poly::local_origin>(*out.numbers, stored.moves);
+  known_signs known{out.local.get(), {}, {}, {}};
+  for (std::size_t i = 0; i < 2; ++i)
+    if (const auto rule = rule_of(m, *r.kinds[i]))
+      known.add(*rule, i == 0 ? 0 : out.inputs_a);
+  out.signs.assume(std::move(known));
   return out;
 }
 

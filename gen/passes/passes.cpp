@@ -14,7 +14,9 @@ namespace {
 constexpr pass list[] = {
     {"prune", "drops the nodes that no chosen form needs; keeps the order of the others", prune},
     {"fuse", "turns a product that is used once, in a sum of the same residency, into a fused multiply-add", fuse},
-    {"store", "stores values of one object beside it if they cost more than one operation", store, true},
+    {"keep", "stores every value of one object that a pair reads; callers prepare the objects", keep,
+     lower::use::pairs},
+    {"store", "stores values of one object beside it if they cost more than one operation", store, lower::use::sets},
 };
 
 } // namespace
@@ -23,13 +25,13 @@ std::span<const pass> all() {
   return list;
 }
 
-ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last, bool of_sets) {
+ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last, lower::use as) {
   ir::program out = p;
   if (last == "lower")
     return out;
   const std::vector<poly::poly> wanted = ir::to_poly(p, inputs);
   for (const pass &step : list) {
-    if (!step.of_sets || of_sets)
+    if (!step.only || step.only == as)
       out = step.run(out);
     if (!(ir::to_poly(out, inputs) == wanted))
       throw std::logic_error(fmt::format("the pass '{}' changed a value", step.name));
@@ -41,7 +43,7 @@ ir::program run(const ir::program &p, const poly::ring &inputs, const std::strin
 
 void run(lower::kernel &k, const std::string &last) {
   for (const lower::kernel_program &p : lower::programs(k))
-    *p.code = run(*p.code, *p.numbers, last, p.of_sets);
+    *p.code = run(*p.code, *p.numbers, last, p.as);
 }
 
 void run(std::vector<lower::blade_maker> &makers) {

@@ -7,6 +7,7 @@
 #include "gen/lower/kernel.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -16,7 +17,7 @@ struct pass {
   const char *name; // as in `meetc show --emit=after:NAME`
   const char *does; // one line: what it needs, keeps and improves
   ir::program (*run)(const ir::program &);
-  bool of_sets = false; // runs only on programs that run for most pairs of two sets: lower::kernel_program::of_sets
+  std::optional<lower::use> only = {}; // runs only on programs of this use; on all where there is none
 };
 
 // All passes, first to last. "lower" is not among them: it is their input.
@@ -24,7 +25,8 @@ std::span<const pass> all();
 
 // Runs the passes up to the one called `last` (all of them where it is empty, none for "lower"), and checks each.
 // `inputs` is the ring of the program's inputs.
-ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last = {}, bool of_sets = false);
+ir::program run(const ir::program &p, const poly::ring &inputs, const std::string &last = {},
+                lower::use as = lower::use::once);
 
 // The same for every program of a kernel, including those that compute blades.
 void run(lower::kernel &k, const std::string &last = {});

@@ -23,13 +23,12 @@ node_id without_sign(const ir::arena &nodes, node_id id) {
   return id;
 }
 
-} // namespace
-
-ir::program store(const ir::program &p) {
+// Stores what costs more than `most_recomputed` operations.
+ir::program storing(const ir::program &p, int most_recomputed) {
   std::set<node_id> stored;
   const auto read_by_pair = [&](node_id id) {
     id = without_sign(p.nodes, id);
-    if (of_one_object(p.nodes, id) && ir::count(p.nodes, {id}).total() > cheapest)
+    if (of_one_object(p.nodes, id) && ir::count(p.nodes, {id}).total() > most_recomputed)
       stored.insert(id);
   };
   for (const node_id r : p.results)
@@ -41,6 +40,16 @@ ir::program store(const ir::program &p) {
   ir::program out = p;
   out.stored.assign(stored.begin(), stored.end());
   return out;
+}
+
+} // namespace
+
+ir::program store(const ir::program &p) {
+  return storing(p, cheapest);
+}
+
+ir::program keep(const ir::program &p) {
+  return storing(p, 0);
 }
 
 } // namespace meetc::passes

@@ -16,4 +16,8 @@ inline constexpr int cheapest = 1;
 // the pair. Only the split into work for each object and work for each pair changes.
 ir::program store(const ir::program &p);
 
+// The same for a program whose callers prepare objects themselves and call it many times: every value of one object that
+// a pair reads is stored, whatever it costs. The pair then runs the fewest operations that this form allows.
+ir::program keep(const ir::program &p);
+
 } // namespace meetc::passes

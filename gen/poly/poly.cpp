@@ -272,6 +272,25 @@ poly::factor poly::factors() const {
   return out;
 }
 
+std::optional<poly> quotient(const poly &a, const poly &b) {
+  poly out(*a.ring_);
+  if (b.is_zero() || !fmpq_mpoly_divides(out.p_->value, a.p_->value, b.p_->value, out.p_->context))
+    return std::nullopt;
+  return out;
+}
+
+std::optional<std::pair<rational, poly>> square_root(const poly &p) {
+  const poly::factor f = p.factors();
+  poly root(p.in(), 1);
+  for (const auto &[part, exponent] : f.parts) {
+    if (exponent % 2)
+      return std::nullopt;
+    for (int i = 0; i < exponent / 2; ++i)
+      root = root * part;
+  }
+  return std::pair{f.content, root};
+}
+
 std::vector<poly> coefficients(const poly &p, int v) {
   std::vector<std::vector<term>> parts(static_cast<std::size_t>(p.degree(v)) + 1);
   for (term t : p.terms()) {

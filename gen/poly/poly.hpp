@@ -4,6 +4,7 @@
 #include "gen/algebra/metric.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +64,7 @@ public:
   friend poly operator-(const poly &, const poly &);
   friend poly operator*(const poly &, const poly &);
   friend bool operator==(const poly &, const poly &);
+  friend std::optional<poly> quotient(const poly &a, const poly &b);
   poly scaled(const rational &) const;
   poly derivative(int v) const;
 
@@ -94,5 +96,9 @@ private:
 
 // The coefficients of p as a polynomial in v alone: p = sum over k of v^k coefficient[k].
 std::vector<poly> coefficients(const poly &p, int v);
+// a / b where it is a polynomial.
+std::optional<poly> quotient(const poly &a, const poly &b);
+// (k, r) with p = k r^2, for p other than zero, where such a polynomial exists.
+std::optional<std::pair<rational, poly>> square_root(const poly &p);
 
 } // namespace meetc::poly

@@ -101,6 +101,8 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
       a = draw(random, reals(0), ea, size, flat_axis, nullptr);
       b = draw(random, reals(1), eb, size, flat_axis, random.one_in(3) ? nullptr : &a.hull);
     }
+    if (!lower::obeys(ea.rule, a.row) || !lower::obeys(eb.rule, b.row))
+      continue;
     std::vector<oracle::rational> row = a.row;
     row.insert(row.end(), b.row.begin(), b.row.end());
     std::vector<int> signs(p.signs.atoms().size());

@@ -78,6 +78,32 @@ void check_rounding(random_numbers &random, F f, Of of) {
   }
 }
 
+// Formulas for many pairs: a struct whose functions compute what each object stores, and then what a pair adds.
+int for_pairs_checked = 0;
+template <class P, template <class> class X, template <class> class Y> void check_for_pairs(const std::string &name) {
+  INFO(name);
+  ++for_pairs_checked;
+  random_numbers random(500 + static_cast<unsigned>(for_pairs_checked));
+  const auto value = []<class T>(const X<T> &x, const Y<T> &y) {
+    T fa[P::fields_a + 1] = {}, fb[P::fields_b + 1] = {};
+    P::object_a(x, fa);
+    P::object_b(y, fb);
+    return P::pair(x, fa, y, fb);
+  };
+  const auto want = [&](const auto &x, const auto &y) {
+    const multivector b = space().meet(defined(x), defined(y), I());
+    return padded(name.starts_with("norm2") ? oracle::scalar_part(space().geometric(b, b)) : b[0]);
+  };
+  for (int i = 0; i < 150; ++i) {
+    X<exact> x;
+    Y<exact> y;
+    const auto next = [&] { return exact(random.fraction()); };
+    fill(x, next), fill(y, next);
+    REQUIRE(dense(value(x, y)) == want(x, y));
+  }
+  check_rounding<X, Y>(random, value, want);
+}
+
 template <template <class> class X, template <class> class Y> void check_pair(const std::string &names) {
   INFO(names);
   covered().insert("meet_" + names);
@@ -145,17 +171,40 @@ TEST_CASE("formulas: every meet and its square against the dense product") {
   check_pair<point_pair, circle>("point_pair_circle");
   check_pair<point_pair, plane>("point_pair_plane");
   check_pair<point_pair, sphere>("point_pair_sphere");
+  check_for_pairs<norm2_meet_plane_line, plane, line>("norm2_meet_plane_line");
+  check_for_pairs<norm2_meet_sphere_line, sphere, line>("norm2_meet_sphere_line");
+  check_for_pairs<norm2_meet_plane_plane, plane, plane>("norm2_meet_plane_plane");
+  check_for_pairs<norm2_meet_sphere_plane, sphere, plane>("norm2_meet_sphere_plane");
+  check_for_pairs<norm2_meet_sphere_sphere, sphere, sphere>("norm2_meet_sphere_sphere");
+  check_for_pairs<norm2_meet_circle_line, circle, line>("norm2_meet_circle_line");
+  check_for_pairs<norm2_meet_circle_circle, circle, circle>("norm2_meet_circle_circle");
+  check_for_pairs<norm2_meet_circle_plane, circle, plane>("norm2_meet_circle_plane");
+  check_for_pairs<norm2_meet_circle_sphere, circle, sphere>("norm2_meet_circle_sphere");
+  check_for_pairs<norm2_meet_point_pair_line, point_pair, line>("norm2_meet_point_pair_line");
+  check_for_pairs<norm2_meet_point_pair_circle, point_pair, circle>("norm2_meet_point_pair_circle");
+  check_for_pairs<norm2_meet_point_pair_plane, point_pair, plane>("norm2_meet_point_pair_plane");
+  check_for_pairs<norm2_meet_point_pair_sphere, point_pair, sphere>("norm2_meet_point_pair_sphere");
+  check_for_pairs<meet_point_pair_line, point_pair, line>("meet_point_pair_line");
+  check_for_pairs<meet_point_pair_circle, point_pair, circle>("meet_point_pair_circle");
   // The bound has the right size: it is never exceeded, and not so wide that it would hide a wrong formula.
   CHECK(most_used > 0.02);
 
   // Every emitted formula is tested: the umbrella header names them all.
   std::ifstream header(MEETC_GENERATED "/cga/cga.hpp");
   std::set<std::string> emitted;
+  int structs = 0;
   for (std::string text; std::getline(header, text);)
     for (const char *prefix : {"meet_", "norm2_meet_"})
-      if (const std::string start = std::string("#include <cga/") + prefix; text.starts_with(start))
-        emitted.insert(prefix + text.substr(start.size(), text.size() - start.size() - std::string(".hpp>").size()));
+      if (const std::string start = std::string("#include <cga/") + prefix; text.starts_with(start)) {
+        const std::string name =
+            prefix + text.substr(start.size(), text.size() - start.size() - std::string(".hpp>").size());
+        emitted.insert(name);
+        std::ifstream one(MEETC_GENERATED "/cga/" + name + ".hpp");
+        for (std::string line; std::getline(one, line);)
+          structs += line == "struct " + name + " {";
+      }
   CHECK(emitted == covered());
+  CHECK(structs == for_pairs_checked);
 }
 
 TEST_CASE("formulas: the blade of every kind") {

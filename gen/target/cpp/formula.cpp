@@ -14,6 +14,36 @@ std::string unused_mark(const std::string &body, const std::string &name) {
   return body.find(name + '.') == std::string::npos ? "[[maybe_unused]] " : "";
 }
 
+// A pointer parameter, without its name where nothing reads it.
+std::string pointer(const char *type, const std::string &name, const std::string &reads) {
+  return fmt::format("{} *{}", type, reads.find(name + '[') == std::string::npos ? "" : name);
+}
+
+// The formula for many pairs, whose objects store what each alone decides.
+std::string for_pairs(const lower::kernel &k, const body_names &names) {
+  const ir::program &p = k.value.for_pairs;
+  const stored_body stored = stored_parts(p, names.input, "T", "    ");
+  const std::string pair = pair_body(p, stored, names, false, {}, "    ");
+  const auto operand = [&](std::size_t i, const std::string &reads) {
+    const std::string name = identifier(k.asked.names[i]);
+    return fmt::format("{}const {}<T> &{}", unused_mark(reads, name), identifier(k.asked.kinds[i]->name), name);
+  };
+  std::string out = fmt::format("\n// {} from stored numbers, for many pairs.\n"
+                                "// Each object computes once, into f, what it alone decides, and each pair reads "
+                                "these values as fa and fb. The\n"
+                                "// whole has other operations than the function above, and so rounds otherwise.\n"
+                                "struct {} {{\n  static constexpr int fields_a = {}, fields_b = {};\n",
+                                k.asked.text, identifier(k.asked.name()), stored.fields_a, stored.fields_b);
+  for (const auto &[i, where, text] : {std::tuple(std::size_t{0}, poly::residency::a, stored.object_a),
+                                       std::tuple(std::size_t{1}, poly::residency::b, stored.object_b)})
+    out += fmt::format("  // {}.\n  template <class T> MEETC_HD static void object_{}({}, {}) {{\n{}  }}\n",
+                       count_text(ir::count_object(p, where)), i == 0 ? 'a' : 'b', operand(i, text),
+                       pointer("T", "f", text), text);
+  return out + fmt::format("  // {}.\n  template <class T> MEETC_HD static T pair({}, {}, {}, {}) {{\n{}  }}\n}};\n",
+                           count_text(ir::count_pair(p)), operand(0, pair), pointer("const T", "fa", pair),
+                           operand(1, pair), pointer("const T", "fb", pair), pair);
+}
+
 } // namespace
 
 std::string formula_header(const unit &u, const lower::kernel &k) {
@@ -89,6 +119,8 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     const std::string code = body(f.from_stored, names, "  ");
     out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
                        parameters("", code), code);
+    if (!f.for_pairs.results.empty())
+      out += for_pairs(k, names);
   } else {
     std::string all;
     for (const std::string &name : k.asked.names)

@@ -14,10 +14,11 @@ std::string valid_text(const lower::lowered_kind &k) {
   for (const lower::stored_real &r : k.reals)
     holds += fmt::format("{}meetc::is_finite(k.{})", holds.empty() ? "" : " &&\n      ", path_identifier(r.path));
   std::string rule;
-  if (k.enclosed && !k.enclosed->rule.empty()) {
-    const std::string path = path_identifier(k.reals[static_cast<std::size_t>(k.enclosed->rule_input)].path);
-    holds += " &&\n      " + rule_test(*k.enclosed, "k." + path);
-    rule = fmt::format(" and {}", k.enclosed->rule_text);
+  if (k.enclosed && k.enclosed->rule) {
+    holds += " &&\n      " + rule_test(*k.enclosed->rule, [&](int i) {
+               return "k." + path_identifier(k.reals[static_cast<std::size_t>(i)].path);
+             });
+    rule = fmt::format(" and {}", k.enclosed->rule->text);
   }
   return fmt::format("// Whether all numbers are finite{}, by their bits. Predicates assume it.\n"
                      "template <class T> MEETC_HD inline bool valid(const {}<T> &k) {{\n  return {};\n}}\n",

@@ -1,6 +1,7 @@
 #include "gen/target/cpp/names.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <set>
 
 namespace meetc::target {
@@ -178,8 +179,14 @@ std::string kernel_function(const lower::request &r) {
   return identifier(r.function) + (hidden ? "_" : "");
 }
 
-std::string rule_test(const lower::enclosure &e, const std::string &number) {
-  return (e.rule == "> 0" ? "meetc::is_positive(" : "meetc::not_negative(") + number + ")";
+std::string rule_test(const lower::element_rule &r, const std::function<std::string(int)> &number) {
+  using type = lower::element_rule::type;
+  if (r.kind != type::differ)
+    return fmt::format("meetc::{}({})", r.kind == type::positive ? "is_positive" : "not_negative", number(r.x[0]));
+  std::vector<std::string> axes;
+  for (std::size_t i = 0; i < r.x.size(); ++i)
+    axes.push_back(fmt::format("meetc::differ({}, {})", number(r.x[i]), number(r.y[i])));
+  return '(' + join(axes, " || ") + ')';
 }
 
 } // namespace meetc::target

@@ -2,6 +2,7 @@
 #pragma once
 #include "gen/lower/kernel.hpp"
 
+#include <functional>
 #include <string>
 
 namespace meetc::target {
@@ -14,7 +15,7 @@ std::string path_identifier(const std::string &path);
 std::string blade_field(const lower::basis_blade &b);
 // The name of a kernel's function or struct.
 std::string kernel_function(const lower::request &r);
-// Whether a number obeys a kind's rule, as C++ code that tests its bits.
-std::string rule_test(const lower::enclosure &e, const std::string &number);
+// Whether an element obeys its kind's rule, as C++ code that tests bits. `number` names a stored number.
+std::string rule_test(const lower::element_rule &r, const std::function<std::string(int)> &number);
 
 } // namespace meetc::target

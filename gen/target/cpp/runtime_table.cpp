@@ -107,8 +107,8 @@ std::string kind_entry(const lower::lowered_kind &k, int stored) {
   const std::string name = identifier(k.name);
   return fmt::format(
       "  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, meetc::stored_count({}), {}, {}_hull, {}}},\n", k.name,
-      csv_names(k), k.reals.size(), name, points_only ? k.points : 0, name,
-      e.rule_input >= 0 ? name + "_fault" : "nullptr", stored, e.hull.size(), name, e.pad);
+      csv_names(k), k.reals.size(), name, points_only ? k.points : 0, name, e.rule ? name + "_fault" : "nullptr",
+      stored, e.hull.size(), name, e.pad);
 }
 
 std::string kind_functions(const lower::lowered_kind &k) {
@@ -116,9 +116,9 @@ std::string kind_functions(const lower::lowered_kind &k) {
   const std::string name = identifier(k.name);
   std::string out = fmt::format("const meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(k), ", "));
   out += fmt::format("const int {}_hull[] = {{{}}};\n", name, hull_fields(e));
-  if (e.rule_input >= 0)
+  if (e.rule)
     out += fmt::format("const char *{}_fault(const float *row) {{ return {} ? nullptr : \"{}\"; }}\n", name,
-                       rule_test(e, fmt::format("row[{}]", e.rule_input)), e.rule_text);
+                       rule_test(*e.rule, [](int i) { return fmt::format("row[{}]", i); }), e.rule->text);
   return out + "\n";
 }
 

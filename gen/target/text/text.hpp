@@ -10,6 +10,10 @@ std::string poly_text(const unit &u, std::size_t kernel);
 std::string separate_text(const unit &u, std::size_t kernel);
 // The numbers of those products for all kernels of a unit.
 std::string separate_table(const unit &u);
+// Multiplications and additions of the programs of a kernel: all, those on one object alone, and those for the pair.
+std::string counts_text(const unit &u, std::size_t kernel);
+// The same for all kernels of a unit.
+std::string counts_table(const unit &u);
 // Programs as graphs, one line for each node.
 std::string graph_text(const unit &u, std::size_t kernel);
 // Programs in the order and with the names in which they are emitted.

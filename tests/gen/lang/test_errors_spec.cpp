@@ -120,6 +120,7 @@ const broken bounds[] = {
      ""},
     {"where = 'r >= 0'", "where = 'r >= 1'", "a.toml:20:10", "compares a stored number with 0, as in 'r >= 0'",
      "r >= 1", ""},
+    {"where = 'r >= 0'", "where = 'c != r'", "a.toml:20:10", "or two points, as in 'p != q'", "c != r", ""},
     {"where = 'r >= 0'", "where = 'r'", "a.toml:20:10", "compares a stored number with 0", "r", ""},
 };
 } // namespace

@@ -161,6 +161,10 @@ TEST_CASE("formulas compute their polynomials, from blades and from stored numbe
     REQUIRE(have.size() == 1);
     CHECK(have[0] == expanded);
     check_residency(f.from_stored, static_cast<int>(m.layout(*k->asked.kinds[0]).reals.size()));
+    if (!f.for_pairs.results.empty()) {
+      CHECK(ir::to_poly(f.for_pairs, *local.ring.numbers) == have);
+      check_residency(f.for_pairs, static_cast<int>(m.layout(*k->asked.kinds[0]).reals.size()));
+    }
     // Computed in another way: the blades' own makers, put into the formula on blades.
     std::vector<polynomial> images;
     for (std::size_t i = 0; i < k->asked.kinds.size(); ++i) {

@@ -44,6 +44,18 @@ TEST_CASE("store: one operation is recomputed, two are stored, and a negation co
   CHECK(of(ir::count_pair(p)) == ops{3, 1});      // nothing is stored yet
 }
 
+TEST_CASE("keep: every value of one object that a pair reads is stored, and no other") {
+  ir::program p = small();
+  ir::arena &n = p.nodes;
+  const auto a = n.input(0), b = n.input(1), c = n.input(2);
+  const auto difference = n.subtract(a, b), square = n.multiply(difference, difference);
+  p.results = {n.multiply(difference, c), n.multiply(n.negate(n.multiply(square, square)), c)};
+  const ir::program kept = passes::keep(p);
+  CHECK(kept.stored == std::vector<ir::node_id>{difference, n.multiply(square, square)});
+  CHECK(kept.results == p.results);
+  CHECK(of(ir::count_pair(kept)) == ops{2, 0});
+}
+
 TEST_CASE("store: a value that only a stored value reads is not stored") {
   ir::program p = small();
   ir::arena &n = p.nodes;
@@ -75,11 +87,11 @@ TEST_CASE(
 
 TEST_CASE("store: it is the last pass, and runs only on programs that run for most pairs") {
   CHECK(std::string(passes::all().back().name) == "store");
-  CHECK(passes::all().back().of_sets);
+  CHECK(passes::all().back().only == lower::use::sets);
   const lower::predicate &p = default_kernel("triangle_triangle").decision;
   ir::program before = p.reject.code;
   before.stored.clear();
   CHECK(passes::run(before, *p.numbers).stored.empty());
-  CHECK(passes::run(before, *p.numbers, {}, true).stored.size() == 6);
-  CHECK(passes::run(before, *p.numbers, "fuse", true).stored.empty());
+  CHECK(passes::run(before, *p.numbers, {}, lower::use::sets).stored.size() == 6);
+  CHECK(passes::run(before, *p.numbers, "fuse", lower::use::sets).stored.empty());
 }

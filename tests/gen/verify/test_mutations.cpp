@@ -215,6 +215,9 @@ TEST_CASE("a changed coefficient, sign or input of a compiled formula is seen by
     if (!k->value.stored_inputs.empty())
       made += check_changes(*k, &lower::formula::from_stored,
                             *lower::stored_numbers(*default_scene().model, k->asked.names, k->asked.kinds).numbers);
+    if (!k->value.for_pairs.results.empty())
+      made += check_changes(*k, &lower::formula::for_pairs,
+                            *lower::stored_numbers(*default_scene().model, k->asked.names, k->asked.kinds).numbers);
   }
   CHECK(made > 200);
 }

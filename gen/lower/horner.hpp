@@ -1,0 +1,19 @@
+// Multivariate Horner schemes: a polynomial over values that a program has, as nodes.
+//
+// Method: the variable that saves most is taken out, p = v * quotient + rest, and both parts are treated alike. Up to a
+// number of terms the savings are found by search, else by how often a variable occurs. Coefficients are ignored there,
+// and so is sharing between the parts.
+#pragma once
+#include "gen/ir/arena.hpp"
+
+namespace meetc::lower {
+
+// What an operation costs in the search. `whole`: each counts, and a value of the pair is taken out first among equals, so
+// that what belongs to one object gathers in factors of that object. `pair`: only operations on values of the pair count,
+// and products and sums join what belongs to one object before the rest.
+enum class price { whole, pair };
+
+// leaves[v] is the node of variable v; those of variables that do not occur may be -1.
+ir::node_id horner(ir::arena &nodes, const poly::poly &p, const std::vector<ir::node_id> &leaves, price by);
+
+} // namespace meetc::lower

@@ -1,0 +1,57 @@
+// The operations of kernels as a table.
+#include "gen/target/text/text.hpp"
+
+#include "gen/ir/count.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace meetc::target {
+namespace {
+
+// "5/3": multiplications and additions. A fused multiply-add is one of each; negations and products with powers of two are
+// none.
+std::string numbers(const ir::counts &c) {
+  return fmt::format("{}/{}", c.multiplications + c.fused, c.additions + c.fused);
+}
+
+std::string row(const std::string &kernel, std::size_t width, const std::string &program, const std::string &all,
+                const std::string &a, const std::string &b, const std::string &pair) {
+  return fmt::format("{:<{}}  {:<19} {:>8} {:>8} {:>8} {:>8}\n", kernel, width, program, all, a, b, pair);
+}
+
+std::string rows(const lower::kernel &k, std::size_t width) {
+  std::string out;
+  lower::kernel copy = k; // programs() returns references that passes may replace
+  for (const lower::kernel_program &p : lower::programs(copy)) {
+    const auto part = [&](poly::residency where) { return numbers(ir::count(*p.code, where)); };
+    out += row(k.asked.text, width, p.title, numbers(ir::count(p.code->nodes, p.code->results)),
+               part(poly::residency::a), part(poly::residency::b), part(poly::residency::pair));
+  }
+  return out.empty() ? fmt::format("{:<{}}  zero\n", k.asked.text, width) : out;
+}
+
+std::string table(const std::vector<const lower::kernel *> &kernels) {
+  std::size_t width = 6;
+  for (const lower::kernel *k : kernels)
+    width = std::max(width, k->asked.text.size());
+  std::string out = row("kernel", width, "program", "whole", "A alone", "B alone", "pair");
+  for (const lower::kernel *k : kernels)
+    out += rows(*k, width);
+  return out;
+}
+
+} // namespace
+
+std::string counts_text(const unit &u, std::size_t kernel) {
+  return table({&u.kernels[kernel]});
+}
+
+std::string counts_table(const unit &u) {
+  std::vector<const lower::kernel *> all;
+  for (const lower::kernel &k : u.kernels)
+    all.push_back(&k);
+  return table(all);
+}
+
+} // namespace meetc::target
