@@ -27,17 +27,21 @@ template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) 
 // The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure.
 template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const Signs &signs) {
   found_signs<P> f;
-  if (!find_usual<P>(signs, f))
-    return answer::no;
+  if (const progress at = find_usual<P>(signs, f); at != progress::open)
+    return to_answer(at == progress::hit);
   if constexpr (P::rare_stage::atoms > 0) {
     const truth rare = needs_rare_stage<P>(f);
     if (can_be_true(rare)) {
+      if (points_settle<P>(signs, f))
+        return answer::yes;
       if (can_be_false(rare)) { // possibly yes: the next rung decides
         for (int i = 0; i < P::rare_stage::atoms; ++i)
           f.sets[P::rare_stage::first + i] = sign_set::all();
         f.known = false;
       } else {
-        f.known = signs.template get<typename P::rare_stage>(f.sets) && f.known;
+        using stage = typename P::rare_stage;
+        f.known =
+            (signs.template by_bounds<stage>(f.sets) || zero_by_equal_points<P, stage>(f.equal, f.sets)) && f.known;
         if (f.known)
           known_signs<typename P::rare_stage>(f.sets, f.s);
       }
@@ -45,6 +49,13 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const S
     }
   }
   return usual_answer<P>(f);
+}
+
+// The decision of the exact rung, in any environment. It compares the points first, which costs little beside it.
+template <class P> MEETC_HD inline bool decide_exact(const float *row_a, const float *row_b) {
+  if (standard_environment() && P::settled(equal_points<P>(after_check(row_a), after_check(row_b))))
+    return true;
+  return decide<P>(exact_signs<P>(row_a, row_b));
 }
 
 // One rung of `certified`, in an environment that is known to be the standard one. Its no and yes are proved.

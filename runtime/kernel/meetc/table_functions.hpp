@@ -55,8 +55,7 @@ void decide_plain(row_array a, row_array b, const index_pair *pairs, std::size_t
                    [](const row_pair &p) { return to_answer(decide<P>(plain_signs<P, T>(p.row_a, p.row_b))); });
 }
 template <class P> void decide_exact(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
-  decide_each<P>(a, b, pairs, n, out,
-                 [](const row_pair &p) { return to_answer(decide<P>(exact_signs<P>(p.row_a, p.row_b))); });
+  decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return to_answer(decide_exact<P>(p.row_a, p.row_b)); });
 }
 template <class P> bool all_rungs(const row_pair &p) {
   return decide_certified<P>(p.row_a, p.row_b);

@@ -18,6 +18,9 @@ struct sphere_sphere_points {
   MEETC_HD static unsigned coincident(const float *, const float *) {
     return 0;
   }
+  // No equal points are known to make a pair a hit whatever its other numbers are.
+  static constexpr unsigned settled_by = 0x0u; // any of these bits
+  MEETC_HD static constexpr bool settled(unsigned) { return false; }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, -1};
