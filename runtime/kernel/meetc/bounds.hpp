@@ -68,6 +68,7 @@ template <class V, class E> MEETC_HD MEETC_INLINE sign_set within(const V &v, co
   return {static_cast<std::uint8_t>(!known ? 7 : x > 0 ? 4 : 1)};
 }
 
+// Whether each sign of the stage, from s on, is known.
 template <class Stage> MEETC_HD inline bool all_known(const sign_set *s) {
   int unsure = 0;
   for (int i = 0; i < Stage::atoms; ++i)
@@ -123,10 +124,16 @@ template <class P, class A> struct bounded_signs {
   template <class Stage> MEETC_HD MEETC_INLINE bool by_bounds(sign_set *all) const {
     if (!computes_as_bounded())
       return nothing_known<Stage>(all);
-    const rows_in<P, V> rows(row_a, row_b);
     V v[Stage::atoms];
-    stage_values<Stage>(rows.a, rows.b, v);
     M m[Stage::atoms];
+    compute<Stage>(v, m);
+    return sort_out<Stage>(v, m, all) || zero_by_grid<Stage>(v, m, all);
+  }
+
+  // The stage's values v and their magnitudes m.
+  template <class Stage> MEETC_HD MEETC_INLINE void compute(V *v, M *m) const {
+    const rows_in<P, V> rows(row_a, row_b);
+    stage_values<Stage>(rows.a, rows.b, v);
     const leaf_magnitude<M> leaf{power_of_two(A::template floor<Stage>(), M(0))};
     if constexpr (std::is_same_v<V, M>) {
       stage_magnitudes<Stage>(rows.a, rows.b, leaf, m);
@@ -134,10 +141,8 @@ template <class P, class A> struct bounded_signs {
       const rows_in<P, M> plain(row_a, row_b);
       stage_magnitudes<Stage>(plain.a, plain.b, leaf, m);
     }
-    return sort_out<Stage>(v, m, all);
   }
-
-  // The signs of the stage's values v with magnitudes m.
+  // Their signs by the bound alone.
   template <class Stage> MEETC_HD MEETC_INLINE bool sort_out(const V *v, const M *m, sign_set *all) const {
     sign_set *s = all + Stage::first;
     int unsure = 0;
@@ -145,16 +150,20 @@ template <class P, class A> struct bounded_signs {
       s[i] = m[i] == M(0) ? sign_set::of(sign::zero) : within(v[i], A::factor(Stage::factor(i)) * m[i]);
       unsure |= s[i].bits == 7;
     }
-    if constexpr (!std::is_same_v<M, float>)
-      return !unsure || zero_by_grid<Stage>(v, m, s);
+    return !unsure;
+  }
+
+  // Unsure signs are zero where the grid says so: a homogeneous polynomial of degree k with integer coefficients is a
+  // multiple of g^k if its inputs are multiples of g, so a value less than g^k is zero. In fp32 that is never known.
+  template <class Stage> MEETC_HD MEETC_INLINE bool zero_by_grid(const V *v, const M *m, sign_set *all) const {
+    if constexpr (std::is_same_v<M, float>)
+      return false;
     else
-      return !unsure;
+      return look_at_grid<Stage>(v, m, all + Stage::first);
   }
 
 private:
-  // Signs are zero where the grid says so: a homogeneous polynomial of degree k with integer coefficients is a multiple
-  // of g^k if its inputs are multiples of g, so a value less than g^k is zero.
-  template <class Stage> MEETC_NOINLINE MEETC_HD bool zero_by_grid(const V *v, const M *m, sign_set *s) const {
+  template <class Stage> MEETC_NOINLINE MEETC_HD bool look_at_grid(const V *v, const M *m, sign_set *s) const {
     if (!compiled_as_written())
       return false;
     const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;

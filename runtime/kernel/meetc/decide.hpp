@@ -34,17 +34,12 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const S
     if (can_be_true(rare)) {
       if (points_settle<P>(signs, f))
         return answer::yes;
-      if (can_be_false(rare)) { // possibly yes: the next rung decides
-        for (int i = 0; i < P::rare_stage::atoms; ++i)
-          f.sets[P::rare_stage::first + i] = sign_set::all();
-        f.known = false;
-      } else {
-        using stage = typename P::rare_stage;
-        f.known =
-            (signs.template by_bounds<stage>(f.sets) || zero_by_equal_points<P, stage>(f.equal, f.sets)) && f.known;
-        if (f.known)
-          known_signs<typename P::rare_stage>(f.sets, f.s);
-      }
+      if (can_be_false(rare)) // possibly: the next rung computes the rare stage
+        return to_answer(P::open(f.sets));
+      using stage = typename P::rare_stage;
+      f.known = (signs.template by_bounds<stage>(f.sets) || zero_by_equal_points<P, stage>(f.equal, f.sets)) && f.known;
+      if (f.known)
+        known_signs<stage>(f.sets, f.s);
       return f.known ? to_answer(P::whole(f.s)) : to_answer(P::whole(f.sets));
     }
   }
@@ -60,7 +55,10 @@ template <class P> MEETC_HD inline bool decide_exact(const float *row_a, const f
 
 // One rung of `certified`, in an environment that is known to be the standard one. Its no and yes are proved.
 template <class P, class A> MEETC_HD MEETC_INLINE answer certify_here(const float *row_a, const float *row_b) {
-  return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
+  if constexpr (std::is_same_v<A, in_fp64>)
+    return decide_sets<P>(fp64_signs<P>(row_a, row_b));
+  else
+    return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
 }
 // The same in any environment. The answer is unsure unless the environment is the standard one.
 template <class P, class A> MEETC_HD inline answer certify(const float *row_a, const float *row_b) {

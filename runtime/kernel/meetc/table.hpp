@@ -72,6 +72,9 @@ struct predicate_info {
   float box_least, box_most;
   // The stored values that decide[fp32], decide[certified], certify[0] and certify_in_box read.
   stored_values stored_a = {}, stored_b = {};
+  // decide[exact] for pairs that all bounded rungs left unsure: it does not repeat what they have tried. Null:
+  // decide[exact] takes its place.
+  decide_function decide_last = nullptr;
 };
 
 // All that a namespace offers to a runtime.

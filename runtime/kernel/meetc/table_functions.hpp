@@ -57,6 +57,11 @@ void decide_plain(row_array a, row_array b, const index_pair *pairs, std::size_t
 template <class P> void decide_exact(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return to_answer(decide_exact<P>(p.row_a, p.row_b)); });
 }
+// The exact rung for pairs that the bounded rungs left unsure.
+template <class P> void decide_last(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  decide_each<P>(a, b, pairs, n, out,
+                 [](const row_pair &p) { return to_answer(decide<P>(exact_signs<P>(p.row_a, p.row_b, true))); });
+}
 template <class P> bool all_rungs(const row_pair &p) {
   return decide_certified<P>(p.row_a, p.row_b);
 }
@@ -154,6 +159,7 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.certify[0] = certify_pairs<P, in_fp32>;
     p.certify[1] = certify_pairs<P, in_fp64>;
     p.certify[2] = certify_pairs<P, in_fp64x2>;
+    p.decide_last = decide_last<P>;
     p.certify_in_box = certify_pairs_in_box<P>;
     p.box_least = least_box<P>();
     p.box_most = most_box<P>();

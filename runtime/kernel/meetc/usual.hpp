@@ -13,7 +13,7 @@
 namespace meetc {
 
 // Converts sets of one sign each to signs.
-template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, sign *s) {
+template <class Stage> MEETC_HD MEETC_INLINE void known_signs(const sign_set *sets, sign *s) {
   for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
     s[i] = known_sign(sets[i]);
 }
@@ -46,6 +46,14 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE bool points_settle(const S
   return P::settled(f.equal);
 }
 
+// Whether the reject stage, whose signs have been computed, proves a miss.
+template <class P> MEETC_HD MEETC_INLINE bool surely_rejected(found_signs<P> &f) {
+  if (!f.known)
+    return !can_be_false(P::rejected(f.sets));
+  known_signs<typename P::reject_stage>(f.sets, f.s);
+  return P::rejected(f.s);
+}
+
 // Where a pair stands after the reject stage and the stage of the usual case.
 enum class progress : std::uint8_t { miss, hit, open };
 
@@ -54,21 +62,15 @@ enum class progress : std::uint8_t { miss, hit, open };
 template <class P, class Signs> MEETC_HD MEETC_INLINE progress find_usual(const Signs &signs, found_signs<P> &f) {
   if constexpr (P::reject_stage::atoms > 0) {
     using stage = typename P::reject_stage;
-    const auto rejected = [&f] {
-      if (!f.known)
-        return !can_be_false(P::rejected(f.sets));
-      known_signs<stage>(f.sets, f.s);
-      return static_cast<bool>(P::rejected(f.s));
-    };
     f.known = signs.template by_bounds<stage>(f.sets);
-    if (rejected())
+    if (surely_rejected<P>(f))
       return progress::miss;
     if (some_zero<stage>(f.sets)) {
       if (points_settle<P>(signs, f))
         return progress::hit;
       if (!f.known) {
         f.known = zero_by_equal_points<P, stage>(f.equal, f.sets);
-        if (rejected())
+        if (surely_rejected<P>(f))
           return progress::miss;
       }
     }
