@@ -1,6 +1,7 @@
 #include "gen/driver.hpp"
 #include "gen/ir/print.hpp"
 #include "gen/lower/separated.hpp"
+#include "gen/lower/settled.hpp"
 #include "gen/passes/passes.hpp"
 #include "gen/support/output.hpp"
 #include "gen/verify/verify.hpp"
@@ -62,8 +63,10 @@ compiled_kernel compile(const compilation &c, const lower::request &r) {
     throw spec_error(r.where, fmt::format("a sign of '{}' is not homogeneous in the stored numbers, which the exact "
                                           "rung needs",
                                           r.text));
-  if (!out.kernel.is_sign)
+  if (!out.kernel.is_sign) {
+    lower::find_settled(out.kernel.decision, *out.bounds);
     passes::run(*out.bounds);
+  }
   return out;
 }
 
@@ -102,10 +105,11 @@ int verify_scene(const verify_options &o) {
   compilation c = load(o.scene);
   compile_all(c);
   long wrong = 0, cases = 0;
-  for (const lower::kernel &k : c.kernels) {
-    const verify::report r = k.is_sign        ? verify::verify_sign(*c.model, k, std::max(1L, o.cases / 10), o.seed)
-                             : k.is_predicate ? verify::verify_predicate(*c.model, k, o.cases, o.seed)
-                                              : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 50), o.seed);
+  for (std::size_t i = 0; i < c.kernels.size(); ++i) {
+    const lower::kernel &k = c.kernels[i];
+    verify::report r = k.is_sign        ? verify::verify_sign(*c.model, k, std::max(1L, o.cases / 10), o.seed)
+                       : k.is_predicate ? verify::verify_predicate(*c.model, k, o.cases, o.seed)
+                                        : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 50), o.seed);
     wrong += r.wrong;
     cases += r.cases;
     if (!r.note.empty())
@@ -115,6 +119,15 @@ int verify_scene(const verify_options &o) {
                       r.degenerate));
     else
       say(fmt::format("{:<36} {} wrong of {}\n", k.asked.text, r.wrong, r.cases));
+    if (r.wrong)
+      say(fmt::format("  first: {}\n", r.first_wrong));
+    if (!c.bounds[i] || c.bounds[i]->settled_by.empty())
+      continue;
+    r = verify::verify_settled(*c.model, k, *c.bounds[i], std::max(1L, o.cases / 10), o.seed);
+    wrong += r.wrong;
+    cases += r.cases;
+    say(fmt::format("  settled by equal points: {}\n",
+                    r.note.empty() ? fmt::format("{} wrong of {}", r.wrong, r.cases) : r.note));
     if (r.wrong)
       say(fmt::format("  first: {}\n", r.first_wrong));
   }

@@ -110,15 +110,24 @@ struct unfused_stage {
 // Points of the operands that may have equal coordinates, as inputs by axis.
 struct coincidence {
   std::vector<int> x, y;
+  auto operator<=>(const coincidence &) const = default;
 };
+inline constexpr std::size_t most_coincidences = 32; // the bits of one word
 
 struct kernel_bounds {
   stage_bounds reject, common, rare; // empty where the predicate lacks the stage
   std::array<stage_bounds *, 3> stages() { return {&reject, &common, &rare}; }
-  std::vector<coincidence> coincidences; // at most 32
+  std::vector<coincidence> coincidences; // at most most_coincidences
+  // Sets of them, as bits: where all of a set hold, the decision is a hit (gen/lower/settled.hpp).
+  std::vector<std::uint32_t> settled_by;
   // For each input: its axis if it occurs only in differences with inputs of the same axis, else -1.
   std::vector<int> axes;
 };
+
+// Every pair of points that could have equal coordinates, of the same operand or not.
+std::vector<coincidence> pairs_of_points(const poly::local_origin &local);
+// The polynomial for operands at which all of these coincidences hold.
+poly::poly with_equal_points(const poly::poly &f, const std::vector<coincidence> &all);
 
 void find_coincidences(const subject &of, kernel_bounds &out); // coincidences, zero_if and axes
 

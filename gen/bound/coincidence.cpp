@@ -5,33 +5,10 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace meetc::bound {
 namespace {
-constexpr std::size_t most = 32; // the bits of one word
-
-// The positions of both operands, as inputs by axis.
-std::vector<std::vector<int>> positions(const subject &of) {
-  std::map<std::pair<int, int>, std::vector<int>> groups;
-  for (int v = 0; v < of.numbers.size(); ++v)
-    if (const poly::stored_number &s = of.local.stored(v); s.position)
-      groups[{s.operand, s.group}].push_back(v);
-  std::vector<std::vector<int>> out;
-  for (const auto &[at, inputs] : groups)
-    out.push_back(inputs);
-  return out;
-}
-
-poly::poly with_equal_points(const poly::poly &f, const coincidence &c, const poly::ring &numbers) {
-  std::vector<poly::poly> images;
-  for (int v = 0; v < numbers.size(); ++v) {
-    const auto at = std::find(c.y.begin(), c.y.end(), v);
-    images.push_back(
-        poly::poly::variable(numbers, at == c.y.end() ? v : c.x[static_cast<std::size_t>(at - c.y.begin())]));
-  }
-  return f.substitute(images, numbers);
-}
-
 // -1 for inputs that some stage uses outside a difference along their axis.
 std::vector<int> lone_axes(const subject &of) {
   std::vector<int> axes;
@@ -63,26 +40,54 @@ std::vector<int> lone_axes(const subject &of) {
 }
 } // namespace
 
+std::vector<coincidence> pairs_of_points(const poly::local_origin &local) {
+  std::map<std::pair<int, int>, std::vector<int>> points; // by operand and group
+  for (int v = 0; v < local.base().size(); ++v)
+    if (const poly::stored_number &s = local.stored(v); s.position)
+      points[{s.operand, s.group}].push_back(v);
+  std::vector<coincidence> out;
+  for (auto x = points.begin(); x != points.end(); ++x)
+    for (auto y = std::next(x); y != points.end(); ++y)
+      if (x->second.size() == y->second.size())
+        out.push_back({x->second, y->second});
+  return out;
+}
+
+poly::poly with_equal_points(const poly::poly &f, const std::vector<coincidence> &all) {
+  // The inputs of a point that equals others become those of the first of them.
+  std::vector<int> first(static_cast<std::size_t>(f.in().size()));
+  std::iota(first.begin(), first.end(), 0);
+  for (const coincidence &c : all)
+    for (std::size_t axis = 0; axis < c.x.size(); ++axis) {
+      const auto [low, high] =
+          std::minmax(first[static_cast<std::size_t>(c.x[axis])], first[static_cast<std::size_t>(c.y[axis])]);
+      std::replace(first.begin(), first.end(), int{high}, int{low});
+    }
+  std::vector<poly::poly> images;
+  for (const int v : first)
+    images.push_back(poly::poly::variable(f.in(), v));
+  return f.substitute(images, f.in());
+}
+
 void find_coincidences(const subject &of, kernel_bounds &out) {
   out.axes = lone_axes(of);
-  const auto points = positions(of);
   const auto to = out.stages();
   for (std::size_t s = 0; s < to.size(); ++s)
     to[s]->zero_if.assign(of.stages[s].signs.size(), 0);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = i + 1; j < points.size() && out.coincidences.size() < most; ++j) {
-      const coincidence c{points[i], points[j]};
-      bool used = false;
-      for (std::size_t s = 0; s < to.size(); ++s)
-        for (std::size_t k = 0; k < of.stages[s].signs.size(); ++k) {
-          if (c.x.size() != c.y.size() || !with_equal_points(*of.stages[s].signs[k], c, of.numbers).is_zero())
-            continue;
-          to[s]->zero_if[k] |= std::uint32_t{1} << out.coincidences.size();
-          used = true;
-        }
-      if (used)
-        out.coincidences.push_back(c);
-    }
+  for (const coincidence &c : pairs_of_points(of.local)) {
+    if (out.coincidences.size() == most_coincidences)
+      return;
+    bool used = false;
+    for (std::size_t s = 0; s < to.size(); ++s)
+      for (std::size_t k = 0; k < of.stages[s].signs.size(); ++k) {
+        if (!with_equal_points(*of.stages[s].signs[k], {c}).is_zero())
+          continue;
+        to[s]->zero_if[k] |= std::uint32_t{1} << out.coincidences.size();
+        used = true;
+      }
+    if (used)
+      out.coincidences.push_back(c);
+  }
 }
 
 } // namespace meetc::bound

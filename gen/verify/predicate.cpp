@@ -3,6 +3,7 @@
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <random>
 
@@ -25,6 +26,35 @@ struct sample {
   oracle::hull hull;
   oracle::rational pad = 0;
 };
+
+// What is known of both operands.
+struct operands {
+  std::array<std::size_t, 2> reals;
+  std::array<lower::enclosure, 2> enclosures;
+  oracle::touch_mode mode;
+
+  operands(const lower::model &m, const lower::kernel &k)
+      : mode(k.asked.asked->mode == "surface" ? oracle::touch_mode::surface : oracle::touch_mode::solid) {
+    for (std::size_t i = 0; i < 2; ++i)
+      reals[i] = m.layout(*k.asked.kinds[i]).reals.size(), enclosures[i] = lower::enclosing(m, *k.asked.kinds[i]);
+  }
+  bool bounded() const { return !enclosures[0].hull.empty() && !enclosures[1].hull.empty(); }
+  bool touch(const sample &a, const sample &b) const { return oracle::touches(a.hull, a.pad, b.hull, b.pad, mode); }
+};
+constexpr const char *no_hull = "not checked: an operand has no hull";
+
+// The hull and the pad that the stored numbers say.
+void place(sample &s, const lower::enclosure &e) {
+  s.hull.clear();
+  for (const std::vector<int> &point : e.hull) {
+    oracle::point p{};
+    for (std::size_t axis = 0; axis < point.size(); ++axis)
+      p[axis] = s.row[static_cast<std::size_t>(point[axis])];
+    s.hull.push_back(p);
+  }
+  if (e.pad >= 0)
+    s.pad = s.row[static_cast<std::size_t>(e.pad)];
+}
 
 // A point of the hull: a corner, the midpoint of two corners, or a point inside.
 oracle::point point_of(lattice &random, const oracle::hull &hull) {
@@ -59,15 +89,35 @@ sample draw(lattice &random, std::size_t reals, const lower::enclosure &e, int s
     for (std::size_t axis = 0; axis < point.size(); ++axis)
       out.row[static_cast<std::size_t>(point[axis])] = from[axis];
   }
-  for (const std::vector<int> &point : e.hull) {
-    oracle::point p{};
-    for (std::size_t axis = 0; axis < point.size(); ++axis)
-      p[axis] = out.row[static_cast<std::size_t>(point[axis])];
-    out.hull.push_back(p);
-  }
-  if (e.pad >= 0)
-    out.pad = out.row[static_cast<std::size_t>(e.pad)];
+  place(out, e);
   return out;
+}
+
+// Both operands. Either may provide the corners of the other.
+std::pair<sample, sample> draw_pair(lattice &random, const operands &of, int size, int flat_axis) {
+  sample a, b;
+  if (random.one_in(2)) {
+    b = draw(random, of.reals[1], of.enclosures[1], size, flat_axis, nullptr);
+    a = draw(random, of.reals[0], of.enclosures[0], size, flat_axis, random.one_in(3) ? nullptr : &b.hull);
+  } else {
+    a = draw(random, of.reals[0], of.enclosures[0], size, flat_axis, nullptr);
+    b = draw(random, of.reals[1], of.enclosures[1], size, flat_axis, random.one_in(3) ? nullptr : &a.hull);
+  }
+  return {std::move(a), std::move(b)};
+}
+
+// Lattices have 2, 5 and 17 points along each axis; every fourth case lies in one plane.
+std::pair<sample, sample> draw_case(lattice &random, const operands &of, long number) {
+  const int size = number % 3 == 0 ? 1 : number % 3 == 1 ? 4 : 16;
+  const int flat_axis = number % 4 == 3 ? random.number(0, 2) : -1;
+  return draw_pair(random, of, size, flat_axis);
+}
+
+std::string text_of(const std::vector<oracle::rational> &row) {
+  std::string numbers;
+  for (const auto &q : row)
+    numbers += (numbers.empty() ? "" : ", ") + q.get_str();
+  return numbers;
 }
 
 int sign_of(const oracle::rational &q) {
@@ -78,30 +128,16 @@ int sign_of(const oracle::rational &q) {
 
 report verify_predicate(const lower::model &m, const lower::kernel &k, long cases, unsigned seed) {
   report out;
-  const lower::enclosure ea = lower::enclosing(m, *k.asked.kinds[0]), eb = lower::enclosing(m, *k.asked.kinds[1]);
-  if (ea.hull.empty() || eb.hull.empty()) {
-    out.note = "not checked: an operand has no hull";
+  const operands of(m, k);
+  if (!of.bounded()) {
+    out.note = no_hull;
     return out;
   }
-  const auto mode = k.asked.asked->mode == "surface" ? oracle::touch_mode::surface : oracle::touch_mode::solid;
   const lower::predicate &p = k.decision;
-  const auto reals = [&](std::size_t i) { return m.layout(*k.asked.kinds[i]).reals.size(); };
   lattice random(seed);
   for (long i = 0; i < cases; ++i) {
-    // Lattices have 2, 5 and 17 points along each axis; every fourth case lies in one plane.
-    const int size = i % 3 == 0 ? 1 : i % 3 == 1 ? 4 : 16;
-    const int flat_axis = i % 4 == 3 ? random.number(0, 2) : -1;
-    // Either operand may provide the corners.
-    const bool swapped = random.one_in(2);
-    sample a, b;
-    if (swapped) {
-      b = draw(random, reals(1), eb, size, flat_axis, nullptr);
-      a = draw(random, reals(0), ea, size, flat_axis, random.one_in(3) ? nullptr : &b.hull);
-    } else {
-      a = draw(random, reals(0), ea, size, flat_axis, nullptr);
-      b = draw(random, reals(1), eb, size, flat_axis, random.one_in(3) ? nullptr : &a.hull);
-    }
-    if (!lower::obeys(ea.rule, a.row) || !lower::obeys(eb.rule, b.row))
+    const auto [a, b] = draw_case(random, of, i);
+    if (!lower::obeys(of.enclosures[0].rule, a.row) || !lower::obeys(of.enclosures[1].rule, b.row))
       continue;
     std::vector<oracle::rational> row = a.row;
     row.insert(row.end(), b.row.begin(), b.row.end());
@@ -116,7 +152,7 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
         zero = zero || (s != &p.rare && values[v] == 0);
       }
     }
-    const bool want = oracle::touches(a.hull, a.pad, b.hull, b.pad, mode);
+    const bool want = of.touch(a, b);
     const bool hit = p.signs.evaluate(p.truths.hit, signs);
     const bool rejected =
         std::any_of(p.truths.reject.begin(), p.truths.reject.end(), [&](int t) { return p.signs.evaluate(t, signs); });
@@ -130,14 +166,47 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
     if (hit == want && staged == want)
       continue;
     if (out.wrong++ == 0) {
-      std::string numbers;
-      for (const auto &q : row)
-        numbers += (numbers.empty() ? "" : ", ") + q.get_str();
-      out.first_wrong = fmt::format("{}({}) is {}, and should be {}{}", k.asked.text, numbers, hit ? "a hit" : "a miss",
-                                    want ? "a hit" : "a miss",
+      out.first_wrong = fmt::format("{}({}) is {}, and should be {}{}", k.asked.text, text_of(row),
+                                    hit ? "a hit" : "a miss", want ? "a hit" : "a miss",
                                     hit == want ? ", but a reject line or the usual case gets it wrong" : "");
     }
   }
+  return out;
+}
+
+report verify_settled(const lower::model &m, const lower::kernel &k, const bound::kernel_bounds &bounds, long cases,
+                      unsigned seed) {
+  report out;
+  const operands of(m, k);
+  if (!of.bounded()) {
+    out.note = no_hull;
+    return out;
+  }
+  lattice random(seed);
+  for (const std::uint32_t set : bounds.settled_by)
+    for (long i = 0; i < cases; ++i) {
+      auto [a, b] = draw_case(random, of, i);
+      const auto number = [&, &a = a, &b = b](int input) -> oracle::rational & {
+        const auto at = static_cast<std::size_t>(input);
+        return at < a.row.size() ? a.row[at] : b.row[at - a.row.size()];
+      };
+      // A point may be in several coincidences; the lesser number wins, so that all hold after as many rounds.
+      for (std::size_t round = 0; round < bounds.coincidences.size(); ++round)
+        for (std::size_t c = 0; c < bounds.coincidences.size(); ++c)
+          if (set >> c & 1)
+            for (std::size_t axis = 0; axis < bounds.coincidences[c].x.size(); ++axis) {
+              oracle::rational &x = number(bounds.coincidences[c].x[axis]), &y = number(bounds.coincidences[c].y[axis]);
+              (x < y ? y : x) = x < y ? x : y;
+            }
+      place(a, of.enclosures[0]), place(b, of.enclosures[1]);
+      ++out.cases;
+      if (of.touch(a, b))
+        continue;
+      if (out.wrong++ == 0)
+        out.first_wrong = fmt::format("{}({}, {}) is a miss, though equal points are said to settle it", k.asked.text,
+                                      text_of(a.row), text_of(b.row));
+    }
+  out.hits = out.cases - out.wrong;
   return out;
 }
 

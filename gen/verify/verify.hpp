@@ -3,6 +3,7 @@
 //   formulas    with the dense 2^n product (gen/oracle/dense.hpp), in exact rationals
 //   predicates  with exact convex feasibility of the operands' hulls (gen/oracle/convex.hpp), on small lattices
 //               where about half of the cases are degenerate
+//   settled     equal points that are said to settle a predicate, with the same geometry
 #pragma once
 #include "gen/lower/kernel.hpp"
 
@@ -19,5 +20,8 @@ report verify_formula(const lower::model &m, const lower::kernel &k, long cases,
 // Compares one sign with the sign of the dense product.
 report verify_sign(const lower::model &m, const lower::kernel &k, long cases, unsigned seed);
 report verify_predicate(const lower::model &m, const lower::kernel &k, long cases, unsigned seed);
+// Makes the points of each set in bounds.settled_by equal, in `cases` pairs each: the oracle must find a hit in all.
+report verify_settled(const lower::model &m, const lower::kernel &k, const bound::kernel_bounds &bounds, long cases,
+                      unsigned seed);
 
 } // namespace meetc::verify

@@ -25,6 +25,8 @@ cascade::cascade(const predicate_info &of, rung precision) : predicate(&of) {
     whole = whole && rungs[i];
   }
   count = whole ? bounded_rungs + 1 : 0;
+  if (whole && of.decide_last)
+    rungs[bounded_rungs] = of.decide_last;
 }
 
 void cascade::enter_box(float box, const element_set &a, const element_set &b) {

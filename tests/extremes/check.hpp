@@ -121,6 +121,7 @@ template <class P, class Hit> outcome check(const float *a, const float *b, floa
   out.hit = want != 0;
   check_bounded<P>(meetc::bounded_signs<P, meetc::in_fp32>(a, b), truth, want, fp32, out);
   check_bounded<P>(meetc::bounded_signs<P, meetc::in_fp64>(a, b), truth, want, fp64, out);
+  check_bounded<P>(meetc::fp64_signs<P>(a, b), truth, want, fp64, out);
   check_bounded<P>(meetc::bounded_signs<P, meetc::in_fp64x2>(a, b), truth, want, fp64x2, out);
   bool exact = signs_hold<P>(meetc::exact_signs<P>(a, b), truth);
   exact = exact && decided<P>(meetc::exact_signs<P>(a, b)) == want;

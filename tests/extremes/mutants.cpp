@@ -57,8 +57,10 @@ template <class P, mutation M> unsigned wrong_signs_of(const float *a, const flo
       wrong |= sets_hold<Q>(meetc::boxed_signs<Q, box_form::per_object>(a, b, side), truth) ? 0 : bit(per_object);
       wrong |= sets_hold<Q>(meetc::boxed_signs<Q, box_form::whole_box>(a, b, side), truth) ? 0 : bit(whole_box);
     }
-  if constexpr (all || M == mutation::wider_window)
+  if constexpr (all || M == mutation::wider_window) {
+    wrong |= sets_hold<Q>(meetc::fp64_signs<Q>(a, b), truth) ? 0 : bit(fp64);
     wrong |= signs_hold<Q>(meetc::exact_signs<Q>(a, b), truth) ? 0 : bit(exact_rung);
+  }
   return wrong;
 }
 

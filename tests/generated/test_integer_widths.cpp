@@ -80,6 +80,7 @@ template <int Degree, int Growth> struct probe_stage {
 };
 template <class Stage> struct probe {
   static constexpr int inputs_a = 1, inputs_b = 1, atoms = 1;
+  static constexpr int axis(int) { return -1; }
   using reject_stage = meetc::no_stage;
   using common_stage = Stage;
   using rare_stage = meetc::no_stage;
@@ -113,7 +114,49 @@ template <int Degree, int Growth> void check_steps() {
   CHECK(lean);
 }
 
+// Whether integers on differences, where they are shorter than the numbers, have the signs of integers on the numbers.
+template <class P, class Stage>
+bool same_on_differences(const row &a, const row &b, const meetc::integer_signs<P> &numbers, int &shorter) {
+  if constexpr (Stage::atoms > 0) {
+    const int low = numbers.common.low;
+    const meetc::integer_signs<P> differences(a.data(), b.data(), numbers.common,
+                                              meetc::spread<P>(a.data(), b.data()) - low);
+    shorter += differences.template need<Stage>() <= 126 && numbers.template need<Stage>() > 126;
+    meetc::sign x[P::atoms], y[P::atoms];
+    differences.template get<Stage>(x);
+    numbers.template get<Stage>(y);
+    return std::equal(x + Stage::first, x + Stage::first + Stage::atoms, y + Stage::first);
+  }
+  return true;
+}
+
 } // namespace
+
+TEST_CASE("integer widths: differences that are shorter than the numbers give the same signs") {
+  for_each_predicate([](auto p) {
+    using P = typename decltype(p)::type;
+    INFO(p.name);
+    random_numbers random(5);
+    int shorter = 0;
+    bool same = true;
+    for (int i = 0; i < effort(3000); ++i) {
+      // Far along the first axis, in coarse steps or none, and fine along the others.
+      const int fine = random.integer(-45, -8), steps = random.one_in(2) ? 40 : 0;
+      row a(P::inputs_a), b(P::inputs_b);
+      for (int k = 0; k < P::inputs_a + P::inputs_b; ++k) {
+        float &v = k < P::inputs_a ? a[static_cast<std::size_t>(k)] : b[static_cast<std::size_t>(k - P::inputs_a)];
+        v = P::axis(k) == 0 ? 0x1p20F + 0.125F * static_cast<float>(random.integer(0, steps))
+                            : std::ldexp(static_cast<float>(random.integer(0, 40)), fine);
+      }
+      const meetc::integer_signs<P> numbers(a.data(), b.data());
+      same = same && same_on_differences<P, typename P::reject_stage>(a, b, numbers, shorter) &&
+             same_on_differences<P, typename P::common_stage>(a, b, numbers, shorter) &&
+             same_on_differences<P, typename P::rare_stage>(a, b, numbers, shorter);
+    }
+    CHECK(same);
+    CHECK(shorter > 100); // the test can fail
+  });
+}
 
 TEST_CASE("integer widths: no value of a stage is wider than it claims") {
   for_each_predicate([](auto p) {

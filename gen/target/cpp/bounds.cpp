@@ -3,6 +3,7 @@
 #include "gen/target/cpp/body.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <fmt/format.h>
 #include <functional>
 
@@ -151,14 +152,76 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage 
   return out + magnitudes_text(b, p);
 }
 
+namespace {
+
+// The points that a comment names: "A.c = B.a".
+std::string points_text(const bound::coincidence &c, const emitted_predicate &p) {
+  const auto point = [&](const std::vector<int> &inputs) {
+    const std::string &path = p.kernel.decision.stored_inputs[static_cast<std::size_t>(inputs.front())];
+    return path.substr(0, path.rfind('.'));
+  };
+  return fmt::format("{} = {}", point(c.x), point(c.y));
+}
+
+// A comment of whole words in lines.
+std::string comment_lines(const std::string &text) {
+  constexpr std::size_t width = 110;
+  std::string out, line = "  //";
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find(' ', from), text.size());
+    if (line.size() + 1 + end - from > width) {
+      out += line + '\n';
+      line = "  //";
+    }
+    line += ' ' + text.substr(from, end - from);
+    from = end + 1;
+  }
+  return out + line + '\n';
+}
+
+// Whether equal points settle the decision, as a function of rows.
+std::string settled_text(const bound::kernel_bounds &b, const emitted_predicate &p) {
+  std::uint32_t alone = 0;
+  std::string claims, together;
+  for (const std::uint32_t set : b.settled_by) {
+    std::string claim;
+    for (std::size_t i = 0; i < b.coincidences.size(); ++i)
+      if (set >> i & 1)
+        claim += (claim.empty() ? "" : " and ") + points_text(b.coincidences[i], p);
+    claims += (claims.empty() ? "" : ", or ") + claim;
+    if (std::has_single_bit(set))
+      alone |= set;
+    else
+      together += fmt::format(" || (equal & 0x{0:x}u) == 0x{0:x}u", set);
+  }
+  const std::string comment =
+      claims.empty() ? "No equal points are known to make a pair a hit whatever its other numbers are."
+                     : fmt::format("A pair is a hit, whatever its other numbers are, where {}. The proof puts equal "
+                                   "points into the polynomials of all signs; see meetc/usual.hpp.",
+                                   claims);
+  const std::string bits = alone              ? fmt::format("(equal & settled_by) != 0{}", together)
+                           : together.empty() ? "false"
+                                              : together.substr(4);
+  return comment_lines(comment) + fmt::format("  static constexpr unsigned settled_by = 0x{:x}u; // any of these bits\n"
+                                              "  MEETC_HD static constexpr bool settled(unsigned{}) {{ return {}; }}\n",
+                                              alone, bits == "false" ? "" : " equal", bits);
+}
+
+} // namespace
+
 std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_predicate &p) {
+  // Points differ in their first coordinate as a rule, so the others are not compared.
   std::string tests;
   for (std::size_t i = 0; i < b.coincidences.size(); ++i) {
-    std::string equal;
-    for (std::size_t k = 0; k < b.coincidences[i].x.size(); ++k)
-      equal += fmt::format("{}({} == {})", equal.empty() ? "" : " & ", p.input(b.coincidences[i].x[k]),
-                           p.input(b.coincidences[i].y[k]));
-    tests += fmt::format("    bits |= static_cast<unsigned>({}) << {};\n", equal, i);
+    const bound::coincidence &c = b.coincidences[i];
+    const auto equal = [&](std::size_t axis) {
+      return fmt::format("{} == {}", p.input(c.x[axis]), p.input(c.y[axis]));
+    };
+    std::string others;
+    for (std::size_t axis = 1; axis < c.x.size(); ++axis)
+      others += fmt::format("{}({})", others.empty() ? "" : " & ", equal(axis));
+    tests += fmt::format("    if ({})\n      bits |= {} << {};\n", equal(0),
+                         others.empty() ? "1U" : fmt::format("static_cast<unsigned>({})", others), i);
   }
   const std::string operands = p.operands_in(tests, "    ");
   const auto row = [&](const char *name) {
@@ -170,6 +233,8 @@ std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_pred
                                 b.coincidences.size(), row("row_a"), row("row_b"),
                                 tests.empty() ? "    return 0;\n"
                                               : operands + "    unsigned bits = 0;\n" + tests + "    return bits;\n");
+  if (!p.kernel.is_sign)
+    out += settled_text(b, p);
   std::string axes;
   for (const int axis : b.axes)
     axes += fmt::format("{}{}", axes.empty() ? "" : ", ", axis);

@@ -194,6 +194,9 @@ std::string predicate_text(const unit &u, std::size_t number) {
   out += truth_function(p, "rejected", d.truths.reject, "");
   out += truth_function(p, "needs_rare", d.conditions, "");
   out += truth_function(p, "usual", {d.usual}, "");
+  if (p.has_rare())
+    out += "  // What is known of the decision while the signs of the rare stage are not.\n" +
+           truth_function(p, "open", {d.truths.hit}, "");
   out += p.has_rare()
              ? fmt::format("  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // "
                            "detail/{}_rest.hpp\n",

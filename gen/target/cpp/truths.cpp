@@ -13,15 +13,19 @@ using lower::truth_node;
 constexpr const char *test_names[] = {"",           "below_zero", "is_zero",       "at_most_zero",
                                       "above_zero", "not_zero",   "at_least_zero", ""};
 
+// What stands for the rare parts of a decision: they themselves, nothing (no condition holds), or a truth that is not
+// known.
+enum class rare_parts { whole, usual, open };
+
 // The truths that the roots need. They become statements b0, b1, ... where they are long or used more than once.
 class truth_writer {
 public:
-  // `usual`: the usual part of called decisions is taken, which uses only signs known before the rare stage.
-  truth_writer(const emitted_predicate &p, const std::vector<int> &roots, bool usual)
-      : p_(p), d_(p.kernel.decision.signs), usual_(usual) {
+  // Unless rare parts are written whole, only signs known before the rare stage are used, in called decisions too.
+  truth_writer(const emitted_predicate &p, const std::vector<int> &roots, rare_parts rare)
+      : p_(p), d_(p.kernel.decision.signs), rare_(rare) {
     for (const lower::sub_decision &c : p.kernel.decision.calls)
       if (p.of_scene(c) && can_be_called(c))
-        calls_.emplace(usual ? c.usual : c.whole, &c);
+        calls_.emplace(rare == rare_parts::usual ? c.usual : c.whole, &c);
     for (const int r : roots)
       count(r);
   }
@@ -51,7 +55,8 @@ public:
       text = fmt::format("meetc::negate({})", name(n.args[0]));
       break;
     case truth_node::type::choose: {
-      const std::string c = name(n.args[0]), t = name(n.args[1]), e = name(n.args[2]);
+      const std::string c = name(n.args[0]), t = rare_ == rare_parts::open ? "meetc::unknown()" : name(n.args[1]),
+                        e = name(n.args[2]);
       text = fmt::format("meetc::choose({}, {}, {})", c, t, e);
       break;
     }
@@ -70,7 +75,7 @@ private:
   static constexpr std::size_t longest = 64;
   const emitted_predicate &p_;
   const lower::decision &d_;
-  bool usual_;
+  rare_parts rare_;
   std::map<int, const lower::sub_decision *> calls_; // by the truth in whose place it stands
   std::map<int, int> uses_;
   std::map<int, std::string> names_;
@@ -79,13 +84,14 @@ private:
 
   // The number of its signs that the callee reads.
   std::size_t signs_read(const lower::sub_decision &c) const {
-    return c.signs.size() - (usual_ ? c.callee->rare.atoms.size() : 0);
+    return c.signs.size() - (rare_ == rare_parts::whole ? 0 : c.callee->rare.atoms.size());
   }
   bool can_be_called(const lower::sub_decision &c) const {
     const emitted_stage *rare = p_.stage(lower::stage_kind::rare);
     for (std::size_t i = 0; i < signs_read(c); ++i)
       for (const auto &[atom, e] : c.signs[i].atoms)
-        if (const auto at = p_.slot.find(atom); at == p_.slot.end() || (usual_ && rare && at->second >= rare->first))
+        if (const auto at = p_.slot.find(atom);
+            at == p_.slot.end() || (rare_ != rare_parts::whole && rare && at->second >= rare->first))
           return false;
     return true;
   }
@@ -107,13 +113,19 @@ private:
       signs.push_back(sign(c.signs[i]));
     const std::string array = fmt::format("e{}", next_call_++);
     out_ += fmt::format("    // {}\n    const S {}[] = {{{}}};\n", c.text, array, joined(signs));
-    return keep(fmt::format("{}::{}({})", identifier(c.name), usual_ ? "usual" : "whole", array));
+    const char *function = rare_ == rare_parts::whole                                   ? "whole"
+                           : rare_ == rare_parts::open && !c.callee->rare.atoms.empty() ? "open"
+                                                                                        : "usual";
+    return keep(fmt::format("{}::{}({})", identifier(c.name), function, array));
   }
 
   void count(int id) {
-    if (++uses_[id] == 1 && calls_.count(id) == 0)
-      for (const int a : d_.at(id).args)
-        count(a);
+    if (++uses_[id] > 1 || calls_.count(id) > 0)
+      return;
+    const truth_node &n = d_.at(id);
+    for (std::size_t i = 0; i < n.args.size(); ++i)
+      if (rare_ != rare_parts::open || n.kind != truth_node::type::choose || i != 1)
+        count(n.args[i]);
   }
   static std::string joined(const std::vector<std::string> &args) {
     std::string out;
@@ -132,7 +144,10 @@ private:
 
 std::string truth_function(const emitted_predicate &p, const std::string &name, const std::vector<int> &any_of,
                            const std::string &scope) {
-  truth_writer w(p, any_of, name != "whole");
+  truth_writer w(p, any_of,
+                 name == "whole"  ? rare_parts::whole
+                 : name == "open" ? rare_parts::open
+                                  : rare_parts::usual);
   const std::string value = w.any(any_of), body = w.take();
   const bool reads = (body + value).find("s[") != std::string::npos;
   const std::string head = fmt::format("{}template <class S> MEETC_HD {} {}constexpr auto {}{}(const S *{}) {{",

@@ -75,8 +75,16 @@ std::string bounds_table(const unit &u, std::size_t kernel) {
   };
   for (std::size_t i = 0; i < u.bounds[kernel]->coincidences.size(); ++i) {
     const bound::coincidence &c = u.bounds[kernel]->coincidences[i];
-    out += fmt::format("{}  {:>2}: ({}) = ({})\n", i ? "" : "\nequal points that make signs zero\n", i, point(c.x),
-                       point(c.y));
+    out +=
+        fmt::format("{}  {:>2}: ({}) = ({})\n", i ? "" : "\nequal points that make signs zero or settle the decision\n",
+                    i, point(c.x), point(c.y));
+  }
+  for (const std::uint32_t set : u.bounds[kernel]->settled_by) {
+    out += "a hit where all of these hold:";
+    for (unsigned c = 0; c < bound::most_coincidences; ++c)
+      if (set >> c & 1)
+        out += fmt::format(" {}", c);
+    out += '\n';
   }
   return out;
 }

@@ -9,7 +9,7 @@
 #include <cga/point_triangle.hpp>
 #include <cga/segment_segment.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -133,6 +133,17 @@ struct segment_triangle : detail::segment_triangle_points {
         meetc::at_least_zero(s[4]));
     const auto b2 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b0, b1));
     return b2;
+  }
+  // What is known of the decision while the signs of the rare stage are not.
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto open(const S *s) {
+    const auto b0 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
+        meetc::at_most_zero(s[4]));
+    const auto b1 = meetc::both(meetc::at_most_zero(s[2]), meetc::at_most_zero(s[3]),
+        meetc::at_least_zero(s[4]));
+    const auto b2 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b0, b1));
+    const auto b3 = meetc::choose(meetc::both(meetc::is_zero(s[0]), meetc::is_zero(s[1])), meetc::unknown(),
+        b2);
+    return b3;
   }
   template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/segment_triangle_rest.hpp
 };

@@ -10,7 +10,7 @@
 #include <cga/segment_segment.hpp>
 #include <cga/segment_triangle.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -220,6 +220,28 @@ struct triangle_triangle : detail::triangle_triangle_points {
     // segment_triangle(segment(B.c, B.a), A)
     const S e5[] = {-s[5], -s[3], -s[8], -s[11], -s[14]};
     const auto b5 = segment_triangle::usual(e5);
+    return meetc::either(b0, b1, b2, b3, b4, b5);
+  }
+  // What is known of the decision while the signs of the rare stage are not.
+  template <class S> MEETC_HD MEETC_INLINED static constexpr auto open(const S *s) {
+    // segment_triangle(segment(A.a, A.b), B)
+    const S e0[] = {s[0], s[1], s[6], s[7], s[8]};
+    const auto b0 = segment_triangle::open(e0);
+    // segment_triangle(segment(A.b, A.c), B)
+    const S e1[] = {s[1], s[2], s[9], s[10], s[11]};
+    const auto b1 = segment_triangle::open(e1);
+    // segment_triangle(segment(A.c, A.a), B)
+    const S e2[] = {s[2], s[0], -s[12], -s[13], -s[14]};
+    const auto b2 = segment_triangle::open(e2);
+    // segment_triangle(segment(B.a, B.b), A)
+    const S e3[] = {-s[3], -s[4], s[6], s[9], s[12]};
+    const auto b3 = segment_triangle::open(e3);
+    // segment_triangle(segment(B.b, B.c), A)
+    const S e4[] = {-s[4], -s[5], s[7], s[10], s[13]};
+    const auto b4 = segment_triangle::open(e4);
+    // segment_triangle(segment(B.c, B.a), A)
+    const S e5[] = {-s[5], -s[3], -s[8], -s[11], -s[14]};
+    const auto b5 = segment_triangle::open(e5);
     return meetc::either(b0, b1, b2, b3, b4, b5);
   }
   template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/triangle_triangle_rest.hpp

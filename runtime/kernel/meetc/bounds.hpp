@@ -88,6 +88,7 @@ template <class V, class E> MEETC_HD MEETC_INLINE sign_set within(const V &v, co
   return {static_cast<std::uint8_t>(!known ? 7 : x > 0 ? 4 : 1)};
 }
 
+// Whether each sign of the stage, from s on, is known.
 template <class Stage> MEETC_HD inline bool all_known(const sign_set *s) {
   int unsure = 0;
   for (int i = 0; i < Stage::atoms; ++i)
@@ -102,15 +103,18 @@ template <class Stage> MEETC_HD inline bool nothing_known(sign_set *all) {
   return false;
 }
 
-// Equal points make some polynomials vanish. Their signs are zero, which no bound can tell from a small number.
-template <class P, class Stage>
-MEETC_HD inline void zero_by_equal_points(const float *row_a, const float *row_b, sign_set *s) {
-  if constexpr (P::coincidences > 0) {
-    const std::uint32_t equal = P::coincident(row_a, row_b);
-    for (int i = 0; i < Stage::atoms; ++i)
-      if (Stage::zero_if(i) & equal)
-        s[i] = sign_set::of(sign::zero);
-  }
+// The bits of P::coincident(): the points of the pair that are equal. Few pairs need them, so they stay out of line.
+template <class P> MEETC_NOINLINE MEETC_HD inline std::uint32_t equal_points(const float *row_a, const float *row_b) {
+  return computes_as_bounded() ? P::coincident(row_a, row_b) : 0;
+}
+// Equal points make some polynomials vanish. Their signs are zero, which no bound can tell from a small number. Returns
+// whether every sign of the stage is known.
+template <class P, class Stage> MEETC_HD inline bool zero_by_equal_points(std::uint32_t equal, sign_set *all) {
+  sign_set *s = all + Stage::first;
+  for (int i = 0; i < Stage::atoms; ++i)
+    if (Stage::zero_if(i) & equal)
+      s[i] = sign_set::of(sign::zero);
+  return all_known<Stage>(s);
 }
 
 // The magnitudes of a stage's values, including those of one object.
@@ -125,21 +129,32 @@ MEETC_HD MEETC_INLINE void stage_magnitudes(const M *a, const M *b, const Leaf &
   Stage::magnitudes(a, of_a, b, of_b, leaf, m);
 }
 
-// Signs under the bound K M of arithmetic A. get() says whether every sign of the stage is known.
+// Signs under the bound K M of arithmetic A. by_bounds() takes them from the bound alone, and get() also from equal
+// points. Both say whether every sign of the stage is known.
 template <class P, class A> struct bounded_signs {
   using V = typename A::value;
   using M = typename A::magnitude;
   using R = typename A::real;
   const float *row_a, *row_b;
   MEETC_HD bounded_signs(const float *a, const float *b) : row_a(a), row_b(b) {}
+  MEETC_HD std::uint32_t equal() const { return equal_points<P>(row_a, row_b); }
 
   template <class Stage> MEETC_HD MEETC_INLINE bool get(sign_set *all) const {
+    return by_bounds<Stage>(all) || zero_by_equal_points<P, Stage>(equal(), all);
+  }
+  template <class Stage> MEETC_HD MEETC_INLINE bool by_bounds(sign_set *all) const {
     if (!computes_as_bounded())
       return nothing_known<Stage>(all);
-    const rows_in<P, V> rows(row_a, row_b);
     V v[Stage::atoms];
-    stage_values<Stage>(rows.a, rows.b, v);
     M m[Stage::atoms];
+    compute<Stage>(v, m);
+    return sort_out<Stage>(v, m, all) || zero_by_grid<Stage>(v, m, all);
+  }
+
+  // The stage's values v and their magnitudes m.
+  template <class Stage> MEETC_HD MEETC_INLINE void compute(V *v, M *m) const {
+    const rows_in<P, V> rows(row_a, row_b);
+    stage_values<Stage>(rows.a, rows.b, v);
     const leaf_magnitude<M> leaf{M(power_of_two(A::template floor<Stage>(), R(0)))};
     if constexpr (std::is_same_v<V, M>) {
       stage_magnitudes<Stage>(rows.a, rows.b, leaf, m);
@@ -147,10 +162,8 @@ template <class P, class A> struct bounded_signs {
       const rows_in<P, M> plain(row_a, row_b);
       stage_magnitudes<Stage>(plain.a, plain.b, leaf, m);
     }
-    return sort_out<Stage>(v, m, all);
   }
-
-  // The signs of the stage's values v with magnitudes m.
+  // Their signs by the bound alone.
   template <class Stage> MEETC_HD MEETC_INLINE bool sort_out(const V *v, const M *m, sign_set *all) const {
     sign_set *s = all + Stage::first;
     int unsure = 0;
@@ -158,26 +171,27 @@ template <class P, class A> struct bounded_signs {
       s[i] = m[i] == M(0) ? sign_set::of(sign::zero) : within(v[i], A::template factor<Stage>(i) * R(m[i]));
       unsure |= s[i].bits == 7;
     }
-    if constexpr (P::coincidences > 0 || !std::is_same_v<R, float>)
-      return !unsure || settle<Stage>(v, m, s);
+    return !unsure;
+  }
+
+  // Unsure signs are zero where the grid says so: a homogeneous polynomial of degree k with integer coefficients is a
+  // multiple of g^k if its inputs are multiples of g, so a value less than g^k is zero. In fp32 that is never known.
+  template <class Stage> MEETC_HD MEETC_INLINE bool zero_by_grid(const V *v, const M *m, sign_set *all) const {
+    if constexpr (std::is_same_v<R, float>)
+      return false;
     else
-      return !unsure;
+      return look_at_grid<Stage>(v, m, all + Stage::first);
   }
 
 private:
-  // Signs are zero where points coincide, and where the grid says so: a homogeneous polynomial of degree k with integer
-  // coefficients is a multiple of g^k if its inputs are multiples of g, so a value less than g^k is zero.
-  template <class Stage> MEETC_NOINLINE MEETC_HD bool settle(const V *v, const M *m, sign_set *s) const {
-    zero_by_equal_points<P, Stage>(row_a, row_b, s);
+  template <class Stage> MEETC_NOINLINE MEETC_HD bool look_at_grid(const V *v, const M *m, sign_set *s) const {
     if (!compiled_as_written())
-      return all_known<Stage>(s);
-    if constexpr (!std::is_same_v<R, float>) {
-      const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
-      for (int i = 0; i < Stage::atoms; ++i)
-        if (s[i].bits == 7 && R(magnitude_of(v[i])) + A::template factor<Stage>(i) * R(m[i]) <
-                                  std::ldexp(R(0.5), low * Stage::degree_of(i)))
-          s[i] = sign_set::of(sign::zero);
-    }
+      return false;
+    const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
+    for (int i = 0; i < Stage::atoms; ++i)
+      if (s[i].bits == 7 && R(magnitude_of(v[i])) + A::template factor<Stage>(i) * R(m[i]) <
+                                std::ldexp(R(0.5), low * Stage::degree_of(i)))
+        s[i] = sign_set::of(sign::zero);
     return all_known<Stage>(s);
   }
 };

@@ -20,7 +20,11 @@ template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
   MEETC_HD boxed_signs(const Pair &of, float side) : pair(of), d(side) {}
   MEETC_HD boxed_signs(const float *a, const float *b, float side) : pair{a, b}, d(side) {}
 
+  MEETC_HD std::uint32_t equal() const { return equal_points<P>(pair.row_a, pair.row_b); }
   template <class Stage> MEETC_HD bool get(sign_set *all) const {
+    return by_bounds<Stage>(all) || zero_by_equal_points<P, Stage>(equal(), all);
+  }
+  template <class Stage> MEETC_HD bool by_bounds(sign_set *all) const {
     if (!computes_as_bounded())
       return nothing_known<Stage>(all);
     in_fp32::value v[Stage::atoms];
@@ -40,11 +44,6 @@ template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
       s[i] = within(v[i], f.c * power(alpha, f.a) * power(beta, f.b) * power(d, f.pair));
       unsure |= s[i].bits == 7;
     }
-    if constexpr (P::coincidences > 0)
-      if (unsure) {
-        zero_by_equal_points<P, Stage>(pair.row_a, pair.row_b, s);
-        return all_known<Stage>(s);
-      }
     return !unsure;
   }
 

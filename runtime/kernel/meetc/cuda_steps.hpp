@@ -140,7 +140,7 @@ template <class P, class T> struct plain_step {
   __device__ static answer of(const float *a, const float *b) { return to_answer(decide<P>(plain_signs<P, T>(a, b))); }
 };
 template <class P> struct exact_step {
-  __device__ static answer of(const float *a, const float *b) { return to_answer(decide<P>(exact_signs<P>(a, b))); }
+  __device__ static answer of(const float *a, const float *b) { return to_answer(decide_exact<P>(a, b)); }
 };
 template <class P, class A> struct certify_step {
   __device__ static answer of(const float *a, const float *b) {

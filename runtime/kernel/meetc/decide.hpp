@@ -27,29 +27,38 @@ template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) 
 // The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure.
 template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const Signs &signs) {
   found_signs<P> f;
-  if (!find_usual<P>(signs, f))
-    return answer::no;
+  if (const progress at = find_usual<P>(signs, f); at != progress::open)
+    return to_answer(at == progress::hit);
   if constexpr (P::rare_stage::atoms > 0) {
     const truth rare = needs_rare_stage<P>(f);
     if (can_be_true(rare)) {
-      if (can_be_false(rare)) { // possibly yes: the next rung decides
-        for (int i = 0; i < P::rare_stage::atoms; ++i)
-          f.sets[P::rare_stage::first + i] = sign_set::all();
-        f.known = false;
-      } else {
-        f.known = signs.template get<typename P::rare_stage>(f.sets) && f.known;
-        if (f.known)
-          known_signs<typename P::rare_stage>(f.sets, f.s);
-      }
+      if (points_settle<P>(signs, f))
+        return answer::yes;
+      if (can_be_false(rare)) // possibly: the next rung computes the rare stage
+        return to_answer(P::open(f.sets));
+      using stage = typename P::rare_stage;
+      f.known = (signs.template by_bounds<stage>(f.sets) || zero_by_equal_points<P, stage>(f.equal, f.sets)) && f.known;
+      if (f.known)
+        known_signs<stage>(f.sets, f.s);
       return f.known ? to_answer(P::whole(f.s)) : to_answer(P::whole(f.sets));
     }
   }
   return usual_answer<P>(f);
 }
 
+// The decision of the exact rung, in any environment. It compares the points first, which costs little beside it.
+template <class P> MEETC_HD inline bool decide_exact(const float *row_a, const float *row_b) {
+  if (standard_environment() && P::settled(equal_points<P>(after_check(row_a), after_check(row_b))))
+    return true;
+  return decide<P>(exact_signs<P>(row_a, row_b));
+}
+
 // One rung of `certified`, in an environment that is known to be the standard one. Its no and yes are proved.
 template <class P, class A> MEETC_HD MEETC_INLINE answer certify_here(const float *row_a, const float *row_b) {
-  return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
+  if constexpr (std::is_same_v<A, in_fp64>)
+    return decide_sets<P>(fp64_signs<P>(row_a, row_b));
+  else
+    return decide_sets<P>(bounded_signs<P, A>(row_a, row_b));
 }
 // The same in any environment. The answer is unsure unless the environment is the standard one.
 template <class P, class A> MEETC_HD inline answer certify(const float *row_a, const float *row_b) {

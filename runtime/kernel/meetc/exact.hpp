@@ -7,40 +7,99 @@
 
 MEETC_NAMESPACE(meetc) {
 
+// An e with |d| < 2^e for every difference d that the predicate forms and for every number that stands alone. On an
+// axis no difference exceeds the largest number less the least. Numbers that belong to no axis count twice, since they
+// may be subtracted from each other. -1000: all numbers are zero.
+template <class P> MEETC_HD inline int spread(const float *row_a, const float *row_b) {
+  constexpr auto axis_of = [](int i) {
+    const int axis = P::axis(i);
+    return axis < 0 || axis > 2 ? 3 : axis;
+  };
+  double widest = 0;
+  for (int axis = 0; axis < 4; ++axis) {
+    float low = 0, high = 0;
+    bool seen = false;
+    const auto take = [&](float v) {
+      low = seen && low < v ? low : v;
+      high = seen && high > v ? high : v;
+      seen = true;
+    };
+    for (int i = 0; i < P::inputs_a; ++i)
+      if (axis_of(i) == axis)
+        take(row_a[i]);
+    for (int i = 0; i < P::inputs_b; ++i)
+      if (axis_of(P::inputs_a + i) == axis)
+        take(row_b[i]);
+    const double x = low, y = high;
+    const double most = axis < 3 ? y - x : 2 * (-x > y ? -x : y);
+    widest = most > widest ? most : widest;
+  }
+  std::uint64_t word;
+  std::memcpy(&word, &widest, sizeof word);
+  return widest == 0 ? -1000 : static_cast<int>(word >> 52 & 0x7ff) - 1022; // < 2^e, also when rounded up to a power
+}
+
 // Integers on the grid of the pair's own numbers, as wide as the stage needs. They depend neither on compiler flags nor
 // on the control word.
 template <class P> struct integer_signs {
   const float *a, *b;
   grid common;
+  int bits; // of the differences, or of the numbers
   MEETC_HD integer_signs(const float *row_a, const float *row_b)
-      : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))) {}
+      : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
+        bits(common.bits()) {}
+  // The same where the grid is known and the differences are integers below 2^of_differences on it.
+  MEETC_HD integer_signs(const float *row_a, const float *row_b, grid of_both, int of_differences)
+      : a(row_a), b(row_b), common(of_both), bits(of_differences < of_both.bits() ? of_differences : of_both.bits()) {}
+
+  // The bits that the stage's values need, without their sign.
+  template <class Stage> MEETC_HD int need() const { return Stage::degree * (bits > 0 ? bits : 0) + Stage::growth; }
+  // Whether they are computed in 64 or 128 bits.
+  template <class Stage> MEETC_HD bool is_short() const {
+#if defined(__CUDA_ARCH__)
+    return false;
+#else
+    return need<Stage>() <= 126 && common.bits() <= 126;
+#endif
+  }
 
   template <class Stage> MEETC_HD void get(sign *s) const {
-    const int need = Stage::degree * common.bits() + Stage::growth;
 #if !defined(__CUDA_ARCH__)
-    if (need <= 62)
+    if (need<Stage>() <= 62 && common.bits() <= 62)
       return run<Stage, std::int64_t>(s);
-    if (need <= 126)
+    if (is_short<Stage>())
       return run<Stage, int128>(s);
 #endif
-    run_limbs<Stage>(need, s);
+    run_limbs<Stage>(Stage::degree * common.bits() + Stage::growth, s);
   }
 
 private:
+  // Numbers that occur in differences alone are taken from the first one of their axis, so that they are as short as
+  // the differences.
   template <class Stage, class I> MEETC_HD void run(sign *s) const {
-    I ia[P::inputs_a], ib[P::inputs_b];
+    I ia[P::inputs_a], ib[P::inputs_b], origin[3] = {0, 0, 0};
+    bool seen[3] = {false, false, false};
+    const auto take = [&](float v, int axis, I &out) {
+      to_integer(v, common.low, out);
+      if (axis < 0 || axis > 2)
+        return;
+      if (!seen[axis])
+        origin[axis] = out;
+      seen[axis] = true;
+      out -= origin[axis];
+    };
     for (int i = 0; i < P::inputs_a; ++i)
-      to_integer(a[i], common.low, ia[i]);
+      take(a[i], P::axis(i), ia[i]);
     for (int i = 0; i < P::inputs_b; ++i)
-      to_integer(b[i], common.low, ib[i]);
+      take(b[i], P::axis(P::inputs_a + i), ib[i]);
     stage_signs<Stage>(ia, ib, s);
   }
 
-  template <class Stage> MEETC_NOINLINE MEETC_HD void run_limbs(int need, sign *s) const {
+  template <class Stage> MEETC_NOINLINE MEETC_HD void run_limbs(int wanted, sign *s) const {
     // Finite numbers span 277 bits, 2^-149 to 2^128. The bits of infinity and NaN are read as numbers below 2^129.
     constexpr int most = (Stage::degree * 278 + Stage::growth) / 64 + 1;
     std::uint64_t registers[Stage::bytecode::registers][most];
-    const int limbs = need / 64 + 1; // and one bit for the sign
+    const int limbs = wanted / 64 + 1; // and one bit for the sign
     MEETC_ROLLED
     for (int i = 0; i < P::inputs_a; ++i)
       to_limbs(a[i], common.low, limbs, registers[i]);
@@ -53,68 +112,91 @@ private:
   }
 };
 
-// The exact rung. Where the differences are short on their common grid, values up to degree 2 are exact in fp64 and the
-// rest in double-double, without a branch. Elsewhere double-double with its bound is tried, and integers decide what is
-// left. In an environment that is not the standard one, integers decide everything.
+// The signs of a stage in fp64 and double-double, for differences within its window: they are exact there.
+template <class P, class Stage>
+MEETC_HD MEETC_INLINE void signs_in_window(const float *row_a, const float *row_b, sign *s) {
+  using number = in_fp64::value; // nothing is rounded, so that either schedule will do
+  const rows_in<P, number> rows(row_a, row_b);
+  if constexpr (Stage::mixed)
+    stage_signs<Stage, number, in_fp64x2::value>(rows.a, rows.b, s);
+  else
+    stage_signs<Stage, number>(rows.a, rows.b, s);
+}
+
+// The signs of the rung fp64. The bound comes first, since it decides most pairs. It cannot decide a zero, and zeros
+// seldom come alone: once a sign is unsure, this stage and those after it are computed exactly if the differences of
+// the pair are within their windows.
+template <class P> struct fp64_signs {
+  bounded_signs<P, in_fp64> bounded;
+  mutable int bits = unmeasured; // of the differences on the grid
+  MEETC_HD fp64_signs(const float *row_a, const float *row_b) : bounded(row_a, row_b) {}
+  MEETC_HD std::uint32_t equal() const { return bounded.equal(); }
+
+  template <class Stage> MEETC_HD MEETC_INLINE bool get(sign_set *all) const {
+    return by_bounds<Stage>(all) || zero_by_equal_points<P, Stage>(equal(), all);
+  }
+  template <class Stage> MEETC_HD MEETC_INLINE bool by_bounds(sign_set *all) const {
+    if (!computes_as_bounded())
+      return nothing_known<Stage>(all);
+    if (bits != unmeasured && bits <= Stage::window)
+      return exactly<Stage>(all);
+    in_fp64::value v[Stage::atoms], m[Stage::atoms];
+    bounded.template compute<Stage>(v, m);
+    if (bounded.template sort_out<Stage>(v, m, all))
+      return true;
+    if (bits == unmeasured)
+      bits = measure(bounded.row_a, bounded.row_b);
+    return bits <= Stage::window ? exactly<Stage>(all) : bounded.template zero_by_grid<Stage>(v, m, all);
+  }
+
+private:
+  static constexpr int unmeasured = -5000;
+  MEETC_NOINLINE MEETC_HD static int measure(const float *a, const float *b) {
+    return spread<P>(a, b) - join(grid_of(a, P::inputs_a), grid_of(b, P::inputs_b)).low;
+  }
+  template <class Stage> MEETC_NOINLINE MEETC_HD bool exactly(sign_set *all) const {
+    if (!computes_as_bounded())
+      return nothing_known<Stage>(all);
+    sign s[P::atoms];
+    signs_in_window<P, Stage>(bounded.row_a, bounded.row_b, s);
+    for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
+      all[i] = sign_set::of(s[i]);
+    return true;
+  }
+};
+
+// The exact rung. Each stage takes the cheapest way that is exact for the pair. Where the differences are short on
+// their common grid, values up to degree 2 are exact in fp64 and the rest in double-double, without a branch. Where the
+// values fit in 128 bits, integers decide. Elsewhere double-double with its bound is tried, and wide integers decide
+// what is left. In an environment that is not the standard one, integers decide everything.
 template <class P> struct exact_signs {
   const float *a, *b;
   grid common;
   bool standard;
-  int bits; // of the differences on the grid; set where `standard`
-  MEETC_HD exact_signs(const float *row_a, const float *row_b)
+  bool bound_failed; // double-double with its bound has not decided the pair, and is not tried again
+  int bits;          // of the differences on the grid; set where `standard`
+  MEETC_HD exact_signs(const float *row_a, const float *row_b, bool after_fp64x2 = false)
       : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
-        standard(standard_environment()), bits(0) {
+        standard(standard_environment()), bound_failed(after_fp64x2), bits(common.bits()) {
     if (standard) {
       a = after_check(a), b = after_check(b);
-      bits = spread(a, b) - common.low;
+      bits = spread<P>(a, b) - common.low;
     }
   }
 
   template <class Stage> MEETC_HD void get(sign *s) const {
+    const integer_signs<P> integers(a, b, common, bits);
     if (standard && computes_as_bounded()) {
-      if (bits <= Stage::window) {
-        using number = in_fp64::value; // no rounding happens, so that either schedule will do
-        const rows_in<P, number> rows(a, b);
-        if constexpr (Stage::mixed)
-          stage_signs<Stage, number, in_fp64x2::value>(rows.a, rows.b, s);
-        else
-          stage_signs<Stage, number>(rows.a, rows.b, s);
-        return;
-      }
+      if (bits <= Stage::window)
+        return signs_in_window<P, Stage>(a, b, s);
       sign_set sets[P::atoms];
-      if (bounded_signs<P, in_fp64x2>(a, b).template get<Stage>(sets)) {
+      if (!bound_failed && !integers.template is_short<Stage>() &&
+          bounded_signs<P, in_fp64x2>(a, b).template get<Stage>(sets)) {
         known_signs<Stage>(sets, s);
         return;
       }
     }
-    integer_signs<P>(a, b).template get<Stage>(s);
-  }
-
-private:
-  // An e with |d| < 2^e for every difference d that the predicate forms and for every number that stands alone. On an
-  // axis no difference exceeds the largest number less the least. Numbers that belong to no axis count twice, since
-  // they may be subtracted from each other. -1000: all numbers are zero.
-  MEETC_HD static int spread(const float *row_a, const float *row_b) {
-    double low[4] = {0, 0, 0, 0}, high[4] = {0, 0, 0, 0};
-    bool seen[4] = {false, false, false, false};
-    const auto take = [&](double v, int axis) {
-      const int k = axis < 0 || axis > 2 ? 3 : axis;
-      if (k == 3) // a range from -2 |v| to 0
-        v = v < 0 ? 2 * v : -2 * v;
-      low[k] = seen[k] && low[k] < v ? low[k] : v;
-      high[k] = k == 3 ? 0 : seen[k] && high[k] > v ? high[k] : v;
-      seen[k] = true;
-    };
-    for (int i = 0; i < P::inputs_a; ++i)
-      take(static_cast<double>(row_a[i]), P::axis(i));
-    for (int i = 0; i < P::inputs_b; ++i)
-      take(static_cast<double>(row_b[i]), P::axis(P::inputs_a + i));
-    double widest = 0;
-    for (int k = 0; k < 4; ++k)
-      widest = high[k] - low[k] > widest ? high[k] - low[k] : widest;
-    std::uint64_t word;
-    std::memcpy(&word, &widest, sizeof word);
-    return widest == 0 ? -1000 : static_cast<int>(word >> 52 & 0x7ff) - 1022; // < 2^e, also when rounded up to a power
+    integers.template get<Stage>(s);
   }
 };
 

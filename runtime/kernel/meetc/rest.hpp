@@ -14,7 +14,7 @@ template <class P> MEETC_HD inline bool decide_rest(const float *row_a, const fl
   return before_return(decide_after_fp32<P>(after_check(row_a), after_check(row_b)));
 }
 template <class P> MEETC_HD inline bool decide_exactly(const float *row_a, const float *row_b) {
-  return before_return(decide<P>(exact_signs<P>(row_a, row_b)));
+  return before_return(decide_exact<P>(row_a, row_b));
 }
 
 // The same for one sign.

@@ -155,10 +155,14 @@ template <class P> struct stored_plain_signs {
 };
 template <class P> struct stored_bounded_signs {
   stored_pair pair;
+  MEETC_HD std::uint32_t equal() const { return equal_points<P>(pair.row_a, pair.row_b); }
   template <class Stage> MEETC_HD MEETC_INLINE bool get(sign_set *all) const {
+    return by_bounds<Stage>(all) || zero_by_equal_points<P, Stage>(equal(), all);
+  }
+  template <class Stage> MEETC_HD MEETC_INLINE bool by_bounds(sign_set *all) const {
     const bounded_signs<P, in_fp32> anew(pair.row_a, pair.row_b);
     if constexpr (std::is_same_v<Stage, typename P::rare_stage>) {
-      return anew.template get<Stage>(all);
+      return anew.template by_bounds<Stage>(all);
     } else {
       if (!computes_as_bounded())
         return nothing_known<Stage>(all);

@@ -79,6 +79,9 @@ struct predicate_info {
   // The stored values that decide[certified], certify[0] and certify_in_box read, and those that decide[fp32] reads.
   // They differ where only the latter are computed with the fused multiply-add.
   stored_values stored_a = {}, stored_b = {}, plain_stored_a = {}, plain_stored_b = {};
+  // decide[exact] for pairs that all bounded rungs left unsure: it does not repeat what they have tried. Null:
+  // decide[exact] takes its place.
+  decide_function decide_last = nullptr;
 };
 
 // All that a namespace offers to a runtime.

@@ -77,8 +77,12 @@ void decide_plain(row_array a, row_array b, const index_pair *pairs, std::size_t
                    [](const row_pair &p) { return to_answer(decide<P>(plain_signs<P, T>(p.row_a, p.row_b))); });
 }
 template <class P> void decide_exact(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return to_answer(decide_exact<P>(p.row_a, p.row_b)); });
+}
+// The exact rung for pairs that the bounded rungs left unsure.
+template <class P> void decide_last(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   decide_each<P>(a, b, pairs, n, out,
-                 [](const row_pair &p) { return to_answer(decide<P>(exact_signs<P>(p.row_a, p.row_b))); });
+                 [](const row_pair &p) { return to_answer(decide<P>(exact_signs<P>(p.row_a, p.row_b, true))); });
 }
 inline void unsure_each(std::size_t n, answer *out) {
   for (std::size_t i = 0; i < n; ++i)
@@ -178,6 +182,7 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.certify[0] = certify_pairs<P, in_fp32>;
     p.certify[1] = certify_pairs<P, in_fp64>;
     p.certify[2] = certify_pairs<P, in_fp64x2>;
+    p.decide_last = decide_last<P>;
     p.certify_in_box = certify_pairs_in_box<P>;
     p.box_least = least_box<P>();
     p.box_most = most_box<P>();

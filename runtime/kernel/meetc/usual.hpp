@@ -1,6 +1,10 @@
 // The part of a decision that most pairs need: the reject stage and the usual case, on sets of signs.
 //
 // While every sign is known, the logic of signs is used, which is several times faster than that of sets.
+//
+// Equal points settle some decisions: P::settled() says whether the polynomials of all signs, with these points put in,
+// leave no decision but a hit (gen/lower/settled.hpp). The points are compared where this can matter: where a sign of
+// the reject stage may be zero, where a bound leaves a sign open, and before the rare stage.
 #ifndef MEETC_USUAL_HPP
 #define MEETC_USUAL_HPP
 
@@ -9,7 +13,7 @@
 MEETC_NAMESPACE(meetc) {
 
 // Converts sets of one sign each to signs.
-template <class Stage> MEETC_HD inline void known_signs(const sign_set *sets, sign *s) {
+template <class Stage> MEETC_HD MEETC_INLINE void known_signs(const sign_set *sets, sign *s) {
   for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
     s[i] = known_sign(sets[i]);
 }
@@ -19,30 +23,71 @@ template <class P> struct found_signs {
   sign_set sets[P::atoms + 1];
   sign s[P::atoms + 1]; // valid if all are known
   bool known = true;
+  bool compared = false;   // whether the points have been compared
+  std::uint32_t equal = 0; // the points that are equal, if they have been
 };
 
 // Whether the predicate has a rare stage, even if only declared.
 template <class P> inline constexpr bool has_rare_stage = !std::is_same_v<typename P::rare_stage, no_stage>;
 
-// Runs the reject stage and the stage of the usual case. Returns false if the pair is a miss. An unsure reject stage
-// does not stop it, since the decision is right without that stage.
-template <class P, class Signs> MEETC_HD MEETC_INLINE bool find_usual(const Signs &signs, found_signs<P> &f) {
+template <class Stage> MEETC_HD MEETC_INLINE bool some_zero(const sign_set *sets) {
+  unsigned all = 0;
+  for (int i = Stage::first; i < Stage::first + Stage::atoms; ++i)
+    all |= sets[i].bits;
+  return (all & 2) != 0;
+}
+
+// Compares the points of the pair, if that has not been done. Returns whether they settle the decision.
+template <class P, class Signs> MEETC_HD MEETC_INLINE bool points_settle(const Signs &signs, found_signs<P> &f) {
+  if (P::coincidences == 0 || f.compared)
+    return false;
+  f.compared = true;
+  f.equal = signs.equal();
+  return P::settled(f.equal);
+}
+
+// Whether the reject stage, whose signs have been computed, proves a miss.
+template <class P> MEETC_HD MEETC_INLINE bool surely_rejected(found_signs<P> &f) {
+  if (!f.known)
+    return !can_be_false(P::rejected(f.sets));
+  known_signs<typename P::reject_stage>(f.sets, f.s);
+  return P::rejected(f.s);
+}
+
+// Where a pair stands after the reject stage and the stage of the usual case.
+enum class progress : std::uint8_t { miss, hit, open };
+
+// Runs the reject stage and the stage of the usual case. An unsure reject stage does not stop it, since the decision is
+// right without that stage.
+template <class P, class Signs> MEETC_HD MEETC_INLINE progress find_usual(const Signs &signs, found_signs<P> &f) {
   if constexpr (P::reject_stage::atoms > 0) {
-    f.known = signs.template get<typename P::reject_stage>(f.sets);
-    if (f.known) {
-      known_signs<typename P::reject_stage>(f.sets, f.s);
-      if (P::rejected(f.s))
-        return false;
-    } else if (!can_be_false(P::rejected(f.sets))) {
-      return false;
+    using stage = typename P::reject_stage;
+    f.known = signs.template by_bounds<stage>(f.sets);
+    if (surely_rejected<P>(f))
+      return progress::miss;
+    if (some_zero<stage>(f.sets)) {
+      if (points_settle<P>(signs, f))
+        return progress::hit;
+      if (!f.known) {
+        f.known = zero_by_equal_points<P, stage>(f.equal, f.sets);
+        if (surely_rejected<P>(f))
+          return progress::miss;
+      }
     }
   }
   if constexpr (P::common_stage::atoms > 0) {
-    f.known = signs.template get<typename P::common_stage>(f.sets) && f.known;
+    using stage = typename P::common_stage;
+    bool known = signs.template by_bounds<stage>(f.sets);
+    if (!known) {
+      if (points_settle<P>(signs, f))
+        return progress::hit;
+      known = zero_by_equal_points<P, stage>(f.equal, f.sets);
+    }
+    f.known = known && f.known;
     if (f.known)
-      known_signs<typename P::common_stage>(f.sets, f.s);
+      known_signs<stage>(f.sets, f.s);
   }
-  return true;
+  return progress::open;
 }
 template <class P> MEETC_HD MEETC_INLINE truth needs_rare_stage(const found_signs<P> &f) {
   return f.known ? to_truth(P::needs_rare(f.s)) : to_truth(P::needs_rare(f.sets));
@@ -55,11 +100,12 @@ template <class P> MEETC_HD MEETC_INLINE answer usual_answer(const found_signs<P
 enum class first_answer : std::uint8_t { no, yes, unsure, rare };
 template <class P, class A> MEETC_HD MEETC_INLINE first_answer look(const float *row_a, const float *row_b) {
   found_signs<P> f;
-  if (!find_usual<P>(bounded_signs<P, A>(row_a, row_b), f))
-    return first_answer::no;
+  const bounded_signs<P, A> signs(row_a, row_b);
+  if (const progress at = find_usual<P>(signs, f); at != progress::open)
+    return at == progress::hit ? first_answer::yes : first_answer::no;
   if constexpr (has_rare_stage<P>)
     if (can_be_true(needs_rare_stage<P>(f)))
-      return first_answer::rare;
+      return points_settle<P>(signs, f) ? first_answer::yes : first_answer::rare;
   return static_cast<first_answer>(usual_answer<P>(f));
 }
 

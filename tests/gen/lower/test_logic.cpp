@@ -102,6 +102,14 @@ template <class P> void check_logic(const char *name) {
           FAIL_CHECK("a certain answer is not the answer of a choice");
       }
     }
+    // Without the signs of the rare stage, as much is known as if each of them could be anything.
+    if constexpr (requires { P::open(sets.data()); }) {
+      larger = sets;
+      for (std::size_t i = larger.size() - p.rare.atoms.size(); i < larger.size(); ++i)
+        larger[i] = ::meetc::sign_set::all();
+      if (::meetc::to_answer(P::open(sets.data())) != ask<P>(question::whole, larger.data()))
+        FAIL_CHECK("the decision without the rare stage is another one");
+    }
     // The rare stage is left out only where no choice needs it.
     if (!meetc::can_be_true(P::needs_rare(sets.data())))
       for (int choice = 0; choice < 8; ++choice) {

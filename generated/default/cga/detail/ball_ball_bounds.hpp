@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -14,10 +14,19 @@ namespace detail {
 
 struct ball_ball_points {
   // Bits of the points that coincide; zero_if says which signs are then zero.
-  static constexpr int coincidences = 0;
-  MEETC_HD static unsigned coincident(const float *, const float *) {
-    return 0;
+  static constexpr int coincidences = 1;
+  MEETC_HD static unsigned coincident(const float *row_a, const float *row_b) {
+    const auto S_ = detail::sphere_in(row_a);
+    const auto T_ = detail::sphere_in(row_b);
+    unsigned bits = 0;
+    if (S_.c.x == T_.c.x)
+      bits |= static_cast<unsigned>((S_.c.y == T_.c.y) & (S_.c.z == T_.c.z)) << 0;
+    return bits;
   }
+  // A pair is a hit, whatever its other numbers are, where S.c = T.c. The proof puts equal points into the
+  // polynomials of all signs; see meetc/usual.hpp.
+  static constexpr unsigned settled_by = 0x1u; // any of these bits
+  MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, -1};

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,14 +19,24 @@ struct ball_triangle_points {
     const auto S_ = detail::sphere_in(row_a);
     const auto t = detail::triangle_in(row_b);
     unsigned bits = 0;
-    bits |= static_cast<unsigned>((S_.c.x == t.a.x) & (S_.c.y == t.a.y) & (S_.c.z == t.a.z)) << 0;
-    bits |= static_cast<unsigned>((S_.c.x == t.b.x) & (S_.c.y == t.b.y) & (S_.c.z == t.b.z)) << 1;
-    bits |= static_cast<unsigned>((S_.c.x == t.c.x) & (S_.c.y == t.c.y) & (S_.c.z == t.c.z)) << 2;
-    bits |= static_cast<unsigned>((t.a.x == t.b.x) & (t.a.y == t.b.y) & (t.a.z == t.b.z)) << 3;
-    bits |= static_cast<unsigned>((t.a.x == t.c.x) & (t.a.y == t.c.y) & (t.a.z == t.c.z)) << 4;
-    bits |= static_cast<unsigned>((t.b.x == t.c.x) & (t.b.y == t.c.y) & (t.b.z == t.c.z)) << 5;
+    if (S_.c.x == t.a.x)
+      bits |= static_cast<unsigned>((S_.c.y == t.a.y) & (S_.c.z == t.a.z)) << 0;
+    if (S_.c.x == t.b.x)
+      bits |= static_cast<unsigned>((S_.c.y == t.b.y) & (S_.c.z == t.b.z)) << 1;
+    if (S_.c.x == t.c.x)
+      bits |= static_cast<unsigned>((S_.c.y == t.c.y) & (S_.c.z == t.c.z)) << 2;
+    if (t.a.x == t.b.x)
+      bits |= static_cast<unsigned>((t.a.y == t.b.y) & (t.a.z == t.b.z)) << 3;
+    if (t.a.x == t.c.x)
+      bits |= static_cast<unsigned>((t.a.y == t.c.y) & (t.a.z == t.c.z)) << 4;
+    if (t.b.x == t.c.x)
+      bits |= static_cast<unsigned>((t.b.y == t.c.y) & (t.b.z == t.c.z)) << 5;
     return bits;
   }
+  // A pair is a hit, whatever its other numbers are, where S.c = t.a, or S.c = t.b, or S.c = t.c. The proof
+  // puts equal points into the polynomials of all signs; see meetc/usual.hpp.
+  static constexpr unsigned settled_by = 0x7u; // any of these bits
+  MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, 0, 1, 2, 0, 1, 2};

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,14 +19,24 @@ struct segment_segment_points {
     const auto s = detail::segment_in(row_a);
     const auto e = detail::segment_in(row_b);
     unsigned bits = 0;
-    bits |= static_cast<unsigned>((s.p.x == s.q.x) & (s.p.y == s.q.y) & (s.p.z == s.q.z)) << 0;
-    bits |= static_cast<unsigned>((s.p.x == e.p.x) & (s.p.y == e.p.y) & (s.p.z == e.p.z)) << 1;
-    bits |= static_cast<unsigned>((s.p.x == e.q.x) & (s.p.y == e.q.y) & (s.p.z == e.q.z)) << 2;
-    bits |= static_cast<unsigned>((s.q.x == e.p.x) & (s.q.y == e.p.y) & (s.q.z == e.p.z)) << 3;
-    bits |= static_cast<unsigned>((s.q.x == e.q.x) & (s.q.y == e.q.y) & (s.q.z == e.q.z)) << 4;
-    bits |= static_cast<unsigned>((e.p.x == e.q.x) & (e.p.y == e.q.y) & (e.p.z == e.q.z)) << 5;
+    if (s.p.x == s.q.x)
+      bits |= static_cast<unsigned>((s.p.y == s.q.y) & (s.p.z == s.q.z)) << 0;
+    if (s.p.x == e.p.x)
+      bits |= static_cast<unsigned>((s.p.y == e.p.y) & (s.p.z == e.p.z)) << 1;
+    if (s.p.x == e.q.x)
+      bits |= static_cast<unsigned>((s.p.y == e.q.y) & (s.p.z == e.q.z)) << 2;
+    if (s.q.x == e.p.x)
+      bits |= static_cast<unsigned>((s.q.y == e.p.y) & (s.q.z == e.p.z)) << 3;
+    if (s.q.x == e.q.x)
+      bits |= static_cast<unsigned>((s.q.y == e.q.y) & (s.q.z == e.q.z)) << 4;
+    if (e.p.x == e.q.x)
+      bits |= static_cast<unsigned>((e.p.y == e.q.y) & (e.p.z == e.q.z)) << 5;
     return bits;
   }
+  // A pair is a hit, whatever its other numbers are, where s.p = e.p, or s.p = e.q, or s.q = e.p, or s.q =
+  // e.q. The proof puts equal points into the polynomials of all signs; see meetc/usual.hpp.
+  static constexpr unsigned settled_by = 0x1eu; // any of these bits
+  MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};

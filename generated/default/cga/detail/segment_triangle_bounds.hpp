@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,18 +19,33 @@ struct segment_triangle_points {
     const auto s = detail::segment_in(row_a);
     const auto t = detail::triangle_in(row_b);
     unsigned bits = 0;
-    bits |= static_cast<unsigned>((s.p.x == s.q.x) & (s.p.y == s.q.y) & (s.p.z == s.q.z)) << 0;
-    bits |= static_cast<unsigned>((s.p.x == t.a.x) & (s.p.y == t.a.y) & (s.p.z == t.a.z)) << 1;
-    bits |= static_cast<unsigned>((s.p.x == t.b.x) & (s.p.y == t.b.y) & (s.p.z == t.b.z)) << 2;
-    bits |= static_cast<unsigned>((s.p.x == t.c.x) & (s.p.y == t.c.y) & (s.p.z == t.c.z)) << 3;
-    bits |= static_cast<unsigned>((s.q.x == t.a.x) & (s.q.y == t.a.y) & (s.q.z == t.a.z)) << 4;
-    bits |= static_cast<unsigned>((s.q.x == t.b.x) & (s.q.y == t.b.y) & (s.q.z == t.b.z)) << 5;
-    bits |= static_cast<unsigned>((s.q.x == t.c.x) & (s.q.y == t.c.y) & (s.q.z == t.c.z)) << 6;
-    bits |= static_cast<unsigned>((t.a.x == t.b.x) & (t.a.y == t.b.y) & (t.a.z == t.b.z)) << 7;
-    bits |= static_cast<unsigned>((t.a.x == t.c.x) & (t.a.y == t.c.y) & (t.a.z == t.c.z)) << 8;
-    bits |= static_cast<unsigned>((t.b.x == t.c.x) & (t.b.y == t.c.y) & (t.b.z == t.c.z)) << 9;
+    if (s.p.x == s.q.x)
+      bits |= static_cast<unsigned>((s.p.y == s.q.y) & (s.p.z == s.q.z)) << 0;
+    if (s.p.x == t.a.x)
+      bits |= static_cast<unsigned>((s.p.y == t.a.y) & (s.p.z == t.a.z)) << 1;
+    if (s.p.x == t.b.x)
+      bits |= static_cast<unsigned>((s.p.y == t.b.y) & (s.p.z == t.b.z)) << 2;
+    if (s.p.x == t.c.x)
+      bits |= static_cast<unsigned>((s.p.y == t.c.y) & (s.p.z == t.c.z)) << 3;
+    if (s.q.x == t.a.x)
+      bits |= static_cast<unsigned>((s.q.y == t.a.y) & (s.q.z == t.a.z)) << 4;
+    if (s.q.x == t.b.x)
+      bits |= static_cast<unsigned>((s.q.y == t.b.y) & (s.q.z == t.b.z)) << 5;
+    if (s.q.x == t.c.x)
+      bits |= static_cast<unsigned>((s.q.y == t.c.y) & (s.q.z == t.c.z)) << 6;
+    if (t.a.x == t.b.x)
+      bits |= static_cast<unsigned>((t.a.y == t.b.y) & (t.a.z == t.b.z)) << 7;
+    if (t.a.x == t.c.x)
+      bits |= static_cast<unsigned>((t.a.y == t.c.y) & (t.a.z == t.c.z)) << 8;
+    if (t.b.x == t.c.x)
+      bits |= static_cast<unsigned>((t.b.y == t.c.y) & (t.b.z == t.c.z)) << 9;
     return bits;
   }
+  // A pair is a hit, whatever its other numbers are, where s.p = t.a, or s.p = t.b, or s.p = t.c, or s.q =
+  // t.a, or s.q = t.b, or s.q = t.c. The proof puts equal points into the polynomials of all signs; see
+  // meetc/usual.hpp.
+  static constexpr unsigned settled_by = 0x7eu; // any of these bits
+  MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};

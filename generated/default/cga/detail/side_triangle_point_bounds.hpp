@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,12 +19,18 @@ struct side_triangle_point_sign_points {
     const auto X = detail::triangle_in(row_a);
     const auto Y = detail::point_in(row_b);
     unsigned bits = 0;
-    bits |= static_cast<unsigned>((X.a.x == X.b.x) & (X.a.y == X.b.y) & (X.a.z == X.b.z)) << 0;
-    bits |= static_cast<unsigned>((X.a.x == X.c.x) & (X.a.y == X.c.y) & (X.a.z == X.c.z)) << 1;
-    bits |= static_cast<unsigned>((X.a.x == Y.x) & (X.a.y == Y.y) & (X.a.z == Y.z)) << 2;
-    bits |= static_cast<unsigned>((X.b.x == X.c.x) & (X.b.y == X.c.y) & (X.b.z == X.c.z)) << 3;
-    bits |= static_cast<unsigned>((X.b.x == Y.x) & (X.b.y == Y.y) & (X.b.z == Y.z)) << 4;
-    bits |= static_cast<unsigned>((X.c.x == Y.x) & (X.c.y == Y.y) & (X.c.z == Y.z)) << 5;
+    if (X.a.x == X.b.x)
+      bits |= static_cast<unsigned>((X.a.y == X.b.y) & (X.a.z == X.b.z)) << 0;
+    if (X.a.x == X.c.x)
+      bits |= static_cast<unsigned>((X.a.y == X.c.y) & (X.a.z == X.c.z)) << 1;
+    if (X.a.x == Y.x)
+      bits |= static_cast<unsigned>((X.a.y == Y.y) & (X.a.z == Y.z)) << 2;
+    if (X.b.x == X.c.x)
+      bits |= static_cast<unsigned>((X.b.y == X.c.y) & (X.b.z == X.c.z)) << 3;
+    if (X.b.x == Y.x)
+      bits |= static_cast<unsigned>((X.b.y == Y.y) & (X.b.z == Y.z)) << 4;
+    if (X.c.x == Y.x)
+      bits |= static_cast<unsigned>((X.c.y == Y.y) & (X.c.z == Y.z)) << 5;
     return bits;
   }
   // The axis of each input, or -1 if it occurs outside a difference.

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,11 +19,17 @@ struct sphere_segment_points {
     const auto S_ = detail::sphere_in(row_a);
     const auto s = detail::segment_in(row_b);
     unsigned bits = 0;
-    bits |= static_cast<unsigned>((S_.c.x == s.p.x) & (S_.c.y == s.p.y) & (S_.c.z == s.p.z)) << 0;
-    bits |= static_cast<unsigned>((S_.c.x == s.q.x) & (S_.c.y == s.q.y) & (S_.c.z == s.q.z)) << 1;
-    bits |= static_cast<unsigned>((s.p.x == s.q.x) & (s.p.y == s.q.y) & (s.p.z == s.q.z)) << 2;
+    if (S_.c.x == s.p.x)
+      bits |= static_cast<unsigned>((S_.c.y == s.p.y) & (S_.c.z == s.p.z)) << 0;
+    if (S_.c.x == s.q.x)
+      bits |= static_cast<unsigned>((S_.c.y == s.q.y) & (S_.c.z == s.q.z)) << 1;
+    if (s.p.x == s.q.x)
+      bits |= static_cast<unsigned>((s.p.y == s.q.y) & (s.p.z == s.q.z)) << 2;
     return bits;
   }
+  // No equal points are known to make a pair a hit whatever its other numbers are.
+  static constexpr unsigned settled_by = 0x0u; // any of these bits
+  MEETC_HD static constexpr bool settled(unsigned) { return false; }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, 0, 1, 2};

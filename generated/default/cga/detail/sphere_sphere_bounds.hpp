@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -18,6 +18,9 @@ struct sphere_sphere_points {
   MEETC_HD static unsigned coincident(const float *, const float *) {
     return 0;
   }
+  // No equal points are known to make a pair a hit whatever its other numbers are.
+  static constexpr unsigned settled_by = 0x0u; // any of these bits
+  MEETC_HD static constexpr bool settled(unsigned) { return false; }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, -1};

@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,23 +19,43 @@ struct triangle_triangle_points {
     const auto A = detail::triangle_in(row_a);
     const auto B = detail::triangle_in(row_b);
     unsigned bits = 0;
-    bits |= static_cast<unsigned>((A.a.x == A.b.x) & (A.a.y == A.b.y) & (A.a.z == A.b.z)) << 0;
-    bits |= static_cast<unsigned>((A.a.x == A.c.x) & (A.a.y == A.c.y) & (A.a.z == A.c.z)) << 1;
-    bits |= static_cast<unsigned>((A.a.x == B.a.x) & (A.a.y == B.a.y) & (A.a.z == B.a.z)) << 2;
-    bits |= static_cast<unsigned>((A.a.x == B.b.x) & (A.a.y == B.b.y) & (A.a.z == B.b.z)) << 3;
-    bits |= static_cast<unsigned>((A.a.x == B.c.x) & (A.a.y == B.c.y) & (A.a.z == B.c.z)) << 4;
-    bits |= static_cast<unsigned>((A.b.x == A.c.x) & (A.b.y == A.c.y) & (A.b.z == A.c.z)) << 5;
-    bits |= static_cast<unsigned>((A.b.x == B.a.x) & (A.b.y == B.a.y) & (A.b.z == B.a.z)) << 6;
-    bits |= static_cast<unsigned>((A.b.x == B.b.x) & (A.b.y == B.b.y) & (A.b.z == B.b.z)) << 7;
-    bits |= static_cast<unsigned>((A.b.x == B.c.x) & (A.b.y == B.c.y) & (A.b.z == B.c.z)) << 8;
-    bits |= static_cast<unsigned>((A.c.x == B.a.x) & (A.c.y == B.a.y) & (A.c.z == B.a.z)) << 9;
-    bits |= static_cast<unsigned>((A.c.x == B.b.x) & (A.c.y == B.b.y) & (A.c.z == B.b.z)) << 10;
-    bits |= static_cast<unsigned>((A.c.x == B.c.x) & (A.c.y == B.c.y) & (A.c.z == B.c.z)) << 11;
-    bits |= static_cast<unsigned>((B.a.x == B.b.x) & (B.a.y == B.b.y) & (B.a.z == B.b.z)) << 12;
-    bits |= static_cast<unsigned>((B.a.x == B.c.x) & (B.a.y == B.c.y) & (B.a.z == B.c.z)) << 13;
-    bits |= static_cast<unsigned>((B.b.x == B.c.x) & (B.b.y == B.c.y) & (B.b.z == B.c.z)) << 14;
+    if (A.a.x == A.b.x)
+      bits |= static_cast<unsigned>((A.a.y == A.b.y) & (A.a.z == A.b.z)) << 0;
+    if (A.a.x == A.c.x)
+      bits |= static_cast<unsigned>((A.a.y == A.c.y) & (A.a.z == A.c.z)) << 1;
+    if (A.a.x == B.a.x)
+      bits |= static_cast<unsigned>((A.a.y == B.a.y) & (A.a.z == B.a.z)) << 2;
+    if (A.a.x == B.b.x)
+      bits |= static_cast<unsigned>((A.a.y == B.b.y) & (A.a.z == B.b.z)) << 3;
+    if (A.a.x == B.c.x)
+      bits |= static_cast<unsigned>((A.a.y == B.c.y) & (A.a.z == B.c.z)) << 4;
+    if (A.b.x == A.c.x)
+      bits |= static_cast<unsigned>((A.b.y == A.c.y) & (A.b.z == A.c.z)) << 5;
+    if (A.b.x == B.a.x)
+      bits |= static_cast<unsigned>((A.b.y == B.a.y) & (A.b.z == B.a.z)) << 6;
+    if (A.b.x == B.b.x)
+      bits |= static_cast<unsigned>((A.b.y == B.b.y) & (A.b.z == B.b.z)) << 7;
+    if (A.b.x == B.c.x)
+      bits |= static_cast<unsigned>((A.b.y == B.c.y) & (A.b.z == B.c.z)) << 8;
+    if (A.c.x == B.a.x)
+      bits |= static_cast<unsigned>((A.c.y == B.a.y) & (A.c.z == B.a.z)) << 9;
+    if (A.c.x == B.b.x)
+      bits |= static_cast<unsigned>((A.c.y == B.b.y) & (A.c.z == B.b.z)) << 10;
+    if (A.c.x == B.c.x)
+      bits |= static_cast<unsigned>((A.c.y == B.c.y) & (A.c.z == B.c.z)) << 11;
+    if (B.a.x == B.b.x)
+      bits |= static_cast<unsigned>((B.a.y == B.b.y) & (B.a.z == B.b.z)) << 12;
+    if (B.a.x == B.c.x)
+      bits |= static_cast<unsigned>((B.a.y == B.c.y) & (B.a.z == B.c.z)) << 13;
+    if (B.b.x == B.c.x)
+      bits |= static_cast<unsigned>((B.b.y == B.c.y) & (B.b.z == B.c.z)) << 14;
     return bits;
   }
+  // A pair is a hit, whatever its other numbers are, where A.a = B.a, or A.a = B.b, or A.a = B.c, or A.b =
+  // B.a, or A.b = B.b, or A.b = B.c, or A.c = B.a, or A.c = B.b, or A.c = B.c. The proof puts equal points
+  // into the polynomials of all signs; see meetc/usual.hpp.
+  static constexpr unsigned settled_by = 0xfdcu; // any of these bits
+  MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};

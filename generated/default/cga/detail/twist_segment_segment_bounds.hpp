@@ -6,7 +6,7 @@
 #include <meetc/support.hpp>
 #include <cga/kinds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 4, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 5, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -19,12 +19,18 @@ struct twist_segment_segment_sign_points {
     const auto X = detail::segment_in(row_a);
     const auto Y = detail::segment_in(row_b);
     unsigned bits = 0;
-    bits |= static_cast<unsigned>((X.p.x == X.q.x) & (X.p.y == X.q.y) & (X.p.z == X.q.z)) << 0;
-    bits |= static_cast<unsigned>((X.p.x == Y.p.x) & (X.p.y == Y.p.y) & (X.p.z == Y.p.z)) << 1;
-    bits |= static_cast<unsigned>((X.p.x == Y.q.x) & (X.p.y == Y.q.y) & (X.p.z == Y.q.z)) << 2;
-    bits |= static_cast<unsigned>((X.q.x == Y.p.x) & (X.q.y == Y.p.y) & (X.q.z == Y.p.z)) << 3;
-    bits |= static_cast<unsigned>((X.q.x == Y.q.x) & (X.q.y == Y.q.y) & (X.q.z == Y.q.z)) << 4;
-    bits |= static_cast<unsigned>((Y.p.x == Y.q.x) & (Y.p.y == Y.q.y) & (Y.p.z == Y.q.z)) << 5;
+    if (X.p.x == X.q.x)
+      bits |= static_cast<unsigned>((X.p.y == X.q.y) & (X.p.z == X.q.z)) << 0;
+    if (X.p.x == Y.p.x)
+      bits |= static_cast<unsigned>((X.p.y == Y.p.y) & (X.p.z == Y.p.z)) << 1;
+    if (X.p.x == Y.q.x)
+      bits |= static_cast<unsigned>((X.p.y == Y.q.y) & (X.p.z == Y.q.z)) << 2;
+    if (X.q.x == Y.p.x)
+      bits |= static_cast<unsigned>((X.q.y == Y.p.y) & (X.q.z == Y.p.z)) << 3;
+    if (X.q.x == Y.q.x)
+      bits |= static_cast<unsigned>((X.q.y == Y.q.y) & (X.q.z == Y.q.z)) << 4;
+    if (Y.p.x == Y.q.x)
+      bits |= static_cast<unsigned>((Y.p.y == Y.q.y) & (Y.p.z == Y.q.z)) << 5;
     return bits;
   }
   // The axis of each input, or -1 if it occurs outside a difference.

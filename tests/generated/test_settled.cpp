@@ -1,0 +1,104 @@
+// Pairs with an equal point that settles the decision: every certified way answers yes, the first rung alone too, and
+// integers, which do not compare points, say the same. A point that differs in one bit settles nothing.
+#include "tests/catch.hpp"
+#include "tests/generated/effort.hpp"
+#include "tests/generated/numbers.hpp"
+#include "tests/generated/predicates.hpp"
+
+#include <cmath>
+#include <meetc/table_functions.hpp>
+
+using namespace meetc::generated_test;
+using meetc::answer;
+
+namespace {
+
+// Numbers of every scale, many of them zeros of either sign.
+float draw(random_numbers &random, int lowest, int highest) {
+  if (random.one_in(8))
+    return random.one_in(2) ? 0.0F : -0.0F;
+  const auto m = static_cast<float>(random.integer(-0xffffff, 0xffffff));
+  return std::ldexp(m, random.integer(lowest, highest) - 24);
+}
+
+// The same coordinates, with the other zero where one is zero.
+void copy_point(const row &from, int i, row &to, int j) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float v = from[static_cast<std::size_t>(3 * i) + k];
+    to[static_cast<std::size_t>(3 * j) + k] = v == 0 ? -v : v;
+  }
+}
+
+template <class P> bool by_integers(const row &a, const row &b) {
+  return meetc::decide<P>(meetc::integer_signs<P>(a.data(), b.data()));
+}
+
+} // namespace
+
+TEST_CASE("settled: an equal point is a hit on every certified path") {
+  for_each_predicate([](auto p) {
+    using P = typename decltype(p)::type;
+    INFO(p.name);
+    random_numbers random(11);
+    int settled = 0;
+    for (int n = 0; n < 400; ++n) {
+      const bool wide = n % 4 == 3; // to the ends of float32
+      const int lowest = wide ? -148 : -4, highest = wide ? 127 : 4;
+      row a(P::inputs_a), b(P::inputs_b);
+      for (row *r : {&a, &b})
+        for (float &v : *r)
+          v = draw(random, lowest, highest);
+      if (padded(p.a))
+        a[3] = std::abs(a[3]);
+      if (padded(p.b))
+        b[3] = std::abs(b[3]);
+      copy_point(a, random.integer(0, points_of(p.a) - 1), b, random.integer(0, points_of(p.b) - 1));
+      CAPTURE(a, b);
+      const meetc::row_array rows_a(a.data()), rows_b(b.data());
+      const meetc::index_pair pair{0, 0};
+      const bool truth = by_integers<P>(a, b);
+      answer exact, certified;
+      meetc::decide_exact<P>(rows_a, rows_b, &pair, 1, &exact);
+      meetc::decide_certified<P>(rows_a, rows_b, &pair, 1, &certified);
+      CHECK(exact == meetc::to_answer(truth));
+      CHECK(certified == exact);
+      CHECK(p.hit(a, b) == truth);
+      if (!P::settled(P::coincident(a.data(), b.data())))
+        continue;
+      ++settled;
+      CHECK(truth);
+      CHECK(P::filter(operand<decltype(p)::a>(a.data()), operand<decltype(p)::b>(b.data())) == answer::yes);
+      meetc::certify_pairs<P, meetc::in_fp32>(rows_a, rows_b, &pair, 1, &certified);
+      CHECK(certified == answer::yes);
+    }
+    CHECK(settled == (p.surface ? 0 : 400));
+  });
+}
+
+TEST_CASE("settled: a point that differs in one bit settles nothing") {
+  for_each_predicate([](auto p) {
+    using P = typename decltype(p)::type;
+    INFO(p.name);
+    random_numbers random(12);
+    int misses = 0;
+    for (int n = 0; n < 400; ++n) {
+      row a(P::inputs_a), b(P::inputs_b);
+      for (row *r : {&a, &b})
+        for (float &v : *r)
+          v = std::ldexp(1 + std::abs(draw(random, -1, -1)), random.integer(-1, 1));
+      if (padded(p.a))
+        a[3] = 0;
+      if (padded(p.b))
+        b[3] = 0;
+      const int j = random.integer(0, points_of(p.b) - 1);
+      copy_point(a, random.integer(0, points_of(p.a) - 1), b, j);
+      float &moved = b[static_cast<std::size_t>(3 * j + random.integer(0, 2))];
+      moved = std::nextafter(moved, random.one_in(2) ? 0.0F : 9.0F);
+      CAPTURE(a, b);
+      CHECK(P::coincident(a.data(), b.data()) == 0);
+      CHECK(p.hit(a, b) == by_integers<P>(a, b));
+      misses += !by_integers<P>(a, b);
+    }
+    CHECK(misses > 0);
+  });
+}
