@@ -1,12 +1,13 @@
 // Pairs with an equal point that settles the decision: every certified way answers yes, the first rung alone too, and
 // integers, which do not compare points, say the same. A point that differs in one bit settles nothing.
+#include <meetc/table_functions.hpp> // before any header of a predicate
+
 #include "tests/catch.hpp"
 #include "tests/generated/effort.hpp"
 #include "tests/generated/numbers.hpp"
 #include "tests/generated/predicates.hpp"
 
 #include <cmath>
-#include <meetc/table_functions.hpp>
 
 using namespace meetc::generated_test;
 using meetc::answer;

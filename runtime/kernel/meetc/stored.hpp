@@ -110,15 +110,13 @@ struct stored_pair {
   const float *row_a, *row_b, *stored_a, *stored_b;
 };
 
-// A pair's numbers in V, the float of plain or of bounded rungs, and its stored values where it has some.
+// A pair's numbers and its stored values in V, the float of plain or of bounded rungs.
 template <class P, class V> struct pair_numbers {
   V row_a[P::inputs_a], row_b[P::inputs_b];
   V stored_a[stored_layout<P>::floats_a + 1], stored_b[stored_layout<P>::floats_b + 1];
 
-  MEETC_HD MEETC_INLINE explicit pair_numbers(const row_pair &p) {
+  MEETC_HD MEETC_INLINE explicit pair_numbers(const stored_pair &p) {
     copy<P::inputs_a>(p.row_a, row_a), copy<P::inputs_b>(p.row_b, row_b);
-  }
-  MEETC_HD MEETC_INLINE explicit pair_numbers(const stored_pair &p) : pair_numbers(row_pair{p.row_a, p.row_b}) {
     copy<stored_layout<P>::floats_a>(p.stored_a, stored_a), copy<stored_layout<P>::floats_b>(p.stored_b, stored_b);
   }
 
@@ -131,8 +129,8 @@ private:
 
 // The values of a stage.
 template <class P, class Stage, class V> MEETC_HD MEETC_INLINE void stage_values(const row_pair &p, V *v) {
-  const pair_numbers<P, V> n(p);
-  stage_values<Stage>(n.row_a, n.row_b, v);
+  const rows_in<P, V> rows(p.row_a, p.row_b);
+  stage_values<Stage>(rows.a, rows.b, v);
 }
 template <class P, class Stage, class V> MEETC_HD MEETC_INLINE void stage_values(const stored_pair &p, V *v) {
   const pair_numbers<P, V> n(p);
