@@ -88,12 +88,17 @@ private:
   const decision &d_;
   std::vector<sign_bits> signs_; // by atom: those that it can have in this case
   int steps_ = 0;
+  // By node: its truth in step `of`, the last step that evaluated it.
+  struct evaluated {
+    int of = 0;
+    truth_bits truth = unknown;
+  };
+  std::vector<evaluated> known_;
 
   bool holds(int id, int cases) {
     if (++steps_ > most_steps)
       return false;
-    std::map<int, truth_bits> known;
-    const truth_bits whole = evaluate(id, known);
+    const truth_bits whole = evaluate(id);
     if (whole != unknown)
       return whole == is_true;
     const truth_node &n = d_.at(id);
@@ -141,11 +146,14 @@ private:
     }
     return out;
   }
-  truth_bits evaluate(int id, std::map<int, truth_bits> &known) const {
-    if (const auto it = known.find(id); it != known.end())
-      return it->second;
+  truth_bits evaluate(int id) {
+    const auto at = static_cast<std::size_t>(id);
+    if (at >= known_.size())
+      known_.resize(at + 1);
+    if (known_[at].of == steps_)
+      return known_[at].truth;
     const truth_node &n = d_.at(id);
-    const auto of = [&](int a) { return evaluate(a, known); };
+    const auto of = [&](int a) { return evaluate(a); };
     truth_bits out = unknown;
     switch (n.kind) {
     case truth_node::type::constant:
@@ -181,7 +189,8 @@ private:
       break;
     }
     }
-    return known[id] = out;
+    known_[at] = {steps_, out};
+    return out;
   }
 };
 
@@ -207,12 +216,16 @@ void find_settled(const predicate &p, bound::kernel_bounds &out) {
       at = all.insert(at, c);
     return at == all.end() ? 0 : std::uint32_t{1} << (at - all.begin());
   };
+  // Of those that do not settle it alone, two that both join the operands are tried together.
   std::vector<bound::coincidence> open;
   for (const bound::coincidence &c : bound::pairs_of_points(*p.local)) {
-    if (!is_settled_by(p, {c}))
-      open.push_back(c);
-    else if (const std::uint32_t bit = bit_of(c))
+    const bool joins = c.x.front() < p.inputs_a && c.y.front() >= p.inputs_a;
+    if (!is_settled_by(p, {c})) {
+      if (joins)
+        open.push_back(c);
+    } else if (const std::uint32_t bit = bit_of(c)) {
       out.settled_by.push_back(bit);
+    }
   }
   for (std::size_t i = 0; i < open.size(); ++i)
     for (std::size_t j = i + 1; j < open.size(); ++j)

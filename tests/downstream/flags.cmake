@@ -35,10 +35,10 @@ foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
   run("${compiler}" -ffast-math "${ROOM}/hostile.o" -o "${ROOM}/hostile")
   run("${ROOM}/hostile")
   expect("standard 0," "subnormal numbers are flushed to zero" "${right}")
-  # The fma() of this C library rounds twice.
+  # The fma() of this C library rounds twice. The self-test says so, for plain rungs; certified ones use none.
   run("${compiler}" "${ROOM}/hostile.o" "${ROOM}/flags/twice.cpp" -o "${ROOM}/hostile")
   run("${ROOM}/hostile")
-  expect("standard 0," "fma() is not rounded once" "${right}")
+  expect("fma() is not rounded once" "${right}")
   # The control word is changed between calls.
   compile("${compiler}" switched -O2 ${strict} "${ROOM}/flags/switched.cpp")
   run("${ROOM}/switched")

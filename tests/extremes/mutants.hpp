@@ -13,7 +13,7 @@ enum class mutation : std::uint8_t {
   equal_points,   // any two equal points make every sign zero: by fp32
   degree_above,   // values are taken for multiples of g^(k+1): by fp64 and fp64x2
   degree_below,   // of g^(k-1): the same
-  wider_window    // exact arithmetic is trusted for 4 bits more: by the exact rung
+  wider_window    // exact arithmetic is trusted for some bits more: by the exact rung
 };
 inline constexpr mutation mutations[] = {mutation::none,         mutation::quarter_factor, mutation::quarter_box,
                                          mutation::equal_points, mutation::degree_above,   mutation::degree_below,

@@ -112,6 +112,11 @@ MEETC_HD MEETC_INLINE bool keeps_order_of_sums() {
   float x = opaque(1.0F);
   bool reassociated = __builtin_constant_p((x + big) - x) || __builtin_constant_p((x + big) - big == x) ||
                       __builtin_constant_p(x * 3 * 5 == x * 15) || __builtin_constant_p(x + big + big == x + 2 * big);
+#if defined(__clang__)
+  // `#pragma clang fp reassociate(on)` folds none of these, since zeros keep their signs, but changes products.
+  float y = opaque(1 + 0x1p-12F);
+  reassociated = reassociated || y * 3 * 0.1F != opaque(y * 3) * 0.1F;
+#endif
   return !reassociated;
 #endif
 }

@@ -22,7 +22,7 @@ template <> struct leaf_magnitude<lanes> {
   MEETC_INLINE lanes operator()(lanes difference) const {
     const lanes m = magnitude_of(difference), zero(0.0F);
     lanes r;
-    r.v = (m.v > floor.v) | (m.v != m.v) ? m.v : floor.v;
+    r.v = ((m.v > floor.v) | (m.v != m.v)) ? m.v : floor.v;
     r.v = m.v == zero.v ? zero.v : r.v;
     return r;
   }

@@ -90,7 +90,7 @@ TEST_CASE("the flat scene has the four predicates of flat kinds, with the same f
   const meetc::catalogue &flat = flat::catalogue();
   CHECK(flat.predicate_count == 4);
   for (int i = 0; i < flat.predicate_count; ++i) {
-    const predicate_info &p = flat.predicates[i], &q = named(cga::catalogue(), p.name);
+    const predicate_info &p = flat.predicates[i], &q = named(*cga::catalogue_for(flat.compiled_for), p.name);
     INFO(p.name);
     CHECK(std::string(p.a->csv) == q.a->csv);
     CHECK(std::string(p.b->csv) == q.b->csv);
@@ -102,7 +102,7 @@ TEST_CASE("the flat scene has the four predicates of flat kinds, with the same f
 TEST_CASE("both scenes give the same answers on every rung") {
   const meetc::catalogue &flat = flat::catalogue();
   for (int i = 0; i < flat.predicate_count; ++i) {
-    const predicate_info &p = flat.predicates[i], &q = named(cga::catalogue(), p.name);
+    const predicate_info &p = flat.predicates[i], &q = named(*cga::catalogue_for(flat.compiled_for), p.name);
     const subject &s = subject_named(p.name);
     std::map<std::string, std::array<bool, 3>> given; // no, yes, unsure: whether a rung gives it at all
     for (const family &f : families()) {
@@ -132,7 +132,7 @@ TEST_CASE("both scenes give the same answers on every rung") {
 TEST_CASE("rungs that differ are told apart: fp32 is not the exact rung") {
   const meetc::catalogue &flat = flat::catalogue();
   for (int i = 0; i < flat.predicate_count; ++i) {
-    const predicate_info &p = flat.predicates[i], &q = named(cga::catalogue(), p.name);
+    const predicate_info &p = flat.predicates[i], &q = named(*cga::catalogue_for(flat.compiled_for), p.name);
     const rows r = cases_of(family_named("degenerate"), subject_named(p.name), effort(2000));
     INFO(p.name);
     CHECK(all(p.decide[0], r) != all(q.decide[3], r));

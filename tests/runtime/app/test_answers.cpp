@@ -44,7 +44,8 @@ TEST_CASE("JSON holds what it promises, and nothing else is printed") {
     CHECK(j["seconds"][step] >= 0.0);
   CHECK(j["predicate"] == "triangle_triangle");
   CHECK(j["mode"] == "");
-  CHECK(j.size() == 11);
+  CHECK(j["instruction_set"].is_string());
+  CHECK(j.size() == 12);
 }
 
 TEST_CASE("the summary can be read") {

@@ -43,7 +43,7 @@ constexpr kind_info storing_boxes = [] {
 constexpr predicate_info storing = [] {
   predicate_info p = plain("storing", "", storing_boxes, storing_boxes, decide_stored, decide_stored);
   p.decide[static_cast<int>(rung::fp64)] = decide_stored;
-  p.stored_a = p.stored_b = {0, 2, store_boxes};
+  p.stored_a = p.stored_b = p.plain_stored_a = p.plain_stored_b = {0, 2, store_boxes};
   return p;
 }();
 
@@ -95,10 +95,11 @@ TEST_CASE("what is stored for the kind of one catalogue is not read for that of 
   static constexpr kind_info same_name = storing_boxes;
   predicate_info other = storing;
   other.a = other.b = &same_name;
-  other.stored_a.compute = other.stored_b.compute = [](const float *, std::size_t n, float *out) {
-    std::fill_n(out, 2 * n, 7.0f);
-    return true;
-  };
+  other.stored_a.compute = other.stored_b.compute = other.plain_stored_a.compute =
+      other.plain_stored_b.compute = [](const float *, std::size_t n, float *out) {
+        std::fill_n(out, 2 * n, 7.0f);
+        return true;
+      };
   const prepared x = prepare(view_of(some_boxes(500, 1, 0.5f, 9), storing_boxes), storing_boxes);
   const auto want = collide(x, x, storing, rung::exact).pairs;
   CHECK(same(collide(x, x, other, rung::fp32).pairs, want));
@@ -117,7 +118,7 @@ TEST_CASE("pairs() keeps stored values in the caller's memory") {
   const view v = view_of(some, storing_boxes);
   std::vector<std::byte> work(workspace(storing, 3000, 3000, 2));
   predicate_info poor = storing;
-  poor.stored_a = poor.stored_b = {};
+  poor.stored_a = poor.stored_b = poor.plain_stored_a = poor.plain_stored_b = {};
   CHECK(work.size() >= workspace(poor, 3000, 3000, 2) + 2 * 3000 * 2 * sizeof(float));
   std::uint64_t count = 0;
   pairs_options o;
