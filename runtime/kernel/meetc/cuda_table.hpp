@@ -41,7 +41,7 @@ struct operand {
 
   MEETC_HD constexpr std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
 };
-inline constexpr std::size_t half_bytes = 2 * matrix_columns, float_bytes = 20;
+inline constexpr std::size_t half_bytes = std::size_t{2} * matrix_columns, float_bytes = 20;
 
 // The units that can find the pairs whose enclosing balls may touch.
 enum class filter : std::uint8_t {

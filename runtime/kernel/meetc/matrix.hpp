@@ -31,7 +31,7 @@ MEETC_HD constexpr std::size_t matrix_place(std::size_t i, int k) {
   return i / 8 * 128 + static_cast<std::size_t>(k / 8) * 64 + i % 8 * 8 + static_cast<std::size_t>(k % 8);
 }
 MEETC_HD constexpr std::size_t matrix_padded(std::size_t objects) {
-  return (objects + 2 * matrix_block - 1) / matrix_block * matrix_block;
+  return (objects + std::size_t{2} * matrix_block - 1) / matrix_block * matrix_block;
 }
 
 // The bits of the half nearest to x, ties to even; 0 below the normal range, 2^-14. |x| <= 65504.
@@ -114,9 +114,9 @@ MEETC_HD inline void to_columns(const double *object, placing where, std::uint16
     Form::features_b(object, f);
   for (int k = 0; k < Form::products; ++k) {
     const std::uint16_t high = to_half(f[k]), low = to_half(f[k] - from_half(high));
-    out[3 * k] = high;
-    out[3 * k + (First ? 1 : 2)] = high;
-    out[3 * k + (First ? 2 : 1)] = low;
+    std::uint16_t *const columns = out + std::size_t{3} * static_cast<std::size_t>(k);
+    columns[0] = columns[First ? 1 : 2] = high;
+    columns[First ? 2 : 1] = low;
   }
   const double term = with_margin<Form>(f) / matrix_constant;
   out[own] = to_half(term);
