@@ -216,20 +216,18 @@ void find_settled(const predicate &p, bound::kernel_bounds &out) {
       at = all.insert(at, c);
     return at == all.end() ? 0 : std::uint32_t{1} << (at - all.begin());
   };
-  // Of those that do not settle it alone, two that both join the operands are tried together.
+  const auto joins = [&](const bound::coincidence &c) { return c.x.front() < p.inputs_a && c.y.front() >= p.inputs_a; };
   std::vector<bound::coincidence> open;
   for (const bound::coincidence &c : bound::pairs_of_points(*p.local)) {
-    const bool joins = c.x.front() < p.inputs_a && c.y.front() >= p.inputs_a;
-    if (!is_settled_by(p, {c})) {
-      if (joins)
-        open.push_back(c);
-    } else if (const std::uint32_t bit = bit_of(c)) {
+    if (!is_settled_by(p, {c}))
+      open.push_back(c);
+    else if (const std::uint32_t bit = bit_of(c))
       out.settled_by.push_back(bit);
-    }
   }
+  // Two are tried together if one of them joins the operands.
   for (std::size_t i = 0; i < open.size(); ++i)
     for (std::size_t j = i + 1; j < open.size(); ++j)
-      if (is_settled_by(p, {open[i], open[j]})) {
+      if ((joins(open[i]) || joins(open[j])) && is_settled_by(p, {open[i], open[j]})) {
         const std::uint32_t first = bit_of(open[i]), second = bit_of(open[j]);
         if (first && second)
           out.settled_by.push_back(first | second);
