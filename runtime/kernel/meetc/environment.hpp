@@ -1,9 +1,9 @@
 // What generated code assumes of the compiler and the machine, and how it is checked.
 //
 // Bounds assume IEEE 754 binary32 and binary64, rounding to nearest, gradual underflow, an fma() that rounds once where
-// it is used, NaN and infinities that are kept, and sums that are not reassociated. They hold whether or not a product and a sum are
-// contracted to a fused multiply-add. Error-free transforms need it not to be: they stand behind opaque(), which no
-// compiler sees through. docs/numerics.md lists each assumption with the place that checks it.
+// it is used, NaN and infinities that are kept, and sums that are not reassociated. They hold whether or not a product
+// and a sum are contracted to a fused multiply-add. Error-free transforms need it not to be: they stand behind opaque(),
+// which no compiler sees through. docs/numerics.md lists each assumption with the place that checks it.
 #ifndef MEETC_ENVIRONMENT_HPP
 #define MEETC_ENVIRONMENT_HPP
 
@@ -151,8 +151,8 @@ MEETC_NOINLINE inline bool look_at_library_fma() {
 }
 #endif
 
-// Whether fma() rounds once, as plain rungs, and the certified ones of CUDA's host code, need it. Where it is a call, this is tested once in a process (more often if threads start
-// together).
+// Whether fma() rounds once. Plain rungs need it, and so do the certified ones of CUDA's host code. Where it is a call,
+// it is tested once in a process, or a few times if threads start together.
 MEETC_HD MEETC_INLINE bool fma_rounds_once() {
 #if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDA_ARCH__)
   return true; // an instruction

@@ -174,13 +174,14 @@ template <class P> struct exact_signs {
   grid common;
   bool standard;
   bool bound_failed; // double-double with its bound has not decided the pair, and is not tried again
-  int bits;          // of the differences on the grid; set where `standard`
+  int bits;          // of the differences on the grid where `standard`, of the numbers elsewhere
   MEETC_HD exact_signs(const float *row_a, const float *row_b, bool after_fp64x2 = false)
       : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
         standard(standard_environment()), bound_failed(after_fp64x2), bits(common.bits()) {
     if (standard) {
       a = after_check(a), b = after_check(b);
-      bits = spread<P>(a, b) - common.low;
+      if (common.finite()) // no difference bounds the integers that the bits of infinity and NaN are read as
+        bits = spread<P>(a, b) - common.low;
     }
   }
 

@@ -48,6 +48,7 @@ MEETC_HD inline int highest_bit(std::uint32_t m) {
 struct grid {
   int low, high; // high: one past the exponent of the highest set bit; low >= high when all are zero
   MEETC_HD int bits() const { return high > low ? high - low : 0; }
+  MEETC_HD bool finite() const { return high <= 128; } // the bits of infinity and NaN are read as numbers from 2^128 on
 };
 MEETC_HD inline grid grid_of(const float *v, int n) {
   grid g{1000, -1000};
