@@ -31,8 +31,7 @@ target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels,
   u.kinds = lower::kinds_of(*c.model, u.kernels);
   for (lower::lowered_kind &k : u.kinds)
     passes::run(k.makers);
-  if (target::needs_balls(*c.scene))
-    u.balls = lower::find_ball_form(*c.model);
+  u.balls = lower::find_ball_form(*c.model);
   if (u.balls)
     for (ir::program *p : {&u.balls->a, &u.balls->b})
       *p = passes::run(*p, *u.balls->numbers);

@@ -4,6 +4,7 @@
 #     SCENE robot_cell.toml        # what to generate
 #     NAMESPACE cell               # its C++ namespace; #include <cell/cell.hpp>
 #     [BACKENDS cpp cuda c]        # what to compile; the scene must emit it. Default: cpp
+#     [INSTRUCTION_SETS avx2 avx512] # compile the kernels for these as well; the program chooses when it starts
 #     [CHECKED_IN generated])      # compile the files of this folder instead; nothing is generated at build time
 #
 # makes the static library robot_cell, an ordinary target with its include path. Once built it needs nothing of meetc;
@@ -25,6 +26,8 @@
 # one of them.
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.25)
+
+include("${CMAKE_CURRENT_LIST_DIR}/instruction_sets.cmake")
 
 set(MEETC_EXECUTABLE "" CACHE FILEPATH "The meetc to run instead of the package's; a cross build needs one that runs here")
 
@@ -58,9 +61,10 @@ endfunction()
 
 function(meetc_add_kernels target)
   set(me "meetc_add_kernels(${target})")
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE;NAMESPACE;CHECKED_IN" "BACKENDS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE;NAMESPACE;CHECKED_IN" "BACKENDS;INSTRUCTION_SETS")
   if(arg_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "${me}: unknown: ${arg_UNPARSED_ARGUMENTS}; known: SCENE, NAMESPACE, BACKENDS, CHECKED_IN")
+    message(FATAL_ERROR "${me}: unknown: ${arg_UNPARSED_ARGUMENTS}; known: SCENE, NAMESPACE, BACKENDS, INSTRUCTION_SETS, "
+      "CHECKED_IN")
   endif()
   foreach(key SCENE NAMESPACE)
     if(NOT arg_${key})
@@ -197,6 +201,8 @@ function(meetc_add_kernels target)
       DEPFILE "${depfile}"
       COMMENT "Generating ${target} from ${arg_SCENE}" VERBATIM)
     list(APPEND sources "${stamp}")
+    # The objects for further instruction sets are targets of their own, and one of them all runs meetc.
+    add_custom_target(${target}.files DEPENDS "${stamp}")
   endif()
 
   # ---- the library ----
@@ -214,6 +220,18 @@ function(meetc_add_kernels target)
     "$<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>"
     "$<$<COMPILE_LANG_AND_ID:CUDA,NVIDIA>:--fmad=false;-Xcompiler=-ffp-contract=off>"
     "$<$<COMPILE_LANG_AND_ID:CUDA,Clang>:-ffp-contract=off>")
+  if(arg_INSTRUCTION_SETS)
+    set(compiled ${sources})
+    list(FILTER compiled INCLUDE REGEX "/(units|src)/[^/]+[.]cpp$")
+    meetc_add_instruction_sets(${target} "${arg_INSTRUCTION_SETS}" "${folder}/${space}/${space}_runtime.cpp" ${compiled})
+    if(TARGET ${target}.files)
+      foreach(part IN ITEMS "" _avx2 _avx512)
+        if(TARGET ${target}${part})
+          add_dependencies(${target}${part} ${target}.files)
+        endif()
+      endforeach()
+    endif()
+  endif()
   if(cuda)
     # CMake 3.25 does not know CUDA20, and a second -std would be an error. The project chooses the architectures.
     set_property(TARGET ${target} PROPERTY CUDA_STANDARD)

@@ -123,6 +123,6 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/package/meetcConfigVersi
   VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
 foreach(component IN LISTS MEETC_INSTALL_COMPONENTS)
   install(FILES "${PROJECT_BINARY_DIR}/package/meetcConfig.cmake" "${PROJECT_BINARY_DIR}/package/meetcConfigVersion.cmake"
-    "${CMAKE_CURRENT_LIST_DIR}/meetc_add_kernels.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/meetc_add_kernels.cmake" "${CMAKE_CURRENT_LIST_DIR}/instruction_sets.cmake"
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT ${component})
 endforeach()

@@ -96,11 +96,6 @@ const lower::lowered_kind &unit::kind(const std::string &name) const {
   return *at;
 }
 
-bool needs_balls(const lang::scene &s) {
-  return std::any_of(s.backends.begin(), s.backends.end(),
-                     [](const std::string &name) { return find(name)->needs_balls; });
-}
-
 namespace {
 // Throws an error if the scene asks for something that the target cannot carry.
 void check_carried(const target &t, const unit &u) {

@@ -35,7 +35,7 @@ struct unit {
   // For kernels that consist of signs, if the scene asks for rungs that need them.
   std::vector<std::optional<bound::kernel_bounds>> bounds;
   std::vector<lower::lowered_kind> kinds; // the kinds that the kernels need, each after those that it contains
-  std::optional<lower::ball_form> balls;  // if a backend filters by enclosing balls
+  std::optional<lower::ball_form> balls;  // for filters by enclosing balls, if the algebra has it
   std::vector<forms> shown;               // by kernel; empty if nothing is shown
 
   // The kind with this name.
@@ -54,7 +54,7 @@ struct target {
   const char *what; // one line, for help
   carries can;
   bool is_default = false;  // written if the scene names no backends
-  bool needs_balls = false; // it filters by enclosing balls
+  bool needs_balls = false; // it cannot do without the form of touching balls
   // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error if it cannot carry the
   // unit.
   std::vector<file> (*files)(const unit &) = nullptr;
@@ -80,8 +80,6 @@ std::span<const target> all();
 const target *find(const std::string &name);
 // The targets that write files, which a scene's `backends` may name.
 lang::backend_choice backends();
-// Whether a backend of the scene filters by enclosing balls.
-bool needs_balls(const lang::scene &s);
 // The files of the scene's backends and of the targets that those include, with the kernel headers, sorted by path.
 // Throws spec_error if two files would have one path.
 std::vector<file> files_of(const unit &u);

@@ -12,8 +12,7 @@ namespace meetc {
 enum class ruled_out_by : std::uint8_t { boxes, boxes_and_points };
 
 inline ruled_out_by what_rules_out(rung precision) {
-  return precision == rung::exact || precision == rung::certified ? ruled_out_by::boxes_and_points
-                                                                  : ruled_out_by::boxes;
+  return never_wrong(precision) ? ruled_out_by::boxes_and_points : ruled_out_by::boxes;
 }
 
 // A set as an operand of a query.

@@ -21,11 +21,20 @@ std::size_t all_pairs::units() const {
 bool all_pairs::yield(std::size_t unit, pair_sink &sink) const {
   const level &a = a_.set.boxes.levels[0], &b = b_.set.boxes.levels[0];
   const std::size_t block = unit / tiles(b_.set), first = unit % tiles(b_.set) * tile;
+  const std::size_t count = std::min(b.count() - first, tile);
+  near_tile chosen[tile], *last = chosen + count;
+  for (std::uint32_t i = 0; i < count; ++i)
+    chosen[i] = {i, 0xffff};
   for (std::size_t lane = 0; lane < a.filled(block); ++lane) {
-    const probe one(a_, block * lanes + lane, b_, false);
+    const std::size_t slot = block * lanes + lane;
+    if (filter_)
+      last = filter_->near(slot, first, count, chosen);
+    if (last == chosen)
+      continue;
+    const probe one(a_, slot, b_, false);
     index_pair *const begin = sink.room(), *end = begin;
-    for (std::size_t i = first; i < std::min(b.count(), first + tile); ++i)
-      end = one.pairs_with(i, end);
+    for (const near_tile *at = chosen; at < last; ++at) // the boxes rule out what the filter does
+      end = one.pairs_with(first + at->index, end);
     if (!sink.advance(static_cast<std::size_t>(end - begin)))
       return false;
   }

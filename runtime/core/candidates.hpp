@@ -9,6 +9,7 @@
 #define MEETC_CORE_CANDIDATES_HPP
 
 #include "core/candidate_operand.hpp"
+#include "core/pair_filter.hpp"
 #include "core/walk_cost.hpp"
 
 #include <optional>
@@ -44,15 +45,17 @@ public:
   virtual bool yield(std::size_t unit, pair_sink &sink) const = 0; // false: the sink asked to stop
 };
 
-// Tests every pair. The sets must outlive it.
+// Tests every pair, or those that a filter leaves. The sets and the filter must outlive it.
 class all_pairs final : public candidate_source {
 public:
-  all_pairs(const element_set &a, const element_set &b, ruled_out_by what) : a_(a, what), b_(b, what) {}
+  all_pairs(const element_set &a, const element_set &b, ruled_out_by what, const pair_filter *filter = nullptr)
+      : a_(a, what), b_(b, what), filter_(filter) {}
   std::size_t units() const override;
   bool yield(std::size_t unit, pair_sink &sink) const override;
 
 private:
   candidate_operand a_, b_;
+  const pair_filter *filter_; // null: there is none
 };
 
 // Walks the hierarchy of one set with each block of the other, or with each of its elements: which set walks, and how,

@@ -3,11 +3,13 @@
 #include "core/cascade.hpp"
 #include "core/decide.hpp"
 #include "core/marks.hpp"
+#include "core/normalised.hpp"
 #include "core/pair_sort.hpp"
 #include "core/threads.hpp"
 
 #include <chrono>
 #include <cstring>
+#include <optional>
 
 namespace meetc {
 namespace {
@@ -83,6 +85,29 @@ marks room_for_marks(answer_kind want, std::size_t size_a, std::size_t size_b, r
   return m;
 }
 
+// The set whose rows a query reads: the normalised one where there is one.
+struct operand {
+  const prepared &given;
+  std::shared_ptr<const normalised_set> normal;
+
+  const element_set &set() const { return normal ? normal->set : given.set(); }
+  stored_operand stored(const stored_values &values, const kind_info &of) const {
+    return {normal ? normal->stored.of(values, of) : given.stored(values, of), values};
+  }
+};
+
+// Normalises both or none.
+void normalise(operand &a, operand &b) {
+  const int power = normalising_power(a.given.set(), b.given.set());
+  if (power == 0)
+    return;
+  a.normal = a.given.normalised(power);
+  if (a.normal)
+    b.normal = b.given.normalised(power);
+  if (!b.normal)
+    a.normal = nullptr;
+}
+
 bool owners_fit(std::span<const std::uint32_t> owners, const prepared &p) {
   return owners.empty() || owners.size() == p.elements();
 }
@@ -111,9 +136,17 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   require(by.count > 0, text(status::no_such_rung));
   require(options.box >= 0, "the scene's box is negative or not a number");
   by.enter_box(options.box, a.set(), b.set());
+  operand of_a{a, nullptr}, of_b{b, nullptr};
+  if (never_wrong(precision)) // a plain rung answers for the numbers as they are, as on a device
+    normalise(of_a, of_b);
+  if (of_a.normal)
+    by.side = 0; // the box is in the caller's units
 
   const int threads = thread_count(options.threads);
-  const all_pairs every(a.set(), b.set(), what_rules_out(precision));
+  std::optional<pair_filter> filter;
+  if (options.all_pairs && pair_filter::pays(predicate, a.set(), b.set()))
+    filter.emplace(predicate, a.set(), b.set(), threads);
+  const all_pairs every(a.set(), b.set(), what_rules_out(precision), filter ? &*filter : nullptr);
   const tree_pairs tree(a.set(), b.set(), what_rules_out(precision));
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   collect list(threads, options.owner_a, options.owner_b);
@@ -128,17 +161,10 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
     (*static_cast<const std::function<void(double)> *>(context))(fraction);
   };
   const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
-  const tally total = decide_all({a.set(),
-                                  b.set(),
-                                  {a.stored(by.stored_a, *predicate.a), by.stored_a},
-                                  {b.stored(by.stored_b, *predicate.b), by.stored_b},
-                                  by,
-                                  source,
-                                  threads,
-                                  want == answer_kind::any,
+  const tally total = decide_all({of_a.set(), of_b.set(), of_a.stored(by.stored_a, *predicate.a),
+                                  of_b.stored(by.stored_b, *predicate.b), by, source, threads, want == answer_kind::any,
                                   options.progress ? +report : nullptr,
-                                  const_cast<std::function<void(double)> *>(&options.progress),
-                                  taker},
+                                  const_cast<std::function<void(double)> *>(&options.progress), taker},
                                  {batches.get(), batch_bytes(threads)});
   r.candidates = total.candidates;
   r.count = total.hits;

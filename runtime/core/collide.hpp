@@ -25,7 +25,7 @@ namespace meetc {
 struct collide_options {
   answer_kind want = answer_kind::pairs;
   int threads = 0;        // 0: all cores
-  bool all_pairs = false; // test every pair of boxes, without a hierarchy
+  bool all_pairs = false; // look at every pair, without a hierarchy: by the kinds' filter (kind_filter), then by boxes
   // The scene's box (catalogue::box): coordinates lie in [-box, box], lengths in [0, 2 box]; 0: there is none. No
   // answer depends on it. Where a set leaves it, the first rung of `certified` bounds each pair by itself.
   float box = 0;

@@ -1,6 +1,6 @@
 #include "core/prepared.hpp"
 
-#include "core/stored.hpp"
+#include "core/normalised.hpp"
 #include "core/threads.hpp"
 
 #include <algorithm>
@@ -25,8 +25,10 @@ void prepared::bounds(float lo[3], float hi[3]) const {
 }
 
 stored_rows *prepared::stored(const stored_values &values, const kind_info &of) const {
-  const bool any = &of == &kind() && values.number >= 0 && values.number < kind().stored;
-  return any ? &stored_[static_cast<std::size_t>(values.number)] : nullptr;
+  return stored_->of(values, of);
+}
+std::shared_ptr<const normalised_set> prepared::normalised(int power) const {
+  return normalised_->of(*set_, power);
 }
 
 prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads, const prepared *near) {
@@ -51,7 +53,8 @@ prepared prepare(const view &elements, const kind_info &kind, const pose &at, in
   p.elements_ = elements.elements;
   p.number_ = ++prepared_sets;
   p.near_ = near ? near->number_ : 0;
-  p.stored_ = std::make_unique<stored_rows[]>(static_cast<std::size_t>(kind.stored));
+  p.stored_ = std::make_unique<stored_table>(kind);
+  p.normalised_ = std::make_unique<normalisation>();
   return p;
 }
 

@@ -21,7 +21,10 @@ public:
 };
 
 struct element_set;
+struct normalised_set;
+class normalisation;
 class stored_rows;
+class stored_table;
 
 // Packed rows of kind().fields floats in spatial order, boxes and hierarchy. It is immutable, and several calls may use
 // it at once. Only a prepared() that was moved from holds no set; it may then only be assigned to or destroyed.
@@ -43,6 +46,8 @@ public:
   // Where the values that a predicate reads beside the rows are kept. Null if it reads none, or if `of`, the kind for
   // which they are computed, is not kind() itself: two catalogues may number such values differently.
   stored_rows *stored(const stored_values &values, const kind_info &of) const;
+  // The set times 2^power; null where it is not to be had (core/normalised.hpp).
+  std::shared_ptr<const normalised_set> normalised(int power) const;
 
 private:
   friend prepared prepare(const view &, const kind_info &, const pose &, int, const prepared *);
@@ -51,7 +56,8 @@ private:
   std::uint64_t number_ = 0, near_ = 0; // of this set, and of the one that it was prepared for; 0: for any
   owned_memory bytes_;
   std::unique_ptr<element_set> set_;
-  std::unique_ptr<stored_rows[]> stored_; // kind().stored elements
+  std::unique_ptr<stored_table> stored_;
+  std::unique_ptr<normalisation> normalised_;
 };
 
 // Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. With

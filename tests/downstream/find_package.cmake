@@ -8,6 +8,8 @@ run("${ROOM}/cell-build/app")
 expect("norm2 1024 1024, off the axis 0" "hit 1 0" "2 predicates of cell")
 run("${ROOM}/cell-build/frame")
 expect("2 pairs")
+# Only what was asked for is compiled.
+expect_none("avx2: runs here, but is not compiled" "avx512: compiled")
 
 # A missing component is named, and another minor version is not accepted.
 file(MAKE_DIRECTORY "${ROOM}/wrong")

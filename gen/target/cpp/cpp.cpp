@@ -45,12 +45,18 @@ std::vector<file> cpp_files(const unit &u) {
                                                    open_header(u.scene, "file_all", headers) + close_header(u.scene)});
   out.push_back({space + "/header_only.hpp", header_only(u)});
   out.push_back({space + "/shapes.hpp", shapes_header(u)});
+  if (filters_by_balls(u))
+    out.push_back({space + "/ball_form.hpp", ball_form_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
   for (file &f : out)
     f.text = broken_lines(f.text);
-  if (u.asks(lang::rung::certified))
-    for (file &f : proof_files(u))
+  if (!u.asks(lang::rung::certified))
+    return out;
+  for (file &f : proof_files(u))
+    out.push_back(std::move(f));
+  if (filters_by_balls(u))
+    for (file &f : filter_proofs(u))
       out.push_back(std::move(f));
   return out;
 }

@@ -18,6 +18,10 @@ std::vector<const lower::kernel *> predicates_of(const unit &u) {
   return out;
 }
 
+bool filters_by_balls(const unit &u) {
+  return u.balls && !predicates_of(u).empty();
+}
+
 std::vector<const lower::lowered_kind *> element_kinds(const unit &u) {
   std::vector<const lower::lowered_kind *> out;
   for (const lower::lowered_kind &k : u.kinds)
@@ -101,14 +105,15 @@ std::string shape_text(const lower::lowered_kind &k) {
                      box);
 }
 
-std::string kind_entry(const lower::lowered_kind &k, int stored) {
+std::string kind_entry(const lower::lowered_kind &k, int stored, bool filtered) {
   const bool points_only = std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
   const lower::enclosure &e = *k.enclosed;
   const std::string name = identifier(k.name);
+  const std::string filter = filtered ? fmt::format(", &meetc::filter_of<{}_shape, ball_form>", name) : "";
   return fmt::format(
-      "  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, meetc::stored_count({}), {}, {}_hull, {}}},\n", k.name,
-      csv_names(k), k.reals.size(), name, points_only ? k.points : 0, name, e.rule ? name + "_fault" : "nullptr",
-      stored, e.hull.size(), name, e.pad);
+      "  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, meetc::stored_count({}), {}, {}_hull, {}{}}},\n",
+      k.name, csv_names(k), k.reals.size(), name, points_only ? k.points : 0, name,
+      e.rule ? name + "_fault" : "nullptr", stored, e.hull.size(), name, e.pad, filter);
 }
 
 std::string kind_functions(const lower::lowered_kind &k) {
@@ -159,6 +164,9 @@ std::string box_literal(double box) {
 std::string runtime_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of kinds and predicates.");
+  const bool filtered = filters_by_balls(u);
+  if (filtered)
+    out += fmt::format("#include <meetc/lane_filter.hpp>\n\n#include <{0}/ball_form.hpp>\n", space);
   out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
   out += fmt::format("\nMEETC_NAMESPACE({}) {{\n\n", space);
   std::string declared;
@@ -177,7 +185,7 @@ std::string runtime_source(const unit &u) {
   for (const lower::lowered_kind *k : kinds) {
     functions += kind_functions(*k);
     const auto count = stored.count.find(k->name);
-    entries += kind_entry(*k, count == stored.count.end() ? 0 : count->second);
+    entries += kind_entry(*k, count == stored.count.end() ? 0 : count->second, filtered);
   }
   if (!kinds.empty())
     out += functions + "const meetc::kind_info all_kinds[] = {\n" + entries + "};\n\n";

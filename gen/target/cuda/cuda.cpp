@@ -164,16 +164,12 @@ std::vector<file> cuda_files(const unit &u) {
                      "the backend 'cuda' filters pairs by the balls around them, and no predicate of the algebra says "
                      "when two balls touch by one sign that separates; import 'primitives/ball.toml', or ask for the "
                      "backend 'cpp' alone");
-  std::vector<file> out{{space + "/ball_form.hpp", ball_form_header(u)},
-                        {space + '/' + space + "_cuda.hpp", cuda_header(u)},
+  std::vector<file> out{{space + '/' + space + "_cuda.hpp", cuda_header(u)},
                         {space + '/' + space + "_cuda.cu", cuda_catalogue(u)}};
   for (const lower::kernel *k : predicates_of(u))
     out.push_back({fmt::format("{}/src/{}.cu", space, k->asked.name()), cuda_launchers(u, *k)});
   for (file &f : out)
     f.text = broken_lines(f.text);
-  if (u.asks(lang::rung::certified))
-    for (file &f : filter_proofs(u))
-      out.push_back(std::move(f));
   return out;
 }
 

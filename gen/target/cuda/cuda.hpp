@@ -13,7 +13,4 @@ std::string cuda_header(const unit &u);
 std::string cuda_catalogue(const unit &u);
 std::string cuda_launchers(const unit &u, const lower::kernel &k);
 
-// Touching balls as a matrix product.
-std::string ball_form_header(const unit &u);
-
 } // namespace meetc::target

@@ -167,7 +167,7 @@ constexpr step first_step(rung precision) {
 }
 // Plain rungs can say yes where nothing touches. With balls around boxes they decide the same pairs as on the CPU.
 constexpr cover balls_for(rung precision) {
-  return precision == rung::certified || precision == rung::exact ? cover::element : cover::box;
+  return never_wrong(precision) ? cover::element : cover::box;
 }
 
 // The values that a set stores beside its rows for a predicate, like stored_values on the host.

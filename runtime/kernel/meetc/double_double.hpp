@@ -147,6 +147,9 @@ template <class T> MEETC_HD MEETC_INLINE unfused<T> operator-(unfused<T> a, unfu
 template <class T> MEETC_HD MEETC_INLINE unfused<T> operator*(unfused<T> a, unfused<T> b) {
   return unfused<T>(a.v * b.v);
 }
+template <class T> MEETC_HD MEETC_INLINE unfused<T> operator/(unfused<T> a, unfused<T> b) { // of constants
+  return unfused<T>(a.v / b.v);
+}
 template <class T> MEETC_HD MEETC_INLINE unfused<T> magnitude_of(unfused<T> a) {
   return unfused<T>(a.v < 0 ? -a.v : a.v);
 }

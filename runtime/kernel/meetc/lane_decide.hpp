@@ -67,19 +67,19 @@ template <class P> struct lane_tile {
     if (one_a) // one object against many, as candidates come
       repeat<P::inputs_a>(a.rows, at_a[0], row_a);
     else
-      gather<P::inputs_a>(a.rows, at_a, row_a);
-    gather<P::inputs_b>(b.rows, at_b, row_b);
+      gather_rows<P::inputs_a>(a.rows, at_a, row_a);
+    gather_rows<P::inputs_b>(b.rows, at_b, row_b);
     if constexpr (floats_a > 0) {
       if (!a.stored)
         store_a<P, lanes>::compute_from(row_a, stored_a);
       else if (one_a)
         repeat<floats_a>(a.stored, at_a[0], stored_a);
       else
-        gather<floats_a>(a.stored, at_a, stored_a);
+        gather_rows<floats_a>(a.stored, at_a, stored_a);
     }
     if constexpr (floats_b > 0) {
       if (b.stored)
-        gather<floats_b>(b.stored, at_b, stored_b);
+        gather_rows<floats_b>(b.stored, at_b, stored_b);
       else
         store_b<P, lanes>::compute_from(row_b, stored_b);
     }
@@ -89,16 +89,6 @@ private:
   template <int N> static MEETC_INLINE void repeat(const float *from, std::uint32_t at, lanes *to) {
     for (int i = 0; i < N; ++i)
       to[i] = lanes(from[std::size_t{at} * N + static_cast<std::size_t>(i)]);
-  }
-  template <int N> static MEETC_INLINE void gather(const float *from, const std::uint32_t *at, lanes *to) {
-    float turned[N][lane_count];
-    for (int k = 0; k < lane_count; ++k) {
-      const float *row = from + std::size_t{at[k]} * N;
-      for (int i = 0; i < N; ++i)
-        turned[i][k] = row[i];
-    }
-    for (int i = 0; i < N; ++i)
-      to[i] = lanes::from(turned[i]);
   }
 };
 
@@ -123,22 +113,19 @@ public:
   void run(std::size_t n) {
     for (std::size_t at = 0; at < n; at += lane_count) {
       const int here = static_cast<int>(n - at < lane_count ? n - at : lane_count);
-      std::size_t numbers[lane_count];
-      for (int k = 0; k < here; ++k)
-        numbers[k] = at + static_cast<std::size_t>(k);
-      first(numbers, pairs_ + at, here);
+      first([at](int k) { return at + static_cast<std::size_t>(k); }, pairs_ + at, here);
     }
     if (waiting_ > 0)
-      second(waiting_numbers_, waiting_pairs_, waiting_);
+      second_of_waiting();
   }
 
 private:
   static constexpr lane_mask first_lanes(int n) { return every_lane >> (lane_count - n); }
 
-  // The reject stage.
-  MEETC_INLINE void first(const std::size_t *numbers, const index_pair *pairs, int n) {
+  // The reject stage. number(k) is the number of the pair in lane k.
+  template <class Number> MEETC_INLINE void first(const Number &number, const index_pair *pairs, int n) {
     if constexpr (P::reject_stage::atoms == 0) {
-      second(numbers, pairs, n);
+      second(number, pairs, n);
     } else {
       lane_tile<P> t;
       t.load(a_, b_, pairs, n);
@@ -146,28 +133,33 @@ private:
       lane_signs<P, typename P::reject_stage, How>(t, s);
       const lane_mask left = to_truth_lanes(P::rejected(s)).can_be_false & first_lanes(n);
       for (int k = 0; k < n; ++k)
-        out_[numbers[k]] = answer::no;
+        out_[number(k)] = answer::no;
       if (2 * __builtin_popcount(left) > lane_count)
-        return usual(t, s, left, numbers);
+        return usual(t, s, left, number);
       for (lane_mask more = left; more != 0; more &= more - 1) {
         const int k = __builtin_ctz(more);
-        waiting_numbers_[waiting_] = numbers[k], waiting_pairs_[waiting_] = pairs[k];
+        waiting_numbers_[waiting_] = number(k), waiting_pairs_[waiting_] = pairs[k];
         if (++waiting_ == lane_count)
-          second(waiting_numbers_, waiting_pairs_, lane_count), waiting_ = 0;
+          second_of_waiting();
       }
     }
   }
   // Both stages, of pairs that the reject stage has left.
-  MEETC_NOINLINE void second(const std::size_t *numbers, const index_pair *pairs, int n) {
+  MEETC_NOINLINE void second_of_waiting() {
+    second([this](int k) { return waiting_numbers_[k]; }, waiting_pairs_, waiting_);
+    waiting_ = 0;
+  }
+  template <class Number> MEETC_INLINE void second(const Number &number, const index_pair *pairs, int n) {
     lane_tile<P> t;
     t.load(a_, b_, pairs, n);
     sign_lanes s[P::atoms + 1];
     if constexpr (P::reject_stage::atoms > 0)
       lane_signs<P, typename P::reject_stage, How>(t, s);
-    usual(t, s, first_lanes(n), numbers);
+    usual(t, s, first_lanes(n), number);
   }
   // The stage of the usual case, for the lanes of `left`; the others are misses.
-  MEETC_INLINE void usual(const lane_tile<P> &t, sign_lanes *s, lane_mask left, const std::size_t *numbers) {
+  template <class Number>
+  MEETC_INLINE void usual(const lane_tile<P> &t, sign_lanes *s, lane_mask left, const Number &number) {
     if constexpr (P::common_stage::atoms > 0)
       lane_signs<P, typename P::common_stage, How>(t, s);
     const truth_lanes hit = to_truth_lanes(P::usual(s));
@@ -176,7 +168,7 @@ private:
       open |= to_truth_lanes(P::needs_rare(s)).can_be_true;
     for (int k = 0; k < lane_count; ++k)
       if (left >> k & 1)
-        out_[numbers[k]] = open >> k & 1 ? open_(numbers[k]) : to_answer((hit.can_be_true >> k & 1) != 0);
+        out_[number(k)] = open >> k & 1 ? open_(number(k)) : to_answer((hit.can_be_true >> k & 1) != 0);
   }
 
   const row_array &a_, &b_;

@@ -125,27 +125,33 @@ MEETC_HD inline void to_columns(const double *object, placing where, std::uint16
 
 // ---- the same in float32, where no matrix unit is trusted ----
 
-// The factors rounded to float32, and the additive term with a margin for that: each product has at most 3 rounding
-// errors, and the chain adds 5 more.
-template <class Form, bool First> MEETC_HD inline void to_floats(const double *object, placing where, float *out) {
+// The factors rounded to float32, and the additive term with a margin for that. Let S be the sum of (f_k^2 + g_k^2) / 2,
+// |f| and |g|, u = 2^-24. A product has at most 3 rounding errors, of its factors and, without fma, its own; a term then
+// goes through at most 5 additions. So the sum is within 8 u S (1 + 2^-19) = 2^-21 S (1 + 2^-19) of F, and the margins are
+// 2^-20 S and 2^-9 for what underflows. T is the number on which the features are computed.
+template <class Form, bool First, class T = double>
+MEETC_HD inline void to_floats(const double *object, placing where, float *out) {
   for (int k = 0; k < Form::products; ++k)
     out[k] = 0;
   if (where != placing::inside) {
     out[Form::products] = static_cast<float>(term_outside(where));
     return;
   }
-  double f[Form::products + 1];
+  T x[Form::inputs], f[Form::products + 1];
+  for (int k = 0; k < Form::inputs; ++k)
+    x[k] = T(object[k]);
   if constexpr (First)
-    Form::features_a(object, f);
+    Form::features_a(x, f);
   else
-    Form::features_b(object, f);
+    Form::features_b(x, f);
   double squares = 0;
   for (int k = 0; k < Form::products; ++k) {
-    out[k] = static_cast<float>(f[k]);
-    squares += f[k] * f[k];
+    const double factor = f[k];
+    out[k] = static_cast<float>(factor);
+    squares += factor * factor;
   }
-  const double size = std::fabs(f[Form::products]);
-  out[Form::products] = static_cast<float>(f[Form::products] - (0x1p-20 * (squares / 2 + size) + 0x1p-10));
+  const double term = f[Form::products], size = std::fabs(term);
+  out[Form::products] = static_cast<float>(term - (0x1p-20 * (squares / 2 + size) + 0x1p-10));
 }
 // Negative where F <= 0.
 template <class Form> MEETC_HD inline float bilinear(const float *x, const float *y) {

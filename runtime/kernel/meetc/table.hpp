@@ -4,12 +4,40 @@
 
 #include <meetc/logic.hpp>
 
+#include <cmath>
 #include <cstddef>
 
 namespace meetc {
 
 // The role of a stored number, by which a runtime can move and check an element without knowing its shape.
 enum class role : std::uint8_t { x, y, z, length, other };
+
+// The extent of a set in a filter: lo[k] > hi[k] on each axis where it is empty.
+struct filter_extent {
+  double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+};
+// A tile of a filter.
+struct near_tile {
+  std::uint32_t index;
+  std::uint32_t elements; // bit i: its element i is not ruled out
+};
+// A filter for queries that look at all pairs of two sets: it rules out that the closed boxes of two elements touch where
+// the balls around them do not, by a sum of products in lanes (lane_filter.hpp). The sum is taken in a frame, which the
+// extent of one of the two sets determines. All kinds of a catalogue have filters of one form.
+struct kind_filter {
+  int floats; // of an element
+  // Widens the extent by n rows.
+  void (*widen)(const float *rows, std::size_t n, filter_extent &all);
+  // The numbers of n elements, one element after another.
+  void (*singles)(const filter_extent &frame, const float *rows, std::size_t n, float *out);
+  // The same in tiles of filter_tile elements: number k of a tile's element i is at k * filter_tile + i. The last tile is
+  // filled up with numbers that touch nothing.
+  void (*tiles)(const filter_extent &frame, const float *rows, std::size_t n, float *out);
+  // Writes those of `count` tiles whose elements are not all ruled out for one element of another set, in the same frame.
+  // There is room for `count`. Returns their end.
+  near_tile *(*near)(const float *single, const float *tiles, std::size_t count, near_tile *out);
+};
+inline constexpr int filter_tile = 16;
 
 // One kind of element. A row is `fields` floats in the spec's store order.
 struct kind_info {
@@ -27,6 +55,7 @@ struct kind_info {
   int hull = 0;
   const int *hull_fields = nullptr;
   int pad = -1;
+  const kind_filter *filter = nullptr; // null: pairs of this kind are not filtered
 };
 
 // The values that a set stores beside its rows for a predicate: `floats` numbers for each element, in the order of the
@@ -54,10 +83,14 @@ struct index_pair {
 // certified runs the bounded rungs, the cheapest first, each on what the one before left unsure, and exact last.
 enum class rung : std::uint8_t { fp32 = 0, fp64 = 1, fp64x2 = 2, exact = 3, certified = 4 };
 inline constexpr int rung_count = 5;
+constexpr bool never_wrong(rung r) {
+  return r == rung::exact || r == rung::certified;
+}
 // The rungs of `certified` before exact are named as the plain ones: fp32, fp64, fp64x2.
 inline constexpr int bounded_rungs = 3;
 
-// Decides n candidate pairs: pairs[i].a and .b index rows of floats.
+// Decides n candidate pairs: pairs[i].a and .b index rows of floats. A true answer is the same for rows that are all
+// multiplied by one positive number.
 using decide_function = void (*)(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out);
 
 // One predicate on an ordered pair of kinds.

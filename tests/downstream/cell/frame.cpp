@@ -14,4 +14,9 @@ int main() {
     const meetc::result r = meetc::collide(meetc::prepare(a, *p.a), meetc::prepare(b, *p.b), p, meetc::rung::exact);
     std::printf("%llu pairs\n", static_cast<unsigned long long>(r.count));
   }
+  for (const meetc::instruction_set set : {meetc::instruction_set::avx2, meetc::instruction_set::avx512})
+    std::printf("%s: %s\n", meetc::name_of(set),
+                cell::catalogue_for(set) ? "compiled"
+                : meetc::runs_here(set)  ? "runs here, but is not compiled"
+                                         : "does not run here");
 }

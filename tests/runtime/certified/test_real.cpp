@@ -129,8 +129,8 @@ void same_pairs(const body &a, const pose &at_a, const body &b, const pose &at_b
 
 constexpr std::array<double, 3> origin{0, 0, 0};
 
-// Every mesh and the next one at a given size and place. The first rung must leave this many pairs unsure.
-void neighbours(const char *what, double size, const std::array<double, 3> &place, std::uint64_t least_unsure) {
+// Every mesh and the next one at a given size and place. The first rung may leave this many pairs unsure.
+void neighbours(const char *what, double size, const std::array<double, 3> &place, std::uint64_t most_unsure) {
   totals sum;
   for (std::size_t i = 0; i < bodies().size(); ++i) {
     const body &a = bodies()[i], &b = bodies()[(i + 1) % bodies().size()];
@@ -139,7 +139,7 @@ void neighbours(const char *what, double size, const std::array<double, 3> &plac
   sum.print(what);
   if (!bodies().empty()) {
     CHECK(sum.pairs > 10'000);
-    CHECK(sum.unsure[0] >= least_unsure);
+    CHECK(sum.unsure[0] <= most_unsure);
   }
 }
 
@@ -159,19 +159,19 @@ TEST_CASE("each mesh with the next, as stored", "[data]") {
 
 // Steps of float32 are 1/16 there, and edges of the finest mesh are a dozen steps long, so many faces are degenerate.
 TEST_CASE("at 1e6 from the origin", "[data]") {
-  neighbours("at +1e6", 200, {1e6, -1e6, 1e6}, 0);
+  neighbours("at +1e6", 200, {1e6, -1e6, 1e6}, 1000);
 }
 
 TEST_CASE("at 1e7 from the origin", "[data]") {
-  neighbours("at +1e7", 2000, {1e7, 1e7, -1e7}, 0);
+  neighbours("at +1e7", 2000, {1e7, 1e7, -1e7}, 1000);
 }
 
 TEST_CASE("scaled by 1e-15", "[data]") {
-  neighbours("scaled by 1e-15", 1e-15, origin, 100'000); // cubes of these leave float32's range
+  neighbours("scaled by 1e-15", 1e-15, origin, 1000); // cubes of these leave float32's range
 }
 
 TEST_CASE("scaled by 1e12", "[data]") {
-  neighbours("scaled by 1e12", 1e12, origin, 10'000);
+  neighbours("scaled by 1e12", 1e12, origin, 1000);
 }
 
 TEST_CASE("each mesh against itself", "[data]") {

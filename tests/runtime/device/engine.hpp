@@ -19,10 +19,12 @@ const char *name_of(meetc::rung r);
 const char *name_of(meetc::cuda::filter f);
 inline constexpr meetc::rung all_rungs[] = {meetc::rung::fp32, meetc::rung::fp64, meetc::rung::fp64x2,
                                             meetc::rung::exact, meetc::rung::certified};
-inline bool never_wrong(meetc::rung r) {
-  return r == meetc::rung::exact || r == meetc::rung::certified;
-}
 const meetc::predicate_info &predicate_named(std::string_view name);
+
+// Whether a rung that is never wrong looks at fewer candidates on the CPU, which tests the two points of an element.
+bool fewer_candidates_on_cpu(const meetc::predicate_info &p);
+// Whether `certified` may leave fewer pairs unsure on the CPU, which also normalises very small and very large sets.
+bool fewer_unsure_on_cpu(const meetc::predicate_info &p, const meetc::prepared &a, const meetc::prepared &b);
 
 // ---- sets ----
 

@@ -1,9 +1,8 @@
-// Touching balls as a matrix product: a header with the features and the margins of the filter.
+// Touching balls as a sum of products: a header with the features and the margins of the filter.
 #include "gen/bound/matrix.hpp"
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/bounds.hpp"
 #include "gen/target/cpp/cpp.hpp"
-#include "gen/target/cuda/cuda.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +22,8 @@ std::string features(const ir::program &code, const char *name, char argument, c
 std::string ball_form_header(const unit &u) {
   const lower::ball_form &form = *u.balls;
   const auto products = form.parts.products.size();
-  std::string out = banner(u.scene, "Touching balls as a matrix product.") + open_header(u.scene, "file_ball_form");
+  std::string out = banner(u.scene, "Touching balls as a sum of products, by which pairs are filtered.") +
+                    open_header(u.scene, "file_ball_form");
   out += fmt::format(
       "// Balls (x, y, z, r), r >= 0, touch where |c - c'|^2 <= (r + r')^2, that is where half of the difference,\n"
       "//   sum over k < products of f_k(X) g_k(Y), plus f(X) + g(Y),\n// is <= 0. K = {}:\n",

@@ -1,0 +1,35 @@
+// core/pair_filter.hpp: the separable filter of two sets, by which a query that looks at all pairs leaves out most tests
+// of boxes.
+#ifndef MEETC_CORE_PAIR_FILTER_HPP
+#define MEETC_CORE_PAIR_FILTER_HPP
+
+#include "core/element_set.hpp"
+
+#include <memory>
+
+namespace meetc {
+
+class pair_filter {
+public:
+  // Whether the predicate's kinds have filters, and the sets are so large that making the numbers costs less than it
+  // saves.
+  static bool pays(const predicate_info &predicate, const element_set &a, const element_set &b);
+
+  // The kinds have filters. The sets need not outlive it. Throws std::bad_alloc.
+  pair_filter(const predicate_info &predicate, const element_set &a, const element_set &b, int threads);
+
+  // Writes which of the blocks of b from `first` on, `count` of them, may hold an element whose box touches that of a's
+  // element in `slot`. Their indices count from `first`. Returns the end.
+  near_tile *near(std::size_t slot, std::size_t first, std::size_t count, near_tile *out) const {
+    return near_(singles_.get() + slot * floats_, tiles_.get() + first * filter_tile * floats_, count, out);
+  }
+
+private:
+  std::size_t floats_;
+  near_tile *(*near_)(const float *, const float *, std::size_t, near_tile *);
+  std::unique_ptr<float[]> singles_, tiles_; // of a, and of b
+};
+
+} // namespace meetc
+
+#endif
