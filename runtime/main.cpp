@@ -15,5 +15,7 @@ int main(int argc, char **argv) {
                           },
                           [&all](CLI::App &program) { return meetc::app::add_inspect(program, all); },
                           [&all](CLI::App &program) { return meetc::app::add_demo(program, all); },
-                          [&all](CLI::App &program) { return meetc::bench::add_bench(program, all); }});
+                          [&all](CLI::App &program) {
+                            return meetc::bench::add_bench(program, all, {cga::catalogue, cga::catalogue_for});
+                          }});
 }

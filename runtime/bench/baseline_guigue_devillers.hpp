@@ -13,7 +13,7 @@
 
 #include "bench/baseline_vectors.hpp"
 
-namespace meetc::baselines {
+MEETC_NAMESPACE(meetc::baselines) {
 
 namespace detail {
 
@@ -140,6 +140,6 @@ template <class T> MEETC_HD inline bool guigue_devillers(const T *row_a, const T
   return detail::volume(a.p, a.q, b.p, b.q) <= 0 && detail::volume(a.p, a.r, b.r, b.p) <= 0;
 }
 
-} // namespace meetc::baselines
+} // MEETC_NAMESPACE(meetc::baselines)
 
 #endif

@@ -12,7 +12,7 @@
 
 #include "bench/baseline_vectors.hpp"
 
-namespace meetc::baselines {
+MEETC_NAMESPACE(meetc::baselines) {
 
 inline constexpr double moller_epsilon = 1e-6;
 
@@ -30,6 +30,7 @@ template <class T> struct distances {
   T d0, d1, d2;
   MEETC_HD distances(const plane<T> &to, const T *t, T epsilon)
       : d0(one(to, t, 0, epsilon)), d1(one(to, t, 1, epsilon)), d2(one(to, t, 2, epsilon)) {}
+  MEETC_HD distances(T x, T y, T z) : d0(x), d1(y), d2(z) {}
   MEETC_HD static T one(const plane<T> &to, const T *t, int i, T epsilon) {
     const T d = dot(to.normal, corner(t, i)) + to.offset;
     return magnitude(d) < epsilon ? T(0) : d;
@@ -90,6 +91,18 @@ template <class T> MEETC_HD inline bool coplanar(const vec<T> &normal, const T *
 
 } // namespace detail
 
+// What is left of the test when each plane separates the other triangle's corners: db are the distances of b's corners to
+// the plane of a, da those of a's to the plane of b.
+template <class T>
+MEETC_HD inline bool moller_beyond_planes(const T *a, const vec<T> &normal_a, const detail::distances<T> &da,
+                                          const T *b, const vec<T> &normal_b, const detail::distances<T> &db) {
+  if (da.in_plane() || db.in_plane())
+    return detail::coplanar(normal_a, a, b);
+  const int axis = longest_axis(cross(normal_a, normal_b));
+  const detail::interval<T> cut_a = detail::cut(a, axis, da), cut_b = detail::cut(b, axis, db);
+  return cut_a.low <= cut_b.high && cut_b.low <= cut_a.high;
+}
+
 // Whether two triangles touch.
 template <class T> MEETC_HD inline bool moller(const T *a, const T *b, T epsilon) {
   const detail::plane<T> of_a(a);
@@ -100,13 +113,9 @@ template <class T> MEETC_HD inline bool moller(const T *a, const T *b, T epsilon
   const detail::distances<T> da(of_b, a, epsilon);
   if (da.one_side())
     return false;
-  if (da.in_plane() || db.in_plane())
-    return detail::coplanar(of_a.normal, a, b);
-  const int axis = longest_axis(cross(of_a.normal, of_b.normal));
-  const detail::interval<T> cut_a = detail::cut(a, axis, da), cut_b = detail::cut(b, axis, db);
-  return cut_a.low <= cut_b.high && cut_b.low <= cut_a.high;
+  return moller_beyond_planes(a, of_a.normal, da, b, of_b.normal, db);
 }
 
-} // namespace meetc::baselines
+} // MEETC_NAMESPACE(meetc::baselines)
 
 #endif

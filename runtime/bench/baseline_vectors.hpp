@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-namespace meetc::baselines {
+MEETC_NAMESPACE(meetc::baselines) {
 
 template <class T> struct vec { T x, y, z; };
 template <class T> MEETC_HD inline vec<T> operator-(const vec<T> &a, const vec<T> &b) {
@@ -47,6 +47,6 @@ template <class T> MEETC_HD inline T area(const flat<T> &a, const flat<T> &b, co
   return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
 }
 
-} // namespace meetc::baselines
+} // MEETC_NAMESPACE(meetc::baselines)
 
 #endif

@@ -13,7 +13,7 @@
 #include "bench/baseline_moller.hpp"
 #include "bench/baseline_vectors.hpp"
 
-namespace meetc::baselines {
+MEETC_NAMESPACE(meetc::baselines) {
 
 // Solid balls: d^2 <= (r1 + r2)^2.
 template <class T> MEETC_HD inline bool balls(const T *a, const T *b) {
@@ -46,6 +46,6 @@ template <class T> MEETC_HD inline bool moller_trumbore(const T *a, const T *b, 
   return t >= 0 && t <= 1;
 }
 
-} // namespace meetc::baselines
+} // MEETC_NAMESPACE(meetc::baselines)
 
 #endif

@@ -1,10 +1,14 @@
 #include "bench/command.hpp"
 
+#include "app/failure.hpp"
 #include "app/option_values.hpp"
+#include "bench/cpu_command.hpp"
 #include "bench/gpu_command.hpp"
 #include "bench/paper_command.hpp"
+#include "io/number.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <memory>
 #include <optional>
@@ -52,14 +56,58 @@ app::command add_gpu(CLI::App &bench, const catalogue &all) {
   return {&c, [&all, q] { return gpu(all, *q); }};
 }
 
+// The value of --repetitions.
+int repetitions_named(const std::string &text) {
+  constexpr int most = 1000;
+  std::int64_t n = 0;
+  if (!io::parse_integer(text, n) || n < 1 || n > most)
+    throw app::failure(fmt::format("--repetitions: {} is not a number from 1 to {}", io::quote(text), most));
+  return static_cast<int>(n);
+}
+
+app::command add_cpu(CLI::App &bench, const app::kernel_library &kernels) {
+  CLI::App &c =
+      *bench.add_subcommand("cpu", "Kernels and queries on the CPU, beside other libraries and classic tests");
+  const auto q = std::make_shared<cpu_request>();
+  const auto threads = std::make_shared<std::optional<std::string>>(),
+             repetitions = std::make_shared<std::optional<std::string>>();
+  c.add_option("-o", q->folder, "Also write cpu.md into this folder")->type_name("DIR");
+  c.add_option(
+       "--data", q->data,
+       "A folder with bunny_1k.ply, bunny_69k.ply and armadillo_345k.ply (with --quick the 5k ones in the place "
+       "of the last two); without it built-in bodies of about the same sizes serve")
+      ->type_name("DIR");
+  c.add_option("--only", q->only,
+               "Measure the families alone whose names hold this: blind, precision, candidates, balls, families")
+      ->type_name("TEXT");
+  c.add_option("--instruction-set", q->instruction_set,
+               "Measure one alone; auto, the default: each that runs here, and queries with the best")
+      ->type_name("auto|baseline|avx2|avx512");
+  c.add_option("--threads", *threads, "Threads of queries; 0 is all cores, 1 the default")->type_name("N");
+  c.add_option("--repetitions", *repetitions,
+               "How often the works of a table take turns, by default 21; fewer where they take long")
+      ->type_name("N");
+  c.add_flag("--quick", q->quick, "Small sets, to see that it runs")->disable_flag_override();
+  c.add_flag("--json", q->json, "Print one JSON object instead of the tables")->disable_flag_override();
+  return {&c, [kernels, q, threads, repetitions] {
+            if (*threads)
+              q->threads = app::threads_named(**threads);
+            if (*repetitions)
+              q->repetitions = repetitions_named(**repetitions);
+            return cpu(kernels, *q);
+          }};
+}
+
 } // namespace
 
-app::command add_bench(CLI::App &program, const catalogue &all) {
-  CLI::App &c = *program.add_subcommand("bench", "Measure: the paper's tables and figures again, and the CUDA device");
+app::command add_bench(CLI::App &program, const catalogue &all, const app::kernel_library &kernels) {
+  CLI::App &c =
+      *program.add_subcommand("bench", "Measure: the paper's tables and figures again, the CUDA device, and the CPU");
   c.require_subcommand(1);
   app::command out{&c, {}};
   out.parts.push_back(add_paper(c, all));
   out.parts.push_back(add_gpu(c, all));
+  out.parts.push_back(add_cpu(c, kernels));
   out.part_is_missing = "what to measure is needed";
   return out;
 }

@@ -2,20 +2,14 @@
 
 #include "app/kinds.hpp"
 #include "app/made_sets.hpp"
+#include "bench/scene_sets.hpp"
 #include "io/read.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
 
 namespace meetc::bench {
 
 namespace {
-
-io::element_set ball_cloud(const catalogue &all, std::size_t n, std::uint64_t seed) {
-  // Hits are a fixed share of all pairs for any n: about four in a million.
-  const double r = 0.0098;
-  return app::of_rows(all, "sphere", bodies::sphere_cloud(n, seed, 0.8 * r, 1.2 * r));
-}
 
 bodies::mesh finer(bodies::mesh m, std::size_t least) {
   while (m.triangles() < least)
@@ -27,36 +21,17 @@ bodies::mesh of_set(const io::element_set &s) {
   return {s.data, s.index};
 }
 
-// Segments whose length is a share of the box's longest side, spread over the box of the mesh.
-io::element_set segments_in(const catalogue &all, const io::element_set &mesh, std::size_t n, double share) {
-  double lo[3], hi[3], longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
-    for (std::size_t i = k; i < mesh.data.size(); i += 3)
-      lo[k] = std::fmin(lo[k], static_cast<double>(mesh.data[i])),
-      hi[k] = std::fmax(hi[k], static_cast<double>(mesh.data[i]));
-    longest = std::fmax(longest, hi[k] - lo[k]);
-  }
-  std::vector<float> rows =
-      bodies::segment_cloud(n, 5, 2 * share); // in a cube of side 2 first, then scaled to one of side `longest`
-  for (std::size_t i = 0; i < rows.size(); i += 6)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double p = rows[i + k], q = rows[i + 3 + k], middle = (p + q) / 2, way = (q - p) / 2;
-      const double at = (lo[k] + hi[k]) / 2 + middle * (hi[k] - lo[k]) / 2;
-      rows[i + k] = static_cast<float>(at - way * longest / 2);
-      rows[i + 3 + k] = static_cast<float>(at + way * longest / 2);
-    }
-  return app::of_rows(all, "segment", std::move(rows));
-}
-
 } // namespace
 
 std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick) {
   const std::size_t balls = quick ? 4096 : 262144, triangles = quick ? 20'000 : 4'000'000,
                     segments = quick ? 500 : 10'000;
   std::vector<gpu_scene> out;
-  out.push_back({fmt::format("balls, {0} x {0}", balls), "ball_ball",
-                 [&all, balls] { return std::pair(ball_cloud(all, balls, 1), ball_cloud(all, balls, 2)); }});
+  out.push_back({fmt::format("balls, {0} x {0}", balls), "ball_ball", [&all, balls] {
+                   // Hits are a fixed share of all pairs for any n: about four in a million.
+                   constexpr double radius = 0.0098;
+                   return std::pair(ball_cloud(all, balls, 1, radius), ball_cloud(all, balls, 2, radius));
+                 }});
   const auto read = [&all](const std::filesystem::path &file, const io::transform &move = {}) {
     return io::read(file, app::kinds_of(all), move);
   };
@@ -107,9 +82,10 @@ std::vector<std::function<tangent_scene()>> tangent_scenes(const catalogue &all,
     for (int i = 0; i < n * n * n; ++i) {
       state = state * 1664525U + 1013904223U;
       const bool smaller = static_cast<int>(state >> 26) < smaller_of_64;
+      const int x = i % n, y = i / n % n, z = i / n / n;
       for (int c = 0; c < copies; ++c)
-        rows.insert(rows.end(), {static_cast<float>(i % n), static_cast<float>(i / n % n),
-                                 static_cast<float>(i / n / n), smaller ? 0.4375F : 0.5F});
+        rows.insert(rows.end(),
+                    {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z), smaller ? 0.4375F : 0.5F});
     }
     return app::of_rows(all, "sphere", std::move(rows));
   };

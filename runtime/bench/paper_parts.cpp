@@ -34,10 +34,17 @@ search search_pairs(const paper_context &c, const io::element_set &a, const io::
     const prepared &first = h.by.swapped ? *ready_b : *ready_a, &second = h.by.swapped ? *ready_a : *ready_b;
     meetc::collide(first, second, *h.by.predicate, precision, options);
   };
-  const std::vector<double> times =
-      c.by.measure({make_ready, [&] { find(rung::certified); }, [&] { find(rung::fp32); }}, c.runs);
-  s.time = times[0] + times[1];
-  s.certified_over_fp32 = times[1] / times[2];
+  const std::vector<double> whole = c.by.measure({[&] {
+                                                   make_ready();
+                                                   find(rung::certified);
+                                                 }},
+                                                 c.runs);
+  // The ratio is that of sets which both rungs have used before: the first query after preparing finds cold memory and
+  // computes what the sets store, for whichever rung comes first.
+  find(rung::fp32);
+  const std::vector<double> warm = c.by.measure({[&] { find(rung::certified); }, [&] { find(rung::fp32); }}, c.runs);
+  s.time = whole[0];
+  s.certified_over_fp32 = warm[0] / warm[1];
   return s;
 }
 

@@ -58,6 +58,10 @@ cell of_milliseconds(double seconds) {
   return {fmt::format("{:.3g}", 1000 * seconds), app::with_digits(1000 * seconds, 6)};
 }
 
+cell of_nanoseconds(double seconds) {
+  return {fmt::format("{:.3g}", 1e9 * seconds), app::with_digits(1e9 * seconds, 6)};
+}
+
 cell of_rate(double pairs_a_second) {
   return {fmt::format("{:.3g}", pairs_a_second / 1e12), app::with_digits(pairs_a_second / 1e12, 6)};
 }

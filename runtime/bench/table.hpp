@@ -17,6 +17,7 @@ struct cell {
 cell of_count(std::uint64_t n); // 345,944
 cell of_ratio(double x);        // three digits; "-" and null where it is not finite
 cell of_milliseconds(double seconds);
+cell of_nanoseconds(double seconds);
 cell of_rate(double pairs_a_second); // in 10^12 pairs a second
 cell of_share(double x);             // in percent; in JSON as it is
 cell of_words(const std::string &words);

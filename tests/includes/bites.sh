@@ -31,8 +31,9 @@ sound() {
   put runtime/core/device/set.hpp '#include "core/view.hpp"'
   put runtime/io/read.hpp '#include "core/view.hpp"'
   put runtime/app/sets.cpp '#include "io/read.hpp"' '#include <cga/cga.hpp>'
+  put runtime/bench/peers/peers.hpp '#include "meetc/table.hpp"'
   put runtime/main.cpp '#include "bench/table.hpp"'
-  put runtime/bench/table.hpp '#include "core/view.hpp"'
+  put runtime/bench/table.hpp '#include "core/view.hpp"' '#include "bench/peers/peers.hpp"'
   put generated/default/cga/cga.hpp '#include <meetc/table.hpp>' '#include <cga/kinds.hpp>' '#include <cmath>'
   put generated/default/cga/kinds.hpp '#include <meetc/table.hpp>'
 }
@@ -69,6 +70,7 @@ refused "runtime/core may not include runtime/io" runtime/core/view.hpp '#includ
 refused "runtime/core may not include runtime/core/device" runtime/core/view.hpp '#include "core/device/set.hpp"'
 refused "runtime/core may not include generated" runtime/core/view.hpp '#include <cga/cga.hpp>'
 refused "runtime/app may not include runtime/bench" runtime/app/sets.cpp '#include "bench/table.hpp"'
+refused "runtime/bench/peers may not include runtime/bench" runtime/bench/peers/peers.hpp '#include "bench/table.hpp"'
 refused "runtime/io may not include generated" runtime/io/read.hpp '#include <cga/cga.hpp>'
 refused "runtime/io may not include gen/support" runtime/io/read.hpp '#include "gen/support/source.hpp"'
 refused "generated may not include runtime/core" generated/default/cga/cga.hpp '#include "core/view.hpp"'

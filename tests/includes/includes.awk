@@ -20,7 +20,7 @@ BEGIN {
     may["gen", room] = 1 # the driver and main
   }
   # The runtime, in its order; each may include the kernel headers.
-  split("kernel core core/device io picture bodies app bench main", order_runtime, " ")
+  split("kernel core core/device io picture bodies app bench/peers bench main", order_runtime, " ")
   for (i = 1; i in order_runtime; ++i) {
     rooms["runtime/" order_runtime[i]] = 1
     for (j = 1; j <= i; ++j)

@@ -1,0 +1,31 @@
+// bench/classic_set.hpp: a set in the forms that the classic tests read, and with what a predicate stores.
+#ifndef MEETC_BENCH_CLASSIC_SET_HPP
+#define MEETC_BENCH_CLASSIC_SET_HPP
+
+#include "bench/classic_tests.hpp"
+#include "io/element_set.hpp"
+
+#include <vector>
+
+namespace meetc::bench {
+
+class classic_set {
+public:
+  // The elements of a set of triangles or balls.
+  explicit classic_set(const io::element_set &set);
+  std::size_t count() const { return count_; }
+  std::size_t fields() const { return fields_; }
+  const float *rows() const { return rows_.data(); }
+  baselines::classic_rows for_classic() const { return {rows_.data(), planes_.data(), columns_.data(), stride_}; }
+
+private:
+  std::size_t count_, fields_, stride_;
+  std::vector<float> rows_, planes_, columns_;
+};
+
+// What a predicate stores for the rows; empty where it stores nothing.
+std::vector<float> stored_for(const stored_values &values, const classic_set &set);
+
+} // namespace meetc::bench
+
+#endif

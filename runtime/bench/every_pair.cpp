@@ -1,0 +1,77 @@
+#include "bench/every_pair.hpp"
+
+#include "core/threads.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+namespace meetc::bench {
+
+namespace {
+
+constexpr std::size_t tile = 512; // rows of b with what is stored for them: they fit into the first cache
+constexpr std::size_t most_rows_timed = 256;
+
+} // namespace
+
+every_pair_result measure_every_pair(std::size_t count_a, std::size_t count_b, const tile_test &exact,
+                                     const std::vector<named_test> &tests, std::uint64_t timed_pairs,
+                                     const interleaved_options &by) {
+  every_pair_result r;
+  r.of.resize(tests.size());
+  r.pairs = static_cast<std::uint64_t>(count_a) * count_b;
+
+  std::mutex adding;
+  for_chunks(thread_count(0), count_b, tile, [&](int, std::size_t from, std::size_t end) {
+    const std::size_t n = end - from;
+    std::vector<answer> truth(n), out(n);
+    std::vector<every_pair_row> found(tests.size());
+    std::uint64_t hits = 0;
+    for (std::size_t i = 0; i < count_a; ++i) {
+      exact(i, from, n, truth.data());
+      hits += static_cast<std::uint64_t>(std::count(truth.begin(), truth.end(), answer::yes));
+      for (std::size_t t = 0; t < tests.size(); ++t) {
+        tests[t].test(i, from, n, out.data());
+        if (out == truth) // most tiles: what follows is slow
+          continue;
+        for (std::size_t k = 0; k < n; ++k) {
+          found[t].false_hits += out[k] == answer::yes && truth[k] != answer::yes;
+          found[t].missed += out[k] != answer::yes && truth[k] == answer::yes;
+        }
+      }
+    }
+    const std::lock_guard lock(adding);
+    r.hits += hits;
+    for (std::size_t t = 0; t < tests.size(); ++t) {
+      r.of[t].false_hits += found[t].false_hits;
+      r.of[t].missed += found[t].missed;
+    }
+  });
+  for (every_pair_row &row : r.of)
+    row.hits = r.hits + row.false_hits - row.missed;
+
+  const std::size_t step_a = (count_a + most_rows_timed - 1) / most_rows_timed, rows = (count_a + step_a - 1) / step_a;
+  const std::size_t tiles = (count_b + tile - 1) / tile;
+  const std::size_t tiles_wanted = std::clamp<std::size_t>(timed_pairs / (rows * std::min(tile, count_b)), 1, tiles);
+  std::vector<answer> out(tile);
+  std::uint64_t timed = 0;
+  const auto run = [&](const tile_test &test) {
+    timed = 0;
+    for (std::size_t t = 0; t < tiles_wanted; ++t) {
+      const std::size_t from = t * tiles / tiles_wanted * tile, n = std::min(tile, count_b - from);
+      for (std::size_t i = 0; i < count_a; i += step_a)
+        test(i, from, n, out.data());
+      timed += rows * n;
+    }
+  };
+  std::vector<std::function<void()>> works;
+  for (const named_test &t : tests)
+    works.emplace_back([&run, &t] { run(t.test); });
+  const interleaved_times times = measure_interleaved(works, by);
+  for (std::size_t t = 0; t < tests.size(); ++t)
+    r.of[t].seconds_a_pair = times.seconds[t] / static_cast<double>(timed);
+  r.repetitions = times.repetitions;
+  return r;
+}
+
+} // namespace meetc::bench

@@ -1,0 +1,128 @@
+// What `meet bench cpu` is made of: counts of wrong answers, quartiles, bars and the families of pairs.
+#include "tests/catch.hpp"
+
+#include "bench/cpu_bars.hpp"
+#include "bench/every_pair.hpp"
+#include "bench/list_difference.hpp"
+#include "bench/pair_families.hpp"
+
+#include <cga/cga_runtime.hpp>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+using namespace meetc::bench;
+using meetc::answer;
+using meetc::index_pair;
+
+TEST_CASE("a list of pairs is compared with the exact one") {
+  const std::vector<index_pair> truth{{0, 1}, {0, 3}, {2, 0}};
+  const auto is = [&truth](const std::vector<index_pair> &found, std::uint64_t extra, std::uint64_t missed) {
+    const list_difference d = difference_of(found, truth);
+    return d.extra == extra && d.missed == missed;
+  };
+  CHECK(is({{2, 0}, {0, 3}, {0, 1}}, 0, 0)); // in any order
+  CHECK(is({}, 0, 3));
+  CHECK(is({{0, 1}, {0, 2}, {2, 0}}, 1, 1));
+  CHECK(is({{0, 1}, {0, 1}, {0, 3}, {2, 0}}, 1, 0)); // twice
+  CHECK(is({{5, 5}}, 1, 3));
+}
+
+TEST_CASE("the lower quartile, and works that take turns") {
+  CHECK(lower_quartile({}) == 0);
+  CHECK(lower_quartile({3}) == 3);
+  CHECK(lower_quartile({4, 1, 3, 2, 5}) == 2);
+  CHECK(lower_quartile({9, 1, 8, 2, 7, 3, 6, 4, 5}) == 3);
+  std::string order;
+  const interleaved_times t = measure_interleaved({[&] { order += 'a'; }, [&] { order += 'b'; }}, {5, 1, 10, 0});
+  CHECK(order == "abababababab"); // once to warm up
+  CHECK(t.repetitions == 5);
+  REQUIRE(t.seconds.size() == 2);
+  CHECK(measure_interleaved({[] {}}, {1000, 1, 0, 0}).repetitions == 3); // no time for more
+}
+
+TEST_CASE("every pair: planted wrong answers are counted, of all pairs") {
+  constexpr std::size_t a = 300, b = 5000; // more than is timed, more than a tile
+  const auto divides = [](std::size_t i, std::size_t from, std::size_t n, answer *out) {
+    for (std::size_t k = 0; k < n; ++k)
+      out[k] = (from + k) % (i + 1) == 0 ? answer::yes : answer::no;
+  };
+  const std::vector<named_test> tests{
+      {"right", divides},
+      {"wrong",
+       [&](std::size_t i, std::size_t from, std::size_t n, answer *out) {
+         divides(i, from, n, out);
+         for (std::size_t k = 0; k < n; ++k)
+           if (i == 299 && from + k == 4999) // no hit
+             out[k] = answer::yes;
+           else if (i < 2 && from + k == 0) // two hits
+             out[k] = answer::no;
+       }},
+      {"never", [](std::size_t, std::size_t, std::size_t n, answer *out) { std::fill_n(out, n, answer::no); }}};
+  const every_pair_result r = measure_every_pair(a, b, divides, tests, 1000, {1, 1, 1});
+  CHECK(r.pairs == a * b);
+  std::uint64_t hits = 0;
+  for (std::size_t i = 0; i < a; ++i)
+    hits += (b + i) / (i + 1);
+  CHECK(r.hits == hits);
+  CHECK((r.of[0].false_hits == 0 && r.of[0].missed == 0 && r.of[0].hits == hits));
+  CHECK((r.of[1].false_hits == 1 && r.of[1].missed == 2 && r.of[1].hits == hits - 1));
+  CHECK((r.of[2].false_hits == 0 && r.of[2].missed == hits && r.of[2].hits == 0));
+  CHECK(r.of[0].seconds_a_pair > 0);
+}
+
+TEST_CASE("a bar is met at its limit, and not where nothing was measured") {
+  using side = bar::side;
+  CHECK(bar{"w", "f", side::at_least, 2, "x", 2.0}.met());
+  CHECK_FALSE(bar{"w", "f", side::at_least, 2, "x", 1.99}.met());
+  CHECK(bar{"w", "f", side::at_most, 1.15, "x", 1.15}.met());
+  CHECK_FALSE(bar{"w", "f", side::at_most, 1.15, "x", 1.16}.met());
+  CHECK_FALSE(bar{"w", "f", side::at_most, 1, "x", {}, "no such library"}.met());
+  const table t =
+      table_of({{"work", "figure", side::at_most, 1.15, "x", 1.5}, {"w", "f", side::at_least, 2, "ms", {}, "why"}});
+  CHECK(as_markdown(t).find("| work | figure | ≤ 1.15 x | 1.50 x | **no** |") != std::string::npos);
+  CHECK(as_markdown(t).find("| w | f | ≥ 2 ms | why | - |") != std::string::npos);
+  CHECK(as_json(t)["rows"][0]["met"] == false);
+  CHECK(as_json(t)["rows"][1]["met"].is_null());
+}
+
+TEST_CASE("the families of pairs are what they are called") {
+  const std::vector<pair_family> families = pair_families(50);
+  REQUIRE(families.size() == 6);
+  const meetc::catalogue &all = cga::catalogue();
+  const auto *const found = std::find_if(all.predicates, all.predicates + all.predicate_count,
+                                         [](const auto &p) { return p.name == std::string_view("triangle_triangle"); });
+  std::vector<index_pair> pairs(50);
+  for (std::uint32_t i = 0; i < 50; ++i)
+    pairs[i] = {i, i};
+  const auto volume = [](const float *a, const float *p) { // 6 times that of a and p, on the lattice exactly
+    std::array<double, 9> d{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      d[k] = static_cast<double>(a[3 + k]) - static_cast<double>(a[k]);
+      d[3 + k] = static_cast<double>(a[6 + k]) - static_cast<double>(a[k]);
+      d[6 + k] = static_cast<double>(p[k]) - static_cast<double>(a[k]);
+    }
+    return d[0] * (d[4] * d[8] - d[5] * d[7]) - d[1] * (d[3] * d[8] - d[5] * d[6]) + d[2] * (d[3] * d[7] - d[4] * d[6]);
+  };
+  for (const pair_family &f : families) {
+    INFO(f.name);
+    REQUIRE(f.pairs() == 50);
+    std::vector<answer> out(50);
+    found->decide[static_cast<int>(meetc::rung::exact)](f.a.data(), f.b.data(), pairs.data(), 50, out.data());
+    const auto hits = std::count(out.begin(), out.end(), answer::yes);
+    const bool shares = f.name.find("shared") != std::string::npos;
+    CHECK((shares ? hits == 50 : hits > 5 && hits < 50));
+    for (std::size_t i = 0; i < 9 * f.pairs(); i += 9) {
+      CHECK((f.name != "a shared edge" || std::equal(&f.a[i], &f.a[i] + 6, &f.b[i])));
+      CHECK((!shares || std::equal(&f.a[i], &f.a[i] + 3, &f.b[i])));
+      const double v[] = {volume(&f.a[i], &f.b[i]), volume(&f.a[i], &f.b[i + 3]), volume(&f.a[i], &f.b[i + 6])};
+      if (f.name == "oblique coplanar")
+        CHECK((v[0] == 0 && v[1] == 0 && v[2] == 0));
+      else if (f.name == "three corners rounded onto a plane")
+        CHECK(std::all_of(v, v + 3, [](double x) { return std::abs(x) < 1e-5; }));
+      else if (f.name == "one corner rounded onto a plane")
+        CHECK((std::abs(v[0]) < 1e-5 && std::abs(v[1]) > 1e-5));
+    }
+  }
+}
