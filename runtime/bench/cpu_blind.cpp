@@ -141,9 +141,8 @@ void measure_triangles(const cpu_context &c, cpu_result &to) {
           columns("scalar|Möller"),
           {},
           {"The planes of Möller's test are stored beside the triangles where that is said, as our predicates store "
-           "what an "
-           "object alone decides; rates are multiples of the scalar test's with stored planes, in the same instruction "
-           "set."}};
+           "what an object alone decides; rates are multiples of the scalar test's with stored planes, in the same "
+           "instruction set."}};
   const auto add = [](const tests_of_set &of, const baselines::classic_table &classic) {
     of.add_classic("Möller, epsilon 0, scalar, planes stored", classic.moller_stored);
     of.add_classic("Möller, epsilon 0, scalar, as published", classic.moller);
@@ -182,7 +181,8 @@ void measure_every_ball(const cpu_context &c, cpu_result &to) {
     of.add_filtered(behind_filter);
     of.add_ours("exact", rung::exact);
   };
-  // For balls the filter is the predicate's own form with a margin.
+  // The filter has the form of the predicate, but for the balls around the boxes. The bar is for the faster of the two
+  // ways, and the table has both.
   for (const certified_rate &r : measure_scene(c, scene, 0, add, t))
     to.bars.push_back({fmt::format("every pair, balls, {}", name_of(r.set)),
                        "certified behind the filter, rate / Euclid in lanes", bar::side::at_least,
