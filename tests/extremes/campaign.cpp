@@ -17,9 +17,11 @@ void run_chunk(cell &c, std::uint64_t seed, std::uint64_t cases, judge by, std::
   random_numbers random(seed);
   counts found;
   std::string wrong;
+  many_cases together(*c.of);
   for (std::uint64_t i = 0; i < cases; ++i) {
     const pair_of_rows p = c.from->make(c.of->a, c.of->b, random);
     const outcome o = check_case(*c.of, p, random, by);
+    together.add(p, o.hit);
     ++found.cases;
     found.hits += o.hit;
     found.boxed += o.boxed;
@@ -30,6 +32,7 @@ void run_chunk(cell &c, std::uint64_t seed, std::uint64_t cases, judge by, std::
     if (o.wrong && wrong.empty())
       wrong = fmt::format("{} on {}, rungs {:#x}: {}", c.of->name, c.from->name, o.wrong, text(p));
   }
+  found.sets = together.run();
   const std::scoped_lock guard(lock);
   c.found += found;
   if (c.first_wrong.empty())
@@ -77,6 +80,8 @@ std::uint64_t counts::all_wrong() const {
   std::uint64_t sum = 0;
   for (const std::uint64_t w : wrong)
     sum += w;
+  for (const lane_counts &set : sets)
+    sum += set.wrong;
   return sum;
 }
 
@@ -86,6 +91,8 @@ counts &counts::operator+=(const counts &o) {
     unsure[r] += o.unsure[r];
   for (std::size_t r = 0; r < rungs; ++r)
     wrong[r] += o.wrong[r];
+  for (std::size_t set = 0; set < sets.size(); ++set)
+    sets[set] += o.sets[set];
   return *this;
 }
 
@@ -159,6 +166,10 @@ std::string table(const std::vector<cell> &cells, judge by) {
     out += line("(all)", s.name, sum, by);
   }
   out += line("(all)", "(all)", all, by);
+  for (std::size_t set = 0; set < all.sets.size(); ++set)
+    if (const lane_counts &n = all.sets[set]; n.cases > 0)
+      out += fmt::format("in lanes, {}: {} cases, unsure in fp32 {}, in fp64 {}, wrong (both, certified, exact) {}\n",
+                         meetc::name_of(static_cast<instruction_set>(set)), n.cases, n.unsure[0], n.unsure[1], n.wrong);
   for (const cell &c : cells)
     if (!c.first_wrong.empty())
       out += "wrong: " + c.first_wrong + "\n";

@@ -3,6 +3,7 @@
 #define MEETC_TESTS_EXTREMES_CAMPAIGN_HPP
 
 #include "tests/extremes/families.hpp"
+#include "tests/extremes/lanes.hpp"
 
 #include <array>
 #include <cstdint>
@@ -15,8 +16,9 @@ struct counts {
   std::uint64_t cases = 0, hits = 0, boxed = 0;
   std::array<std::uint64_t, bounded> unsure{};
   std::array<std::uint64_t, rungs> wrong{};
+  counts_by_set sets;
 
-  std::uint64_t all_wrong() const;
+  std::uint64_t all_wrong() const; // on any rung and any instruction set
   counts &operator+=(const counts &o);
 };
 

@@ -4,6 +4,7 @@
 #include "tests/extremes/campaign.hpp"
 #include "tests/generated/effort.hpp"
 
+#include <cga/cga_runtime.hpp>
 #include <fmt/format.h>
 
 using namespace meetc::extremes_test;
@@ -16,6 +17,12 @@ TEST_CASE("extremes: no rung certifies anything wrong") {
   for (const cell &c : cells) {
     INFO(c.first_wrong);
     CHECK(c.found.all_wrong() == 0);
+  }
+  // Every instruction set that runs here saw every case of a decision.
+  for (int set = 0; set < meetc::instruction_set_count; ++set) {
+    const bool runs = cga::catalogue_for(static_cast<meetc::instruction_set>(set)) != nullptr;
+    for (const cell &c : cells)
+      CHECK(c.found.sets[static_cast<std::size_t>(set)].cases == (runs && !c.of->sign ? c.found.cases : 0));
   }
   // Families are useful only where answers differ and rungs are challenged.
   for (const family &f : families()) {
@@ -77,6 +84,7 @@ TEST_CASE("extremes: what contradicts the geometry is counted, and only by that 
     run(cells, {2000, 9, 2, by});
     const bool geometric = by == judge::geometry;
     const counts &found = cells.front().found;
+    CHECK((found.sets.front().wrong > 0) == geometric);
     CHECK((wrong_in(cells) > 0) == geometric);
     for (const rung r : {fp32, fp64, fp64x2, exact_rung, certified, on_signs})
       CHECK((found.wrong[r] > 0) == geometric);

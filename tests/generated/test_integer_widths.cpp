@@ -56,17 +56,19 @@ template <class P, class Stage> void check_growth(const char *predicate, const c
   }
 }
 
-// A stage whose only value is a^Degree; its sign is wrong in integers that are too narrow. It records the width of the
-// built-in integers in which it runs.
-// built-in ones that it is run in.
-int width_used = 0;
-template <int Degree, int Growth> struct probe_stage {
+// A stage whose only value is a^Degree; its sign is wrong in integers that are too narrow. It records the widths of the
+// built-in integers in which it runs: that of values up to degree 2, and that of the others.
+int width_used = 0, width_of_squares = 0;
+template <int Degree, int Growth, bool Mixed> struct probe_stage {
   static constexpr int first = 0, atoms = 1, fields_a = 0, fields_b = 0, degree = Degree, growth = Growth;
+  static constexpr bool mixed = Mixed;
   template <class T, class W> static void pair(const T *a, const T *, const T *, const T *, W *v) {
-    width_used = static_cast<int>(sizeof(T)) * 8;
-    v[0] = a[0];
-    for (int i = 1; i < Degree; ++i)
-      v[0] = v[0] * a[0];
+    width_of_squares = static_cast<int>(sizeof(T)) * 8;
+    width_used = static_cast<int>(sizeof(W)) * 8;
+    const T low = Degree > 1 ? a[0] * a[0] : a[0];
+    v[0] = W(low);
+    for (int i = 2; i < Degree; ++i)
+      v[0] = v[0] * W(a[0]);
   }
   // Registers 2 and 3 alternate; the last instruction takes the sign.
   using bytecode = probe_stage;
@@ -90,9 +92,9 @@ template <class Stage> struct probe {
   static bool whole(const meetc::sign *s) { return usual(s); }
 };
 
-template <int Degree, int Growth> void check_steps() {
-  using stage = probe_stage<Degree, Growth>;
-  bool fits = true, lean = true, right = true;
+template <int Degree, int Growth, bool Mixed = false> void check_steps() {
+  using stage = probe_stage<Degree, Growth, Mixed>;
+  bool fits = true, lean = true, right = true, narrow = false;
   for (int bits = 1; bits <= 277; ++bits) {
     const int low = bits <= 200 ? -100 : -149;
     const float b = std::ldexp(1.0F, low);
@@ -100,11 +102,13 @@ template <int Degree, int Growth> void check_steps() {
       // The largest magnitude of this many bits in float32.
       const float a =
           sign * (bits <= 24 ? std::ldexp(1.0F, low + bits) - b : std::ldexp(0x1.fffffep0F, low + bits - 1));
-      width_used = 0;
+      width_used = width_of_squares = 0;
       right = right &&
               meetc::decide<probe<stage>>(meetc::integer_signs<probe<stage>>(&a, &b)) == (sign > 0 || Degree % 2 == 0);
       const int need = Degree * bits + Growth;
-      fits = fits && (width_used == 0 || need <= width_used - 1); // a sign bit
+      fits = fits && (width_used == 0 || // and a sign bit
+                      (need <= width_used - 1 && std::min(Degree, 2) * bits + Growth <= width_of_squares - 1));
+      narrow = narrow || width_of_squares < width_used;
       lean = lean && (need > 62 || width_used == 64) && (need > 126 || (width_used > 0 && width_used <= 128));
     }
   }
@@ -112,6 +116,7 @@ template <int Degree, int Growth> void check_steps() {
   CHECK(right);
   CHECK(fits);
   CHECK(lean);
+  CHECK(narrow == Mixed);
 }
 
 // Whether integers on differences, where they are shorter than the numbers, have the signs of integers on the numbers.
@@ -172,7 +177,9 @@ TEST_CASE("integer widths: a stage always runs in integers that hold it") {
   check_steps<2, 3>();
   check_steps<2, 6>();
   check_steps<3, 6>();
+  check_steps<3, 6, true>();
   check_steps<4, 9>();
   check_steps<6, 13>();
+  check_steps<4, 9, true>();
   check_steps<8, 20>();
 }

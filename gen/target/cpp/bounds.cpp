@@ -179,6 +179,24 @@ std::string comment_lines(const std::string &text) {
   return out + line + '\n';
 }
 
+// Where one equality of points settles the decision, as a function of the numbers of many pairs.
+std::string settled_lanes_text(std::uint32_t alone, const bound::kernel_bounds &b, const emitted_predicate &p) {
+  std::string any;
+  for (std::size_t i = 0; i < b.coincidences.size(); ++i) {
+    if (!(alone >> i & 1))
+      continue;
+    std::string both;
+    for (std::size_t axis = 0; axis < b.coincidences[i].x.size(); ++axis)
+      both += fmt::format("{}equal({}, {})", both.empty() ? "" : " & ", p.input(b.coincidences[i].x[axis]),
+                          p.input(b.coincidences[i].y[axis]));
+    any += fmt::format("{}({})", any.empty() ? "" : " |\n        ", both);
+  }
+  return fmt::format("  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.\n"
+                     "  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {{\n"
+                     "{}    return {};\n  }}\n",
+                     p.operands_in(any, "    "), any);
+}
+
 // Whether equal points settle the decision, as a function of rows.
 std::string settled_text(const bound::kernel_bounds &b, const emitted_predicate &p) {
   std::uint32_t alone = 0;
@@ -202,9 +220,11 @@ std::string settled_text(const bound::kernel_bounds &b, const emitted_predicate 
   const std::string bits = alone              ? fmt::format("(equal & settled_by) != 0{}", together)
                            : together.empty() ? "false"
                                               : together.substr(4);
-  return comment_lines(comment) + fmt::format("  static constexpr unsigned settled_by = 0x{:x}u; // any of these bits\n"
-                                              "  MEETC_HD static constexpr bool settled(unsigned{}) {{ return {}; }}\n",
-                                              alone, bits == "false" ? "" : " equal", bits);
+  return comment_lines(comment) +
+         fmt::format("  static constexpr unsigned settled_by = 0x{:x}u; // any of these bits\n"
+                     "  MEETC_HD static constexpr bool settled(unsigned{}) {{ return {}; }}\n",
+                     alone, bits == "false" ? "" : " equal", bits) +
+         (alone ? settled_lanes_text(alone, b, p) : "");
 }
 
 } // namespace

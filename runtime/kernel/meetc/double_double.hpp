@@ -173,6 +173,8 @@ template <bool F> MEETC_HD MEETC_INLINE double_words<F> widened_product(double a
 template <class W, class A, class B> MEETC_HD MEETC_INLINE constexpr W times(const A &a, const B &b) {
   if constexpr (is_double_words<W> && std::is_convertible_v<A, double> && std::is_convertible_v<B, double>)
     return widened_product(a, b, static_cast<const W *>(nullptr));
+  else if constexpr (std::is_same_v<A, std::int64_t> && sizeof(W) > sizeof(A)) // the product of wider integers
+    return W(a) * W(b);
   else
     return W(a * b);
 }

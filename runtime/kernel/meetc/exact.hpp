@@ -5,34 +5,39 @@
 #include <meetc/bytecode.hpp>
 #include <meetc/usual.hpp>
 
+#include <utility>
+
 MEETC_NAMESPACE(meetc) {
+
+// Calls f(number, axis) for each number of the pair; the axis is a constant, and -1 for a number that belongs to none.
+template <class P, class F> MEETC_HD MEETC_INLINE void each_input(const float *row_a, const float *row_b, F &&f) {
+  const auto of_a = [&]<int... I>(std::integer_sequence<int, I...>) {
+    (f(row_a[I], std::integral_constant<int, P::axis(I)>()), ...);
+  };
+  const auto of_b = [&]<int... I>(std::integer_sequence<int, I...>) {
+    (f(row_b[I], std::integral_constant<int, P::axis(P::inputs_a + I)>()), ...);
+  };
+  of_a(std::make_integer_sequence<int, P::inputs_a>());
+  of_b(std::make_integer_sequence<int, P::inputs_b>());
+}
 
 // An e with |d| < 2^e for every difference d that the predicate forms and for every number that stands alone. On an
 // axis no difference exceeds the largest number less the least. Numbers that belong to no axis count twice, since they
 // may be subtracted from each other. -1000: all numbers are zero.
 template <class P> MEETC_HD inline int spread(const float *row_a, const float *row_b) {
-  constexpr auto axis_of = [](int i) {
-    const int axis = P::axis(i);
-    return axis < 0 || axis > 2 ? 3 : axis;
-  };
+  float low[4], high[4]; // by axis; 3: numbers that belong to none
+  for (int axis = 0; axis < 4; ++axis)
+    low[axis] = HUGE_VALF, high[axis] = -HUGE_VALF;
+  each_input<P>(row_a, row_b, [&](float v, auto axis) {
+    constexpr int k = axis() < 0 || axis() > 2 ? 3 : axis();
+    low[k] = v < low[k] ? v : low[k];
+    high[k] = v > high[k] ? v : high[k];
+  });
   double widest = 0;
   for (int axis = 0; axis < 4; ++axis) {
-    float low = 0, high = 0;
-    bool seen = false;
-    const auto take = [&](float v) {
-      low = seen && low < v ? low : v;
-      high = seen && high > v ? high : v;
-      seen = true;
-    };
-    for (int i = 0; i < P::inputs_a; ++i)
-      if (axis_of(i) == axis)
-        take(row_a[i]);
-    for (int i = 0; i < P::inputs_b; ++i)
-      if (axis_of(P::inputs_a + i) == axis)
-        take(row_b[i]);
-    const double x = low, y = high;
+    const double x = low[axis], y = high[axis];
     const double most = axis < 3 ? y - x : 2 * (-x > y ? -x : y);
-    widest = most > widest ? most : widest;
+    widest = most > widest ? most : widest; // an axis without numbers has -infinity
   }
   std::uint64_t word;
   std::memcpy(&word, &widest, sizeof word);
@@ -63,12 +68,20 @@ template <class P> struct integer_signs {
 #endif
   }
 
+  // Whether values up to degree 2 are computed in 64 bits, and the others in 128. A stage is mixed where the values of one
+  // object, which have the type of the former, are of these degrees.
+  template <class Stage> MEETC_HD bool is_quick() const {
+    return Stage::mixed && is_short<Stage>() && 2 * bits + Stage::growth <= 62 && common.bits() <= 62;
+  }
+
   template <class Stage> MEETC_HD void get(sign *s) const {
 #if !defined(__CUDA_ARCH__)
     if (need<Stage>() <= 62 && common.bits() <= 62)
-      return run<Stage, std::int64_t>(s);
+      return run<Stage, std::int64_t, std::int64_t>(s);
+    if (is_quick<Stage>())
+      return run<Stage, std::int64_t, int128>(s);
     if (is_short<Stage>())
-      return run<Stage, int128>(s);
+      return run<Stage, int128, int128>(s);
 #endif
     run_limbs<Stage>(Stage::degree * common.bits() + Stage::growth, s);
   }
@@ -76,23 +89,21 @@ template <class P> struct integer_signs {
 private:
   // Numbers that occur in differences alone are taken from the first one of their axis, so that they are as short as
   // the differences.
-  template <class Stage, class I> MEETC_HD void run(sign *s) const {
-    I ia[P::inputs_a], ib[P::inputs_b], origin[3] = {0, 0, 0};
+  template <class Stage, class I, class W> MEETC_HD void run(sign *s) const {
+    I numbers[P::inputs_a + P::inputs_b], origin[3] = {0, 0, 0}, *next = numbers;
     bool seen[3] = {false, false, false};
-    const auto take = [&](float v, int axis, I &out) {
+    each_input<P>(a, b, [&](float v, auto axis) {
+      I &out = *next++;
       to_integer(v, common.low, out);
-      if (axis < 0 || axis > 2)
-        return;
-      if (!seen[axis])
-        origin[axis] = out;
-      seen[axis] = true;
-      out -= origin[axis];
-    };
-    for (int i = 0; i < P::inputs_a; ++i)
-      take(a[i], P::axis(i), ia[i]);
-    for (int i = 0; i < P::inputs_b; ++i)
-      take(b[i], P::axis(P::inputs_a + i), ib[i]);
-    stage_signs<Stage>(ia, ib, s);
+      if constexpr (axis() >= 0 && axis() <= 2) {
+        if (!seen[axis()])
+          origin[axis()] = out;
+        seen[axis()] = true;
+        out -= origin[axis()];
+      }
+    });
+    const I *const ia = numbers, *const ib = numbers + P::inputs_a;
+    stage_signs<Stage, I, W>(ia, ib, s);
   }
 
   template <class Stage> MEETC_NOINLINE MEETC_HD void run_limbs(int wanted, sign *s) const {
@@ -188,7 +199,7 @@ template <class P> struct exact_signs {
   template <class Stage> MEETC_HD void get(sign *s) const {
     const integer_signs<P> integers(a, b, common, bits);
     if (standard && computes_as_bounded()) {
-      if (bits <= Stage::window)
+      if (bits <= Stage::window && !integers.template is_quick<Stage>())
         return signs_in_window<P, Stage>(a, b, s);
       sign_set sets[P::atoms];
       if (!bound_failed && !integers.template is_short<Stage>() &&

@@ -51,33 +51,33 @@ struct grid {
   MEETC_HD bool finite() const { return high <= 128; } // the bits of infinity and NaN are read as numbers from 2^128 on
 };
 MEETC_HD inline grid grid_of(const float *v, int n) {
-  grid g{1000, -1000};
+  std::uint32_t largest = 0; // as bits, which order magnitudes
+  int low = 1000;
   for (int i = 0; i < n; ++i) {
+    std::uint32_t b;
+    std::memcpy(&b, v + i, sizeof b);
+    b &= 0x7fffffff;
+    largest = b > largest ? b : largest;
     const decoded d = decode(v[i]);
-    if (d.m == 0)
-      continue;
-    const int low = d.e + lowest_bit(d.m), high = d.e + highest_bit(d.m) + 1;
-    g.low = low < g.low ? low : g.low;
-    g.high = high > g.high ? high : g.high;
+    const int lowest = d.e + lowest_bit(d.m | 0x1000000); // of zero: not used
+    low = d.m != 0 && lowest < low ? lowest : low;
   }
-  return g;
+  if (largest == 0)
+    return {1000, -1000};
+  const std::uint32_t exponent = largest >> 23;
+  return {low, exponent ? static_cast<int>(exponent) - 126 : highest_bit(largest) - 148};
 }
 MEETC_HD inline grid join(grid x, grid y) {
   return {x.low < y.low ? x.low : y.low, x.high > y.high ? x.high : y.high};
 }
 
-// v / 2^low as an integer, for a grid that holds v.
-MEETC_HD inline void to_integer(float v, int low, std::int64_t &out) {
+// v / 2^low as an integer, for a grid that holds v. Without branches, which numbers of all sizes would mislead.
+template <class I> MEETC_HD inline void to_integer(float v, int low, I &out) {
   const decoded d = decode(v);
-  const int s = d.e - low;
-  const std::int64_t m = d.m == 0 ? 0 : s >= 0 ? static_cast<std::int64_t>(d.m) << s : d.m >> -s;
-  out = d.negative ? -m : m;
-}
-MEETC_HD inline void to_integer(float v, int low, int128 &out) {
-  const decoded d = decode(v);
-  const int s = d.e - low;
-  const int128 m = d.m == 0 ? 0 : s >= 0 ? static_cast<int128>(d.m) << s : static_cast<int128>(d.m >> -s);
-  out = d.negative ? -m : m;
+  const int s = d.e - low; // zero may have any
+  const int left = d.m != 0 && s > 0 ? s : 0, right = s < 0 ? (-s & 31) : 0;
+  const I m = static_cast<I>(d.m >> right) << left, negative = -static_cast<I>(d.negative);
+  out = (m ^ negative) - negative;
 }
 
 } // MEETC_NAMESPACE(meetc)

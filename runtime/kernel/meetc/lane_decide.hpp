@@ -3,10 +3,10 @@
 // Problem: most pairs are decided by the reject stage or in the usual case, by straight-line arithmetic that is the same
 // for all pairs.
 // Method: lane_count pairs at a time are brought into structure-of-arrays form. Where few of them survive the reject
-// stage, the survivors wait until they fill the lanes, and run it again together with the stage of the usual case. What
-// lanes leave open (rare cases, unsure signs, equal points) is decided pair by pair by the caller's function, which
-// alone says `unsure`. Lanes never decide what that function would not, and never otherwise: their arithmetic is the
-// same, operation by operation, and they know no more of a sign.
+// stage, the survivors wait until they fill the lanes, and run it again together with the stage of the usual case. Equal
+// points are compared in lanes too, and before the reject stage while most pairs share some. What lanes leave open (rare cases, unsure signs) goes to the caller's function, pair
+// by pair. Lanes never decide what one pair's functions (decide.hpp) would not, and never otherwise: their arithmetic is
+// the same, operation by operation, and they know no more of a sign.
 #ifndef MEETC_LANE_DECIDE_HPP
 #define MEETC_LANE_DECIDE_HPP
 
@@ -19,23 +19,19 @@ MEETC_NAMESPACE(meetc) {
 
 template <> struct leaf_magnitude<lanes> {
   lanes floor;
-  MEETC_INLINE lanes operator()(lanes difference) const {
-    const lanes m = magnitude_of(difference), zero(0.0F);
-    lanes r;
-    r.v = ((m.v > floor.v) | (m.v != m.v)) ? m.v : floor.v;
-    r.v = m.v == zero.v ? zero.v : r.v;
-    return r;
-  }
+  MEETC_INLINE lanes operator()(lanes difference) const { return leaf_at_least(difference, floor); }
 };
 
 // How lanes take signs from values: with the bounds of fp32, or as they are.
 struct bounded_lanes {
   template <class Stage> static MEETC_INLINE void sort_out(const lanes *v, const lanes *m, sign_lanes *s) {
+    lanes largest(0.0F);
+    for (int i = 0; i < Stage::atoms; ++i)
+      largest = larger(magnitude_of(v[i]), largest);
+    const lane_mask finite = ~greater(largest, lanes(largest_finite(0.0F))); // elsewhere values prove nothing
     for (int i = 0; i < Stage::atoms; ++i) {
-      const lanes error = lanes(in_fp32::factor<Stage>(i)) * m[i], size = magnitude_of(v[i]);
-      const lane_mask zero = equal(m[i], lanes(0.0F)), positive = greater(v[i], lanes(0.0F));
-      const lane_mask unknown = ~(greater(size, error) & ~greater(size, lanes(largest_finite(0.0F)))) & every_lane;
-      s[i] = {(unknown | (~positive & every_lane)) & ~zero, unknown | zero, (unknown | positive) & ~zero};
+      const proved_lanes p = proved(v[i], lanes(in_fp32::factor<Stage>(i)) * m[i], m[i]);
+      s[i] = possible({p.negative & finite, p.zero, p.positive & finite});
     }
   }
   static constexpr bool bounded = true;
@@ -56,9 +52,8 @@ template <class P> struct lane_tile {
   lanes row_a[P::inputs_a], row_b[P::inputs_b], stored_a[floats_a + 1], stored_b[floats_b + 1];
 
   // Lanes from n on repeat the last pair.
-  MEETC_INLINE void load(const row_array &a, const row_array &b, const index_pair *pairs, int n) {
-    std::uint32_t at_a[lane_count], at_b[lane_count];
-    bool one_a = true;
+  MEETC_INLINE void load_rows(const row_array &a, const row_array &b, const index_pair *pairs, int n) {
+    one_a = true;
     for (int k = 0; k < lane_count; ++k) {
       const index_pair p = pairs[k < n ? k : n - 1];
       at_a[k] = p.a, at_b[k] = p.b;
@@ -69,6 +64,8 @@ template <class P> struct lane_tile {
     else
       gather_rows<P::inputs_a>(a.rows, at_a, row_a);
     gather_rows<P::inputs_b>(b.rows, at_b, row_b);
+  }
+  MEETC_INLINE void load_stored(const row_array &a, const row_array &b) {
     if constexpr (floats_a > 0) {
       if (!a.stored)
         store_a<P, lanes>::compute_from(row_a, stored_a);
@@ -86,6 +83,9 @@ template <class P> struct lane_tile {
   }
 
 private:
+  std::uint32_t at_a[lane_count], at_b[lane_count];
+  bool one_a; // all pairs are of one row of A
+
   template <int N> static MEETC_INLINE void repeat(const float *from, std::uint32_t at, lanes *to) {
     for (int i = 0; i < N; ++i)
       to[i] = lanes(from[std::size_t{at} * N + static_cast<std::size_t>(i)]);
@@ -128,53 +128,107 @@ private:
       second(number, pairs, n);
     } else {
       lane_tile<P> t;
-      t.load(a_, b_, pairs, n);
+      t.load_rows(a_, b_, pairs, n);
+      if (points_first_) {
+        const lane_mask hits = settled(t) & first_lanes(n);
+        points_first_ = mostly(hits);
+        if (points_first_) {
+          for (int k = 0; k < n; ++k)
+            out_[number(k)] = answer::yes;
+          return wait(number, pairs, first_lanes(n) & ~hits);
+        }
+      }
+      t.load_stored(a_, b_);
       sign_lanes s[P::atoms + 1];
       lane_signs<P, typename P::reject_stage, How>(t, s);
       const lane_mask left = to_truth_lanes(P::rejected(s)).can_be_false & first_lanes(n);
       for (int k = 0; k < n; ++k)
         out_[number(k)] = answer::no;
-      if (2 * __builtin_popcount(left) > lane_count)
-        return usual(t, s, left, number);
-      for (lane_mask more = left; more != 0; more &= more - 1) {
-        const int k = __builtin_ctz(more);
-        waiting_numbers_[waiting_] = number(k), waiting_pairs_[waiting_] = pairs[k];
-        if (++waiting_ == lane_count)
-          second_of_waiting();
-      }
+      if (mostly(left))
+        usual(t, s, left, number);
+      else
+        wait(number, pairs, left);
     }
   }
-  // Both stages, of pairs that the reject stage has left.
+  static MEETC_INLINE bool mostly(lane_mask m) {
+    // Without an instruction that counts bits, gcc calls a function; four lanes have a table of three bits or more.
+    return lane_count == 4 ? (0xe880U >> m & 1) != 0 : 2 * __builtin_popcount(m) > lane_count;
+  }
+
+  template <class Number> MEETC_INLINE void wait(const Number &number, const index_pair *pairs, lane_mask these) {
+    for (; these != 0; these &= these - 1) {
+      const int k = __builtin_ctz(these);
+      waiting_numbers_[waiting_] = number(k), waiting_pairs_[waiting_] = pairs[k];
+      if (++waiting_ == lane_count)
+        second_of_waiting();
+    }
+  }
+  // Both stages, of pairs that have waited.
   MEETC_NOINLINE void second_of_waiting() {
     second([this](int k) { return waiting_numbers_[k]; }, waiting_pairs_, waiting_);
     waiting_ = 0;
   }
   template <class Number> MEETC_INLINE void second(const Number &number, const index_pair *pairs, int n) {
     lane_tile<P> t;
-    t.load(a_, b_, pairs, n);
+    t.load_rows(a_, b_, pairs, n);
+    t.load_stored(a_, b_);
     sign_lanes s[P::atoms + 1];
-    if constexpr (P::reject_stage::atoms > 0)
+    lane_mask left = first_lanes(n);
+    if constexpr (P::reject_stage::atoms > 0) {
       lane_signs<P, typename P::reject_stage, How>(t, s);
-    usual(t, s, first_lanes(n), number);
+      left &= to_truth_lanes(P::rejected(s)).can_be_false;
+      for (int k = 0; k < n; ++k)
+        out_[number(k)] = answer::no;
+    }
+    usual(t, s, left, number);
   }
   // The stage of the usual case, for the lanes of `left`; the others are misses.
   template <class Number>
   MEETC_INLINE void usual(const lane_tile<P> &t, sign_lanes *s, lane_mask left, const Number &number) {
+    if (const lane_mask hits = settled(t, s, left); hits != 0) {
+      points_first_ = mostly(hits);
+      for (lane_mask more = hits; more != 0; more &= more - 1)
+        out_[number(__builtin_ctz(more))] = answer::yes;
+      left &= ~hits;
+      if (left == 0)
+        return;
+    }
     if constexpr (P::common_stage::atoms > 0)
       lane_signs<P, typename P::common_stage, How>(t, s);
     const truth_lanes hit = to_truth_lanes(P::usual(s));
-    lane_mask open = hit.can_be_true & hit.can_be_false;
+    lane_mask open = hit.can_be_true & hit.can_be_false, yes = hit.can_be_true;
     if constexpr (has_rare_stage<P>)
       open |= to_truth_lanes(P::needs_rare(s)).can_be_true;
+    if (left & open) {
+      const lane_mask hits = settled(t);
+      open &= ~hits, yes |= hits;
+    }
     for (int k = 0; k < lane_count; ++k)
       if (left >> k & 1)
-        out_[number(k)] = open >> k & 1 ? open_(number(k)) : to_answer((hit.can_be_true >> k & 1) != 0);
+        out_[number(k)] = open >> k & 1 ? open_(number(k)) : to_answer((yes >> k & 1) != 0);
+  }
+
+  // The pairs that equal points settle. Plain rungs do not look at them.
+  static constexpr bool compares_points = How::bounded && P::settled_by != 0;
+  static MEETC_INLINE lane_mask settled(const lane_tile<P> &t) {
+    if constexpr (compares_points)
+      return P::settled_lanes(t.row_a, t.row_b);
+    return 0;
+  }
+  // Those of `left`. As in find_usual(), points matter where a sign of the reject stage may be zero.
+  static MEETC_INLINE lane_mask settled(const lane_tile<P> &t, const sign_lanes *s, lane_mask left) {
+    lane_mask zero = 0;
+    if constexpr (compares_points && P::reject_stage::atoms > 0)
+      for (int i = 0; i < P::reject_stage::atoms; ++i)
+        zero |= s[P::reject_stage::first + i].zero;
+    return left & zero ? left & settled(t) : 0;
   }
 
   const row_array &a_, &b_;
   const index_pair *pairs_;
   answer *out_;
   const Open &open_;
+  bool points_first_ = false; // most pairs share points, as far as the last tile tells
   int waiting_ = 0;
   std::size_t waiting_numbers_[lane_count];
   index_pair waiting_pairs_[lane_count];

@@ -64,23 +64,40 @@ void filter_tiles(const filter_extent &frame, const float *rows, std::size_t n, 
     put(i, nowhere);
 }
 
+// The elements of a tile that are not ruled out.
+template <class Form> MEETC_INLINE std::uint32_t near_elements(const lanes *single, const float *tile) {
+  std::uint32_t elements = 0;
+  for (int from = 0; from < filter_tile; from += lane_count) {
+    lanes sum = single[Form::products] + lanes::from(tile + Form::products * filter_tile + from);
+    for (int k = 0; k < Form::products; ++k)
+      sum = fma(single[k], lanes::from(tile + k * filter_tile + from), sum);
+    elements |= greater(lanes(0.0F), sum) << from;
+  }
+  return elements;
+}
+// Most tiles are ruled out whole, so there is one branch for several of them, and none within.
 template <class Form>
 near_tile *near_tiles(const float *single, const float *tiles, std::size_t count, near_tile *out) {
-  constexpr int floats = Form::products + 1;
-  lanes x[floats];
-  for (int k = 0; k < floats; ++k)
+  constexpr std::size_t floats = (Form::products + 1) * filter_tile, together = 4;
+  lanes x[Form::products + 1];
+  for (int k = 0; k <= Form::products; ++k)
     x[k] = lanes(single[k]);
-  for (std::size_t t = 0; t < count; ++t, tiles += floats * filter_tile) {
-    std::uint32_t elements = 0;
-    for (int from = 0; from < filter_tile; from += lane_count) {
-      lanes sum = x[Form::products] + lanes::from(tiles + Form::products * filter_tile + from);
-      for (int k = 0; k < Form::products; ++k)
-        sum = fma(x[k], lanes::from(tiles + k * filter_tile + from), sum);
-      elements |= greater(lanes(0.0F), sum) << from;
-    }
-    *out = {static_cast<std::uint32_t>(t), elements}; // without a branch
+  const auto put = [&out](std::size_t t, std::uint32_t elements) {
+    *out = {static_cast<std::uint32_t>(t), elements};
     out += elements != 0;
+  };
+  std::size_t t = 0;
+  for (; t + together <= count; t += together) {
+    std::uint32_t elements[together], any = 0;
+    for (std::size_t i = 0; i < together; ++i)
+      any |= elements[i] = near_elements<Form>(x, tiles + (t + i) * floats);
+    if (any == 0)
+      continue;
+    for (std::size_t i = 0; i < together; ++i)
+      put(t + i, elements[i]);
   }
+  for (; t < count; ++t)
+    put(t, near_elements<Form>(x, tiles + t * floats));
   return out;
 }
 

@@ -113,6 +113,19 @@ MEETC_INLINE lanes magnitude_of(lanes a) {
   return lanes(reinterpret_cast<lanes::vector>(reinterpret_cast<bits>(a.v) & 0x7fffffff));
 }
 
+// The larger one, or b where one of them is NaN.
+MEETC_INLINE lanes larger(lanes a, lanes b) {
+#if defined(__AVX512F__)
+  return lanes(_mm512_maskz_max_ps(0xffff, a.v, b.v));
+#elif defined(__AVX2__)
+  return lanes(_mm256_max_ps(a.v, b.v));
+#elif defined(__SSE2__)
+  return lanes(_mm_max_ps(a.v, b.v));
+#else
+  return lanes(a.v > b.v ? a.v : b.v);
+#endif
+}
+
 // ---- rows by lane ----
 
 #if defined(__SSE2__) || defined(__AVX2__) || defined(__AVX512F__) || defined(__aarch64__)
@@ -225,12 +238,14 @@ template <int N> MEETC_INLINE void gather_rows(const float *from, const std::uin
 
 // ---- signs ----
 
+// Decisions may be made for more pairs than the lanes hold: for as many as a mask has bits.
+inline constexpr lane_mask all_bits = ~lane_mask{0};
+
 // The signs that each lane can have.
 struct sign_lanes {
   lane_mask negative, zero, positive;
   MEETC_INLINE static sign_lanes of(sign s) {
-    return {s == sign::negative ? every_lane : 0, s == sign::zero ? every_lane : 0,
-            s == sign::positive ? every_lane : 0};
+    return {s == sign::negative ? all_bits : 0, s == sign::zero ? all_bits : 0, s == sign::positive ? all_bits : 0};
   }
 };
 MEETC_INLINE sign_lanes operator-(sign_lanes s) {
@@ -242,6 +257,30 @@ MEETC_INLINE sign_lanes operator*(sign_lanes a, sign_lanes b) {
 }
 MEETC_INLINE sign_lanes square(sign_lanes s) {
   return {0, s.zero, s.negative | s.positive};
+}
+
+// For lanes of floats and of doubles alike.
+
+// The magnitude of a leaf, as leaf_magnitude has it.
+template <class L> MEETC_INLINE L leaf_at_least(L difference, L floor) {
+  const L m = magnitude_of(difference), zero(0.0F);
+  L r;
+  r.v = ((m.v > floor.v) | (m.v != m.v)) ? m.v : floor.v;
+  r.v = m.v == zero.v ? zero.v : r.v;
+  return r;
+}
+
+// The lanes in which a sign is proved to be negative, zero or positive.
+struct proved_lanes {
+  lane_mask negative, zero, positive;
+};
+// Of a value that is within `error` of v; a magnitude of zero proves zero. Nothing is proved by NaN. v must be finite where
+// it exceeds its error.
+template <class L> MEETC_INLINE proved_lanes proved(L v, L error, L magnitude) {
+  return {greater(-v, error), equal(magnitude, L(0.0F)), greater(v, error)};
+}
+MEETC_INLINE sign_lanes possible(proved_lanes p) {
+  return {~(p.zero | p.positive), ~(p.negative | p.positive), ~(p.negative | p.zero)};
 }
 
 // Three-valued truths by lane.
@@ -258,7 +297,7 @@ MEETC_INLINE truth_lanes to_truth_lanes(truth_lanes a) {
   return a;
 }
 MEETC_INLINE truth_lanes to_truth_lanes(bool a) {
-  return {a ? 0 : every_lane, a ? every_lane : 0};
+  return {a ? 0 : all_bits, a ? all_bits : 0};
 }
 MEETC_INLINE truth_lanes both(truth_lanes a, truth_lanes b) {
   return {a.can_be_false | b.can_be_false, a.can_be_true & b.can_be_true};

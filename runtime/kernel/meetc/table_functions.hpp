@@ -9,6 +9,7 @@
 #include <meetc/decide.hpp>
 #include <meetc/rest.hpp>
 #include <meetc/table.hpp>
+#include <meetc/wide_decide.hpp>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -45,39 +46,25 @@ void decide_each_stored(const row_array &a, const row_array &b, const index_pair
   });
 }
 // The same, in lanes as far as they decide. They find the answers of `one`.
-template <class P, class How, class Decide>
-void decide_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
-                  Decide &&one) {
-  with_stored<P>(a, b, pairs, one, [&](const auto &each) { decide_in_lanes<P, How>(a, b, pairs, n, out, each); });
+template <class P, class Decide>
+void decide_plain_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
+                        Decide &&one) {
+  with_stored<P>(a, b, pairs, one,
+                 [&](const auto &each) { decide_in_lanes<P, plain_lanes>(a, b, pairs, n, out, each); });
 }
 
-// The signs of a pair in the rungs in fp32.
+// The signs of a pair in the plain rung in fp32.
 template <class P> plain_signs<P, float> plain_fp32(const row_pair &p) {
   return {p.row_a, p.row_b};
 }
 template <class P> stored_plain_signs<P> plain_fp32(const stored_pair &p) {
   return {p};
 }
-template <class P> bounded_signs<P, in_fp32> bounded_fp32(const row_pair &p) {
-  return {p.row_a, p.row_b};
-}
-template <class P> stored_bounded_signs<P> bounded_fp32(const stored_pair &p) {
-  return {p};
-}
-
-// The bounded rung in fp32 for a pair that lanes leave open. Most such pairs share points, which are compared before
-// the arithmetic is done once more.
-template <class P, class Pair> answer decide_open(const Pair &p) {
-  if (P::coincidences != 0 && P::settled(equal_points<P>(p.row_a, p.row_b)))
-    return answer::yes;
-  return decide_sets<P>(bounded_fp32<P>(p));
-}
-
 template <class P, class T>
 void decide_plain(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   const auto by_float = [](const auto &p) { return to_answer(decide<P>(plain_fp32<P>(p))); };
   if constexpr (std::is_same_v<T, float> && MEETC_FUSES)
-    decide_lanes<P, plain_lanes>(a, b, pairs, n, out, by_float);
+    decide_plain_lanes<P>(a, b, pairs, n, out, by_float);
   else if constexpr (std::is_same_v<T, float>)
     decide_each_stored<P>(a, b, pairs, n, out, by_float);
   else
@@ -102,18 +89,39 @@ void certify_pairs(row_array a, row_array b, const index_pair *pairs, std::size_
     return unsure_each(n, out);
   a = {after_check(a.rows), a.stored}, b = {after_check(b.rows), b.stored};
   if constexpr (std::is_same_v<A, in_fp32>)
-    decide_lanes<P, bounded_lanes>(a, b, pairs, n, out, [](const auto &p) { return decide_open<P>(p); });
+    decide_in_lanes<P, bounded_lanes>(a, b, pairs, n, out, [](std::size_t) { return answer::unsure; });
+  else if constexpr (std::is_same_v<A, in_fp64>)
+    decide_in_wide_lanes<P>(a, b, pairs, n, out, [&](std::size_t i) {
+      return certify_here<P, in_fp64>(a.rows + std::size_t{pairs[i].a} * P::inputs_a,
+                                      b.rows + std::size_t{pairs[i].b} * P::inputs_b);
+    });
   else
     decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return certify_here<P, A>(p.row_a, p.row_b); });
   after_check(out); // keeps the computation before the return
 }
+// All rungs of `certified`. What fp32 leaves unsure goes through fp64 together, in blocks.
 template <class P>
 void decide_certified(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   certify_pairs<P, in_fp32>(a, b, pairs, n, out);
-  for (std::size_t i = 0; i < n; ++i)
-    if (out[i] == answer::unsure)
-      out[i] = to_answer(decide_rest<P>(a.rows + std::size_t{pairs[i].a} * P::inputs_a,
-                                        b.rows + std::size_t{pairs[i].b} * P::inputs_b));
+  constexpr std::size_t block = 256;
+  index_pair unsure[block];
+  answer found[block];
+  for (std::size_t from = 0, i = 0; from < n; from = i) {
+    std::size_t count = 0;
+    for (i = from; i < n && count < block; ++i)
+      if (out[i] == answer::unsure)
+        unsure[count++] = pairs[i];
+    certify_pairs<P, in_fp64>(a, b, unsure, count, found);
+    for (std::size_t k = 0, at = from; k < count; ++at)
+      if (out[at] == answer::unsure) {
+        out[at] =
+            found[k] != answer::unsure
+                ? found[k]
+                : to_answer(before_return(decide<P>(exact_signs<P>(a.rows + std::size_t{unsure[k].a} * P::inputs_a,
+                                                                   b.rows + std::size_t{unsure[k].b} * P::inputs_b))));
+        ++k;
+      }
+  }
 }
 template <class P>
 void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {

@@ -50,7 +50,7 @@ rows_of same_rows(const meetc::kind_info &kind, std::size_t n);
 // ---- what the filter may pass ----
 
 // Counts that a device may give: `least` if every doubtful pair is dropped, `most` if every one is kept. In float32 no
-// pair is doubtful.
+// pair is doubtful. Of unsure pairs only `most` is known.
 struct range {
   std::uint64_t least = 0, most = 0;
   bool holds(std::uint64_t n) const { return least <= n && n <= most; }

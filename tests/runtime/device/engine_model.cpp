@@ -96,7 +96,6 @@ expectation expect(const predicate_info &p, const prepared &a, const prepared &b
   const std::vector<columns> x = columns_of<true>(a, frame), y = columns_of<false>(b, frame);
   const std::vector<box> boxes_a = boxes_of(a), boxes_b = boxes_of(b);
   std::vector<index_pair> pairs;
-  std::vector<bool> sure; // that the filter lets it through
   const auto count = [](range &r, bool must) { r.least += must, ++r.most; };
   for (std::uint32_t i = 0; i < x.size(); ++i)
     for (std::uint32_t j = 0; j < y.size(); ++j) {
@@ -111,7 +110,6 @@ expectation expect(const predicate_info &p, const prepared &a, const prepared &b
         continue;
       count(out.candidates, v.must);
       pairs.push_back({i, j});
-      sure.push_back(v.must);
     }
   std::vector<answer> answers;
   for (int r = 0; r < bounded_rungs; ++r) {
@@ -120,11 +118,11 @@ expectation expect(const predicate_info &p, const prepared &a, const prepared &b
     std::size_t left = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (answers[i] == answer::unsure) {
-        count(out.unsure[r], sure[i]);
-        pairs[left] = pairs[i], sure[left] = sure[i];
+        ++out.unsure[r].most; // a device decides pairs one by one, and some that lanes leave to the next rung
+        pairs[left] = pairs[i];
         ++left;
       }
-    pairs.resize(left), sure.resize(left);
+    pairs.resize(left);
   }
   return out;
 }

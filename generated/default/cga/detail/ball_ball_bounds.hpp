@@ -27,6 +27,12 @@ struct ball_ball_points {
   // polynomials of all signs; see meetc/usual.hpp.
   static constexpr unsigned settled_by = 0x1u; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
+  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.
+  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
+    const auto S_ = detail::sphere_in(row_a);
+    const auto T_ = detail::sphere_in(row_b);
+    return (equal(S_.c.x, T_.c.x) & equal(S_.c.y, T_.c.y) & equal(S_.c.z, T_.c.z));
+  }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, -1};

@@ -31,6 +31,13 @@ struct ball_segment_points {
   // points into the polynomials of all signs; see meetc/usual.hpp.
   static constexpr unsigned settled_by = 0x3u; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
+  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.
+  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
+    const auto S_ = detail::sphere_in(row_a);
+    const auto s = detail::segment_in(row_b);
+    return (equal(S_.c.x, s.p.x) & equal(S_.c.y, s.p.y) & equal(S_.c.z, s.p.z)) |
+        (equal(S_.c.x, s.q.x) & equal(S_.c.y, s.q.y) & equal(S_.c.z, s.q.z));
+  }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, -1, 0, 1, 2, 0, 1, 2};

@@ -37,6 +37,14 @@ struct point_triangle_points {
   // equal points into the polynomials of all signs; see meetc/usual.hpp.
   static constexpr unsigned settled_by = 0x7u; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
+  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.
+  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
+    const auto p = detail::point_in(row_a);
+    const auto t = detail::triangle_in(row_b);
+    return (equal(p.x, t.a.x) & equal(p.y, t.a.y) & equal(p.z, t.a.z)) |
+        (equal(p.x, t.b.x) & equal(p.y, t.b.y) & equal(p.z, t.b.z)) |
+        (equal(p.x, t.c.x) & equal(p.y, t.c.y) & equal(p.z, t.c.z));
+  }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};

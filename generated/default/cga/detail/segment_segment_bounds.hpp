@@ -37,6 +37,15 @@ struct segment_segment_points {
   // e.q. The proof puts equal points into the polynomials of all signs; see meetc/usual.hpp.
   static constexpr unsigned settled_by = 0x1eu; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
+  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.
+  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
+    const auto s = detail::segment_in(row_a);
+    const auto e = detail::segment_in(row_b);
+    return (equal(s.p.x, e.p.x) & equal(s.p.y, e.p.y) & equal(s.p.z, e.p.z)) |
+        (equal(s.p.x, e.q.x) & equal(s.p.y, e.q.y) & equal(s.p.z, e.q.z)) |
+        (equal(s.q.x, e.p.x) & equal(s.q.y, e.p.y) & equal(s.q.z, e.p.z)) |
+        (equal(s.q.x, e.q.x) & equal(s.q.y, e.q.y) & equal(s.q.z, e.q.z));
+  }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};

@@ -56,6 +56,20 @@ struct triangle_triangle_points {
   // into the polynomials of all signs; see meetc/usual.hpp.
   static constexpr unsigned settled_by = 0xfdcu; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
+  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.
+  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
+    const auto A = detail::triangle_in(row_a);
+    const auto B = detail::triangle_in(row_b);
+    return (equal(A.a.x, B.a.x) & equal(A.a.y, B.a.y) & equal(A.a.z, B.a.z)) |
+        (equal(A.a.x, B.b.x) & equal(A.a.y, B.b.y) & equal(A.a.z, B.b.z)) |
+        (equal(A.a.x, B.c.x) & equal(A.a.y, B.c.y) & equal(A.a.z, B.c.z)) |
+        (equal(A.b.x, B.a.x) & equal(A.b.y, B.a.y) & equal(A.b.z, B.a.z)) |
+        (equal(A.b.x, B.b.x) & equal(A.b.y, B.b.y) & equal(A.b.z, B.b.z)) |
+        (equal(A.b.x, B.c.x) & equal(A.b.y, B.c.y) & equal(A.b.z, B.c.z)) |
+        (equal(A.c.x, B.a.x) & equal(A.c.y, B.a.y) & equal(A.c.z, B.a.z)) |
+        (equal(A.c.x, B.b.x) & equal(A.c.y, B.b.y) & equal(A.c.z, B.b.z)) |
+        (equal(A.c.x, B.c.x) & equal(A.c.y, B.c.y) & equal(A.c.z, B.c.z));
+  }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
     constexpr int all[] = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2};

@@ -1,0 +1,290 @@
+// Decides pairs in lanes of doubles: the rung fp64 of `certified`, for the runtime's table.
+//
+// Problem: pairs that fp32 leaves unsure are often degenerate: many of their signs are zero, which no bound can tell from
+// a small number.
+// Method: signs come from values in fp64 with their bound. Where these are unsure, the same program runs on integers
+// modulo 2^64: on a common grid the value is an integer n, and the bound says |n| < 2^62, so that the residue of n is n.
+// This needs neither wide products nor that the values in fp64 are exact. Where the differences of a pair are so short that
+// no value reaches 2^62, integers alone serve.
+// What this leaves open is decided pair by pair by the caller's function. A pair's answer does not depend on those that
+// share the lanes with it.
+#ifndef MEETC_WIDE_DECIDE_HPP
+#define MEETC_WIDE_DECIDE_HPP
+
+#include <meetc/wide_lanes.hpp>
+
+#include <meetc/lane_decide.hpp>
+
+MEETC_NAMESPACE(meetc) {
+
+template <> struct leaf_magnitude<wide_lanes> {
+  wide_lanes floor;
+  MEETC_INLINE wide_lanes operator()(wide_lanes difference) const { return leaf_at_least(difference, floor); }
+};
+
+// The numbers of wide_count pairs.
+template <class P> struct wide_rows {
+  wide_lanes a[P::inputs_a], b[P::inputs_b];
+
+  // Calls f(number, axis) for each number; axis -1: it belongs to none.
+  template <class F> MEETC_INLINE void each(F &&f) const {
+    for (int i = 0; i < P::inputs_a; ++i)
+      f(a[i], P::axis(i));
+    for (int i = 0; i < P::inputs_b; ++i)
+      f(b[i], P::axis(P::inputs_a + i));
+  }
+};
+
+// The least powers of two above the numbers, and above half of the differences on each axis.
+struct wide_extent {
+  wide_lanes numbers, differences;
+};
+template <class P> MEETC_INLINE wide_extent extent_of(const wide_rows<P> &r) {
+  wide_lanes number(0x1p-149), difference(0x1p-149), first[3];
+  bool seen[3] = {false, false, false};
+  r.each([&](wide_lanes x, int axis) {
+    number = larger(magnitude_of(x), number);
+    if (axis < 0 || axis > 2) {
+      difference = larger(magnitude_of(x), difference);
+      return;
+    }
+    if (!seen[axis])
+      first[axis] = x, seen[axis] = true;
+    difference = larger(magnitude_of(x - first[axis]), difference);
+  });
+  const auto above = [](wide_lanes x) { return wide_lanes(2.0) * with_bits(bits_of(x) & 0x7ff0000000000000); };
+  return {above(number), above(difference)};
+}
+
+// The pairs' numbers as integers, where they are multiples of a step of which differences are below 2^span.
+template <class P> struct whole_rows {
+  whole_lanes a[P::inputs_a], b[P::inputs_b];
+  wide_lanes step;   // a power of two
+  lane_mask on_grid; // where they are
+
+  MEETC_INLINE void take(const wide_rows<P> &r, const wide_extent &e, int span) {
+    const wide_lanes by_difference = e.differences * wide_lanes(power_of_two(1 - span, 0.0));
+    step = larger(by_difference, e.numbers * wide_lanes(0x1p-50));
+    // Where the numbers are much larger than their differences, the step is larger too, so the span is less.
+    on_grid = all_bits;
+    // 1 / step, a power of two as well: the exponents of the two add up to twice the bias.
+    const wide_lanes steps = with_bits(wide_bits{} + (std::int64_t{2046} << 52) - bits_of(step));
+    for (int i = 0; i < P::inputs_a && on_grid != 0; ++i) // most pairs that are not on it are seen at once
+      a[i] = integer(r.a[i] * steps);
+    for (int i = 0; i < P::inputs_b && on_grid != 0; ++i)
+      b[i] = integer(r.b[i] * steps);
+  }
+
+private:
+  // A double from 2^52 to 2^53 is an integer plus its last bits.
+  MEETC_INLINE whole_lanes integer(wide_lanes x) {
+    const wide_lanes beyond(0x1.8p52), sum = x + beyond;
+    on_grid &= equal(sum - beyond, x) & greater(wide_lanes(0x1p51), magnitude_of(x));
+    return whole_lanes(reinterpret_cast<whole_lanes::vector>(bits_of(sum) - bits_of(beyond)));
+  }
+};
+
+// Residues have `bits` bits, and are read as signed integers. One below 2^limit is that of one integer below it, namely
+// itself. Tests use fewer bits, so that they see what a wrong limit does.
+template <int Bits, int Limit> struct residue_width {
+  static constexpr int bits = Bits, limit = Limit;
+  static MEETC_INLINE whole_lanes read(whole_lanes n) {
+    if constexpr (bits == 64)
+      return n;
+    n.v <<= 64 - bits;
+    return whole_lanes(reinterpret_cast<whole_lanes::vector>(reinterpret_cast<wide_bits>(n.v) >> (64 - bits)));
+  }
+};
+
+// The span of differences for which a stage's values are below 2^limit steps to the power of its degree, and that for
+// which their bounds are: a bound in fp64 is about 2^-48 of the largest value.
+template <class Stage, class Width> constexpr int short_span() {
+  return (Width::limit - Stage::growth) / Stage::degree;
+}
+template <class Stage, class Width> constexpr int bounded_span() {
+  const int span = (Width::limit + 48 - Stage::growth) / Stage::degree;
+  return span < 50 ? span : 50;
+}
+template <class P, class Width> constexpr int short_span_of_all() {
+  int span = 50;
+  each_stage<P>([&span](auto stage) {
+    constexpr int one = short_span<decltype(stage), Width>();
+    span = one < span ? one : span;
+  });
+  return span;
+}
+
+template <class P, class Stage, class Width> class wide_signs {
+public:
+  MEETC_INLINE explicit wide_signs(const wide_rows<P> &rows) : rows_(rows) {}
+
+  // What is proved of the stage's signs. Of pairs outside `wanted` it may be less. It is out of line, as short_signs() is,
+  // since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two.
+  MEETC_NOINLINE void get(lane_mask wanted, proved_lanes *s) const {
+    wide_lanes v[Stage::atoms], m[Stage::atoms];
+    stage_values<Stage>(rows_.a, rows_.b, v);
+    stage_magnitudes<Stage>(rows_.a, rows_.b,
+                            leaf_magnitude<wide_lanes>{wide_lanes(power_of_two(Stage::floor_fp64, 0.0))}, m);
+    static_assert(Stage::degree <= 7, "values of floats in fp64 could overflow");
+    lane_mask known = wanted;
+    for (int i = 0; i < Stage::atoms; ++i) {
+      s[i] = proved(v[i], error(i, m[i]), m[i]);
+      known &= s[i].negative | s[i].zero | s[i].positive;
+    }
+    if (known != wanted)
+      by_residues(v, m, s);
+  }
+
+private:
+  static MEETC_INLINE wide_lanes error(int i, wide_lanes magnitude) {
+    return wide_lanes(in_fp64::factor<Stage>(i)) * magnitude;
+  }
+  MEETC_NOINLINE void by_residues(const wide_lanes *v, const wide_lanes *m, proved_lanes *s) const {
+    whole_rows<P> r;
+    r.take(rows_, extent_of(rows_), bounded_span<Stage, Width>());
+    whole_lanes n[Stage::atoms];
+    stage_values<Stage>(r.a, r.b, n);
+    wide_lanes limit[Stage::degree + 1]; // by degree, in the numbers' unit
+    limit[0] = wide_lanes(1 / power_of_two(-Width::limit, 0.0));
+    for (int k = 0; k < Stage::degree; ++k)
+      limit[k + 1] = limit[k] * r.step;
+    for (int i = 0; i < Stage::atoms; ++i) {
+      const lane_mask unknown = r.on_grid & ~(s[i].negative | s[i].zero | s[i].positive) &
+                                greater(limit[Stage::degree_of(i)], magnitude_of(v[i]) + error(i, m[i]));
+      const whole_lanes value = Width::read(n[i]);
+      const lane_mask below = unknown & negative(value), none = unknown & zero(value);
+      s[i].negative |= below;
+      s[i].zero |= none;
+      s[i].positive |= unknown & ~(below | none);
+    }
+  }
+
+  const wide_rows<P> &rows_;
+};
+
+// The signs of a stage where its values are below the limit.
+template <class P, class Stage, class Width> MEETC_NOINLINE void short_signs(const whole_rows<P> &r, proved_lanes *s) {
+  whole_lanes n[Stage::atoms];
+  stage_values<Stage>(r.a, r.b, n);
+  for (int i = 0; i < Stage::atoms; ++i) {
+    const whole_lanes value = Width::read(n[i]);
+    const lane_mask below = negative(value), none = zero(value);
+    s[i] = {below, none, ~(below | none)};
+  }
+}
+
+template <class P, class Width, class Open> class wide_decider {
+public:
+  // `open(i)` decides pair i alone.
+  wide_decider(const row_array &a, const row_array &b, const index_pair *pairs, answer *out, const Open &open)
+      : a_(a), b_(b), pairs_(pairs), out_(out), open_(open) {}
+
+  void run(std::size_t n) {
+    for (std::size_t at = 0; at < n; at += block) {
+      const int here = static_cast<int>(n - at < block ? n - at : block);
+      load(pairs_ + at, here);
+      decide(at, here);
+    }
+  }
+
+private:
+  // Decisions over signs are made for as many pairs as a mask has bits, since they cost as much for fewer.
+  static constexpr int block = 32;
+
+  void load(const index_pair *pairs, int n) {
+    for (int from = 0; from < n; from += lane_count) {
+      std::uint32_t at_a[lane_count], at_b[lane_count];
+      for (int k = 0; k < lane_count; ++k) { // lanes from n on repeat the last pair
+        const index_pair p = pairs[from + k < n ? from + k : n - 1];
+        at_a[k] = p.a, at_b[k] = p.b;
+      }
+      lanes a[P::inputs_a], b[P::inputs_b];
+      gather_rows<P::inputs_a>(a_.rows, at_a, a);
+      gather_rows<P::inputs_b>(b_.rows, at_b, b);
+      for (int half = 0; half < lane_count; half += wide_count) {
+        wide_rows<P> &to = rows_[(from + half) / wide_count];
+        take<P::inputs_a>(a, half, to.a);
+        take<P::inputs_b>(b, half, to.b);
+        whole_rows<P> &integers = integers_[(from + half) / wide_count];
+        integers.take(to, extent_of(to), short_span_of_all<P, Width>());
+      }
+    }
+  }
+  template <int N> static MEETC_INLINE void take(const lanes *turned, int from, wide_lanes *to) {
+    for (int i = 0; i < N; ++i) {
+      float numbers[lane_count];
+      __builtin_memcpy(numbers, &turned[i], sizeof numbers);
+      to[i] = wide_lanes::from(numbers + from);
+    }
+  }
+
+  void decide(std::size_t at, int n) {
+    lane_mask left = ~lane_mask{0} >> (block - n), rare = 0;
+    sign_lanes s[P::atoms + 1];
+    if constexpr (P::reject_stage::atoms > 0) {
+      signs<typename P::reject_stage>(left, s);
+      left &= to_truth_lanes(P::rejected(s)).can_be_false;
+    }
+    if constexpr (P::common_stage::atoms > 0)
+      signs<typename P::common_stage>(left, s);
+    truth_lanes hit = to_truth_lanes(P::usual(s));
+    if constexpr (P::rare_stage::atoms > 0) {
+      const truth_lanes needs = to_truth_lanes(P::needs_rare(s));
+      rare = left & needs.can_be_true;
+      if (rare != 0) {
+        signs<typename P::rare_stage>(rare, s);
+        const truth_lanes whole = to_truth_lanes(P::whole(s)), unknown = {needs.can_be_false, needs.can_be_false};
+        // Where it is not known whether the rare stage is needed, the pair stays open.
+        hit = {(hit.can_be_false & ~rare) | (rare & (whole.can_be_false | unknown.can_be_false)),
+               (hit.can_be_true & ~rare) | (rare & (whole.can_be_true | unknown.can_be_true))};
+      }
+    }
+    const lane_mask open = left & hit.can_be_false & hit.can_be_true, yes = left & ~hit.can_be_false;
+    for (int k = 0; k < n; ++k) {
+      const std::size_t i = at + static_cast<std::size_t>(k);
+      out_[i] = open >> k & 1 ? open_(i) : to_answer((yes >> k & 1) != 0);
+    }
+  }
+
+  // The signs of a stage, of all rows with a pair in `wanted`.
+  template <class Stage> MEETC_NOINLINE void signs(lane_mask wanted, sign_lanes *all) const {
+    proved_lanes together[Stage::atoms] = {};
+    for (int from = 0; from < block; from += wide_count) {
+      constexpr lane_mask every = all_bits >> (block - wide_count);
+      const lane_mask here = wanted >> from & every;
+      if (here == 0)
+        continue;
+      proved_lanes s[Stage::atoms];
+      const whole_rows<P> &integers = integers_[from / wide_count];
+      if ((here & ~integers.on_grid) == 0)
+        short_signs<P, Stage, Width>(integers, s);
+      else
+        wide_signs<P, Stage, Width>(rows_[from / wide_count]).get(here, s);
+      for (int i = 0; i < Stage::atoms; ++i) {
+        together[i].negative |= (s[i].negative & every) << from;
+        together[i].zero |= (s[i].zero & every) << from;
+        together[i].positive |= (s[i].positive & every) << from;
+      }
+    }
+    for (int i = 0; i < Stage::atoms; ++i)
+      all[Stage::first + i] = possible(together[i]);
+  }
+
+  const row_array &a_, &b_;
+  const index_pair *pairs_;
+  answer *out_;
+  const Open &open_;
+  wide_rows<P> rows_[block / wide_count];
+  whole_rows<P> integers_[block / wide_count];
+};
+
+// Decides n pairs in lanes of doubles; open(i) decides pair i where these do not.
+template <class P, class Width = residue_width<64, 62>, class Open>
+void decide_in_wide_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
+                          const Open &open) {
+  wide_decider<P, Width, Open>(a, b, pairs, out, open).run(n);
+}
+
+} // MEETC_NAMESPACE(meetc)
+
+#endif

@@ -1,0 +1,51 @@
+#include "tests/extremes/lanes.hpp"
+
+#include <cga/cga_runtime.hpp>
+
+namespace meetc::extremes_test {
+
+lane_counts &lane_counts::operator+=(const lane_counts &o) {
+  cases += o.cases, wrong += o.wrong;
+  for (int r = 0; r < 2; ++r)
+    unsure[r] += o.unsure[r];
+  return *this;
+}
+
+void many_cases::add(const pair_of_rows &p, bool hit) {
+  const auto n = static_cast<std::uint32_t>(pairs_.size());
+  a_.insert(a_.end(), p.a.begin(), p.a.end());
+  b_.insert(b_.end(), p.b.begin(), p.b.end());
+  pairs_.push_back({n, n});
+  truth_.push_back(hit ? answer::yes : answer::no);
+}
+
+counts_by_set many_cases::run() const {
+  counts_by_set out;
+  for (int set = 0; set < instruction_set_count; ++set) {
+    const catalogue *const all = cga::catalogue_for(static_cast<instruction_set>(set));
+    for (int i = 0; all && i < all->predicate_count; ++i) {
+      const predicate_info &p = all->predicates[i];
+      if (std::string_view(p.name) != of_.name)
+        continue;
+      lane_counts &to = out[static_cast<std::size_t>(set)];
+      to.cases += pairs_.size();
+      std::vector<answer> found(pairs_.size());
+      const auto ask = [&](decide_function decide, std::uint64_t *unsure) {
+        decide(a_.data(), b_.data(), pairs_.data(), pairs_.size(), found.data());
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          const bool open = found[k] == answer::unsure;
+          to.wrong += unsure && open ? 0 : found[k] != truth_[k];
+          if (unsure)
+            *unsure += open;
+        }
+      };
+      ask(p.certify[0], &to.unsure[0]);
+      ask(p.certify[1], &to.unsure[1]);
+      ask(p.decide[static_cast<int>(meetc::rung::certified)], nullptr);
+      ask(p.decide[static_cast<int>(meetc::rung::exact)], nullptr);
+    }
+  }
+  return out;
+}
+
+} // namespace meetc::extremes_test

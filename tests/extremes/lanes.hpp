@@ -1,0 +1,41 @@
+// The functions of the runtime's table on many cases at a time, for every instruction set that runs here. What check() sees
+// of a pair is the code for one pair, as a header compiles it.
+#ifndef MEETC_TESTS_EXTREMES_LANES_HPP
+#define MEETC_TESTS_EXTREMES_LANES_HPP
+
+#include "tests/extremes/subjects.hpp"
+
+#include <meetc/table.hpp>
+
+#include <array>
+#include <cstdint>
+
+namespace meetc::extremes_test {
+
+struct lane_counts {
+  std::uint64_t cases = 0, unsure[2] = {0, 0}, wrong = 0; // unsure: by the bounded rungs in fp32 and fp64
+
+  lane_counts &operator+=(const lane_counts &o);
+};
+using counts_by_set = std::array<lane_counts, instruction_set_count>;
+
+// Cases of one subject with their true answers.
+class many_cases {
+public:
+  explicit many_cases(const subject &of) : of_(of) {}
+  void add(const pair_of_rows &p, bool hit);
+
+  // The bounded rungs in lanes, `certified` and `exact`, compared with the true answers. Nothing for a lone sign, which no
+  // table holds.
+  counts_by_set run() const;
+
+private:
+  const subject &of_;
+  row a_, b_;
+  std::vector<index_pair> pairs_;
+  std::vector<answer> truth_;
+};
+
+} // namespace meetc::extremes_test
+
+#endif

@@ -1,0 +1,79 @@
+// Lanes of doubles: signs by bounds in fp64 and by residues are never wrong, and a limit of residues that is too high is
+// seen. With 64 bits no pair of floats may ever show that, so residues of 16 bits stand in for them.
+#include <meetc/wide_decide.hpp>
+
+#include "tests/catch.hpp"
+#include "tests/generated/effort.hpp"
+#include "tests/generated/many_rows.hpp"
+
+#include <cga/cga.hpp>
+#include <cga/cga_runtime.hpp>
+#include <cga/header_only.hpp>
+
+using namespace meetc::generated_test;
+using meetc::answer;
+
+namespace {
+
+// Pairs of every family, and pairs whose numbers are integers of few bits, most of them degenerate somehow.
+template <class P> many_rows hostile_rows(const P &p) {
+  many_rows r(p, static_cast<std::uint32_t>(effort(300)));
+  const meetc::predicate_info &info = named(cga::catalogue(), p.name);
+  random_numbers random(12);
+  const auto valid = [&random](const meetc::kind_info &kind, shape s, int bits) {
+    row to(static_cast<std::size_t>(floats_of(s)));
+    do {
+      for (float &x : to)
+        x = static_cast<float>(static_cast<int>(random.bits() % (2U << bits)) - (1 << bits));
+      if (padded(s))
+        to.back() = std::fabs(to.back());
+    } while (kind.fault && kind.fault(to.data()));
+    return to;
+  };
+  auto n = static_cast<std::uint32_t>(r.a.size()) / static_cast<std::uint32_t>(floats_of(p.a));
+  for (int i = 0; i < effort(6000); ++i, ++n) {
+    const row a = valid(*info.a, p.a, i % 12 + 1), b = valid(*info.b, p.b, i % 12 + 1);
+    r.a.insert(r.a.end(), a.begin(), a.end());
+    r.b.insert(r.b.end(), b.begin(), b.end());
+    r.pairs.push_back({n, n});
+  }
+  return r;
+}
+
+struct tally {
+  std::size_t wrong = 0, unsure = 0;
+};
+template <class P, class Width> tally run(const many_rows &r, const std::vector<answer> &truth) {
+  std::vector<answer> out(r.pairs.size(), answer::no);
+  meetc::decide_in_wide_lanes<P, Width>(r.a.data(), r.b.data(), r.pairs.data(), r.pairs.size(), out.data(),
+                                        [](std::size_t) { return answer::unsure; });
+  tally t;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    t.unsure += out[i] == answer::unsure;
+    t.wrong += out[i] != answer::unsure && out[i] != truth[i];
+  }
+  return t;
+}
+
+} // namespace
+
+TEST_CASE("wide lanes: residues below their limit are never wrong, and above it they are") {
+  int seen = 0;
+  for_each_predicate([&seen](auto p) {
+    using P = typename decltype(p)::type;
+    INFO(p.name);
+    const many_rows r = hostile_rows(p);
+    std::vector<answer> truth;
+    for (const meetc::index_pair x : r.pairs)
+      truth.push_back(meetc::to_answer(meetc::decide_exact<P>(r.a.data() + std::size_t{x.a} * P::inputs_a,
+                                                              r.b.data() + std::size_t{x.b} * P::inputs_b)));
+    const tally whole = run<P, meetc::residue_width<64, 62>>(r, truth);
+    CHECK(whole.wrong == 0);
+    CHECK(whole.unsure < r.pairs.size() / 8);
+    const tally few = run<P, meetc::residue_width<16, 14>>(r, truth);
+    CHECK(few.wrong == 0);
+    CHECK(few.unsure >= whole.unsure);
+    seen += run<P, meetc::residue_width<16, 48>>(r, truth).wrong > 0;
+  });
+  CHECK(seen == 10);
+}
