@@ -50,13 +50,14 @@ rows_of same_rows(const meetc::kind_info &kind, std::size_t n);
 // ---- what the filter may pass ----
 
 // Counts that a device may give: `least` if every doubtful pair is dropped, `most` if every one is kept. In float32 no
-// pair is doubtful. Of unsure pairs only `most` is known.
+// pair is doubtful.
 struct range {
   std::uint64_t least = 0, most = 0;
   bool holds(std::uint64_t n) const { return least <= n && n <= most; }
 };
 struct expectation {
-  range near_balls, candidates, unsure[meetc::bounded_rungs];
+  range near_balls, candidates;
+  std::uint64_t most_unsure = 0; // in fp32
 };
 // Of `certified`, element by element, from the host's own columns, pair by pair.
 expectation expect(const meetc::predicate_info &p, const meetc::prepared &a, const meetc::prepared &b,

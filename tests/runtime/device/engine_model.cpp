@@ -8,6 +8,7 @@
 #include <meetc/frame.hpp>
 #include <meetc/matrix.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -111,19 +112,10 @@ expectation expect(const predicate_info &p, const prepared &a, const prepared &b
       count(out.candidates, v.must);
       pairs.push_back({i, j});
     }
-  std::vector<answer> answers;
-  for (int r = 0; r < bounded_rungs; ++r) {
-    answers.resize(pairs.size());
-    p.certify[r](a.set().rows, b.set().rows, pairs.data(), pairs.size(), answers.data());
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (answers[i] == answer::unsure) {
-        ++out.unsure[r].most; // a device decides pairs one by one, and some that lanes leave to the next rung
-        pairs[left] = pairs[i];
-        ++left;
-      }
-    pairs.resize(left);
-  }
+  // A device decides pairs one by one, and with that some which lanes leave unsure.
+  std::vector<answer> answers(pairs.size());
+  p.certify[0](a.set().rows, b.set().rows, pairs.data(), pairs.size(), answers.data());
+  out.most_unsure = static_cast<std::uint64_t>(std::count(answers.begin(), answers.end(), answer::unsure));
   return out;
 }
 

@@ -34,4 +34,14 @@ inline const launchers &launchers_of(const char *name) {
   throw std::runtime_error(std::string("no launcher for ") + name);
 }
 
+// Whether a device's answer is another one than the CPU's. bounded: the number of the bounded rung, or -1 for the rungs
+// that are never unsure. The CPU runs the rungs in fp32 and fp64 in lanes, and may be unsure of other pairs. In fp32 the
+// device decides all that lanes do.
+inline bool differ(meetc::answer cpu, meetc::answer device, int bounded) {
+  const auto unsure = meetc::answer::unsure;
+  if (bounded < 0 || bounded > 1 || (cpu != unsure && device != unsure))
+    return cpu != device;
+  return bounded == 0 && device == unsure && cpu != unsure;
+}
+
 } // namespace cuda_test
