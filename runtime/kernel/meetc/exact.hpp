@@ -9,13 +9,13 @@
 
 MEETC_NAMESPACE(meetc) {
 
-// Calls f(number, axis) for each number of the pair; the axis is a constant, and -1 for a number that belongs to none.
+// Calls f<axis>(number) for each number of the pair; the axis is -1 for a number that belongs to none.
 template <class P, class F> MEETC_HD MEETC_INLINE void each_input(const float *row_a, const float *row_b, F &&f) {
   const auto of_a = [&]<int... I>(std::integer_sequence<int, I...>) {
-    (f(row_a[I], std::integral_constant<int, P::axis(I)>()), ...);
+    (f.template operator()<P::axis(I)>(row_a[I]), ...);
   };
   const auto of_b = [&]<int... I>(std::integer_sequence<int, I...>) {
-    (f(row_b[I], std::integral_constant<int, P::axis(P::inputs_a + I)>()), ...);
+    (f.template operator()<P::axis(P::inputs_a + I)>(row_b[I]), ...);
   };
   of_a(std::make_integer_sequence<int, P::inputs_a>());
   of_b(std::make_integer_sequence<int, P::inputs_b>());
@@ -28,8 +28,8 @@ template <class P> MEETC_HD inline int spread(const float *row_a, const float *r
   float low[4], high[4]; // by axis; 3: numbers that belong to none
   for (int axis = 0; axis < 4; ++axis)
     low[axis] = HUGE_VALF, high[axis] = -HUGE_VALF;
-  each_input<P>(row_a, row_b, [&](float v, auto axis) {
-    constexpr int k = axis() < 0 || axis() > 2 ? 3 : axis();
+  each_input<P>(row_a, row_b, [&]<int Axis>(float v) {
+    constexpr int k = Axis < 0 || Axis > 2 ? 3 : Axis;
     low[k] = v < low[k] ? v : low[k];
     high[k] = v > high[k] ? v : high[k];
   });
@@ -92,14 +92,14 @@ private:
   template <class Stage, class I, class W> MEETC_HD void run(sign *s) const {
     I numbers[P::inputs_a + P::inputs_b], origin[3] = {0, 0, 0}, *next = numbers;
     bool seen[3] = {false, false, false};
-    each_input<P>(a, b, [&](float v, auto axis) {
+    each_input<P>(a, b, [&]<int Axis>(float v) {
       I &out = *next++;
       to_integer(v, common.low, out);
-      if constexpr (axis() >= 0 && axis() <= 2) {
-        if (!seen[axis()])
-          origin[axis()] = out;
-        seen[axis()] = true;
-        out -= origin[axis()];
+      if constexpr (Axis >= 0 && Axis <= 2) {
+        if (!seen[Axis])
+          origin[Axis] = out;
+        seen[Axis] = true;
+        out -= origin[Axis];
       }
     });
     const I *const ia = numbers, *const ib = numbers + P::inputs_a;
