@@ -4,8 +4,8 @@ fresh_room(flags)
 set(headers "-I${SOURCE}/generated/default" "-I${SOURCE}/runtime/kernel")
 set(hostile "${ROOM}/flags/hostile.cpp")
 set(strict -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
-# Variants of the hostile program have one predicate of each sort, or all of them in the long mode.
-set(few -DHOSTILE_FEW)
+# Variants of the programs have one predicate of each sort, or all of them in the long mode.
+set(few -DHOSTILE_FEW -DMIXED_FEW)
 if(LONG)
   set(few "")
 endif()
