@@ -22,19 +22,22 @@ bool all_pairs::yield(std::size_t unit, pair_sink &sink) const {
   const level &a = a_.set.boxes.levels[0], &b = b_.set.boxes.levels[0];
   const std::size_t block = unit / tiles(b_.set), first = unit % tiles(b_.set) * tile;
   const std::size_t count = std::min(b.count() - first, tile);
-  near_tile chosen[tile], *last = chosen + count;
-  for (std::uint32_t i = 0; i < count; ++i)
-    chosen[i] = {i, 0xffff};
+  std::size_t chosen[tile], size = count;
+  for (std::size_t i = 0; i < count; ++i)
+    chosen[i] = first + i;
   for (std::size_t lane = 0; lane < a.filled(block); ++lane) {
     const std::size_t slot = block * lanes + lane;
-    if (filter_)
-      last = filter_->near(slot, first, count, chosen);
-    if (last == chosen)
+    if (filter_) { // the boxes rule out what the filter does
+      near_tile near[tile];
+      const near_tile *const end = filter_->near(slot, first, count, near);
+      size = 0;
+      for (const near_tile *at = near; at < end; ++at)
+        chosen[size++] = first + at->index;
+    }
+    if (size == 0)
       continue;
     const probe one(a_, slot, b_, false);
-    index_pair *const begin = sink.room(), *end = begin;
-    for (const near_tile *at = chosen; at < last; ++at) // the boxes rule out what the filter does
-      end = one.pairs_with(first + at->index, end);
+    index_pair *const begin = sink.room(), *const end = one.pairs_with(chosen, size, begin);
     if (!sink.advance(static_cast<std::size_t>(end - begin)))
       return false;
   }

@@ -2,6 +2,7 @@
 #ifndef MEETC_CORE_PROBE_HPP
 #define MEETC_CORE_PROBE_HPP
 
+#include "core/box_tests.hpp"
 #include "core/candidates.hpp"
 #include "core/two_points.hpp"
 
@@ -26,13 +27,19 @@ public:
   // The element's points; there are some if it is tested by them.
   const two_points &points() const { return points_; }
 
-  // Writes the pairs with the elements of a block, at most sixteen, and returns the end of what is written.
-  index_pair *pairs_with(std::size_t block, index_pair *out) const {
-    const box_block &boxes = other_.set.boxes.levels[0].blocks[block];
-    std::uint32_t mask = touching(boxes, box_);
-    if (one_.by_points && mask != 0)
-      mask &= touching(boxes, points_);
-    return pairs_of(block, mask, out);
+  // Writes the pairs with the elements of some blocks, at most sixteen for each, and returns the end of what is written.
+  index_pair *pairs_with(const std::size_t *blocks, std::size_t count, index_pair *out) const {
+    const box_block *const all = other_.set.boxes.levels[0].blocks;
+    const box_tests &tests = best_box_tests();
+    if (!one_.by_points && !other_.by_points)
+      return tests.pairs({all, blocks, count, box_, static_cast<std::uint32_t>(slot_), swapped_}, out);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint32_t mask = tests.touching(all[blocks[i]], box_);
+      if (one_.by_points && mask != 0)
+        mask &= touching(all[blocks[i]], points_);
+      out = pairs_of(blocks[i], mask, out);
+    }
+    return out;
   }
   // The same for an element with points whose box holds most of the others: the points are tested first.
   index_pair *pairs_by_points(std::size_t block, index_pair *out) const {

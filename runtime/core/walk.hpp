@@ -21,7 +21,7 @@ public:
 private:
   bool down(int at, std::size_t block) {
     const level &l = tree_.set.boxes.levels[at];
-    for (std::uint32_t mask = touching(l.blocks[block], around_); mask != 0; mask &= mask - 1) {
+    for (std::uint32_t mask = tests_.touching(l.blocks[block], around_); mask != 0; mask &= mask - 1) {
       const std::size_t child = block * lanes + static_cast<std::size_t>(std::countr_zero(mask));
       if (!(at == 1 ? collect(child, l.get(child)) : down(at - 1, child)))
         return false;
@@ -30,10 +30,10 @@ private:
   }
 
   bool collect(std::size_t leaf, const box &b) {
-    const std::uint32_t mask = touching(walker_.set.boxes.levels[0].blocks[block_], b);
+    const std::uint32_t mask = tests_.touching(walker_.set.boxes.levels[0].blocks[block_], b);
     leaves_[size_] = leaf;
     elements_[size_] = mask;
-    size_ += mask != 0 && touching(tree_.set.boxes.levels[0].blocks[leaf], around_) != 0;
+    size_ += mask != 0 && tests_.touching(tree_.set.boxes.levels[0].blocks[leaf], around_) != 0;
     return size_ < most || finish();
   }
 
@@ -49,9 +49,7 @@ private:
       if (count == 0)
         continue;
       const probe one(walker_, block_ * lanes + lane, tree_, swapped_);
-      index_pair *const begin = sink_.room(), *end = begin;
-      for (std::size_t i = 0; i < count; ++i)
-        end = one.pairs_with(chosen[i], end);
+      index_pair *const begin = sink_.room(), *const end = one.pairs_with(chosen, count, begin);
       if (!sink_.advance(static_cast<std::size_t>(end - begin)))
         return false;
     }
@@ -59,6 +57,7 @@ private:
   }
 
   static constexpr std::size_t most = pair_sink::longest_run / lanes;
+  const box_tests &tests_ = best_box_tests();
   const candidate_operand &walker_, &tree_;
   std::size_t block_;
   box around_;
