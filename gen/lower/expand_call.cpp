@@ -8,7 +8,18 @@
 namespace meetc::lower {
 namespace {
 using lang::op;
+
+// A text of several lines as one, since it becomes a part of an emitted comment.
+std::string on_one_line(const std::string &text) {
+  std::string out;
+  for (const char c : text)
+    if (c != ' ' && c != '\n' && c != '\r' && c != '\t')
+      out += c;
+    else if (!out.empty() && out.back() != ' ')
+      out += ' ';
+  return out;
 }
+} // namespace
 
 std::string expander::said(const lang::expr &e, const environment &env) {
   // Replaces from the last part to the first, so that the positions of earlier parts stay valid.
@@ -29,7 +40,7 @@ std::string expander::said(const lang::expr &e, const environment &env) {
       replace(**arg);
   };
   replace(e);
-  return out;
+  return on_one_line(out);
 }
 
 value expander::call(const lang::expr &e, const environment &env) {

@@ -23,12 +23,12 @@ classic_set::classic_set(const io::element_set &set)
     float *const to = planes_.data() + 4 * i;
     to[0] = p.normal.x, to[1] = p.normal.y, to[2] = p.normal.z, to[3] = p.offset;
   }
-  columns_.resize((fields_ + (triangles ? 4 : 0)) * stride_);
+  columns_ = allocate((fields_ + (triangles ? 4 : 0)) * stride_ * sizeof(float));
   for (std::size_t i = 0; i < stride_; ++i) {
     for (std::size_t f = 0; f < fields_; ++f)
-      columns_[f * stride_ + i] = rows_[i * fields_ + f];
+      columns()[f * stride_ + i] = rows_[i * fields_ + f];
     for (std::size_t f = 0; f < (triangles ? 4 : 0); ++f)
-      columns_[(fields_ + f) * stride_ + i] = planes_[4 * i + f];
+      columns()[(fields_ + f) * stride_ + i] = planes_[4 * i + f];
   }
 }
 

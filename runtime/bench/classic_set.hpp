@@ -3,6 +3,7 @@
 #define MEETC_BENCH_CLASSIC_SET_HPP
 
 #include "bench/classic_tests.hpp"
+#include "core/memory.hpp"
 #include "io/element_set.hpp"
 
 #include <vector>
@@ -16,11 +17,14 @@ public:
   std::size_t count() const { return count_; }
   std::size_t fields() const { return fields_; }
   const float *rows() const { return rows_.data(); }
-  baselines::classic_rows for_classic() const { return {rows_.data(), planes_.data(), columns_.data(), stride_}; }
+  baselines::classic_rows for_classic() const { return {rows_.data(), planes_.data(), columns(), stride_}; }
 
 private:
+  float *columns() const { return static_cast<float *>(columns_.get()); }
+
   std::size_t count_, fields_, stride_;
-  std::vector<float> rows_, planes_, columns_;
+  std::vector<float> rows_, planes_;
+  owned_memory columns_; // on a cache line, as what our own filter reads
 };
 
 // What a predicate stores for the rows; empty where it stores nothing.

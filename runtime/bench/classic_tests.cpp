@@ -63,7 +63,7 @@ void run_balls_lanes(const classic_rows &a, std::size_t i, const classic_rows &b
     const vec<lanes> d{lanes(row[0]) - column(0), lanes(row[1]) - column(1), lanes(row[2]) - column(2)};
     const lanes reach = lanes(row[3]) + column(3);
     const lanes distance = dot(d, d), limit = reach * reach;
-    return greater(limit, distance) | equal(limit, distance);
+    return greater(limit, distance) | (limit == distance);
   });
 }
 

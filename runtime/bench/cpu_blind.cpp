@@ -15,8 +15,6 @@ namespace meetc::bench {
 
 namespace {
 
-constexpr std::size_t longest_tile = 4096;
-
 // Two sets for one predicate, and the pairs of one element with a tile.
 struct blind_scene {
   const char *predicate;
@@ -24,7 +22,7 @@ struct blind_scene {
   std::vector<index_pair> pairs; // (0, j)
 
   blind_scene(const char *of, const cpu_sets::two_sets &sets)
-      : predicate(of), a(sets.first), b(sets.second), pairs(longest_tile) {
+      : predicate(of), a(sets.first), b(sets.second), pairs(most_tile_columns) {
     for (std::size_t j = 0; j < pairs.size(); ++j)
       pairs[j] = {0, static_cast<std::uint32_t>(j)};
   }
@@ -43,8 +41,9 @@ struct tests_of_set {
 
   void add_classic(const char *name, baselines::classic_function f) const {
     const baselines::classic_rows a = scene.a.for_classic(), b = scene.b.for_classic();
-    to.push_back(
-        {name, [=](std::size_t i, std::size_t from, std::size_t n, answer *out) { f(a, i, b, from, n, out); }});
+    to.push_back({name, row_by_row([=](std::size_t i, std::size_t from, std::size_t n, answer *out) {
+                    f(a, i, b, from, n, out);
+                  })});
   }
 
   // Certified answers behind the filter, if the kinds have one. The filter's numbers are made before the clock starts.
@@ -54,9 +53,7 @@ struct tests_of_set {
       return;
     const auto filtered = std::make_shared<filtered_tiles>(p, rung::certified, scene.a.rows(), scene.a.count(),
                                                            scene.b.rows(), scene.b.count());
-    to.push_back({name, [filtered](std::size_t i, std::size_t from, std::size_t n, answer *out) {
-                    filtered->decide(i, from, n, out);
-                  }});
+    to.push_back({name, [filtered](const pair_tile &tile, answer *out) { filtered->decide(tile, out); }});
   }
 
   // One of our rungs on rows and, where the predicate stores values, on these. They are computed before the clock starts,
@@ -71,13 +68,13 @@ struct tests_of_set {
     const auto floats_a = static_cast<std::size_t>(of_a.floats), floats_b = static_cast<std::size_t>(of_b.floats);
     const blind_scene &s = scene;
     to.push_back(
-        {name, [=, &s](std::size_t i, std::size_t from, std::size_t n, answer *out) {
+        {name, row_by_row([=, &s](std::size_t i, std::size_t from, std::size_t n, answer *out) {
            const auto at = [](const classic_set &set, const std::vector<float> &stored, std::size_t floats,
                               std::size_t row) {
              return row_array{set.rows() + row * set.fields(), stored.empty() ? nullptr : stored.data() + row * floats};
            };
            decide(at(s.a, *stored_a, floats_a, i), at(s.b, *stored_b, floats_b, from), s.pairs.data(), n, out);
-         }});
+         })});
   }
 };
 

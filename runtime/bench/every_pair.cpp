@@ -9,7 +9,6 @@ namespace meetc::bench {
 
 namespace {
 
-constexpr std::size_t tile = 512; // rows of b with what is stored for them: they fit into the first cache
 constexpr std::size_t most_rows_timed = 256;
 
 } // namespace
@@ -22,19 +21,20 @@ every_pair_result measure_every_pair(std::size_t count_a, std::size_t count_b, c
   r.pairs = static_cast<std::uint64_t>(count_a) * count_b;
 
   std::mutex adding;
-  for_chunks(thread_count(0), count_b, tile, [&](int, std::size_t from, std::size_t end) {
-    const std::size_t n = end - from;
-    std::vector<answer> truth(n), out(n);
+  for_chunks(thread_count(0), count_b, most_tile_columns, [&](int, std::size_t from, std::size_t end) {
+    std::vector<answer> truth, out;
     std::vector<every_pair_row> found(tests.size());
     std::uint64_t hits = 0;
-    for (std::size_t i = 0; i < count_a; ++i) {
-      exact(i, from, n, truth.data());
+    for (std::size_t i = 0; i < count_a; i += most_tile_rows) {
+      const pair_tile tile{i, std::min(most_tile_rows, count_a - i), from, end - from};
+      truth.resize(tile.rows * tile.n), out.resize(tile.rows * tile.n);
+      exact(tile, truth.data());
       hits += static_cast<std::uint64_t>(std::count(truth.begin(), truth.end(), answer::yes));
       for (std::size_t t = 0; t < tests.size(); ++t) {
-        tests[t].test(i, from, n, out.data());
+        tests[t].test(tile, out.data());
         if (out == truth) // most tiles: what follows is slow
           continue;
-        for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t k = 0; k < out.size(); ++k) {
           found[t].false_hits += out[k] == answer::yes && truth[k] != answer::yes;
           found[t].missed += out[k] != answer::yes && truth[k] == answer::yes;
         }
@@ -50,18 +50,24 @@ every_pair_result measure_every_pair(std::size_t count_a, std::size_t count_b, c
   for (every_pair_row &row : r.of)
     row.hits = r.hits + row.false_hits - row.missed;
 
-  const std::size_t step_a = (count_a + most_rows_timed - 1) / most_rows_timed, rows = (count_a + step_a - 1) / step_a;
-  const std::size_t tiles = (count_b + tile - 1) / tile;
-  const std::size_t tiles_wanted = std::clamp<std::size_t>(timed_pairs / (rows * std::min(tile, count_b)), 1, tiles);
-  std::vector<answer> out(tile);
+  const auto parts = [](std::size_t n, std::size_t of) { return (n + of - 1) / of; };
+  const std::size_t bands = parts(count_a, most_tile_rows), tiles = parts(count_b, most_tile_columns);
+  const std::size_t step = parts(bands, most_rows_timed / most_tile_rows);
+  const std::size_t pairs_a_tile = std::min(count_a, most_rows_timed) * std::min(count_b, most_tile_columns);
+  const std::size_t tiles_wanted = std::clamp<std::size_t>(timed_pairs / pairs_a_tile, 1, tiles);
+  std::vector<answer> out(most_tile_rows * most_tile_columns);
   std::uint64_t timed = 0;
   const auto run = [&](const tile_test &test) {
     timed = 0;
     for (std::size_t t = 0; t < tiles_wanted; ++t) {
-      const std::size_t from = t * tiles / tiles_wanted * tile, n = std::min(tile, count_b - from);
-      for (std::size_t i = 0; i < count_a; i += step_a)
-        test(i, from, n, out.data());
-      timed += rows * n;
+      const std::size_t from = t * tiles / tiles_wanted * most_tile_columns;
+      for (std::size_t band = 0; band < bands; band += step) {
+        const std::size_t row = band * most_tile_rows;
+        const pair_tile tile{row, std::min(most_tile_rows, count_a - row), from,
+                             std::min(most_tile_columns, count_b - from)};
+        test(tile, out.data());
+        timed += tile.rows * tile.n;
+      }
     }
   };
   std::vector<std::function<void()>> works;

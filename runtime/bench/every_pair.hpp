@@ -1,7 +1,8 @@
 // bench/every_pair.hpp: tests of every pair of two sets, without boxes: their times, and how many answers are wrong.
 //
-// Method: each test takes one element of a against a tile of b, and the tiles are the same for all tests. Times are taken
-// on a part of the pairs, spread evenly over both sets; answers are compared with exact ones on all pairs, on all cores.
+// Method: each test takes a few elements of a against a tile of b, and the tiles are the same for all tests. Times are
+// taken on a part of the pairs, spread evenly over both sets; answers are compared with exact ones on all pairs, on all
+// cores.
 #ifndef MEETC_BENCH_EVERY_PAIR_HPP
 #define MEETC_BENCH_EVERY_PAIR_HPP
 
@@ -15,8 +16,21 @@
 
 namespace meetc::bench {
 
-// Answers for element i of a with n elements of b from `from` on. It may run on several threads.
-using tile_test = std::function<void(std::size_t i, std::size_t from, std::size_t n, answer *out)>;
+// Elements of a, `rows` of them from `row` on, against n elements of b from `from` on.
+struct pair_tile {
+  std::size_t row, rows, from, n;
+};
+inline constexpr std::size_t most_tile_rows = 8, most_tile_columns = 512; // what is read of b fits into the first cache
+
+// Writes rows * n answers, those of one element of a after another. It may run on several threads.
+using tile_test = std::function<void(const pair_tile &tile, answer *out)>;
+// The same by a function of one row at a time: (i, from, n, out).
+template <class F> tile_test row_by_row(F f) {
+  return [f](const pair_tile &t, answer *out) {
+    for (std::size_t r = 0; r < t.rows; ++r)
+      f(t.row + r, t.from, t.n, out + r * t.n);
+  };
+}
 
 struct named_test {
   std::string name;

@@ -1,11 +1,10 @@
-// bench/filtered_tiles.hpp: one element against a tile of others, by a predicate's rung behind the separable filter.
+// bench/filtered_tiles.hpp: elements against a tile of others, by a predicate's rung behind the separable filter.
 #ifndef MEETC_BENCH_FILTERED_TILES_HPP
 #define MEETC_BENCH_FILTERED_TILES_HPP
 
 #include "bench/every_pair.hpp"
+#include "core/memory.hpp"
 #include "meetc/table.hpp"
-
-#include <vector>
 
 namespace meetc::bench {
 
@@ -15,15 +14,15 @@ public:
   filtered_tiles(const predicate_info &predicate, rung precision, const float *rows_a, std::size_t count_a,
                  const float *rows_b, std::size_t count_b);
 
-  // As tile_test, where `from` is a multiple of filter_tile. What the filter rules out is `no`. Any thread may call.
-  void decide(std::size_t i, std::size_t from, std::size_t n, answer *out) const;
+  // As tile_test, where tile.from is a multiple of filter_tile. What the filter rules out is `no`. Any thread may call.
+  void decide(const pair_tile &tile, answer *out) const;
 
 private:
   const kind_filter &filter_;
   decide_function rung_;
   const float *rows_a_, *rows_b_;
   std::size_t fields_a_, fields_b_, floats_;
-  std::vector<float> singles_, tiles_;
+  owned_memory singles_, tiles_; // as those of core/pair_filter.hpp
 };
 
 } // namespace meetc::bench

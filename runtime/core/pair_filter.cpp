@@ -25,11 +25,12 @@ filter_extent extent_of(const kind_filter &filter, const element_set &set, int t
 }
 
 // The numbers of all rows, with room for a whole last tile.
-std::unique_ptr<float[]> numbers(void (*of)(const filter_extent &, const float *, std::size_t, float *),
-                                 const filter_extent &frame, const element_set &set, std::size_t floats, int threads) {
-  std::unique_ptr<float[]> out(new float[(set.elements + filter_tile) * floats]);
+owned_memory numbers(void (*of)(const filter_extent &, const float *, std::size_t, float *), const filter_extent &frame,
+                     const element_set &set, std::size_t floats, int threads) {
+  owned_memory out = allocate((set.elements + filter_tile) * floats * sizeof(float));
   for_chunks(threads, set.elements, chunk, [&](int, std::size_t begin, std::size_t end) {
-    of(frame, set.rows + begin * static_cast<std::size_t>(set.kind->fields), end - begin, out.get() + begin * floats);
+    of(frame, set.rows + begin * static_cast<std::size_t>(set.kind->fields), end - begin,
+       static_cast<float *>(out.get()) + begin * floats);
   });
   return out;
 }

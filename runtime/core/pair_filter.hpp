@@ -4,8 +4,7 @@
 #define MEETC_CORE_PAIR_FILTER_HPP
 
 #include "core/element_set.hpp"
-
-#include <memory>
+#include "core/memory.hpp"
 
 namespace meetc {
 
@@ -21,13 +20,15 @@ public:
   // Writes which of the blocks of b from `first` on, `count` of them, may hold an element whose box touches that of a's
   // element in `slot`. Their indices count from `first`. Returns the end.
   near_tile *near(std::size_t slot, std::size_t first, std::size_t count, near_tile *out) const {
-    return near_(singles_.get() + slot * floats_, tiles_.get() + first * filter_tile * floats_, count, out);
+    return near_(floats(singles_) + slot * floats_, floats(tiles_) + first * filter_tile * floats_, count, out);
   }
 
 private:
+  static const float *floats(const owned_memory &m) { return static_cast<const float *>(m.get()); }
+
   std::size_t floats_;
   near_tile *(*near_)(const float *, const float *, std::size_t, near_tile *);
-  std::unique_ptr<float[]> singles_, tiles_; // of a, and of b
+  owned_memory singles_, tiles_; // of a, and of b, where tiles start on cache lines
 };
 
 } // namespace meetc

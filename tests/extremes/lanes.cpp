@@ -19,7 +19,16 @@ void many_cases::add(const pair_of_rows &p, bool hit) {
   truth_.push_back(hit ? answer::yes : answer::no);
 }
 
-counts_by_set many_cases::run() const {
+pair_of_rows many_cases::rows(std::size_t k) const {
+  const auto part = [k, n = pairs_.size()](const row &all) {
+    const std::size_t fields = all.size() / n;
+    return row(all.begin() + static_cast<std::ptrdiff_t>(k * fields),
+               all.begin() + static_cast<std::ptrdiff_t>((k + 1) * fields));
+  };
+  return {part(a_), part(b_)};
+}
+
+counts_by_set many_cases::run(std::string &first_wrong) const {
   counts_by_set out;
   for (int set = 0; set < instruction_set_count; ++set) {
     const catalogue *const all = cga::catalogue_for(static_cast<instruction_set>(set));
@@ -30,19 +39,24 @@ counts_by_set many_cases::run() const {
       lane_counts &to = out[static_cast<std::size_t>(set)];
       to.cases += pairs_.size();
       std::vector<answer> found(pairs_.size());
-      const auto ask = [&](decide_function decide, std::uint64_t *unsure) {
+      const auto ask = [&](const char *rung, decide_function decide, std::uint64_t *unsure) {
         decide(a_.data(), b_.data(), pairs_.data(), pairs_.size(), found.data());
         for (std::size_t k = 0; k < found.size(); ++k) {
-          const bool open = found[k] == answer::unsure;
-          to.wrong += unsure && open ? 0 : found[k] != truth_[k];
-          if (unsure)
-            *unsure += open;
+          const bool open = unsure && found[k] == answer::unsure;
+          if (open)
+            ++*unsure;
+          if (open || found[k] == truth_[k])
+            continue;
+          ++to.wrong;
+          if (first_wrong.empty())
+            first_wrong =
+                std::string(of_.name) + " in lanes, " + name_of(all->compiled_for) + ", " + rung + ": " + text(rows(k));
         }
       };
-      ask(p.certify[0], &to.unsure[0]);
-      ask(p.certify[1], &to.unsure[1]);
-      ask(p.decide[static_cast<int>(meetc::rung::certified)], nullptr);
-      ask(p.decide[static_cast<int>(meetc::rung::exact)], nullptr);
+      ask("bounded in fp32", p.certify[0], &to.unsure[0]);
+      ask("bounded in fp64", p.certify[1], &to.unsure[1]);
+      ask("certified", p.decide[static_cast<int>(meetc::rung::certified)], nullptr);
+      ask("exact", p.decide[static_cast<int>(meetc::rung::exact)], nullptr);
     }
   }
   return out;

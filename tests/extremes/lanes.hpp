@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 namespace meetc::extremes_test {
 
@@ -26,10 +27,12 @@ public:
   void add(const pair_of_rows &p, bool hit);
 
   // The bounded rungs in lanes, `certified` and `exact`, compared with the true answers. Nothing for a lone sign, which no
-  // table holds.
-  counts_by_set run() const;
+  // table holds. `first_wrong` receives the first wrong answer, if it is empty.
+  counts_by_set run(std::string &first_wrong) const;
 
 private:
+  pair_of_rows rows(std::size_t k) const;
+
   const subject &of_;
   row a_, b_;
   std::vector<index_pair> pairs_;

@@ -187,7 +187,7 @@ std::string settled_lanes_text(std::uint32_t alone, const bound::kernel_bounds &
       continue;
     std::string both;
     for (std::size_t axis = 0; axis < b.coincidences[i].x.size(); ++axis)
-      both += fmt::format("{}equal({}, {})", both.empty() ? "" : " & ", p.input(b.coincidences[i].x[axis]),
+      both += fmt::format("{}({} == {})", both.empty() ? "" : " & ", p.input(b.coincidences[i].x[axis]),
                           p.input(b.coincidences[i].y[axis]));
     any += fmt::format("{}({})", any.empty() ? "" : " |\n        ", both);
   }

@@ -155,7 +155,8 @@ template <class P, class A> struct bounded_signs {
   template <class Stage> MEETC_HD MEETC_INLINE void compute(V *v, M *m) const {
     const rows_in<P, V> rows(row_a, row_b);
     stage_values<Stage>(rows.a, rows.b, v);
-    const leaf_magnitude<M> leaf{M(power_of_two(A::template floor<Stage>(), R(0)))};
+    constexpr R floor = power_of_two(A::template floor<Stage>(), R(0));
+    const leaf_magnitude<M> leaf{M(floor)};
     if constexpr (std::is_same_v<V, M>) {
       stage_magnitudes<Stage>(rows.a, rows.b, leaf, m);
     } else {

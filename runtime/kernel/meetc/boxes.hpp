@@ -31,7 +31,7 @@ template <class P, box_form F, class Pair = row_pair> struct boxed_signs {
     stage_values<P, Stage>(pair, v);
     float alpha = d, beta = d;
     if constexpr (F == box_form::per_object) {
-      const float least = power_of_two(Stage::box_lowest, 0.0F);
+      constexpr float least = power_of_two(Stage::box_lowest, 0.0F);
       // The extents are taken over the computed leaves: a difference slightly above a power of two may have been
       // rounded to it.
       alpha = power_over(Stage::extent_a(pair.row_a)), beta = power_over(Stage::extent_b(pair.row_b));

@@ -11,11 +11,12 @@ MEETC_NAMESPACE(meetc) {
 
 // Calls f<axis>(number) for each number of the pair; the axis is -1 for a number that belongs to none.
 template <class P, class F> MEETC_HD MEETC_INLINE void each_input(const float *row_a, const float *row_b, F &&f) {
+  // In the order of the list. A fold over the comma is limited to 256 numbers by clang.
   const auto of_a = [&]<int... I>(std::integer_sequence<int, I...>) {
-    (f.template operator()<P::axis(I)>(row_a[I]), ...);
+    [[maybe_unused]] const bool called[] = {(f.template operator()<P::axis(I)>(row_a[I]), true)...};
   };
   const auto of_b = [&]<int... I>(std::integer_sequence<int, I...>) {
-    (f.template operator()<P::axis(P::inputs_a + I)>(row_b[I]), ...);
+    [[maybe_unused]] const bool called[] = {(f.template operator()<P::axis(P::inputs_a + I)>(row_b[I]), true)...};
   };
   of_a(std::make_integer_sequence<int, P::inputs_a>());
   of_b(std::make_integer_sequence<int, P::inputs_b>());

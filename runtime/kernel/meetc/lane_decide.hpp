@@ -4,9 +4,10 @@
 // for all pairs.
 // Method: lane_count pairs at a time are brought into structure-of-arrays form. Where few of them survive the reject
 // stage, the survivors wait until they fill the lanes, and run it again together with the stage of the usual case. Equal
-// points are compared in lanes too, and before the reject stage while most pairs share some. What lanes leave open (rare cases, unsure signs) goes to the caller's function, pair
-// by pair. Lanes never decide what one pair's functions (decide.hpp) would not, and never otherwise: their arithmetic is
-// the same, operation by operation, and they know no more of a sign.
+// points are compared in lanes too, and before the reject stage while most pairs share some. What lanes leave open (rare
+// cases, unsure signs) goes to the caller's function, pair by pair. Lanes never decide what one pair's functions
+// (decide.hpp) would not, and never otherwise: their arithmetic is the same, operation by operation, and they know no
+// more of a sign.
 #ifndef MEETC_LANE_DECIDE_HPP
 #define MEETC_LANE_DECIDE_HPP
 
@@ -28,10 +29,12 @@ struct bounded_lanes {
     lanes largest(0.0F);
     for (int i = 0; i < Stage::atoms; ++i)
       largest = larger(magnitude_of(v[i]), largest);
-    const lane_mask finite = ~greater(largest, lanes(largest_finite(0.0F))); // elsewhere values prove nothing
+    // Elsewhere values prove nothing.
+    const lane_mask finite = ~greater(largest, lanes(largest_finite(0.0F))),
+                    sound = computes_as_bounded() ? all_bits : 0;
     for (int i = 0; i < Stage::atoms; ++i) {
       const proved_lanes p = proved(v[i], lanes(in_fp32::factor<Stage>(i)) * m[i], m[i]);
-      s[i] = possible({p.negative & finite, p.zero, p.positive & finite});
+      s[i] = possible({p.negative & finite & sound, p.zero & sound, p.positive & finite & sound});
     }
   }
   static constexpr bool bounded = true;
@@ -212,7 +215,7 @@ private:
   static constexpr bool compares_points = How::bounded && P::settled_by != 0;
   static MEETC_INLINE lane_mask settled(const lane_tile<P> &t) {
     if constexpr (compares_points)
-      return P::settled_lanes(t.row_a, t.row_b);
+      return computes_as_bounded() ? P::settled_lanes(t.row_a, t.row_b) : 0;
     return 0;
   }
   // Those of `left`. As in find_usual(), points matter where a sign of the reject stage may be zero.

@@ -64,40 +64,60 @@ void filter_tiles(const filter_extent &frame, const float *rows, std::size_t n, 
     put(i, nowhere);
 }
 
-// The elements of a tile that are not ruled out.
-template <class Form> MEETC_INLINE std::uint32_t near_elements(const lanes *single, const float *tile) {
-  std::uint32_t elements = 0;
-  for (int from = 0; from < filter_tile; from += lane_count) {
-    lanes sum = single[Form::products] + lanes::from(tile + Form::products * filter_tile + from);
-    for (int k = 0; k < Form::products; ++k)
-      sum = fma(single[k], lanes::from(tile + k * filter_tile + from), sum);
-    elements |= greater(lanes(0.0F), sum) << from;
+// The sums of a tile's elements with one element of the other set, but for that element's additive term: an element is not
+// ruled out where its sum is less than the negative of the term. (A comparison does not round.)
+template <class Form> struct tile_sums {
+  static constexpr int parts = filter_tile / lane_count;
+  lanes sums[parts];
+
+  // Returns the least of each lane.
+  MEETC_INLINE lanes compute(const lanes *single, const float *tile) {
+    lanes least;
+    for (int p = 0; p < parts; ++p) {
+      const float *const part = tile + p * lane_count;
+      sums[p] = lanes::from(part + Form::products * filter_tile);
+      for (int k = 0; k < Form::products; ++k)
+        sums[p] = fma(single[k], lanes::from(part + k * filter_tile), sums[p]);
+      least = p == 0 ? sums[p] : smaller(least, sums[p]);
+    }
+    return least;
   }
-  return elements;
-}
-// Most tiles are ruled out whole, so there is one branch for several of them, and none within.
+  MEETC_INLINE std::uint32_t below(lanes limit) const {
+    std::uint32_t elements = 0;
+    for (int p = 0; p < parts; ++p)
+      elements |= greater(limit, sums[p]) << p * lane_count;
+    return elements;
+  }
+};
+// Most tiles are ruled out whole, so there is one comparison for several of them.
 template <class Form>
 near_tile *near_tiles(const float *single, const float *tiles, std::size_t count, near_tile *out) {
-  constexpr std::size_t floats = (Form::products + 1) * filter_tile, together = 4;
-  lanes x[Form::products + 1];
-  for (int k = 0; k <= Form::products; ++k)
-    x[k] = lanes(single[k]);
-  const auto put = [&out](std::size_t t, std::uint32_t elements) {
-    *out = {static_cast<std::uint32_t>(t), elements};
-    out += elements != 0;
+  constexpr std::size_t floats = (Form::products + 1) * filter_tile;
+  constexpr std::size_t together = lane_count < 8 ? 2 : 4; // the sums stay in registers
+  lanes factors[Form::products];
+  for (int k = 0; k < Form::products; ++k)
+    factors[k] = lanes(single[k]);
+  const lanes limit(-single[Form::products]);
+  const auto put = [&](std::size_t t, const tile_sums<Form> &sums) {
+    *out = {static_cast<std::uint32_t>(t), sums.below(limit)};
+    out += out->elements != 0;
   };
   std::size_t t = 0;
   for (; t + together <= count; t += together) {
-    std::uint32_t elements[together], any = 0;
-    for (std::size_t i = 0; i < together; ++i)
-      any |= elements[i] = near_elements<Form>(x, tiles + (t + i) * floats);
-    if (any == 0)
+    tile_sums<Form> of[together];
+    lanes least = of[0].compute(factors, tiles + t * floats);
+    for (std::size_t i = 1; i < together; ++i)
+      least = smaller(least, of[i].compute(factors, tiles + (t + i) * floats));
+    if (greater(limit, least) == 0)
       continue;
     for (std::size_t i = 0; i < together; ++i)
-      put(t + i, elements[i]);
+      put(t + i, of[i]);
   }
-  for (; t < count; ++t)
-    put(t, near_elements<Form>(x, tiles + t * floats));
+  for (; t < count; ++t) {
+    tile_sums<Form> last;
+    last.compute(factors, tiles + t * floats);
+    put(t, last);
+  }
   return out;
 }
 

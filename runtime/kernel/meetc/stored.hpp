@@ -51,7 +51,8 @@ template <class P> struct stored_layout {
 
 // The magnitude of a leaf in fp32.
 template <class Stage, class V> MEETC_HD MEETC_INLINE leaf_magnitude<V> fp32_leaf() {
-  return {V(power_of_two(Stage::floor_fp32, 0.0F))};
+  constexpr float floor = power_of_two(Stage::floor_fp32, 0.0F);
+  return {V(floor)};
 }
 
 // Computes the stored values of an object of P, with the arithmetic of V: stored_layout<P>::floats_a or floats_b numbers.

@@ -11,7 +11,7 @@
 #ifndef MEETC_WIDE_DECIDE_HPP
 #define MEETC_WIDE_DECIDE_HPP
 
-#include <meetc/wide_lanes.hpp>
+#include <meetc/lanes.hpp>
 
 #include <meetc/lane_decide.hpp>
 
@@ -56,17 +56,18 @@ template <class P> MEETC_INLINE wide_extent extent_of(const wide_rows<P> &r) {
   return {above(number), above(difference)};
 }
 
-// The pairs' numbers as integers, where they are multiples of a step of which differences are below 2^span.
+// The pairs' numbers as integers, where they are multiples of a step of which differences are below 2^Span.
 template <class P> struct whole_rows {
   whole_lanes a[P::inputs_a], b[P::inputs_b];
   wide_lanes step;   // a power of two
   lane_mask on_grid; // where they are
 
-  MEETC_INLINE void take(const wide_rows<P> &r, const wide_extent &e, int span) {
-    const wide_lanes by_difference = e.differences * wide_lanes(power_of_two(1 - span, 0.0));
+  template <int Span> MEETC_INLINE void take(const wide_rows<P> &r, const wide_extent &e) {
+    constexpr double least_step = power_of_two(1 - Span, 0.0);
+    const wide_lanes by_difference = e.differences * wide_lanes(least_step);
     step = larger(by_difference, e.numbers * wide_lanes(0x1p-50));
     // Where the numbers are much larger than their differences, the step is larger too, so the span is less.
-    on_grid = all_bits;
+    on_grid = compiled_as_written() ? all_bits : 0;
     // 1 / step, a power of two as well: the exponents of the two add up to twice the bias.
     const wide_lanes steps = with_bits(wide_bits{} + (std::int64_t{2046} << 52) - bits_of(step));
     for (int i = 0; i < P::inputs_a && on_grid != 0; ++i) // most pairs that are not on it are seen at once
@@ -79,15 +80,16 @@ private:
   // A double from 2^52 to 2^53 is an integer plus its last bits.
   MEETC_INLINE whole_lanes integer(wide_lanes x) {
     const wide_lanes beyond(0x1.8p52), sum = x + beyond;
-    on_grid &= equal(sum - beyond, x) & greater(wide_lanes(0x1p51), magnitude_of(x));
+    on_grid &= (sum - beyond == x) & greater(wide_lanes(0x1p51), magnitude_of(x)); // the second is for infinities
     return whole_lanes(reinterpret_cast<whole_lanes::vector>(bits_of(sum) - bits_of(beyond)));
   }
 };
 
 // Residues have `bits` bits, and are read as signed integers. One below 2^limit is that of one integer below it, namely
-// itself. Tests use fewer bits, so that they see what a wrong limit does.
-template <int Bits, int Limit> struct residue_width {
-  static constexpr int bits = Bits, limit = Limit;
+// itself. A bound in fp64 is about 2^-spare of the largest value. Tests use fewer bits, so that they see what a wrong limit
+// does, and more to spare, so that bounds do exceed the limit.
+template <int Bits, int Limit = Bits - 2, int Spare = 48> struct residue_width {
+  static constexpr int bits = Bits, limit = Limit, spare = Spare;
   static MEETC_INLINE whole_lanes read(whole_lanes n) {
     if constexpr (bits == 64)
       return n;
@@ -97,16 +99,17 @@ template <int Bits, int Limit> struct residue_width {
 };
 
 // The span of differences for which a stage's values are below 2^limit steps to the power of its degree, and that for
-// which their bounds are: a bound in fp64 is about 2^-48 of the largest value.
+// which their bounds are. Where the latter are not, they say so, so that a longer span is no less safe.
+inline constexpr int longest_span = 50;
 template <class Stage, class Width> constexpr int short_span() {
   return (Width::limit - Stage::growth) / Stage::degree;
 }
 template <class Stage, class Width> constexpr int bounded_span() {
-  const int span = (Width::limit + 48 - Stage::growth) / Stage::degree;
-  return span < 50 ? span : 50;
+  const int span = (Width::limit + Width::spare - Stage::growth) / Stage::degree;
+  return span < longest_span ? span : longest_span;
 }
 template <class P, class Width> constexpr int short_span_of_all() {
-  int span = 50;
+  int span = longest_span;
   each_stage<P>([&span](auto stage) {
     constexpr int one = short_span<decltype(stage), Width>();
     span = one < span ? one : span;
@@ -119,16 +122,19 @@ public:
   MEETC_INLINE explicit wide_signs(const wide_rows<P> &rows) : rows_(rows) {}
 
   // What is proved of the stage's signs. Of pairs outside `wanted` it may be less. It is out of line, as short_signs() is,
-  // since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two.
+  // since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two (unless -fno-tree-ter is
+  // given; tests/extremes sees it).
   MEETC_NOINLINE void get(lane_mask wanted, proved_lanes *s) const {
     wide_lanes v[Stage::atoms], m[Stage::atoms];
     stage_values<Stage>(rows_.a, rows_.b, v);
-    stage_magnitudes<Stage>(rows_.a, rows_.b,
-                            leaf_magnitude<wide_lanes>{wide_lanes(power_of_two(Stage::floor_fp64, 0.0))}, m);
-    static_assert(Stage::degree <= 7, "values of floats in fp64 could overflow");
+    constexpr double floor = power_of_two(Stage::floor_fp64, 0.0);
+    stage_magnitudes<Stage>(rows_.a, rows_.b, leaf_magnitude<wide_lanes>{wide_lanes(floor)}, m);
+    const lane_mask finite = finite_lanes(v),
+                    sound = computes_as_bounded() ? all_bits : 0; // elsewhere values prove nothing
     lane_mask known = wanted;
     for (int i = 0; i < Stage::atoms; ++i) {
-      s[i] = proved(v[i], error(i, m[i]), m[i]);
+      const proved_lanes p = proved(v[i], error(i, m[i]), m[i]);
+      s[i] = {p.negative & finite & sound, p.zero & sound, p.positive & finite & sound};
       known &= s[i].negative | s[i].zero | s[i].positive;
     }
     if (known != wanted)
@@ -136,16 +142,28 @@ public:
   }
 
 private:
+  // The lanes in which every value is finite. Numbers are below 2^128.
+  static MEETC_INLINE lane_mask finite_lanes(const wide_lanes *v) {
+    if constexpr (128 * Stage::degree + Stage::growth < 1024)
+      return all_bits;
+    wide_lanes largest(0.0);
+    for (int i = 0; i < Stage::atoms; ++i)
+      largest = larger(magnitude_of(v[i]), largest);
+    return ~greater(largest, wide_lanes(largest_finite(0.0)));
+  }
   static MEETC_INLINE wide_lanes error(int i, wide_lanes magnitude) {
     return wide_lanes(in_fp64::factor<Stage>(i)) * magnitude;
   }
   MEETC_NOINLINE void by_residues(const wide_lanes *v, const wide_lanes *m, proved_lanes *s) const {
     whole_rows<P> r;
-    r.take(rows_, extent_of(rows_), bounded_span<Stage, Width>());
+    r.template take<bounded_span<Stage, Width>()>(rows_, extent_of(rows_));
+    if (r.on_grid == 0) // not all integers have been computed
+      return;
     whole_lanes n[Stage::atoms];
     stage_values<Stage>(r.a, r.b, n);
     wide_lanes limit[Stage::degree + 1]; // by degree, in the numbers' unit
-    limit[0] = wide_lanes(1 / power_of_two(-Width::limit, 0.0));
+    constexpr double most = 1 / power_of_two(-Width::limit, 0.0);
+    limit[0] = wide_lanes(most);
     for (int k = 0; k < Stage::degree; ++k)
       limit[k + 1] = limit[k] * r.step;
     for (int i = 0; i < Stage::atoms; ++i) {
@@ -206,7 +224,7 @@ private:
         take<P::inputs_a>(a, half, to.a);
         take<P::inputs_b>(b, half, to.b);
         whole_rows<P> &integers = integers_[(from + half) / wide_count];
-        integers.take(to, extent_of(to), short_span_of_all<P, Width>());
+        integers.template take<short_span_of_all<P, Width>()>(to, extent_of(to));
       }
     }
   }
@@ -229,14 +247,12 @@ private:
       signs<typename P::common_stage>(left, s);
     truth_lanes hit = to_truth_lanes(P::usual(s));
     if constexpr (P::rare_stage::atoms > 0) {
-      const truth_lanes needs = to_truth_lanes(P::needs_rare(s));
-      rare = left & needs.can_be_true;
+      rare = left & to_truth_lanes(P::needs_rare(s)).can_be_true;
       if (rare != 0) {
         signs<typename P::rare_stage>(rare, s);
-        const truth_lanes whole = to_truth_lanes(P::whole(s)), unknown = {needs.can_be_false, needs.can_be_false};
-        // Where it is not known whether the rare stage is needed, the pair stays open.
-        hit = {(hit.can_be_false & ~rare) | (rare & (whole.can_be_false | unknown.can_be_false)),
-               (hit.can_be_true & ~rare) | (rare & (whole.can_be_true | unknown.can_be_true))};
+        const truth_lanes whole = to_truth_lanes(P::whole(s));
+        hit = {(hit.can_be_false & ~rare) | (rare & whole.can_be_false),
+               (hit.can_be_true & ~rare) | (rare & whole.can_be_true)};
       }
     }
     const lane_mask open = left & hit.can_be_false & hit.can_be_true, yes = left & ~hit.can_be_false;
@@ -279,7 +295,7 @@ private:
 };
 
 // Decides n pairs in lanes of doubles; open(i) decides pair i where these do not.
-template <class P, class Width = residue_width<64, 62>, class Open>
+template <class P, class Width = residue_width<64>, class Open>
 void decide_in_wide_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
                           const Open &open) {
   wide_decider<P, Width, Open>(a, b, pairs, out, open).run(n);

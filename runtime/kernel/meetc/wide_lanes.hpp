@@ -1,9 +1,10 @@
 // Several doubles as one number, and several integers modulo 2^64, on which emitted code runs unchanged: half as many as
-// the floats of lanes.hpp, whose masks and signs serve here too. The masks' bits from wide_count on say nothing.
+// the floats of float_lanes.hpp, whose masks serve here too. The masks' bits from wide_count on say nothing. Users include
+// lanes.hpp.
 #ifndef MEETC_WIDE_LANES_HPP
 #define MEETC_WIDE_LANES_HPP
 
-#include <meetc/lanes.hpp>
+#include <meetc/float_lanes.hpp>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -80,14 +81,14 @@ MEETC_INLINE lane_mask highest_bits(wide_bits m) {
 MEETC_INLINE lane_mask greater(wide_lanes a, wide_lanes b) {
   return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ);
 }
-MEETC_INLINE lane_mask equal(wide_lanes a, wide_lanes b) {
+MEETC_INLINE lane_mask operator==(wide_lanes a, wide_lanes b) {
   return _mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ);
 }
 #else
 MEETC_INLINE lane_mask greater(wide_lanes a, wide_lanes b) {
   return highest_bits(reinterpret_cast<wide_bits>(a.v > b.v));
 }
-MEETC_INLINE lane_mask equal(wide_lanes a, wide_lanes b) {
+MEETC_INLINE lane_mask operator==(wide_lanes a, wide_lanes b) {
   return highest_bits(reinterpret_cast<wide_bits>(a.v == b.v));
 }
 #endif
@@ -122,7 +123,7 @@ struct whole_lanes {
 
   whole_lanes() = default;
   MEETC_INLINE explicit whole_lanes(vector x) : v(x) {}
-  MEETC_INLINE explicit whole_lanes(int x) : v(vector{} + static_cast<std::uint64_t>(x)) {}
+  MEETC_INLINE explicit whole_lanes(std::int64_t x) : v(vector{} + static_cast<std::uint64_t>(x)) {}
 };
 MEETC_INLINE whole_lanes operator-(whole_lanes a) {
   return whole_lanes(-a.v);

@@ -49,18 +49,17 @@ TEST_CASE("every pair: planted wrong answers are counted, of all pairs") {
       out[k] = (from + k) % (i + 1) == 0 ? answer::yes : answer::no;
   };
   const std::vector<named_test> tests{
-      {"right", divides},
-      {"wrong",
-       [&](std::size_t i, std::size_t from, std::size_t n, answer *out) {
+      {"right", row_by_row(divides)},
+      {"wrong", row_by_row([&](std::size_t i, std::size_t from, std::size_t n, answer *out) {
          divides(i, from, n, out);
          for (std::size_t k = 0; k < n; ++k)
            if (i == 299 && from + k == 4999) // no hit
              out[k] = answer::yes;
            else if (i < 2 && from + k == 0) // two hits
              out[k] = answer::no;
-       }},
-      {"never", [](std::size_t, std::size_t, std::size_t n, answer *out) { std::fill_n(out, n, answer::no); }}};
-  const every_pair_result r = measure_every_pair(a, b, divides, tests, 1000, {1, 1, 1});
+       })},
+      {"never", [](const pair_tile &t, answer *out) { std::fill_n(out, t.rows * t.n, answer::no); }}};
+  const every_pair_result r = measure_every_pair(a, b, row_by_row(divides), tests, 1000, {1, 1, 1});
   CHECK(r.pairs == a * b);
   std::uint64_t hits = 0;
   for (std::size_t i = 0; i < a; ++i)

@@ -31,7 +31,7 @@ struct ball_ball_points {
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto S_ = detail::sphere_in(row_a);
     const auto T_ = detail::sphere_in(row_b);
-    return (equal(S_.c.x, T_.c.x) & equal(S_.c.y, T_.c.y) & equal(S_.c.z, T_.c.z));
+    return ((S_.c.x == T_.c.x) & (S_.c.y == T_.c.y) & (S_.c.z == T_.c.z));
   }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {

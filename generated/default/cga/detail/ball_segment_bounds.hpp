@@ -35,8 +35,8 @@ struct ball_segment_points {
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto S_ = detail::sphere_in(row_a);
     const auto s = detail::segment_in(row_b);
-    return (equal(S_.c.x, s.p.x) & equal(S_.c.y, s.p.y) & equal(S_.c.z, s.p.z)) |
-        (equal(S_.c.x, s.q.x) & equal(S_.c.y, s.q.y) & equal(S_.c.z, s.q.z));
+    return ((S_.c.x == s.p.x) & (S_.c.y == s.p.y) & (S_.c.z == s.p.z)) |
+        ((S_.c.x == s.q.x) & (S_.c.y == s.q.y) & (S_.c.z == s.q.z));
   }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {

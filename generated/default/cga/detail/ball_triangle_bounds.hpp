@@ -41,9 +41,9 @@ struct ball_triangle_points {
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto S_ = detail::sphere_in(row_a);
     const auto t = detail::triangle_in(row_b);
-    return (equal(S_.c.x, t.a.x) & equal(S_.c.y, t.a.y) & equal(S_.c.z, t.a.z)) |
-        (equal(S_.c.x, t.b.x) & equal(S_.c.y, t.b.y) & equal(S_.c.z, t.b.z)) |
-        (equal(S_.c.x, t.c.x) & equal(S_.c.y, t.c.y) & equal(S_.c.z, t.c.z));
+    return ((S_.c.x == t.a.x) & (S_.c.y == t.a.y) & (S_.c.z == t.a.z)) |
+        ((S_.c.x == t.b.x) & (S_.c.y == t.b.y) & (S_.c.z == t.b.z)) |
+        ((S_.c.x == t.c.x) & (S_.c.y == t.c.y) & (S_.c.z == t.c.z));
   }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {

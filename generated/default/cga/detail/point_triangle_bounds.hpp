@@ -41,9 +41,9 @@ struct point_triangle_points {
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto p = detail::point_in(row_a);
     const auto t = detail::triangle_in(row_b);
-    return (equal(p.x, t.a.x) & equal(p.y, t.a.y) & equal(p.z, t.a.z)) |
-        (equal(p.x, t.b.x) & equal(p.y, t.b.y) & equal(p.z, t.b.z)) |
-        (equal(p.x, t.c.x) & equal(p.y, t.c.y) & equal(p.z, t.c.z));
+    return ((p.x == t.a.x) & (p.y == t.a.y) & (p.z == t.a.z)) |
+        ((p.x == t.b.x) & (p.y == t.b.y) & (p.z == t.b.z)) |
+        ((p.x == t.c.x) & (p.y == t.c.y) & (p.z == t.c.z));
   }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {

@@ -41,10 +41,10 @@ struct segment_segment_points {
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto s = detail::segment_in(row_a);
     const auto e = detail::segment_in(row_b);
-    return (equal(s.p.x, e.p.x) & equal(s.p.y, e.p.y) & equal(s.p.z, e.p.z)) |
-        (equal(s.p.x, e.q.x) & equal(s.p.y, e.q.y) & equal(s.p.z, e.q.z)) |
-        (equal(s.q.x, e.p.x) & equal(s.q.y, e.p.y) & equal(s.q.z, e.p.z)) |
-        (equal(s.q.x, e.q.x) & equal(s.q.y, e.q.y) & equal(s.q.z, e.q.z));
+    return ((s.p.x == e.p.x) & (s.p.y == e.p.y) & (s.p.z == e.p.z)) |
+        ((s.p.x == e.q.x) & (s.p.y == e.q.y) & (s.p.z == e.q.z)) |
+        ((s.q.x == e.p.x) & (s.q.y == e.p.y) & (s.q.z == e.p.z)) |
+        ((s.q.x == e.q.x) & (s.q.y == e.q.y) & (s.q.z == e.q.z));
   }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {

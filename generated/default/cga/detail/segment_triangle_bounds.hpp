@@ -50,12 +50,12 @@ struct segment_triangle_points {
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto s = detail::segment_in(row_a);
     const auto t = detail::triangle_in(row_b);
-    return (equal(s.p.x, t.a.x) & equal(s.p.y, t.a.y) & equal(s.p.z, t.a.z)) |
-        (equal(s.p.x, t.b.x) & equal(s.p.y, t.b.y) & equal(s.p.z, t.b.z)) |
-        (equal(s.p.x, t.c.x) & equal(s.p.y, t.c.y) & equal(s.p.z, t.c.z)) |
-        (equal(s.q.x, t.a.x) & equal(s.q.y, t.a.y) & equal(s.q.z, t.a.z)) |
-        (equal(s.q.x, t.b.x) & equal(s.q.y, t.b.y) & equal(s.q.z, t.b.z)) |
-        (equal(s.q.x, t.c.x) & equal(s.q.y, t.c.y) & equal(s.q.z, t.c.z));
+    return ((s.p.x == t.a.x) & (s.p.y == t.a.y) & (s.p.z == t.a.z)) |
+        ((s.p.x == t.b.x) & (s.p.y == t.b.y) & (s.p.z == t.b.z)) |
+        ((s.p.x == t.c.x) & (s.p.y == t.c.y) & (s.p.z == t.c.z)) |
+        ((s.q.x == t.a.x) & (s.q.y == t.a.y) & (s.q.z == t.a.z)) |
+        ((s.q.x == t.b.x) & (s.q.y == t.b.y) & (s.q.z == t.b.z)) |
+        ((s.q.x == t.c.x) & (s.q.y == t.c.y) & (s.q.z == t.c.z));
   }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {

@@ -60,15 +60,15 @@ struct triangle_triangle_points {
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto A = detail::triangle_in(row_a);
     const auto B = detail::triangle_in(row_b);
-    return (equal(A.a.x, B.a.x) & equal(A.a.y, B.a.y) & equal(A.a.z, B.a.z)) |
-        (equal(A.a.x, B.b.x) & equal(A.a.y, B.b.y) & equal(A.a.z, B.b.z)) |
-        (equal(A.a.x, B.c.x) & equal(A.a.y, B.c.y) & equal(A.a.z, B.c.z)) |
-        (equal(A.b.x, B.a.x) & equal(A.b.y, B.a.y) & equal(A.b.z, B.a.z)) |
-        (equal(A.b.x, B.b.x) & equal(A.b.y, B.b.y) & equal(A.b.z, B.b.z)) |
-        (equal(A.b.x, B.c.x) & equal(A.b.y, B.c.y) & equal(A.b.z, B.c.z)) |
-        (equal(A.c.x, B.a.x) & equal(A.c.y, B.a.y) & equal(A.c.z, B.a.z)) |
-        (equal(A.c.x, B.b.x) & equal(A.c.y, B.b.y) & equal(A.c.z, B.b.z)) |
-        (equal(A.c.x, B.c.x) & equal(A.c.y, B.c.y) & equal(A.c.z, B.c.z));
+    return ((A.a.x == B.a.x) & (A.a.y == B.a.y) & (A.a.z == B.a.z)) |
+        ((A.a.x == B.b.x) & (A.a.y == B.b.y) & (A.a.z == B.b.z)) |
+        ((A.a.x == B.c.x) & (A.a.y == B.c.y) & (A.a.z == B.c.z)) |
+        ((A.b.x == B.a.x) & (A.b.y == B.a.y) & (A.b.z == B.a.z)) |
+        ((A.b.x == B.b.x) & (A.b.y == B.b.y) & (A.b.z == B.b.z)) |
+        ((A.b.x == B.c.x) & (A.b.y == B.c.y) & (A.b.z == B.c.z)) |
+        ((A.c.x == B.a.x) & (A.c.y == B.a.y) & (A.c.z == B.a.z)) |
+        ((A.c.x == B.b.x) & (A.c.y == B.b.y) & (A.c.z == B.b.z)) |
+        ((A.c.x == B.c.x) & (A.c.y == B.c.y) & (A.c.z == B.c.z));
   }
   // The axis of each input, or -1 if it occurs outside a difference.
   MEETC_HD static constexpr int axis(int i) {
