@@ -56,12 +56,20 @@ std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &list
   std::vector<std::vector<index_pair>> from(std::move(lists));
   lists.clear();
   std::size_t total = 0;
-  std::uint32_t any_a = 0;
-  for (const auto &list : from) {
+  for (const auto &list : from)
     total += list.size();
-    for (const index_pair p : list)
-      any_a |= p.a;
-  }
+  if (total < 1 << 14) // starting threads would take longer than sorting
+    threads = 1;
+  std::vector<std::uint32_t> any_of(from.size(), 0);
+  for_chunks(threads, from.size(), 1, [&](int, std::size_t i, std::size_t) {
+    std::uint32_t any = 0;
+    for (const index_pair p : from[i])
+      any |= p.a;
+    any_of[i] = any;
+  });
+  std::uint32_t any_a = 0;
+  for (const std::uint32_t any : any_of)
+    any_a |= any;
   const int shift = std::max(width(any_a) - width(buckets - 1), 0);
   const auto bucket = [shift](index_pair p) { return p.a >> shift; };
 
@@ -86,7 +94,7 @@ std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &list
     std::vector<index_pair>().swap(from[i]);
   });
   std::vector<std::vector<index_pair>> scratch(static_cast<std::size_t>(threads));
-  for_chunks(total < 1 << 14 ? 1 : threads, buckets, 1, [&](int worker, std::size_t k, std::size_t) {
+  for_chunks(threads, buckets, 1, [&](int worker, std::size_t k, std::size_t) {
     const std::size_t begin = k ? ends[k - 1] : 0;
     sort_pairs(out.data() + begin, ends[k] - begin, scratch[static_cast<std::size_t>(worker)]);
   });
