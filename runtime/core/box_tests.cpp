@@ -94,8 +94,8 @@ __attribute__((target("avx512f"))) index_pair *pairs_avx512(const block_query &q
   static_assert(sizeof(index_pair) == 8 && std::endian::native == std::endian::little);
   const sides_16 sides = sides_avx512(q.around);
   const __m512i each = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  const auto mine = static_cast<long long>(std::uint64_t{q.slot} << (q.swapped ? 32 : 0));
-  const unsigned shift = q.swapped ? 0 : 32;
+  const unsigned my_shift = q.swapped ? 32 : 0, shift = 32 - my_shift;
+  const __m512i mine = _mm512_maskz_slli_epi64(0xff, _mm512_set1_epi64(q.slot), my_shift);
   for (std::size_t i = 0; i < q.count; ++i) {
     const __mmask16 mask = mask_avx512(q.blocks[q.numbers[i]], sides);
     if (mask == 0)
@@ -106,7 +106,7 @@ __attribute__((target("avx512f"))) index_pair *pairs_avx512(const block_query &q
       const __m256i eight =
           half == 0 ? _mm512_maskz_extracti64x4_epi64(0xf, theirs, 0) : _mm512_maskz_extracti64x4_epi64(0xf, theirs, 1);
       const __m512i wide = _mm512_maskz_slli_epi64(0xff, _mm512_maskz_cvtepu32_epi64(0xff, eight), shift);
-      _mm512_storeu_si512(out + 8 * half, _mm512_or_si512(wide, _mm512_set1_epi64(mine)));
+      _mm512_storeu_si512(half == 0 ? out : out + lanes / 2, _mm512_or_si512(wide, mine));
     }
     out += std::popcount(static_cast<unsigned>(mask));
   }
