@@ -63,10 +63,10 @@ poly::poly with_equal_points(const poly::poly &f, const std::vector<coincidence>
           std::minmax(first[static_cast<std::size_t>(c.x[axis])], first[static_cast<std::size_t>(c.y[axis])]);
       std::replace(first.begin(), first.end(), int{high}, int{low});
     }
-  std::vector<poly::poly> images;
-  for (const int v : first)
-    images.push_back(poly::poly::variable(f.in(), v));
-  return f.substitute(images, f.in());
+  const std::vector<int> used = f.variables();
+  if (std::all_of(used.begin(), used.end(), [&](int v) { return first[static_cast<std::size_t>(v)] == v; }))
+    return f;
+  return f.renamed(first, f.in());
 }
 
 void find_coincidences(const subject &of, kernel_bounds &out) {

@@ -40,17 +40,25 @@ sign_value decision::sign_of(const poly::poly &p) {
   for (const auto &[part, exponent] : f.parts) {
     if (known_.is_positive(part))
       continue;
-    const auto [it, fresh] = atom_ids_.try_emplace(part.key(), static_cast<int>(atoms_.size()));
-    if (fresh) {
-      atoms_.push_back(part);
-      texts_.emplace_back();
-    }
-    out.atoms.emplace_back(it->second, exponent % 2 ? 1 : 2);
+    out.atoms.emplace_back(id_of(part), exponent % 2 ? 1 : 2);
   }
   std::sort(out.atoms.begin(), out.atoms.end());
   memo->second = out;
   out.unit *= unit;
   return out;
+}
+
+sign_value decision::sign_of_atom(const poly::poly &atom) {
+  return {1, {{id_of(atom), 1}}};
+}
+
+int decision::id_of(const poly::poly &atom) {
+  const auto [it, fresh] = atom_ids_.try_emplace(atom.key(), static_cast<int>(atoms_.size()));
+  if (fresh) {
+    atoms_.push_back(atom);
+    texts_.emplace_back();
+  }
+  return it->second;
 }
 
 namespace {

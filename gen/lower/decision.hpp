@@ -39,6 +39,8 @@ public:
   // Factors that are positive on all valid operands are left out of the signs taken from here on (rule.hpp).
   void assume(known_signs known) { known_ = std::move(known); }
   sign_value sign_of(const poly::poly &p);
+  // The same for an atom of another decision, which is not factored again.
+  sign_value sign_of_atom(const poly::poly &atom);
   // The spec's text for an atom, "side(B, A.a)"; "" where it has none.
   std::string text(int atom) const;
   // Records the spec's text for a sign. It replaces a text recorded since `mark`, but not an older one.
@@ -71,6 +73,8 @@ private:
     bool opposite = false; // the text is that of the negated atom
     long given = 0;
   };
+
+  int id_of(const poly::poly &atom);
 
   std::vector<poly::poly> atoms_;
   std::vector<name> texts_; // by atom

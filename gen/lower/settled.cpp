@@ -199,8 +199,10 @@ private:
 bool is_settled_by(const predicate &p, const std::vector<bound::coincidence> &all) {
   decision merged;
   std::vector<sign_value> images;
-  for (const poly::poly &atom : p.signs.atoms())
-    images.push_back(merged.sign_of(bound::with_equal_points(atom, all)));
+  for (const poly::poly &atom : p.signs.atoms()) {
+    const poly::poly image = bound::with_equal_points(atom, all);
+    images.push_back(image == atom ? merged.sign_of_atom(atom) : merged.sign_of(image));
+  }
   rewriter rewrite(p.signs, merged, images);
   std::vector<int> wanted{rewrite.of(p.truths.hit)};
   for (const int r : p.truths.reject)

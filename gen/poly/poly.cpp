@@ -202,6 +202,15 @@ poly poly::substitute(const std::vector<poly> &images, const ring &target) const
   return out;
 }
 
+poly poly::renamed(const std::vector<int> &to, const ring &target) const {
+  poly out(target);
+  if (is_zero())
+    return out;
+  const std::vector<slong> generators(to.begin(), to.end());
+  fmpq_mpoly_compose_fmpq_mpoly_gen(out.p_->value, p_->value, generators.data(), p_->context, out.p_->context);
+  return out;
+}
+
 rational poly::evaluate(const std::vector<rational> &values) const {
   rational sum = 0;
   for (const term &t : terms()) {
@@ -259,16 +268,16 @@ poly::factor poly::factors() const {
     order.emplace_back(out.parts[i].first.key(), i);
   std::sort(order.begin(), order.end());
   std::vector<std::pair<poly, int>> sorted;
-  poly product(*ring_, 1);
+  rational leading = 1; // of the product: terms are in a monomial order
   for (const auto &[key, i] : order) {
+    const rational part = out.parts[i].first.terms().front().coefficient;
     for (int k = 0; k < out.parts[i].second; ++k)
-      product = product * out.parts[i].first;
+      leading *= part;
     sorted.push_back(out.parts[i]);
   }
   out.parts = std::move(sorted);
   // The quotient of the primitive and the product of primitives is a sign.
-  const rational lead = terms().front().coefficient;
-  out.content = lead / product.terms().front().coefficient;
+  out.content = terms().front().coefficient / leading;
   return out;
 }
 

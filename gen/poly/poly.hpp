@@ -76,6 +76,8 @@ public:
 
   // Replaces each variable v by images[v], which may belong to another ring.
   poly substitute(const std::vector<poly> &images, const ring &target) const;
+  // Replaces each variable v by the variable to[v] of `target`.
+  poly renamed(const std::vector<int> &to, const ring &target) const;
   rational evaluate(const std::vector<rational> &values) const;
 
   // this = content * primitive. The primitive has coprime integer coefficients, the leading one positive.

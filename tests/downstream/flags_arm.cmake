@@ -8,7 +8,7 @@ if(NOT ARMXX OR NOT QEMU)
   return()
 endif()
 
-foreach(flags IN ITEMS "-O2" "-O3;-ffp-contract=fast;${few}")
+foreach(flags IN ITEMS "-O2;${few}" "-O3;-ffp-contract=fast;${few}")
   compile("${ARMXX}" self ${flags} -static ${strict} "${ROOM}/flags/self.cpp")
   run("${QEMU}" "${ROOM}/self")
   expect("faults 0: the arithmetic is as the error bounds assume")

@@ -19,6 +19,9 @@ if(GXX)
     compile("${GXX}" here.o -O2 ${lto} ${strict} -c ${here})
     compile("${GXX}" there.o -O2 ${lto} ${strict} ${under_pragma} -c ${there})
     link_mixed("${GXX}" -O2 ${lto})
+    if(lto STREQUAL "-flto" AND NOT LONG)
+      break() # each of the ways below is tried without it
+    endif()
     # An attribute of the caller is used.
     compile("${GXX}" there.o -O2 ${lto} "-DMIXED_CALLER=__attribute__((optimize(\"Ofast\")))" -c ${there})
     link_mixed("${GXX}" -O2 ${lto})
