@@ -4,6 +4,7 @@
 #include "app/inspect_command.hpp"
 #include "app/program.hpp"
 #include "bench/command.hpp"
+#include "bench/trade_command.hpp"
 
 #include <cga/cga_runtime.hpp>
 
@@ -17,5 +18,8 @@ int main(int argc, char **argv) {
                           [&all](CLI::App &program) { return meetc::app::add_demo(program, all); },
                           [&all](CLI::App &program) {
                             return meetc::bench::add_bench(program, all, {cga::catalogue, cga::catalogue_for});
+                          },
+                          [](CLI::App &program) {
+                            return meetc::bench::add_trade(program, {cga::catalogue, cga::catalogue_for});
                           }});
 }

@@ -4,8 +4,8 @@
 #include "app/option_values.hpp"
 #include "bench/cpu_command.hpp"
 #include "bench/gpu_command.hpp"
+#include "bench/option_values.hpp"
 #include "bench/paper_command.hpp"
-#include "io/number.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -54,15 +54,6 @@ app::command add_gpu(CLI::App &bench, const catalogue &all) {
   c.add_flag("--quick", q->quick, "Small sets, to see that it runs")->disable_flag_override();
   c.add_flag("--json", q->json, "Print one JSON object instead of the tables")->disable_flag_override();
   return {&c, [&all, q] { return gpu(all, *q); }};
-}
-
-// The value of --repetitions.
-int repetitions_named(const std::string &text) {
-  constexpr int most = 1000;
-  std::int64_t n = 0;
-  if (!io::parse_integer(text, n) || n < 1 || n > most)
-    throw app::failure(fmt::format("--repetitions: {} is not a number from 1 to {}", io::quote(text), most));
-  return static_cast<int>(n);
 }
 
 app::command add_cpu(CLI::App &bench, const app::kernel_library &kernels) {

@@ -1,5 +1,7 @@
 #include "bench/pair_families.hpp"
 
+#include "bench/numbers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -11,29 +13,11 @@ namespace {
 
 using row = std::array<float, 9>;
 
-// Numbers that are the same everywhere, which the standard library's distributions are not (splitmix64).
-class numbers {
-public:
-  explicit numbers(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t x = state_ += 0x9e3779b97f4a7c15U;
-    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ x >> 27) * 0x94d049bb133111ebU;
-    return x ^ x >> 31;
-  }
-  float place() { return static_cast<float>(static_cast<std::int64_t>(next() >> 40) - (1 << 23)) * 0x1p-23F; }
-  int whole(int most) { // from -most to most
-    return static_cast<int>(next() % static_cast<std::uint64_t>(2 * most + 1)) - most;
-  }
-  row triangle() {
-    row r;
-    std::generate(r.begin(), r.end(), [this] { return place(); });
-    return r;
-  }
-
-private:
-  std::uint64_t state_;
-};
+row triangle(numbers &from) {
+  row r;
+  std::generate(r.begin(), r.end(), [&from] { return from.place(); });
+  return r;
+}
 
 // In double, which is exact for the lattice of the coplanar family; elsewhere a zero is as improbable as it can be.
 bool has_area(const row &t) {
@@ -61,7 +45,7 @@ pair_family family(std::string name, std::size_t n, std::uint64_t seed, const ma
   pair_family f{std::move(name), {}, {}};
   numbers from(seed);
   while (f.pairs() < n) {
-    row a = from.triangle(), b = from.triangle();
+    row a = triangle(from), b = triangle(from);
     make(from, a, b);
     if (!has_area(a) || !has_area(b) || !boxes_touch(a, b))
       continue;
