@@ -47,9 +47,16 @@ struct show_options {
   std::vector<std::string> words;
 };
 
+struct compare_options {
+  std::vector<std::string> scenes;
+  std::string cxx, nvcc; // compilers for the emitted sources; empty: they are not compiled
+};
+
 int generate(const generate_options &o);
 int verify_scene(const verify_options &o);
 int show(const show_options &o);
+// A table of what the scenes' code costs: its size, and the operations and stored values of all kernels together.
+int compare_scenes(const compare_options &o);
 // The values of --emit.
 std::vector<std::string> stages();
 

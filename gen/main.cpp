@@ -59,6 +59,14 @@ int main(int argc, char **argv) {
   show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
   show_command->add_option("--emit", s.emit, "Stage to print")->capture_default_str()->check(CLI::IsMember(stages()));
 
+  compare_options m;
+  CLI::App *compare_command = app.add_subcommand(
+      "compare",
+      "Print what the code of scenes costs: its size, operations and stored values, and perhaps its compilation");
+  compare_command->add_option("scenes", m.scenes, "Scene files (.toml)")->required();
+  compare_command->add_option("--compile", m.cxx, "Also compile the C++ with this compiler, for objects and seconds");
+  compare_command->add_option("--nvcc", m.nvcc, "Also compile the CUDA with this nvcc, for registers on sm_90");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success &e) {
@@ -73,7 +81,10 @@ int main(int argc, char **argv) {
     return 2;
   }
   try {
-    const int rc = generate_command->parsed() ? generate(g) : verify_command->parsed() ? verify_scene(v) : show(s);
+    const int rc = generate_command->parsed()  ? generate(g)
+                   : verify_command->parsed()  ? verify_scene(v)
+                   : compare_command->parsed() ? compare_scenes(m)
+                                               : show(s);
     finish_output();
     return rc;
   } catch (const spec_error &e) {

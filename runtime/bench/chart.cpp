@@ -55,14 +55,6 @@ template <class Get> span_of_tens span_of(const chart &c, const Get &get) {
   return s;
 }
 
-// A string for gnuplot: in single quotes, with those inside doubled, and on one line.
-std::string quoted(const std::string &text) {
-  std::string out = "'";
-  for (const char c : text)
-    out += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
-  return out + '\'';
-}
-
 std::string hex(picture::colour c) {
   return fmt::format("'#{:02x}{:02x}{:02x}'", c.r, c.g, c.b);
 }
@@ -71,7 +63,7 @@ std::string hex(picture::colour c) {
 std::string axis(char name, const span_of_tens &s, bool fine) {
   std::string marks;
   for (int e = s.low; e <= s.high; ++e) {
-    marks += fmt::format("{}{} 1e{}", marks.empty() ? "" : ", ", quoted(power_of_ten(e)), e);
+    marks += fmt::format("{}{} 1e{}", marks.empty() ? "" : ", ", gnuplot_string(power_of_ten(e)), e);
     for (int k = 2; fine && k < 10 && e < s.high; ++k)
       marks += fmt::format(", '' {}e{} 1", k, e); // 1 is the second order of marks
   }
@@ -86,8 +78,8 @@ std::string script_of(const chart &c, int width, int height) {
   std::string out = fmt::format("set encoding utf8\n"
                                 "set terminal pngcairo noenhanced size {},{} background '#fcfcfb' font 'Sans,{}'\n",
                                 width, height, std::max(7, width / 90));
-  out += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", quoted(c.title), quoted(c.x_label),
-                     quoted(c.y_label));
+  out += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplot_string(c.title), gnuplot_string(c.x_label),
+                     gnuplot_string(c.y_label));
   out += "set logscale xy\nset border 3\nset tics nomirror out\n"
          "set key above left vertical Left reverse maxcols 1 samplen 3\n"
          "set grid xtics mxtics ytics lt 1 lc rgb '#dee1e4', lt 1 lc rgb '#f0f1f2'\n";
@@ -105,7 +97,7 @@ std::string script_of(const chart &c, int width, int height) {
     out += "END\n";
     curves += fmt::format("{}$curve_{} using 1:2 with linespoints linewidth 2 pointtype 7 pointsize 1 linecolor rgb {} "
                           "title {}",
-                          curves.empty() ? "" : ", ", i, hex(k.ink), quoted(k.name));
+                          curves.empty() ? "" : ", ", i, hex(k.ink), gnuplot_string(k.name));
   }
   return out + "plot " + (curves.empty() ? "NaN notitle" : curves) + "\n";
 }

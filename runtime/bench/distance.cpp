@@ -138,6 +138,14 @@ real overlap(const differences &d, const vec &n) {
   return both.hi > 0 ? quotient(both, length) : real(0.0);
 }
 
+// The normal of two edges; zero where they are so nearly parallel that only rounding would be left of it.
+vec normal(const vec &e, const vec &f) {
+  constexpr double parallel = 0x1p-160;
+  const vec n = cross(e, f);
+  const real zero(0.0);
+  return dot(n, n).hi > parallel * dot(e, e).hi * dot(f, f).hi ? n : vec{zero, zero, zero};
+}
+
 // How far two hulls that touch reach into each other; 0 for hulls that do not touch. If all differences lie on one line,
 // the hulls part at right angles to it.
 real depth(const differences &d) {
@@ -145,7 +153,7 @@ real depth(const differences &d) {
   for (std::size_t i = 0; i < d.count; ++i)
     for (std::size_t j = i + 1; j < d.count; ++j)
       for (std::size_t k = j + 1; k < d.count; ++k)
-        least = least_of(least, overlap(d, cross(d.points.at(j) - d.points.at(i), d.points.at(k) - d.points.at(i))));
+        least = least_of(least, overlap(d, normal(d.points.at(j) - d.points.at(i), d.points.at(k) - d.points.at(i))));
   return std::isfinite(least.hi) ? least : real(0.0);
 }
 
@@ -192,8 +200,8 @@ double distance_from_change(const predicate_info &of, const float *row_a, const 
   const real pads = a.pad + b.pad;
   // What one surface lacks or has of enclosing the other element, if it is one that can.
   const std::array<std::pair<bool, real>, 2> enclosing{
-      std::pair{is_surface(kind_a, surfaces) && !less(a.pad, b.pad), farthest(a, b) - (a.pad - b.pad)},
-      std::pair{is_surface(kind_b, surfaces) && !less(b.pad, a.pad), farthest(b, a) - (b.pad - a.pad)}};
+      std::pair{is_surface(kind_a, surfaces) && less(b.pad, a.pad), farthest(a, b) - (a.pad - b.pad)},
+      std::pair{is_surface(kind_b, surfaces) && less(a.pad, b.pad), farthest(b, a) - (b.pad - a.pad)}};
   real change = distance(d) - pads;
   if (!touch) {
     for (const auto &[can, lack] : enclosing)

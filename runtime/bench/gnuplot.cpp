@@ -71,6 +71,13 @@ pid_t start(const char *option, const streams &with) {
 
 } // namespace
 
+std::string gnuplot_string(const std::string &text) {
+  std::string out = "'";
+  for (const char c : text)
+    out += c == '\'' ? std::string("''") : std::string(1, static_cast<unsigned char>(c) < ' ' ? ' ' : c);
+  return out + '\'';
+}
+
 void need_gnuplot() {
   streams s;
   s.open(STDIN_FILENO, "/dev/null", O_RDONLY);

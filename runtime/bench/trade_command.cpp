@@ -23,6 +23,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -39,12 +40,20 @@ struct scene {
   io::element_set a, b;
 };
 
+// A file's name, without what would break a table.
+std::string name_in_table(const fs::path &file) {
+  std::string name = file.filename().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '|'; }, '?');
+  return name;
+}
+
 // The user's own sets, if there are any, and built-in bodies of some size.
 std::vector<scene> scenes_of(const catalogue &all, const trade_request &q) {
   std::vector<scene> out;
   if (q.a) {
     const std::vector<const kind_info *> kinds = app::kinds_of(all);
-    out.push_back({fmt::format("{} x {}", q.a->filename().string(), q.b->filename().string()), io::read(*q.a, kinds),
+    out.push_back({fmt::format("{} x {}", name_in_table(*q.a), name_in_table(*q.b)), io::read(*q.a, kinds),
                    io::read(*q.b, kinds)});
   }
   const int steps = q.quick ? 24 : 160;
@@ -111,16 +120,17 @@ std::vector<trade_query> measure_queries(const catalogue &all, const std::vector
     for (int r = 0; r < rung_count; ++r)
       if (p.decide[r])
         rungs.push_back(static_cast<rung>(r));
-    std::vector<result> found(rungs.size());
+    result found; // of one rung at a time, since lists may be long
     std::vector<std::function<void()>> works;
     for (std::size_t r = 0; r < rungs.size(); ++r)
-      works.emplace_back([&, r] { found[r] = collide(a, b, p, rungs[r], options); });
+      works.emplace_back([&, r] { found = collide(a, b, p, rungs[r], options); });
     const interleaved_times times = measure_interleaved(works, {q.repetitions, threads, q.quick ? 0.5 : 20});
     const result truth = collide(a, b, p, rung::exact, options);
     for (std::size_t r = 0; r < rungs.size(); ++r) {
-      const list_difference d = difference_of(found[r].pairs, truth.pairs);
-      out.push_back({s.name, rungs[r], times.seconds[r], found[r].count, found[r].candidates, d.extra, d.missed,
-                     found[r].rungs.unsure[0]});
+      found = collide(a, b, p, rungs[r], options);
+      const list_difference d = difference_of(std::move(found.pairs), truth.pairs);
+      out.push_back({s.name, rungs[r], times.seconds[r], found.count, found.candidates, d.extra, d.missed,
+                     found.rungs.unsure[0]});
     }
   }
   return out;
@@ -129,12 +139,13 @@ std::vector<trade_query> measure_queries(const catalogue &all, const std::vector
 const char *const rules =
     "A pair is wrong where its answer is not that of `exact`. *Farthest wrong by* is the length of the shortest "
     "translation of one element that would make the worst of the wrong answers right, in the pair's own unit, from its "
-    "exact distance or depth; *in ulps* is the same in units in the last place of the pair's largest number. *Proved* "
-    "is "
-    "what the error bound of the rung says that this length cannot exceed: 0 for the rungs that are never wrong, and "
-    "`-` "
-    "where errors of several signs are not known to add up to one motion. *Unsure* is the share that the first rung of "
-    "`certified` hands on. *paper, fp32* is the paper's own way: the orthonormal basis, without a local origin.";
+    "exact distance or depth; *in ulps* is the most of all wrong answers in units in the last place of a pair's "
+    "largest "
+    "number. *Proved* is what the error bound of the rung says that this length cannot exceed: 0 for the rungs that "
+    "are "
+    "never wrong, `none` where numbers overflow, and `-` where errors of several signs are not known to add up to one "
+    "motion. *Unsure* is the share that the first rung of `certified` hands on. *paper, fp32* is the paper's own way: "
+    "the orthonormal basis, without a local origin.";
 
 } // namespace
 
@@ -146,6 +157,8 @@ std::string trade(const app::kernel_library &kernels, const trade_request &q) {
     if (is_measured(all.predicates[i]))
       mapped.push_back(&all.predicates[i]);
   const auto map_file = [](const predicate_info &p) { return fmt::format("map_{}.png", p.name); };
+  if (q.folder && q.folder->empty())
+    throw app::failure("-o: the folder's name is empty");
   if (q.folder) {
     for (const char *const name : {"trade.md", "trade.csv", "trade.png"})
       outputs.expect(*q.folder / name, true);
@@ -171,6 +184,8 @@ std::string trade(const app::kernel_library &kernels, const trade_request &q) {
   for (const std::string &family : families)
     tables.push_back(table_of(family, cells));
   tables.push_back(losers_of(cells));
+  if (q.a && families.back() != "files")
+    tables.back().notes.push_back("The two files have no candidates, so there are no pairs of theirs above.");
   tables.push_back(table_of(queries, threads));
 
   const std::string set = name_of(all.compiled_for);

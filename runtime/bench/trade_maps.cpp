@@ -109,11 +109,12 @@ void draw_maps(const std::filesystem::path &to, const std::string &title, const 
   std::size_t most = 0;
   for (const trade_maps &m : all)
     most = std::max(most, m.maps.size());
-  std::string script = fmt::format("set encoding utf8\n"
-                                   "set terminal pngcairo noenhanced size {},{} background '#fcfcfb' font 'Sans,9'\n"
-                                   "set multiplot layout {},{} title '{}'\n",
-                                   panel_width * static_cast<int>(most),
-                                   head + panel_height * static_cast<int>(all.size()), all.size(), most, title);
+  std::string script =
+      fmt::format("set encoding utf8\n"
+                  "set terminal pngcairo noenhanced size {},{} background '#fcfcfb' font 'Sans,9'\n"
+                  "set multiplot layout {},{} title {}\n",
+                  panel_width * static_cast<int>(most), head + panel_height * static_cast<int>(all.size()), all.size(),
+                  most, gnuplot_string(title));
   script +=
       "set palette defined (0 '#f2f5f7', 0.001 '#cfe3f1', 0.05 '#8ab6d9', 0.25 '#f0c36a', 0.6 '#d9693a', 1 '#8e1b2c')\n"
       "set cbrange [0:100]\nset format cb '%g %%'\nset tics out nomirror\nset border 3\nunset key\n";
@@ -125,7 +126,8 @@ void draw_maps(const std::filesystem::path &to, const std::string &title, const 
       }
       const trade_map &map = m.maps[k];
       std::string ticks;
-      for (std::size_t c = 0; c<m.columns.size(); c += m.columns.size()> 10 ? 3 : 2)
+      const std::size_t every = m.columns.size() / 4 + 1;
+      for (std::size_t c = 0; c < m.columns.size(); c += every)
         ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", m.columns[c], c);
       script += fmt::format("set title '{} {}'\nset xlabel '{}'\nset ylabel 'nearness to a contact, bits'\n"
                             "set xtics ({})\nset xrange [-0.5:{}]\nset yrange [{}:{}]\nset ytics 12\n$map << END\n",

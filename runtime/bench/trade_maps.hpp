@@ -16,7 +16,7 @@ namespace meetc::bench {
 struct trade_map {
   std::string rung;          // such as "fp32"
   bool unsure = false;       // else wrong
-  std::vector<double> share; // of the pairs of a cell: columns x rows, one row after another; NaN where there is none
+  std::vector<double> share; // of the pairs of a cell: columns x rows, one row after another
 };
 
 struct trade_maps {

@@ -56,7 +56,8 @@ vec in_plane(numbers &from, const direction &u) {
   constexpr double step = 0x1p-10;
   const int most = std::max(1, 360 / u.length);
   const auto some = [&] { return step * from.whole(most); };
-  return some() * vec{u.v[1], -u.v[0], 0} + some() * vec{u.v[2], 0, -u.v[0]} + some() * vec{0, u.v[2], -u.v[1]};
+  const double i = some(), j = some(), k = some(); // drawn in this order
+  return i * vec{u.v[1], -u.v[0], 0} + j * vec{u.v[2], 0, -u.v[0]} + k * vec{0, u.v[2], -u.v[1]};
 }
 
 vec anywhere(numbers &from) {
@@ -187,8 +188,8 @@ bool can_make_pairs(const predicate_info &p) {
 }
 
 element_pairs make_pairs(const predicate_info &p, std::size_t n, const pair_difficulty &d, std::uint64_t seed) {
-  if (!can_make_pairs(p))
-    throw std::invalid_argument("the hull of a kind is not known");
+  if (!can_make_pairs(p) || d.bits_to < d.bits_from)
+    throw std::invalid_argument("pairs cannot be made: a hull is not known, or no bits are allowed");
   element_pairs out{&p, {}, {}, n};
   out.a.reserve(n * static_cast<std::size_t>(p.a->fields));
   out.b.reserve(n * static_cast<std::size_t>(p.b->fields));

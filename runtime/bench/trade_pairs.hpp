@@ -26,7 +26,7 @@ struct pair_difficulty {
   int scale = 0;                  // all numbers are multiplied by 2^scale, from -126 to 125
   double offset = 0;              // each coordinate is moved by this many sizes, before scaling
   bool near = false;              // around a contact
-  int bits_from = 0, bits_to = 0; // near: the element is moved by 2^-bits of its size, bits evenly from this range
+  int bits_from = 0, bits_to = 0; // near: one element is moved by 2^-bits to 2^(1-bits), bits evenly from this range
 };
 
 struct element_pairs {

@@ -29,12 +29,17 @@ struct mark {
 constexpr std::array marks{mark{"paper, fp32", 2}, mark{"fp32", 7},  mark{"fp64", 5},
                            mark{"fp64x2", 9},      mark{"exact", 6}, mark{"certified", 3}};
 
-// Where no answer is wrong, a mark lies on one of the lowest lines, each predicate on its own.
-constexpr double never = 1e-38, apart = 1e2, least = 1e-33, most = 1e2;
+// Where no answer is wrong, a mark lies on one of the lowest lines, each predicate on its own; where wrong answers are
+// wrong by 0, on one of the lines above these.
+constexpr double never = 1e-46, by_nothing = 1e-39, apart = 1e2, least = 1e-33, most = 1e2;
 
-double height(const trade_cell &c, double distance, std::size_t subject) {
-  return distance > 0 ? std::clamp(distance / c.size, least, most / 10)
-                      : never * std::pow(apart, static_cast<double>(subject));
+double height(const trade_cell &c, double distance) {
+  return std::clamp(distance / c.size, least, most / 10);
+}
+
+double height(const trade_cell &c, const wrongness &w, std::size_t subject) {
+  const double line = std::pow(apart, static_cast<double>(subject));
+  return w.false_hits + w.missed == 0 ? never * line : w.farthest == 0 ? by_nothing * line : height(c, w.farthest);
 }
 
 std::string panel(const std::string &family, const std::vector<trade_cell> &all) {
@@ -55,11 +60,11 @@ std::string panel(const std::string &family, const std::vector<trade_cell> &all)
         const double x = 1e9 * p.seconds;
         for (const mark &m : marks)
           if (m.method == p.method.name)
-            add(fmt::format("{:.6g} {:.6g}\n", x, height(c, p.wrong.farthest, i)),
+            add(fmt::format("{:.6g} {:.6g}\n", x, height(c, p.wrong, i)),
                 fmt::format("with points pointtype {} pointsize 1.5 linewidth 2 linecolor rgb '{}' notitle", m.shape,
                             subjects.at(i).colour));
         if (p.wrong.proved && std::isfinite(*p.wrong.proved) && *p.wrong.proved > 0)
-          proved += fmt::format("{:.6g} {:.6g}\n", x, height(c, *p.wrong.proved, i));
+          proved += fmt::format("{:.6g} {:.6g}\n", x, height(c, *p.wrong.proved));
       }
       plot(fmt::format("NaN with lines linewidth 4 linecolor rgb '{}' title '{}'", subjects.at(i).colour,
                        subjects.at(i).predicate));
@@ -70,7 +75,7 @@ std::string panel(const std::string &family, const std::vector<trade_cell> &all)
   for (const mark &m : marks)
     plot(fmt::format("NaN with points pointtype {} pointsize 1.5 linewidth 2 linecolor rgb '#404040' title '{}'",
                      m.shape, m.method));
-  return fmt::format("{}set title '{}'\nplot {}\n", data, title, plots.empty() ? "NaN notitle" : plots);
+  return fmt::format("{}set title {}\nplot {}\n", data, gnuplot_string(title), plots.empty() ? "NaN notitle" : plots);
 }
 
 } // namespace
@@ -85,12 +90,12 @@ void draw_trade(const std::filesystem::path &to, const std::string &about, const
   std::string script = fmt::format(
       "set encoding utf8\n"
       "set terminal pngcairo noenhanced size 1300,{} background '#fcfcfb' font 'Sans,10'\n"
-      "set multiplot layout {},{} title '{}'\n"
+      "set multiplot layout {},{} title {}\n"
       "set logscale xy\nset border 3\nset tics nomirror out\nset grid lt 1 lc rgb '#e4e7ea'\n"
       "set key outside right top vertical samplen 2 font 'Sans,8'\n"
       "set xlabel 'ns a pair'\nset ylabel 'farthest wrong answer / size'\nset xrange [1:5000]\nset yrange [{}:{}]\n"
-      "set ytics ('none wrong' {}, '1e-32' 1e-32, '1e-24' 1e-24, '1e-16' 1e-16, '1e-8' 1e-8, '1' 1)\n",
-      60 + 340 * rows, rows, across, about, never / apart, most, never * apart);
+      "set ytics ('none wrong' {}, 'wrong by 0' {}, '1e-32' 1e-32, '1e-24' 1e-24, '1e-16' 1e-16, '1e-8' 1e-8, '1' 1)\n",
+      60 + 340 * rows, rows, across, gnuplot_string(about), never / apart, most, never * apart, by_nothing * apart);
   for (const std::string &family : families)
     script += panel(family, all);
   run_gnuplot(script + "unset multiplot\n", to);

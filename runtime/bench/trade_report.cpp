@@ -21,10 +21,11 @@ double share(std::uint64_t part, std::size_t all) {
   return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(all, 1));
 }
 
-// In percent. A share that is not zero is not shown as zero.
+// In percent. Only no part is shown as 0, and only all as 100.
 cell of_percent(std::uint64_t part, std::size_t all) {
   const double x = share(part, all);
-  return {part == 0 ? "0" : fmt::format("{:.2g} %", 100 * x), app::with_digits(x, 6)};
+  return {part == 0 ? "0" : fmt::format("{:.3g} %", part < all ? std::min(100 * x, 99.9) : 100),
+          app::with_digits(x, 6)};
 }
 
 // The plain fp32 rung, beside which times are shown.
@@ -82,6 +83,7 @@ table table_of(const std::string &family, const std::vector<trade_cell> &all) {
            {"method", "method"},
            {"ns", "ns a pair"},
            {"over_fp32", "x fp32"},
+           {"hits", "hits"},
            {"false", "false|hits"},
            {"missed", "missed|hits"},
            {"wrong", "wrong"},
@@ -95,14 +97,15 @@ table table_of(const std::string &family, const std::vector<trade_cell> &all) {
   for (const trade_cell &c : all) {
     if (c.family != family)
       continue;
-    t.title = fmt::format("{}: {} pairs for each predicate", c.in_words, app::grouped(c.pairs));
+    t.title =
+        fmt::format("{}: {} pair{} for each predicate", c.in_words, app::grouped(c.pairs), c.pairs == 1 ? "" : "s");
     repetitions = std::max(repetitions, c.result.repetitions);
     const trade_point *const base = plain(c);
     for (const trade_point &p : c.result.points)
       t.rows.push_back({of_words(c.by->name), of_words(p.method.name), of_nanoseconds(p.seconds),
-                        base ? of_ratio(p.seconds / base->seconds) : missing("-"), of_count(p.wrong.false_hits),
-                        of_count(p.wrong.missed), of_percent(wrong(p), c.pairs), of_length(p.wrong.farthest),
-                        of_length(p.wrong.farthest_in_ulps),
+                        base ? of_ratio(p.seconds / base->seconds) : missing("-"), of_count(c.result.hits),
+                        of_count(p.wrong.false_hits), of_count(p.wrong.missed), of_percent(wrong(p), c.pairs),
+                        of_length(p.wrong.farthest), of_length(p.wrong.farthest_in_ulps),
                         p.wrong.proved             ? of_length(*p.wrong.proved)
                         : is_never_wrong(p.method) ? of_length(0)
                                                    : missing("-"),

@@ -88,6 +88,22 @@ TEST_CASE("trade: the user's own sets, in either order, and files that are writt
     CHECK(get(at(std::string("page/") + picture)).rfind("\x89PNG", 0) == 0);
 }
 
+TEST_CASE("trade: names of files are names, and files without candidates") {
+  put("it's|one.csv", "x,y,z,r\n1,0,0,0.25\n");
+  put("far.csv", "x,y,z,r\n9,0,0,0.25\n");
+  const json apart = trade({"it'\\''s|one.csv", "far.csv"});
+  CHECK(has(table(apart, "queries")[0]["scene"].get<std::string>(), "it's?one.csv x far.csv"));
+  if (std::system("gnuplot --version >/dev/null 2>&1") != 0)
+    return;
+  put("a'; system('touch struck'); set title 'x.csv", "x,y,z,r\n1,0,0,0.25\n");
+  const said s = run({"trade", "a'\\''; system('\\''touch struck'\\''); set title '\\''x.csv", "it'\\''s|one.csv",
+                      "--quick", "--repetitions", "1", "-o", "names"});
+  INFO(s.err);
+  CHECK(s.code == 0);
+  CHECK_FALSE(fs::exists(at("struck")));
+  CHECK(get(at("names/trade.png")).rfind("\x89PNG", 0) == 0);
+}
+
 TEST_CASE("trade: an error is one line, and nothing is written") {
   put_mesh("ring.ply", meetc::bodies::torus(24, 12));
   const auto with = [](std::vector<std::string> more) {
@@ -96,6 +112,7 @@ TEST_CASE("trade: an error is one line, and nothing is written") {
   };
   CHECK(with({"ring.ply"}) == "trade: a second set is needed beside the first");
   CHECK(has(with({"ring.ply", "nowhere.ply"}), "nowhere.ply"));
+  CHECK(complaint({"trade", "--quick", "-o", ""}) == "-o: the folder's name is empty");
   CHECK(with({"--repetitions", "0"}) == "--repetitions: '0' is not a number from 1 to 1000");
   CHECK(has(with({"--threads", "-1"}), "is not a number from 0 to 256"));
   CHECK(has(with({"--instruction-set", "mmx"}), "mmx"));

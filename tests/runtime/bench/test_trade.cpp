@@ -7,6 +7,7 @@
 #include "bench/proved_distance.hpp"
 #include "bench/trade_maps.hpp"
 #include "bench/trade_measure.hpp"
+#include "bench/trade_report.hpp"
 #include "core/find.hpp"
 
 #include <cga/cga_runtime.hpp>
@@ -79,6 +80,8 @@ TEST_CASE("distance: known lengths") {
   CHECK(change("ball_ball", ball, {1, 0, 0, 2}, true) == Approx(3));
   CHECK(change("sphere_sphere", ball, {0.25F, 0, 0, 1}, false) == Approx(0.75)); // nested
   CHECK(change("sphere_sphere", ball, {1.5F, 0, 0, 1}, true) == Approx(0.5));    // until it is nested
+  CHECK(change("sphere_sphere", ball, {0.25F, 0, 0, 2}, true) == Approx(3.75));  // as large, so never nested
+  CHECK(change("sphere_sphere", ball, ball, true) == Approx(4));
   CHECK(change("ball_triangle", ball, {1, -9, -9, 1, 9, -9, 1, 0, 9}, true) == Approx(1));
   CHECK(change("ball_segment", ball, {3, -1, 0, 3, 1, 0}, false) == Approx(1));
   CHECK(change("sphere_segment", ball, {0, 0, 0, 1.25F, 0, 0}, false) == Approx(0.75)); // within the surface
@@ -92,6 +95,68 @@ TEST_CASE("distance: tiny lengths keep their digits") {
   CHECK(change("ball_ball", {1e30F, 0, 0, 1e29F}, {1e30F, 3e29F, 0, 1e29F}, false) == Approx(1e29).epsilon(1e-6));
   CHECK(change("ball_ball", {0, 0, 0, 0x1p-140F}, {0x1p-138F, 0, 0, 0x1p-140F}, false) ==
         Approx(0x1p-139).epsilon(1e-9));
+}
+
+TEST_CASE("distance: a length that doubles cannot hold, and corners on one line") {
+  // [r, s, t] = 1 for three rows of coordinates, so -t/4 lies 1 / (4 |r x s|) above the plane of r, s and -(r + s).
+  const double r[] = {36569, 5957284, 600211}, s[] = {-10110, 2276334, 232673}, t[] = {39676, 6450463, 649889};
+  std::vector<float> triangle, point;
+  for (const double *corner : {r, s})
+    for (int k = 0; k < 3; ++k)
+      triangle.push_back(static_cast<float>(corner[k]));
+  double square = 0;
+  for (int k = 0; k < 3; ++k) {
+    triangle.push_back(static_cast<float>(-(r[k] + s[k])));
+    point.push_back(static_cast<float>(-t[k] / 4));
+    const double n = r[(k + 1) % 3] * s[(k + 2) % 3] - r[(k + 2) % 3] * s[(k + 1) % 3];
+    square += n * n;
+  }
+  CHECK(change("point_triangle", point, triangle, false) == Approx(0.25 / std::sqrt(square)).epsilon(1e-9));
+  // Corners of very different size on one line through the origin: the ball is left sideways, not lengthwise.
+  const std::vector<float> ball{0x1.d1ba9p-3F, -0x1.daaffp-3F, -0x1.9417acp-3F, 1},
+      line{-0x1.eb4p0F,    -0x1.d38p0F,      -0x1.a4cp0F,      0x1.f101cp-48F,  0x1.d8fa8p-48F,
+           0x1.a9ae4p-48F, -0x1.9541dcp-74F, -0x1.81aa28p-74F, -0x1.5b1924p-74F};
+  CHECK(change("ball_triangle", ball, line, true) < 0.7);
+  CHECK(change("ball_triangle", ball, line, true) > 0.6);
+}
+
+TEST_CASE("wrong answers are counted, and the farthest counts") {
+  const predicate_info &p = named("ball_ball");
+  element_pairs pairs{&p, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {3, 0, 0, 1, 2.5F, 0, 0, 1, 1.5F, 0, 0, 1}, 3};
+  const std::vector<answer> exact = decide_all(pairs, p.decide[static_cast<int>(rung::exact)]);
+  REQUIRE(exact == std::vector<answer>{answer::no, answer::no, answer::yes});
+  const trade_method method{"mine", nullptr, rung::fp32};
+  const wrongness all = wrongness_of(pairs, method, {answer::yes, answer::yes, answer::no}, exact);
+  CHECK(all.false_hits == 2);
+  CHECK(all.missed == 1);
+  CHECK(all.farthest == Approx(1));
+  CHECK(all.farthest_in_ulps == Approx(0x1p22)); // of 3
+  REQUIRE(all.proved);
+  CHECK(*all.proved > 0);
+  const wrongness none = wrongness_of(pairs, method, exact, exact);
+  CHECK(none.false_hits + none.missed == 0);
+  CHECK(none.farthest == 0);
+}
+
+TEST_CASE("losers: what is slower everywhere and never less wrong, and never wrong loses to never wrong alone") {
+  const predicate_info &p = named("ball_ball");
+  const auto cell = [&p](const char *family, double fp32, double fp64, double fp64x2, double exact, double certified,
+                         std::uint64_t wrong32) {
+    trade_cell c{&p, family, family, 1, 10, {}};
+    const double seconds[] = {fp32, fp64, fp64x2, exact, certified};
+    for (const trade_method &m : methods_of(p)) {
+      trade_point point{m, seconds[static_cast<int>(*m.precision)], {}, {}};
+      point.wrong.missed = m.precision == rung::fp32 ? wrong32 : 0;
+      c.result.points.push_back(point);
+    }
+    return c;
+  };
+  const table t = losers_of({cell("one", 1, 2, 5, 6, 3, 4), cell("two", 1, 2, 5, 6, 3, 0)});
+  std::vector<std::string> lines;
+  for (const auto &row : t.rows)
+    lines.push_back(row[1].text + ": " + row[2].text);
+  // fp32 is faster than all, and more often wrong in one family.
+  CHECK(lines == std::vector<std::string>{"fp64x2: fp64, certified", "exact: certified"});
 }
 
 // The exact rung says whether a translation changes the answer. None that is shorter may do so.
@@ -176,6 +241,17 @@ TEST_CASE("wrong answers are never farther from being right than is proved") {
       CHECK(maps.seen_of_proved > 0.03);
       CHECK(maps.maps.size() == 5);
     }
+  // The bounds of the other rungs are those of their unit roundoff, 2^-53 and 2^-102 in the place of 2^-24.
+  for (const char *name : {"ball_ball", "sphere_sphere"}) {
+    const float a[] = {0.1F, 0.2F, 0.3F, 0.4F}, b[] = {0.7F, -0.2F, 0.9F, 0.5F};
+    const double single = proved_distance_of(name, rung::fp32)(a, b),
+                 twice = proved_distance_of(name, rung::fp64)(a, b),
+                 four_times = proved_distance_of(name, rung::fp64x2)(a, b);
+    INFO(name << ": " << single << ", " << twice << ", " << four_times);
+    CHECK((single > 0x1p-24 && single < 0x1p-18));
+    CHECK((twice / single > 0x1p-30 && twice / single < 0x1p-28));
+    CHECK((four_times / twice > 0x1p-51 && four_times / twice < 0x1p-47));
+  }
   CHECK(proved_distance_of("triangle_triangle", rung::fp32) == nullptr);
   CHECK(proved_distance_of("ball_ball", rung::exact) == nullptr);
 }

@@ -1,0 +1,205 @@
+// What scenes cost, beside each other: what a scene does not ask for is neither in its code nor in its programs.
+#include "gen/driver.hpp"
+#include "gen/ir/count.hpp"
+#include "gen/support/output.hpp"
+#include "gen/support/process.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <optional>
+#include <unistd.h>
+
+namespace meetc {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct scene_figures {
+  std::string name, kinds;
+  std::size_t kernels = 0, files = 0, cpp_bytes = 0, cuda_bytes = 0;
+  // Sums over all kernels, in multiplications and additions.
+  int for_objects = 0, for_pairs = 0, for_rare_pairs = 0;
+  std::size_t stored = 0;
+  std::optional<std::size_t> object_bytes;
+  std::optional<double> compile_seconds;
+  std::optional<int> registers; // the most of any device kernel
+};
+
+bool ends_with(const std::string &text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void count_kernel(const lower::kernel &k, scene_figures &to) {
+  lower::kernel copy = k; // programs() returns references that passes may replace
+  if (!k.is_predicate) {
+    const ir::program &p = k.value.stored_numbers ? k.value.from_stored : k.value.from_blades;
+    to.for_pairs += ir::count(p.nodes, p.results).total();
+    return;
+  }
+  for (const lower::kernel_program &p : lower::programs(copy)) {
+    if (p.as == lower::use::once && !k.is_sign) {
+      to.for_rare_pairs += ir::count(p.code->nodes, p.code->results).total();
+      continue;
+    }
+    to.for_pairs += ir::count_pair(*p.code).total();
+    for (const poly::residency object : {poly::residency::a, poly::residency::b}) {
+      to.for_objects += ir::count_object(*p.code, object).total();
+      to.stored += ir::stored_of(*p.code, object).size();
+    }
+  }
+}
+
+// A folder that is removed at the end.
+class scratch_folder {
+public:
+  scratch_folder() : at_(fs::temp_directory_path() / fmt::format("meetc-compare-{}", ::getpid())) {
+    fs::create_directories(at_);
+  }
+  ~scratch_folder() {
+    std::error_code ignored;
+    fs::remove_all(at_, ignored);
+  }
+  scratch_folder(const scratch_folder &) = delete;
+  scratch_folder &operator=(const scratch_folder &) = delete;
+  const fs::path &at() const { return at_; }
+
+private:
+  fs::path at_;
+};
+
+finished_process compile_file(const std::vector<std::string> &words) {
+  finished_process done = run_process(words);
+  if (done.code == 127)
+    throw spec_error({}, fmt::format("{}: cannot be run", words.front()));
+  if (done.code != 0)
+    throw spec_error({}, fmt::format("{}: failed: {}", words.front(), done.said.substr(0, done.said.find('\n'))));
+  return done;
+}
+
+// The largest N in "Used N registers".
+int most_registers(const std::string &said) {
+  int most = 0;
+  for (std::size_t at = 0; (at = said.find("Used ", at)) != std::string::npos; at += 5)
+    most = std::max(most, std::atoi(said.c_str() + at + 5));
+  return most;
+}
+
+// Compiles the sources as a build does: those of C++ by `cxx`, those of CUDA by `nvcc`, where these are given.
+void compile_files(const std::vector<target::file> &files, const compare_options &o, scene_figures &to) {
+  const scratch_folder folder;
+  for (const target::file &f : files) {
+    fs::create_directories((folder.at() / f.path).parent_path());
+    std::ofstream(folder.at() / f.path, std::ios::binary) << f.text;
+  }
+  const std::string object = (folder.at() / "object.o").string(), include = "-I" + folder.at().string();
+  std::size_t bytes = 0;
+  double seconds = 0;
+  int registers = 0;
+  bool device = false;
+  for (const target::file &f : files) {
+    const std::string source = (folder.at() / f.path).string();
+    if (!o.cxx.empty() && ends_with(f.path, ".cpp")) {
+      seconds +=
+          compile_file({o.cxx, "-std=c++20", "-O2", "-ffp-contract=off", include, "-c", source, "-o", object}).seconds;
+      bytes += fs::file_size(object);
+    } else if (!o.nvcc.empty() && ends_with(f.path, ".cu")) {
+      device = true;
+      registers =
+          std::max(registers, most_registers(compile_file({o.nvcc, "-std=c++20", "-O3", "--fmad=false", "-arch=sm_90",
+                                                           "-Xptxas", "-v", include, "-cubin", source, "-o", object})
+                                                 .said));
+    }
+  }
+  if (!o.cxx.empty()) {
+    to.object_bytes = bytes;
+    to.compile_seconds = seconds;
+  }
+  if (device)
+    to.registers = registers;
+}
+
+scene_figures figures_of(const std::string &scene, const compare_options &o) {
+  compilation c = load(scene);
+  compile_all(c);
+  scene_figures out;
+  out.name = c.scene->name;
+  out.kernels = c.kernels.size();
+  for (const lower::kernel &k : c.kernels)
+    count_kernel(k, out);
+  for (const lower::lowered_kind &k : lower::kinds_of(*c.model, c.kernels))
+    out.kinds += (out.kinds.empty() ? "" : " ") + k.name;
+  const std::vector<target::file> files = emit_all(c);
+  for (const target::file &f : files) {
+    if (f.path.rfind("meetc/", 0) == 0) // the kernel headers are the same for every scene
+      continue;
+    const bool cpp = ends_with(f.path, ".cpp") || ends_with(f.path, ".hpp"),
+               cuda = ends_with(f.path, ".cu") || ends_with(f.path, "_cuda.hpp");
+    out.files += cpp || cuda;
+    (cuda ? out.cuda_bytes : out.cpp_bytes) += cpp || cuda ? f.text.size() : 0;
+  }
+  if (!o.cxx.empty() || !o.nvcc.empty())
+    compile_files(files, o, out);
+  return out;
+}
+
+std::string kilobytes(std::size_t bytes) {
+  return fmt::format("{:.1f}", static_cast<double>(bytes) / 1000);
+}
+
+std::string table_of(const std::vector<scene_figures> &all, const compare_options &o) {
+  std::vector<std::vector<std::string>> rows{
+      {"scene", "kernels", "files", "C++ KB", "CUDA KB", "object", "pair", "rare pair", "stored"}};
+  if (!o.cxx.empty())
+    rows[0].insert(rows[0].end(), {"object KB", "compile s"});
+  if (!o.nvcc.empty())
+    rows[0].emplace_back("registers");
+  rows[0].emplace_back("kinds");
+  for (const scene_figures &f : all) {
+    std::vector<std::string> row{f.name,
+                                 fmt::format("{}", f.kernels),
+                                 fmt::format("{}", f.files),
+                                 kilobytes(f.cpp_bytes),
+                                 kilobytes(f.cuda_bytes),
+                                 fmt::format("{}", f.for_objects),
+                                 fmt::format("{}", f.for_pairs),
+                                 fmt::format("{}", f.for_rare_pairs),
+                                 fmt::format("{}", f.stored)};
+    if (!o.cxx.empty()) {
+      row.push_back(kilobytes(f.object_bytes.value_or(0)));
+      row.push_back(fmt::format("{:.1f}", f.compile_seconds.value_or(0)));
+    }
+    if (!o.nvcc.empty())
+      row.push_back(f.registers ? fmt::format("{}", *f.registers) : "-");
+    row.push_back(f.kinds);
+    rows.push_back(std::move(row));
+  }
+  std::vector<std::size_t> widths(rows[0].size(), 0);
+  for (const auto &row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], row[i].size());
+  std::string out;
+  for (const auto &row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out += i == 0                ? fmt::format("{:<{}}", row[i], widths[i])
+             : i + 1 == row.size() ? "  " + row[i]
+                                   : fmt::format("  {:>{}}", row[i], widths[i]);
+    out += '\n';
+  }
+  return out;
+}
+
+} // namespace
+
+int compare_scenes(const compare_options &o) {
+  std::vector<scene_figures> all;
+  for (const std::string &scene : o.scenes)
+    all.push_back(figures_of(scene, o));
+  say(table_of(all, o));
+  return 0;
+}
+
+} // namespace meetc

@@ -1,0 +1,91 @@
+// `meetc compare`: what a scene does not ask for costs nothing, and wrong arguments give one line.
+#include "tests/catch.hpp"
+#include "tests/gen/error_fixture.hpp"
+
+#include <fmt/format.h>
+#include <map>
+#include <sstream>
+
+using namespace meetc::compiler_test;
+
+namespace {
+
+std::string scene(const char *name) {
+  return (source_folder() / "algebra_spec" / "scenes" / name).string();
+}
+
+// The table's cells by scene and column; of the kinds only the first.
+std::map<std::string, std::map<std::string, double>> table_in(const std::string &text) {
+  std::istringstream lines(text);
+  std::string head, line;
+  std::getline(lines, head);
+  const std::vector<std::string> columns{"kernels", "files", "C++", "CUDA", "object", "pair", "rare", "stored"};
+  std::map<std::string, std::map<std::string, double>> out;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string name;
+    cells >> name;
+    for (const std::string &c : columns)
+      cells >> out[name][c];
+    REQUIRE(cells);
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("compare: small scenes cost a part of the default scene, by the counts that are shown of their kernels") {
+  const temporary_folder folder;
+  const outcome o = run_meetc(fmt::format("compare '{}' '{}' '{}' '{}'", scene("default.toml"), scene("spheres.toml"),
+                                          scene("mesh.toml"), scene("planar.toml")),
+                              folder.path());
+  INFO(o.out << o.err);
+  REQUIRE(o.code == 0);
+  auto of = table_in(o.out);
+  REQUIRE(of.size() == 4);
+  for (const auto &[name, figures] : of)
+    for (const auto &[column, figure] : figures) {
+      INFO(name << ", " << column);
+      CHECK(figure <= of["default"][column]);
+    }
+  CHECK(of["spheres"]["kernels"] == 1);
+  CHECK(of["spheres"]["pair"] == 11); // 4 multiplications and 7 additions, as its header says
+  CHECK(of["spheres"]["rare"] == 0);
+  CHECK(of["spheres"]["object"] == 0);
+  CHECK(of["mesh"]["stored"] == 6); // two normals
+  CHECK(of["mesh"]["object"] == 30);
+  CHECK(of["mesh"]["C++"] < of["default"]["C++"] / 3);
+  CHECK(of["planar"]["CUDA"] == 0);
+}
+
+TEST_CASE("compare: sources are compiled, and nothing is left of that") {
+  const temporary_folder folder;
+  const auto left = [] {
+    std::size_t n = 0;
+    for (const auto &entry : fs::directory_iterator(fs::temp_directory_path()))
+      n += entry.path().filename().string().rfind("meetc-compare-", 0) == 0;
+    return n;
+  };
+  const std::size_t before = left();
+  const outcome o = run_meetc(fmt::format("compare '{}' --compile c++", scene("spheres.toml")), folder.path());
+  INFO(o.out << o.err);
+  REQUIRE(o.code == 0);
+  CHECK_THAT(o.out, contains("object KB") && contains("compile s"));
+  CHECK(left() == before);
+}
+
+TEST_CASE("compare: an error is one line") {
+  const temporary_folder folder;
+  const auto fails = [&](const std::string &arguments, const std::string &with) {
+    const outcome o = run_meetc("compare " + arguments, folder.path());
+    INFO(arguments << ": " << o.err);
+    CHECK(o.code == 2);
+    CHECK(o.out.empty());
+    CHECK_THAT(o.err, contains(with));
+    CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
+  };
+  fails("", "scenes is required");
+  fails("nowhere.toml", "nowhere.toml: cannot be read");
+  fails(fmt::format("'{}' --compile no-such-compiler", scene("spheres.toml")), "no-such-compiler: cannot be run");
+  fails(fmt::format("'{}' --compile false", scene("spheres.toml")), "false: failed");
+}
