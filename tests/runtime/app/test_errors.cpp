@@ -24,9 +24,9 @@ std::string collide_complaint(std::vector<std::string> more, int code = 2) {
 
 TEST_CASE("usage") {
   put_files();
-  CHECK(has(complaint({}), "a command is needed first: collide, inspect, demo or bench"));
+  CHECK(has(complaint({}), "a command is needed first: collide, inspect, demo, bench or trade"));
   CHECK(has(complaint({"--frob"}), "a command is needed"));
-  CHECK(has(complaint({"frob"}), "unknown command 'frob'; known: collide, inspect, demo, bench"));
+  CHECK(has(complaint({"frob"}), "unknown command 'frob'; known: collide, inspect, demo, bench, trade"));
   CHECK(has(complaint({"collide"}), "A is required (meet collide --help says more)"));
   CHECK(has(complaint({"collide", "ball.ply"}), "B is required"));
   CHECK(has(complaint({"inspect", "ball.ply"}), "B is required (meet inspect --help says more)"));
@@ -43,11 +43,11 @@ TEST_CASE("help says what there is, and only that") {
   const said all = run({"--help"}), one = run({"collide", "-h"});
   CHECK(all.code == 0);
   CHECK(one.code == 0);
-  for (const char *const command : {"collide", "inspect", "demo", "bench"}) {
+  for (const char *const command : {"collide", "inspect", "demo", "bench", "trade"}) {
     CHECK(has(all.out, command));
     CHECK(run({command, "--help"}).code == 0);
   }
-  for (const char *const later : {"trade", "tolerance", "fp16"}) {
+  for (const char *const later : {"tolerance", "fp16"}) {
     CHECK_FALSE(has(all.out, later));
     CHECK_FALSE(has(one.out, later));
   }
