@@ -78,7 +78,7 @@ padded_hull hull_of(const kind_info &kind, const float *row, const std::array<do
 
 // The points of the Minkowski difference, of which there are `count`.
 struct differences {
-  std::array<vec, most_points * most_points> points{};
+  std::array<vec, std::size_t{most_points} * most_points> points{};
   std::size_t count = 0;
   differences(const padded_hull &a, const padded_hull &b) {
     for (int i = 0; i < a.count; ++i)
