@@ -5,8 +5,7 @@
 #include "gen/support/process.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -28,10 +27,6 @@ struct scene_figures {
   std::optional<double> compile_seconds;
   std::optional<int> registers; // the most of any device kernel
 };
-
-bool ends_with(const std::string &text, std::string_view end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 void count_kernel(const lower::kernel &k, scene_figures &to) {
   lower::kernel copy = k; // programs() returns references that passes may replace
@@ -102,11 +97,11 @@ void compile_files(const std::vector<target::file> &files, const compare_options
   bool device = false;
   for (const target::file &f : files) {
     const std::string source = (folder.at() / f.path).string();
-    if (!o.cxx.empty() && ends_with(f.path, ".cpp")) {
+    if (!o.cxx.empty() && f.path.ends_with(".cpp")) {
       seconds +=
           compile_file({o.cxx, "-std=c++20", "-O2", "-ffp-contract=off", include, "-c", source, "-o", object}).seconds;
       bytes += fs::file_size(object);
-    } else if (!o.nvcc.empty() && ends_with(f.path, ".cu")) {
+    } else if (!o.nvcc.empty() && f.path.ends_with(".cu")) {
       device = true;
       registers =
           std::max(registers, most_registers(compile_file({o.nvcc, "-std=c++20", "-O3", "--fmad=false", "-arch=sm_90",
@@ -134,10 +129,10 @@ scene_figures figures_of(const std::string &scene, const compare_options &o) {
     out.kinds += (out.kinds.empty() ? "" : " ") + k.name;
   const std::vector<target::file> files = emit_all(c);
   for (const target::file &f : files) {
-    if (f.path.rfind("meetc/", 0) == 0) // the kernel headers are the same for every scene
+    if (f.path.starts_with("meetc/")) // the kernel headers are the same for every scene
       continue;
-    const bool cpp = ends_with(f.path, ".cpp") || ends_with(f.path, ".hpp"),
-               cuda = ends_with(f.path, ".cu") || ends_with(f.path, "_cuda.hpp");
+    const bool cpp = f.path.ends_with(".cpp") || f.path.ends_with(".hpp"),
+               cuda = f.path.ends_with(".cu") || f.path.ends_with("_cuda.hpp");
     out.files += cpp || cuda;
     (cuda ? out.cuda_bytes : out.cpp_bytes) += cpp || cuda ? f.text.size() : 0;
   }

@@ -1,5 +1,6 @@
 #include "bench/distance.hpp"
 
+#include "bench/baseline_vectors.hpp"
 #include "meetc/double_double.hpp"
 
 #include <algorithm>
@@ -16,18 +17,7 @@ namespace {
 using real = double_words<MEETC_FUSES>; // a call of the C library's fma() would take most of the time
 constexpr int most_points = 4;
 
-struct vec {
-  real x, y, z;
-};
-vec operator-(const vec &a, const vec &b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-real dot(const vec &a, const vec &b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-vec cross(const vec &a, const vec &b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using vec = baselines::vec<real>;
 
 bool less(const real &x, const real &y) {
   return x.hi < y.hi || (x.hi == y.hi && x.lo < y.lo);

@@ -1,28 +1,18 @@
 #include "bench/paper_way.hpp"
 
+#include "bench/baseline_vectors.hpp"
+
 #include <array>
 
 namespace meetc::bench {
 
 namespace {
 
-struct vec {
-  float x, y, z;
-};
-vec at(const float *p) {
-  return {p[0], p[1], p[2]};
-}
+using vec = baselines::vec<float>;
+using baselines::corner;
+
 vec operator+(const vec &a, const vec &b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-vec operator-(const vec &a, const vec &b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-float dot(const vec &a, const vec &b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-vec cross(const vec &a, const vec &b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 // A vector of the algebra.
@@ -58,18 +48,18 @@ bool agree(const std::array<float, 3> &s) {
 
 // Algorithm 3, by equation (3.5): the meet of two spheres is a real circle.
 bool spheres(const float *a, const float *b) {
-  const conformal s = round(at(a), a[3]), t = round(at(b), b[3]);
+  const conformal s = round(corner(a, 0), a[3]), t = round(corner(b, 0), b[3]);
   const float st = inner(s, t);
   return inner(s, s) * inner(t, t) - st * st >= 0;
 }
 
 struct facet {
-  std::array<vec, 3> corner;
+  std::array<vec, 3> corners;
   conformal plane;
   std::array<line, 3> edge;
 };
 facet facet_of(const float *t) {
-  const vec a = at(t), b = at(t + 3), c = at(t + 6);
+  const vec a = corner(t, 0), b = corner(t, 1), c = corner(t, 2);
   return {{a, b, c}, plane_through(a, b, c), {through(a, b), through(b, c), through(c, a)}};
 }
 
@@ -81,14 +71,15 @@ bool crosses(const vec &p, const vec &q, const facet &t) {
   return agree({twist(e, t.edge[0]), twist(e, t.edge[1]), twist(e, t.edge[2])});
 }
 bool segment_and_triangle(const float *s, const float *t) {
-  return crosses(at(s), at(s + 3), facet_of(t));
+  return crosses(corner(s, 0), corner(s, 1), facet_of(t));
 }
 
 // Algorithm 2.
 bool triangles(const float *a, const float *b) {
   const facet s = facet_of(a), t = facet_of(b);
   for (std::size_t k = 0; k < 3; ++k)
-    if (crosses(s.corner.at(k), s.corner.at((k + 1) % 3), t) || crosses(t.corner.at(k), t.corner.at((k + 1) % 3), s))
+    if (crosses(s.corners.at(k), s.corners.at((k + 1) % 3), t) ||
+        crosses(t.corners.at(k), t.corners.at((k + 1) % 3), s))
       return true;
   return false;
 }

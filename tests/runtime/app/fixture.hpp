@@ -75,6 +75,14 @@ inline json answer(std::vector<std::string> arguments) {
   return json::parse(s.out);
 }
 
+// The rows of a table in the JSON of a command that measures.
+inline const json &table(const json &all, std::string_view name) {
+  for (const json &t : all["tables"])
+    if (t["name"] == name)
+      return t["rows"];
+  throw std::logic_error("no such table");
+}
+
 // A run that must fail: checks the exit code and that there is one line. Returns that line without "meet: ".
 inline std::string complaint(const std::vector<std::string> &arguments, int code = 2) {
   const said s = run(arguments);

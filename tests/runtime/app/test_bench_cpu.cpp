@@ -16,13 +16,6 @@ json bench(std::vector<std::string> more = {}) {
   return json::parse(s.out);
 }
 
-const json &table(const json &all, std::string_view name) {
-  for (const json &t : all["tables"])
-    if (t["name"] == name)
-      return t["rows"];
-  throw std::logic_error("no such table");
-}
-
 } // namespace
 
 TEST_CASE("bench cpu: every family, and certified answers that are those of exact") {

@@ -14,13 +14,6 @@ json trade(std::vector<std::string> more = {}) {
   return json::parse(s.out);
 }
 
-const json &table(const json &all, std::string_view name) {
-  for (const json &t : all["tables"])
-    if (t["name"] == name)
-      return t["rows"];
-  throw std::logic_error("no such table");
-}
-
 // What does not depend on time.
 json counts(const json &all) {
   json out;
