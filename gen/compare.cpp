@@ -3,6 +3,8 @@
 #include "gen/ir/count.hpp"
 #include "gen/support/output.hpp"
 #include "gen/support/process.hpp"
+#include "gen/target/cpp/names.hpp"
+#include "gen/timing.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +12,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <unistd.h>
 
 namespace meetc {
@@ -25,7 +28,8 @@ struct scene_figures {
   std::size_t stored = 0;
   std::optional<std::size_t> object_bytes;
   std::optional<double> compile_seconds;
-  std::optional<int> registers; // the most of any device kernel
+  std::optional<int> registers;                            // the most of any device kernel
+  std::vector<std::pair<std::string, double>> nanoseconds; // a pair, by predicate
 };
 
 void count_kernel(const lower::kernel &k, scene_figures &to) {
@@ -83,14 +87,34 @@ int most_registers(const std::string &said) {
   return most;
 }
 
+// Links the objects with the program that times their predicates, and runs it.
+std::vector<std::pair<std::string, double>> time_predicates(const compare_options &o, const std::string &space,
+                                                            const fs::path &folder,
+                                                            const std::vector<std::string> &objects) {
+  const std::string source = (folder / "timing.cpp").string(), program = (folder / "timing").string();
+  std::ofstream(source, std::ios::binary) << timing_program(space);
+  std::vector<std::string> words{o.cxx, "-std=c++20", "-O2", "-ffp-contract=off", "-I" + folder.string(), source};
+  words.insert(words.end(), objects.begin(), objects.end());
+  words.insert(words.end(), {"-o", program});
+  compile_file(words);
+  std::istringstream lines(compile_file({program}).said);
+  std::vector<std::pair<std::string, double>> out;
+  std::string name;
+  for (double nanoseconds = 0; lines >> name >> nanoseconds;)
+    out.emplace_back(name, nanoseconds);
+  return out;
+}
+
 // Compiles the sources as a build does: those of C++ by `cxx`, those of CUDA by `nvcc`, where these are given.
-void compile_files(const std::vector<target::file> &files, const compare_options &o, scene_figures &to) {
+void compile_files(const std::vector<target::file> &files, const std::string &space, const compare_options &o,
+                   scene_figures &to) {
   const scratch_folder folder;
   for (const target::file &f : files) {
     fs::create_directories((folder.at() / f.path).parent_path());
     std::ofstream(folder.at() / f.path, std::ios::binary) << f.text;
   }
-  const std::string object = (folder.at() / "object.o").string(), include = "-I" + folder.at().string();
+  const std::string cubin = (folder.at() / "object.cubin").string(), include = "-I" + folder.at().string();
+  std::vector<std::string> objects;
   std::size_t bytes = 0;
   double seconds = 0;
   int registers = 0;
@@ -98,6 +122,7 @@ void compile_files(const std::vector<target::file> &files, const compare_options
   for (const target::file &f : files) {
     const std::string source = (folder.at() / f.path).string();
     if (!o.cxx.empty() && f.path.ends_with(".cpp")) {
+      const std::string object = objects.emplace_back((folder.at() / fmt::format("{}.o", objects.size())).string());
       seconds +=
           compile_file({o.cxx, "-std=c++20", "-O2", "-ffp-contract=off", include, "-c", source, "-o", object}).seconds;
       bytes += fs::file_size(object);
@@ -105,13 +130,14 @@ void compile_files(const std::vector<target::file> &files, const compare_options
       device = true;
       registers =
           std::max(registers, most_registers(compile_file({o.nvcc, "-std=c++20", "-O3", "--fmad=false", "-arch=sm_90",
-                                                           "-Xptxas", "-v", include, "-cubin", source, "-o", object})
+                                                           "-Xptxas", "-v", include, "-cubin", source, "-o", cubin})
                                                  .said));
     }
   }
   if (!o.cxx.empty()) {
     to.object_bytes = bytes;
     to.compile_seconds = seconds;
+    to.nanoseconds = time_predicates(o, space, folder.at(), objects);
   }
   if (device)
     to.registers = registers;
@@ -137,12 +163,50 @@ scene_figures figures_of(const std::string &scene, const compare_options &o) {
     (cuda ? out.cuda_bytes : out.cpp_bytes) += cpp || cuda ? f.text.size() : 0;
   }
   if (!o.cxx.empty() || !o.nvcc.empty())
-    compile_files(files, o, out);
+    compile_files(files, target::identifier(c.scene->space), o, out);
   return out;
 }
 
 std::string kilobytes(std::size_t bytes) {
   return fmt::format("{:.1f}", static_cast<double>(bytes) / 1000);
+}
+
+// The first column is to the left, the others to the right, but for the last one if it is words.
+std::string in_columns(const std::vector<std::vector<std::string>> &rows, bool words_last) {
+  std::vector<std::size_t> widths(rows[0].size(), 0);
+  for (const auto &row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], row[i].size());
+  std::string out;
+  for (const auto &row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out += i == 0                              ? fmt::format("{:<{}}", row[i], widths[i])
+             : words_last && i + 1 == row.size() ? "  " + row[i]
+                                                 : fmt::format("  {:>{}}", row[i], widths[i]);
+    out += '\n';
+  }
+  return out;
+}
+
+// Nanoseconds of a pair, by predicate and scene.
+std::string times_of(const std::vector<scene_figures> &all) {
+  std::vector<std::vector<std::string>> rows{{"ns a pair"}};
+  std::vector<std::string> predicates;
+  for (const scene_figures &f : all) {
+    rows[0].push_back(f.name);
+    for (const auto &[name, nanoseconds] : f.nanoseconds)
+      if (std::find(predicates.begin(), predicates.end(), name) == predicates.end())
+        predicates.push_back(name);
+  }
+  for (const std::string &name : predicates) {
+    std::vector<std::string> &row = rows.emplace_back(1, name);
+    for (const scene_figures &f : all) {
+      const auto at =
+          std::find_if(f.nanoseconds.begin(), f.nanoseconds.end(), [&](const auto &x) { return x.first == name; });
+      row.push_back(at == f.nanoseconds.end() ? "-" : fmt::format("{:.1f}", at->second));
+    }
+  }
+  return in_columns(rows, false);
 }
 
 std::string table_of(const std::vector<scene_figures> &all, const compare_options &o) {
@@ -172,19 +236,7 @@ std::string table_of(const std::vector<scene_figures> &all, const compare_option
     row.push_back(f.kinds);
     rows.push_back(std::move(row));
   }
-  std::vector<std::size_t> widths(rows[0].size(), 0);
-  for (const auto &row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], row[i].size());
-  std::string out;
-  for (const auto &row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      out += i == 0                ? fmt::format("{:<{}}", row[i], widths[i])
-             : i + 1 == row.size() ? "  " + row[i]
-                                   : fmt::format("  {:>{}}", row[i], widths[i]);
-    out += '\n';
-  }
-  return out;
+  return in_columns(rows, true);
 }
 
 } // namespace
@@ -194,6 +246,8 @@ int compare_scenes(const compare_options &o) {
   for (const std::string &scene : o.scenes)
     all.push_back(figures_of(scene, o));
   say(table_of(all, o));
+  if (!o.cxx.empty())
+    say('\n' + times_of(all));
   return 0;
 }
 

@@ -4,6 +4,7 @@
 #include "gen/lower/settled.hpp"
 #include "gen/passes/passes.hpp"
 #include "gen/support/output.hpp"
+#include "gen/target/text/text.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
@@ -20,14 +21,14 @@ compilation load(const std::string &scene_path) {
 }
 
 namespace {
-// Certified answers may need the exact rung.
-bool asks_exact(const lang::scene &s) {
-  return s.asks(lang::rung::exact) || s.asks(lang::rung::certified);
+// Whether signs need bounds: certified answers may need the exact rung, which picks integers by their growth.
+bool asks_bounds(const lang::scene &s) {
+  return s.asks(lang::rung::exact) || s.asks(lang::rung::certified) || s.asks(lang::rung::tolerant);
 }
 
 target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels,
                      std::vector<std::optional<bound::kernel_bounds>> bounds) {
-  target::unit u{*c.scene, std::move(kernels), std::move(bounds), {}, {}, {}};
+  target::unit u{*c.scene, std::move(kernels), std::move(bounds), {}, {}, {}, {}};
   u.kinds = lower::kinds_of(*c.model, u.kernels);
   for (lower::lowered_kind &k : u.kinds)
     passes::run(k.makers);
@@ -36,6 +37,16 @@ target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels,
     for (ir::program *p : {&u.balls->a, &u.balls->b})
       *p = passes::run(*p, *u.balls->numbers);
   return u;
+}
+
+// Plans the scene's tolerance. A kernel that compares a distance in plain fp32, and nothing else, needs no bounds.
+void plan_tolerance(const compilation &c, target::unit &u) {
+  if (!c.scene->asks(lang::rung::tolerant))
+    return;
+  u.tolerance = lower::plan_tolerance(*c.model, *c.scene, u.kernels, u.bounds);
+  for (std::size_t i = 0; i < u.kernels.size(); ++i)
+    if (c.scene->rungs.size() == 1 && u.tolerance.ways[i] && u.tolerance.ways[i]->by_distance)
+      u.bounds[i].reset();
 }
 
 void add_forms(const lower::model &m, target::unit &u) {
@@ -55,7 +66,7 @@ void add_forms(const lower::model &m, target::unit &u) {
 compiled_kernel compile(const compilation &c, const lower::request &r) {
   compiled_kernel out{lower::compile(*c.model, r), std::nullopt};
   passes::run(out.kernel);
-  if (!out.kernel.is_predicate || !asks_exact(*c.scene))
+  if (!out.kernel.is_predicate || !asks_bounds(*c.scene))
     return out;
   out.bounds = bound::analyse(lower::subject_of(out.kernel.decision));
   if (!out.bounds)
@@ -70,7 +81,15 @@ compiled_kernel compile(const compilation &c, const lower::request &r) {
 }
 
 std::string shown(const compilation &c, const compiled_kernel &k, const std::string &target) {
-  target::unit u = unit_of(c, {k.kernel}, {k.bounds});
+  std::vector<lower::kernel> kernels{k.kernel};
+  std::vector<std::optional<bound::kernel_bounds>> bounds{k.bounds};
+  if (c.scene->asks(lang::rung::tolerant)) // the grid is one for all kernels of the scene
+    for (const lang::kernel_request &r : c.scene->kernels) {
+      compiled_kernel other = compile(c, lower::resolve(*c.model, r.what));
+      kernels.push_back(std::move(other.kernel)), bounds.push_back(std::move(other.bounds));
+    }
+  target::unit u = unit_of(c, std::move(kernels), std::move(bounds));
+  plan_tolerance(c, u);
   add_forms(*c.model, u);
   return target::find(target)->show(u, 0);
 }
@@ -94,10 +113,20 @@ void compile_all(compilation &c) {
 
 std::vector<target::file> emit_all(compilation &c) {
   target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
+  plan_tolerance(c, u);
   lower::enclose(*c.model, u.kinds);
   if (!u.balls && !c.scene->says_backends) // drops defaults that need balls; the scene did not ask for them
     std::erase_if(c.scene->backends, [](const std::string &name) { return target::find(name)->needs_balls; });
   return target::files_of(u);
+}
+
+int plan_scene(const std::string &scene) {
+  compilation c = load(scene);
+  compile_all(c);
+  target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
+  plan_tolerance(c, u);
+  say(target::plan_text(u));
+  return 0;
 }
 
 int verify_scene(const verify_options &o) {

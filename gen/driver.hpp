@@ -53,6 +53,8 @@ struct compare_options {
 };
 
 int generate(const generate_options &o);
+// Prints which arithmetic keeps the scene's tolerance, kernel by kernel, and why.
+int plan_scene(const std::string &scene);
 int verify_scene(const verify_options &o);
 int show(const show_options &o);
 // A table of what the scenes' code costs: its size, and the operations and stored values of all kernels together.

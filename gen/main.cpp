@@ -47,6 +47,11 @@ int main(int argc, char **argv) {
       ->check(CLI::Range(1L, 100000000L));
   verify_command->add_option("--seed", v.seed, "Seed of the cases")->capture_default_str();
 
+  std::string planned;
+  CLI::App *plan_command = app.add_subcommand(
+      "plan", "Print which arithmetic keeps the tolerance of a scene, kernel by kernel, and what is proved of it");
+  plan_command->add_option("scene", planned, "Scene file (.toml)")->required();
+
   show_options s;
   CLI::App *show_command = app.add_subcommand("show", "Print one kernel at any stage of the compiler");
   show_command->add_option("scene", s.scene, "Scene file (.toml)")->required();
@@ -64,7 +69,8 @@ int main(int argc, char **argv) {
       "compare",
       "Print what the code of scenes costs: its size, operations and stored values, and perhaps its compilation");
   compare_command->add_option("scenes", m.scenes, "Scene files (.toml)")->required();
-  compare_command->add_option("--compile", m.cxx, "Also compile the C++ with this compiler, for objects and seconds");
+  compare_command->add_option("--compile", m.cxx,
+                              "Also compile the C++ with this compiler, for objects, seconds and the time of a pair");
   compare_command->add_option("--nvcc", m.nvcc, "Also compile the CUDA with this nvcc, for registers on sm_90");
 
   try {
@@ -83,6 +89,7 @@ int main(int argc, char **argv) {
   try {
     const int rc = generate_command->parsed()  ? generate(g)
                    : verify_command->parsed()  ? verify_scene(v)
+                   : plan_command->parsed()    ? plan_scene(planned)
                    : compare_command->parsed() ? compare_scenes(m)
                                                : show(s);
     finish_output();

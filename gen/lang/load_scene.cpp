@@ -43,7 +43,7 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
     throw spec_error({in.file(), 0, 1}, fmt::format("{} has no [scene]", path));
   const toml::node &node = *in.root().get("scene");
   const toml::table &t = in.as_table(node, "scene");
-  in.allow(t, "scene", {"algebra", "namespace", "kernels", "rungs", "backends", "box"});
+  in.allow(t, "scene", {"algebra", "namespace", "kernels", "rungs", "backends", "box", "tolerance"});
   for (const char *key : {"algebra", "namespace", "kernels"})
     if (!t.contains(key))
       throw spec_error(in.place(node), fmt::format("scene needs '{}'", key));
@@ -84,11 +84,21 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
       throw spec_error(in.place(*node_of), fmt::format("scene.{} is empty; known: {}", key, join(known, ", ")));
     return out;
   };
-  const std::vector<std::string> asked = choices("rungs", rung_names(), rung_names());
+  if (t.contains("tolerance")) {
+    s.tolerance = in.as_positive_number(*t.get("tolerance"), "scene.tolerance");
+    s.tolerance_where = in.place(*t.get("tolerance"));
+  }
+  // A scene that bears a tolerance asks for what is proved to keep it, and for nothing else.
+  std::vector<std::string> usual = rung_names();
+  std::erase_if(usual,
+                [&s](const std::string &name) { return (name == info_of(rung::tolerant).name) != (s.tolerance > 0); });
+  const std::vector<std::string> asked = choices("rungs", rung_names(), usual);
   for (const std::string &name : asked)
     for (const rung_info &r : rungs)
       if (name == r.name)
         s.rungs.push_back(r.id);
+  if (s.asks(rung::tolerant) && s.tolerance == 0)
+    throw spec_error(in.place(*t.get("rungs")), "the rung tolerant needs scene.tolerance, a length");
   if (t.contains("box"))
     s.box = box_size(in, *t.get("box"));
   s.says_backends = t.contains("backends");

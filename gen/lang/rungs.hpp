@@ -7,8 +7,9 @@
 namespace meetc::lang {
 
 // Plain rungs take the sign of the value that their arithmetic computes. Exact and certified answers are never wrong.
-// certified runs a filter cascade: the bounded arithmetics in this order, and then the exact rung.
-enum class rung { fp32, fp64, fp64x2, exact, certified };
+// certified runs a filter cascade: the bounded arithmetics in this order, and then the exact rung. tolerant may be wrong
+// within the scene's tolerance (gen/lower/tolerance.hpp).
+enum class rung { fp32, fp64, fp64x2, exact, certified, tolerant };
 
 struct rung_info {
   rung id;
@@ -16,12 +17,13 @@ struct rung_info {
   bool is_plain;   // the sign of a computed value, whose error is not known
   bool is_bounded; // its arithmetic, with an error bound, is also in the filter cascade of `certified`
 };
-inline constexpr std::array<rung_info, 5> rungs{{
+inline constexpr std::array<rung_info, 6> rungs{{
     {rung::fp32, "fp32", true, true},
     {rung::fp64, "fp64", true, true},
     {rung::fp64x2, "fp64x2", true, true},
     {rung::exact, "exact", false, false},
     {rung::certified, "certified", false, false},
+    {rung::tolerant, "tolerant", false, false},
 }};
 
 constexpr const rung_info &info_of(rung r) {

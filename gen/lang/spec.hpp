@@ -91,6 +91,9 @@ struct scene {
   std::vector<std::string> backends;
   bool says_backends = false; // false: the scene has the default backends
   bool asks(rung r) const { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); }
+  // An answer of the rung tolerant may be wrong where moving one operand by at most this changes it; 0: not stated.
+  double tolerance = 0;
+  location tolerance_where;
   double box = 0; // every coordinate lies in [-box, box], every length in [0, 2 box]; 0: not stated
   std::vector<std::shared_ptr<const source_file>> files; // all files that were read, for the content hash
 };

@@ -15,10 +15,11 @@
 namespace meetc::target {
 namespace {
 
-constexpr carries everything{true, true, true, true, true};
-constexpr carries on_the_host{true, true, true, true, false};
-constexpr carries decided{false, true, true, true, false};
-constexpr carries to_read{true, true, false, false, false};
+constexpr carries everything{true, true, true, true, true, true};
+constexpr carries on_the_host{true, true, true, true, true, false};
+constexpr carries in_c{true, true, true, true, false, false};
+constexpr carries decided{false, true, true, true, true, false};
+constexpr carries to_read{true, true, false, false, false, false};
 
 constexpr target table[] = {
     {.name = "poly", .what = "the polynomials, expanded", .can = to_read, .show = poly_text},
@@ -50,7 +51,7 @@ constexpr target table[] = {
      .show = cpp_text},
     {.name = "c",
      .what = "C99 formulas, signs and plain predicates, and certified ones with C linkage",
-     .can = on_the_host,
+     .can = in_c,
      .files = c_files,
      .over = "cpp",
      .source = "_c.cpp",
@@ -112,6 +113,8 @@ void check_carried(const target &t, const unit &u) {
       refuse(k, "predicates");
     if (k.is_predicate && u.asks(lang::rung::certified) && !t.can.certified)
       refuse(k, "certified answers");
+    if (k.is_predicate && u.asks(lang::rung::tolerant) && !t.can.tolerant)
+      refuse(k, "answers within a tolerance");
   }
 }
 } // namespace

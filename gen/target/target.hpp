@@ -7,6 +7,7 @@
 #include "gen/lower/ball_form.hpp"
 #include "gen/lower/kinds.hpp"
 #include "gen/lower/separated.hpp"
+#include "gen/lower/tolerance.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -37,6 +38,7 @@ struct unit {
   std::vector<lower::lowered_kind> kinds; // the kinds that the kernels need, each after those that it contains
   std::optional<lower::ball_form> balls;  // for filters by enclosing balls, if the algebra has it
   std::vector<forms> shown;               // by kernel; empty if nothing is shown
+  lower::tolerance_plan tolerance;        // if the scene asks for the rung tolerant
 
   // The kind with this name.
   const lower::lowered_kind &kind(const std::string &name) const;
@@ -46,7 +48,7 @@ struct unit {
 
 // Which requests of a scene a target can carry.
 struct carries {
-  bool formulas = false, signs = false, plain = false, certified = false, launchers = false;
+  bool formulas = false, signs = false, plain = false, certified = false, tolerant = false, launchers = false;
 };
 
 struct target {

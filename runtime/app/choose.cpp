@@ -8,7 +8,7 @@ namespace meetc::app {
 
 namespace {
 
-constexpr const char *rung_names[rung_count] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
+constexpr const char *rung_names[rung_count] = {"fp32", "fp64", "fp64x2", "exact", "certified", "tolerant"};
 
 std::string join(const std::vector<std::string> &words) {
   std::string out;
@@ -94,11 +94,14 @@ const char *name_of(rung precision) {
 }
 
 rung precision_named(std::string_view name) {
+  std::vector<std::string> known; // but tolerant, which --tolerance asks for
   for (int i = 0; i < rung_count; ++i)
-    if (name == rung_names[i])
+    if (static_cast<rung>(i) != rung::tolerant)
+      known.emplace_back(rung_names[i]);
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (name == known[i])
       return static_cast<rung>(i);
-  throw failure(fmt::format("--precision {}: not in this build; known: {}", io::quote(name),
-                            join({std::begin(rung_names), std::end(rung_names)})));
+  throw failure(fmt::format("--precision {}: not in this build; known: {}", io::quote(name), join(known)));
 }
 
 const catalogue &kernels_named(const kernel_library &all, std::string_view name) {

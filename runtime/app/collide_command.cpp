@@ -85,6 +85,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
   query h;
   h.by = choose(all, *a.kind, *b.kind, q.predicate, q.mode);
   h.precision = q.precision;
+  set_tolerance(h, q.tolerance);
   h.box = all.box;
   h.any = q.any;
   h.keep = q.pairs.has_value();

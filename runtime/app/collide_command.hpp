@@ -18,6 +18,7 @@ struct collide_request {
   std::filesystem::path a, b;
   std::optional<std::string> predicate, mode;
   rung precision = rung::certified;
+  double tolerance = 0; // 0: no answer may be wrong
   io::transform move_b;
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs, colour, image;

@@ -15,7 +15,7 @@ namespace {
 struct arguments {
   collide_request request;
   std::string precision = "certified", device = "auto", instruction_set = "auto";
-  std::optional<std::string> translate, scale, matrix, threads;
+  std::optional<std::string> tolerance, translate, scale, matrix, threads;
 };
 
 void add_sets(CLI::App &c, arguments &to) {
@@ -35,6 +35,10 @@ void add_question(CLI::App &c, arguments &to) {
                "goes on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the sign "
                "of what rounding leaves")
       ->type_name("fp32|fp64|fp64x2|exact|certified");
+  c.add_option("--tolerance", to.tolerance,
+               "A length. An answer may then be wrong, but only where moving one element by at most this changes it: "
+               "numbers are rounded to a power of two, and certified answers are about these. 0, the default, is exact")
+      ->type_name("LENGTH");
   c.add_option("--device", to.device, "Where pairs are decided; auto, the default, is the CPU")
       ->type_name("auto|cpu|cuda");
   c.add_option(
@@ -68,6 +72,8 @@ const collide_request &read(arguments &args) {
   collide_request &q = args.request;
   q.on = processor_named(args.device);
   q.precision = precision_named(args.precision);
+  if (args.tolerance)
+    q.tolerance = length_named("--tolerance", *args.tolerance);
   if (args.threads)
     q.threads = threads_named(*args.threads);
   if (args.scale)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace meetc::app {
@@ -56,6 +57,24 @@ void find(const ordered &o, const query &q, answers &out) {
 
 } // namespace
 
+void set_tolerance(query &q, double tolerance) {
+  const predicate_info &p = *q.by.predicate;
+  q.tolerance = tolerance;
+  if (tolerance == 0)
+    return;
+  if (q.precision != rung::certified)
+    throw failure(fmt::format("--precision {}: with --tolerance the precision is certified", name_of(q.precision)));
+  if (moved_by_grid(p, 1) == 0)
+    throw failure(fmt::format("--tolerance: {} keeps none, since no short move is proved to mend its wrong answers; "
+                              "without the option answers are exact",
+                              p.name));
+  q.grid = grid_within(p, tolerance);
+  if (q.grid == 0)
+    throw failure(fmt::format("--tolerance {}: beyond what float32 can be rounded to; without the option answers are "
+                              "exact",
+                              tolerance));
+}
+
 answers collide_sets(const io::element_set &a, const io::element_set &b, const query &q) {
   const predicate_info &predicate = *q.by.predicate;
   if (cascade(predicate, q.precision).count == 0)
@@ -64,8 +83,16 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
   const auto start = std::chrono::steady_clock::now();
   // On the CPU the larger set is prepared for the smaller one alone. A device looks at all pairs.
   const bool a_first = a.elements <= b.elements;
-  const prepared smaller = prepare(a_first ? a : b, q.threads);
-  const prepared larger = prepare(a_first ? b : a, q.threads, q.on == processor::cuda ? nullptr : &smaller);
+  const auto ready = [&q](const io::element_set &set, const prepared *near) {
+    try {
+      return prepare(set, q.threads, near, q.grid);
+    } catch (const input_error &e) {
+      throw failure(
+          fmt::format("--tolerance {}: rounded to multiples of 2^{}, {}", q.tolerance, std::ilogb(q.grid), e.what()));
+    }
+  };
+  const prepared smaller = ready(a_first ? a : b, nullptr);
+  const prepared larger = ready(a_first ? b : a, q.on == processor::cuda ? nullptr : &smaller);
   const prepared &ready_a = a_first ? smaller : larger, &ready_b = a_first ? larger : smaller;
   ready_a.bounds(out.a.bounds.lo, out.a.bounds.hi);
   ready_b.bounds(out.b.bounds.lo, out.b.bounds.hi);

@@ -32,6 +32,9 @@ struct answers {
 struct query {
   choice by;
   rung precision = rung::certified;
+  // An answer may be wrong where moving one element by at most this changes it; 0: nowhere. `grid` is that to which
+  // numbers are rounded for its sake.
+  double tolerance = 0, grid = 0;
   float box = 0;     // of the scene; 0: none
   bool any = false;  // stop at the first pair
   bool keep = false; // keep the list of pairs; without it, and without polygons, memory does not grow with the pairs
@@ -39,6 +42,9 @@ struct query {
   processor on = processor::cpu;
   std::function<void(double fraction)> progress = {};
 };
+
+// Sets q.tolerance and q.grid. Throws failure where the predicate keeps no such tolerance.
+void set_tolerance(query &q, double tolerance);
 
 // Throws failure where the predicate was not generated for the precision, and std::bad_alloc.
 answers collide_sets(const io::element_set &a, const io::element_set &b, const query &q);

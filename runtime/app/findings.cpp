@@ -36,6 +36,24 @@ bool zero_area(const float *row) {
   return zero;
 }
 
+// The least height of a triangle, or the length of a segment; 0 for other kinds.
+double size_of(const kind_info &kind, const float *row) {
+  double edge[3][3] = {}; // from each point to the next one
+  for (int p = 0; p < kind.points; ++p)
+    for (int k = 0; k < 3; ++k)
+      edge[p][k] = static_cast<double>(row[3 * ((p + 1) % kind.points) + k]) - static_cast<double>(row[3 * p + k]);
+  const auto length = [](const double *v) { return std::hypot(v[0], v[1], v[2]); };
+  if (kind.points < 3)
+    return kind.points == 2 ? length(edge[0]) : 0;
+  const double longest = std::max({length(edge[0]), length(edge[1]), length(edge[2])});
+  if (longest == 0)
+    return 0;
+  double area[3], *const x = edge[0], *const y = edge[1]; // twice the area, relative to the longest edge
+  for (int k = 0; k < 3; ++k)
+    area[k] = x[(k + 1) % 3] / longest * y[(k + 2) % 3] - x[(k + 2) % 3] / longest * y[(k + 1) % 3];
+  return length(area);
+}
+
 void widen(box &b, const float lo[3], const float hi[3]) {
   const bool first = b.lo[0] > b.hi[0];
   for (int k = 0; k < 3; ++k) {
@@ -138,12 +156,16 @@ findings find(const io::element_set &set) {
       areas.add(i);
     if (kind.points == 2 && std::equal(row.begin(), row.begin() + 3, row.begin() + 3))
       lengths.add(i);
+    if (const double size = size_of(kind, row.data()); size > 0)
+      f.least_size = std::min(f.least_size, size);
     for (int k = 0; k < kind.fields; ++k) {
       const double v = std::abs(row[static_cast<std::size_t>(k)]);
       const bool is_length = kind.roles[k] == role::length;
       f.reach = std::max(f.reach, is_length ? v / 2 : v);
       if (is_length && v == 0)
         radii.add(i);
+      if (is_length && v > 0)
+        f.least_size = std::min(f.least_size, v);
     }
   }
   f.zero_area = areas.count();

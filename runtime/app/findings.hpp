@@ -8,6 +8,7 @@
 #include "core/box.hpp"
 #include "io/element_set.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace meetc::app {
@@ -17,7 +18,10 @@ struct findings {
   box bounds{{1, 1, 1}, {-1, -1, -1}}; // around all elements
   grid numbers{1000, -1000};           // of every number of every element
   double reach = 0;                    // the largest |coordinate|, or half of the largest length
-  std::size_t zero_area = 0;           // items, as in the next three
+  // The least of the triangles' heights, the segments' lengths or the radii that are not 0, rounded in double; infinite
+  // where there is none.
+  double least_size = HUGE_VAL;
+  std::size_t zero_area = 0; // items, as in the next three
   std::size_t zero_length = 0;
   std::size_t zero_radius = 0;
   std::size_t duplicates = 0;      // items that repeat an earlier one, with the corners in any order

@@ -9,14 +9,17 @@
 #include "app/option_values.hpp"
 #include "app/output_files.hpp"
 #include "app/scene_file.hpp"
+#include "app/scene_worth.hpp"
 #include "app/sets.hpp"
 #include "app/words.hpp"
+#include "core/pose.hpp"
 #include "io/atomic_file.hpp"
 #include "io/read.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 namespace meetc::app {
@@ -59,15 +62,26 @@ std::string faults_in_words(const io::element_set &set, const findings &f) {
   return out.empty() ? "none" : out;
 }
 
+// The least size of an element that has one, by which an algorithm with divisions would be limited. None here is.
+std::string least_in_words(const io::element_set &set, const findings &f) {
+  if (!std::isfinite(f.least_size))
+    return "no element has a size";
+  const char *const what = set.kind->points == 3   ? "height of a triangle"
+                           : set.kind->points == 2 ? "length of a segment"
+                                                   : "radius";
+  return fmt::format("{} {:.4g}", what, f.least_size);
+}
+
 std::string file_lines(const char *label, const fs::path &path, const io::element_set &set, const findings &f) {
   const std::string vertices = set.vertices > 0 ? fmt::format(", {} vertices", grouped(set.vertices)) : "";
   return fmt::format("{}  {}\n"
                      "   kind        {}: {}{}\n"
                      "   box         {}\n"
                      "   grid        {}\n"
+                     "   least       {}\n"
                      "   degenerate  {}\n",
                      label, path.string(), set.kind->name, counted(set), vertices, in_words(f.bounds),
-                     grid_in_words(f.numbers, f.points), faults_in_words(set, f));
+                     grid_in_words(f.numbers, f.points), least_in_words(set, f), faults_in_words(set, f));
 }
 
 std::string predicate_lines(const std::vector<choice> &fit, const kind_info &a, const kind_info &b) {
@@ -85,6 +99,8 @@ std::string predicate_lines(const std::vector<choice> &fit, const kind_info &a, 
 std::string inspect(const catalogue &all, const inspect_request &q) {
   if (q.algebra && !q.scene)
     throw failure("--algebra is for the scene file that --scene writes; it goes with --scene");
+  if (q.tolerance > 0 && !q.scene)
+    throw failure("--tolerance is for the scene file that --scene writes; it goes with --scene");
   std::vector<fs::path> inputs{q.a, q.b};
   fs::path algebra;
   if (q.scene) {
@@ -112,9 +128,21 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   if (fit.empty())
     throw failure(fmt::format("--scene: no predicate for {} with {}", a.kind->name, b.kind->name));
   std::vector<std::string> names;
+  const choice *first = nullptr; // that is in the scene
   for (const choice &c : fit)
-    names.emplace_back(c.predicate->name);
-  const std::string text = scene_text(*q.scene, algebra, names, box_for(in_a, in_b),
+    if (q.tolerance == 0 || grid_within(*c.predicate, q.tolerance) > 0) {
+      names.emplace_back(c.predicate->name);
+      first = first ? first : &c;
+    }
+  if (!first)
+    throw failure(
+        fmt::format("--tolerance {}: no predicate for {} with {} keeps it", q.tolerance, a.kind->name, b.kind->name));
+  const double box = box_for(in_a, in_b);
+  if (q.tolerance > 0 && box == 0)
+    throw failure(
+        "--tolerance: it needs a box, and none that is a float32 holds these files, or all their numbers are 0");
+  out += worth_of_scene(all, a, b, *first, box, q.tolerance);
+  const std::string text = scene_text(*q.scene, algebra, names, box, q.tolerance,
                                       fmt::format("What {}s with {}s require.", a.kind->name, b.kind->name));
   outputs.write(*q.scene, [&text](const fs::path &to) { io::write_file(to, text); });
   outputs.commit();
@@ -130,7 +158,16 @@ command add_inspect(CLI::App &program, const catalogue &all) {
   c.add_option("--scene", q->scene, "Write the scene file that these files require, for meetc")->type_name("out.toml");
   c.add_option("--algebra", q->algebra, "The algebra that the scene file names (the shipped cga3.toml)")
       ->type_name("PATH");
-  return {&c, [&all, q] { return inspect(all, *q); }};
+  const auto tolerance = std::make_shared<std::optional<std::string>>();
+  c.add_option("--tolerance", *tolerance,
+               "A length that the scene file states: answers may be wrong where moving one element by at most this "
+               "changes them (meetc plan)")
+      ->type_name("LENGTH");
+  return {&c, [&all, q, tolerance] {
+            if (*tolerance)
+              q->tolerance = length_named("--tolerance", **tolerance);
+            return inspect(all, *q);
+          }};
 }
 
 } // namespace meetc::app

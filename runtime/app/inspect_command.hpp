@@ -15,6 +15,7 @@ namespace meetc::app {
 struct inspect_request {
   std::filesystem::path a, b;
   std::optional<std::filesystem::path> scene, algebra;
+  double tolerance = 0; // of the scene; 0: none
 };
 
 // Returns the text for standard output. Throws io::error.

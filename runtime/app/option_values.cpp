@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace meetc::app {
@@ -33,6 +34,13 @@ int threads_named(const std::string &text) {
   if (!io::parse_integer(text, n) || n < 0 || n > max_threads)
     throw failure(fmt::format("--threads: {} is not a number from 0 to {}", io::quote(text), max_threads));
   return static_cast<int>(n);
+}
+
+double length_named(const char *option, const std::string &text) {
+  const double v = numbers<1>(option, text)[0];
+  if (!(v >= 0) || !std::isfinite(v))
+    throw failure(fmt::format("{}: {} is not a finite length of 0 or more", option, io::quote(text)));
+  return v;
 }
 
 void read_numbers(const char *option, std::string text, std::span<double> to) {

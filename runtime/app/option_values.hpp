@@ -16,6 +16,9 @@ inline constexpr const char *files_help =
 // The value of --threads, from 0 (all cores) to the maximum of the core. Throws failure.
 int threads_named(const std::string &text);
 
+// A number from 0 on. Throws failure that names the option.
+double length_named(const char *option, const std::string &text);
+
 // Reads exactly to.size() numbers, separated by commas or blanks. Throws failure that names the option.
 void read_numbers(const char *option, std::string text, std::span<double> to);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <tuple>
 
@@ -25,7 +26,8 @@ bool may_be_contained(const collide_report &r) {
 std::string predicate_in_words(const query &q) {
   const predicate_info &p = *q.by.predicate;
   const std::string mode = *p.mode ? fmt::format(" ({})", p.mode) : "";
-  return fmt::format("{}{}, {}, on the {}", p.name, mode, name_of(q.precision),
+  const std::string tolerance = q.tolerance > 0 ? fmt::format(" within {}", q.tolerance) : "";
+  return fmt::format("{}{}, {}{}, on the {}", p.name, mode, name_of(q.precision), tolerance,
                      q.on == processor::cuda ? "CUDA device" : "CPU");
 }
 
@@ -51,6 +53,13 @@ std::string rungs_line(const answers &f) {
   if (left > 0)
     out += fmt::format("{}, ", name_of(rung::exact));
   return out.empty() ? "" : fmt::format("rungs used: {}\n", std::string_view(out).substr(0, out.size() - 2));
+}
+
+// What a tolerance did to the numbers, and what that means.
+std::string tolerance_lines(const query &q) {
+  return fmt::format("Numbers were rounded to multiples of 2^{}: an answer may be wrong only where moving one element\n"
+                     "by at most {:.3g} changes it.\n",
+                     std::ilogb(q.grid), moved_by_grid(*q.by.predicate, q.grid));
 }
 
 std::string answer_line(const collide_report &r) {
@@ -84,6 +93,8 @@ std::string summary(const collide_report &r) {
                      f.candidates == 1 ? "" : "s");
   if (r.asked.precision == rung::certified)
     out += rungs_line(f);
+  if (r.asked.grid > 0)
+    out += tolerance_lines(r.asked);
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
                      f.collide_seconds);
   if (r.asked.on == processor::cuda)

@@ -46,6 +46,10 @@ std::string as_json(const collide_report &r) {
               {"seconds", seconds(r)},
               {"predicate", r.asked.by.predicate->name},
               {"mode", r.asked.by.predicate->mode}};
+  if (r.asked.tolerance > 0) {
+    out["tolerance"] = r.asked.tolerance;
+    out["grid"] = r.asked.grid;
+  }
   if (!on_device)
     out["instruction_set"] = r.instruction_set;
   if (on_device) {

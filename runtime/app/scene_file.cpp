@@ -46,7 +46,7 @@ std::string space_named(const std::string &stem) {
 } // namespace
 
 std::string scene_text(const fs::path &at, const fs::path &algebra, const std::vector<std::string> &predicates,
-                       double box, const std::string &comment) {
+                       double box, double tolerance, const std::string &comment) {
   std::error_code code;
   const fs::path folder = fs::weakly_canonical(fs::absolute(at).parent_path(), code);
   const fs::path real = fs::weakly_canonical(fs::absolute(algebra), code);
@@ -54,11 +54,11 @@ std::string scene_text(const fs::path &at, const fs::path &algebra, const std::v
   std::string kernels;
   for (const std::string &p : predicates)
     kernels += fmt::format("{}'{}'", kernels.empty() ? "" : ", ", p);
-  return fmt::format("# {}\n\n[scene]\nalgebra   = {}\nnamespace = '{}'\nrungs     = ['fp32', 'fp64', "
-                     "'fp64x2', 'exact', 'certified']\n"
-                     "backends  = ['cpp', 'cuda']\n{}kernels   = [{}]\n",
-                     comment, toml_string((relative.empty() ? real : relative).generic_string()),
-                     space_named(at.stem().string()), box > 0 ? fmt::format("box       = {}\n", box) : "", kernels);
+  return fmt::format(
+      "# {}\n\n[scene]\nalgebra   = {}\nnamespace = '{}'\n{}backends  = ['cpp', 'cuda']\n{}kernels   = [{}]\n", comment,
+      toml_string((relative.empty() ? real : relative).generic_string()), space_named(at.stem().string()),
+      tolerance > 0 ? fmt::format("tolerance = {}\n", tolerance) : "rungs     = ['certified']\n",
+      box > 0 ? fmt::format("box       = {}\n", box) : "", kernels);
 }
 
 } // namespace meetc::app

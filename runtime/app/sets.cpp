@@ -16,8 +16,10 @@ meetc::view view_of(const io::element_set &set) {
   return v;
 }
 
-prepared prepare(const io::element_set &set, int threads, const prepared *near) {
-  return meetc::prepare(view_of(set), *set.kind, {}, threads, near);
+prepared prepare(const io::element_set &set, int threads, const prepared *near, double grid) {
+  pose at;
+  at.grid = grid;
+  return meetc::prepare(view_of(set), *set.kind, at, threads, near);
 }
 
 } // namespace meetc::app

@@ -17,8 +17,8 @@ meetc::view view_of(const io::element_set &set);
 
 // Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to collide_options,
 // so that pairs are of items. `near` is as in meetc::prepare, which also says what is thrown; sets from io::read are
-// always good.
-prepared prepare(const io::element_set &set, int threads = 0, const prepared *near = nullptr);
+// always good. With a grid, all numbers are rounded to it (pose::grid); one that leaves float32 is an input_error.
+prepared prepare(const io::element_set &set, int threads = 0, const prepared *near = nullptr, double grid = 0);
 
 } // namespace meetc::app
 

@@ -58,6 +58,7 @@ template <class P> proved_distance by_rung(rung precision) {
     return proved<P, fp64x2_arithmetic<true>>;
   case rung::exact:
   case rung::certified:
+  case rung::tolerant:
     break;
   }
   return nullptr;

@@ -13,6 +13,7 @@
 #include "bench/machine.hpp"
 #include "bench/option_values.hpp"
 #include "bench/scene_sets.hpp"
+#include "bench/trade_device.hpp"
 #include "bench/trade_families.hpp"
 #include "bench/trade_maps.hpp"
 #include "bench/trade_report.hpp"
@@ -75,7 +76,20 @@ bool is_measured(const predicate_info &p) {
   return can_make_pairs(p) && p.decide[static_cast<int>(rung::exact)];
 }
 
-void measure_pairs(const catalogue &all, const trade_request &q, const std::vector<scene> &scenes,
+// What the numbers of a family are rounded to for its tolerance.
+constexpr double tolerated = 0x1p-20; // sizes
+
+// One predicate on a list of pairs, on the processor and on the device if there is one.
+trade_result measure_cell(const element_pairs &pairs, const interleaved_options &by, double size,
+                          trade_device *device) {
+  trade_result out = measure_trade(pairs, by, size * tolerated);
+  if (device)
+    for (trade_point &p : device->measure(pairs, std::min(by.repetitions, 9)))
+      out.points.push_back(std::move(p));
+  return out;
+}
+
+void measure_pairs(const catalogue &all, const trade_request &q, const std::vector<scene> &scenes, trade_device *device,
                    const std::function<void(double)> &progress, std::vector<trade_cell> &to) {
   const std::size_t n = q.quick ? 300 : 20'000;
   const interleaved_options by{q.repetitions, 1, q.quick ? 0.2 : 8};
@@ -86,7 +100,8 @@ void measure_pairs(const catalogue &all, const trade_request &q, const std::vect
       const predicate_info &p = all.predicates[i];
       if (is_measured(p))
         to.push_back({&p, f.name, f.words, std::ldexp(1.0, f.pairs.scale), n,
-                      measure_trade(make_pairs(p, n, f.pairs, static_cast<std::uint64_t>(i) + 1), by)});
+                      measure_cell(make_pairs(p, n, f.pairs, static_cast<std::uint64_t>(i) + 1), by,
+                                   std::ldexp(1.0, f.pairs.scale), device)});
     }
   if (!q.a)
     return;
@@ -103,12 +118,12 @@ void measure_pairs(const catalogue &all, const trade_request &q, const std::vect
       size = std::max(size, static_cast<double>(hi[k]) - static_cast<double>(lo[k]));
     if (pairs.count > 0)
       to.push_back({c.predicate, "files", fmt::format("candidates of {}", scenes[0].name), size > 0 ? size : 1,
-                    pairs.count, measure_trade(pairs, by)});
+                    pairs.count, measure_cell(pairs, by, size > 0 ? size : 1, device)});
   }
 }
 
 std::vector<trade_query> measure_queries(const catalogue &all, const std::vector<scene> &scenes, const trade_request &q,
-                                         int threads) {
+                                         trade_device *device, int threads) {
   std::vector<trade_query> out;
   for (const scene &s : scenes) {
     const app::choice by = app::choose(all, *s.a.kind, *s.b.kind, {}, {});
@@ -130,7 +145,16 @@ std::vector<trade_query> measure_queries(const catalogue &all, const std::vector
       found = collide(a, b, p, rungs[r], options);
       const list_difference d = difference_of(std::move(found.pairs), truth.pairs);
       out.push_back({s.name, rungs[r], times.seconds[r], found.count, found.candidates, d.extra, d.missed,
-                     found.rungs.unsure[0]});
+                     found.rungs.unsure[0], false});
+    }
+    for (const rung r : {rung::fp32, rung::certified, rung::exact}) {
+      if (!device || !p.decide[static_cast<int>(r)])
+        continue;
+      found = device->query(a, b, p, r, std::min(q.repetitions, 9));
+      const double seconds = found.seconds;
+      const list_difference d = difference_of(std::move(found.pairs), truth.pairs);
+      out.push_back(
+          {s.name, r, seconds, found.count, found.candidates, d.extra, d.missed, found.rungs.unsure[0], true});
     }
   }
   return out;
@@ -145,7 +169,13 @@ const char *const rules =
     "are "
     "never wrong, `none` where numbers overflow, and `-` where errors of several signs are not known to add up to one "
     "motion. *Unsure* is the share that the first rung of `certified` hands on. *paper, fp32* is the paper's own way: "
-    "the orthonormal basis, without a local origin.";
+    "the orthonormal basis, without a local origin. *certified, rounded* is certified on numbers that were rounded to "
+    "a power of "
+    "two before, so that each wrong answer is right again after a move by 2^-20 of the size (`meet collide "
+    "--tolerance`). On a "
+    "device, times are by events on a list of four million pairs; *fp16 filter, device* calls a hit what the filter on "
+    "the "
+    "matrix unit does not rule out, of all pairs of 4,096 elements with 4,096.";
 
 } // namespace
 
@@ -170,9 +200,10 @@ std::string trade(const app::kernel_library &kernels, const trade_request &q) {
   const std::vector<scene> scenes = scenes_of(all, q);
   auto progress = std::make_unique<app::progress_line>("trade");
   std::vector<trade_cell> cells;
+  const std::unique_ptr<trade_device> device = trade_device_named(q.device);
   measure_pairs(
-      all, q, scenes, [&progress](double fraction) { (*progress)(fraction); }, cells);
-  const std::vector<trade_query> queries = measure_queries(all, scenes, q, threads);
+      all, q, scenes, device.get(), [&progress](double fraction) { (*progress)(fraction); }, cells);
+  const std::vector<trade_query> queries = measure_queries(all, scenes, q, device.get(), threads);
   progress.reset();
 
   std::vector<table> tables;
@@ -189,8 +220,9 @@ std::string trade(const app::kernel_library &kernels, const trade_request &q) {
   tables.push_back(table_of(queries, threads));
 
   const std::string set = name_of(all.compiled_for);
-  const std::string about = fmt::format("{}\n\nMeasured with {}. Compiled by {}. No device took part.\n\n{}\n",
-                                        machine_in_words(), set, compiler_in_words(), rules);
+  const std::string about =
+      fmt::format("{}\n\nMeasured with {}. Compiled by {}. {}\n\n{}\n", machine_in_words(), set, compiler_in_words(),
+                  device ? fmt::format("Device: {}.", device->name()) : "No device took part.", rules);
   std::string text = about;
   std::string markdown = fmt::format(
       "# The trade of speed for accuracy\n\nWritten by `meet trade{}{} --threads {} --repetitions {} -o DIR`.\n\n{}",
@@ -206,7 +238,10 @@ std::string trade(const app::kernel_library &kernels, const trade_request &q) {
     outputs.write(*q.folder / "trade.md", [&](const fs::path &to) { io::write_file(to, markdown); });
     outputs.write(*q.folder / "trade.csv", [&](const fs::path &to) { io::write_file(to, as_csv(cells)); });
     outputs.write(*q.folder / "trade.png", [&](const fs::path &to) {
-      draw_trade(to, fmt::format("{} Measured with {}.", machine_in_words(), set), cells);
+      draw_trade(to,
+                 fmt::format("{} Measured with {}.{}", machine_in_words(), set,
+                             device ? fmt::format(" Device: {}.", device->name()) : ""),
+                 cells);
     });
     for (const predicate_info *p : mapped)
       outputs.write(*q.folder / map_file(*p), [&](const fs::path &to) {
@@ -223,7 +258,7 @@ std::string trade(const app::kernel_library &kernels, const trade_request &q) {
   const app::json out = {{"machine", machine_in_words()},
                          {"compiler", compiler_in_words()},
                          {"instruction_set", set},
-                         {"device", nullptr},
+                         {"device", device ? app::json(device->name()) : app::json(nullptr)},
                          {"threads", threads},
                          {"repetitions", q.repetitions},
                          {"quick", q.quick},
@@ -245,6 +280,8 @@ app::command add_trade(CLI::App &program, const app::kernel_library &kernels) {
       ->type_name("DIR");
   c.add_option("--instruction-set", q->instruction_set, "Measure this one; auto, the default: the best that runs here")
       ->type_name("auto|baseline|avx2|avx512");
+  c.add_option("--device", q->device, "Also measure there; auto, the default: if there is one that this build can use")
+      ->type_name("auto|cpu|cuda");
   c.add_option("--threads", *threads, "Threads of whole queries; 0 is all cores, 1 the default")->type_name("N");
   c.add_option("--repetitions", *repetitions,
                "How often the rungs take turns, by default 21; fewer where they take long")

@@ -14,7 +14,7 @@ namespace meetc::bench {
 struct trade_request {
   std::optional<std::filesystem::path> a, b; // both or none
   std::optional<std::filesystem::path> folder;
-  std::string instruction_set = "auto";
+  std::string instruction_set = "auto", device = "auto";
   int threads = 1, repetitions = 21;
   bool quick = false, json = false;
 };

@@ -4,6 +4,7 @@
 #include "bench/distance.hpp"
 #include "bench/paper_way.hpp"
 #include "bench/proved_distance.hpp"
+#include "core/pose.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -16,6 +17,16 @@ std::vector<index_pair> row_with_row(std::size_t n) {
   std::vector<index_pair> pairs(n);
   for (std::size_t i = 0; i < n; ++i)
     pairs[i] = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)};
+  return pairs;
+}
+
+element_pairs on_grid(element_pairs pairs, double grid) {
+  pose at;
+  at.grid = grid;
+  for (std::size_t i = 0; i < pairs.count; ++i) {
+    move_row(*pairs.by->a, at, pairs.a.data() + i * static_cast<std::size_t>(pairs.by->a->fields));
+    move_row(*pairs.by->b, at, pairs.b.data() + i * static_cast<std::size_t>(pairs.by->b->fields));
+  }
   return pairs;
 }
 
@@ -47,6 +58,8 @@ wrongness wrongness_of(const element_pairs &pairs, const trade_method &method, c
   const predicate_info &p = *pairs.by;
   wrongness w;
   const proved_distance proved = method.precision ? proved_distance_of(p.name, *method.precision) : nullptr;
+  if (method.grid > 0)
+    w.proved = moved_by_grid(p, method.grid);
   for (std::size_t i = 0; i < pairs.count; ++i) {
     const float *const a = row(pairs.a, *p.a, i), *const b = row(pairs.b, *p.b, i);
     if (proved)
@@ -62,15 +75,24 @@ wrongness wrongness_of(const element_pairs &pairs, const trade_method &method, c
   return w;
 }
 
-trade_result measure_trade(const element_pairs &pairs, const interleaved_options &by) {
+trade_result measure_trade(const element_pairs &pairs, const interleaved_options &by, double tolerance) {
   const predicate_info &p = *pairs.by;
-  const std::vector<trade_method> methods = methods_of(p);
+  std::vector<trade_method> methods = methods_of(p);
+  const decide_function certified = p.decide[static_cast<int>(rung::certified)];
+  const double grid = certified ? grid_within(p, tolerance) : 0;
+  element_pairs rounded;
+  if (grid > 0) {
+    methods.push_back({"certified, rounded", certified, {}, grid});
+    rounded = on_grid(pairs, grid);
+  }
   const std::vector<index_pair> list = row_with_row(pairs.count);
   std::vector<std::vector<answer>> given(methods.size(), std::vector<answer>(pairs.count));
   std::vector<std::function<void()>> works;
   for (std::size_t w = 0; w < methods.size(); ++w)
-    works.emplace_back(
-        [&, w] { methods[w].decide(pairs.a.data(), pairs.b.data(), list.data(), list.size(), given[w].data()); });
+    works.emplace_back([&, w] {
+      const element_pairs &of = methods[w].grid > 0 ? rounded : pairs;
+      methods[w].decide(of.a.data(), of.b.data(), list.data(), list.size(), given[w].data());
+    });
   const interleaved_times times = measure_interleaved(works, by);
   const std::vector<answer> exact = decide_all(pairs, p.decide[static_cast<int>(rung::exact)]);
   trade_result out;
@@ -80,7 +102,8 @@ trade_result measure_trade(const element_pairs &pairs, const interleaved_options
     trade_point point{methods[w],
                       times.seconds[w] / static_cast<double>(std::max<std::size_t>(pairs.count, 1)),
                       wrongness_of(pairs, methods[w], given[w], exact),
-                      {}};
+                      {},
+                      0};
     if (methods[w].precision == rung::certified && p.certify[0]) {
       const std::vector<answer> first = decide_all(pairs, p.certify[0]);
       point.unsure = static_cast<std::uint64_t>(std::count(first.begin(), first.end(), answer::unsure));

@@ -16,7 +16,8 @@ namespace meetc::bench {
 struct trade_method {
   std::string name;
   decide_function decide = nullptr;
-  std::optional<rung> precision; // none: the paper's way
+  std::optional<rung> precision; // none: the paper's way, or a filter alone
+  double grid = 0;               // the numbers are rounded to its multiples first (pose::grid); 0: they are as they are
 };
 
 // All that decide the predicate: the rungs that it was generated for, and the paper's way where there is one.
@@ -37,6 +38,7 @@ struct trade_point {
   double seconds = 0; // for one pair
   wrongness wrong;
   std::optional<std::uint64_t> unsure; // certified: what its first rung left unsure
+  std::size_t pairs = 0;               // of which the method was asked, the first ones; 0: all
 };
 
 struct trade_result {
@@ -45,8 +47,10 @@ struct trade_result {
   int repetitions = 0;
 };
 
-// Times all methods by turns, and compares their answers with those of exact. The predicate must have exact.
-trade_result measure_trade(const element_pairs &pairs, const interleaved_options &by);
+// Times all methods by turns, and compares their answers with those of exact. The predicate must have exact. With a
+// tolerance above 0, which the predicate keeps, a further method is certified on numbers that are rounded as far as that
+// allows; rounding them is no part of its time.
+trade_result measure_trade(const element_pairs &pairs, const interleaved_options &by, double tolerance = 0);
 
 // The answers of one function for all pairs.
 std::vector<answer> decide_all(const element_pairs &pairs, decide_function decide);

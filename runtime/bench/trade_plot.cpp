@@ -19,19 +19,27 @@ struct drawn {
   const char *colour;
 };
 constexpr std::array subjects{drawn{"triangle_triangle", "#245ca8"}, drawn{"segment_triangle", "#22884c"},
-                              drawn{"sphere_sphere", "#ce2e26"}};
+                              drawn{"sphere_sphere", "#ce2e26"}, drawn{"ball_ball", "#c07a00"}};
 
 // The methods, by shape.
 struct mark {
   std::string_view method;
   int shape;
 };
-constexpr std::array marks{mark{"paper, fp32", 2}, mark{"fp32", 7},  mark{"fp64", 5},
-                           mark{"fp64x2", 9},      mark{"exact", 6}, mark{"certified", 3}};
+constexpr std::array all_marks{mark{"paper, fp32", 2},
+                               mark{"fp32", 7},
+                               mark{"fp64", 5},
+                               mark{"fp64x2", 9},
+                               mark{"exact", 6},
+                               mark{"certified", 3},
+                               mark{"certified, rounded", 8},
+                               mark{"fp32, device", 13},
+                               mark{"certified, device", 12},
+                               mark{"fp16 filter, device", 11}};
 
 // Where no answer is wrong, a mark lies on one of the lowest lines, each predicate on its own; where wrong answers are
 // wrong by 0, on one of the lines above these.
-constexpr double never = 1e-46, by_nothing = 1e-39, apart = 1e2, least = 1e-33, most = 1e2;
+constexpr double never = 1e-50, by_nothing = 1e-41, apart = 1e2, least = 1e-33, most = 1e2;
 
 double height(const trade_cell &c, double distance) {
   return std::clamp(distance / c.size, least, most / 10);
@@ -42,7 +50,20 @@ double height(const trade_cell &c, const wrongness &w, std::size_t subject) {
   return w.false_hits + w.missed == 0 ? never * line : w.farthest == 0 ? by_nothing * line : height(c, w.farthest);
 }
 
+// Those of the methods that were measured.
+std::vector<mark> marks_in(const std::vector<trade_cell> &all) {
+  std::vector<mark> out;
+  for (const mark &m : all_marks)
+    if (std::any_of(all.begin(), all.end(), [&m](const trade_cell &c) {
+          return std::any_of(c.result.points.begin(), c.result.points.end(),
+                             [&m](const trade_point &p) { return p.method.name == m.method; });
+        }))
+      out.push_back(m);
+  return out;
+}
+
 std::string panel(const std::string &family, const std::vector<trade_cell> &all) {
+  const std::vector<mark> marks = marks_in(all);
   std::string data, plots, title;
   int number = 0;
   const auto plot = [&plots](const std::string &how) { plots += (plots.empty() ? "" : ", ") + how; };
@@ -85,6 +106,10 @@ void draw_trade(const std::filesystem::path &to, const std::string &about, const
   for (const trade_cell &c : all)
     if (std::find(families.begin(), families.end(), c.family) == families.end())
       families.push_back(c.family);
+  const bool on_device = std::any_of(all.begin(), all.end(), [](const trade_cell &c) {
+    return std::any_of(c.result.points.begin(), c.result.points.end(),
+                       [](const trade_point &p) { return p.method.name.ends_with(", device"); });
+  });
   constexpr std::size_t across = 2;
   const std::size_t rows = (families.size() + across - 1) / across;
   std::string script = fmt::format(
@@ -93,9 +118,10 @@ void draw_trade(const std::filesystem::path &to, const std::string &about, const
       "set multiplot layout {},{} title {}\n"
       "set logscale xy\nset border 3\nset tics nomirror out\nset grid lt 1 lc rgb '#e4e7ea'\n"
       "set key outside right top vertical samplen 2 font 'Sans,8'\n"
-      "set xlabel 'ns a pair'\nset ylabel 'farthest wrong answer / size'\nset xrange [1:5000]\nset yrange [{}:{}]\n"
+      "set xlabel 'ns a pair'\nset ylabel 'farthest wrong answer / size'\nset xrange [{}:5000]\nset yrange [{}:{}]\n"
       "set ytics ('none wrong' {}, 'wrong by 0' {}, '1e-32' 1e-32, '1e-24' 1e-24, '1e-16' 1e-16, '1e-8' 1e-8, '1' 1)\n",
-      60 + 340 * rows, rows, across, gnuplot_string(about), never / apart, most, never * apart, by_nothing * apart);
+      60 + 340 * rows, rows, across, gnuplot_string(about), on_device ? 1e-4 : 1, never / apart, most, never * apart,
+      by_nothing * apart);
   for (const std::string &family : families)
     script += panel(family, all);
   run_gnuplot(script + "unset multiplot\n", to);

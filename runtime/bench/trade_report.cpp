@@ -104,8 +104,9 @@ table table_of(const std::string &family, const std::vector<trade_cell> &all) {
     for (const trade_point &p : c.result.points)
       t.rows.push_back({of_words(c.by->name), of_words(p.method.name), of_nanoseconds(p.seconds),
                         base ? of_ratio(p.seconds / base->seconds) : missing("-"), of_count(c.result.hits),
-                        of_count(p.wrong.false_hits), of_count(p.wrong.missed), of_percent(wrong(p), c.pairs),
-                        of_length(p.wrong.farthest), of_length(p.wrong.farthest_in_ulps),
+                        of_count(p.wrong.false_hits), of_count(p.wrong.missed),
+                        of_percent(wrong(p), p.pairs > 0 ? p.pairs : c.pairs), of_length(p.wrong.farthest),
+                        of_length(p.wrong.farthest_in_ulps),
                         p.wrong.proved             ? of_length(*p.wrong.proved)
                         : is_never_wrong(p.method) ? of_length(0)
                                                    : missing("-"),
@@ -155,12 +156,14 @@ table table_of(const std::vector<trade_query> &all, int threads) {
   std::string scene;
   for (const trade_query &q : all) {
     if (q.scene != scene)
-      plain_seconds = q.precision == rung::fp32 ? q.seconds : NAN;
+      plain_seconds = q.precision == rung::fp32 && !q.device ? q.seconds : NAN;
     scene = q.scene;
-    t.rows.push_back({of_words(q.scene), of_words(app::name_of(q.precision)), of_milliseconds(q.seconds),
-                      of_ratio(q.seconds / plain_seconds), of_count(q.pairs), of_count(q.candidates),
-                      of_count(q.false_hits), of_count(q.missed),
-                      q.precision == rung::certified ? of_count(q.unsure) : missing("")});
+    t.rows.push_back(
+        {of_words(q.scene),
+         of_words(q.device ? fmt::format("{}, device", app::name_of(q.precision)) : app::name_of(q.precision)),
+         of_milliseconds(q.seconds), of_ratio(q.seconds / plain_seconds), of_count(q.pairs), of_count(q.candidates),
+         of_count(q.false_hits), of_count(q.missed),
+         q.precision == rung::certified ? of_count(q.unsure) : missing("")});
   }
   return t;
 }

@@ -28,6 +28,7 @@ struct trade_query {
   double seconds = 0;
   std::uint64_t pairs = 0, candidates = 0, false_hits = 0, missed = 0;
   std::uint64_t unsure = 0; // in fp32, of certified
+  bool device = false;      // measured there, by events
 };
 
 table table_of(const std::string &family, const std::vector<trade_cell> &all);

@@ -10,7 +10,7 @@ static bool lies_in(const element_set &set, float box) {
 }
 
 cascade::cascade(const predicate_info &of, rung precision) : predicate(&of) {
-  if (precision == rung::certified)
+  if (precision == rung::certified || precision == rung::tolerant)
     stored_a = of.stored_a, stored_b = of.stored_b;
   else if (precision == rung::fp32)
     stored_a = of.plain_stored_a, stored_b = of.plain_stored_b;
@@ -27,6 +27,24 @@ cascade::cascade(const predicate_info &of, rung precision) : predicate(&of) {
   count = whole ? bounded_rungs + 1 : 0;
   if (whole && of.decide_last)
     rungs[bounded_rungs] = of.decide_last;
+}
+
+status cascade::check(const element_set &a, const element_set &b) {
+  if (count != 1 || !predicate->decide[static_cast<int>(rung::tolerant)] ||
+      rungs[0] != predicate->decide[static_cast<int>(rung::tolerant)])
+    return status::ok;
+  const tolerance_info &t = predicate->tolerance;
+  if (a.grid < t.step || b.grid < t.step)
+    return status::not_on_grid;
+  const auto leaves = [&t](const element_set &s) {
+    return static_cast<double>(s.reach) > t.reach || static_cast<double>(s.longest) > 2 * t.reach;
+  };
+  const bool left_a = leaves(a), left_b = leaves(b);
+  if (!left_a && !left_b)
+    return status::ok;
+  *this = cascade(*predicate, rung::certified);
+  start.left_box_a = left_a, start.left_box_b = left_b;
+  return count > 0 ? status::ok : status::left_box;
 }
 
 void cascade::enter_box(float box, const element_set &a, const element_set &b) {

@@ -1,10 +1,12 @@
 // core/cascade.hpp: the filter cascade: the functions that decide, in the order in which a batch of pairs goes through
 // them.
 //
-// A plain rung and exact are one function each. `certified` is four: fp32, fp64, fp64x2 and exact, each for what the
-// one before left unsure.
+// A plain rung, exact and tolerant are one function each. `certified` is four: fp32, fp64, fp64x2 and exact, each for what
+// the one before left unsure.
 #ifndef MEETC_CORE_CASCADE_HPP
 #define MEETC_CORE_CASCADE_HPP
+
+#include "core/status.hpp"
 
 #include "meetc/support.hpp"
 
@@ -31,6 +33,10 @@ struct cascade {
 
   // Uses the bounds of [-box, box] where both sets lie in it and the predicate has such bounds. 0: there is no box.
   void enter_box(float box, const element_set &a, const element_set &b);
+
+  // What the rung tolerant presumes of the sets, not_on_grid or left_box where it does not hold. Of sets that leave the
+  // box the rungs of `certified` decide, if there are any. Other rungs presume nothing.
+  status check(const element_set &a, const element_set &b);
 
   // Decides n pairs by rung `at`, 0 <= at < count. The rows are packed, as in the predicate's kinds.
   void decide(int at, const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n,

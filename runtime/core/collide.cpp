@@ -134,6 +134,8 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
           "an owner map needs one item for each element");
   cascade by(predicate, precision);
   require(by.count > 0, text(status::no_such_rung));
+  const status s = by.check(a.set(), b.set());
+  require(s == status::ok, text(s));
   require(options.box >= 0, "the scene's box is negative or not a number");
   by.enter_box(options.box, a.set(), b.set());
   operand of_a{a, nullptr}, of_b{b, nullptr};

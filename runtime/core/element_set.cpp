@@ -184,6 +184,8 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   const std::size_t given = elements.elements;
   if (!at.identity() && !can_move(kind))
     return status::cannot_move;
+  if (!is_grid(at.grid))
+    return status::bad_grid;
 
   constexpr std::size_t chunk = 2048;
   const float *const in_place = rows_in_place(elements, kind, at);
@@ -193,6 +195,7 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   std::mutex lock;
   survey all;
   set.reach = set.longest = 0;
+  set.grid = at.grid;
   for_chunks(threads, given, chunk, [&](int, std::size_t begin, std::size_t end) {
     const status s = in_place ? check_rows(kind, rows + begin * fields, end - begin)
                               : gather(elements, kind, at, begin, end, scratch.rows + begin * fields);

@@ -27,6 +27,7 @@ struct element_set {
   box around; // all elements that it was filled from; lo > hi if there was none
   // The largest |coordinate| and |length| of any row that it was filled from; infinite if a field is neither.
   float reach = 0, longest = 0;
+  double grid = 0; // that of its pose: all numbers are multiples; 0: they are as they were given
   hierarchy boxes;
 };
 

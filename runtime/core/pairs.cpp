@@ -94,6 +94,8 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
   status s = a_first ? fill(l.a, a, at_a, l.scratch_a, threads) : fill(l.b, b, at_b, l.scratch_b, threads);
   if (s == status::ok)
     s = a_first ? fill(l.b, b, at_b, l.scratch_b, threads, &l.a) : fill(l.a, a, at_a, l.scratch_a, threads, &l.b);
+  if (s == status::ok)
+    s = by.check(l.a, l.b);
   if (s != status::ok)
     return s;
 

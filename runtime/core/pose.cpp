@@ -1,13 +1,48 @@
 #include "core/pose.hpp"
 
+#include "meetc/tolerant.hpp"
+
+#include <cmath>
+#include <cstring>
+
 namespace meetc {
 
 bool pose::identity() const {
   const pose none;
-  bool same = length_scale == 1;
+  bool same = length_scale == 1 && grid == 0;
   for (int i = 0; i < 12; ++i)
     same &= m[i] == none.m[i];
   return same;
+}
+
+bool is_grid(double grid) {
+  int exponent = 0;
+  return grid == 0 || (grid >= 0x1p-149 && grid <= 0x1p127 && std::frexp(grid, &exponent) == 0.5);
+}
+
+double moved_by_grid(const predicate_info &predicate, double grid) {
+  const bool surface = std::strcmp(predicate.mode, "surface") == 0;
+  double steps = 0;
+  for (const kind_info *const k : {predicate.a, predicate.b}) {
+    if (k->hull == 0 || (surface && k->hull > 1) || !can_move(*k))
+      return 0;
+    bool has_z = false;
+    for (int i = 0; i < k->fields; ++i)
+      has_z |= k->roles[i] == role::z;
+    steps += has_z ? 0.8660255 : 0.7071068; // half of the root of 3 and of 2, rounded up
+    steps += k->pad >= 0 ? 0.5 : 0;
+  }
+  return steps * grid;
+}
+
+double grid_within(const predicate_info &predicate, double tolerance) {
+  const double steps = moved_by_grid(predicate, 1);
+  if (steps == 0 || !(tolerance > 0) || !(tolerance <= 0x1p127))
+    return 0;
+  double grid = std::ldexp(1.0, std::ilogb(tolerance / steps));
+  if (moved_by_grid(predicate, grid) > tolerance) // the quotient was rounded up to a power of two
+    grid /= 2;
+  return grid >= 0x1p-149 ? grid : 0;
 }
 
 bool can_move(const kind_info &kind) {
@@ -33,6 +68,9 @@ void move_row(const kind_info &kind, const pose &at, float *row) {
         row[i + k] = static_cast<float>(moved_coordinate(of_coordinate, x, y, z));
     }
   }
+  if (at.grid != 0)
+    for (int i = 0; i < kind.fields; ++i)
+      row[i] = nearest_multiple(row[i], std::ilogb(at.grid));
 }
 
 } // namespace meetc

@@ -17,12 +17,28 @@ inline double moved_coordinate(const double row[4], double x, double y, double z
 // A row-major 3x4 matrix; each coordinate is rounded once to float32. Lengths are multiplied by length_scale, which the
 // caller takes from the similarity, in fp64, and are rounded once. In a kind of the plane z counts as 0. The identity
 // changes no bit.
+//
+// With a grid, which is a power of two, every number is then rounded to its nearest multiple, of two to the even one. Each
+// point moves by at most sqrt(3)/2 of it, and each length by a half. Closed sets that are hulls of points, padded by
+// lengths, then answer as they would after a move of one of them by at most the sum of these over both (docs/trade.md).
 struct pose {
   double m[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   double length_scale = 1;
+  double grid = 0; // 0: nothing is rounded
 
   bool identity() const;
 };
+
+// Whether a grid is 0 or a power of two from 2^-149 to 2^127.
+bool is_grid(double grid);
+
+// How far one element of a pair must be moved, at most, so that the exact answer is that of the two elements rounded to the
+// grid; gen/lower/tolerance.hpp has the proof. 0: no such move is known. It is not, where the surface around a point meets
+// an element with several points: if both ends of a segment are on a sphere around its middle, no short move takes them in,
+// and yet rounding may.
+double moved_by_grid(const predicate_info &predicate, double grid);
+// The largest grid for which that is at most `tolerance`; 0: there is none.
+double grid_within(const predicate_info &predicate, double tolerance);
 
 // Whether a pose can move every field of the kind: all are points x, y, z (or x, y) in this order, or lengths.
 bool can_move(const kind_info &kind);

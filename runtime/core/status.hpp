@@ -14,6 +14,9 @@ enum class status : std::uint8_t {
   bad_index,           // check() names the element
   bad_value,           // not finite, perhaps only after the pose, or against a rule of the kind; check() names it
   cannot_move,         // the kind has fields that a pose cannot move
+  bad_grid,            // a pose's grid is no power of two
+  not_on_grid,         // the rung tolerant is for sets that were rounded to its grid, by their poses
+  left_box,            // the rung tolerant is for sets in its scene's box, and the scene has no certified rungs
   bad_argument,        // count is null, pairs have room but no memory, or the box is negative
 };
 
@@ -33,6 +36,12 @@ constexpr const char *text(status s) {
     return "a value is not finite or breaks a rule of its kind";
   case status::cannot_move:
     return "this kind cannot be moved by a pose";
+  case status::bad_grid:
+    return "a pose's grid is neither 0 nor a power of two from 2^-149 to 2^127";
+  case status::not_on_grid:
+    return "the rung tolerant is for sets whose poses have its grid (predicate_info::tolerance.step)";
+  case status::left_box:
+    return "a set leaves the box for which the rung tolerant was generated";
   case status::bad_argument:
     return "an argument is null that must not be, or the box is negative";
   }

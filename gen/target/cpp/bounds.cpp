@@ -106,17 +106,24 @@ std::string hex_literal(const ir::rational &q, const char *suffix) {
   return fmt::format("0x{}p{}{}", m.get_str(16), e, suffix);
 }
 
+std::string stage_widths_text(const bound::stage_bounds &b) {
+  return fmt::format("  // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
+                     "  static constexpr int degree = {}, growth = {};\n  static constexpr bool mixed = {};\n",
+                     b.degree, b.growth, b.mixed);
+}
+
 std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage &stage, const emitted_predicate &p) {
   const lower::stage &s = *stage.code;
-  std::string out =
-      fmt::format("  // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
-                  "  static constexpr int degree = {}, growth = {};\n"
-                  "  // Exact where differences are integers below 2^window on a grid: fp64{}.\n"
-                  "  static constexpr int window = {};\n  static constexpr bool mixed = {};\n"
-                  "  // Leaves below 2^floor count as 2^floor; a box's side is from 2^box_lowest to 2^box_highest.\n"
-                  "  static constexpr int floor_fp32 = {}, floor_fp64 = {}, box_lowest = {}, box_highest = {};\n",
-                  b.degree, b.growth, b.mixed ? ", and double-double from degree 3" : "", b.window, b.mixed,
-                  b.floor_fp32, b.floor_fp64, b.box_lowest, b.box_highest);
+  std::string out = fmt::format(
+      "  // With inputs that are integers below 2^bits every value is below 2^(degree bits + growth).\n"
+      "  static constexpr int degree = {}, growth = {};\n"
+      "  // Exact where differences are integers below 2^window on a grid: fp64{}.\n"
+      "  static constexpr int window = {};\n  static constexpr bool mixed = {};\n"
+      "  // Leaves below 2^floor count as 2^floor{}.\n"
+      "  static constexpr int floor_fp32 = {}, floor_fp64 = {}{};\n",
+      b.degree, b.growth, b.mixed ? ", and double-double from degree 3" : "", b.window, b.mixed,
+      p.asks_box() ? "; a box's side is from 2^box_lowest to 2^box_highest" : "", b.floor_fp32, b.floor_fp64,
+      p.asks_box() ? fmt::format(", box_lowest = {}, box_highest = {}", b.box_lowest, b.box_highest) : "");
   std::vector<std::string> factors, unfused_factors, boxes, unfused_boxes, degrees, zeros;
   const bound::stage_bounds &unfused = b.unfused->bounds;
   const auto factor = [](const bound::stage_bounds &of, std::size_t i) {
@@ -136,19 +143,24 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage 
     zeros.push_back(fmt::format("0x{:x}u", b.zero_if[i]));
   }
   out += "  // |computed - true| <= factor * magnitude, in fp32, fp64 and fp64x2: ((1 + u)^theta - 1) / (1 - u)^(phi "
-         "+ 1).\n"
-         "  // factor_unfused and box_unfused hold where a fused multiply-add is computed as a product and a sum.\n";
+         "+ 1).\n";
+  out += fmt::format("  // factor_unfused {} where a fused multiply-add is computed as a product and a sum.\n",
+                     p.asks_box() ? "and box_unfused hold" : "holds");
   out += lookup("meetc::factors", "factor", factors);
   out += lookup("meetc::factors", "factor_unfused", unfused_factors);
-  out += "  // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of "
-         "two.\n";
-  out += lookup("meetc::box_factor", "box", boxes);
-  out += lookup("meetc::box_factor", "box_unfused", unfused_boxes);
+  if (p.asks_box()) {
+    out += "  // In fp32: <= c alpha^a beta^b D^pair for objects of extents alpha, beta in a box of side D, powers of "
+           "two.\n";
+    out += lookup("meetc::box_factor", "box", boxes);
+    out += lookup("meetc::box_factor", "box_unfused", unfused_boxes);
+  }
   out += lookup("int", "degree_of", degrees);
   out += "  // The coincidences of points that make the sign zero.\n";
   out += lookup("unsigned", "zero_if", zeros);
-  out += extent_text("a", bound::leaves_of(b, poly::residency::a), p);
-  out += extent_text("b", bound::leaves_of(b, poly::residency::b), p);
+  if (p.asks_box()) {
+    out += extent_text("a", bound::leaves_of(b, poly::residency::a), p);
+    out += extent_text("b", bound::leaves_of(b, poly::residency::b), p);
+  }
   return out + magnitudes_text(b, p);
 }
 

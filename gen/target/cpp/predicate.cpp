@@ -1,6 +1,7 @@
 // A predicate or a sign as a struct: its stages, its decision and its entry points.
 #include "gen/target/cpp/predicate.hpp"
 #include "gen/target/cpp/body.hpp"
+#include "gen/target/cpp/bounds.hpp"
 #include "gen/target/cpp/names.hpp"
 
 #include <algorithm>
@@ -47,11 +48,28 @@ std::string library_functions(const emitted_predicate &p, const char *type) {
     out += fmt::format("  static {} exactly{}", type, rows);
   if (p.has_rare() && p.of.asks(lang::rung::certified))
     out += fmt::format("  static meetc::answer whole_filter{}", rows);
+  if (p.tolerant)
+    out += fmt::format("  static {} tolerant_rest{}", type, rows);
   if (p.has_rare() && p.asks_plain())
     out += fmt::format("  template <class T> static bool whole_plain{}", rows);
   return out.empty() ? out
                      : "\n  // Only few pairs need these. They are compiled in the generated library, or where <" +
                            identifier(p.of.scene.space) + "/header_only.hpp> is included.\n" + out;
+}
+
+// What is proved of the rung tolerant.
+std::string tolerance_text(const lower::tolerant_way &w) {
+  const std::string way =
+      w.by_distance
+          ? "  // In plain fp32: the predicate compares a distance, and its error is a length.\n"
+          : fmt::format("  // Numbers are rounded to multiples of 2^{}; then fp32 with its bound decides, or {} "
+                        "bits.\n",
+                        w.low, w.width);
+  const std::string base = w.by_distance ? "meetc::by_distance" : fmt::format("meetc::by_grid<{}, {}>", w.low, w.bits);
+  return fmt::format(
+      "\n{}  // reach: the largest coordinate; no length exceeds twice this.\n  struct tolerance : {} {{\n"
+      "    static constexpr double moves = {}, reach = {};\n  }};\n",
+      way, base, hex_literal(bound::rounded_up(w.moves, 24), ""), hex_literal(bound::rounded_up(w.reach, 53), ""));
 }
 
 std::string stages_text(const emitted_predicate &p) {
@@ -76,6 +94,7 @@ std::string bases(const emitted_predicate &p) {
 
 emitted_predicate::emitted_predicate(const unit &u, std::size_t number)
     : of(u), kernel(u.kernels[number]), bounds(u.bounds[number] ? &*u.bounds[number] : nullptr),
+      tolerant(number < u.tolerance.ways.size() && u.tolerance.ways[number] ? &*u.tolerance.ways[number] : nullptr),
       name(identifier(kernel.asked.name()) + (kernel.is_sign ? "_sign" : "")),
       kind_a(identifier(kernel.asked.kinds[0]->name)), kind_b(identifier(kernel.asked.kinds[1]->name)),
       a(operand_name(kernel.asked.names[0])), b(operand_name(kernel.asked.names[1])) {
@@ -185,6 +204,12 @@ std::string predicate_text(const unit &u, std::size_t number) {
   } else if (u.asks(lang::rung::exact)) {
     method(exact_comment, "", "bool", "hit", fmt::format("hit_exact<{}>", p.name));
   }
+  if (p.tolerant) {
+    out += tolerance_text(*p.tolerant);
+    method(
+        "Of operands within reach, wrong only where moving one of them by at most tolerance::moves changes the answer.",
+        "", "bool", "tolerant", fmt::format("hit_tolerant<{}>", p.name));
+  }
   if (p.asks_plain())
     method(plain_comment, "template <class T> ", "bool", "plain", fmt::format("hit_plain<{}, T>", p.name));
   out += library_functions(p, "bool") + stages_text(p);
@@ -214,7 +239,8 @@ std::string kernel_header(const unit &u, std::size_t number) {
     includes.push_back(fmt::format("detail/{}_bounds.hpp", name));
   for (const std::string &callee : called_by(p))
     includes.push_back(callee + ".hpp");
-  return open_header(u.scene, "kernel_" + name, includes) +
+  return open_header(u.scene, "kernel_" + name, includes,
+                     p.tolerant ? std::vector<std::string>{"tolerant.hpp"} : std::vector<std::string>{}) +
          (p.kernel.is_sign ? sign_text(u, number) : predicate_text(u, number)) +
          fmt::format("\n}} // namespace {}\n\n#if defined(__CUDACC__) // on a device, all code is "
                      "inline\n{}#endif\n\n#endif\n",

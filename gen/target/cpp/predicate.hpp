@@ -19,15 +19,19 @@ struct emitted_predicate {
   const unit &of;
   const lower::kernel &kernel;
   const bound::kernel_bounds *bounds;
-  std::string name;           // of its struct
-  std::string kind_a, kind_b; // identifiers
-  std::string a, b;           // the operands
-  std::map<int, int> slot;    // the number of an atom's sign
+  const lower::tolerant_way *tolerant; // null where the scene does not ask for the rung
+  std::string name;                    // of its struct
+  std::string kind_a, kind_b;          // identifiers
+  std::string a, b;                    // the operands
+  std::map<int, int> slot;             // the number of an atom's sign
   std::vector<emitted_stage> stages;
 
   emitted_predicate(const unit &u, std::size_t number);
   const emitted_stage *stage(lower::stage_kind which) const; // null if there is none
   bool has_rare() const { return stage(lower::stage_kind::rare) != nullptr; }
+  // Whether some rung reads the bytecode, and whether one reads the bounds of a box.
+  bool asks_bytecode() const { return of.asks(lang::rung::exact) || of.asks(lang::rung::certified); }
+  bool asks_box() const { return of.asks(lang::rung::certified); }
   bool asks_plain() const { return of.asks_plain(); }
   bool of_scene(const lower::sub_decision &c) const;
   std::string input(int i) const; // "A.c.y"

@@ -89,7 +89,7 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
       "{}struct {}{}_stage{} {{\n{}static constexpr int first = {}, atoms = {}, fields_a = {}, fields_b = {};\n",
       indent, scope, name_of(s.kind), s.bounds ? fmt::format(" : detail::{}", detail_name(p, s, "bounds")) : "", inner,
       s.first, s.code->atoms.size(), stored.fields_a, stored.fields_b);
-  if (s.bounds)
+  if (s.bounds && p.asks_bytecode())
     out += fmt::format("{}using bytecode = detail::{};\n", inner, detail_name(p, s, "bytecode"));
   if (stored.fields_a > 0)
     out += function_of_object(p, "object_a", "row_a", stored.object_a, inner);
@@ -113,8 +113,9 @@ std::string bounds_header(const emitted_predicate &p) {
   out += fmt::format("struct {}_points {{\n{}}};\n", p.name, kernel_bounds_text(*p.bounds, p));
   for (const emitted_stage &s : p.stages)
     if (s.kind != lower::stage_kind::rare) {
-      out += fmt::format("\nstruct {};\n", detail_name(p, s, "bytecode")); // defined in the other header
-      out += fmt::format("struct {} {{\n{}}};\n", detail_name(p, s, "bounds"), stage_bounds_text(*s.bounds, s, p));
+      if (p.asks_bytecode())
+        out += fmt::format("\nstruct {};", detail_name(p, s, "bytecode")); // defined in the other header
+      out += fmt::format("\nstruct {} {{\n{}}};\n", detail_name(p, s, "bounds"), stage_bounds_text(*s.bounds, s, p));
     }
   return out + "\n} // namespace detail\n" + close_header(p.of.scene);
 }
@@ -125,19 +126,22 @@ std::string rest_header(const emitted_predicate &p) {
   for (const std::string &callee : called_by(p))
     includes.push_back(fmt::format("detail/{}_rest.hpp", callee));
   std::string out =
-      banner(p.of.scene,
-             fmt::format("The parts of {} that only few pairs need: the rare case, and the program as bytecode for the "
-                         "exact rung.",
-                         p.kernel.asked.text)) +
+      banner(p.of.scene, fmt::format(fmt::runtime(p.asks_bytecode()
+                                                      ? "The parts of {} that only few pairs need: the rare case, and "
+                                                        "the program as bytecode for the exact rung."
+                                                      : "The rare case of {}."),
+                                     p.kernel.asked.text)) +
       fmt::format("// Include {0}.hpp first; on a device it includes this file.\n", name) +
       opened(p, "rest", includes, {"rest.hpp"});
   if (p.bounds) {
     out += "namespace detail {\n\n";
     for (const emitted_stage &s : p.stages) {
-      if (s.kind == lower::stage_kind::rare)
-        out += fmt::format("struct {} {{\n{}}};\n\n", detail_name(p, s, "bounds"), stage_bounds_text(*s.bounds, s, p));
-      out += fmt::format("struct {} {{\n{}}};\n\n", detail_name(p, s, "bytecode"),
-                         bytecode_text(s.code->code, p.kernel.decision.inputs_a + p.kernel.decision.inputs_b));
+      if (s.kind == lower::stage_kind::rare) // the rung tolerant computes it by integers alone
+        out += fmt::format("struct {} {{\n{}}};\n\n", detail_name(p, s, "bounds"),
+                           p.asks_bytecode() ? stage_bounds_text(*s.bounds, s, p) : stage_widths_text(*s.bounds));
+      if (p.asks_bytecode())
+        out += fmt::format("struct {} {{\n{}}};\n\n", detail_name(p, s, "bytecode"),
+                           bytecode_text(s.code->code, p.kernel.decision.inputs_a + p.kernel.decision.inputs_b));
     }
     out += "} // namespace detail\n\n";
   }
@@ -161,6 +165,8 @@ std::string out_of_line(const emitted_predicate &p, const std::string &head) {
     define(type, "after_fp32", fmt::format("decide_rest{}<{}>", of, p.name));
   else if (p.of.asks(lang::rung::exact))
     define(type, "exactly", fmt::format("decide_exactly{}<{}>", of, p.name));
+  if (p.tolerant)
+    define(type, "tolerant_rest", fmt::format("decide_tolerant_rest<{}>", p.name));
   if (p.has_rare() && p.of.asks(lang::rung::certified))
     define("meetc::answer", "whole_filter", fmt::format("certify<{}, meetc::in_fp32>", p.name));
   if (p.has_rare() && p.asks_plain())

@@ -86,12 +86,15 @@ std::string cuda_header(const unit &u) {
   out +=
       "\n// One struct for each predicate. decide() decides n pairs of rows: a, b, pairs and out are device pointers, "
       "and\n"
-      "// rows are packed floats in the spec's store order. certify() runs one bounded rung of `certified` (fp32, "
-      "fp64,\n"
-      "// fp64x2), which may answer unsure. The answers equal those of the CPU, bit for bit. An unknown rung gives\n"
-      "// cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and stored_b() compute\n"
-      "// what sets store: see meetc::cuda::predicate_launchers. All work is enqueued on the stream; nothing is\n"
-      "// allocated, waited for or thrown.\n";
+      "// rows are packed floats in the spec's store order. ";
+  out += u.asks(lang::rung::certified) ? "certify() runs one bounded rung of `certified` (fp32, fp64,\n"
+                                         "// fp64x2), which may answer unsure. The answers equal those of the CPU, bit "
+                                         "for bit. An unknown rung gives\n"
+                                       : "The answers equal those of the CPU, bit for bit. An unknown rung\n// gives ";
+  out += u.asks(lang::rung::certified) ? "// " : "";
+  out += "cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and stored_b() compute\n"
+         "// what sets store: see meetc::cuda::predicate_launchers. All work is enqueued on the stream; nothing is\n"
+         "// allocated, waited for or thrown.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
     if (u.asks(lang::rung::certified))

@@ -18,6 +18,8 @@ std::string counts_table(const unit &u);
 std::string graph_text(const unit &u, std::size_t kernel);
 // Programs in the order and with the names in which they are emitted.
 std::string schedule_text(const unit &u, std::size_t kernel);
+// Which arithmetic keeps the scene's tolerance, kernel by kernel.
+std::string plan_text(const unit &u);
 // The bounds of a kernel's signs as a table. Throws spec_error where there are none.
 std::string bounds_table(const unit &u, std::size_t kernel);
 

@@ -29,6 +29,20 @@ const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const 
   throw device_error(std::string("no CUDA kernels were generated for ") + p.name);
 }
 
+// The rung that decides where tolerant is asked for: certified, if a set leaves the box that tolerant presumes.
+rung tolerant_or_certified(const device_set &a, const device_set &b, const predicate_info &p) {
+  const tolerance_info &t = p.tolerance;
+  require(a.grid() >= t.step && b.grid() >= t.step, text(status::not_on_grid));
+  for (const device_set *const s : {&a, &b}) {
+    const auto [reach, longest] = s->reaches();
+    if (static_cast<double>(reach) <= t.reach && static_cast<double>(longest) <= 2 * t.reach)
+      continue;
+    require(p.decide[static_cast<int>(rung::certified)] != nullptr, text(status::left_box));
+    return rung::certified;
+  }
+  return rung::tolerant;
+}
+
 class device_query {
 public:
   device_query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
@@ -322,6 +336,8 @@ device_result collide(device &on, device_set &a, device_set &b, const predicate_
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
   require(a.is_on(on) && b.is_on(on), "a set is on another device");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
+  if (precision == rung::tolerant)
+    precision = tolerant_or_certified(a, b, predicate);
   require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
   device_result r = device_query(on, a, b, predicate, precision, options).run();
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -27,7 +27,35 @@ __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n) {
     keys[i] = keys[i] >> 32 | keys[i] << 32;
 }
 
+__global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned fields, std::uint64_t lengths,
+                               unsigned *most) {
+  unsigned of[2] = {0, 0}; // magnitudes, whose order is that of their bits
+  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < numbers;
+       i += gridDim.x * std::size_t{threads}) {
+    const unsigned bits = __float_as_uint(rows[i]) & 0x7fffffff;
+    const bool length = (lengths >> i % fields & 1) != 0;
+    of[length] = bits > of[length] ? bits : of[length];
+  }
+  for (int k = 0; k < 2; ++k) {
+    unsigned warp = of[k];
+    for (int d = 16; d > 0; d /= 2)
+      warp = max(warp, __shfl_xor_sync(~0U, warp, d));
+    if (threadIdx.x % 32 == 0)
+      atomicMax(most + k, warp);
+  }
+}
+
 } // namespace
+
+cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
+                    cudaStream_t stream) {
+  const cudaError_t e = cudaMemsetAsync(most, 0, 2 * sizeof(float), stream);
+  if (e != cudaSuccess || n == 0)
+    return e;
+  reaches_kernel<<<blocks_for(n * fields), threads, 0, stream>>>(rows, n * fields, fields, lengths,
+                                                                 reinterpret_cast<unsigned *>(most));
+  return cudaGetLastError();
+}
 
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
                     const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys,

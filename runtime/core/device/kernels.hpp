@@ -23,6 +23,11 @@ cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,
                          unsigned long long *kept, std::size_t n, cudaStream_t stream);
 
+// The largest magnitudes of the numbers of rows of `fields` floats, as float32: most[1] of those whose bit is set in
+// `lengths`, and most[0] of the others. most is device memory.
+cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
+                    cudaStream_t stream);
+
 } // namespace meetc
 
 #endif

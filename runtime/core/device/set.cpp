@@ -1,5 +1,6 @@
 #include "core/device/set.hpp"
 
+#include "core/device/kernels.hpp"
 #include "core/element_set.hpp"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_
 
 device_set::device_set(device &on, const prepared &set)
     : on_(&on), kind_(&set.kind()), launchers_(&launchers_of(on.kernels(), set.kind())),
-      elements_(static_cast<std::uint32_t>(set.elements())) {
+      elements_(static_cast<std::uint32_t>(set.elements())), reach_(set.set().reach), longest_(set.set().longest),
+      grid_(set.set().grid) {
   if (!set.whole())
     throw std::invalid_argument("a set on a device must not be prepared for collisions with one other set");
   const std::size_t floats = std::size_t{elements_} * static_cast<std::size_t>(kind_->fields);
@@ -58,6 +60,8 @@ void device_set::move(const pose &at) {
   }
   if (!can_move(*kind_))
     throw std::invalid_argument(text(status::cannot_move));
+  if (!is_grid(at.grid))
+    throw std::invalid_argument(text(status::bad_grid));
   if (!(at.length_scale >= 0))
     throw std::invalid_argument("a pose's length scale is negative or not a number");
   const auto fields = static_cast<std::size_t>(kind_->fields);
@@ -65,7 +69,7 @@ void device_set::move(const pose &at) {
   device_memory<unsigned long long> bad;
   to.reserve(elements_ * fields, "a set under a pose");
   bad.reserve(1, "a set under a pose");
-  cuda::pose_matrix matrix{{}, at.length_scale, false};
+  cuda::pose_matrix matrix{{}, at.length_scale, false, at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
   std::copy_n(at.m, 12, matrix.m);
   check(launchers_->pose({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, matrix, order_.data(),
                          to.data(), bad.data(), on_->stream()),
@@ -85,8 +89,25 @@ void device_set::move(const pose &at) {
     throw input_error(f, *kind_);
   }
   moved_rows_ = std::move(to);
+  moved_grid_ = at.grid;
   moved_ = true;
   enclose();
+}
+
+std::pair<float, float> device_set::reaches() const {
+  if (!moved_)
+    return {reach_, longest_};
+  std::uint64_t lengths = 0;
+  for (int f = 0; f < kind_->fields && f < 64; ++f)
+    lengths |= static_cast<std::uint64_t>(kind_->roles[f] == role::length) << f;
+  device_memory<float> most;
+  most.reserve(2, "a set's reach");
+  check(meetc::reaches(rows(), elements_, static_cast<unsigned>(kind_->fields), lengths, most.data(), on_->stream()),
+        "starting a kernel");
+  float seen[2] = {0, 0};
+  check(cudaMemcpyAsync(seen, most.data(), sizeof seen, cudaMemcpyDeviceToHost, on_->stream()), "measuring a set");
+  check(cudaStreamSynchronize(on_->stream()), "measuring a set");
+  return {seen[0], seen[1]};
 }
 
 cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame) {

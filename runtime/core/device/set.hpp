@@ -8,6 +8,7 @@
 #include "core/collide.hpp"
 #include "core/device/memory.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace meetc {
@@ -25,6 +26,11 @@ public:
   // Throws input_error where a number leaves float32, std::invalid_argument where the kind cannot be moved, and
   // device_error. After an exception other than device_error the set is as it was before.
   void move(const pose &at);
+
+  // The grid of its pose, or of that with which it was prepared (pose::grid).
+  double grid() const { return moved_ ? moved_grid_ : grid_; }
+  // The largest magnitude of a coordinate, and of a length. After a move they are measured on the device.
+  std::pair<float, float> reaches() const;
 
   const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }
   const std::uint32_t *order() const { return order_.data(); }
@@ -51,6 +57,8 @@ private:
   const kind_info *kind_;
   const cuda::kind_launchers *launchers_;
   std::uint32_t elements_ = 0;
+  float reach_ = 0, longest_ = 0; // as it was uploaded
+  double grid_ = 0, moved_grid_ = 0;
   bool moved_ = false;
   std::uint64_t version_ = 0; // the version of rows(), different from that of any other set
   device_memory<float> rows_, moved_rows_;

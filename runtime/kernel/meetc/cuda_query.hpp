@@ -65,8 +65,8 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
   cutter from(q.workspace, q.bytes);
   const query_memory m = query_memory::of(from, all, p, q.a.elements, q.b.elements, q.list_capacity);
   const cascade_steps steps = steps_of(q.precision);
-  if (steps.count == 0 || !from.fits() || !q.workspace || reinterpret_cast<std::uintptr_t>(q.workspace) % 256 != 0 ||
-      !q.result)
+  if (steps.count == 0 || q.precision == rung::tolerant || !from.fits() || !q.workspace ||
+      reinterpret_cast<std::uintptr_t>(q.workspace) % 256 != 0 || !q.result)
     return cudaErrorInvalidValue;
   cudaError_t e = cudaMemsetAsync(q.result, 0, sizeof *q.result, stream);
   const auto then = [&e](auto &&enqueue) { e = e == cudaSuccess ? enqueue() : e; };

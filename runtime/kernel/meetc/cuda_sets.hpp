@@ -4,6 +4,7 @@
 
 #include <meetc/cuda_table.hpp>
 #include <meetc/frame.hpp>
+#include <meetc/tolerant.hpp>
 
 #include <algorithm>
 
@@ -120,6 +121,8 @@ __global__ void __launch_bounds__(set_threads)
           out[f + 2] = moved(at.m + 8, x, y, z);
       }
     }
+    for (int f = 0; f < Shape::fields && at.on_grid; ++f)
+      out[f] = nearest_multiple(out[f], at.grid_low);
     for (int f = 0; f < Shape::fields; ++f) {
       good &= isfinite(out[f]);
       rows[i * std::size_t{Shape::fields} + f] = out[f];

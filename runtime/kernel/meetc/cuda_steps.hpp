@@ -8,6 +8,7 @@
 
 #include <meetc/cuda_lists.hpp>
 #include <meetc/near.hpp>
+#include <meetc/tolerant.hpp>
 
 #include <algorithm>
 
@@ -162,6 +163,10 @@ template <class P> struct certified_step {
   __device__ static answer of(const float *a, const float *b) { return to_answer(decide_certified<P>(a, b)); }
 };
 
+template <class P> struct tolerant_step {
+  __device__ static answer of(const float *a, const float *b) { return to_answer(decide_tolerant<P>(a, b)); }
+};
+
 template <class P, class Of>
 cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs, std::size_t n, answer *out,
                         cudaStream_t stream) {
@@ -232,6 +237,10 @@ cudaError_t decide_rows(rung which, const float *a, const float *b, const index_
     if constexpr (asks(Rungs, rung::certified))
       return answer_list<P, certified_step<P>>(a, b, pairs, n, out, stream);
     break;
+  case rung::tolerant:
+    if constexpr (asks(Rungs, rung::tolerant))
+      return answer_list<P, tolerant_step<P>>(a, b, pairs, n, out, stream);
+    break;
   }
   return cudaErrorInvalidValue;
 }
@@ -295,6 +304,10 @@ cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pa
   case step::exact:
     if constexpr (asks(Rungs, rung::exact) || certified)
       return decide_list<P, exact_step<P>>(a, b, in, yes, unsure, stream);
+    break;
+  case step::tolerant:
+    if constexpr (asks(Rungs, rung::tolerant))
+      return decide_list<P, tolerant_step<P>>(a, b, in, yes, unsure, stream);
     break;
   case step::certify_fp32:
     if constexpr (certified)

@@ -71,11 +71,14 @@ struct view {
 };
 
 // Row-major 3x4: a point becomes ((m0*x + m1*y) + m2*z) + m3 in fp64, in this order, without fma, rounded once to
-// float32; lengths are multiplied by length_scale. The identity passes every bit through.
+// float32; lengths are multiplied by length_scale. The identity passes every bit through. Then each number is rounded to
+// the nearest multiple of 2^grid_low, if on_grid.
 struct pose_matrix {
   double m[12];
   double length_scale;
   bool identity;
+  bool on_grid = false;
+  int grid_low = 0;
 };
 
 // A query in the caller's memory. All pointers are device memory.
@@ -88,8 +91,8 @@ struct query_result {
   unsigned long long bad_a, bad_b;
 };
 struct query {
-  rung precision;
-  filter by; // one that probe() did not refute
+  rung precision; // not tolerant, which presumes of the sets what nothing here looks at
+  filter by;      // one that probe() did not refute
   view a;
   pose_matrix at_a;
   view b;
@@ -135,6 +138,7 @@ enum class step : std::uint8_t {
   certify_fp32,
   certify_fp64,
   certify_fp64x2,
+  tolerant,
 };
 
 // The steps of a rung after first_step(): each step takes the pairs that the one before left unsure. count 0: there is
@@ -153,6 +157,8 @@ constexpr cascade_steps steps_of(rung precision) {
     return {{step::plain_fp64x2}, 1};
   case rung::exact:
     return {{step::exact}, 1};
+  case rung::tolerant:
+    return {{step::tolerant}, 1};
   case rung::certified:
     return {{step::certify_fp32, step::certify_fp64, step::certify_fp64x2, step::exact}, 4};
   }

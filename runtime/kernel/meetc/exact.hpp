@@ -3,24 +3,10 @@
 #define MEETC_EXACT_HPP
 
 #include <meetc/bytecode.hpp>
+#include <meetc/integers.hpp>
 #include <meetc/usual.hpp>
 
-#include <utility>
-
 MEETC_NAMESPACE(meetc) {
-
-// Calls f<axis>(number) for each number of the pair; the axis is -1 for a number that belongs to none.
-template <class P, class F> MEETC_HD MEETC_INLINE void each_input(const float *row_a, const float *row_b, F &&f) {
-  // In the order of the list. A fold over the comma is limited to 256 numbers by clang.
-  const auto of_a = [&]<int... I>(std::integer_sequence<int, I...>) {
-    [[maybe_unused]] const bool called[] = {(f.template operator()<P::axis(I)>(row_a[I]), true)...};
-  };
-  const auto of_b = [&]<int... I>(std::integer_sequence<int, I...>) {
-    [[maybe_unused]] const bool called[] = {(f.template operator()<P::axis(P::inputs_a + I)>(row_b[I]), true)...};
-  };
-  of_a(std::make_integer_sequence<int, P::inputs_a>());
-  of_b(std::make_integer_sequence<int, P::inputs_b>());
-}
 
 // An e with |d| < 2^e for every difference d that the predicate forms and for every number that stands alone. On an
 // axis no difference exceeds the largest number less the least. Numbers that belong to no axis count twice, since they
@@ -88,23 +74,8 @@ template <class P> struct integer_signs {
   }
 
 private:
-  // Numbers that occur in differences alone are taken from the first one of their axis, so that they are as short as
-  // the differences.
   template <class Stage, class I, class W> MEETC_HD void run(sign *s) const {
-    I numbers[P::inputs_a + P::inputs_b], origin[3] = {0, 0, 0}, *next = numbers;
-    bool seen[3] = {false, false, false};
-    each_input<P>(a, b, [&]<int Axis>(float v) {
-      I &out = *next++;
-      to_integer(v, common.low, out);
-      if constexpr (Axis >= 0 && Axis <= 2) {
-        if (!seen[Axis])
-          origin[Axis] = out;
-        seen[Axis] = true;
-        out -= origin[Axis];
-      }
-    });
-    const I *const ia = numbers, *const ib = numbers + P::inputs_a;
-    stage_signs<Stage, I, W>(ia, ib, s);
+    integer_stage_signs<P, Stage, I, W>(a, b, common.low, s);
   }
 
   template <class Stage> MEETC_NOINLINE MEETC_HD void run_limbs(int wanted, sign *s) const {

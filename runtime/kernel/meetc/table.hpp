@@ -80,9 +80,10 @@ struct index_pair {
 };
 
 // fp32, fp64 and fp64x2 are plain: they take the sign of the computed value. exact and certified are never wrong.
-// certified runs the bounded rungs, the cheapest first, each on what the one before left unsure, and exact last.
-enum class rung : std::uint8_t { fp32 = 0, fp64 = 1, fp64x2 = 2, exact = 3, certified = 4 };
-inline constexpr int rung_count = 5;
+// certified runs the bounded rungs, the cheapest first, each on what the one before left unsure, and exact last. tolerant
+// is wrong only where moving one element by at most a proved length changes the answer (tolerant.hpp).
+enum class rung : std::uint8_t { fp32 = 0, fp64 = 1, fp64x2 = 2, exact = 3, certified = 4, tolerant = 5 };
+inline constexpr int rung_count = 6;
 constexpr bool never_wrong(rung r) {
   return r == rung::exact || r == rung::certified;
 }
@@ -92,6 +93,14 @@ inline constexpr int bounded_rungs = 3;
 // Decides n candidate pairs: pairs[i].a and .b index rows of floats. A true answer is the same for rows that are all
 // multiplied by one positive number.
 using decide_function = void (*)(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out);
+
+// What the rung tolerant presumes of both sets, and what it promises.
+struct tolerance_info {
+  double moves = 0; // an answer may be wrong only where moving one element by at most this changes it
+  // The step of the grid to which all numbers have been rounded, a power of two; 0: they are as they are.
+  double step = 0;
+  double reach = 0; // the largest |coordinate| of any element; no length exceeds twice this
+};
 
 // One predicate on an ordered pair of kinds.
 struct predicate_info {
@@ -115,6 +124,7 @@ struct predicate_info {
   // decide[exact] for pairs that all bounded rungs left unsure: it does not repeat what they have tried. Null:
   // decide[exact] takes its place.
   decide_function decide_last = nullptr;
+  tolerance_info tolerance = {}; // of decide[tolerant]
 };
 
 // All that a namespace offers to a runtime.

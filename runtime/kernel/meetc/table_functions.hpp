@@ -9,6 +9,7 @@
 #include <meetc/decide.hpp>
 #include <meetc/rest.hpp>
 #include <meetc/table.hpp>
+#include <meetc/tolerant.hpp>
 #include <meetc/wide_decide.hpp>
 
 MEETC_NAMESPACE(meetc) {
@@ -152,6 +153,22 @@ void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair
     });
 }
 
+// The rung tolerant. Rows have been rounded where it rounds.
+template <class P> void decide_tolerant(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+  const auto rest = [](const row_pair &p) { return to_answer(decide_tolerant_rest<P>(p.row_a, p.row_b)); };
+  if (!standard_environment())
+    return decide_each<P>(a, b, pairs, n, out, rest);
+  if constexpr (P::tolerance::rounds) {
+    certify_pairs<P, in_fp32>(a, b, pairs, n, out);
+    for (std::size_t i = 0; i < n; ++i)
+      if (out[i] == answer::unsure)
+        decide_each<P>(a, b, pairs + i, 1, out + i, rest);
+  } else {
+    decide_plain<P, float>(row_array(after_check(a.rows)), row_array(after_check(b.rows)), pairs, n, out);
+    after_check(out); // keeps the computation before the return
+  }
+}
+
 // Computes the stored values of n rows by Store (store_a<P, V> or store_b<P, V>).
 template <class Store> bool store_each(const float *rows, std::size_t n, float *out) {
   if (!standard_environment())
@@ -218,7 +235,11 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.box_least = least_box<P>();
     p.box_most = most_box<P>();
   }
-  if constexpr (asks(rung::fp32) || certified)
+  if constexpr (asks(rung::tolerant)) {
+    decide(rung::tolerant) = decide_tolerant<P>;
+    p.tolerance = {P::tolerance::moves, P::tolerance::step(), P::tolerance::reach};
+  }
+  if constexpr (asks(rung::fp32) || asks(rung::tolerant) || certified)
     p.stored_a = stored_by<store_a<P, in_fp32::value>>(number_a),
     p.stored_b = stored_by<store_b<P, in_fp32::value>>(number_b),
     p.plain_stored_a = stored_by<store_a<P, float>>(plain_number(number_a, a)),

@@ -71,6 +71,15 @@ TEST_CASE("compare: sources are compiled, and nothing is left of that") {
   INFO(o.out << o.err);
   REQUIRE(o.code == 0);
   CHECK_THAT(o.out, contains("object KB") && contains("compile s"));
+  // The time of a pair, by predicate.
+  std::istringstream after(o.out.substr(o.out.find("ns a pair")));
+  std::string line, name;
+  double nanoseconds = 0;
+  std::getline(after, line);
+  CHECK_THAT(line, contains("spheres"));
+  REQUIRE(after >> name >> nanoseconds);
+  CHECK(name == "ball_ball");
+  CHECK(nanoseconds > 0);
   CHECK(left() == before);
 }
 

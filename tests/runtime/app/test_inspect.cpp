@@ -55,7 +55,12 @@ TEST_CASE("degeneracies") {
   CHECK(has(out, "2 faces with zero-area triangles, 1 duplicate face, 1 unused vertex"));
   CHECK(has(out, "1 zero-length segment, 1 duplicate\n"));
   put("balls.csv", "x,y,z,r\n0,0,0,0\n0,0,0,0\n0,0,0,1\n");
-  CHECK(has(inspected("balls.csv", "rods.csv"), "2 spheres of radius 0, 1 duplicate\n"));
+  const std::string of_balls = inspected("balls.csv", "rods.csv");
+  CHECK(has(of_balls, "2 spheres of radius 0, 1 duplicate\n"));
+  CHECK(has(of_balls, "least       radius 1\n"));
+  CHECK(has(of_balls, "least       length of a segment 1\n"));
+  put("wedge.obj", "v 0 0 0\nv 3e20 0 0\nv 0 4e20 0\nf 1 2 3\n");
+  CHECK(has(inspected("wedge.obj", "balls.csv"), "least       height of a triangle 2.4e+20\n"));
   // A polygon counts once, and its own triangles do not repeat each other.
   put("quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3 4\n");
   CHECK(has(inspected("quad.obj", "quad.obj"), "degenerate  1 duplicate face\n"));
@@ -71,7 +76,10 @@ TEST_CASE("the scene that the files require") {
   const std::string scene = get(at("robot-cell.toml"));
   CHECK(has(scene, "[scene]\n"));
   CHECK(has(scene, "namespace = 'robot_cell'"));
-  CHECK(has(scene, "rungs     = ['fp32', 'fp64', 'fp64x2', 'exact', 'certified']"));
+  CHECK(has(scene, "rungs     = ['certified']"));
+  CHECK(has(s.out, "What the lines of the scene buy, by queries of ball_triangle"));
+  CHECK(has(s.out, "   box         "));
+  CHECK_FALSE(has(s.out, "   tolerance   "));
   CHECK(has(scene,
             "\nbox       = 1\n")); // the mesh reaches to 1, the sphere's centre to 1, its radius is below 2
   CHECK(has(scene, "kernels   = ['ball_triangle', 'sphere_triangle']"));
@@ -85,6 +93,16 @@ TEST_CASE("the scene that the files require") {
     CHECK(std::system(command.c_str()) == 0);
     CHECK(fs::exists(at("generated/robot_cell/ball_triangle.hpp")));
   }
+  // With a tolerance the scene asks for what keeps it; a surface around a triangle keeps none.
+  const said t = run({"inspect", "balls.csv", "ball.ply", "--scene", "coarse.toml", "--tolerance", "1e-3"});
+  INFO(t.err);
+  REQUIRE(t.code == 0);
+  CHECK(has(t.out, "   tolerance   "));
+  CHECK(has(get(at("coarse.toml")), "tolerance = 0.001\n"));
+  CHECK_FALSE(has(get(at("coarse.toml")), "rungs"));
+  CHECK(has(get(at("coarse.toml")), "kernels   = ['ball_triangle']"));
+  if (std::string_view(MEETC_PROGRAM).size() > 0)
+    CHECK(std::system(fmt::format("'{}' plan '{}' >/dev/null 2>&1", MEETC_PROGRAM, at("coarse.toml")).c_str()) == 0);
   // Without --algebra the program finds the algebra that comes with it.
   CHECK(run({"inspect", "ball.ply", "ball.ply", "--scene", "7 meshes.toml"}).code == 0);
   CHECK(has(get(at("7 meshes.toml")), "namespace = 'scene_7_meshes'"));
@@ -124,6 +142,11 @@ TEST_CASE("errors of inspect") {
   CHECK(has(complaint({"inspect", "ball.ply", "ball.ply", "--scene", "s.toml", "--algebra", "nowhere.toml"}),
             "nowhere.toml: no such file"));
   CHECK(has(complaint({"inspect", "ball.ply", "ball.ply", "--algebra", MEETC_ALGEBRA}), "it goes with --scene"));
+  CHECK(has(complaint({"inspect", "ball.ply", "ball.ply", "--tolerance", "1"}), "it goes with --scene"));
+  CHECK(has(complaint({"inspect", "ball.ply", "ball.ply", "--scene", "s.toml", "--tolerance", "-1"}),
+            "is not a finite length of 0 or more"));
+  CHECK(has(complaint({"inspect", "ball.ply", "ball.ply", "--scene", "s.toml", "--tolerance", "1e-60"}),
+            "no predicate for triangle with triangle keeps it"));
   CHECK(has(complaint({"inspect", "balls.csv", "points.csv", "--scene", "s.toml"}),
             "no predicate for sphere with point"));
   CHECK(has(complaint({"inspect", "ball.ply", "balls.csv", "--scene", "ball.ply"}), "is an input"));

@@ -54,8 +54,12 @@ void moves(comparison &with, const settings &s) {
   sheared.m[1] += 0.5, sheared.m[4] *= 3;
   pose flat = turned(1, 0, 0, 0);
   flat.m[8] = flat.m[9] = flat.m[10] = 0;
-  const pose poses[] = {turned(1, 0.1, 0.2, -0.3),
+  pose coarse = turned(1, 0.1, 0.2, -0.3), rounded; // one moves and rounds, one rounds alone
+  coarse.grid = 0x1p-9, rounded.grid = 0x1p-4;
+  const pose poses[] = {coarse,
                         {},
+                        turned(1, 0.1, 0.2, -0.3),
+                        rounded,
                         turned(1e-6, 0, 0, 0),
                         turned(3e5, 1e7, -1e7, 5),
                         mirrored,
@@ -71,7 +75,7 @@ void moves(comparison &with, const settings &s) {
                   y = random_rows(*p.b, n / 3 + 1, {1, 0.2, 1, 0}, random);
     const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
     device_set da(with.on(), a), db(with.on(), b);
-    for (const pose &at : std::span(poses).first(s.small ? 3 : std::size(poses))) {
+    for (const pose &at : std::span(poses).first(s.small ? 4 : std::size(poses))) {
       da.move(at);
       const prepared a_there = prepare(view_of(x), *p.a, at);
       with.require("poses", same_rows_there(da, a, a_there), std::string(p.name) + ": other rows under a pose");

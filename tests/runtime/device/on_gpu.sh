@@ -40,6 +40,7 @@ if does tests; then
   for test in test_cuda test_cuda_fast_math test_cuda_pairs test_cuda_extremes; do
     step $test "$build/tests/runtime/device/$test"
   done
+  step test_cuda_tolerant "$build/tests/generated/tolerant/test_cuda_tolerant"
   [ -z "$data" ] || step test_cuda_data "$build/tests/runtime/device/test_cuda_pairs" --data "$data"
   step collide_ends "$(dirname "$0")/collide_ends.sh" "$meet"
 fi

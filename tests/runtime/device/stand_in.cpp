@@ -13,6 +13,7 @@
 #include <meetc/frame.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/near.hpp>
+#include <meetc/tolerant.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -128,6 +129,16 @@ cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, cudaStream_t) {
     keys[i] = keys[i] >> 32 | keys[i] << 32;
   return cudaSuccess;
 }
+cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
+                    cudaStream_t) {
+  most[0] = most[1] = 0;
+  for (std::size_t i = 0; i < n * fields; ++i) {
+    float &of = most[lengths >> i % fields & 1];
+    of = std::max(of, std::fabs(rows[i]));
+  }
+  return cudaSuccess;
+}
+
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
                       int bits, cudaStream_t) {
   bytes = 1;
@@ -179,6 +190,8 @@ cudaError_t pose_rows(const cuda::view &v, const cuda::pose_matrix &at, const st
           const double x = row[f], y = row[f + 1], z = row[f + 2];
           out[f + k] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
         }
+    for (int f = 0; f < fields && at.on_grid; ++f)
+      out[f] = nearest_multiple(out[f], at.grid_low);
     if (!std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }))
       *bad = std::min(*bad, static_cast<unsigned long long>(order[i]) << 32 | i);
   }
