@@ -70,12 +70,18 @@ private:
   fs::path at_;
 };
 
+// The first line that names an error, or else the first one.
+std::string first_error(const std::string &said) {
+  const std::size_t error = said.find("error"), at = error == std::string::npos ? 0 : said.rfind('\n', error) + 1;
+  return said.substr(at, said.find('\n', at) - at);
+}
+
 finished_process compile_file(const std::vector<std::string> &words) {
   finished_process done = run_process(words);
   if (done.code == 127)
     throw spec_error({}, fmt::format("{}: cannot be run", words.front()));
   if (done.code != 0)
-    throw spec_error({}, fmt::format("{}: failed: {}", words.front(), done.said.substr(0, done.said.find('\n'))));
+    throw spec_error({}, fmt::format("{}: failed: {}", words.front(), first_error(done.said)));
   return done;
 }
 
@@ -246,7 +252,7 @@ int compare_scenes(const compare_options &o) {
   for (const std::string &scene : o.scenes)
     all.push_back(figures_of(scene, o));
   say(table_of(all, o));
-  if (!o.cxx.empty())
+  if (std::any_of(all.begin(), all.end(), [](const scene_figures &f) { return !f.nanoseconds.empty(); }))
     say('\n' + times_of(all));
   return 0;
 }

@@ -44,6 +44,18 @@ void plan_tolerance(const compilation &c, target::unit &u) {
   if (!c.scene->asks(lang::rung::tolerant))
     return;
   u.tolerance = lower::plan_tolerance(*c.model, *c.scene, u.kernels, u.bounds);
+  // The proof presumes that the predicate says whether its operands touch. Some hundred cases tell most others.
+  for (std::size_t i = 0; i < u.kernels.size(); ++i) {
+    const lower::request &asked = u.kernels[i].asked;
+    if (!u.tolerance.ways[i])
+      continue;
+    const verify::report r = verify::verify_predicate(*c.model, u.kernels[i], 400, 1);
+    if (r.wrong > 0)
+      throw spec_error(asked.where,
+                       fmt::format("'{}' keeps no tolerance, since it does not say whether its operands touch: "
+                                   "{} of {} cases are wrong (meetc verify)",
+                                   asked.text, r.wrong, r.cases));
+  }
   for (std::size_t i = 0; i < u.kernels.size(); ++i)
     if (c.scene->rungs.size() == 1 && u.tolerance.ways[i] && u.tolerance.ways[i]->by_distance)
       u.bounds[i].reset();

@@ -5,43 +5,42 @@
 namespace meetc {
 
 std::string timing_program(const std::string &space) {
-  return fmt::format(R"(#include <{0}/{0}_runtime.hpp>
-#include <meetc/tolerant.hpp>
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <vector>
-using namespace meetc;
-static float place(std::uint64_t &state) {{ // in [-1, 1)
+  return fmt::format("#include <{0}/{0}_runtime.hpp>\n"
+                     "#include <meetc/tolerant.hpp>\n"
+                     "#include <algorithm>\n"
+                     "#include <chrono>\n"
+                     "#include <cstdio>\n"
+                     "#include <vector>\n"
+                     R"(static float place(std::uint64_t &state) {{ // in [-1, 1)
   state = state * 6364136223846793005U + 1442695040888963407U;
   return static_cast<float>(static_cast<std::int64_t>(state >> 40) - (1 << 23)) * 0x1p-23F;
 }}
-static std::vector<float> random_rows(const kind_info &k, std::size_t n, float box, double step, std::uint64_t state) {{
+static std::vector<float> random_rows(const meetc::kind_info &k, std::size_t n, float box, double step, std::uint64_t state) {{
   std::vector<float> rows;
   for (std::size_t i = 0; i < n; ++i)
     for (int f = 0; f < k.fields; ++f) {{
       const float x = place(state) * box;
-      const float v = k.roles[f] == role::length ? (x < 0 ? -x : x) / 2 : x;
-      rows.push_back(step > 0 ? nearest_multiple(v, std::ilogb(step)) : v);
+      const float v = k.roles[f] == meetc::role::length ? (x < 0 ? -x : x) / 2 : x;
+      rows.push_back(step > 0 ? meetc::nearest_multiple(v, std::ilogb(step)) : v);
     }}
   return rows;
 }}
 int main() {{
-  const catalogue &all = {0}::catalogue();
+  const meetc::catalogue &all = {0}::catalogue();
   constexpr std::size_t n = 4096;
-  std::vector<index_pair> pairs;
+  std::vector<meetc::index_pair> pairs;
   for (std::uint32_t i = 0; i < n; ++i)
     pairs.push_back({{i, i}});
   for (int p = 0; p < all.predicate_count; ++p) {{
-    const predicate_info &of = all.predicates[p];
-    decide_function decide = nullptr;
-    for (const rung r : {{rung::fp32, rung::exact, rung::certified, rung::tolerant}})
+    const meetc::predicate_info &of = all.predicates[p];
+    meetc::decide_function decide = nullptr;
+    for (const meetc::rung r : {{meetc::rung::fp32, meetc::rung::exact, meetc::rung::certified, meetc::rung::tolerant}})
       decide = of.decide[static_cast<int>(r)] ? of.decide[static_cast<int>(r)] : decide;
     if (!decide)
       continue;
     const float box = all.box > 0 ? all.box : 1;
     const std::vector<float> a = random_rows(*of.a, n, box, of.tolerance.step, 1), b = random_rows(*of.b, n, box, of.tolerance.step, 2);
-    std::vector<answer> out(n);
+    std::vector<meetc::answer> out(n);
     double least = 1;
     for (int i = 0; i < 200; ++i) {{
       const auto start = std::chrono::steady_clock::now();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
+#include <set>
 
 namespace meetc::lower {
 namespace {
@@ -150,6 +152,17 @@ int longest_differences(const bound::kernel_bounds &b, int most) {
   return out;
 }
 
+// The exponent of the coarsest grid that keeps the tolerance for these kernels; for all of them if none is named. No grid
+// is coarser than a float32.
+int grid_for(const std::map<std::size_t, tolerant_kernel> &all, const std::set<std::size_t> &of,
+             const rational &tolerance) {
+  rational most;
+  for (const auto &[i, k] : all)
+    if (of.empty() || of.count(i))
+      most = std::max(most, k.moves());
+  return std::min(floor_log2(tolerance / most), 127);
+}
+
 tolerant_way on_grid(const tolerant_kernel &k, const lang::scene &s, int low) {
   const rational step = bound::power_of_two(low), box(s.box);
   const mpz_class steps = ceiling(box / step); // the largest |coordinate|; a length has at most twice as many
@@ -176,24 +189,29 @@ tolerance_plan plan_tolerance(const model &m, const lang::scene &s, const std::v
                               const std::vector<std::optional<bound::kernel_bounds>> &bounds) {
   tolerance_plan out;
   out.ways.resize(kernels.size());
+  out.refusals.resize(kernels.size());
+  const bool has_others = s.asks(lang::rung::exact) || s.asks(lang::rung::certified);
   std::map<std::size_t, tolerant_kernel> all;
-  for (std::size_t i = 0; i < kernels.size(); ++i)
-    if (kernels[i].is_sign && s.rungs == std::vector{lang::rung::tolerant})
-      throw spec_error(kernels[i].asked.where,
-                       fmt::format("'{}' is one sign, and nothing says which move changes it: ask "
-                                   "for the rung certified beside tolerant",
-                                   kernels[i].asked.text));
-    else if (kernels[i].is_predicate && !kernels[i].is_sign)
-      all.emplace(i, offered(m, kernels[i], bounds[i].value()));
+  for (std::size_t i = 0; i < kernels.size(); ++i) {
+    const kernel &k = kernels[i];
+    if (k.is_sign && s.rungs == std::vector{lang::rung::tolerant})
+      throw spec_error(k.asked.where,
+                       fmt::format("'{}' is one sign, and nothing says which move changes it: ask for the "
+                                   "rung certified beside tolerant",
+                                   k.asked.text));
+    if (!k.is_predicate || k.is_sign)
+      continue;
+    try {
+      all.emplace(i, offered(m, k, bounds[i].value()));
+    } catch (const spec_error &e) {
+      if (!has_others)
+        throw;
+      out.refusals[i] = e.message();
+    }
+  }
   if (all.empty())
     return out;
   const rational tolerance(s.tolerance);
-  rational most_steps;
-  for (const auto &[i, k] : all)
-    most_steps = std::max(most_steps, k.moves());
-  const int low = floor_log2(tolerance / most_steps);
-  if (low < -149)
-    throw spec_error(s.tolerance_where, "scene.tolerance is below the spacing of float32: ask for the rung certified");
   if (s.box == 0) {
     int most = longest;
     for (const auto &[i, k] : all)
@@ -201,29 +219,37 @@ tolerance_plan plan_tolerance(const model &m, const lang::scene &s, const std::v
     throw spec_error(s.tolerance_where,
                      fmt::format("scene.tolerance cannot be proved without scene.box, the largest coordinate: for this "
                                  "tolerance state one of at most {}",
-                                 in_words(bound::power_of_two(most - 1 + low))));
+                                 in_words(bound::power_of_two(most - 1 + grid_for(all, {}, tolerance)))));
   }
   const rational box(s.box);
-  const auto by_distance = [&](const tolerant_kernel &k, const rational &moved) {
+  // What keeps the tolerance by the grid; the others compare a distance in plain fp32, beside the grid.
+  std::set<std::size_t> by_grid;
+  const auto beside = [&](const tolerant_kernel &k, const std::optional<int> &low) -> std::optional<tolerant_way> {
     tolerant_way w;
     w.by_distance = true;
-    w.moves = distance_error(k, box) + moved;
-    w.reach = box;
-    return compares_a_distance(k) && w.moves <= tolerance ? std::optional(w) : std::nullopt;
+    const rational step = low ? bound::power_of_two(*low) : rational(0);
+    w.low = low.value_or(0);
+    w.beside_grid = low.has_value();
+    w.reach = low ? rational(ceiling(box / step)) * step : box;
+    w.moves = distance_error(k, w.reach) + k.moves() * step;
+    // In a larger box the squares overflow.
+    const bool fits = 2 * w.reach <= bound::power_of_two(k.bounds->common.box_highest);
+    return fits && w.moves <= tolerance ? std::optional(w) : std::nullopt;
   };
   for (const auto &[i, k] : all)
-    out.ways[i] = by_distance(k, 0);
-  if (std::all_of(all.begin(), all.end(), [&](const auto &x) { return out.ways[x.first].has_value(); }))
-    return out;
-  // Sets are rounded for all kernels alike, which takes its share of the tolerance.
-  out.low = low;
-  for (const auto &[i, k] : all) {
-    const tolerant_way grid = on_grid(k, s, low);
-    out.ways[i] = by_distance(k, grid.moves);
-    if (!out.ways[i])
-      out.ways[i] = grid;
-    out.ways[i]->reach = grid.reach;
+    if (!compares_a_distance(k) || !beside(k, std::nullopt))
+      by_grid.insert(i);
+  for (bool again = !by_grid.empty(); again;) {
+    again = false;
+    out.low = grid_for(all, by_grid, tolerance);
+    for (const auto &[i, k] : all)
+      if (!by_grid.count(i) && !beside(k, out.low)) // then its own share of the tolerance counts too
+        again = by_grid.insert(i).second;
   }
+  if (out.low && *out.low < -149)
+    throw spec_error(s.tolerance_where, "scene.tolerance is below the spacing of float32: ask for the rung certified");
+  for (const auto &[i, k] : all)
+    out.ways[i] = by_grid.count(i) ? on_grid(k, s, *out.low) : beside(k, out.low);
   return out;
 }
 

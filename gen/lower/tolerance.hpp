@@ -21,7 +21,6 @@
 #pragma once
 #include "gen/lower/kernel.hpp"
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -29,6 +28,7 @@ namespace meetc::lower {
 
 struct tolerant_way {
   bool by_distance = false; // in plain fp32; else by the grid, in fp32 with its bound and then by integers
+  bool beside_grid = false; // by distance, in a scene whose sets are rounded to its grid for other kernels
   int low = 0, bits = 0;    // the grid's step is 2^low, and no difference exceeds 2^bits steps
   int width = 0;            // of the longest integers: 64 or 128
   rational moves;           // what one motion of one operand has to be, at most, to mend a wrong answer
@@ -38,11 +38,14 @@ struct tolerant_way {
 // What a scene's tolerance comes to.
 struct tolerance_plan {
   std::optional<int> low;                        // the grid's step, if some kernel needs the grid
-  std::vector<std::optional<tolerant_way>> ways; // by kernel; none for formulas and signs
+  std::vector<std::optional<tolerant_way>> ways; // by kernel; none for formulas, signs and what keeps no tolerance
+  std::vector<std::string> refusals; // by kernel: why a predicate keeps none, where the scene has rungs that need none
 };
 
-// Throws spec_error, at the scene's tolerance or at the kernel, where a predicate has no proof: it says what the scene
-// would have to state. bounds: by kernel, for kernels that consist of signs.
+// All of this presumes that a predicate says whether its operands touch, which only verify holds against geometry.
+//
+// Throws spec_error, at the scene's tolerance or at the kernel, where a predicate has no proof and the scene asks for no
+// other rung: it says what the scene would have to state. bounds: by kernel, for kernels that consist of signs.
 tolerance_plan plan_tolerance(const model &m, const lang::scene &s, const std::vector<kernel> &kernels,
                               const std::vector<std::optional<bound::kernel_bounds>> &bounds);
 

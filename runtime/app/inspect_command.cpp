@@ -133,6 +133,8 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
     if (q.tolerance == 0 || grid_within(*c.predicate, q.tolerance) > 0) {
       names.emplace_back(c.predicate->name);
       first = first ? first : &c;
+    } else {
+      out += fmt::format("   left out    {}, which keeps no tolerance of {}\n", c.predicate->name, q.tolerance);
     }
   if (!first)
     throw failure(
@@ -146,7 +148,8 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
                                       fmt::format("What {}s with {}s require.", a.kind->name, b.kind->name));
   outputs.write(*q.scene, [&text](const fs::path &to) { io::write_file(to, text); });
   outputs.commit();
-  return out + fmt::format("wrote {}\n", q.scene->string());
+  return out + fmt::format("wrote {}{}\n", q.scene->string(),
+                           q.tolerance > 0 ? "; meetc plan says what decides, or what it would have to state" : "");
 }
 
 command add_inspect(CLI::App &program, const catalogue &all) {

@@ -58,7 +58,7 @@ std::string rungs_line(const answers &f) {
 // What a tolerance did to the numbers, and what that means.
 std::string tolerance_lines(const query &q) {
   return fmt::format("Numbers were rounded to multiples of 2^{}: an answer may be wrong only where moving one element\n"
-                     "by at most {:.3g} changes it.\n",
+                     "by at most {:.3g} changes it. The boxes above are those of the rounded numbers.\n",
                      std::ilogb(q.grid), moved_by_grid(*q.by.predicate, q.grid));
 }
 

@@ -47,13 +47,13 @@ std::string worth_of_scene(const catalogue &all, const io::element_set &a, const
   query q;
   q.by = by;
   const timed certified = run(a, b, q);
-  std::string out =
-      fmt::format("What the lines of the scene buy, by queries of {} on this machine\n"
-                  "   kernels     what the files need of {} predicates; compare the scenes' code by: meetc "
-                  "compare default.toml SCENE\n"
-                  "   certified   {}: {} pairs; {}\n",
-                  by.predicate->name, all.predicate_count, milliseconds(certified.seconds),
-                  grouped(certified.found.pairs), unsure(certified.found));
+  std::string out = fmt::format(
+      "What the lines of the scene buy, by queries of {} with the kernels of this program\n"
+      "   kernels     no more than these files need, of {} predicates; meetc compare default.toml SCENE shows "
+      "what that saves\n"
+      "   certified   {}: {} pairs; {}\n",
+      by.predicate->name, all.predicate_count, milliseconds(certified.seconds), grouped(certified.found.pairs),
+      unsure(certified.found));
   query plain = q;
   plain.precision = rung::fp32;
   const timed fast = run(a, b, plain);

@@ -94,6 +94,8 @@ public:
           out.push_back(by_rung(pairs, exact, r, repetitions));
       if (std::string_view(pairs.by->name) == "ball_ball" && on_.best_filter() != cuda::filter::float32)
         out.push_back(by_filter(pairs, exact, repetitions));
+      for (trade_point &p : out)
+        p.on_device = true;
       return out;
     });
   }

@@ -103,7 +103,8 @@ trade_result measure_trade(const element_pairs &pairs, const interleaved_options
                       times.seconds[w] / static_cast<double>(std::max<std::size_t>(pairs.count, 1)),
                       wrongness_of(pairs, methods[w], given[w], exact),
                       {},
-                      0};
+                      0,
+                      false};
     if (methods[w].precision == rung::certified && p.certify[0]) {
       const std::vector<answer> first = decide_all(pairs, p.certify[0]);
       point.unsure = static_cast<std::uint64_t>(std::count(first.begin(), first.end(), answer::unsure));

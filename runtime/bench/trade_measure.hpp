@@ -39,6 +39,7 @@ struct trade_point {
   wrongness wrong;
   std::optional<std::uint64_t> unsure; // certified: what its first rung left unsure
   std::size_t pairs = 0;               // of which the method was asked, the first ones; 0: all
+  bool on_device = false;
 };
 
 struct trade_result {

@@ -34,7 +34,7 @@ status cascade::check(const element_set &a, const element_set &b) {
       rungs[0] != predicate->decide[static_cast<int>(rung::tolerant)])
     return status::ok;
   const tolerance_info &t = predicate->tolerance;
-  if (a.grid < t.step || b.grid < t.step)
+  if (!t.fits(a.grid) || !t.fits(b.grid))
     return status::not_on_grid;
   const auto leaves = [&t](const element_set &s) {
     return static_cast<double>(s.reach) > t.reach || static_cast<double>(s.longest) > 2 * t.reach;
@@ -50,8 +50,8 @@ status cascade::check(const element_set &a, const element_set &b) {
 void cascade::enter_box(float box, const element_set &a, const element_set &b) {
   if (count < 2 || box == 0)
     return;
-  start.left_box_a = !lies_in(a, box);
-  start.left_box_b = !lies_in(b, box);
+  start.left_box_a |= !lies_in(a, box);
+  start.left_box_b |= !lies_in(b, box);
   const float least = power_above(2 * box);
   if (predicate->certify_in_box && !start.left_box_a && !start.left_box_b && least >= predicate->box_least &&
       least <= predicate->box_most)

@@ -20,7 +20,7 @@ inline double moved_coordinate(const double row[4], double x, double y, double z
 //
 // With a grid, which is a power of two, every number is then rounded to its nearest multiple, of two to the even one. Each
 // point moves by at most sqrt(3)/2 of it, and each length by a half. Closed sets that are hulls of points, padded by
-// lengths, then answer as they would after a move of one of them by at most the sum of these over both (docs/trade.md).
+// lengths, then answer as they would after a move of one of them by at most the sum of these over both (docs/tolerance.md).
 struct pose {
   double m[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   double length_scale = 1;

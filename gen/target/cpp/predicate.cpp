@@ -63,13 +63,18 @@ std::string tolerance_text(const lower::tolerant_way &w) {
       w.by_distance
           ? "  // In plain fp32: the predicate compares a distance, and its error is a length.\n"
           : fmt::format("  // Numbers are rounded to multiples of 2^{}; then fp32 with its bound decides, or {} "
-                        "bits.\n",
+                        "bits.\n  // Those beyond the reach count as the nearest within it.\n",
                         w.low, w.width);
+  const std::string step = w.beside_grid ? fmt::format("    // Sets may have been rounded to the scene's grid.\n"
+                                                       "    static double step() {{ return {}; }}\n",
+                                                       hex_literal(bound::power_of_two(w.low), ""))
+                                         : "";
   const std::string base = w.by_distance ? "meetc::by_distance" : fmt::format("meetc::by_grid<{}, {}>", w.low, w.bits);
   return fmt::format(
       "\n{}  // reach: the largest coordinate; no length exceeds twice this.\n  struct tolerance : {} {{\n"
-      "    static constexpr double moves = {}, reach = {};\n  }};\n",
-      way, base, hex_literal(bound::rounded_up(w.moves, 24), ""), hex_literal(bound::rounded_up(w.reach, 53), ""));
+      "    static constexpr double moves = {}, reach = {};\n{}  }};\n",
+      way, base, hex_literal(bound::rounded_up(w.moves, 24), ""), hex_literal(bound::rounded_up(w.reach, 53), ""),
+      step);
 }
 
 std::string stages_text(const emitted_predicate &p) {

@@ -24,7 +24,7 @@ std::string predicate_source(const emitted_predicate &p) {
   if (!p.kernel.is_sign) {
     std::string rungs;
     for (const lang::rung_info &r : lang::rungs)
-      if (p.of.asks(r.id))
+      if (p.of.asks(r.id) && (r.id != lang::rung::tolerant || p.tolerant))
         rungs += fmt::format("{}meetc::rung::{}", rungs.empty() ? "" : ", ", r.name);
     out += fmt::format("\nnamespace detail {{\nmeetc::predicate_info {0}(const meetc::kind_info *a, const "
                        "meetc::kind_info *b, int number_a,\n"

@@ -19,9 +19,27 @@ struct line {
 line planned(const lower::kernel &k, const lower::tolerant_way &w) {
   if (w.by_distance)
     return {k.asked.text, "plain fp32", number(w.moves.get_d()),
-            "it compares a distance with lengths, and its error is a length; k = 1"};
+            w.beside_grid ? "it compares a distance with lengths, and its error is a length; k = 1, and 2 for the grid"
+                          : "it compares a distance with lengths, and its error is a length; k = 1"};
   return {k.asked.text, fmt::format("fp32 with its bound, then int{}", w.width), number(w.moves.get_d()),
-          fmt::format("differences are integers of {} bits on the grid, so that every value fits; k = 2", w.bits)};
+          fmt::format("no difference exceeds 2^{} steps of the grid, so that every value fits; k = 2", w.bits)};
+}
+
+// A kernel of signs that the tolerance does not change.
+line unplanned(const unit &u, std::size_t i) {
+  const lower::kernel &k = u.kernels[i];
+  const bool never_wrong = u.asks(lang::rung::certified) || u.asks(lang::rung::exact);
+  const std::string refusal = i < u.tolerance.refusals.size() ? u.tolerance.refusals[i] : "";
+  const char *const why = !refusal.empty()        ? refusal.c_str()
+                          : k.is_sign             ? "one sign, which no tolerance is about"
+                          : u.scene.tolerance > 0 ? "the scene does not ask for the rung tolerant"
+                          : never_wrong           ? "the scene states no tolerance"
+                                                  : "the scene states no tolerance, and plain rungs promise nothing";
+  return {k.asked.text,
+          u.asks(lang::rung::certified) ? "certified"
+          : never_wrong                 ? "exact"
+                                        : "plain rungs",
+          never_wrong ? "0" : "-", why};
 }
 
 std::string rungs_of(const lang::scene &s) {
@@ -44,8 +62,6 @@ std::string plan_text(const unit &u) {
                        number(bound::power_of_two(*u.tolerance.low).get_d()));
   else if (tolerant)
     out += "No number is rounded.\n";
-  else
-    out += "No answer may be wrong, unless a plain rung gives it.\n";
   std::vector<line> lines{{"kernel", "decided by", "moves", "why"}};
   for (std::size_t i = 0; i < u.kernels.size(); ++i) {
     const lower::kernel &k = u.kernels[i];
@@ -54,8 +70,7 @@ std::string plan_text(const unit &u) {
     else if (i < u.tolerance.ways.size() && u.tolerance.ways[i])
       lines.push_back(planned(k, *u.tolerance.ways[i]));
     else
-      lines.push_back({k.asked.text, "the rungs asked for", "0",
-                       tolerant ? "one sign" : "the scene states no tolerance; certified is never wrong"});
+      lines.push_back(unplanned(u, i));
   }
   std::size_t widths[3] = {0, 0, 0};
   for (const line &l : lines) {

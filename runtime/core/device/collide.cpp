@@ -30,17 +30,18 @@ const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const 
 }
 
 // The rung that decides where tolerant is asked for: certified, if a set leaves the box that tolerant presumes.
-rung tolerant_or_certified(const device_set &a, const device_set &b, const predicate_info &p) {
+rung tolerant_or_certified(const device_set &a, const device_set &b, const predicate_info &p, rung_report &report) {
   const tolerance_info &t = p.tolerance;
-  require(a.grid() >= t.step && b.grid() >= t.step, text(status::not_on_grid));
-  for (const device_set *const s : {&a, &b}) {
-    const auto [reach, longest] = s->reaches();
-    if (static_cast<double>(reach) <= t.reach && static_cast<double>(longest) <= 2 * t.reach)
-      continue;
-    require(p.decide[static_cast<int>(rung::certified)] != nullptr, text(status::left_box));
-    return rung::certified;
-  }
-  return rung::tolerant;
+  require(t.fits(a.grid()) && t.fits(b.grid()), text(status::not_on_grid));
+  const auto leaves = [&t](const device_set &s) {
+    const auto [reach, longest] = s.reaches();
+    return static_cast<double>(reach) > t.reach || static_cast<double>(longest) > 2 * t.reach;
+  };
+  report.left_box_a = leaves(a), report.left_box_b = leaves(b);
+  if (!report.left_box_a && !report.left_box_b)
+    return rung::tolerant;
+  require(p.decide[static_cast<int>(rung::certified)] != nullptr, text(status::left_box));
+  return rung::certified;
 }
 
 class device_query {
@@ -336,10 +337,12 @@ device_result collide(device &on, device_set &a, device_set &b, const predicate_
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
   require(a.is_on(on) && b.is_on(on), "a set is on another device");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
+  rung_report report;
   if (precision == rung::tolerant)
-    precision = tolerant_or_certified(a, b, predicate);
+    precision = tolerant_or_certified(a, b, predicate, report);
   require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
   device_result r = device_query(on, a, b, predicate, precision, options).run();
+  r.rungs.left_box_a = report.left_box_a, r.rungs.left_box_b = report.left_box_b;
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;
 }

@@ -238,7 +238,7 @@ cudaError_t decide_rows(rung which, const float *a, const float *b, const index_
       return answer_list<P, certified_step<P>>(a, b, pairs, n, out, stream);
     break;
   case rung::tolerant:
-    if constexpr (asks(Rungs, rung::tolerant))
+    if constexpr (asks(Rungs, rung::tolerant) && keeps_tolerance<P>)
       return answer_list<P, tolerant_step<P>>(a, b, pairs, n, out, stream);
     break;
   }
@@ -306,7 +306,7 @@ cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pa
       return decide_list<P, exact_step<P>>(a, b, in, yes, unsure, stream);
     break;
   case step::tolerant:
-    if constexpr (asks(Rungs, rung::tolerant))
+    if constexpr (asks(Rungs, rung::tolerant) && keeps_tolerance<P>)
       return decide_list<P, tolerant_step<P>>(a, b, in, yes, unsure, stream);
     break;
   case step::certify_fp32:

@@ -97,9 +97,13 @@ using decide_function = void (*)(row_array a, row_array b, const index_pair *pai
 // What the rung tolerant presumes of both sets, and what it promises.
 struct tolerance_info {
   double moves = 0; // an answer may be wrong only where moving one element by at most this changes it
-  // The step of the grid to which all numbers have been rounded, a power of two; 0: they are as they are.
+  // The step of the scene's grid, a power of two; 0: it has none. `rounds`: all numbers must have been rounded to it.
+  // Otherwise they may have been.
   double step = 0;
+  bool rounds = false;
   double reach = 0; // the largest |coordinate| of any element; no length exceeds twice this
+  // Whether a set that was rounded to this grid (0: to none) will do.
+  constexpr bool fits(double grid) const { return grid == step || (!rounds && grid == 0); }
 };
 
 // One predicate on an ordered pair of kinds.

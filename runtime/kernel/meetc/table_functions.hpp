@@ -237,7 +237,7 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
   }
   if constexpr (asks(rung::tolerant)) {
     decide(rung::tolerant) = decide_tolerant<P>;
-    p.tolerance = {P::tolerance::moves, P::tolerance::step(), P::tolerance::reach};
+    p.tolerance = {P::tolerance::moves, P::tolerance::step(), P::tolerance::rounds, P::tolerance::reach};
   }
   if constexpr (asks(rung::fp32) || asks(rung::tolerant) || certified)
     p.stored_a = stored_by<store_a<P, in_fp32::value>>(number_a),

@@ -26,6 +26,11 @@ struct by_distance {
   static double step() { return 0; }
 };
 
+// A scene may have predicates that keep no tolerance.
+template <class P> inline constexpr bool keeps_tolerance = requires {
+  typename P::tolerance;
+};
+
 // The multiple of 2^low nearest to a finite v; of two, the even one. Every step is exact, so that neither flags nor the
 // environment matter. The result is infinite where it exceeds float32.
 MEETC_HD inline float nearest_multiple(float v, int low) {
@@ -95,15 +100,25 @@ template <class P> MEETC_HD inline bool decide_tolerant(const float *row_a, cons
   }
 }
 
+// A number of an operand, or the nearest one within the reach, so that integers never overflow. NaN counts as 0.
+MEETC_HD inline float within_reach(float v, double reach) {
+  const double x = static_cast<double>(v);
+  return x > reach ? static_cast<float>(reach) : x < -reach ? static_cast<float>(-reach) : x == x ? v : 0.0F;
+}
+template <class P, bool First> MEETC_HD inline void round_row(float *row, int fields) {
+  for (int i = 0; i < fields; ++i) {
+    const bool length = P::axis(First ? i : P::inputs_a + i) < 0;
+    row[i] = within_reach(nearest_multiple(row[i], P::tolerance::low), P::tolerance::reach * (length ? 2 : 1));
+  }
+}
+
 // Operands as they are stored, in the scene's box: all numbers, which are coordinates and lengths, are rounded first.
 template <class P, class A, class B> MEETC_HD inline bool hit_tolerant(const A &x, const B &y) {
   float row_a[P::inputs_a], row_b[P::inputs_b];
   to_row(x, row_a), to_row(y, row_b);
   if constexpr (P::tolerance::rounds) {
-    for (float &v : row_a)
-      v = nearest_multiple(v, P::tolerance::low);
-    for (float &v : row_b)
-      v = nearest_multiple(v, P::tolerance::low);
+    round_row<P, true>(row_a, P::inputs_a);
+    round_row<P, false>(row_b, P::inputs_b);
   }
 #if defined(__CUDA_ARCH__)
   return decide_tolerant<P>(row_a, row_b);

@@ -59,6 +59,8 @@ TEST_CASE("tolerance: the coarsest grid that keeps it, and integers as wide as t
   CHECK(q.low == 1);
   CHECK(q.ways[0]->reach == 10);
   CHECK(q.ways[0]->bits == 4); // 10 steps at most
+  // No grid is coarser than a float32.
+  CHECK(plan_of(scene_of("segment_triangle", "tolerance = 1e300\nbox = 0.5")).low == 127);
   // Finer: 128 bits.
   const lower::tolerance_plan r = plan_of(scene_of("segment_triangle", "tolerance = 1e-9\nbox = 0.5"));
   CHECK(r.ways[0]->width == 128);
@@ -76,6 +78,10 @@ TEST_CASE("tolerance: a predicate that compares a distance is decided in plain f
   const lower::tolerance_plan fine = plan_of(scene_of("ball_ball", "tolerance = 1e-6\nbox = 10"));
   CHECK_FALSE(fine.ways[0]->by_distance);
   CHECK(fine.low);
+  // Where squares overflow, integers decide: differences below 2^57 are in range (box_highest in detail/ball_ball_bounds.hpp).
+  CHECK(plan_of(scene_of("ball_ball", "tolerance = 1e13\nbox = 7.2e16")).ways[0]->by_distance);
+  CHECK_FALSE(plan_of(scene_of("ball_ball", "tolerance = 1e13\nbox = 7.3e16")).ways[0]->by_distance);
+  CHECK_FALSE(plan_of(scene_of("ball_ball", "tolerance = 1e30\nbox = 1e34")).ways[0]->by_distance);
   // Another polynomial or another magnitude is no such comparison.
   const scene_of other("ball_ball", "tolerance = 1e-4\nbox = 10");
   other.replace("predicates/round.toml", "4*S.r*T.r) >= 0", "5*S.r*T.r) >= 0");
@@ -117,6 +123,14 @@ TEST_CASE("tolerance: plan says what decides, and why") {
   CHECK(o.out.find("fp32 with its bound, then int64") != std::string::npos);
   o = planned(scene_of("segment_triangle", ""));
   CHECK(o.out.find("states no tolerance") != std::string::npos);
+  o = planned(scene_of("segment_triangle", "tolerance = 1e-5\nrungs = ['fp32']"));
+  CHECK(o.out.find("plain rungs") != std::string::npos);
+  CHECK(o.out.find("does not ask for the rung tolerant") != std::string::npos);
+  // What keeps no tolerance is certified, if the scene asks for that too.
+  o = planned(scene_of("sphere_triangle", "tolerance = 1e-2\nbox = 1\nrungs = ['certified', 'tolerant']"));
+  INFO(o.out << o.err);
+  CHECK(o.code == 0);
+  CHECK(o.out.find("no short move is proved") != std::string::npos);
 }
 
 TEST_CASE("tolerance: what would have to be stated is one line, and nothing is written") {
@@ -141,6 +155,11 @@ TEST_CASE("tolerance: what would have to be stated is one line, and nothing is w
       {"side(triangle, point)", "tolerance = 1\nbox = 1", "is one sign, and nothing says which move changes it"},
       {"segment_triangle", "tolerance = 1\nbox = 1\nbackends = ['c']", "carries no answers within a tolerance"},
   };
+  // The proof is about predicates that say whether their operands touch.
+  const scene_of crossing("segment_triangle", "tolerance = 1e-3\nbox = 1");
+  crossing.replace("predicates/flat.toml", "else sp*sq <= 0 and agree(each(e in t.edges: twist(s, e)))",
+                   "else sp*sq <= 0");
+  CHECK_THAT(planned(crossing).err, contains("since it does not say whether its operands touch"));
   for (const row &r : rows) {
     const scene_of spec(r.kernel, r.lines);
     for (const std::string command : {"plan scenes/asked.toml", "generate scenes/asked.toml -o out"}) {

@@ -42,7 +42,7 @@ answers all(meetc::decide_function decide, const rows &r) {
 
 // The answers of each rung, by its name.
 std::map<std::string, answers> all(const predicate_info &p, const rows &r) {
-  static constexpr std::array<const char *, meetc::rung_count> names = {"fp32", "fp64", "fp64x2", "exact", "certified"};
+  static constexpr std::array names = {"fp32", "fp64", "fp64x2", "exact", "certified"};
   std::map<std::string, answers> out;
   for (std::size_t i = 0; i < names.size(); ++i)
     out[names[i]] = all(p.decide[i], r);

@@ -7,6 +7,7 @@
 #include "core/pose.hpp"
 
 #include <algorithm>
+#include <both/both_runtime.hpp>
 #include <cga/cga_runtime.hpp>
 #include <cmath>
 #include <numeric>
@@ -174,9 +175,11 @@ tally compare(const predicate_info &p, const predicate_info &exact, const rows &
 
 std::vector<subject> subjects() {
   std::vector<subject> out;
-  for (const catalogue *const c : {&tolerant::catalogue(), &probe::catalogue(), &spheres::catalogue()})
+  for (const catalogue *const c :
+       {&tolerant::catalogue(), &probe::catalogue(), &spheres::catalogue(), &both::catalogue()})
     for (int i = 0; i < c->predicate_count; ++i)
-      out.push_back({c->space, &c->predicates[i], &find_predicate(cga::catalogue(), c->predicates[i].name)});
+      if (c->predicates[i].decide[static_cast<int>(rung::tolerant)])
+        out.push_back({c->space, &c->predicates[i], &find_predicate(cga::catalogue(), c->predicates[i].name)});
   return out;
 }
 

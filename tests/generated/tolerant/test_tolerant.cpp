@@ -7,6 +7,7 @@
 #include "core/find.hpp"
 #include "core/pairs.hpp"
 
+#include <both/both_runtime.hpp>
 #include <cfenv>
 #include <cga/cga_runtime.hpp>
 #include <cmath>
@@ -123,11 +124,12 @@ TEST_CASE("sets: the answers are the exact ones of the rounded numbers, by a cal
     const double step = p.tolerance.step;
     const auto found = collide(prepare_rows(*p.a, r.a, step), prepare_rows(*p.b, r.b, step), p, rung::tolerant);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> truth;
-    if (step > 0) {
+    if (p.tolerance.rounds) {
       truth = pairs_of(collide(prepare_rows(*exact.a, rounded(*p.a, r.a, step), 0),
                                prepare_rows(*exact.b, rounded(*p.b, r.b, step), 0), exact, rung::certified));
     } else {
-      truth = pairs_of(collide(prepare_rows(*exact.a, r.a, 0), prepare_rows(*exact.b, r.b, 0), exact, rung::fp32));
+      truth =
+          pairs_of(collide(prepare_rows(*exact.a, r.a, step), prepare_rows(*exact.b, r.b, step), exact, rung::fp32));
     }
     INFO(s.scene << ", " << p.name);
     CHECK(truth.size() > 20);
@@ -149,7 +151,7 @@ TEST_CASE("sets that are not on the grid, or leave the box, are refused") {
   };
   const double step = p.tolerance.step;
   CHECK(collided(segment, step, triangle, step) == 1);
-  CHECK(collided(segment, 2 * step, triangle, step) == 1); // a coarser grid is on it
+  CHECK_THROWS_WITH(collided(segment, 2 * step, triangle, step), test::contains("poses have its grid")); // coarser
   CHECK_THROWS_WITH(collided(segment, 0, triangle, step), test::contains("poses have its grid"));
   CHECK_THROWS_WITH(collided(segment, step, triangle, step / 2), test::contains("poses have its grid"));
   CHECK_THROWS_WITH(collided(segment, step, outside, step), test::contains("leaves the box"));
@@ -176,6 +178,36 @@ TEST_CASE("sets that are not on the grid, or leave the box, are refused") {
   CHECK(no_memory(triangle, 0) == status::not_on_grid);
   CHECK(no_memory(outside, step) == status::left_box);
   CHECK(no_memory(triangle, 3) == status::bad_grid);
+}
+
+TEST_CASE("sets that leave the box are decided by certified, if the scene has it, and the report says so") {
+  const predicate_info &p = find_predicate(both::catalogue(), "sphere_sphere");
+  CHECK(find_predicate(both::catalogue(), "sphere_segment").decide[static_cast<int>(rung::tolerant)] == nullptr);
+  CHECK(find_predicate(both::catalogue(), "sphere_segment").decide[static_cast<int>(rung::certified)] != nullptr);
+  const std::vector<float> in{0, 0, 0, 1, 0.5F, 0, 0, 0.125F}, out{3, 0, 0, 2, 1.5F, 0, 0, 2.5F};
+  const double step = p.tolerance.step;
+  for (const float box : {0.0F, 1.0F, 100.0F}) {
+    collide_options o;
+    o.box = box;
+    const result r = collide(prepare_rows(*p.a, in, step), prepare_rows(*p.b, out, step), p, rung::tolerant, o);
+    INFO(box);
+    CHECK(pairs_of(r) == std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 0}, {0, 1}});
+    CHECK_FALSE(r.rungs.left_box_a);
+    CHECK(r.rungs.left_box_b);
+  }
+  CHECK_THROWS_WITH(collide(prepare_rows(*p.a, in, 0), prepare_rows(*p.b, out, step), p, rung::tolerant),
+                    test::contains("poses have its grid"));
+}
+
+TEST_CASE("a call on operands beyond the reach takes the nearest numbers within it") {
+  constexpr float big = 3e38F, nan = std::numeric_limits<float>::quiet_NaN(), infinite = HUGE_VALF;
+  const probe::triangle<float> t{{0.25F, -0.5F, -0.5F}, {0.25F, 0.5F, -0.5F}, {0.25F, 0, 0.5F}},
+      wide{{0.25F, -big, -big}, {0.25F, infinite, -7}, {0.25F, nan, 1e6F}};
+  for (const probe::triangle<float> &x : {t, wide}) {
+    CHECK(probe::segment_triangle::tolerant({{-big, 0, 0}, {big, 0, 0}}, x));
+    CHECK_FALSE(probe::segment_triangle::tolerant({{-big, 0, 0}, {0.125F, 0, 0}}, x));
+    CHECK_FALSE(probe::segment_triangle::tolerant({{0.375F, nan, 0}, {infinite, 0, 0}}, x));
+  }
 }
 
 TEST_CASE("what a motion must be: known kinds, and none for a surface around more than one point") {

@@ -61,7 +61,7 @@ long same_decisions() {
     const launchers &on_device = launchers_of(predicate.name);
     static const char *const rungs[] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
     static const char *const bounded[] = {"bounded fp32", "bounded fp64", "bounded fp64x2"};
-    for (int r = 0; r < meetc::rung_count; ++r)
+    for (int r = 0; r < static_cast<int>(meetc::rung::tolerant); ++r) // the shipped scene does not ask for it
       compare(rungs[r], predicate.decide[r], on_device.decide, static_cast<meetc::rung>(r), -1);
     for (int r = 0; r < meetc::bounded_rungs; ++r)
       compare(bounded[r], predicate.certify[r], on_device.certify, static_cast<meetc::rung>(r), r);
