@@ -94,14 +94,12 @@ const char *name_of(rung precision) {
 }
 
 rung precision_named(std::string_view name) {
-  std::vector<std::string> known; // but tolerant, which --tolerance asks for
-  for (int i = 0; i < rung_count; ++i)
-    if (static_cast<rung>(i) != rung::tolerant)
-      known.emplace_back(rung_names[i]);
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (name == known[i])
+  constexpr int known = static_cast<int>(rung::tolerant); // which --tolerance asks for
+  for (int i = 0; i < known; ++i)
+    if (name == rung_names[i])
       return static_cast<rung>(i);
-  throw failure(fmt::format("--precision {}: not in this build; known: {}", io::quote(name), join(known)));
+  throw failure(fmt::format("--precision {}: not in this build; known: {}", io::quote(name),
+                            join({rung_names, rung_names + known})));
 }
 
 const catalogue &kernels_named(const kernel_library &all, std::string_view name) {

@@ -19,6 +19,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -94,6 +95,26 @@ std::string predicate_lines(const std::vector<choice> &fit, const kind_info &a, 
   return out;
 }
 
+// Refuses a tolerance for which the scene's kernels would need integers of more than 128 bits, since the grid is too fine
+// for the box, which is a power of two.
+void check_width(const std::vector<choice> &kept, double box, double tolerance) {
+  double step = HUGE_VAL, finest = 0; // of the grid that keeps the tolerance for all, and of the finest that fits
+  for (const choice &c : kept) {
+    step = std::min(step, grid_within(*c.predicate, tolerance));
+    if (c.predicate->longest_differences > 0)
+      finest = std::max(finest, std::ldexp(2 * box, -c.predicate->longest_differences));
+  }
+  if (step >= finest)
+    return;
+  double moved = 0;
+  for (const choice &c : kept)
+    moved = std::max(moved, moved_by_grid(*c.predicate, finest));
+  throw failure(
+      fmt::format("--tolerance {}: the scene would need integers of more than 128 bits; state one of at least "
+                  "{:.3g} for these files",
+                  tolerance, 1.01 * moved)); // three digits must not fall below
+}
+
 } // namespace
 
 std::string inspect(const catalogue &all, const inspect_request &q) {
@@ -128,28 +149,29 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   if (fit.empty())
     throw failure(fmt::format("--scene: no predicate for {} with {}", a.kind->name, b.kind->name));
   std::vector<std::string> names;
-  const choice *first = nullptr; // that is in the scene
+  std::vector<choice> kept; // in the scene
   for (const choice &c : fit)
     if (q.tolerance == 0 || grid_within(*c.predicate, q.tolerance) > 0) {
       names.emplace_back(c.predicate->name);
-      first = first ? first : &c;
+      kept.push_back(c);
     } else {
       out += fmt::format("   left out    {}, which keeps no tolerance of {}\n", c.predicate->name, q.tolerance);
     }
-  if (!first)
+  if (kept.empty())
     throw failure(
         fmt::format("--tolerance {}: no predicate for {} with {} keeps it", q.tolerance, a.kind->name, b.kind->name));
   const double box = box_for(in_a, in_b);
   if (q.tolerance > 0 && box == 0)
     throw failure(
         "--tolerance: it needs a box, and none that is a float32 holds these files, or all their numbers are 0");
-  out += worth_of_scene(all, a, b, *first, box, q.tolerance);
+  if (q.tolerance > 0)
+    check_width(kept, box, q.tolerance);
+  out += worth_of_scene(all, a, b, kept.front(), box, q.tolerance);
   const std::string text = scene_text(*q.scene, algebra, names, box, q.tolerance,
                                       fmt::format("What {}s with {}s require.", a.kind->name, b.kind->name));
   outputs.write(*q.scene, [&text](const fs::path &to) { io::write_file(to, text); });
   outputs.commit();
-  return out + fmt::format("wrote {}{}\n", q.scene->string(),
-                           q.tolerance > 0 ? "; meetc plan says what decides, or what it would have to state" : "");
+  return out + fmt::format("wrote {}\n", q.scene->string());
 }
 
 command add_inspect(CLI::App &program, const catalogue &all) {

@@ -69,6 +69,7 @@ std::string worth_of_scene(const catalogue &all, const io::element_set &a, const
   if (tolerance > 0) {
     query tolerant = q;
     set_tolerance(tolerant, tolerance);
+    tolerant.box = static_cast<float>(box);
     const timed rounded = run(a, b, tolerant);
     out += fmt::format("   tolerance   {}: {} pairs on the grid 2^{}; {}\n", milliseconds(rounded.seconds),
                        grouped(rounded.found.pairs), std::ilogb(tolerant.grid), unsure(rounded.found));

@@ -46,7 +46,8 @@ public:
   double clock_during(const std::function<void()> &work, double seconds_of_it) {
     const double wanted = 0.02;
     check(read_clock(reading_.data(), wanted * 1000, beside_), "reading the clock");
-    for (double t = 0; t < 1.5 * wanted; t += seconds_of_it)
+    const int times = static_cast<int>(1.5 * wanted / seconds_of_it) + 1;
+    for (int i = 0; i < times; ++i)
       work();
     check(cudaStreamSynchronize(on_.stream()), "waiting for a kernel");
     check(cudaStreamSynchronize(beside_), "reading the clock");

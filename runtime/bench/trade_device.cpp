@@ -5,13 +5,12 @@
 #include "app/failure.hpp"
 
 #if MEETC_WITH_CUDA
-#include "bench/measure.hpp"
+#include "bench/gpu_timer.hpp"
 #include "cga/cga_cuda.hpp"
 #include "core/device/collide.hpp"
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
 #include <string_view>
 #endif
 
@@ -31,39 +30,6 @@ prepared prepare_rows(const kind_info &kind, const float *rows, std::size_t n) {
   v.elements = n;
   return prepare(v, kind);
 }
-
-class events {
-public:
-  events() {
-    for (cudaEvent_t &e : of_)
-      check(cudaEventCreate(&e), "making an event");
-  }
-  ~events() {
-    for (const cudaEvent_t e : of_)
-      cudaEventDestroy(e);
-  }
-  events(const events &) = delete;
-  events &operator=(const events &) = delete;
-
-  // The median of the seconds that the work takes on the stream, after a run that does not count.
-  double time(cudaStream_t stream, int repetitions, const std::function<void()> &work) const {
-    std::vector<double> all;
-    for (int i = 0; i <= repetitions; ++i) {
-      check(cudaEventRecord(of_[0], stream), "starting a clock");
-      work();
-      check(cudaEventRecord(of_[1], stream), "stopping a clock");
-      check(cudaEventSynchronize(of_[1]), "measuring");
-      float ms = 0;
-      check(cudaEventElapsedTime(&ms, of_[0], of_[1]), "reading a clock");
-      if (i > 0)
-        all.push_back(static_cast<double>(ms) / 1000);
-    }
-    return median(all);
-  }
-
-private:
-  cudaEvent_t of_[2] = {nullptr, nullptr};
-};
 
 template <class T> void upload(device_memory<T> &to, const std::vector<T> &from, cudaStream_t stream) {
   to.reserve(from.size(), "pairs");
@@ -165,7 +131,7 @@ private:
         in = unsure;
       }
     };
-    const double seconds = events().time(stream, repetitions, [&] { decide(list.size()); });
+    const double seconds = timer_.seconds([&] { decide(list.size()); }, repetitions);
     decide(n);
     const std::vector<unsigned long long> seen = download(counts, 5, stream);
     std::vector<answer> given(n, answer::no);
@@ -199,7 +165,7 @@ private:
                                      stream),
             "starting the filter");
     };
-    const double seconds = events().time(stream, repetitions, filter);
+    const double seconds = timer_.seconds(filter, repetitions);
     const std::vector<std::uint32_t> order_a = orders(a), order_b = orders(b);
     std::vector<answer> given(n, answer::no);
     for (const index_pair &p : download(kept, download(count, 1, stream)[0], stream))
@@ -221,6 +187,7 @@ private:
   }
 
   device on_;
+  gpu_timer timer_{on_};
 };
 
 std::unique_ptr<trade_device> open_device() {

@@ -9,7 +9,7 @@ static bool lies_in(const element_set &set, float box) {
   return set.reach <= box && set.longest <= 2 * box;
 }
 
-cascade::cascade(const predicate_info &of, rung precision) : predicate(&of) {
+cascade::cascade(const predicate_info &of, rung precision) : predicate(&of), tolerant(precision == rung::tolerant) {
   if (precision == rung::certified || precision == rung::tolerant)
     stored_a = of.stored_a, stored_b = of.stored_b;
   else if (precision == rung::fp32)
@@ -30,16 +30,12 @@ cascade::cascade(const predicate_info &of, rung precision) : predicate(&of) {
 }
 
 status cascade::check(const element_set &a, const element_set &b) {
-  if (count != 1 || !predicate->decide[static_cast<int>(rung::tolerant)] ||
-      rungs[0] != predicate->decide[static_cast<int>(rung::tolerant)])
+  if (!tolerant)
     return status::ok;
   const tolerance_info &t = predicate->tolerance;
   if (!t.fits(a.grid) || !t.fits(b.grid))
     return status::not_on_grid;
-  const auto leaves = [&t](const element_set &s) {
-    return static_cast<double>(s.reach) > t.reach || static_cast<double>(s.longest) > 2 * t.reach;
-  };
-  const bool left_a = leaves(a), left_b = leaves(b);
+  const bool left_a = !t.holds(a.reach, a.longest), left_b = !t.holds(b.reach, b.longest);
   if (!left_a && !left_b)
     return status::ok;
   *this = cascade(*predicate, rung::certified);

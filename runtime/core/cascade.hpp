@@ -22,6 +22,7 @@ struct rung_report {
 
 struct cascade {
   const predicate_info *predicate = nullptr;
+  bool tolerant = false; // the rung tolerant decides
   decide_function rungs[bounded_rungs + 1] = {};
   int count = 0;  // number of rungs; 0: the predicate was not generated for this precision
   float side = 0; // above 0: the first rung uses the bounds of a box with this side

@@ -104,6 +104,10 @@ struct tolerance_info {
   double reach = 0; // the largest |coordinate| of any element; no length exceeds twice this
   // Whether a set that was rounded to this grid (0: to none) will do.
   constexpr bool fits(double grid) const { return grid == step || (!rounds && grid == 0); }
+  // Whether one with these largest magnitudes of a coordinate and of a length is in the box.
+  constexpr bool holds(float coordinate, float length) const {
+    return static_cast<double>(coordinate) <= reach && static_cast<double>(length) <= 2 * reach;
+  }
 };
 
 // One predicate on an ordered pair of kinds.
@@ -129,6 +133,8 @@ struct predicate_info {
   // decide[exact] takes its place.
   decide_function decide_last = nullptr;
   tolerance_info tolerance = {}; // of decide[tolerant]
+  // Where no difference and no length exceeds 2^this, in steps of a grid, every value fits 128 bits; 0: not known.
+  int longest_differences = 0;
 };
 
 // All that a namespace offers to a runtime.

@@ -153,6 +153,29 @@ void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair
     });
 }
 
+// The rung tolerant by distance, of at most lane_count pairs. The arithmetic is that of by_distance::number.
+template <class P>
+MEETC_INLINE void decide_by_distance(const row_array &a, const row_array &b, const index_pair *pairs, int n,
+                                     answer *out) {
+  using stage = typename P::common_stage;
+  static_assert(stage::atoms == 1 && stage::fields_a + stage::fields_b == 0);
+  using number = unfused<lanes>;
+  lane_tile<P> t;
+  t.load_rows(a, b, pairs, n);
+  number row_a[P::inputs_a], row_b[P::inputs_b], v[1];
+  for (int i = 0; i < P::inputs_a; ++i)
+    row_a[i] = number(t.row_a[i]);
+  for (int i = 0; i < P::inputs_b; ++i)
+    row_b[i] = number(t.row_b[i]);
+  stage::template pair<number, number>(row_a, nullptr, row_b, nullptr, v);
+  const lanes value = v[0];
+  sign_lanes s[1];
+  plain_lanes::sort_out<stage>(&value, nullptr, s);
+  const lane_mask hits = to_truth_lanes(P::usual(s)).can_be_true;
+  for (int k = 0; k < n; ++k)
+    out[k] = to_answer((hits >> k & 1) != 0);
+}
+
 // The rung tolerant. Rows have been rounded where it rounds.
 template <class P> void decide_tolerant(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   const auto rest = [](const row_pair &p) { return to_answer(decide_tolerant_rest<P>(p.row_a, p.row_b)); };
@@ -164,7 +187,9 @@ template <class P> void decide_tolerant(row_array a, row_array b, const index_pa
       if (out[i] == answer::unsure)
         decide_each<P>(a, b, pairs + i, 1, out + i, rest);
   } else {
-    decide_plain<P, float>(row_array(after_check(a.rows)), row_array(after_check(b.rows)), pairs, n, out);
+    a = {after_check(a.rows)}, b = {after_check(b.rows)};
+    for (std::size_t at = 0; at < n; at += lane_count)
+      decide_by_distance<P>(a, b, pairs + at, static_cast<int>(n - at < lane_count ? n - at : lane_count), out + at);
     after_check(out); // keeps the computation before the return
   }
 }
@@ -208,6 +233,20 @@ template <class P> constexpr float most_box() {
   return most;
 }
 
+// The bits of differences up to which every value of P fits 128 bits; 0 where its growth is not known.
+template <class P> constexpr int longest_differences() {
+  int least = 126;
+  each_stage<P>([&least](auto stage) {
+    if constexpr (requires { decltype(stage)::growth; }) {
+      const int bits = (126 - decltype(stage)::growth) / decltype(stage)::degree;
+      least = bits < least ? bits : least;
+    } else {
+      least = 0;
+    }
+  });
+  return least;
+}
+
 // The entry of a predicate, with the rungs that the scene asks for; number_a and number_b are the numbers of its stored
 // values.
 template <class P, rung... Rungs>
@@ -235,6 +274,7 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.box_least = least_box<P>();
     p.box_most = most_box<P>();
   }
+  p.longest_differences = longest_differences<P>();
   if constexpr (asks(rung::tolerant)) {
     decide(rung::tolerant) = decide_tolerant<P>;
     p.tolerance = {P::tolerance::moves, P::tolerance::step(), P::tolerance::rounds, P::tolerance::reach};

@@ -24,6 +24,8 @@ template <int Low, int Bits> struct by_grid {
 struct by_distance {
   static constexpr bool rounds = false;
   static double step() { return 0; }
+  // Products and sums are rounded each: every machine then gives the same answers, and none calls a function.
+  using number = unfused<float>;
 };
 
 // A scene may have predicates that keep no tolerance.
@@ -96,7 +98,7 @@ template <class P> MEETC_HD inline bool decide_tolerant(const float *row_a, cons
                              ? by_fp32 == first_answer::yes
                              : decide_tolerant_rest<P>(row_a, row_b));
   } else {
-    return before_return(decide<P>(plain_signs<P, float>(row_a, row_b)));
+    return before_return(decide<P>(plain_signs<P, by_distance::number>(row_a, row_b)));
   }
 }
 
@@ -128,7 +130,7 @@ template <class P, class A, class B> MEETC_HD inline bool hit_tolerant(const A &
   const float *const a = after_check(static_cast<const float *>(row_a)), *const b = after_check(
                                                                              static_cast<const float *>(row_b));
   if constexpr (!P::tolerance::rounds) {
-    return before_return(decide<P>(plain_signs<P, float>(a, b)));
+    return before_return(decide<P>(plain_signs<P, by_distance::number>(a, b)));
   } else {
     const first_answer by_fp32 = look<P, in_fp32>(a, b);
     if (by_fp32 == first_answer::no || by_fp32 == first_answer::yes)

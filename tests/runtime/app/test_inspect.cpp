@@ -147,6 +147,18 @@ TEST_CASE("errors of inspect") {
             "is not a finite length of 0 or more"));
   CHECK(has(complaint({"inspect", "ball.ply", "ball.ply", "--scene", "s.toml", "--tolerance", "1e-60"}),
             "no predicate for triangle with triangle keeps it"));
+  // What is refused names a tolerance that fits, and half of which does not.
+  const std::string fine = complaint({"inspect", "ball.ply", "ball.ply", "--scene", "s.toml", "--tolerance", "1e-30"});
+  CHECK(has(fine, "the scene would need integers of more than 128 bits"));
+  const std::size_t from = fine.find("at least ") + 9;
+  const std::string least = fine.substr(from, fine.find(' ', from) - from);
+  INFO(least);
+  const std::string half = fmt::format("{}", std::stod(least) / 2);
+  CHECK(has(complaint({"inspect", "ball.ply", "ball.ply", "--scene", "s.toml", "--tolerance", half}), "128 bits"));
+  CHECK_FALSE(fs::exists(at("s.toml")));
+  REQUIRE(run({"inspect", "ball.ply", "ball.ply", "--scene", "fine.toml", "--tolerance", least}).code == 0);
+  if (std::string_view(MEETC_PROGRAM).size() > 0)
+    CHECK(std::system(fmt::format("'{}' plan '{}' >/dev/null 2>&1", MEETC_PROGRAM, at("fine.toml")).c_str()) == 0);
   CHECK(has(complaint({"inspect", "balls.csv", "points.csv", "--scene", "s.toml"}),
             "no predicate for sphere with point"));
   CHECK(has(complaint({"inspect", "ball.ply", "balls.csv", "--scene", "ball.ply"}), "is an input"));
