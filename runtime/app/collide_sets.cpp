@@ -28,10 +28,7 @@ struct ordered {
 
 result found_on_device(const ordered &o, const query &q, const collide_options &options, answers &out) {
   device_pairs d = pairs_on_device(o.first, o.second, *q.by.predicate, q.precision, options);
-  out.device = std::move(d.device);
-  out.model = std::move(d.model);
-  out.device_seconds = d.device_seconds;
-  out.start_seconds = d.start_seconds;
+  out.by_device = std::move(d.account);
   return std::move(d.found);
 }
 

@@ -25,8 +25,7 @@ struct answers {
   rung_report rungs;            // of `certified`
   side_answer a, b;
   double prepare_seconds = 0, collide_seconds = 0;
-  std::string device, model;                    // on processor::cuda, as in device_pairs
-  double device_seconds = 0, start_seconds = 0; // likewise
+  device_account by_device; // on processor::cuda
 };
 
 struct query {

@@ -38,9 +38,15 @@ device_pairs pairs_on_device(const prepared &a, const prepared &b, const predica
     o.owner_b = options.owner_b;
     o.progress = options.progress;
     device_result r = meetc::collide(on, set_a, set_b, predicate, precision, o);
-    const std::string model = model_of(r.filter);
-    const double kernels = r.device_seconds;
-    return {std::move(r), on.facts().name, model, kernels, started.count()};
+    device_account by{on.facts().name,
+                      r.by == search::tree ? "none" : model_of(r.filter), // a hierarchy compares numbers alone
+                      name_of(r.by),
+                      {},
+                      r.device_seconds,
+                      started.count()};
+    for (int i = 0; i < searches; ++i)
+      by.expected.emplace_back(name_of(static_cast<search>(i)), r.expected.of[i]);
+    return {std::move(r), std::move(by)};
   } catch (const device_error &e) {
     throw failure(e.what(), no_device);
   }

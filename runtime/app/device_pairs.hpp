@@ -6,6 +6,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace meetc::app {
 
@@ -15,11 +17,17 @@ enum class processor : std::uint8_t { cpu, cuda };
 // unknown name, and where this build has no CUDA.
 processor processor_named(std::string_view name);
 
+// How a device answered.
+struct device_account {
+  std::string device, model; // "NVIDIA H200"; what the filter assumes, such as "wgmma-f16-f32" or "none"
+  std::string search;        // by which it found candidates
+  std::vector<std::pair<std::string, double>> expected; // the seconds that each search was expected to take
+  double device_seconds = 0;                            // for the kernels alone
+  double start_seconds = 0;                             // until the device was ready and the sets were on it
+};
 struct device_pairs {
   result found;
-  std::string device, model; // "NVIDIA H200"; what the filter assumes, such as "wgmma-f16-f32" or "none"
-  double device_seconds = 0; // for the kernels alone
-  double start_seconds = 0;  // until the device was ready and the sets were on it
+  device_account account;
 };
 
 // Throws failure, with exit code no_device, where there is no device, where it fails, or where it lacks the memory.

@@ -55,6 +55,15 @@ std::string rungs_line(const answers &f) {
   return out.empty() ? "" : fmt::format("rungs used: {}\n", std::string_view(out).substr(0, out.size() - 2));
 }
 
+std::string device_lines(const device_account &d) {
+  std::string others;
+  for (const auto &[name, expected] : d.expected)
+    others += fmt::format("{}{} {:.2g} ms", others.empty() ? "" : ", ", name, expected * 1000);
+  return fmt::format("on {}: {:.3f} s to start and upload, {:.6f} s of kernels\n"
+                     "candidates by {} (expected: {}); assumed of the matrix unit: {}\n",
+                     d.device, d.start_seconds, d.device_seconds, d.search, others, d.model);
+}
+
 // What a tolerance did to the numbers, and what that means.
 std::string tolerance_lines(const query &q) {
   return fmt::format("Numbers were rounded to multiples of 2^{}: an answer may be wrong only where moving one element\n"
@@ -98,8 +107,7 @@ std::string summary(const collide_report &r) {
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
                      f.collide_seconds);
   if (r.asked.on == processor::cuda)
-    out += fmt::format("on {}: {:.3f} s to start and upload, {:.6f} s of kernels; the filter assumes: {}\n", f.device,
-                       f.start_seconds, f.device_seconds, f.model);
+    out += device_lines(f.by_device);
   for (const std::string &note : r.notes)
     out += note + "\n";
   for (const std::string &file : r.written)

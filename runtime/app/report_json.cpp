@@ -24,8 +24,8 @@ json seconds(const collide_report &r) {
               {"prepare", with_decimals(f.prepare_seconds, 6)},
               {"collide", with_decimals(f.collide_seconds, 6)}};
   if (r.asked.on == processor::cuda) {
-    out["start"] = with_decimals(f.start_seconds, 6);
-    out["device"] = with_decimals(f.device_seconds, 6);
+    out["start"] = with_decimals(f.by_device.start_seconds, 6);
+    out["device"] = with_decimals(f.by_device.device_seconds, 6);
   }
   return out;
 }
@@ -53,8 +53,11 @@ std::string as_json(const collide_report &r) {
   if (!on_device)
     out["instruction_set"] = r.instruction_set;
   if (on_device) {
-    out["device_name"] = f.device;
-    out["model"] = f.model;
+    out["device_name"] = f.by_device.device;
+    out["model"] = f.by_device.model;
+    out["search"] = f.by_device.search;
+    for (const auto &[name, expected] : f.by_device.expected)
+      out["expected_seconds"][name] = expected;
   }
   return in_one_line(out) + '\n';
 }

@@ -33,7 +33,7 @@ public:
       device_set on_a(on_, a), on_b(on_, b);
       device_options o;
       o.want = answer_kind::count;
-      o.by = job.brute_force ? cuda::grouping::single : cuda::grouping::group;
+      o.by = job.brute_force ? search::every_pair : search::groups;
       device_time out;
       std::vector<double> alone, whole;
       for (int i = 0; i <= runs; ++i) {

@@ -26,6 +26,11 @@ constexpr const char *rules =
     "takes apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's "
     "memory to the pairs in it, with the extent and the columns of both sets.";
 
+// The scenes of growing size make one table, which --only names by this word.
+bool growth_is_meant(const std::string &only) {
+  return only == "growth";
+}
+
 } // namespace
 
 std::string gpu(const catalogue &all, const gpu_request &q) {
@@ -37,16 +42,23 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     std::vector<gpu_scene> scenes = gpu_scenes(all, q.data, q.quick);
     if (q.only)
       std::erase_if(scenes, [&q](const gpu_scene &s) { return s.name.find(*q.only) == std::string::npos; });
-    if (scenes.empty())
+    std::vector<gpu_scene> growth = growth_scenes(all, q.data, q.quick);
+    if (q.only && !growth_is_meant(*q.only))
+      growth.clear();
+    if (scenes.empty() && growth.empty())
       throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
     auto progress = std::make_unique<app::progress_line>("bench gpu");
     std::vector<table> tables;
+    double done = 0;
+    const auto step = [&] { (*progress)(++done / static_cast<double>(scenes.size() + growth.size() + 1)); };
     for (const gpu_scene &s : scenes) {
       tables.push_back(bench.measure(s));
-      (*progress)(static_cast<double>(tables.size()) / static_cast<double>(scenes.size() + 1));
+      step();
     }
     if (!q.only)
       tables.push_back(bench.measure_tangent());
+    if (!growth.empty())
+      tables.push_back(bench.measure_growth(growth, step));
     progress.reset();
     std::string text = fmt::format("{}\n{}\n", bench.device_in_words(), rules);
     std::string markdown = fmt::format("# Measured on a GPU\n\nWritten by `meet bench gpu{}{}{} -o DIR`.\n\n{}\n\n{}\n",

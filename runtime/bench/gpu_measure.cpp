@@ -104,13 +104,13 @@ table gpu_bench::measure(const gpu_scene &scene) {
       t.notes.push_back(fmt::format("{}: clock {:.0f} MHz in the run, so the limit is {:.1f} Tpairs/s.", name_of(f),
                                     r.hertz / 1e6, limit / 1e12));
     if (f == on_.best_filter()) {
-      const whole_query plain = query(f, cuda::grouping::single, rung::fp32, a, b, on_a, on_b, p);
+      const whole_query plain = query(f, search::every_pair, rung::fp32, a, b, on_a, on_b, p);
       add("query, plain fp32, every pair", plain.found, plain.seconds, limit, plain.with_transfers);
     }
-    const whole_query certified = query(f, cuda::grouping::single, rung::certified, a, b, on_a, on_b, p);
+    const whole_query certified = query(f, search::every_pair, rung::certified, a, b, on_a, on_b, p);
     add(fmt::format("query, certified, {}, every pair", name_of(f)), certified.found, certified.seconds,
         f == cuda::filter::float32 ? 0 : limit, certified.with_transfers);
-    const whole_query grouped = query(f, cuda::grouping::group, rung::certified, a, b, on_a, on_b, p);
+    const whole_query grouped = query(f, search::groups, rung::certified, a, b, on_a, on_b, p);
     add(fmt::format("query, certified, {}, groups", name_of(f)), grouped.found, grouped.seconds, 0,
         grouped.with_transfers);
   }
@@ -138,7 +138,7 @@ table gpu_bench::measure_tangent() {
     const auto time = [&](rung precision) {
       device_options o;
       o.want = answer_kind::count;
-      o.by = cuda::grouping::single;
+      o.by = search::every_pair;
       o.balls = cover::element; // the same filter for both
       std::vector<double> seconds;
       for (int i = 0; i <= runs; ++i) {
@@ -207,9 +207,8 @@ gpu_bench::filtered gpu_bench::filter_alone(cuda::filter f, device_set &a, devic
   return {found, seconds, timer_.clock_during(once, seconds)};
 }
 
-gpu_bench::whole_query gpu_bench::query(cuda::filter f, cuda::grouping by, rung precision, const prepared &a,
-                                        const prepared &b, device_set &on_a, device_set &on_b,
-                                        const predicate_info &p) {
+gpu_bench::whole_query gpu_bench::query(cuda::filter f, search by, rung precision, const prepared &a, const prepared &b,
+                                        device_set &on_a, device_set &on_b, const predicate_info &p) {
   device_options o;
   o.filter = f;
   o.by = by;

@@ -9,6 +9,7 @@
 #include "core/device/collide.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,6 +23,8 @@ public:
   std::string device_in_words() const;
   table measure(const gpu_scene &scene);
   table measure_tangent();
+  // Calls `progress` after each scene.
+  table measure_growth(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
 
 private:
   struct counted_pairs {
@@ -40,8 +43,8 @@ private:
   counted_pairs count(baseline by, const device_set &a, const device_set &b);
   std::uint64_t counted_on_device();
   filtered filter_alone(cuda::filter f, device_set &a, device_set &b);
-  whole_query query(cuda::filter f, cuda::grouping by, rung precision, const prepared &a, const prepared &b,
-                    device_set &on_a, device_set &on_b, const predicate_info &p);
+  whole_query query(cuda::filter f, search by, rung precision, const prepared &a, const prepared &b, device_set &on_a,
+                    device_set &on_b, const predicate_info &p);
 
   const catalogue &all_;
   bool quick_;

@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace meetc::bench {
 
 namespace {
@@ -21,6 +24,35 @@ bodies::mesh of_set(const io::element_set &s) {
   return {s.data, s.index};
 }
 
+// The meshes of the scenes, from files or built in.
+struct scene_meshes {
+  const catalogue &all;
+  std::optional<std::filesystem::path> data;
+  bool quick;
+
+  io::element_set read(const char *file, const io::transform &move = {}) const {
+    return io::read(*data / file, app::kinds_of(all), move);
+  }
+  io::element_set body() const {
+    return data ? read(quick ? "bunny_5k.ply" : "bunny_69k.ply") : app::of_mesh(all, bodies::blob(quick ? 48 : 90));
+  }
+  // A larger body that it reaches into.
+  io::element_set figure() const {
+    io::transform near;
+    if (data) {
+      near.scale = 0.001;
+      near.translate = {0, 0.1, 0};
+      return read(quick ? "armadillo_5k.ply" : "armadillo_345k.ply", near);
+    }
+    near.translate = {0.4, 0, 0};
+    return app::of_mesh(all, bodies::figure(quick ? 48 : 220), near);
+  }
+  io::element_set finer_body(std::size_t least) const { return app::of_mesh(all, finer(of_set(body()), least)); }
+  io::element_set finer_figure(std::size_t least) const { return app::of_mesh(all, finer(of_set(figure()), least)); }
+  const char *name_of_body() const { return data ? "Bunny" : "animal (built in)"; }
+  const char *name_of_figure() const { return data ? "Armadillo" : "figure (built in)"; }
+};
+
 } // namespace
 
 std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick) {
@@ -32,34 +64,15 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
                    constexpr double radius = 0.0098;
                    return std::pair(ball_cloud(all, balls, 1, radius), ball_cloud(all, balls, 2, radius));
                  }});
-  const auto read = [&all](const std::filesystem::path &file, const io::transform &move = {}) {
-    return io::read(file, app::kinds_of(all), move);
-  };
-  // A mesh of a body, and a larger body that it reaches into.
-  const std::function<io::element_set()> body = [&all, data, read, quick] {
-    return data ? read(*data / (quick ? "bunny_5k.ply" : "bunny_69k.ply"))
-                : app::of_mesh(all, bodies::blob(quick ? 48 : 90));
-  };
-  const std::function<io::element_set()> figures = [&all, data, read, quick] {
-    io::transform near;
-    if (data) {
-      near.scale = 0.001;
-      near.translate = {0, 0.1, 0};
-      return read(*data / (quick ? "armadillo_5k.ply" : "armadillo_345k.ply"), near);
-    }
-    near.translate = {0.4, 0, 0};
-    return app::of_mesh(all, bodies::figure(quick ? 48 : 220), near);
-  };
-  out.push_back({data ? "Bunny x Armadillo" : "animal x figure (built in)", "triangle_triangle",
-                 [body, figures] { return std::pair(body(), figures()); }});
-  const auto fine = [&all, body, triangles] { return app::of_mesh(all, finer(of_set(body()), triangles)); };
-  out.push_back(
-      {"Bunny cut finer x Armadillo", "triangle_triangle", [fine, figures] { return std::pair(fine(), figures()); }});
-  if (!data)
-    out.back().name = "animal cut finer x figure (built in)";
-  const auto lines = [&all, fine](std::size_t n, double share) {
-    return [&all, fine, n, share] {
-      io::element_set mesh = fine();
+  const scene_meshes meshes{all, data, quick};
+  const std::string body = meshes.name_of_body(), figure = meshes.name_of_figure();
+  out.push_back({fmt::format("{} x {}", body, figure), "triangle_triangle",
+                 [meshes] { return std::pair(meshes.body(), meshes.figure()); }});
+  out.push_back({fmt::format("{} cut finer x {}", body, figure), "triangle_triangle",
+                 [meshes, triangles] { return std::pair(meshes.finer_body(triangles), meshes.figure()); }});
+  const auto lines = [&all, meshes, triangles](std::size_t n, double share) {
+    return [&all, meshes, triangles, n, share] {
+      io::element_set mesh = meshes.finer_body(triangles);
       io::element_set s = segments_in(all, mesh, n, share);
       return std::pair(std::move(s), std::move(mesh));
     };
@@ -68,6 +81,36 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
       {fmt::format("{} segments, 1 % of the box, x mesh", segments), "segment_triangle", lines(segments, 0.01)});
   out.push_back({"1 segment, 1 % of the box, x mesh", "segment_triangle", lines(1, 0.01)});
   out.push_back({"100 rays as long as the box x mesh", "segment_triangle", lines(100, 1)});
+  return out;
+}
+
+std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data,
+                                     bool quick) {
+  std::vector<gpu_scene> out;
+  const int least = 12, most = quick ? 14 : 24;
+  for (int power = least; power <= most; power += 2) {
+    const std::size_t n = std::size_t{1} << power;
+    out.push_back({fmt::format("balls, {0} x {0}", n), "ball_ball", [&all, n] {
+                     const double radius = std::cbrt(1.1 * 3 / (4 * std::numbers::pi * static_cast<double>(n)));
+                     return std::pair(ball_cloud(all, n, 1, radius), ball_cloud(all, n, 2, radius));
+                   }});
+  }
+  const scene_meshes meshes{all, data, quick};
+  const std::string body = meshes.name_of_body(), figure = meshes.name_of_figure();
+  const std::size_t fine = quick ? 20'000 : 4'000'000, finest = quick ? 20'000 : 20'000'000;
+  out.push_back({fmt::format("{} x {}", body, figure), "triangle_triangle",
+                 [meshes] { return std::pair(meshes.body(), meshes.figure()); }});
+  out.push_back({fmt::format("{0} x {0}", figure), "triangle_triangle",
+                 [meshes] { return std::pair(meshes.figure(), meshes.figure()); }});
+  out.push_back({fmt::format("{} x {}, both cut finer", body, figure), "triangle_triangle",
+                 [meshes, fine, finest] { return std::pair(meshes.finer_body(fine), meshes.finer_figure(finest)); }});
+  for (const std::size_t n : {std::size_t{100}, quick ? std::size_t{500} : std::size_t{10'000}})
+    out.push_back(
+        {fmt::format("{} segments as long as the box x {}", n, body), "segment_triangle", [&all, meshes, fine, n] {
+           io::element_set mesh = meshes.finer_body(fine);
+           io::element_set segments = segments_in(all, mesh, n, 1);
+           return std::pair(std::move(segments), std::move(mesh));
+         }});
   return out;
 }
 

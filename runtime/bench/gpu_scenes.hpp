@@ -21,6 +21,10 @@ struct gpu_scene {
 // Throws io::error where the folder lacks a mesh: bunny_69k.ply, armadillo_345k.ply.
 std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
 
+// Scenes of growing size: about 1.1 pairs a ball, meshes, and segments as long as a mesh.
+std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data,
+                                     bool quick);
+
 // Balls of which a share of all pairs touches in exactly one point, which no bound in fp32 can decide.
 struct tangent_scene {
   std::string name;

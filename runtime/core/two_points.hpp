@@ -16,6 +16,8 @@
 #include "core/box.hpp"
 #include "meetc/support.hpp"
 
+#include <cmath>
+
 namespace meetc {
 
 // The line from one hull point to the other. The slab of axis k is entered at (side - enter[k]) * per[k] and left at
@@ -35,25 +37,51 @@ inline bool has_two_points(const kind_info &kind) {
   return kind.hull == 2;
 }
 
-// The row is finite; the kind has two points.
-inline two_points two_points_of(const kind_info &kind, const float *row) {
-  const auto coordinate = [&](int i) { return kind.hull_fields[i] < 0 ? 0.0f : row[kind.hull_fields[i]]; };
+// Where a row has its two points, and its radius. Fields below 0: a coordinate that is 0, and no radius.
+struct point_fields {
+  int of[6], pad;
+};
+inline point_fields point_fields_of(const kind_info &kind) {
+  point_fields p{{}, kind.pad};
+  for (int i = 0; i < 6; ++i)
+    p.of[i] = kind.hull_fields[i];
+  return p;
+}
+
+// The row is finite.
+MEETC_HD inline two_points two_points_of(const point_fields &fields, const float *row) {
   two_points t;
   for (int k = 0; k < 3; ++k) {
-    const float from = coordinate(k);
-    const double way = static_cast<double>(coordinate(3 + k)) - static_cast<double>(from);
+    const float from = fields.of[k] < 0 ? 0.0f : row[fields.of[k]],
+                to = fields.of[3 + k] < 0 ? 0.0f : row[fields.of[3 + k]];
+    const double way = static_cast<double>(to) - static_cast<double>(from);
     const double length = way < 0 ? -way : way;
-    t.per[k] = way == 0                                  ? std::numeric_limits<float>::infinity()
-               : length >= 0x1p-126 && length <= 0x1p126 ? static_cast<float>(1 / way)
-                                                         : std::numeric_limits<float>::quiet_NaN();
+    t.per[k] = way == 0 ? HUGE_VALF : length >= 0x1p-126 && length <= 0x1p126 ? static_cast<float>(1 / way) : NAN;
     t.enter[k] = t.leave[k] = from;
-    if (kind.pad >= 0) {
-      const float below = step_down(from - row[kind.pad]), above = step_up(from + row[kind.pad]);
+    if (fields.pad >= 0) {
+      const float below = step_down(from - row[fields.pad]), above = step_up(from + row[fields.pad]);
       t.enter[k] = t.per[k] < 0 ? below : above;
       t.leave[k] = t.per[k] < 0 ? above : below;
     }
   }
   return t;
+}
+// The kind has two points.
+inline two_points two_points_of(const kind_info &kind, const float *row) {
+  return two_points_of(point_fields_of(kind), row);
+}
+
+// Whether the element is apart from a finite box, whose sides on axis k are first[k] and last[k] in the element's direction:
+// low and high, or high and low where per[k] < 0.
+MEETC_HD inline bool apart(const two_points &t, const float (&first)[3], const float (&last)[3],
+                           parameter_margin margin = {}) {
+  float in = 0, out = 1;
+  for (int k = 0; k < 3; ++k) {
+    const float entry = (first[k] - t.enter[k]) * t.per[k], exit = (last[k] - t.leave[k]) * t.per[k];
+    in = entry > in ? entry : in;
+    out = exit < out ? exit : out;
+  }
+  return in > out * margin.factor + margin.term;
 }
 
 // Bit i is set where lane i of the block may touch the element. Lanes must be finite boxes; for others the answer means
@@ -65,16 +93,10 @@ inline std::uint32_t touching(const box_block &block, const two_points &t, param
     last[k] = t.per[k] < 0 ? block.lo[k] : block.hi[k];
   }
   std::uint32_t mask = 0;
-  for (int i = 0; i < lanes; ++i) {
-    float in = 0, out = 1;
-    for (int k = 0; k < 3; ++k) {
-      const float entry = (first[k][i] - t.enter[k]) * t.per[k], exit = (last[k][i] - t.leave[k]) * t.per[k];
-      in = entry > in ? entry : in;
-      out = exit < out ? exit : out;
-    }
-    const bool apart = in > out * margin.factor + margin.term;
-    mask |= apart ? 0 : lane_bit[i];
-  }
+  for (int i = 0; i < lanes; ++i)
+    mask |= apart(t, {first[0][i], first[1][i], first[2][i]}, {last[0][i], last[1][i], last[2][i]}, margin)
+                ? 0
+                : lane_bit[i];
   return mask;
 }
 

@@ -40,7 +40,7 @@ std::string catalogue_text(const unit &u) {
   std::string out = "namespace {\n\nusing form = ball_form;\n\nconst meetc::cuda::kind_launchers all_kinds[] = {\n";
   for (const lower::lowered_kind *k : kinds)
     out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::enclose<{1}>, "
-                       "meetc::cuda::columns<{1}, form>}},\n",
+                       "meetc::cuda::columns<{1}, form>, meetc::cuda::places<{1}>, meetc::cuda::boxes<{1}>}},\n",
                        k->name, shape_of(k->name));
   out += "};\n\n"
          "// A query with the predicate at this index of the catalogue.\n"
@@ -55,9 +55,9 @@ std::string catalogue_text(const unit &u) {
   for (const lower::kernel *k : predicates_of(u)) {
     const auto [a, b] = stored.of.at(k);
     out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {3}::stored_a({5}), "
-                       "{3}::stored_b({6})}},\n",
+                       "{3}::stored_b({6}), {7}}},\n",
                        k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1),
-                       identifier(k->asked.asked->name), count, a, b);
+                       identifier(k->asked.asked->name), count, a, b, !k->decision.reject.atoms.empty());
     ++count;
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
@@ -87,13 +87,17 @@ std::string cuda_header(const unit &u) {
       "\n// One struct for each predicate. decide() decides n pairs of rows: a, b, pairs and out are device pointers, "
       "and\n"
       "// rows are packed floats in the spec's store order. ";
-  out += u.asks(lang::rung::certified) ? "certify() runs one bounded rung of `certified` (fp32, fp64,\n"
-                                         "// fp64x2), which may answer unsure. The answers equal those of the CPU, bit "
-                                         "for bit. An unknown rung gives\n"
-                                       : "The answers equal those of the CPU, bit for bit. An unknown rung\n// gives ";
-  out += u.asks(lang::rung::certified) ? "// " : "";
-  out += "cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and stored_b() compute\n"
-         "// what sets store: see meetc::cuda::predicate_launchers. All work is enqueued on the stream; nothing is\n"
+  out += u.asks(lang::rung::certified)
+             ? "certify() runs one bounded rung of `certified` (fp32, fp64,\n"
+               "// fp64x2), which may answer unsure. The answers equal those of the CPU, bit for bit. An unknown rung "
+               "gives\n"
+               "// cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and stored_b() "
+               "compute\n"
+             : "The answers equal those of the CPU, bit for bit. An unknown rung\n"
+               "// gives cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and "
+               "stored_b() "
+               "compute\n";
+  out += "// what sets store: see meetc::cuda::predicate_launchers. All work is enqueued on the stream; nothing is\n"
          "// allocated, waited for or thrown.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
@@ -110,11 +114,12 @@ std::string cuda_header(const unit &u) {
 std::string cuda_catalogue(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The catalogue of launchers on a CUDA device.");
-  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
-                     "#include <meetc/cuda_filter.hpp>\n#include <meetc/cuda_probe.hpp>\n"
-                     "#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n\n"
-                     "namespace {0} {{\nnamespace cuda {{\n\n",
-                     space);
+  out +=
+      fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
+                  "#include <meetc/cuda_filter.hpp>\n#include <meetc/cuda_probe.hpp>\n"
+                  "#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
+                  "namespace {0} {{\nnamespace cuda {{\n\n",
+                  space);
   out += catalogue_text(u);
   if (u.asks(lang::rung::certified))
     out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) {\n"

@@ -2,28 +2,46 @@
 #ifndef MEETC_CORE_DEVICE_BUFFERS_HPP
 #define MEETC_CORE_DEVICE_BUFFERS_HPP
 
-#include "core/device/memory.hpp"
+#include "core/device/tree.hpp"
 
 #include <cstdint>
 
 namespace meetc {
 
-// The lists of a query, named by what they count.
-enum class counter : std::uint8_t { candidates, kept, touching, hits, unsure_fp32, unsure_fp64, unsure_fp64x2, unused };
-inline constexpr int counters = 8;
+// What a query counts: its lists, the items of a walk that warps have taken, and the hits of the item of A that has the most,
+// if it has many.
+enum class counter : std::uint8_t {
+  candidates,
+  kept,
+  touching,
+  hits,
+  unsure_fp32,
+  unsure_fp64,
+  unsure_fp64x2,
+  unused,
+  taken,
+  longest
+};
+inline constexpr int counters = 10;
 
 struct device_buffers {
   device_memory<index_pair> first, second, hits; // first and second alternate for candidates and unsure pairs
   device_memory<unsigned long long> counts;
   device_memory<std::uint64_t> keys, more_keys; // hits as sortable numbers
   device_memory<std::byte> sort_space;
+  device_memory<std::uint32_t> starts; // of each item's hits
+  order_scratch order[2];
+  cudaStream_t beside = nullptr; // for work on one set while the query's stream works on the other
+  cudaEvent_t forked = nullptr, joined = nullptr;
   cudaEvent_t events[2] = {nullptr, nullptr};
   unsigned long long *seen = nullptr; // the counts, in host memory that the device can write to
 
   ~device_buffers() {
-    for (const cudaEvent_t e : events)
+    for (const cudaEvent_t e : {events[0], events[1], forked, joined})
       if (e)
         cudaEventDestroy(e);
+    if (beside)
+      cudaStreamDestroy(beside);
     cudaFreeHost(seen);
   }
 };

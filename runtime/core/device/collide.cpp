@@ -2,6 +2,7 @@
 
 #include "core/device/buffers.hpp"
 #include "core/device/kernels.hpp"
+#include "core/device/tree_kernels.hpp"
 #include "core/pair_sort.hpp"
 
 #include <algorithm>
@@ -12,9 +13,22 @@
 namespace meetc {
 namespace {
 
-// Even if every pair of the smallest part's groups is taken apart, the lists can hold them.
-constexpr std::size_t least_capacity =
-    std::size_t{cuda::part_step} * cuda::part_step * cuda::group_size * cuda::group_size;
+// What a search takes as one object, by which its parts are counted.
+constexpr std::uint32_t object_size(search by) {
+  return by == search::tree ? cuda::tree_width : by == search::groups ? cuda::group_size : 1;
+}
+// Parts begin at multiples of this many objects.
+constexpr std::uint32_t step_of(search by) {
+  return by == search::tree ? 1 : cuda::part_step;
+}
+constexpr std::size_t least_part(search by) {
+  const std::size_t elements = std::size_t{step_of(by)} * object_size(by);
+  return elements * elements;
+}
+// Even if every pair of the smallest part's objects is taken apart, the lists can hold them.
+constexpr std::size_t least_capacity = std::max(least_part(search::groups), least_part(search::tree));
+// Beyond this many elements of A, hits are sorted faster by their keys than by counting.
+constexpr std::uint32_t most_to_count = std::uint32_t{1} << 21;
 constexpr std::size_t first_capacity = std::size_t{1} << 22;
 
 void require(bool holds, const char *what) {
@@ -35,7 +49,7 @@ rung tolerant_or_certified(const device_set &a, const device_set &b, const predi
   require(t.fits(a.grid()) && t.fits(b.grid()), text(status::not_on_grid));
   const auto leaves = [&t](const device_set &s) {
     const auto [reach, longest] = s.reaches();
-    return static_cast<double>(reach) > t.reach || static_cast<double>(longest) > 2 * t.reach;
+    return !t.holds(reach, longest);
   };
   report.left_box_a = leaves(a), report.left_box_b = leaves(b);
   if (!report.left_box_a && !report.left_box_b)
@@ -54,20 +68,19 @@ public:
   device_result run() {
     result_.filter = options_.filter.value_or(on_.best_filter());
     require(on_.offers(result_.filter), "this device does not offer the filter that was asked for");
+    result_.expected = expected_costs(a_.for_search(b_));
+    result_.by = options_.by.value_or(result_.expected.least());
     if (owned())
       upload_owners();
     start_clock();
     if (a_.elements() > 0 && b_.elements() > 0) {
-      const device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
-      const cover c = options_.balls.value_or(cuda::balls_for(precision_));
-      x_ = a_.as(result_.filter, options_.by, c, true, frame);
-      y_ = b_.as(result_.filter, options_.by, c, false, frame);
+      result_.by == search::tree ? take_trees() : take_columns();
       if (cuda::reads_stored(precision_)) {
         x_.stored = a_.stored(predicate_.stored_a);
         y_.stored = b_.stored(predicate_.stored_b);
       }
       take_room();
-      go_through({0, x_.objects(), 0, y_.objects()});
+      go_through({0, objects(a_), 0, objects(b_)});
     }
     if (options_.want == answer_kind::any)
       result_.count = result_.count > 0;
@@ -79,6 +92,43 @@ public:
 
 private:
   bool owned() const { return !options_.owner_a.empty() || !options_.owner_b.empty(); }
+
+  std::uint32_t objects(const device_set &s) const {
+    const std::uint32_t size = object_size(result_.by);
+    return s.elements() / size + (s.elements() % size != 0);
+  }
+
+  void take_columns() {
+    const device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
+    const cover c = options_.balls.value_or(cuda::balls_for(precision_));
+    const cuda::grouping by = result_.by == search::groups ? cuda::grouping::group : cuda::grouping::single;
+    x_ = a_.as(result_.filter, by, c, true, frame);
+    y_ = b_.as(result_.filter, by, c, false, frame);
+  }
+
+  // The elements of the larger set walk, but those with two points before others. A plain rung may say yes where nothing
+  // touches, so that its candidates are all pairs whose boxes touch.
+  void take_trees() {
+    x_ = {a_.rows(), a_.elements(), cuda::grouping::single, nullptr};
+    y_ = {b_.rows(), b_.elements(), cuda::grouping::single, nullptr};
+    const bool points = never_wrong(precision_), by_points_a = points && has_two_points(a_.kind()),
+               by_points_b = points && has_two_points(b_.kind());
+    walk_.swapped = by_points_a == by_points_b ? a_.elements() < b_.elements() : by_points_b;
+    device_set &walker = walk_.swapped ? b_ : a_, &tree = walk_.swapped ? a_ : b_;
+    // The two are made beside each other.
+    check(cudaEventRecord(buffers_.forked, on_.stream()), "starting a stream");
+    check(cudaStreamWaitEvent(buffers_.beside, buffers_.forked, 0), "starting a stream");
+    walk_.tree = tree.tree(buffers_.order[1], buffers_.beside);
+    walk_.walker = walker.tree(buffers_.order[0], on_.stream());
+    check(cudaEventRecord(buffers_.joined, buffers_.beside), "joining a stream");
+    check(cudaStreamWaitEvent(on_.stream(), buffers_.joined, 0), "joining a stream");
+    walk_.rows = nullptr;
+    if (by_points_a || by_points_b) {
+      walk_.rows = walker.rows();
+      walk_.fields = walker.kind().fields;
+      walk_.points = point_fields_of(walker.kind());
+    }
+  }
 
   void upload_owners() {
     const auto upload = [this](std::span<const std::uint32_t> from, const device_set &of,
@@ -98,6 +148,11 @@ private:
     for (cudaEvent_t &e : buffers_.events)
       if (!e)
         check(cudaEventCreate(&e), "making an event");
+    for (cudaEvent_t *const e : {&buffers_.forked, &buffers_.joined})
+      if (!*e)
+        check(cudaEventCreateWithFlags(e, cudaEventDisableTiming), "making an event");
+    if (!buffers_.beside)
+      check(cudaStreamCreateWithFlags(&buffers_.beside, cudaStreamNonBlocking), "making a stream");
     if (!buffers_.seen)
       check(cudaMallocHost(reinterpret_cast<void **>(&buffers_.seen), counters * sizeof *buffers_.seen),
             "allocating host memory");
@@ -111,10 +166,13 @@ private:
     result_.device_seconds = static_cast<double>(ms) / 1000 - download_seconds_;
   }
 
+  // Of a walk: a guess, of balls that touch one other on average.
+  std::uint64_t expected_candidates() const { return 3 * std::uint64_t{std::max(a_.elements(), b_.elements())}; }
   // Reserves room for the first lists, or keeps the existing lists.
   void take_room() {
-    capacity_ =
-        std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, first_capacity), options_.list_capacity);
+    const std::size_t wanted =
+        result_.by == search::tree ? std::max<std::size_t>(expected_candidates(), first_capacity) : first_capacity;
+    capacity_ = std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, wanted), options_.list_capacity);
     buffers_.counts.reserve(counters, "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
@@ -140,15 +198,16 @@ private:
   bool overflowed() const { return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_; }
   // This number of pairs of objects never overflows a list.
   std::uint64_t always_fits() const {
-    const std::uint64_t size = cuda::size_of(options_.by);
+    const std::uint64_t size = object_size(result_.by);
     return capacity_ / (size * size);
   }
 
   static std::uint64_t area(const cuda::part &p) { return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b); }
   // The halves of the longer side, cut between whole blocks where it has several.
-  static std::pair<cuda::part, cuda::part> halves(const cuda::part &p) {
-    const auto middle = [](std::uint32_t from, std::uint32_t to) {
-      const std::uint32_t unit = to - from > matrix_block ? matrix_block : cuda::part_step;
+  std::pair<cuda::part, cuda::part> halves(const cuda::part &p) const {
+    const auto middle = [this](std::uint32_t from, std::uint32_t to) {
+      const std::uint32_t unit =
+          result_.by != search::tree && to - from > matrix_block ? matrix_block : step_of(result_.by);
       return from + (to - from + unit - 1) / unit / 2 * unit;
     };
     cuda::part x = p, y = p;
@@ -162,6 +221,8 @@ private:
   void go_through(const cuda::part &whole) {
     std::vector<cuda::part> left{whole};
     std::uint64_t most = ~std::uint64_t{0}, done = 0; // the largest part that is worth trying, and the finished pairs
+    if (result_.by == search::tree && expected_candidates() > capacity_)
+      most = area(whole) / (expected_candidates() / capacity_ + 1);
     while (!left.empty()) {
       const cuda::part p = left.back();
       left.pop_back();
@@ -170,8 +231,9 @@ private:
         left.push_back(y), left.push_back(x);
         continue;
       }
-      try_part(p);
+      try_part(p, area(p) == area(whole));
       if (overflowed()) {
+        ordered_ = false;
         left.push_back(p);
         if (!take_more_room())
           most = area(p) / 4;
@@ -188,25 +250,28 @@ private:
     }
   }
 
-  void try_part(const cuda::part &p) {
+  void try_part(const cuda::part &p, bool is_all) {
     const cudaStream_t stream = on_.stream();
     check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream),
           "clearing counters");
-    check(on_.kernels().candidates(result_.filter, x_, y_, p, list(buffers_.first, counter::candidates), stream),
-          "starting the filter");
+    find_candidates(p, list(buffers_.first, counter::candidates));
     const cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
-    cuda::pair_list in = list(buffers_.second, counter::kept);
-    check(predicate_.near(cuda::first_step(precision_), x_, y_, list(buffers_.first, counter::candidates), in,
-                          count_only(counter::touching).count, stream),
-          "starting the step that tests boxes");
+    cuda::pair_list in = list(buffers_.first, counter::candidates), out = list(buffers_.second, counter::kept);
+    if (!boxes_suffice()) {
+      check(predicate_.near(cuda::first_step(precision_), x_, y_, in, out, count_only(counter::touching).count, stream),
+            "starting the step that tests boxes");
+      std::swap(in, out);
+    }
     static constexpr counter unsure[] = {counter::unsure_fp32, counter::unsure_fp64, counter::unsure_fp64x2,
                                          counter::unused};
     const cuda::cascade_steps steps = cuda::steps_of(precision_);
     for (int s = 0; s < steps.count; ++s) {
-      const cuda::pair_list out = list(s % 2 == 0 ? buffers_.first : buffers_.second, unsure[s]);
+      out.count = list({}, unsure[s]).count;
       check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
-      in = out;
+      std::swap(in, out);
     }
+    if (is_all && keep_ && !owned() && a_.elements() <= most_to_count)
+      order_hits_of_all(hits);
     check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
                           cudaMemcpyDeviceToHost, stream),
           "reading counters");
@@ -214,24 +279,70 @@ private:
     ++result_.parts;
   }
 
+  // A walk's candidates are the pairs whose boxes touch, so that the step that tests boxes has nothing to do but to reject.
+  bool boxes_suffice() const {
+    return result_.by == search::tree &&
+           (cuda::first_step(precision_) == cuda::step::near_boxes || !predicate_.rejects);
+  }
+
+  // Enqueues what makes sorted pairs of these hits in buffers_.more_keys, if none has too many.
+  void order_hits_of_all(const cuda::pair_list &hits) {
+    buffers_.starts.reserve(std::size_t{a_.elements()} + 1, "sorted pairs");
+    buffers_.keys.reserve(capacity_, "sorted pairs");
+    buffers_.more_keys.reserve(capacity_, "sorted pairs");
+    auto *const numbers = reinterpret_cast<std::uint32_t *>(buffers_.keys.data());
+    const hit_order o{hits.pairs,
+                      hits.count,
+                      hits.capacity,
+                      a_.order(),
+                      b_.order(),
+                      a_.elements(),
+                      buffers_.starts.data(),
+                      numbers,
+                      numbers + capacity_,
+                      reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
+                      buffers_.counts.data() + static_cast<int>(counter::longest)};
+    std::size_t bytes = 0;
+    check(order_hits(nullptr, bytes, o, on_.stream()), "planning to sort");
+    buffers_.sort_space.reserve(bytes, "sorted pairs");
+    check(order_hits(buffers_.sort_space.data(), bytes, o, on_.stream()), "sorting pairs");
+    ordered_ = true;
+  }
+
+  void find_candidates(const cuda::part &p, const cuda::pair_list &out) {
+    if (result_.by != search::tree) {
+      check(on_.kernels().candidates(result_.filter, x_, y_, p, out, on_.stream()), "starting the filter");
+      return;
+    }
+    walk_.of = walk_.swapped ? cuda::part{p.first_b, p.end_b, p.first_a, p.end_a} : p;
+    walk_.out = out;
+    walk_.taken = buffers_.counts.data() + static_cast<int>(counter::taken);
+    check(walk(walk_, on_.stream()), "starting the walk");
+  }
+
   // Takes the results of a part whose lists did not overflow.
   void take_part() {
     result_.near_balls += seen(counter::candidates);
-    result_.candidates += seen(counter::touching);
+    result_.candidates += seen(boxes_suffice() ? counter::candidates : counter::touching);
     result_.count += seen(counter::hits);
     result_.rungs.unsure[0] += seen(counter::unsure_fp32);
     result_.rungs.unsure[1] += seen(counter::unsure_fp64);
     result_.rungs.unsure[2] += seen(counter::unsure_fp64x2);
     const std::size_t n = seen(counter::hits);
+    ordered_ = ordered_ && seen(counter::longest) == 0;
     if (!keep_ || n == 0)
       return;
+    if (ordered_) {
+      keys_ = n;
+      return;
+    }
     if (!buffers_.keys.grow(std::max(keys_ + n, std::min(2 * keys_, keys_ + (std::size_t{1} << 28))), keys_,
                             on_.stream()) &&
         !buffers_.keys.grow(keys_ + n, keys_, on_.stream())) {
       spill();
       buffers_.keys.reserve(n, "a list of hits");
     }
-    check(to_keys(buffers_.hits.data(), n, a_.order(), owner_a_.data(), b_.order(), owner_b_.data(),
+    check(to_keys(buffers_.hits.data(), n, a_.order(), owner_a_.data(), b_.order(), owner_b_.data(), bits_b_,
                   buffers_.keys.data() + keys_, on_.stream()),
           "starting a kernel");
     keys_ += n;
@@ -245,7 +356,7 @@ private:
           "downloading pairs");
     check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
     for (const std::uint64_t k : keys)
-      spilled_.push_back({static_cast<std::uint32_t>(k >> 32), static_cast<std::uint32_t>(k)});
+      spilled_.push_back(pair_of(k, bits_b_));
     keys_ = 0;
   }
 
@@ -254,7 +365,7 @@ private:
   bool sort_on_device() {
     if (owned() && keys_ > 0x7fffffff) // older versions of CUB take at most this many keys
       return false;
-    const int bits = 32 + std::bit_width(largest_item());
+    const int bits = std::max(1, bits_of_items(options_.owner_a, a_) + bits_b_);
     std::size_t sort_bytes = 0, repeat_bytes = 0;
     check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
     if (owned())
@@ -280,15 +391,21 @@ private:
     return true;
   }
 
-  std::uint32_t largest_item() const {
-    const auto owners = options_.owner_a;
-    return owners.empty() ? a_.elements() : *std::max_element(owners.begin(), owners.end());
+  // Of the largest item's number.
+  static int bits_of_items(std::span<const std::uint32_t> owners, const device_set &of) {
+    const std::uint32_t elements = of.elements();
+    return std::bit_width(!owners.empty() ? *std::max_element(owners.begin(), owners.end())
+                          : elements > 0  ? elements - 1
+                                          : 0);
   }
 
   void finish() {
     std::vector<index_pair> &pairs = result_.pairs;
-    if (spilled_.empty() && (keys_ == 0 || sort_on_device())) {
-      check(to_pairs(buffers_.keys.data(), keys_, on_.stream()), "starting a kernel");
+    if (spilled_.empty() && (keys_ == 0 || ordered_ || sort_on_device())) {
+      if (ordered_)
+        std::swap(buffers_.keys, buffers_.more_keys);
+      else
+        check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel");
       if (options_.want == answer_kind::count) {
         result_.count = keys_;
         return;
@@ -318,9 +435,12 @@ private:
   rung precision_;
   const device_options &options_;
   bool keep_;
+  int bits_b_ = bits_of_items(options_.owner_b, b_);
   cuda::operand x_{}, y_{};
+  tree_walk walk_{};
   device_memory<std::uint32_t> owner_a_, owner_b_;
   std::size_t capacity_ = 0, keys_ = 0;
+  bool ordered_ = false; // the hits of all are sorted pairs already
   std::vector<index_pair> spilled_;
   double download_seconds_ = 0;
   device_result result_;

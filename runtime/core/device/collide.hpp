@@ -4,17 +4,19 @@
 // The device finds pairs and counts them. Flags and counts of elements are made on the host from the list of pairs, so
 // their memory grows with the pairs, on the device and for a while on the host.
 //
-// First the filter tests every pair of groups of neighbours, or of elements: a matrix product whose signs tell which
-// enclosing balls may touch. The tests of boxes, the reject stage and the rungs follow, each from one list to the next.
-// Where a list would overflow, the product is cut into parts, so memory is bounded for any number of candidates and
-// nothing is lost.
+// First the search finds candidates. Either the filter tests every pair of elements, or of groups of neighbours: a matrix
+// product whose signs tell which enclosing balls may touch. Or the elements of one set walk down a hierarchy of boxes over
+// the other, whose cost grows with the sets and the candidates. The tests of boxes, the reject stage and the rungs follow,
+// each from one list to the next. Where a list would overflow, the product or the walk is cut into parts, so memory is
+// bounded for any number of candidates and nothing is lost.
 //
-// result::candidates counts pairs whose boxes and balls touch. There are fewer than on the CPU if a ball rules out
+// result::candidates counts pairs whose boxes, and balls where those were tested, touch. There are fewer than on the CPU if a ball rules out
 // more pairs, and rungs.unsure can be smaller too. The plain rungs can say yes where nothing touches, so for them balls
 // enclose boxes, and both devices decide the same pairs.
 #ifndef MEETC_CORE_DEVICE_COLLIDE_HPP
 #define MEETC_CORE_DEVICE_COLLIDE_HPP
 
+#include "core/device/search.hpp"
 #include "core/device/set.hpp"
 
 #include <optional>
@@ -26,16 +28,18 @@ struct device_options {
   // The item of each element; empty: each element is its own item. Answers are then about items, as in collide_options.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   std::optional<cuda::filter> filter = {}; // empty: the fastest that the device offers
-  cuda::grouping by = cuda::grouping::group;
-  std::optional<cover> balls = {}; // empty: around boxes for the plain rungs (see above), else around elements
+  std::optional<search> by = {};           // empty: the one that is expected to be the fastest (search.hpp)
+  std::optional<cover> balls = {};         // empty: around boxes for the plain rungs (see above), else around elements
   std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^18
   std::function<void(double fraction)> progress = {};
 };
 
 struct device_result : result {
-  cuda::filter filter = cuda::filter::float32;
-  std::uint64_t near_balls = 0; // pairs of objects that the filter passed
-  std::uint64_t parts = 0;      // parts of the product that were run
+  search by = search::groups;
+  search_costs expected = {};                  // by which it was chosen
+  cuda::filter filter = cuda::filter::float32; // of a search that has one
+  std::uint64_t near_balls = 0;                // pairs of objects that the search passed
+  std::uint64_t parts = 0;                     // parts of the product or of the walk that were run
   // From the first kernel to the last, with the allocations between them; without uploading sets, and without
   // downloading pairs where the device had the memory to sort them.
   double device_seconds = 0;

@@ -51,15 +51,42 @@ void check(cudaError_t e, const char *what) {
   throw device_error(std::string("CUDA: ") + what + ": " + cudaGetErrorString(e) + on_the_cpu);
 }
 
+namespace {
+
+// The pool keeps what is freed: a query allocates for each set that it sees, and the driver takes long for that.
+void keep_freed_memory() {
+  cudaMemPool_t pool = nullptr;
+  int device = 0;
+  std::uint64_t all = ~std::uint64_t{0};
+  if (cudaGetDevice(&device) != cudaSuccess || cudaDeviceGetDefaultMemPool(&pool, device) != cudaSuccess ||
+      cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &all) != cudaSuccess)
+    cudaGetLastError(); // there are devices without a pool
+}
+
+} // namespace
+
 void *try_allocate_on_device(std::size_t bytes) {
   void *data = nullptr;
-  const cudaError_t e = cudaMalloc(&data, bytes > 0 ? bytes : 1);
+  cudaError_t e = cudaMallocAsync(&data, bytes > 0 ? bytes : 1, nullptr);
+  if (e == cudaSuccess) {
+    e = cudaStreamSynchronize(nullptr); // from now on any stream may use it
+  } else if (e == cudaErrorNotSupported) {
+    cudaGetLastError();
+    e = cudaMalloc(&data, bytes > 0 ? bytes : 1);
+  }
   if (e == cudaErrorMemoryAllocation) {
     cudaGetLastError();
     return nullptr;
   }
   check(e, "allocating memory");
   return data;
+}
+
+void free_on_device(void *data) {
+  if (!data)
+    return;
+  cudaDeviceSynchronize(); // memory of the pool may be in use
+  cudaFree(data);          // an error here has been reported where it arose
 }
 
 void *allocate_on_device(std::size_t bytes, const char *what_for) {
@@ -84,6 +111,7 @@ device::device(const cuda::catalogue &kernels)
           std::string("the CUDA device ") + facts_.name +
           " does not compute as the error bounds assume: " + text_of(static_cast<arithmetic_fault>(bit)) + on_the_cpu);
   check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "making a stream");
+  keep_freed_memory();
 }
 
 device::~device() {

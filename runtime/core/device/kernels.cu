@@ -6,6 +6,7 @@ namespace meetc {
 namespace {
 
 constexpr unsigned threads = 256;
+constexpr unsigned order_blocks = 1056; // 8 for each of 132 multiprocessors
 unsigned blocks_for(std::size_t n) {
   const std::size_t blocks = (n + threads - 1) / threads;
   return static_cast<unsigned>(blocks < 65536 ? blocks : 65536);
@@ -13,18 +14,18 @@ unsigned blocks_for(std::size_t n) {
 
 __global__ void keys_kernel(const index_pair *slots, std::size_t n, const std::uint32_t *order_a,
                             const std::uint32_t *owner_a, const std::uint32_t *order_b, const std::uint32_t *owner_b,
-                            std::uint64_t *keys) {
+                            int bits_b, std::uint64_t *keys) {
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads}) {
     std::uint32_t a = order_a[slots[i].a], b = order_b[slots[i].b];
     a = owner_a ? owner_a[a] : a;
     b = owner_b ? owner_b[b] : b;
-    keys[i] = static_cast<std::uint64_t>(a) << 32 | b;
+    keys[i] = key_of({a, b}, bits_b);
   }
 }
 
-__global__ void pairs_kernel(std::uint64_t *keys, std::size_t n) {
+__global__ void pairs_kernel(std::uint64_t *keys, std::size_t n, int bits_b) {
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads})
-    keys[i] = keys[i] >> 32 | keys[i] << 32;
+    reinterpret_cast<index_pair *>(keys)[i] = pair_of(keys[i], bits_b);
 }
 
 __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned fields, std::uint64_t lengths,
@@ -33,7 +34,8 @@ __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned 
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < numbers;
        i += gridDim.x * std::size_t{threads}) {
     const unsigned bits = __float_as_uint(rows[i]) & 0x7fffffff;
-    const bool length = (lengths >> i % fields & 1) != 0;
+    const auto field = static_cast<unsigned>(i % fields);
+    const bool length = field < 64 && (lengths >> field & 1) != 0;
     of[length] = bits > of[length] ? bits : of[length];
   }
   for (int k = 0; k < 2; ++k) {
@@ -45,7 +47,51 @@ __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned 
   }
 }
 
+// What a thread does for each hit.
+template <class Each> __device__ void each_hit(const hit_order &o, Each &&each) {
+  const unsigned long long n = *o.count < o.capacity ? *o.count : o.capacity;
+  for (unsigned long long i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n;
+       i += gridDim.x * std::size_t{threads})
+    each(i, o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]);
+}
+__global__ void count_kernel(hit_order o) {
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
+}
+__global__ void gather_kernel(hit_order o) {
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[o.starts[a] + o.ranks[i]] = b; });
+}
+// The place of a hit among those of its item is the number of smaller ones.
+__global__ void place_kernel(hit_order o) {
+  each_hit(o, [&](unsigned long long, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t begin = o.starts[a], end = o.starts[a + 1];
+    if (end - begin > most_of_one) {
+      atomicMax(o.longest, static_cast<unsigned long long>(end - begin));
+      return;
+    }
+    std::uint32_t at = begin;
+    for (std::uint32_t k = begin; k < end; ++k)
+      at += o.others[k] < b;
+    o.sorted[at] = {a, b};
+  });
+}
+
 } // namespace
+
+cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream) {
+  const auto items = static_cast<std::int64_t>(o.items_a) + 1;
+  if (!space)
+    return cub::DeviceScan::ExclusiveSum(space, bytes, o.starts, o.starts, items, stream);
+  cudaError_t e = cudaMemsetAsync(o.starts, 0, static_cast<std::size_t>(items) * sizeof(std::uint32_t), stream);
+  if (e != cudaSuccess)
+    return e;
+  count_kernel<<<order_blocks, threads, 0, stream>>>(o);
+  e = cub::DeviceScan::ExclusiveSum(space, bytes, o.starts, o.starts, items, stream);
+  if (e != cudaSuccess)
+    return e;
+  gather_kernel<<<order_blocks, threads, 0, stream>>>(o);
+  place_kernel<<<order_blocks, threads, 0, stream>>>(o);
+  return cudaGetLastError();
+}
 
 cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
                     cudaStream_t stream) {
@@ -58,19 +104,19 @@ cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint
 }
 
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
-                    const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys,
+                    const std::uint32_t *order_b, const std::uint32_t *owner_b, int bits_b, std::uint64_t *keys,
                     cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  keys_kernel<<<blocks_for(n), threads, 0, stream>>>(slots, n, order_a, owner_a, order_b, owner_b, keys);
+  keys_kernel<<<blocks_for(n), threads, 0, stream>>>(slots, n, order_a, owner_a, order_b, owner_b, bits_b, keys);
   return cudaGetLastError();
 }
 
-cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, cudaStream_t stream) {
+cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, int bits_b, cudaStream_t stream) {
   static_assert(sizeof(index_pair) == sizeof(std::uint64_t));
   if (n == 0)
     return cudaSuccess;
-  pairs_kernel<<<blocks_for(n), threads, 0, stream>>>(keys, n);
+  pairs_kernel<<<blocks_for(n), threads, 0, stream>>>(keys, n, bits_b);
   return cudaGetLastError();
 }
 

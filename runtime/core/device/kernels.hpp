@@ -2,19 +2,44 @@
 #ifndef MEETC_CORE_DEVICE_KERNELS_HPP
 #define MEETC_CORE_DEVICE_KERNELS_HPP
 
-#include "meetc/table.hpp"
+#include "meetc/support.hpp"
 
 #include <cuda_runtime_api.h>
 
 namespace meetc {
 
-// Turns pairs of slots into keys, item_a 2^32 + item_b, whose order is that of the pairs. owner_x null: each element is
-// its own item.
+// A pair as a number, item_a 2^bits_b + item_b, so that their order is the same. The shorter, the fewer steps to sort.
+MEETC_HD inline std::uint64_t key_of(index_pair p, int bits_b) {
+  return std::uint64_t{p.a} << bits_b | p.b;
+}
+MEETC_HD inline index_pair pair_of(std::uint64_t key, int bits_b) {
+  return {static_cast<std::uint32_t>(key >> bits_b),
+          static_cast<std::uint32_t>(key & ((std::uint64_t{1} << bits_b) - 1))};
+}
+
+// Turns pairs of slots into keys of items. owner_x null: each element is its own item.
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
-                    const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys,
+                    const std::uint32_t *order_b, const std::uint32_t *owner_b, int bits_b, std::uint64_t *keys,
                     cudaStream_t stream);
 // Turns keys back into pairs, in place.
-cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, cudaStream_t stream);
+cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, int bits_b, cudaStream_t stream);
+
+// Orders hits by their items by counting, which needs no number on the host. Elements are their own items.
+struct hit_order {
+  const index_pair *hits; // of slots
+  const unsigned long long *count;
+  unsigned long long capacity;
+  const std::uint32_t *order_a, *order_b;
+  std::uint32_t items_a;
+  std::uint32_t *starts;         // room for items_a + 1
+  std::uint32_t *ranks, *others; // room for `capacity` each
+  index_pair *sorted;            // likewise
+  // 0 at first. Where an item of A has more than most_of_one hits, it becomes their number, and `sorted` means nothing.
+  unsigned long long *longest;
+};
+inline constexpr unsigned most_of_one = 1024;
+// With `space` null it only sets `bytes`.
+cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream);
 
 // Sorts keys below 2^bits into `to`. With space null, only sets the number of bytes that it needs.
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
@@ -24,7 +49,7 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
                          unsigned long long *kept, std::size_t n, cudaStream_t stream);
 
 // The largest magnitudes of the numbers of rows of `fields` floats, as float32: most[1] of those whose bit is set in
-// `lengths`, and most[0] of the others. most is device memory.
+// `lengths`, and most[0] of the others, among them all from the 64th on. most is device memory.
 cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
                     cudaStream_t stream);
 

@@ -12,6 +12,8 @@ namespace meetc {
 void *allocate_on_device(std::size_t bytes, const char *what_for);
 // Returns null where there is too little memory.
 void *try_allocate_on_device(std::size_t bytes);
+// Waits for all that the device has to do. Null is nothing.
+void free_on_device(void *data);
 
 // Uninitialised memory for objects of a trivial type.
 template <class T> class device_memory {
@@ -30,7 +32,7 @@ public:
   std::size_t capacity() const { return capacity_; }
 
   void release() {
-    cudaFree(data_); // an error here has been reported where it arose
+    free_on_device(data_);
     data_ = nullptr;
     capacity_ = 0;
   }

@@ -2,6 +2,7 @@
 
 #include "core/device/kernels.hpp"
 #include "core/element_set.hpp"
+#include "core/two_points.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -124,6 +125,25 @@ cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool fi
   }
   out.columns = columns.data();
   return out;
+}
+
+search_sizes device_set::for_search(const device_set &b) const {
+  return {elements_,
+          b.elements_,
+          tree_of_ == version_,
+          b.tree_of_ == b.version_,
+          tree_.is_made(),
+          b.tree_.is_made(),
+          has_two_points(*kind_) || has_two_points(*b.kind_)};
+}
+
+cuda::tree_view device_set::tree(order_scratch &scratch, cudaStream_t stream) {
+  if (tree_of_ != version_) {
+    tree_of_ = 0;
+    tree_.make(*launchers_, rows(), elements_, around(), scratch, stream);
+    tree_of_ = version_;
+  }
+  return tree_.view(elements_);
 }
 
 const float *device_set::stored(const cuda::stored_launcher &values) {

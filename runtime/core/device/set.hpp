@@ -6,7 +6,8 @@
 #define MEETC_CORE_DEVICE_SET_HPP
 
 #include "core/collide.hpp"
-#include "core/device/memory.hpp"
+#include "core/device/search.hpp"
+#include "core/device/tree.hpp"
 
 #include <utility>
 #include <vector>
@@ -40,6 +41,10 @@ public:
   // The columns that the filter reads, in the frame of `frame`, which is this set or the other. They are computed
   // unless they exist already.
   cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame);
+  // What this set, as A, and another say about a search.
+  search_sizes for_search(const device_set &b) const;
+  // The hierarchy of the boxes of rows(). It is made, on the stream, unless it exists already. The set has elements.
+  cuda::tree_view tree(order_scratch &scratch, cudaStream_t stream);
   // A predicate's stored values, in device memory. They are computed unless they exist already. Null: there are none.
   const float *stored(const cuda::stored_launcher &values);
 
@@ -66,6 +71,8 @@ private:
   device_memory<extent> around_;
   device_memory<std::byte> columns_[2]; // as Y, as X
   made have_[2];
+  device_tree tree_;
+  std::uint64_t tree_of_ = 0; // version
   struct store {
     device_memory<float> numbers;
     std::uint64_t of = 0; // version

@@ -6,8 +6,10 @@
 #define MEETC_CUDA_TABLE_HPP
 
 #include <meetc/enclosing.hpp>
+#include <meetc/hilbert.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/table.hpp>
+#include <meetc/tree.hpp>
 
 #include <cuda_runtime_api.h>
 
@@ -119,6 +121,13 @@ struct kind_launchers {
   // the filter passes every pair whose boxes touch.
   cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
                          const extent *around, void *columns, cudaStream_t stream);
+  // For each row its place along Hilbert's curve, below 2^(3 bits), and its rank among those with this place, which about
+  // keeps their order. counts[p] becomes the number of rows with place p; all are 0 before.
+  cudaError_t (*places)(const float *rows, std::uint32_t elements, const extent *around, int bits,
+                        std::uint32_t *counts, place_rank *places, cudaStream_t stream);
+  // Fills levels 0 and 1 of the tree over the rows in the order of `slots`.
+  cudaError_t (*boxes)(const float *rows, std::uint32_t elements, const std::uint32_t *slots, tree_node *nodes,
+                       cudaStream_t stream);
 };
 
 inline constexpr std::uint32_t part_step = 64;
@@ -202,6 +211,7 @@ struct predicate_launchers {
   std::size_t (*workspace)(std::uint32_t elements_a, std::uint32_t elements_b, unsigned long long list_capacity);
   // The stored values that certify_fp32, plain_fp32 and near_reject read.
   stored_launcher stored_a = {}, stored_b = {};
+  bool rejects = true; // near_reject drops more than near_boxes
 };
 
 struct catalogue {

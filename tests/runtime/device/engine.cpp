@@ -141,12 +141,16 @@ void comparison::add(const std::string &scene, const predicate_info &p, const de
   l.device_ms += r.device_seconds * 1000;
 }
 
-std::vector<std::pair<cuda::filter, cuda::grouping>> comparison::ways(const options &o) const {
-  std::vector<std::pair<cuda::filter, cuda::grouping>> out;
+std::string comparison::way::name() const {
+  return by == search::tree ? meetc::name_of(by) : name_of(filter) + std::string(", ") + meetc::name_of(by);
+}
+
+std::vector<comparison::way> comparison::ways(const options &o) const {
+  std::vector<way> out{{search::tree, on_.best_filter()}};
   for (const cuda::filter f : filters_)
-    for (const cuda::grouping g : {cuda::grouping::single, cuda::grouping::group})
+    for (const search by : {search::every_pair, search::groups})
       if (o.all_filters || f == on_.best_filter())
-        out.emplace_back(f, g);
+        out.push_back({by, f});
   return out;
 }
 
@@ -170,16 +174,15 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
     collide_options on_cpu;
     on_cpu.owner_a = o.owner_a, on_cpu.owner_b = o.owner_b;
     const result want = collide(a, b, p, r, on_cpu);
-    for (const auto &[f, by] : ways(o)) {
+    for (const way &by : ways(o)) {
       const auto fails = [&](const std::string &what) {
         fail(of, std::to_string(a.elements()) + " by " + std::to_string(b.elements()) + ", " + name_of(r) + ", " +
-                     name_of(f) + (by == cuda::grouping::group ? ", groups: " : ": ") + what);
+                     by.name() + ": " + what);
       };
-      const bool grouped = by == cuda::grouping::group;
       device_options with;
-      with.by = by;
+      with.by = by.by;
       with.owner_a = o.owner_a, with.owner_b = o.owner_b;
-      with.filter = f;
+      with.filter = by.filter;
       with.list_capacity = o.list_capacity;
       const device_result have = collide(on_, da, db, p, r, with);
       add(scene, p, have);
@@ -194,13 +197,13 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
       if ((have.candidates > want.candidates && !(never_wrong(r) && fewer_candidates_on_cpu(p))) ||
           (!never_wrong(r) && have.candidates != want.candidates))
         fails(std::to_string(have.candidates) + " candidates, and the CPU has " + std::to_string(want.candidates));
-      if (!grouped && have.near_balls < have.candidates)
+      if (by.by != search::groups && have.near_balls < have.candidates)
         fails("more candidates than near balls");
       // After fp32 the CPU's lanes find zeros by residues, and the device within windows.
       if (have.rungs.unsure[0] > want.rungs.unsure[0] && !fewer_unsure_on_cpu(p, a, b))
         fails(std::to_string(have.rungs.unsure[0]) + " unsure, and on the CPU " + std::to_string(want.rungs.unsure[0]));
-      if (o.expectations && r == rung::certified && !grouped) {
-        const expectation e = expect(p, a, b, f);
+      if (o.expectations && r == rung::certified && by.by == search::every_pair) {
+        const expectation e = expect(p, a, b, by.filter);
         const auto within = [&](const char *what, const range &may, std::uint64_t is) {
           if (!may.holds(is))
             fails(std::to_string(is) + " " + what + ", and the model allows " + text(may));

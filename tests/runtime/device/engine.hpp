@@ -85,8 +85,13 @@ public:
 
   meetc::device &on() const { return on_; }
   const std::vector<meetc::cuda::filter> &filters() const { return filters_; }
-  // Filters by elements and by groups, as the options ask.
-  std::vector<std::pair<meetc::cuda::filter, meetc::cuda::grouping>> ways(const options &o = {}) const;
+  // The searches, those with a filter by the filters that the options ask for.
+  struct way {
+    meetc::search by;
+    meetc::cuda::filter filter;
+    std::string name() const;
+  };
+  std::vector<way> ways(const options &o = {}) const;
 
   // Compares every rung of `rungs` and every filter with the CPU. Differences are counted under the scene's name and
   // printed.

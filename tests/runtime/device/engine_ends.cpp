@@ -157,7 +157,7 @@ private:
   std::uint64_t near_balls(const predicate_info &p, const rows_of &x, const rows_of &y) {
     device_set a(with_.on(), prepare(view_of(x), *p.a)), b(with_.on(), prepare(view_of(y), *p.b));
     device_options o;
-    o.by = cuda::grouping::single;
+    o.by = search::every_pair;
     o.want = answer_kind::count;
     return collide(with_.on(), a, b, p, rung::certified, o).near_balls;
   }

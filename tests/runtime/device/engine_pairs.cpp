@@ -142,20 +142,20 @@ void all_hits(comparison &with, const settings &s) {
     answer hit;
     p.decide[static_cast<int>(rung::exact)](x.rows.data(), y.rows.data(), &first, 1, &hit);
     device_set a(with.on(), ready(x)), b(with.on(), ready(y));
-    for (const auto &[f, by] : with.ways()) {
+    for (const comparison::way &by : with.ways()) {
       device_options o;
-      o.filter = f;
-      o.by = by;
+      o.filter = by.filter;
+      o.by = by.by;
       o.list_capacity = least_lists;
       const device_result r = collide(with.on(), a, b, p, rung::certified, o);
       with.add(scene, p, r);
       bool right = r.count == (hit == answer::yes ? std::uint64_t{n} * n : 0) && r.count == r.pairs.size();
       for (std::size_t i = 0; right && i < r.pairs.size(); ++i)
         right = r.pairs[i].a == i / n && r.pairs[i].b == i % n;
-      with.require(scene, right, std::string(p.name) + ", " + name_of(f) + ": not every pair once");
-      const std::uint64_t objects = n / cuda::size_of(by);
+      with.require(scene, right, std::string(p.name) + ", " + by.name() + ": not every pair once");
+      const std::uint64_t objects = by.by == search::groups ? n / cuda::group_size : n;
       with.require(scene, r.near_balls == objects * objects,
-                   std::string(p.name) + ": the filter lost or repeated pairs");
+                   std::string(p.name) + ": the search lost or repeated pairs");
       with.require(scene, r.parts > 34, "the product was not cut");
     }
   });

@@ -4,6 +4,7 @@
 // join results. Two of its filters are the extremes that the model of the matrix unit allows: one drops every pair that
 // it may drop, the other keeps every pair that it may keep.
 #include "core/device/kernels.hpp"
+#include "core/device/tree_kernels.hpp"
 
 #include <cga/ball_form.hpp>
 #include <cga/cga.hpp>
@@ -11,6 +12,7 @@
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
 #include <meetc/frame.hpp>
+#include <meetc/hilbert.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/near.hpp>
 #include <meetc/tolerant.hpp>
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -53,6 +56,19 @@ cudaError_t cudaGetLastError() {
 cudaError_t cudaMalloc(void **out, std::size_t bytes) {
   *out = std::malloc(bytes);
   std::memset(*out, 0xa5, bytes); // as stale as device memory
+  return cudaSuccess;
+}
+cudaError_t cudaMallocAsync(void **out, std::size_t bytes, cudaStream_t) {
+  return cudaMalloc(out, bytes);
+}
+cudaError_t cudaDeviceGetDefaultMemPool(cudaMemPool_t *pool, int) {
+  *pool = nullptr;
+  return cudaSuccess;
+}
+cudaError_t cudaMemPoolSetAttribute(cudaMemPool_t, cudaMemPoolAttr, void *) {
+  return cudaSuccess;
+}
+cudaError_t cudaDeviceSynchronize() {
   return cudaSuccess;
 }
 cudaError_t cudaFree(void *data) {
@@ -91,6 +107,13 @@ cudaError_t cudaStreamDestroy(cudaStream_t) {
 cudaError_t cudaStreamSynchronize(cudaStream_t) {
   return cudaSuccess;
 }
+cudaError_t cudaStreamWaitEvent(cudaStream_t, cudaEvent_t, unsigned) {
+  return cudaSuccess;
+}
+cudaError_t cudaEventCreateWithFlags(cudaEvent_t *event, unsigned) {
+  *event = nullptr;
+  return cudaSuccess;
+}
 cudaError_t cudaEventCreate(cudaEvent_t *event) {
   *event = nullptr;
   return cudaSuccess;
@@ -116,24 +139,27 @@ cudaError_t cudaEventElapsedTime(float *ms, cudaEvent_t, cudaEvent_t) {
 namespace meetc {
 
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
-                    const std::uint32_t *order_b, const std::uint32_t *owner_b, std::uint64_t *keys, cudaStream_t) {
+                    const std::uint32_t *order_b, const std::uint32_t *owner_b, int bits_b, std::uint64_t *keys,
+                    cudaStream_t) {
   for (std::size_t i = 0; i < n; ++i) {
     std::uint32_t a = order_a[slots[i].a], b = order_b[slots[i].b];
     a = owner_a ? owner_a[a] : a, b = owner_b ? owner_b[b] : b;
-    keys[i] = static_cast<std::uint64_t>(a) << 32 | b;
+    keys[i] = key_of({a, b}, bits_b);
   }
   return cudaSuccess;
 }
-cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, cudaStream_t) {
-  for (std::size_t i = 0; i < n; ++i)
-    keys[i] = keys[i] >> 32 | keys[i] << 32;
+cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, int bits_b, cudaStream_t) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const index_pair p = pair_of(keys[i], bits_b);
+    std::memcpy(keys + i, &p, sizeof p);
+  }
   return cudaSuccess;
 }
 cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
                     cudaStream_t) {
   most[0] = most[1] = 0;
   for (std::size_t i = 0; i < n * fields; ++i) {
-    float &of = most[lengths >> i % fields & 1];
+    float &of = most[i % fields < 64 ? lengths >> i % fields & 1 : 0];
     of = std::max(of, std::fabs(rows[i]));
   }
   return cudaSuccess;
@@ -154,6 +180,98 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
   bytes = 1;
   if (space)
     *kept = static_cast<unsigned long long>(std::unique_copy(keys, keys + n, to) - to);
+  return cudaSuccess;
+}
+
+cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t) {
+  bytes = 1;
+  if (!space)
+    return cudaSuccess;
+  const std::size_t n = std::min(*o.count, o.capacity);
+  for (std::size_t i = 0; i < n; ++i)
+    o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
+  std::sort(o.sorted, o.sorted + n, [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  for (std::size_t i = 0, begin = 0; i < n; ++i) {
+    begin = o.sorted[i].a == o.sorted[begin].a ? begin : i;
+    if (i - begin >= most_of_one) {
+      *o.longest = i - begin + 1;
+      o.sorted[i] = {~0U, ~0U}; // is not looked at
+    }
+  }
+  return cudaSuccess;
+}
+cudaError_t order_slots(void *space, std::size_t &bytes, std::uint32_t *counts, std::uint32_t cells,
+                        const cuda::place_rank *places, std::uint32_t n, std::uint32_t *slots, cudaStream_t) {
+  bytes = 1;
+  if (!space)
+    return cudaSuccess;
+  std::exclusive_scan(counts, counts + cells, counts, 0U);
+  for (std::uint32_t i = 0; i < n; ++i)
+    slots[counts[places[i].place] + places[i].rank] = i;
+  return cudaSuccess;
+}
+cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t) {
+  const cuda::tree_shape shape(elements);
+  for (int level = 1; level + 1 < shape.depth; ++level)
+    for (std::uint32_t node = 0; node < shape.count[level + 1] * cuda::tree_width; ++node) {
+      cuda::tree_box b;
+      for (std::uint32_t lane = 0; node < shape.count[level] && lane < cuda::tree_width; ++lane)
+        b.widen(cuda::box_of(nodes[shape.first[level] + node], lane));
+      put_box(nodes[shape.first[level + 1] + node / cuda::tree_width], node % cuda::tree_width, b);
+    }
+  return cudaSuccess;
+}
+
+namespace {
+
+// Each element goes down alone; a part is a range of nodes of level 0.
+void go_down(const tree_walk &w, const cuda::tree_box &own, const two_points *points, std::uint32_t slot, int level,
+             std::uint32_t node) {
+  const cuda::tree_shape &shape = w.tree.shape;
+  for (std::uint32_t lane = 0; lane < cuda::tree_width; ++lane) {
+    const cuda::tree_box b = cuda::box_of(w.tree.nodes[shape.first[level] + node], lane);
+    bool touch = own.touches(b);
+    if (touch && points) {
+      float first[3], last[3];
+      for (int k = 0; k < 3; ++k) {
+        const bool down = points->per[k] < 0;
+        first[k] = down ? b.high[k] : b.low[k], last[k] = down ? b.low[k] : b.high[k];
+      }
+      touch = !apart(*points, first, last);
+    }
+    if (!touch)
+      continue;
+    const std::uint32_t child = node * cuda::tree_width + lane;
+    if (level > 0) {
+      go_down(w, own, points, slot, level - 1, child);
+      continue;
+    }
+    if (node < w.of.first_b || node >= w.of.end_b)
+      continue;
+    const std::uint32_t other = w.tree.slots[child];
+    const index_pair p = w.swapped ? index_pair{other, slot} : index_pair{slot, other};
+    if (*w.out.count < w.out.capacity)
+      w.out.pairs[*w.out.count] = p;
+    ++*w.out.count;
+  }
+}
+
+} // namespace
+
+cudaError_t walk(const tree_walk &w, cudaStream_t) {
+  if (*w.taken != 0)
+    return cudaErrorInvalidValue;
+  const std::uint32_t width = cuda::tree_width;
+  for (std::uint32_t i = w.of.first_a * width; i < std::min(w.walker.elements, w.of.end_a * width); ++i) {
+    const std::uint32_t slot = w.walker.slots[i];
+    two_points points{};
+    if (w.rows)
+      points = two_points_of(w.points, w.rows + slot * static_cast<std::size_t>(w.fields));
+    go_down(w, cuda::box_of(w.walker.nodes[i / width], i % width), w.rows ? &points : nullptr, slot,
+            w.tree.shape.depth - 1, 0);
+    if (*w.out.count > w.out.capacity)
+      return cudaSuccess;
+  }
   return cudaSuccess;
 }
 
@@ -238,6 +356,35 @@ cudaError_t columns(cuda::filter by, cuda::grouping g, cover c, bool first, cons
     first ? to_columns<form, true>(ball, where, halves) : to_columns<form, false>(ball, where, halves);
     for (int k = 0; k < matrix_columns; ++k)
       static_cast<std::uint16_t *>(out)[matrix_place(i, k)] = halves[k];
+  }
+  return cudaSuccess;
+}
+
+template <class Shape>
+cudaError_t places(const float *rows, std::uint32_t n, const extent *around, int bits, std::uint32_t *counts,
+                   cuda::place_rank *places, cudaStream_t) {
+  const cuda::hilbert_cells cells(*around, bits);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t place = cells.place_of(cuda::box_of_row<Shape>(rows + i * std::size_t{Shape::fields}));
+    places[i] = {place, counts[place]++};
+  }
+  return cudaSuccess;
+}
+template <class Shape>
+cudaError_t boxes(const float *rows, std::uint32_t n, const std::uint32_t *slots, cuda::tree_node *nodes,
+                  cudaStream_t) {
+  const cuda::tree_shape shape(n);
+  for (std::uint32_t node = 0; node < shape.count[1] * cuda::tree_width; ++node) {
+    cuda::tree_box around;
+    for (std::uint32_t lane = 0; node < shape.count[0] && lane < cuda::tree_width; ++lane) {
+      const std::size_t at = std::size_t{node} * cuda::tree_width + lane;
+      cuda::tree_box b;
+      if (at < n)
+        b = cuda::box_of_row<Shape>(rows + slots[at] * std::size_t{Shape::fields});
+      put_box(nodes[node], lane, b);
+      around.widen(b);
+    }
+    put_box(nodes[shape.first[1] + node / cuda::tree_width], node % cuda::tree_width, around);
   }
   return cudaSuccess;
 }
@@ -369,11 +516,12 @@ cudaError_t probe(cuda::probe_result *out, cudaStream_t) {
   return cudaSuccess;
 }
 
+template <class Shape> constexpr cuda::kind_launchers launchers_of(const char *name) {
+  return {name, Shape::fields, pose_rows<Shape>, enclose<Shape>, columns<Shape>, places<Shape>, boxes<Shape>};
+}
 const cuda::kind_launchers kinds[] = {
-    {"point", 3, pose_rows<cga::point_shape>, enclose<cga::point_shape>, columns<cga::point_shape>},
-    {"sphere", 4, pose_rows<cga::sphere_shape>, enclose<cga::sphere_shape>, columns<cga::sphere_shape>},
-    {"segment", 6, pose_rows<cga::segment_shape>, enclose<cga::segment_shape>, columns<cga::segment_shape>},
-    {"triangle", 9, pose_rows<cga::triangle_shape>, enclose<cga::triangle_shape>, columns<cga::triangle_shape>}};
+    launchers_of<cga::point_shape>("point"), launchers_of<cga::sphere_shape>("sphere"),
+    launchers_of<cga::segment_shape>("segment"), launchers_of<cga::triangle_shape>("triangle")};
 
 } // namespace
 

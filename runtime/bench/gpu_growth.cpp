@@ -1,0 +1,96 @@
+// How the searches of a device grow with the sets.
+#include "app/failure.hpp"
+#include "app/sets.hpp"
+#include "app/words.hpp"
+#include "bench/gpu_measure.hpp"
+#include "core/find.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace meetc::bench {
+
+namespace {
+
+constexpr int growth_runs = 5;
+constexpr double too_slow = 0.25; // seconds that a search may be expected to take
+
+// Medians of seconds of certified queries that give sorted pairs on the device.
+struct search_times {
+  double first = 0, posed = 0, again = 0, wall = 0;
+};
+
+} // namespace
+
+table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress) {
+  table t;
+  t.name = "growth";
+  t.title = "Growth with the sets, by search";
+  t.columns = {{"scene", "scene"},
+               {"a", "elements of A"},
+               {"b", "elements of B"},
+               {"pairs", "pairs"},
+               {"groups_first", "groups: first,|ms"},
+               {"groups_again", "groups: again,|ms"},
+               {"tree_first", "hierarchy: first,|ms"},
+               {"tree_posed", "hierarchy: after|a pose, ms"},
+               {"tree_again", "hierarchy: again,|ms"},
+               {"tree_wall", "hierarchy: first,|wall clock, ms"},
+               {"chosen", "chosen first"},
+               {"of_best", "chosen / best|of both"}};
+  t.notes.push_back("First: a query on sets that have only been uploaded, so that columns, or order and boxes, are "
+                    "made in it. After a "
+                    "pose: of B, whose boxes are made anew in the order that there is. Again: nothing is made. Times "
+                    "are of the device "
+                    "until the pairs are sorted there, but for the wall clock, which also has the pairs downloaded.");
+  for (const gpu_scene &scene : scenes) {
+    const auto [first, second] = scene.make();
+    const prepared a = app::prepare(first), b = app::prepare(second);
+    const predicate_info &p = find_predicate(all_, scene.predicate);
+    std::optional<std::uint64_t> found;
+    device_options o;
+    const auto query = [&](device_set &on_a, device_set &on_b) {
+      return meetc::collide(on_, on_a, on_b, p, rung::certified, o);
+    };
+    const auto time = [&](search by) {
+      o.by = by;
+      std::vector<double> fresh, posed, again, wall;
+      for (int i = 0; i <= growth_runs; ++i) {
+        device_set on_a(on_, a), on_b(on_, b);
+        const device_result r = query(on_a, on_b), r_again = query(on_a, on_b);
+        pose at;
+        at.m[3] = 0x1p-20;
+        on_b.move(at);
+        const device_result r_posed = query(on_a, on_b);
+        if (r_again.count != r.count || found.value_or(r.count) != r.count)
+          throw app::failure("bench gpu: two searches differ", app::no_device);
+        found = r.count;
+        if (i > 0)
+          fresh.push_back(r.device_seconds), again.push_back(r_again.device_seconds),
+              posed.push_back(r_posed.device_seconds), wall.push_back(r.seconds);
+      }
+      return search_times{median(fresh), median(posed), median(again), median(wall)};
+    };
+    const search_costs expected = [&] {
+      const device_set on_a(on_, a), on_b(on_, b);
+      return expected_costs(on_a.for_search(on_b));
+    }();
+    const search chosen = expected.least();
+    const search_times tree = time(search::tree);
+    const bool with_groups = expected.of[static_cast<int>(search::groups)] < too_slow;
+    const search_times groups = with_groups ? time(search::groups) : search_times{};
+    const auto of_groups = [&](double seconds) { return with_groups ? of_milliseconds(seconds) : missing("too slow"); };
+    const double taken = chosen == search::tree ? tree.first : groups.first;
+    t.rows.push_back({of_words(scene.name), of_count(a.elements()), of_count(b.elements()), of_count(*found),
+                      of_groups(groups.first), of_groups(groups.again), of_milliseconds(tree.first),
+                      of_milliseconds(tree.posed), of_milliseconds(tree.again), of_milliseconds(tree.wall),
+                      of_words(name_of(chosen)),
+                      with_groups && chosen != search::every_pair ? of_ratio(taken / std::min(groups.first, tree.first))
+                                                                  : missing("not both were run")});
+    progress();
+  }
+  return t;
+}
+
+} // namespace meetc::bench

@@ -1,0 +1,38 @@
+// core/device/search.hpp: the ways in which a device finds candidates, and what each is expected to cost.
+#ifndef MEETC_CORE_DEVICE_SEARCH_HPP
+#define MEETC_CORE_DEVICE_SEARCH_HPP
+
+#include <cstdint>
+
+namespace meetc {
+
+enum class search : std::uint8_t {
+  every_pair, // the filter, of all pairs of elements
+  groups,     // the filter, of all pairs of groups of neighbours
+  tree,       // a walk down a hierarchy
+};
+inline constexpr int searches = 3;
+const char *name_of(search s);
+
+// Seconds until the candidates are found, by search.
+struct search_costs {
+  double of[searches] = {0, 0, 0};
+  search least() const;
+};
+
+// What two sets say about that.
+struct search_sizes {
+  std::uint64_t a = 0, b = 0;                // elements
+  bool made_a = false, made_b = false;       // their hierarchies exist for the rows as they stand
+  bool ordered_a = false, ordered_b = false; // and at least their order does
+  bool long_elements = false;                // a kind has two points, around which a ball is mostly empty
+};
+
+// The model: a time to start, one for each pair of objects, and one for each element that is ordered, enclosed, walks, or
+// is taken from its group to be tested. Where balls may be mostly empty, the filter is expected to pass every pair. Its
+// constants were fitted to measurements on an H200 (docs/gpu.md); on other devices only their ratios matter.
+search_costs expected_costs(const search_sizes &s);
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,36 @@
+// core/device/tree_kernels.hpp: the kernels of hierarchies that depend on no kind of element. They only enqueue work.
+#ifndef MEETC_CORE_DEVICE_TREE_KERNELS_HPP
+#define MEETC_CORE_DEVICE_TREE_KERNELS_HPP
+
+#include "core/two_points.hpp"
+#include "meetc/cuda_table.hpp"
+#include "meetc/tree.hpp"
+
+namespace meetc {
+
+// Orders n elements by their places, of which there are `cells`, by counting. counts is what kind_launchers::places made.
+// With `space` null it only sets `bytes`.
+cudaError_t order_slots(void *space, std::size_t &bytes, std::uint32_t *counts, std::uint32_t cells,
+                        const cuda::place_rank *places, std::uint32_t n, std::uint32_t *slots, cudaStream_t stream);
+
+// Fills the levels above level 1.
+cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t stream);
+
+// A walk of all elements of one set down the tree of another.
+struct tree_walk {
+  cuda::tree_view walker, tree;
+  cuda::part of; // of the nodes of level 0: `a` of the walker's, `b` of the tree's
+  bool swapped;  // the walker's elements are the second of each pair
+  // The rows of the walker and where their two points are, if long elements are to be tested by those; else null.
+  const float *rows;
+  int fields;
+  point_fields points;
+  cuda::pair_list out;       // pairs of slots; once it is full the walk stops early, and the count may leave pairs out
+  unsigned long long *taken; // 0 at first
+};
+// Appends the pairs of slots whose boxes touch, except for long elements that by their two points are apart from the other's box.
+cudaError_t walk(const tree_walk &w, cudaStream_t stream);
+
+} // namespace meetc
+
+#endif

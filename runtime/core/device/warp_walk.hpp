@@ -1,0 +1,349 @@
+// core/device/warp_walk.hpp: how one warp walks down a tree, and how a walk is cut into items.
+#ifndef MEETC_CORE_DEVICE_WARP_WALK_HPP
+#define MEETC_CORE_DEVICE_WARP_WALK_HPP
+
+#include "core/device/tree_kernels.hpp"
+#include "meetc/cuda_lists.hpp"
+#include "meetc/cuda_warp.hpp"
+
+namespace meetc::cuda {
+
+inline constexpr unsigned walk_threads = 128, walk_warps = walk_threads / tree_width;
+inline constexpr unsigned walk_blocks = 1320; // 10 for each of 132 multiprocessors
+inline constexpr unsigned waiting_size = 2 * tree_width, hits_size = 128;
+inline constexpr unsigned enough_items = 2 * walk_blocks * walk_warps;
+
+// A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
+// is a node of level `start`. Where that is too few, the long elements of the node, and the children of the chunk, are
+// dealt out to groups, whose number is a power of two. `batch` items are taken at once.
+struct walk_plan {
+  int start;
+  std::uint32_t first_chunk, chunks, long_groups, child_groups, batch, items;
+  bool cut; // the part is not all of the tree
+};
+
+// Of one warp, in shared memory.
+struct warp_room {
+  float4 low[waiting_size], high[waiting_size]; // boxes of the tree's elements, and the bits of their slots in low.w
+  index_pair hits[hits_size];
+  std::uint32_t nodes[tree_levels],
+      left[tree_levels]; // for each level the node, and its lanes that are still to be entered
+};
+
+__device__ inline float longest_side(const tree_box &b) {
+  return fmaxf(fmaxf(b.high[0] - b.low[0], b.high[1] - b.low[1]), b.high[2] - b.low[2]);
+}
+// Half of the area of its faces; 0 if it is empty.
+__device__ inline float half_area(const tree_box &b) {
+  const float x = b.high[0] - b.low[0], y = b.high[1] - b.low[1], z = b.high[2] - b.low[2];
+  return x >= 0 ? x * y + y * z + z * x : 0;
+}
+__device__ inline tree_box from_lane(const tree_box &b, unsigned lane) {
+  tree_box out;
+  for (int k = 0; k < 3; ++k)
+    out.low[k] = __shfl_sync(~0U, b.low[k], lane), out.high[k] = __shfl_sync(~0U, b.high[k], lane);
+  return out;
+}
+__device__ inline two_points from_lane(const two_points &t, unsigned lane) {
+  two_points out;
+  for (int k = 0; k < 3; ++k) {
+    out.enter[k] = __shfl_sync(~0U, t.enter[k], lane);
+    out.leave[k] = __shfl_sync(~0U, t.leave[k], lane);
+    out.per[k] = __shfl_sync(~0U, t.per[k], lane);
+  }
+  return out;
+}
+
+// One warp. A packet of 32 neighbours goes down together, its box against the 32 boxes of a node, one lane a box. What is
+// left at the bottom waits until there are 32, so that the last test, of each element's own box, runs full. Elements that are
+// long beside the nodes of the tree go down alone, by their two points.
+template <bool ByPoints> class warp_walk {
+public:
+  __device__ warp_walk(const tree_walk &w, const walk_plan &plan, warp_room &room)
+      : w_(w), plan_(plan), room_(room), lane_(threadIdx.x % tree_width) {}
+
+  __device__ void run() {
+    if constexpr (ByPoints)
+      long_side_ = side_of_long();
+    for (;;) {
+      unsigned long long item = 0;
+      if (lane_ == 0)
+        item = atomicAdd(w_.taken, static_cast<unsigned long long>(plan_.batch));
+      item = __shfl_sync(~0U, item, 0);
+      if (item >= plan_.items || full(w_.out))
+        break;
+      const unsigned end = min(static_cast<std::uint32_t>(item) + plan_.batch, plan_.items);
+      for (unsigned i = static_cast<std::uint32_t>(item); i < end; ++i)
+        enter(i);
+    }
+    flush();
+  }
+
+private:
+  // Longer than some nodes of level 0, if these were spread over a surface of the tree's extent.
+  __device__ float side_of_long() const {
+    const tree_shape &s = w_.tree.shape;
+    const tree_box all = around_warp(box_of(w_.tree.nodes[s.first[s.depth - 1]], lane_));
+    return 4 * longest_side(all) * sqrtf(1.0F / static_cast<float>(s.count[0]));
+  }
+
+  __device__ void enter(std::uint32_t item) {
+    const unsigned child_group = item & (plan_.child_groups - 1);
+    item >>= __ffs(plan_.child_groups) - 1;
+    const unsigned long_group = item & (plan_.long_groups - 1);
+    item >>= __ffs(plan_.long_groups) - 1;
+    const std::uint32_t before = plan_.chunks > 1 ? item / plan_.chunks : item;
+    const std::uint32_t node = w_.of.first_a + before, chunk = plan_.first_chunk + (item - before * plan_.chunks);
+    dealt_ = (lane_ & (plan_.child_groups - 1)) == child_group;
+    const tree_view &walker = w_.walker;
+    const std::uint32_t at = node * tree_width + lane_;
+    own_ = box_of(walker.nodes[node], lane_);
+    slot_ = at < walker.elements ? walker.slots[at] : 0;
+    if constexpr (ByPoints) {
+      const bool is_long = longest_side(own_) > long_side_;
+      unsigned alone = __ballot_sync(~0U, is_long);
+      if (alone) {
+        two_points mine{};
+        if (is_long)
+          mine = two_points_of(w_.points, w_.rows + slot_ * static_cast<std::size_t>(w_.fields));
+        for (; alone; alone &= alone - 1) {
+          const unsigned lane = __ffs(alone) - 1;
+          if ((lane & (plan_.long_groups - 1)) != long_group)
+            continue;
+          single_ = from_lane(mine, lane);
+          around_ = from_lane(own_, lane);
+          single_slot_ = __shfl_sync(~0U, slot_, lane);
+          down<true>(chunk);
+        }
+        own_ = is_long ? tree_box() : own_;
+      }
+      if (long_group != 0)
+        return;
+      around_ = around_warp(own_);
+    } else {
+      around_ = box_of(walker.nodes[walker.shape.first[1] + node / tree_width], node % tree_width);
+    }
+    if (!(around_.low[0] <= around_.high[0]))
+      return;
+    float areas = half_area(own_);
+    for (int d = 16; d > 0; d /= 2)
+      areas += __shfl_xor_sync(~0U, areas, d);
+    sparse_ = half_area(around_) > 2 * areas;
+    down<false>(chunk);
+    while (waiting_ > 0)
+      test_waiting();
+  }
+
+  // Whether the box in this lane is to be entered or kept: that of a child of the node, or of an element.
+  template <bool Single> __device__ bool touches(const tree_box &b) const {
+    bool touch = around_.touches(b);
+    if constexpr (Single)
+      if (touch) {
+        float first[3], last[3];
+        for (int k = 0; k < 3; ++k) {
+          const bool down = single_.per[k] < 0;
+          first[k] = down ? b.high[k] : b.low[k], last[k] = down ? b.low[k] : b.high[k];
+        }
+        touch = !apart(single_, first, last);
+      }
+    return touch;
+  }
+
+  // Goes down from a node of level `start`.
+  template <bool Single> __device__ void down(std::uint32_t node) {
+    int level = plan_.start;
+    for (;;) {
+      const tree_box b = box_of(w_.tree.nodes[w_.tree.shape.first[level] + node], lane_);
+      unsigned touching = __ballot_sync(~0U, touches<Single>(b) && (dealt_ || level != plan_.start) &&
+                                                 (!plan_.cut || is_in_part(level, node * tree_width + lane_)));
+      if (!Single && sparse_)
+        touching = touched_by_some(touching, b);
+      if (level == 1) {
+        if (touching)
+          leaves<Single>(node, touching);
+      } else {
+        __syncwarp();
+        if (lane_ == 0)
+          room_.nodes[level] = node, room_.left[level] = touching;
+        __syncwarp();
+        --level;
+      }
+      // The next node is the next child of the lowest level that has one left.
+      do {
+        if (++level > plan_.start)
+          return;
+      } while (room_.left[level] == 0);
+      const unsigned left = room_.left[level];
+      node = room_.nodes[level] * tree_width + __ffs(left) - 1;
+      __syncwarp();
+      if (lane_ == 0)
+        room_.left[level] = left & (left - 1);
+      __syncwarp();
+      --level;
+    }
+  }
+
+  // Whether a child of a node of this level has a node of level 0 in the part.
+  __device__ bool is_in_part(int level, std::uint32_t child) const {
+    const int shift = 5 * (level - 1);
+    const unsigned long long first = static_cast<unsigned long long>(child) << shift;
+    return first < w_.of.end_b && first + (1ULL << shift) > w_.of.first_b;
+  }
+
+  // Drops the lanes whose boxes no element of the packet touches.
+  __device__ unsigned touched_by_some(unsigned lanes, const tree_box &b) const {
+    unsigned kept = 0;
+    for (unsigned left = lanes; left; left &= left - 1) {
+      const unsigned lane = __ffs(left) - 1;
+      kept |= static_cast<unsigned>(__any_sync(~0U, own_.touches(from_lane(b, lane)))) << lane;
+    }
+    return kept;
+  }
+
+  // Visits some children of a node of level 1; the next is loaded while one is tested.
+  template <bool Single> __device__ void leaves(std::uint32_t node, unsigned children) {
+    std::uint32_t at = node * tree_width + __ffs(children) - 1;
+    tree_box b = box_of(w_.tree.nodes[at], lane_);
+    while (children &= children - 1) {
+      const std::uint32_t next_at = node * tree_width + __ffs(children) - 1;
+      const tree_box next = box_of(w_.tree.nodes[next_at], lane_);
+      leaf<Single>(at, b);
+      at = next_at, b = next;
+    }
+    leaf<Single>(at, b);
+  }
+  template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b) {
+    const bool touch = touches<Single>(b);
+    const unsigned touching = __ballot_sync(~0U, touch);
+    if (touching == 0)
+      return;
+    const std::uint32_t slot = touch ? w_.tree.slots[node * tree_width + lane_] : 0;
+    const unsigned before = __popc(touching & ((1U << lane_) - 1)), all = __popc(touching);
+    if constexpr (Single) {
+      make_room(all);
+      if (touch)
+        room_.hits[hits_ + before] = pair_of(single_slot_, slot);
+      hits_ += all;
+    } else {
+      if (touch) {
+        const unsigned place = waiting_ + before;
+        room_.low[place] = {b.low[0], b.low[1], b.low[2], __uint_as_float(slot)};
+        room_.high[place] = {b.high[0], b.high[1], b.high[2], 0};
+      }
+      waiting_ += all;
+      if (waiting_ >= tree_width)
+        test_waiting();
+    }
+  }
+
+  // Tests up to 32 of the boxes that wait against all elements of the packet.
+  __device__ void test_waiting() {
+    __syncwarp();
+    const unsigned n = waiting_ < tree_width ? waiting_ : tree_width;
+    unsigned mine = 0;
+    for (unsigned first = 0; first < n; first += 8) {
+      unsigned eight = 0;
+#pragma unroll
+      for (unsigned i = 0; i < 8; ++i) { // what lies behind the last is tested too
+        const float4 low = room_.low[first + i], high = room_.high[first + i];
+        eight |= static_cast<unsigned>(own_.touches({{low.x, low.y, low.z}, {high.x, high.y, high.z}})) << i;
+      }
+      mine |= eight << first;
+    }
+    mine &= ~0U >> (tree_width - n);
+    unsigned before = __popc(mine);
+    for (unsigned d = 1; d < tree_width; d *= 2) {
+      const unsigned below = __shfl_up_sync(~0U, before, d);
+      before += lane_ >= d ? below : 0;
+    }
+    const unsigned all = __shfl_sync(~0U, before, tree_width - 1);
+    before -= __popc(mine);
+    const auto put = [&](auto &&take) {
+      for (; mine; mine &= mine - 1, ++before)
+        take(before, pair_of(slot_, __float_as_uint(room_.low[__ffs(mine) - 1].w)));
+    };
+    if (all > hits_size) { // more than the buffer holds
+      const unsigned long long at = reserve(all);
+      put([&](unsigned i, index_pair p) { write(w_.out, at + i, p.a, p.b); });
+    } else if (all > 0) {
+      make_room(all);
+      put([&](unsigned i, index_pair p) { room_.hits[hits_ + i] = p; });
+      hits_ += all;
+    }
+    __syncwarp();
+    waiting_ -= n;
+    if (lane_ < waiting_) {
+      room_.low[lane_] = room_.low[n + lane_];
+      room_.high[lane_] = room_.high[n + lane_];
+    }
+    __syncwarp();
+  }
+
+  __device__ index_pair pair_of(std::uint32_t walker, std::uint32_t other) const {
+    return w_.swapped ? index_pair{other, walker} : index_pair{walker, other};
+  }
+  __device__ unsigned long long reserve(unsigned n) {
+    unsigned long long at = 0;
+    if (lane_ == 0)
+      at = atomicAdd(w_.out.count, static_cast<unsigned long long>(n));
+    return __shfl_sync(~0U, at, 0);
+  }
+  // n <= hits_size
+  __device__ void make_room(unsigned n) {
+    if (hits_ + n > hits_size)
+      flush();
+  }
+  __device__ void flush() {
+    if (hits_ == 0)
+      return;
+    __syncwarp();
+    const unsigned long long at = reserve(hits_);
+    for (unsigned i = lane_; i < hits_; i += tree_width)
+      write(w_.out, at + i, room_.hits[i].a, room_.hits[i].b);
+    hits_ = 0;
+    __syncwarp();
+  }
+
+  const tree_walk &w_;
+  const walk_plan &plan_;
+  warp_room &room_;
+  unsigned lane_;
+  tree_box own_, around_; // of this lane's element, and of the packet, or of the element that goes alone
+  std::uint32_t slot_ = 0, single_slot_ = 0;
+  two_points single_{};
+  bool dealt_ = true;   // of the children of a chunk this lane's is this item's
+  bool sparse_ = false; // the packet's box is large beside those of its elements
+  float long_side_ = 0;
+  unsigned waiting_ = 0, hits_ = 0; // boxes that wait for the last test, and hits in the buffer
+};
+
+// `enough` items keep the device busy.
+inline walk_plan plan_of(const tree_walk &w, unsigned enough = enough_items) {
+  // The nodes of a level that have a part of the tree below them.
+  const auto nodes_of = [&w](int level) { return ((w.of.end_b - 1) >> 5 * level) - (w.of.first_b >> 5 * level) + 1; };
+  walk_plan plan{w.tree.shape.depth - 1,
+                 0,
+                 1,
+                 1,
+                 1,
+                 1,
+                 w.of.end_a - w.of.first_a,
+                 w.of.first_b > 0 || w.of.end_b < w.tree.shape.count[0]};
+  for (; w.rows && plan.long_groups < tree_width && plan.items < enough; plan.items *= 2)
+    plan.long_groups *= 2;
+  const unsigned cuts = (enough + plan.items - 1) / plan.items;
+  while (plan.start > 1 && nodes_of(plan.start - 1) < cuts)
+    --plan.start;
+  plan.first_chunk = w.of.first_b >> 5 * plan.start;
+  plan.chunks = nodes_of(plan.start);
+  while (plan.child_groups < tree_width && plan.chunks * plan.child_groups < cuts)
+    plan.child_groups *= 2;
+  plan.items *= plan.chunks * plan.child_groups; // no overflow: there are many nodes, or few cuts
+  while (plan.batch < 8 && plan.items > 16 * plan.batch * enough)
+    plan.batch *= 2;
+  return plan;
+}
+
+} // namespace meetc::cuda
+
+#endif

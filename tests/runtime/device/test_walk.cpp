@@ -1,0 +1,178 @@
+// How a warp walks down a tree, against every pair looked at: the device's own code, with a stand-in for the warp.
+#include "tests/runtime/device/host_warp.hpp"
+
+#include "core/device/warp_walk.hpp"
+#include "tests/catch.hpp"
+
+#include <algorithm>
+#include <random>
+#include <utility>
+#include <vector>
+
+using namespace meetc;
+using namespace meetc::cuda;
+
+namespace {
+
+using pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+// Elements whose hull has two points: rows x y z, x y z, radius. Slots are in another order than the rows.
+struct set {
+  std::vector<float> rows;
+  std::vector<std::uint32_t> slots;
+  std::vector<tree_node> nodes;
+
+  static constexpr int fields = 7;
+  static constexpr point_fields points{{0, 1, 2, 3, 4, 5}, 6};
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(rows.size() / fields); }
+  const float *row(std::uint32_t i) const { return rows.data() + std::size_t{fields} * i; }
+  tree_box box(std::uint32_t i) const {
+    tree_box b;
+    for (int k = 0; k < 3; ++k) {
+      const float from = row(i)[k], to = row(i)[3 + k], radius = row(i)[6];
+      b.low[k] = step_down(std::min(from, to) - radius), b.high[k] = step_up(std::max(from, to) + radius);
+    }
+    return b;
+  }
+  tree_view view() {
+    const tree_shape shape(size());
+    nodes.assign(shape.nodes(), {});
+    for (int level = 0; level < shape.depth; ++level)
+      for (std::uint32_t i = 0; i < shape.count[level] * tree_width; ++i) {
+        tree_box b;
+        if (level == 0 && i < size())
+          b = box(slots[i]);
+        for (std::uint32_t lane = 0; level > 0 && i < shape.count[level - 1] && lane < tree_width; ++lane)
+          b.widen(box_of(nodes[shape.first[level - 1] + i], lane));
+        put_box(nodes[shape.first[level] + i / tree_width], i % tree_width, b);
+      }
+    return {nodes.data(), slots.data(), size(), shape};
+  }
+};
+
+// Along a line of length 1, so that what is near in the order is near in space; every eighth is up to `longest` long.
+set random_set(std::mt19937_64 &random, std::uint32_t n, float length, float longest) {
+  std::uniform_real_distribution<float> unit(-1, 1);
+  set s;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const float at = static_cast<float>(i) / static_cast<float>(n), side = random() % 8 == 0 ? longest : length;
+    const float centre[3] = {at, 0.1F * unit(random), 0.1F * unit(random)};
+    for (const float c : centre)
+      s.rows.push_back(c);
+    for (const float c : centre)
+      s.rows.push_back(random() % 4 == 0 ? c : c + side * unit(random));
+    s.rows.push_back(random() % 2 ? 0 : 0.01F * length);
+  }
+  // In slots of the rows turned around, and sometimes all mixed up.
+  for (std::uint32_t i = 0; i < n; ++i)
+    s.slots.push_back(n - 1 - i);
+  if (random() % 4 == 0)
+    std::shuffle(s.slots.begin(), s.slots.end(), random);
+  return s;
+}
+
+bool apart_by_points(const two_points &t, const tree_box &b) {
+  float first[3], last[3];
+  for (int k = 0; k < 3; ++k) {
+    const bool down = t.per[k] < 0;
+    first[k] = down ? b.high[k] : b.low[k], last[k] = down ? b.low[k] : b.high[k];
+  }
+  return apart(t, first, last);
+}
+
+struct found {
+  pairs list;
+  unsigned long long count;
+};
+found walked(const tree_walk &from, std::size_t capacity, unsigned enough) {
+  std::vector<index_pair> list(capacity);
+  unsigned long long count = 0, taken = 0;
+  tree_walk w = from;
+  w.out = {list.data(), &count, capacity};
+  w.taken = &taken;
+  const walk_plan plan = plan_of(w, enough);
+  static warp_room room;
+  host_warp::the_warp.run([&w, &plan] {
+    if (w.rows)
+      warp_walk<true>(w, plan, room).run();
+    else
+      warp_walk<false>(w, plan, room).run();
+  });
+  found f{{}, count};
+  for (std::size_t i = 0; i < std::min<std::size_t>(count, capacity); ++i)
+    f.list.emplace_back(list[i].a, list[i].b);
+  std::sort(f.list.begin(), f.list.end());
+  return f;
+}
+
+// The pairs whose boxes touch, and of these the ones that are not apart by the walker's two points.
+std::pair<pairs, pairs> looked_at(const set &walker, const set &tree, const part &of, bool swapped) {
+  pairs touching, near;
+  for (std::uint32_t i = of.first_a * tree_width; i < std::min(walker.size(), of.end_a * tree_width); ++i)
+    for (std::uint32_t j = of.first_b * tree_width; j < std::min(tree.size(), of.end_b * tree_width); ++j) {
+      const std::uint32_t a = walker.slots[i], b = tree.slots[j];
+      if (!walker.box(a).touches(tree.box(b)))
+        continue;
+      const std::pair<std::uint32_t, std::uint32_t> p = swapped ? std::pair{b, a} : std::pair{a, b};
+      touching.push_back(p);
+      if (!apart_by_points(two_points_of(set::points, walker.row(a)), tree.box(b)))
+        near.push_back(p);
+    }
+  std::sort(touching.begin(), touching.end());
+  std::sort(near.begin(), near.end());
+  return {touching, near};
+}
+
+} // namespace
+
+TEST_CASE("walk: a warp finds every pair of boxes that touch, once") {
+  std::mt19937_64 random(1);
+  const std::uint32_t sizes[] = {1, 2, 31, 32, 33, 100, 1024, 1025, 2500};
+  std::size_t seen = 0;
+  for (int round = 0; round < 40; ++round) {
+    set a = random_set(random, sizes[random() % 9], 0.003F, random() % 2 ? 0.02F : 0.5F);
+    set b = random_set(random, sizes[random() % 9], 0.003F, random() % 2 ? 0.003F : 0.5F);
+    const tree_view x = a.view(), y = b.view();
+    part of{0, x.shape.count[0], 0, y.shape.count[0]};
+    if (round % 3 == 0) { // a part
+      of.first_a = static_cast<std::uint32_t>(random() % of.end_a);
+      of.first_b = static_cast<std::uint32_t>(random() % of.end_b);
+      of.end_a = of.first_a + 1 + static_cast<std::uint32_t>(random() % (of.end_a - of.first_a));
+      of.end_b = of.first_b + 1 + static_cast<std::uint32_t>(random() % (of.end_b - of.first_b));
+    }
+    const bool swapped = random() % 2, by_points = random() % 2;
+    const unsigned enough = 1U << random() % 14;
+    const tree_walk w{x, y, of, swapped, by_points ? a.rows.data() : nullptr, set::fields, set::points, {}, nullptr};
+    const auto [touching, near] = looked_at(a, b, of, swapped);
+    const found f = walked(w, touching.size() + 1, enough);
+    INFO("round " << round << ": " << a.size() << " x " << b.size() << (by_points ? ", by points" : "") << ", cut into "
+                  << enough);
+    REQUIRE(f.count == f.list.size());
+    if (!by_points) {
+      REQUIRE(f.list == touching);
+    } else {
+      REQUIRE(std::adjacent_find(f.list.begin(), f.list.end()) == f.list.end());
+      REQUIRE(std::includes(touching.begin(), touching.end(), f.list.begin(), f.list.end()));
+      REQUIRE(std::includes(f.list.begin(), f.list.end(), near.begin(), near.end()));
+    }
+    seen += f.list.size();
+  }
+  CHECK(seen > 10000);
+}
+
+TEST_CASE("walk: a list that is too short is never overrun, and its count says so") {
+  std::mt19937_64 random(2);
+  for (const bool by_points : {false, true})
+    for (const std::size_t capacity : {0U, 1U, 100U, 1000U}) {
+      set a = random_set(random, 1000, 0.1F, 1), b = random_set(random, 1000, 0.1F, 1);
+      const tree_view x = a.view(), y = b.view();
+      const part of{0, x.shape.count[0], 0, y.shape.count[0]};
+      const tree_walk w{x, y, of, false, by_points ? a.rows.data() : nullptr, set::fields, set::points, {}, nullptr};
+      const auto [touching, near] = looked_at(a, b, of, false);
+      REQUIRE(near.size() > capacity);
+      const found f = walked(w, capacity, 64);
+      CHECK(f.count > capacity);
+      CHECK(std::includes(touching.begin(), touching.end(), f.list.begin(), f.list.end()));
+    }
+}
