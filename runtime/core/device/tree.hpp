@@ -7,7 +7,7 @@
 #define MEETC_CORE_DEVICE_TREE_HPP
 
 #include "core/device/memory.hpp"
-#include "meetc/hilbert.hpp"
+#include "meetc/tree_order.hpp"
 
 namespace meetc {
 

@@ -6,7 +6,7 @@
 #define MEETC_CUDA_TABLE_HPP
 
 #include <meetc/enclosing.hpp>
-#include <meetc/hilbert.hpp>
+#include <meetc/tree_order.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/table.hpp>
 #include <meetc/tree.hpp>

@@ -4,7 +4,7 @@
 
 #include <meetc/cuda_table.hpp>
 #include <meetc/cuda_warp.hpp>
-#include <meetc/hilbert.hpp>
+#include <meetc/tree_order.hpp>
 
 namespace meetc::cuda {
 

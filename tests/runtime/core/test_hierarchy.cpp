@@ -3,9 +3,10 @@
 #include "toy.hpp"
 
 #include "core/element_set.hpp"
-#include "core/morton.hpp"
 #include "core/pair_sort.hpp"
 #include "core/radix_sort.hpp"
+#include "core/spatial_order.hpp"
+#include "meetc/hilbert.hpp"
 
 using namespace meetc;
 using namespace toy;
@@ -105,6 +106,28 @@ TEST_CASE("the spatial order is a permutation, the same on any number of threads
       for (std::size_t i = 0; i < n; ++i)
         REQUIRE(order[i] == i);
     }
+}
+
+TEST_CASE("the spatial order is that of Hilbert's curve") {
+  std::mt19937 g(66);
+  std::vector<centre> centres;
+  std::vector<std::uint64_t> want;
+  for (std::uint32_t i = 0; i < 20'000; ++i) {
+    std::uint32_t cell[3];
+    box b;
+    for (int k = 0; k < 3; ++k)
+      cell[k] = static_cast<std::uint32_t>(g()) % 1024, b.lo[k] = b.hi[k] = static_cast<float>(cell[k]) + 0.5f;
+    centres.emplace_back(b);
+    want.push_back(std::uint64_t{hilbert_place(cell[0], cell[1], cell[2], 10)} << 32 | i);
+  }
+  std::sort(want.begin(), want.end());
+  centre_extent all; // in which a cell has side 1
+  std::fill_n(all.lo, 3, 0.0f);
+  std::fill_n(all.hi, 3, 1024.0f);
+  std::vector<std::uint64_t> keys(want.size()), scratch(want.size());
+  spatial_order(centres.data(), nullptr, all, want.size(), keys.data(), scratch.data(), 2);
+  for (std::size_t i = 0; i < want.size(); ++i)
+    REQUIRE(static_cast<std::uint32_t>(keys[i]) == static_cast<std::uint32_t>(want[i]));
 }
 
 TEST_CASE("one far element does not spoil the order of the others") {

@@ -12,7 +12,7 @@
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
 #include <meetc/frame.hpp>
-#include <meetc/hilbert.hpp>
+#include <meetc/tree_order.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/near.hpp>
 #include <meetc/tolerant.hpp>

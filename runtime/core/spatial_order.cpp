@@ -1,13 +1,78 @@
-#include "core/morton.hpp"
+#include "core/spatial_order.hpp"
 
 #include "core/radix_sort.hpp"
 #include "core/threads.hpp"
+#include "meetc/hilbert.hpp"
+
+#include <array>
 
 namespace meetc {
 namespace {
 
 constexpr int cells = 1024; // along each axis: ten bits of thirty
-constexpr int code_bits = 30;
+constexpr int place_bits = 30;
+
+// Hilbert's curve as a machine that reads the three bits of an octant of each cube in turn: its state says how the curve
+// within that cube is turned. Two octants are read at once.
+constexpr int two_octants = 64;
+struct curve {
+  static constexpr int states = 24; // the turns of a cube; the curve needs half of them
+  using octants = std::array<std::uint8_t, 8>;
+  std::array<std::array<std::uint16_t, two_octants>, states>
+      steps{}; // six bits of the place, and above them the next state
+
+  constexpr curve() {
+    // The place of each octant, and how the curve within it is turned: the curve of the next finer cells tells.
+    octants place{}, at{}, turn[8]{};
+    for (std::uint32_t o = 0; o < 8; ++o)
+      at[place[o] = place_of(o, 0, 1)] = static_cast<std::uint8_t>(o);
+    for (std::uint32_t o = 0; o < 8; ++o)
+      for (std::uint32_t within = 0; within < 8; ++within)
+        turn[o][within] = at[place_of(o, within, 2) & 7];
+    // A state is a turn: where each octant is on the curve that is not turned.
+    octants turns[states]{{0, 1, 2, 3, 4, 5, 6, 7}};
+    std::uint8_t next[states][8]{};
+    int found = 1;
+    for (int s = 0; s < found; ++s)
+      for (std::uint32_t o = 0; o < 8; ++o) {
+        octants t{};
+        for (std::uint32_t within = 0; within < 8; ++within)
+          t[within] = turn[turns[s][o]][turns[s][within]];
+        int same = 0;
+        while (same < found && turns[same] != t)
+          ++same;
+        turns[same] = t;
+        found += same == found;
+        next[s][o] = static_cast<std::uint8_t>(same);
+      }
+    for (int s = 0; s < found; ++s)
+      for (std::uint32_t o = 0; o < two_octants; ++o) {
+        const int between = next[s][o >> 3];
+        const std::uint32_t first = place[turns[s][o >> 3]], second = place[turns[between][o & 7]];
+        steps[s][o] = static_cast<std::uint16_t>(next[between][o & 7] << 6 | first << 3 | second);
+      }
+  }
+
+  // The bits of the axes are taken in turn from `code`, the last axis first.
+  std::uint32_t place(std::uint32_t code) const {
+    std::uint32_t out = 0, state = 0;
+    for (int shift = place_bits - 6; shift >= 0; shift -= 6) {
+      const std::uint32_t step = steps[state][code >> shift & 63];
+      out = out << 6 | (step & 63);
+      state = step >> 6;
+    }
+    return out;
+  }
+
+private:
+  static constexpr std::uint8_t place_of(std::uint32_t octant, std::uint32_t within, int bits) {
+    std::uint32_t cell[3] = {};
+    for (int k = 0; k < 3; ++k)
+      cell[k] = bits == 1 ? octant >> k & 1 : (octant >> k & 1) << 1 | (within >> k & 1);
+    return static_cast<std::uint8_t>(hilbert_place(cell[0], cell[1], cell[2], bits));
+  }
+};
+constexpr curve hilbert;
 
 // Ten bits, each moved to every third position.
 std::uint32_t spread(std::uint32_t v) {
@@ -23,10 +88,10 @@ std::uint64_t key_of(const centre &c, std::uint32_t element, const centre_extent
     const double cell = (static_cast<double>(c.at[k]) - static_cast<double>(e.lo[k])) * scale;
     code |= spread(static_cast<std::uint32_t>(static_cast<std::int32_t>(std::min(cell, cells - 1.0)))) << k;
   }
-  return std::uint64_t{code} << 32 | element;
+  return std::uint64_t{hilbert.place(code)} << 32 | element;
 }
 
-// Sorts n keys by the low `bits` bits of their codes. The result lies in `keys`.
+// Sorts n keys by the low `bits` bits of their places. The result lies in `keys`.
 void sort(std::uint64_t *keys, std::uint64_t *scratch, std::size_t n, int bits) {
   if (n < 512)
     std::sort(keys, keys + n);
@@ -51,12 +116,12 @@ void refine(const centre *centres, std::uint64_t *keys, std::uint64_t *scratch, 
       const auto element = static_cast<std::uint32_t>(keys[i]);
       keys[i] = key_of(centres[element], element, e, cells / e.size());
     }
-    sort(keys + begin, scratch, end - begin, code_bits);
+    sort(keys + begin, scratch, end - begin, place_bits);
     refine(centres, keys + begin, scratch, end - begin);
   }
 }
 
-// The keys are distributed to buckets by the first bits of their codes, in parts that run in parallel: each part counts
+// The keys are distributed to buckets by the first bits of their places, in parts that run in parallel: each part counts
 // its keys of each bucket, and later knows where to write them. So keys keep their order within a bucket.
 constexpr int bucket_bits = 8;
 constexpr std::size_t buckets = std::size_t{1} << bucket_bits, most_parts = 64, least_part = 4096;
@@ -69,7 +134,7 @@ struct distribution {
   explicit distribution(std::size_t keys)
       : n(keys), part(std::max(least_part, (keys + most_parts - 1) / most_parts)), parts((keys + part - 1) / part) {}
 
-  static std::size_t bucket(std::uint64_t key) { return key >> (32 + code_bits - bucket_bits); }
+  static std::size_t bucket(std::uint64_t key) { return key >> (32 + place_bits - bucket_bits); }
   std::size_t end(std::size_t p) const { return std::min(n, (p + 1) * part); }
   void counts_to_places() {
     std::size_t sum = 0;
@@ -104,7 +169,7 @@ void spatial_order(const centre *centres, const std::uint32_t *list, const centr
   });
   for_chunks(n < least_part ? 1 : threads, buckets, 1, [&](int, std::size_t b, std::size_t) {
     const std::size_t begin = b ? d.ends[b - 1] : 0, size = d.ends[b] - begin;
-    sort(keys + begin, scratch + begin, size, code_bits - bucket_bits);
+    sort(keys + begin, scratch + begin, size, place_bits - bucket_bits);
     refine(centres, keys + begin, scratch + begin, size);
   });
 }
