@@ -39,7 +39,7 @@ table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std:
                {"tree_wall", "hierarchy: first,|wall clock, ms"},
                {"chosen", "chosen first"},
                {"of_best", "chosen / best|of both"}};
-  t.notes.push_back("First: a query on sets that have only been uploaded, so that columns, or order and boxes, are "
+  t.notes.emplace_back("First: a query on sets that have only been uploaded, so that columns, or order and boxes, are "
                     "made in it. After a "
                     "pose: of B, whose boxes are made anew in the order that there is. Again: nothing is made. Times "
                     "are of the device "

@@ -89,7 +89,7 @@ table gpu_bench::measure(const gpu_scene &scene) {
     const counted_pairs r = count(by, on_a, on_b);
     add(fmt::format("{}{}", name_of(by), r.found ? "" : ", a part of B"), r.found, r.seconds, 0, 0);
     if (!r.found && t.notes.empty())
-      t.notes.push_back(
+      t.notes.emplace_back(
           "A part of B: its first elements, which lie together in space; the time is scaled to all of it.");
   }
   for (const cuda::filter f :
@@ -128,7 +128,7 @@ table gpu_bench::measure_tangent() {
                {"plain", "plain fp32,|ms"},
                {"certified", "certified,|ms"},
                {"ratio", "certified /|plain"}};
-  t.notes.push_back("Both count; the filter is the same. Unsure pairs touch in exactly one point.");
+  t.notes.emplace_back("Both count; the filter is the same. Unsure pairs touch in exactly one point.");
   const predicate_info &p = find_predicate(all_, "ball_ball");
   for (const auto &make : tangent_scenes(all_, quick_)) {
     const tangent_scene s = make();

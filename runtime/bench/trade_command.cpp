@@ -216,7 +216,7 @@ std::string trade(const app::kernel_library &kernels, const trade_request &q) {
     tables.push_back(table_of(family, cells));
   tables.push_back(losers_of(cells));
   if (q.a && families.back() != "files")
-    tables.back().notes.push_back("The two files have no candidates, so there are no pairs of theirs above.");
+    tables.back().notes.emplace_back("The two files have no candidates, so there are no pairs of theirs above.");
   tables.push_back(table_of(queries, threads));
 
   const std::string set = name_of(all.compiled_for);

@@ -5,6 +5,7 @@
 
 #include "tests/gen/bound/stages.hpp"
 
+#include <limits>
 #include <random>
 
 namespace meetc::bounds_test {
@@ -35,14 +36,15 @@ std::int64_t stepped(std::int64_t n, std::int64_t steps, const number_range &r);
 sample any_sample(const stage_case &c, const number_range &r, random_numbers &random);
 void change_one(sample &s, const number_range &r, random_numbers &random);
 
-// The best score of some climbs with `steps` steps each.
+// The best score of some climbs with `steps` steps each; the first one above `enough` ends them.
 template <class Score>
-double climb(const stage_case &c, const number_range &r, random_numbers &random, int starts, int steps, Score &&score) {
+double climb(const stage_case &c, const number_range &r, random_numbers &random, int starts, int steps, Score &&score,
+             double enough = std::numeric_limits<double>::infinity()) {
   double best = -1;
   for (int start = 0; start < starts; ++start) {
     sample at = any_sample(c, r, random);
     double here = score(at);
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < steps && here <= enough; ++step) {
       sample next = at;
       do
         change_one(next, r, random);
@@ -53,6 +55,8 @@ double climb(const stage_case &c, const number_range &r, random_numbers &random,
       }
     }
     best = std::max(best, here);
+    if (best > enough)
+      break;
   }
   return best;
 }

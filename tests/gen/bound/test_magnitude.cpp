@@ -190,8 +190,8 @@ TEST_CASE("magnitude form: mutation: one rounding less is beaten on signs of few
       ++tried;
       const double less = rounding_growth(theta - 1, power_of_two(-11)).get_d();
       random_numbers random(static_cast<std::uint64_t>(i));
-      const double best = climb(c, range_of(c, 11), random, 4, 2000,
-                                [&](const sample &x) { return ratio(run_of_stage(c, x, 0), i, less); });
+      const auto share = [&](const sample &x) { return ratio(run_of_stage(c, x, 0), i, less); };
+      const double best = climb(c, range_of(c, 11), random, 4, 2000, share, 1);
       beaten += best > 1;
     }
   INFO(beaten << " of " << tried);
@@ -212,11 +212,13 @@ TEST_CASE("magnitude form: mutation: a quarter of K certifies wrong signs") {
         tiny::format = {precision, -900};
         const claims s(c, i, precision);
         random_numbers random(seed);
-        climb(c, range_of(c, precision), random, 4, 1500, [&](const sample &x) {
+        constexpr double enough = 1e9;
+        const auto score = [&](const sample &x) {
           const run_of_stage r(c, x, 0);
           wrong = wrong || !s.sign_is_right(r, i, 0.25);
-          return wrong_side(r, i, s.factor_double, seed % 3 == 0 ? 1.02 : 1.3);
-        });
+          return wrong ? 2 * enough : wrong_side(r, i, s.factor_double, seed % 3 == 0 ? 1.02 : 1.3);
+        };
+        climb(c, range_of(c, precision), random, 4, 1500, score, enough);
       }
       CHECK(wrong);
     }

@@ -91,5 +91,5 @@ TEST_CASE("rules: without the rule a sign keeps the factor, and with it verify f
   const compilation ruled = with.compile(), unruled = without.compile();
   lower::kernel k = ruled.kernels[0];
   k.asked.kinds = unruled.kernels[0].asked.kinds;
-  CHECK(verify::verify_sign(*unruled.model, k, 20000, 5).wrong > 0);
+  CHECK(verify::verify_sign(*unruled.model, k, 2000, 5).wrong > 0);
 }
