@@ -44,7 +44,7 @@ public:
     std::vector<std::vector<index_pair>> lists;
     for (list &l : lists_) {
       lists.push_back(std::move(l.pairs));
-      std::vector<index_pair>().swap(l.scratch);
+      l.scratch = {};
     }
     std::vector<index_pair> pairs = sort_together(lists, threads);
     if (owned_)
@@ -55,7 +55,8 @@ public:
 private:
   static constexpr std::size_t first_compaction = std::size_t{1} << 18;
   struct alignas(64) list {
-    std::vector<index_pair> pairs, scratch;
+    std::vector<index_pair> pairs;
+    sort_scratch scratch;
     std::size_t compact_at = first_compaction;
   };
   std::vector<list> lists_;

@@ -15,28 +15,78 @@ int width(std::uint32_t v) {
   return 32 - std::countl_zero(v);
 }
 
+// Bits that are the same in all pairs do not affect the order.
+struct varying_bits {
+  int a, b; // the low bits that vary, at most
+
+  varying_bits(const index_pair *pairs, std::size_t n) {
+    std::uint32_t vary_a = 0, vary_b = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+      vary_a |= pairs[i].a ^ pairs[0].a;
+      vary_b |= pairs[i].b ^ pairs[0].b;
+    }
+    a = width(vary_a), b = width(vary_b);
+  }
+};
+std::uint64_t low_bits(std::uint64_t of, int bits) {
+  return of & ((std::uint64_t{1} << bits) - 1);
+}
+
+void sort_by_digits(index_pair *pairs, index_pair *scratch, std::size_t n, varying_bits vary) {
+  radix_sort(pairs, scratch, n, vary.a + vary.b,
+             [=](index_pair p) { return low_bits(p.a, vary.a) << vary.b | low_bits(p.b, vary.b); });
+}
+
+// Sorts pairs of one a from `from` to `to`. Both have room for n, and `from` is written over.
+void sort_run(index_pair *from, index_pair *to, std::size_t n) {
+  constexpr std::size_t few = 24;
+  if (n > few) {
+    sort_by_digits(from, to, n, varying_bits(from, n));
+    std::copy(from, from + n, to);
+    return;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t at = i;
+    for (; at > 0 && from[i].b < to[at - 1].b; --at)
+      to[at] = to[at - 1];
+    to[at] = from[i];
+  }
+}
+
+// The a of all pairs differ in their low `bits` bits alone.
+void sort_by_counting(index_pair *pairs, std::size_t n, int bits, sort_scratch &scratch) {
+  const std::size_t values = std::size_t{1} << bits;
+  scratch.ends.assign(values + 1, 0);
+  std::uint32_t *const ends = scratch.ends.data();
+  for (std::size_t i = 0; i < n; ++i)
+    ++ends[low_bits(pairs[i].a, bits) + 1];
+  for (std::size_t v = 1; v <= values; ++v)
+    ends[v] += ends[v - 1];
+  index_pair *const dealt = scratch.pairs.data();
+  for (std::size_t i = 0; i < n; ++i)
+    dealt[ends[low_bits(pairs[i].a, bits)]++] = pairs[i];
+  for (std::size_t v = 0, begin = 0; v < values; begin = ends[v++])
+    sort_run(dealt + begin, pairs + begin, ends[v] - begin);
+}
+
 constexpr std::size_t buckets = 256;
 using counts = std::array<std::size_t, buckets>;
 
 } // namespace
 
-void sort_pairs(index_pair *pairs, std::size_t n, std::vector<index_pair> &scratch) {
-  if (n < 2048) {
+void sort_pairs(index_pair *pairs, std::size_t n, sort_scratch &scratch) {
+  if (n < 64) {
     std::sort(pairs, pairs + n, [](index_pair x, index_pair y) { return key(x) < key(y); });
     return;
   }
-  // Bits that are the same in all pairs do not affect the order.
-  std::uint32_t vary_a = 0, vary_b = 0;
-  for (std::size_t i = 1; i < n; ++i) {
-    vary_a |= pairs[i].a ^ pairs[0].a;
-    vary_b |= pairs[i].b ^ pairs[0].b;
-  }
-  const int low = width(vary_b), high = width(vary_a);
-  const auto mask = [](int bits) { return (std::uint64_t{1} << bits) - 1; };
-  if (scratch.size() < n)
-    scratch.resize(n);
-  radix_sort(pairs, scratch.data(), n, low + high,
-             [=](index_pair p) { return (p.a & mask(high)) << low | (p.b & mask(low)); });
+  if (scratch.pairs.size() < n)
+    scratch.pairs.resize(n);
+  const varying_bits vary(pairs, n);
+  constexpr std::size_t small = 2048; // from here on digits are faster, whose loops have no branches
+  if (n < small && std::size_t{1} << vary.a <= 4 * n)
+    sort_by_counting(pairs, n, vary.a, scratch);
+  else
+    sort_by_digits(pairs, scratch.pairs.data(), n, vary);
 }
 
 void drop_repeats(std::vector<index_pair> &sorted) {
@@ -47,7 +97,7 @@ void drop_repeats(std::vector<index_pair> &sorted) {
 std::vector<index_pair> transposed(std::vector<index_pair> pairs) {
   for (index_pair &p : pairs)
     p = {p.b, p.a};
-  std::vector<index_pair> scratch;
+  sort_scratch scratch;
   sort_pairs(pairs.data(), pairs.size(), scratch);
   return pairs;
 }
@@ -93,7 +143,7 @@ std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &list
       out[starts[i][bucket(p)]++] = p;
     std::vector<index_pair>().swap(from[i]);
   });
-  std::vector<std::vector<index_pair>> scratch(static_cast<std::size_t>(threads));
+  std::vector<sort_scratch> scratch(static_cast<std::size_t>(threads));
   for_chunks(threads, buckets, 1, [&](int worker, std::size_t k, std::size_t) {
     const std::size_t begin = k ? ends[k - 1] : 0;
     sort_pairs(out.data() + begin, ends[k] - begin, scratch[static_cast<std::size_t>(worker)]);

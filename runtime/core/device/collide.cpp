@@ -419,7 +419,7 @@ private:
     } else {
       spill();
       pairs = std::move(spilled_);
-      std::vector<index_pair> scratch;
+      sort_scratch scratch;
       sort_pairs(pairs.data(), pairs.size(), scratch);
       if (owned())
         meetc::drop_repeats(pairs);
