@@ -78,7 +78,7 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
     throw failure(fmt::format("--precision {}: {} was not generated for it", name_of(q.precision), predicate.name));
   answers out;
   const auto start = std::chrono::steady_clock::now();
-  // On the CPU the larger set is prepared for the smaller one alone. A device looks at all pairs.
+  // On the CPU the larger set is prepared for the smaller one alone. A device has a hierarchy over all elements.
   const bool a_first = a.elements <= b.elements;
   const auto ready = [&q](const io::element_set &set, const prepared *near) {
     try {

@@ -57,7 +57,7 @@ std::string as_json(const collide_report &r) {
     out["model"] = f.by_device.model;
     out["search"] = f.by_device.search;
     for (const auto &[name, expected] : f.by_device.expected)
-      out["expected_seconds"][name] = expected;
+      out["expected_seconds"][name] = with_decimals(expected, 7);
   }
   return in_one_line(out) + '\n';
 }

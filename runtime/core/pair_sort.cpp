@@ -32,17 +32,20 @@ std::uint64_t low_bits(std::uint64_t of, int bits) {
   return of & ((std::uint64_t{1} << bits) - 1);
 }
 
+void sort_by_comparison(index_pair *pairs, std::size_t n) {
+  std::sort(pairs, pairs + n, [](index_pair x, index_pair y) { return key(x) < key(y); });
+}
 void sort_by_digits(index_pair *pairs, index_pair *scratch, std::size_t n, varying_bits vary) {
   radix_sort(pairs, scratch, n, vary.a + vary.b,
              [=](index_pair p) { return low_bits(p.a, vary.a) << vary.b | low_bits(p.b, vary.b); });
 }
 
-// Sorts pairs of one a from `from` to `to`. Both have room for n, and `from` is written over.
-void sort_run(index_pair *from, index_pair *to, std::size_t n) {
+// Sorts pairs of one a from `from` to `to`.
+void sort_run(const index_pair *from, index_pair *to, std::size_t n) {
   constexpr std::size_t few = 24;
   if (n > few) {
-    sort_by_digits(from, to, n, varying_bits(from, n));
     std::copy(from, from + n, to);
+    std::sort(to, to + n, [](index_pair x, index_pair y) { return x.b < y.b; });
     return;
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -76,7 +79,7 @@ using counts = std::array<std::size_t, buckets>;
 
 void sort_pairs(index_pair *pairs, std::size_t n, sort_scratch &scratch) {
   if (n < 64) {
-    std::sort(pairs, pairs + n, [](index_pair x, index_pair y) { return key(x) < key(y); });
+    sort_by_comparison(pairs, n);
     return;
   }
   if (scratch.pairs.size() < n)
@@ -85,6 +88,8 @@ void sort_pairs(index_pair *pairs, std::size_t n, sort_scratch &scratch) {
   constexpr std::size_t small = 2048; // from here on digits are faster, whose loops have no branches
   if (n < small && std::size_t{1} << vary.a <= 4 * n)
     sort_by_counting(pairs, n, vary.a, scratch);
+  else if (n < small)
+    sort_by_comparison(pairs, n);
   else
     sort_by_digits(pairs, scratch.pairs.data(), n, vary);
 }

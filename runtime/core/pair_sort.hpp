@@ -1,8 +1,8 @@
 // core/pair_sort.hpp: turns the lists of pairs that threads collect into one sorted list.
 //
 // Method: pairs are dealt into at most 256 buckets by the high bits of a. A large bucket is sorted by its digits. In a small
-// one the pairs are dealt out by the rest of a, and those of each a are inserted in order, which takes a third of the time
-// of a comparison sort. Both steps run on all threads. Beside the result they need one bucket for each thread.
+// one whose a lie close together the pairs are dealt out by the rest of a, and those of each a are inserted in order; that
+// takes a third of the time of a comparison sort. Both steps run on all threads. Beside the result they need one bucket for each thread.
 #ifndef MEETC_CORE_PAIR_SORT_HPP
 #define MEETC_CORE_PAIR_SORT_HPP
 

@@ -84,6 +84,16 @@ MEETC_HD inline bool apart(const two_points &t, const float (&first)[3], const f
   return in > out * margin.factor + margin.term;
 }
 
+// The same for a box by its ends.
+MEETC_HD inline bool apart_from_box(const two_points &t, const float (&low)[3], const float (&high)[3]) {
+  float first[3], last[3];
+  for (int k = 0; k < 3; ++k) {
+    const bool down = t.per[k] < 0;
+    first[k] = down ? high[k] : low[k], last[k] = down ? low[k] : high[k];
+  }
+  return apart(t, first, last);
+}
+
 // Bit i is set where lane i of the block may touch the element. Lanes must be finite boxes; for others the answer means
 // nothing.
 inline std::uint32_t touching(const box_block &block, const two_points &t, parameter_margin margin = {}) {

@@ -29,6 +29,7 @@ constexpr std::size_t least_part(search by) {
 constexpr std::size_t least_capacity = std::max(least_part(search::groups), least_part(search::tree));
 // Beyond this many elements of A, hits are sorted faster by their keys than by counting.
 constexpr std::uint32_t most_to_count = std::uint32_t{1} << 21;
+constexpr std::size_t most_counted = 0xffffffff; // their ranks are 32 bits
 constexpr std::size_t first_capacity = std::size_t{1} << 22;
 
 void require(bool holds, const char *what) {
@@ -172,7 +173,12 @@ private:
   void take_room() {
     const std::size_t wanted =
         result_.by == search::tree ? std::max<std::size_t>(expected_candidates(), first_capacity) : first_capacity;
-    capacity_ = std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, wanted), options_.list_capacity);
+    const auto within_options = [this](std::size_t least) {
+      return std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, least), options_.list_capacity);
+    };
+    capacity_ = within_options(wanted);
+    if (!enlarge_lists(capacity_))
+      capacity_ = within_options(first_capacity);
     buffers_.counts.reserve(counters, "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
@@ -182,11 +188,15 @@ private:
   // Enlarges the lists if the options and the device's memory allow it.
   bool take_more_room() {
     const std::size_t more = std::min(capacity_ * 8, options_.list_capacity);
-    if (more == capacity_ || !buffers_.first.grow(more, 0, on_.stream()) ||
-        !buffers_.second.grow(more, 0, on_.stream()) || (keep_ && !buffers_.hits.grow(more, 0, on_.stream())))
+    if (more == capacity_ || !enlarge_lists(more))
       return false;
     capacity_ = more;
     return true;
+  }
+  // Returns false where there is too little memory.
+  bool enlarge_lists(std::size_t capacity) {
+    return buffers_.first.grow(capacity, 0, on_.stream()) && buffers_.second.grow(capacity, 0, on_.stream()) &&
+           (!keep_ || buffers_.hits.grow(capacity, 0, on_.stream()));
   }
 
   cuda::pair_list list(const device_memory<index_pair> &pairs, counter c) const {
@@ -270,7 +280,7 @@ private:
       check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
       std::swap(in, out);
     }
-    if (is_all && keep_ && !owned() && a_.elements() <= most_to_count)
+    if (is_all && keep_ && !owned() && a_.elements() <= most_to_count && capacity_ <= most_counted)
       order_hits_of_all(hits);
     check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
                           cudaMemcpyDeviceToHost, stream),
@@ -285,11 +295,12 @@ private:
            (cuda::first_step(precision_) == cuda::step::near_boxes || !predicate_.rejects);
   }
 
-  // Enqueues what makes sorted pairs of these hits in buffers_.more_keys, if none has too many.
+  // Enqueues what makes sorted pairs of these hits in buffers_.more_keys, if none has too many. Where there is too little
+  // memory for that, their keys are sorted later.
   void order_hits_of_all(const cuda::pair_list &hits) {
     buffers_.starts.reserve(std::size_t{a_.elements()} + 1, "sorted pairs");
-    buffers_.keys.reserve(capacity_, "sorted pairs");
-    buffers_.more_keys.reserve(capacity_, "sorted pairs");
+    if (!buffers_.keys.grow(capacity_, 0, on_.stream()) || !buffers_.more_keys.grow(capacity_, 0, on_.stream()))
+      return;
     auto *const numbers = reinterpret_cast<std::uint32_t *>(buffers_.keys.data());
     const hit_order o{hits.pairs,
                       hits.count,

@@ -51,19 +51,17 @@ void check(cudaError_t e, const char *what) {
   throw device_error(std::string("CUDA: ") + what + ": " + cudaGetErrorString(e) + on_the_cpu);
 }
 
-namespace {
-
-// The pool keeps what is freed: a query allocates for each set that it sees, and the driver takes long for that.
-void keep_freed_memory() {
-  cudaMemPool_t pool = nullptr;
-  int device = 0;
+// The process's pool keeps what is freed: a query allocates for each set that it sees, and the driver takes long for that.
+void device::keep_freed_memory() {
+  int number = 0;
   std::uint64_t all = ~std::uint64_t{0};
-  if (cudaGetDevice(&device) != cudaSuccess || cudaDeviceGetDefaultMemPool(&pool, device) != cudaSuccess ||
-      cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &all) != cudaSuccess)
-    cudaGetLastError(); // there are devices without a pool
+  if (cudaGetDevice(&number) == cudaSuccess && cudaDeviceGetDefaultMemPool(&pool_, number) == cudaSuccess &&
+      cudaMemPoolGetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &kept_before_) == cudaSuccess &&
+      cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all) == cudaSuccess)
+    return;
+  cudaGetLastError(); // there are devices without a pool
+  pool_ = nullptr;
 }
-
-} // namespace
 
 void *try_allocate_on_device(std::size_t bytes) {
   void *data = nullptr;
@@ -117,6 +115,11 @@ device::device(const cuda::catalogue &kernels)
 device::~device() {
   if (stream_)
     cudaStreamDestroy(stream_);
+  buffers_.reset();
+  if (pool_) {
+    cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &kept_before_);
+    cudaMemPoolTrimTo(pool_, kept_before_);
+  }
 }
 
 bool device::offers(cuda::filter f) const {

@@ -32,7 +32,7 @@ std::string refusal(cudaError_t looking, int count, int driver, const device_fac
 struct device_buffers;
 
 // The current CUDA device, with a stream and buffers that queries share; it runs one query at a time. Uploaded sets
-// must not outlive it.
+// must not outlive it. While it exists, the process's default pool of device memory keeps what is freed.
 class device {
 public:
   // Throws device_error where there is no device, where it or its driver is too old, or where its arithmetic is not as
@@ -57,7 +57,11 @@ private:
   const cuda::catalogue &kernels_;
   device_facts facts_;
   cuda::probe_result probe_{};
+  void keep_freed_memory();
+
   cudaStream_t stream_ = nullptr;
+  cudaMemPool_t pool_ = nullptr;  // null: there is none
+  std::uint64_t kept_before_ = 0; // what the pool kept of freed memory, in bytes
   std::unique_ptr<device_buffers> buffers_;
 };
 

@@ -128,12 +128,13 @@ cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool fi
 }
 
 search_sizes device_set::for_search(const device_set &b) const {
+  const bool same = &b == this; // there is one hierarchy to make
   return {elements_,
           b.elements_,
           tree_of_ == version_,
-          b.tree_of_ == b.version_,
+          same || b.tree_of_ == b.version_,
           tree_.is_made(),
-          b.tree_.is_made(),
+          same || b.tree_.is_made(),
           has_two_points(*kind_) || has_two_points(*b.kind_)};
 }
 

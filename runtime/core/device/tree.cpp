@@ -5,8 +5,8 @@
 namespace meetc {
 namespace {
 
-// Bits of a place along an axis: there are some cells for each element of a set that fills space, and more elements than
-// cells for one that lies on a surface. Those that share a cell about keep the order that they had.
+// Bits of a place along an axis. There are up to eight elements for each cell of a set that fills space, and more for one
+// that lies on a surface; those that share a cell about keep the order that they had.
 int place_bits(std::uint32_t n) {
   return n <= std::uint32_t{1} << 18 ? 5 : n <= std::uint32_t{1} << 21 ? 6 : 7;
 }

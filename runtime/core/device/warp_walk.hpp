@@ -138,14 +138,7 @@ private:
   template <bool Single> __device__ bool touches(const tree_box &b) const {
     bool touch = around_.touches(b);
     if constexpr (Single)
-      if (touch) {
-        float first[3], last[3];
-        for (int k = 0; k < 3; ++k) {
-          const bool down = single_.per[k] < 0;
-          first[k] = down ? b.high[k] : b.low[k], last[k] = down ? b.low[k] : b.high[k];
-        }
-        touch = !apart(single_, first, last);
-      }
+      touch = touch && !apart_from_box(single_, b.low, b.high);
     return touch;
   }
 

@@ -24,7 +24,8 @@ template <int Low, int Bits> struct by_grid {
 struct by_distance {
   static constexpr bool rounds = false;
   static double step() { return 0; }
-  // Products and sums are rounded each: every machine then gives the same answers, and none calls a function.
+  // Products and sums are written one by one, so that no machine calls a function. Compiled with -ffp-contract=off, as our
+  // libraries are, each is rounded, and all machines give the same answers.
   using number = unfused<float>;
 };
 

@@ -78,7 +78,7 @@ MEETC_HD inline void put_box(tree_node &n, std::uint32_t lane, const tree_box &b
     n.low[k][lane] = b.low[k], n.high[k][lane] = b.high[k];
 }
 
-// The finite box of a row; NaN becomes an end of float32, so that such a box touches every other.
+// The finite box of a row; NaN becomes an end of float32, so that along that axis the box meets every other.
 template <class Shape> MEETC_HD inline tree_box box_of_row(const float *row) {
   tree_box b;
   Shape::box(row, b.low, b.high);

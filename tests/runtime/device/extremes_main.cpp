@@ -137,11 +137,10 @@ void run_sets(cell &c, const batch &in, device &on) {
   const prepared a = set(in.a, *p.a), b = set(in.b, *p.b);
   const result want = collide(a, b, p, rung::exact);
   device_set da(on, a), db(on, b);
-  for (const cuda::filter f : {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma})
+  const auto look = [&](search by, cuda::filter f) {
     for (const rung r : {rung::certified, rung::exact}) {
-      if (!on.offers(f))
-        continue;
       device_options o;
+      o.by = by;
       o.filter = f;
       const device_result have = collide(on, da, db, p, r, o);
       const bool same = have.pairs.size() == want.pairs.size() &&
@@ -150,10 +149,16 @@ void run_sets(cell &c, const batch &in, device &on) {
       c.set_faults += !same;
       c.near_balls = have.near_balls;
       if (!same && c.first.empty())
-        c.first = "sets, filter " + std::to_string(static_cast<int>(f)) + ", rung " +
-                  std::to_string(static_cast<int>(r)) + ": " + std::to_string(have.count) + " pairs, and the CPU has " +
-                  std::to_string(want.count);
+        c.first = std::string("sets, by ") + name_of(by) + ", filter " + std::to_string(static_cast<int>(f)) +
+                  ", rung " + std::to_string(static_cast<int>(r)) + ": " + std::to_string(have.count) +
+                  " pairs, and the CPU has " + std::to_string(want.count);
     }
+  };
+  look(search::tree, cuda::filter::float32);
+  for (const cuda::filter f : {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma})
+    if (on.offers(f))
+      for (const search by : {search::groups, search::every_pair}) // near_balls is that of every pair
+        look(by, f);
   c.set_pairs = want.count;
 }
 

@@ -12,10 +12,10 @@
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
 #include <meetc/frame.hpp>
-#include <meetc/tree_order.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/near.hpp>
 #include <meetc/tolerant.hpp>
+#include <meetc/tree_order.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,15 @@ cudaError_t cudaMallocAsync(void **out, std::size_t bytes, cudaStream_t) {
   return cudaMalloc(out, bytes);
 }
 cudaError_t cudaDeviceGetDefaultMemPool(cudaMemPool_t *pool, int) {
-  *pool = nullptr;
+  static int one;
+  *pool = reinterpret_cast<cudaMemPool_t>(&one);
+  return cudaSuccess;
+}
+cudaError_t cudaMemPoolGetAttribute(cudaMemPool_t, cudaMemPoolAttr, void *value) {
+  std::memset(value, 0, sizeof(std::uint64_t));
+  return cudaSuccess;
+}
+cudaError_t cudaMemPoolTrimTo(cudaMemPool_t, std::size_t) {
   return cudaSuccess;
 }
 cudaError_t cudaMemPoolSetAttribute(cudaMemPool_t, cudaMemPoolAttr, void *) {
@@ -230,16 +238,8 @@ void go_down(const tree_walk &w, const cuda::tree_box &own, const two_points *po
   const cuda::tree_shape &shape = w.tree.shape;
   for (std::uint32_t lane = 0; lane < cuda::tree_width; ++lane) {
     const cuda::tree_box b = cuda::box_of(w.tree.nodes[shape.first[level] + node], lane);
-    bool touch = own.touches(b);
-    if (touch && points) {
-      float first[3], last[3];
-      for (int k = 0; k < 3; ++k) {
-        const bool down = points->per[k] < 0;
-        first[k] = down ? b.high[k] : b.low[k], last[k] = down ? b.low[k] : b.high[k];
-      }
-      touch = !apart(*points, first, last);
-    }
-    if (!touch)
+    const bool touch = own.touches(b);
+    if (!touch || (points && apart_from_box(*points, b.low, b.high)))
       continue;
     const std::uint32_t child = node * cuda::tree_width + lane;
     if (level > 0) {
@@ -535,7 +535,8 @@ const ::meetc::cuda::catalogue &catalogue() {
                                                              std::integral_constant<int, Which>) {
     const predicate_info &p = all.predicates[Which];
     predicates.push_back({p.name, place_of(p.a), place_of(p.b), near<P, A, B>, run<Which>, nullptr, nullptr,
-                          stored_by<store_a<P>>(p.stored_a), stored_by<store_b<P>>(p.stored_b)});
+                          stored_by<store_a<P>>(p.stored_a), stored_by<store_b<P>>(p.stored_b),
+                          P::reject_stage::atoms > 0});
   };
   if (predicates.empty()) {
     add(std::type_identity<::cga::segment_segment>(), segment_shape(), segment_shape(),

@@ -72,21 +72,13 @@ set random_set(std::mt19937_64 &random, std::uint32_t n, float length, float lon
   return s;
 }
 
-bool apart_by_points(const two_points &t, const tree_box &b) {
-  float first[3], last[3];
-  for (int k = 0; k < 3; ++k) {
-    const bool down = t.per[k] < 0;
-    first[k] = down ? b.high[k] : b.low[k], last[k] = down ? b.low[k] : b.high[k];
-  }
-  return apart(t, first, last);
-}
-
 struct found {
   pairs list;
   unsigned long long count;
 };
 found walked(const tree_walk &from, std::size_t capacity, unsigned enough) {
-  std::vector<index_pair> list(capacity);
+  constexpr index_pair untouched{0xffffffff, 0xffffffff};
+  std::vector<index_pair> list(capacity + 64, untouched);
   unsigned long long count = 0, taken = 0;
   tree_walk w = from;
   w.out = {list.data(), &count, capacity};
@@ -99,6 +91,8 @@ found walked(const tree_walk &from, std::size_t capacity, unsigned enough) {
     else
       warp_walk<false>(w, plan, room).run();
   });
+  CHECK(std::all_of(list.begin() + static_cast<std::ptrdiff_t>(capacity), list.end(),
+                    [&](index_pair p) { return p.a == untouched.a && p.b == untouched.b; }));
   found f{{}, count};
   for (std::size_t i = 0; i < std::min<std::size_t>(count, capacity); ++i)
     f.list.emplace_back(list[i].a, list[i].b);
@@ -116,7 +110,8 @@ std::pair<pairs, pairs> looked_at(const set &walker, const set &tree, const part
         continue;
       const std::pair<std::uint32_t, std::uint32_t> p = swapped ? std::pair{b, a} : std::pair{a, b};
       touching.push_back(p);
-      if (!apart_by_points(two_points_of(set::points, walker.row(a)), tree.box(b)))
+      const tree_box other = tree.box(b);
+      if (!apart_from_box(two_points_of(set::points, walker.row(a)), other.low, other.high))
         near.push_back(p);
     }
   std::sort(touching.begin(), touching.end());
