@@ -39,11 +39,12 @@ table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std:
                {"tree_wall", "hierarchy: first,|wall clock, ms"},
                {"chosen", "chosen first"},
                {"of_best", "chosen / best|of both"}};
-  t.notes.emplace_back("First: a query on sets that have only been uploaded, so that columns, or order and boxes, are "
-                    "made in it. After a "
-                    "pose: of B, whose boxes are made anew in the order that there is. Again: nothing is made. Times "
-                    "are of the device "
-                    "until the pairs are sorted there, but for the wall clock, which also has the pairs downloaded.");
+  t.notes.emplace_back(
+      "First: a query on sets that have only been uploaded, so that columns, or order and boxes, are "
+      "made in it. After a "
+      "pose: of B, whose boxes are made anew in the order that there is. Again: nothing is made. Times "
+      "are of the device "
+      "until the pairs are sorted there, but for the wall clock, which also has the pairs downloaded.");
   for (const gpu_scene &scene : scenes) {
     const auto [first, second] = scene.make();
     const prepared a = app::prepare(first), b = app::prepare(second);

@@ -12,8 +12,8 @@
 #define MEETC_CORE_ELEMENT_SET_HPP
 
 #include "core/hierarchy.hpp"
-#include "core/spatial_order.hpp"
 #include "core/pose.hpp"
+#include "core/spatial_order.hpp"
 #include "core/status.hpp"
 #include "core/view.hpp"
 

@@ -6,10 +6,10 @@
 #define MEETC_CUDA_TABLE_HPP
 
 #include <meetc/enclosing.hpp>
-#include <meetc/tree_order.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/table.hpp>
 #include <meetc/tree.hpp>
+#include <meetc/tree_order.hpp>
 
 #include <cuda_runtime_api.h>
 

@@ -85,8 +85,13 @@ struct ball {
 } // namespace
 
 TEST_CASE("tree: boxes are finite, and touch where those of the rows do") {
-  const float inf = HUGE_VALF, rows[][4] = {{0, 0, 0, 1},     {2, 0, 0, 1},          {2.5F, 0, 0, 1}, {3e38F, 0, 0, 3e38F},
-                                            {-3e38F, 1, 1, 0}, {0, 0, 0, FLT_MAX}, {FLT_MAX, FLT_MAX, FLT_MAX, 1}};
+  const float inf = HUGE_VALF, rows[][4] = {{0, 0, 0, 1},
+                                            {2, 0, 0, 1},
+                                            {2.5F, 0, 0, 1},
+                                            {3e38F, 0, 0, 3e38F},
+                                            {-3e38F, 1, 1, 0},
+                                            {0, 0, 0, FLT_MAX},
+                                            {FLT_MAX, FLT_MAX, FLT_MAX, 1}};
   for (const auto &x : rows)
     for (const auto &y : rows) {
       const tree_box a = box_of_row<ball>(x), b = box_of_row<ball>(y);
