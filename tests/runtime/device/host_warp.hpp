@@ -35,16 +35,8 @@ public:
   // Runs `lane` in every lane until all have returned.
   void run(const std::function<void()> &lane) {
     lane_ = &lane;
-    for (unsigned i = 0; i < width; ++i) {
-      one &l = lanes_[i];
-      l.stack.resize(std::size_t{1} << 18);
-      l.done = false;
-      getcontext(&l.context);
-      l.context.uc_stack.ss_sp = l.stack.data();
-      l.context.uc_stack.ss_size = l.stack.size();
-      l.context.uc_link = nullptr;
-      makecontext(&l.context, &warp::enter, 0);
-    }
+    for (one &l : lanes_)
+      start(l);
     for (bool forward = true; step(forward); forward = !forward) {
     }
   }
@@ -66,6 +58,17 @@ private:
     bool done;
     void *shadow; // what AddressSanitizer keeps of a context
   };
+
+  // getcontext() may return twice, so that nothing else is in this function.
+  static void start(one &l) {
+    l.stack.resize(std::size_t{1} << 18);
+    l.done = false;
+    getcontext(&l.context);
+    l.context.uc_stack.ss_sp = l.stack.data();
+    l.context.uc_stack.ss_size = l.stack.size();
+    l.context.uc_link = nullptr;
+    makecontext(&l.context, &warp::enter, 0);
+  }
 
   // Runs every lane to its next rendezvous. Returns false when all have returned.
   bool step(bool forward) {
