@@ -50,7 +50,9 @@ app::command add_gpu(CLI::App &bench, const catalogue &all) {
                "A folder with bunny_69k.ply and armadillo_345k.ply (with --quick the 5k ones); without it built-in "
                "bodies of about the same sizes serve")
       ->type_name("DIR");
-  c.add_option("--only", q->only, "Measure the scenes alone whose names hold this")->type_name("TEXT");
+  c.add_option("--only", q->only,
+               "Measure the scenes alone whose names hold this; growth: those of growing size, in one table")
+      ->type_name("TEXT");
   c.add_flag("--quick", q->quick, "Small sets, to see that it runs")->disable_flag_override();
   c.add_flag("--json", q->json, "Print one JSON object instead of the tables")->disable_flag_override();
   return {&c, [&all, q] { return gpu(all, *q); }};

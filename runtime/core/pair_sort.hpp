@@ -2,7 +2,8 @@
 //
 // Method: pairs are dealt into at most 256 buckets by the high bits of a. A large bucket is sorted by its digits. In a small
 // one whose a lie close together the pairs are dealt out by the rest of a, and those of each a are inserted in order; that
-// takes a third of the time of a comparison sort. Both steps run on all threads. Beside the result they need one bucket for each thread.
+// takes a third of the time of a comparison sort. Both steps run on all threads. Beside the result they need one bucket for
+// each thread.
 #ifndef MEETC_CORE_PAIR_SORT_HPP
 #define MEETC_CORE_PAIR_SORT_HPP
 

@@ -11,8 +11,8 @@
 // bounded for any number of candidates and nothing is lost.
 //
 // result::candidates counts pairs whose boxes, and balls or two points where those were tested, touch. There are fewer than
-// on the CPU if a ball rules out more pairs, and rungs.unsure can be smaller too. The plain rungs can say yes where nothing touches, so for them balls
-// enclose boxes, and both devices decide the same pairs.
+// on the CPU if a ball rules out more pairs, and rungs.unsure can be smaller too. The plain rungs can say yes where nothing
+// touches, so for them balls enclose boxes, and both devices decide the same pairs.
 #ifndef MEETC_CORE_DEVICE_COLLIDE_HPP
 #define MEETC_CORE_DEVICE_COLLIDE_HPP
 

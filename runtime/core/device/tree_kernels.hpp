@@ -28,7 +28,8 @@ struct tree_walk {
   cuda::pair_list out;       // pairs of slots; once it is full the walk stops early, and the count may leave pairs out
   unsigned long long *taken; // 0 at first
 };
-// Appends the pairs of slots whose boxes touch, except for long elements that by their two points are apart from the other's box.
+// Appends the pairs of slots whose boxes touch, except for long elements that by their two points are apart from the
+// other's box.
 cudaError_t walk(const tree_walk &w, cudaStream_t stream);
 
 } // namespace meetc

@@ -1,0 +1,76 @@
+// The kernels of hierarchies that depend on no kind of element, on the host: see stand_in.cpp.
+#include "core/device/tree_kernels.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace meetc {
+
+cudaError_t order_slots(void *space, std::size_t &bytes, std::uint32_t *counts, std::uint32_t cells,
+                        const cuda::place_rank *places, std::uint32_t n, std::uint32_t *slots, cudaStream_t) {
+  bytes = 1;
+  if (!space)
+    return cudaSuccess;
+  std::exclusive_scan(counts, counts + cells, counts, 0U);
+  for (std::uint32_t i = 0; i < n; ++i)
+    slots[counts[places[i].place] + places[i].rank] = i;
+  return cudaSuccess;
+}
+cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t) {
+  const cuda::tree_shape shape(elements);
+  for (int level = 1; level + 1 < shape.depth; ++level)
+    for (std::uint32_t node = 0; node < shape.count[level + 1] * cuda::tree_width; ++node) {
+      cuda::tree_box b;
+      for (std::uint32_t lane = 0; node < shape.count[level] && lane < cuda::tree_width; ++lane)
+        b.widen(cuda::box_of(nodes[shape.first[level] + node], lane));
+      put_box(nodes[shape.first[level + 1] + node / cuda::tree_width], node % cuda::tree_width, b);
+    }
+  return cudaSuccess;
+}
+
+namespace {
+
+// Each element goes down alone; a part is a range of nodes of level 0.
+void go_down(const tree_walk &w, const cuda::tree_box &own, const two_points *points, std::uint32_t slot, int level,
+             std::uint32_t node) {
+  const cuda::tree_shape &shape = w.tree.shape;
+  for (std::uint32_t lane = 0; lane < cuda::tree_width; ++lane) {
+    const cuda::tree_box b = cuda::box_of(w.tree.nodes[shape.first[level] + node], lane);
+    const bool touch = own.touches(b);
+    if (!touch || (points && apart_from_box(*points, b.low, b.high)))
+      continue;
+    const std::uint32_t child = node * cuda::tree_width + lane;
+    if (level > 0) {
+      go_down(w, own, points, slot, level - 1, child);
+      continue;
+    }
+    if (node < w.of.first_b || node >= w.of.end_b)
+      continue;
+    const std::uint32_t other = w.tree.slots[child];
+    const index_pair p = w.swapped ? index_pair{other, slot} : index_pair{slot, other};
+    if (*w.out.count < w.out.capacity)
+      w.out.pairs[*w.out.count] = p;
+    ++*w.out.count;
+  }
+}
+
+} // namespace
+
+cudaError_t walk(const tree_walk &w, cudaStream_t) {
+  if (*w.taken != 0)
+    return cudaErrorInvalidValue;
+  const std::uint32_t width = cuda::tree_width;
+  for (std::uint32_t i = w.of.first_a * width; i < std::min(w.walker.elements, w.of.end_a * width); ++i) {
+    const std::uint32_t slot = w.walker.slots[i];
+    two_points points{};
+    if (w.rows)
+      points = two_points_of(w.points, w.rows + slot * static_cast<std::size_t>(w.fields));
+    go_down(w, cuda::box_of(w.walker.nodes[i / width], i % width), w.rows ? &points : nullptr, slot,
+            w.tree.shape.depth - 1, 0);
+    if (*w.out.count > w.out.capacity)
+      return cudaSuccess;
+  }
+  return cudaSuccess;
+}
+
+} // namespace meetc
