@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_BUFFERS_HPP
 #define MEETC_CORE_DEVICE_BUFFERS_HPP
 
-#include "core/device/tree.hpp"
+#include "core/device/memory.hpp"
 
 #include <cstdint>
 
@@ -26,11 +26,9 @@ inline constexpr int counters = 10;
 
 struct device_buffers {
   device_memory<index_pair> first, second, hits; // first and second alternate for candidates and unsure pairs
-  device_memory<unsigned long long> counts;
-  device_memory<std::uint64_t> keys, more_keys; // hits as sortable numbers
+  device_memory<unsigned long long> counts;      // and behind them where each item's hits start, 32 bits each
+  device_memory<std::uint64_t> keys, more_keys;  // hits as sortable numbers
   device_memory<std::byte> sort_space;
-  device_memory<std::uint32_t> starts; // of each item's hits
-  order_scratch order[2];
   cudaStream_t beside = nullptr; // for work on one set while the query's stream works on the other
   cudaEvent_t forked = nullptr, joined = nullptr;
   cudaEvent_t events[2] = {nullptr, nullptr};

@@ -74,6 +74,7 @@ public:
     if (owned())
       upload_owners();
     start_clock();
+    mark_clock();
     if (a_.elements() > 0 && b_.elements() > 0) {
       result_.by == search::tree ? take_trees() : take_columns();
       if (cuda::reads_stored(precision_)) {
@@ -87,7 +88,7 @@ public:
       result_.count = result_.count > 0;
     if (keep_)
       finish();
-    stop_clock();
+    read_clock();
     return std::move(result_);
   }
 
@@ -119,8 +120,8 @@ private:
     // The two are made beside each other.
     check(cudaEventRecord(buffers_.forked, on_.stream()), "starting a stream");
     check(cudaStreamWaitEvent(buffers_.beside, buffers_.forked, 0), "starting a stream");
-    walk_.tree = tree.tree(buffers_.order[1], buffers_.beside);
-    walk_.walker = walker.tree(buffers_.order[0], on_.stream());
+    walk_.tree = tree.tree(buffers_.beside);
+    walk_.walker = walker.tree(on_.stream());
     check(cudaEventRecord(buffers_.joined, buffers_.beside), "joining a stream");
     check(cudaStreamWaitEvent(on_.stream(), buffers_.joined, 0), "joining a stream");
     walk_.rows = nullptr;
@@ -159,12 +160,13 @@ private:
             "allocating host memory");
     check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock");
   }
-  void stop_clock() {
-    check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock");
+  // The last mark counts.
+  void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
+  void read_clock() {
     check(cudaEventSynchronize(buffers_.events[1]), "colliding");
     float ms = 0;
     check(cudaEventElapsedTime(&ms, buffers_.events[0], buffers_.events[1]), "reading a clock");
-    result_.device_seconds = static_cast<double>(ms) / 1000 - download_seconds_;
+    result_.device_seconds = static_cast<double>(ms) / 1000;
   }
 
   // Of a walk: a guess, of balls that touch one other on average.
@@ -179,7 +181,9 @@ private:
     capacity_ = within_options(wanted);
     if (!enlarge_lists(capacity_))
       capacity_ = within_options(first_capacity);
-    buffers_.counts.reserve(counters, "counters");
+    orders_all_ = keep_ && !owned() && a_.elements() <= most_to_count;
+    zeroed_ = counters + (orders_all_ ? a_.elements() / 2 + 1 : 0);
+    buffers_.counts.reserve(zeroed_, "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
     if (keep_)
@@ -262,8 +266,9 @@ private:
 
   void try_part(const cuda::part &p, bool is_all) {
     const cudaStream_t stream = on_.stream();
-    check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream),
-          "clearing counters");
+    check(
+        cudaMemsetAsync(buffers_.counts.data(), 0, (is_all ? zeroed_ : counters) * sizeof(unsigned long long), stream),
+        "clearing counters");
     find_candidates(p, list(buffers_.first, counter::candidates));
     const cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
     cuda::pair_list in = list(buffers_.first, counter::candidates), out = list(buffers_.second, counter::kept);
@@ -280,8 +285,9 @@ private:
       check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
       std::swap(in, out);
     }
-    if (is_all && keep_ && !owned() && a_.elements() <= most_to_count && capacity_ <= most_counted)
+    if (is_all && orders_all_ && capacity_ <= most_counted)
       order_hits_of_all(hits);
+    mark_clock();
     check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
                           cudaMemcpyDeviceToHost, stream),
           "reading counters");
@@ -298,7 +304,6 @@ private:
   // Enqueues what makes sorted pairs of these hits in buffers_.more_keys, if none has too many. Where there is too little
   // memory for that, their keys are sorted later.
   void order_hits_of_all(const cuda::pair_list &hits) {
-    buffers_.starts.reserve(std::size_t{a_.elements()} + 1, "sorted pairs");
     if (!buffers_.keys.grow(capacity_, 0, on_.stream()) || !buffers_.more_keys.grow(capacity_, 0, on_.stream()))
       return;
     auto *const numbers = reinterpret_cast<std::uint32_t *>(buffers_.keys.data());
@@ -308,7 +313,7 @@ private:
                       a_.order(),
                       b_.order(),
                       a_.elements(),
-                      buffers_.starts.data(),
+                      reinterpret_cast<std::uint32_t *>(buffers_.counts.data() + counters),
                       numbers,
                       numbers + capacity_,
                       reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
@@ -416,17 +421,16 @@ private:
       if (ordered_)
         std::swap(buffers_.keys, buffers_.more_keys);
       else
-        check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel");
+        check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel"), mark_clock();
       if (options_.want == answer_kind::count) {
         result_.count = keys_;
         return;
       }
-      check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
-      const auto start = std::chrono::steady_clock::now();
       pairs.resize(keys_);
-      check(cudaMemcpy(pairs.data(), buffers_.keys.data(), keys_ * sizeof(index_pair), cudaMemcpyDeviceToHost),
+      check(cudaMemcpyAsync(pairs.data(), buffers_.keys.data(), keys_ * sizeof(index_pair), cudaMemcpyDeviceToHost,
+                            on_.stream()),
             "downloading pairs");
-      download_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
     } else {
       spill();
       pairs = std::move(spilled_);
@@ -434,6 +438,7 @@ private:
       sort_pairs(pairs.data(), pairs.size(), scratch);
       if (owned())
         meetc::drop_repeats(pairs);
+      mark_clock();
     }
     answer_from_list(options_.want, items(options_.owner_a, a_.elements()), items(options_.owner_b, b_.elements()),
                      result_);
@@ -451,9 +456,9 @@ private:
   tree_walk walk_{};
   device_memory<std::uint32_t> owner_a_, owner_b_;
   std::size_t capacity_ = 0, keys_ = 0;
-  bool ordered_ = false; // the hits of all are sorted pairs already
+  bool orders_all_ = false, ordered_ = false; // the hits of all are to be sorted at once, and are already
+  std::size_t zeroed_ = 0;                    // of the counters, in 64 bits
   std::vector<index_pair> spilled_;
-  double download_seconds_ = 0;
   device_result result_;
 };
 

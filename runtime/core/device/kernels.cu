@@ -1,6 +1,7 @@
 #include "core/device/kernels.hpp"
 
 #include <cub/cub.cuh>
+#include <meetc/cuda_launch.hpp>
 
 namespace meetc {
 namespace {
@@ -15,6 +16,7 @@ unsigned blocks_for(std::size_t n) {
 __global__ void keys_kernel(const index_pair *slots, std::size_t n, const std::uint32_t *order_a,
                             const std::uint32_t *owner_a, const std::uint32_t *order_b, const std::uint32_t *owner_b,
                             int bits_b, std::uint64_t *keys) {
+  cuda::begin();
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads}) {
     std::uint32_t a = order_a[slots[i].a], b = order_b[slots[i].b];
     a = owner_a ? owner_a[a] : a;
@@ -24,6 +26,7 @@ __global__ void keys_kernel(const index_pair *slots, std::size_t n, const std::u
 }
 
 __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n, int bits_b) {
+  cuda::begin();
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads})
     reinterpret_cast<index_pair *>(keys)[i] = pair_of(keys[i], bits_b);
 }
@@ -55,13 +58,16 @@ template <class Each> __device__ void each_hit(const hit_order &o, Each &&each) 
     each(i, o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]);
 }
 __global__ void count_kernel(hit_order o) {
+  cuda::begin();
   each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
 }
 __global__ void gather_kernel(hit_order o) {
+  cuda::begin();
   each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[o.starts[a] + o.ranks[i]] = b; });
 }
 // The place of a hit among those of its item is the number of smaller ones.
 __global__ void place_kernel(hit_order o) {
+  cuda::begin();
   each_hit(o, [&](unsigned long long, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t begin = o.starts[a], end = o.starts[a + 1];
     if (end - begin > most_of_one) {
@@ -81,16 +87,14 @@ cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cuda
   const auto items = static_cast<std::int64_t>(o.items_a) + 1;
   if (!space)
     return cub::DeviceScan::ExclusiveSum(space, bytes, o.starts, o.starts, items, stream);
-  cudaError_t e = cudaMemsetAsync(o.starts, 0, static_cast<std::size_t>(items) * sizeof(std::uint32_t), stream);
+  cudaError_t e = cuda::launch<count_kernel>(order_blocks, threads, stream, o);
   if (e != cudaSuccess)
     return e;
-  count_kernel<<<order_blocks, threads, 0, stream>>>(o);
   e = cub::DeviceScan::ExclusiveSum(space, bytes, o.starts, o.starts, items, stream);
   if (e != cudaSuccess)
     return e;
-  gather_kernel<<<order_blocks, threads, 0, stream>>>(o);
-  place_kernel<<<order_blocks, threads, 0, stream>>>(o);
-  return cudaGetLastError();
+  e = cuda::launch<gather_kernel>(order_blocks, threads, stream, o);
+  return e == cudaSuccess ? cuda::launch<place_kernel>(order_blocks, threads, stream, o) : e;
 }
 
 cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
@@ -108,16 +112,15 @@ cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t 
                     cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  keys_kernel<<<blocks_for(n), threads, 0, stream>>>(slots, n, order_a, owner_a, order_b, owner_b, bits_b, keys);
-  return cudaGetLastError();
+  return cuda::launch<keys_kernel>(blocks_for(n), threads, stream, slots, n, order_a, owner_a, order_b, owner_b, bits_b,
+                                   keys);
 }
 
 cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, int bits_b, cudaStream_t stream) {
   static_assert(sizeof(index_pair) == sizeof(std::uint64_t));
   if (n == 0)
     return cudaSuccess;
-  pairs_kernel<<<blocks_for(n), threads, 0, stream>>>(keys, n, bits_b);
-  return cudaGetLastError();
+  return cuda::launch<pairs_kernel>(blocks_for(n), threads, stream, keys, n, bits_b);
 }
 
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,

@@ -31,7 +31,7 @@ struct hit_order {
   unsigned long long capacity;
   const std::uint32_t *order_a, *order_b;
   std::uint32_t items_a;
-  std::uint32_t *starts;         // room for items_a + 1
+  std::uint32_t *starts;         // items_a + 1 numbers, all 0 at first
   std::uint32_t *ranks, *others; // room for `capacity` each
   index_pair *sorted;            // likewise
   // 0 at first. Where an item of A has more than most_of_one hits, it becomes their number, and `sorted` means nothing.

@@ -17,7 +17,7 @@ search search_costs::least() const {
 
 search_costs expected_costs(const search_sizes &s) {
   constexpr double start = 70e-6, pair = 1 / 14e12, group_pair = 1 / 4e12, near_pair = 1 / 1e11, taken_apart = 2e-9;
-  constexpr double start_tree = 95e-6, start_order = 50e-6, ordered = 0.05e-9, enclosed = 0.02e-9, walks = 0.15e-9;
+  constexpr double start_tree = 60e-6, start_boxes = 15e-6, enclosed = 0.02e-9, walks = 0.15e-9;
   const double a = static_cast<double>(s.a), b = static_cast<double>(s.b),
                near = s.long_elements ? near_pair * a * b : 0;
   search_costs c;
@@ -25,10 +25,7 @@ search_costs expected_costs(const search_sizes &s) {
   c.of[static_cast<int>(search::groups)] =
       start + group_pair * (a / cuda::group_size) * (b / cuda::group_size) + taken_apart * std::min(a, b) + near;
   double tree = start_tree + walks * (a + b);
-  const auto add = [&tree](double n, bool made, bool has_order) {
-    tree += (has_order ? 0 : start_order + ordered * n) + (made ? 0 : enclosed * n);
-  };
-  add(a, s.made_a, s.ordered_a), add(b, s.made_b, s.ordered_b);
+  tree += (s.made_a && s.made_b ? 0 : start_boxes) + (s.made_a ? 0 : enclosed * a) + (s.made_b ? 0 : enclosed * b);
   c.of[static_cast<int>(search::tree)] = tree;
   return c;
 }

@@ -22,14 +22,13 @@ struct search_costs {
 
 // What two sets say about that.
 struct search_sizes {
-  std::uint64_t a = 0, b = 0;                // elements
-  bool made_a = false, made_b = false;       // their hierarchies exist for the rows as they stand
-  bool ordered_a = false, ordered_b = false; // and at least their order does
-  bool long_elements = false;                // a kind has two points, around which a ball is mostly empty
+  std::uint64_t a = 0, b = 0;          // elements
+  bool made_a = false, made_b = false; // their hierarchies exist for the rows as they stand
+  bool long_elements = false;          // a kind has two points, around which a ball is mostly empty
 };
 
-// The model: a time to start, one for each pair of objects, and one for each element that is ordered, enclosed, walks, or
-// is taken from its group to be tested. Where balls may be mostly empty, the filter is expected to pass every pair. Its
+// The model: a time to start, one for each pair of objects, and one for each element that is enclosed, walks, or is
+// taken from its group to be tested. Where balls may be mostly empty, the filter is expected to pass every pair. Its
 // constants were fitted by hand to times on an H200, of the scenes of `meet bench gpu --only growth`; on other devices only
 // their ratios matter.
 search_costs expected_costs(const search_sizes &s);

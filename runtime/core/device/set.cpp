@@ -1,6 +1,7 @@
 #include "core/device/set.hpp"
 
 #include "core/device/kernels.hpp"
+#include "core/device/order_kernels.hpp"
 #include "core/element_set.hpp"
 #include "core/two_points.hpp"
 
@@ -26,37 +27,120 @@ const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_
   throw device_error(std::string("no CUDA kernels were generated for the kind ") + kind.name);
 }
 
+cuda::pose_matrix matrix_of(const pose &at) {
+  cuda::pose_matrix out{{}, at.length_scale, at.identity(), at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
+  std::copy_n(at.m, 12, out.m);
+  return out;
+}
+
 } // namespace
 
-device_set::device_set(device &on, const prepared &set)
-    : on_(&on), kind_(&set.kind()), launchers_(&launchers_of(on.kernels(), set.kind())),
-      elements_(static_cast<std::uint32_t>(set.elements())), reach_(set.set().reach), longest_(set.set().longest),
-      grid_(set.set().grid) {
+device_set::device_set(device &on, const kind_info &kind, std::size_t elements, double grid)
+    : on_(&on), kind_(&kind), launchers_(&launchers_of(on.kernels(), kind)),
+      elements_(static_cast<std::uint32_t>(elements)), grid_(grid) {
+  if (elements > 0xffffffff)
+    throw std::length_error(text(status::too_many_elements));
+  around_.reserve(1, "a set's extent");
+}
+
+device_set::device_set(device &on, const prepared &set) : device_set(on, set.kind(), set.elements(), set.set().grid) {
   if (!set.whole())
     throw std::invalid_argument("a set on a device must not be prepared for collisions with one other set");
+  upload(set);
+}
+
+device_set::device_set(device &on, const view &elements, const kind_info &kind, const pose &at)
+    : device_set(on, kind, elements.elements, at.grid) {
+  if (!at.identity() && !can_move(kind))
+    throw std::invalid_argument(text(status::cannot_move));
+  if (!is_grid(at.grid))
+    throw std::invalid_argument(text(status::bad_grid));
+  if (!make(elements, at))
+    upload(prepare(elements, kind, at));
+}
+
+void device_set::upload(const prepared &set) {
   const std::size_t floats = std::size_t{elements_} * static_cast<std::size_t>(kind_->fields);
   rows_.reserve(floats, "a set's elements");
   order_.reserve(elements_, "a set's order");
-  around_.reserve(1, "a set's extent");
-  check(cudaMemcpyAsync(rows_.data(), set.set().rows, floats * sizeof(float), cudaMemcpyHostToDevice, on.stream()),
+  check(cudaMemcpyAsync(rows_.data(), set.set().rows, floats * sizeof(float), cudaMemcpyHostToDevice, on_->stream()),
         "uploading a set");
   check(cudaMemcpyAsync(order_.data(), set.set().order, elements_ * sizeof(std::uint32_t), cudaMemcpyHostToDevice,
-                        on.stream()),
+                        on_->stream()),
         "uploading a set");
-  enclose();
-  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may now change the memory
+  reaches_ = {set.set().reach, set.set().longest};
+  enclose(rows());
+  check(cudaStreamSynchronize(on_->stream()), "uploading a set"); // the caller may now change the memory
 }
 
-void device_set::enclose() {
+// Returns false where the set is for the host to order.
+bool device_set::make(const view &elements, const pose &at) {
+  const std::uint32_t n = elements_;
+  const auto fields = static_cast<std::size_t>(kind_->fields);
+  if (elements.index && (elements.vertices > 0xffffffff || fields != 3 * static_cast<std::size_t>(kind_->points)))
+    return false;
+  const cudaStream_t stream = on_->stream();
+  const std::size_t given = elements.index ? elements.vertices : n;
+  const std::size_t bytes =
+      given > 0 ? (given - 1) * elements.stride_bytes + (elements.index ? 3 : fields) * sizeof(float) : 0;
+  const std::size_t indices = elements.index ? n * (fields / 3) : 0;
+  device_memory<std::byte> data;
+  device_memory<std::uint32_t> index;
+  data.reserve(bytes, "a set's elements");
+  index.reserve(indices, "a set's elements");
+  check(cudaMemcpyAsync(data.data(), elements.data, bytes, cudaMemcpyHostToDevice, stream), "uploading a set");
+  check(cudaMemcpyAsync(index.data(), elements.index, indices * sizeof(std::uint32_t), cudaMemcpyHostToDevice, stream),
+        "uploading a set");
+
+  struct findings {
+    unsigned long long bad;
+    unsigned crowded;
+  };
+  device_memory<float> rows;
+  device_memory<std::uint32_t> places, sorted;
+  device_memory<findings> found;
+  device_memory<std::byte> space;
+  rows.reserve(n * fields, "a set's elements");
+  rows_.reserve(n * fields, "a set's elements");
+  order_.reserve(n, "a set's order");
+  places.reserve(n, "the order of a set");
+  sorted.reserve(n, "the order of a set");
+  found.reserve(1, "the order of a set");
+  const int bits = n <= std::uint32_t{1} << 20 ? 8 : 10; // of a cell along an axis
+  std::size_t need = 0;
+  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits, stream), "planning to order");
+  space.reserve(need, "the order of a set");
+
+  const cuda::view there{reinterpret_cast<const float *>(data.data()), elements.stride_bytes,
+                         elements.index ? index.data() : nullptr, static_cast<std::uint32_t>(elements.vertices), n};
+  check(launchers_->pose(there, matrix_of(at), nullptr, rows.data(), &found.data()->bad, stream), "starting a kernel");
+  enclose(rows.data());
+  check(launchers_->places(rows.data(), n, around(), bits, places.data(), stream), "starting a kernel");
+  check(sort_places(space.data(), need, places.data(), sorted.data(), order_.data(), n, 3 * bits, stream),
+        "ordering a set");
+  check(count_crowded(sorted.data(), n, &found.data()->crowded, stream), "starting a kernel");
+  check(gather_rows(rows.data(), static_cast<unsigned>(fields), order_.data(), n, rows_.data(), stream),
+        "starting a kernel");
+  findings seen{};
+  check(cudaMemcpyAsync(&seen, found.data(), sizeof seen, cudaMemcpyDeviceToHost, stream), "ordering a set");
+  check(cudaStreamSynchronize(stream), "ordering a set");
+  if (seen.bad == ~0ULL)
+    return seen.crowded <= n / 8;
+  if (const fault f = meetc::check(elements, *kind_, at))
+    throw input_error(f, *kind_);
+  return false;
+}
+
+void device_set::enclose(const float *rows) {
   version_ = next_version(); // first: if a launch fails, nothing that was made of other rows is taken for these
   check(on_->kernels().clear_extent(around_.data(), on_->stream()), "starting a kernel");
-  check(launchers_->enclose(rows(), elements_, around_.data(), on_->stream()), "starting a kernel");
+  check(launchers_->enclose(rows, elements_, around_.data(), on_->stream()), "starting a kernel");
 }
 
 void device_set::move(const pose &at) {
   if (at.identity()) {
     if (std::exchange(moved_, false))
-      enclose();
+      enclose(rows());
     return;
   }
   if (!can_move(*kind_))
@@ -70,9 +154,7 @@ void device_set::move(const pose &at) {
   device_memory<unsigned long long> bad;
   to.reserve(elements_ * fields, "a set under a pose");
   bad.reserve(1, "a set under a pose");
-  cuda::pose_matrix matrix{{}, at.length_scale, false, at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
-  std::copy_n(at.m, 12, matrix.m);
-  check(launchers_->pose({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, matrix, order_.data(),
+  check(launchers_->pose({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, matrix_of(at), order_.data(),
                          to.data(), bad.data(), on_->stream()),
         "starting a kernel");
   unsigned long long first = 0;
@@ -92,12 +174,12 @@ void device_set::move(const pose &at) {
   moved_rows_ = std::move(to);
   moved_grid_ = at.grid;
   moved_ = true;
-  enclose();
+  enclose(rows());
 }
 
 std::pair<float, float> device_set::reaches() const {
-  if (!moved_)
-    return {reach_, longest_};
+  if (!moved_ && reaches_)
+    return *reaches_;
   std::uint64_t lengths = 0;
   for (int f = 0; f < kind_->fields && f < 64; ++f)
     lengths |= static_cast<std::uint64_t>(kind_->roles[f] == role::length) << f;
@@ -129,22 +211,33 @@ cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool fi
 
 search_sizes device_set::for_search(const device_set &b) const {
   const bool same = &b == this; // there is one hierarchy to make
-  return {elements_,
-          b.elements_,
-          tree_of_ == version_,
-          same || b.tree_of_ == b.version_,
-          tree_.is_made(),
-          same || b.tree_.is_made(),
+  return {elements_, b.elements_, tree_of_ == version_, same || b.tree_of_ == b.version_,
           has_two_points(*kind_) || has_two_points(*b.kind_)};
 }
 
-cuda::tree_view device_set::tree(order_scratch &scratch, cudaStream_t stream) {
+cuda::tree_view device_set::tree(cudaStream_t stream) {
   if (tree_of_ != version_) {
     tree_of_ = 0;
-    tree_.make(*launchers_, rows(), elements_, around(), scratch, stream);
+    tree_.make(*launchers_, rows(), elements_, stream);
     tree_of_ = version_;
   }
   return tree_.view(elements_);
+}
+
+void device_set::bounds(float lo[3], float hi[3]) {
+  cuda::tree_box all;
+  if (elements_ > 0) {
+    const cuda::tree_view view = tree(on_->stream());
+    cuda::tree_node root;
+    check(cudaMemcpyAsync(&root, view.nodes + view.shape.first[view.shape.depth - 1], sizeof root,
+                          cudaMemcpyDeviceToHost, on_->stream()),
+          "measuring a set");
+    check(cudaStreamSynchronize(on_->stream()), "measuring a set");
+    for (std::uint32_t lane = 0; lane < cuda::tree_width; ++lane)
+      all.widen(cuda::box_of(root, lane));
+  }
+  std::copy_n(all.low, 3, lo);
+  std::copy_n(all.high, 3, hi);
 }
 
 const float *device_set::stored(const cuda::stored_launcher &values) {

@@ -1,7 +1,7 @@
-// core/device/set.hpp: a prepared set on a device.
+// core/device/set.hpp: a set on a device.
 //
-// It is uploaded once, and posed and collided often. Its slots are those of the prepared set, so neighbours in space
-// are adjacent.
+// It is uploaded once, and posed and collided often. Its rows lie in a spatial order, so that neighbours in space are adjacent:
+// that of a prepared set, or one that is made on the device. A position in that order is a slot.
 #ifndef MEETC_CORE_DEVICE_SET_HPP
 #define MEETC_CORE_DEVICE_SET_HPP
 
@@ -9,6 +9,7 @@
 #include "core/device/search.hpp"
 #include "core/device/tree.hpp"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,10 @@ class device_set {
 public:
   // Throws device_error, also if the catalogue lacks the kind.
   device_set(device &on, const prepared &set);
+  // Elements that nobody prepared: they are uploaded as they stand, and moved, checked and ordered there. Places are cells of
+  // one grid; where most elements share few of them, prepare() orders the set instead, on all cores. Answers are those of a
+  // prepared set. Throws what prepare() throws, and device_error.
+  device_set(device &on, const view &elements, const kind_info &kind, const pose &at = {});
 
   const kind_info &kind() const { return *kind_; }
   std::uint32_t elements() const { return elements_; }
@@ -32,6 +37,8 @@ public:
   double grid() const { return moved_ ? moved_grid_ : grid_; }
   // The largest magnitude of a coordinate, and of a length. After a move they are measured on the device.
   std::pair<float, float> reaches() const;
+  // The closed box around all elements, as prepared::bounds() gives it.
+  void bounds(float lo[3], float hi[3]);
 
   const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }
   const std::uint32_t *order() const { return order_.data(); }
@@ -44,7 +51,7 @@ public:
   // What this set, as A, and another say about a search.
   search_sizes for_search(const device_set &b) const;
   // The hierarchy of the boxes of rows(). It is made, on the stream, unless it exists already. The set has elements.
-  cuda::tree_view tree(order_scratch &scratch, cudaStream_t stream);
+  cuda::tree_view tree(cudaStream_t stream);
   // A predicate's stored values, in device memory. They are computed unless they exist already. Null: there are none.
   const float *stored(const cuda::stored_launcher &values);
 
@@ -56,13 +63,16 @@ private:
     std::uint64_t frame = 0, own = 0; // versions
     bool operator==(const made &) const = default;
   };
-  void enclose();
+  device_set(device &on, const kind_info &kind, std::size_t elements, double grid);
+  void upload(const prepared &set);
+  bool make(const view &elements, const pose &at);
+  void enclose(const float *rows);
 
   device *on_;
   const kind_info *kind_;
   const cuda::kind_launchers *launchers_;
   std::uint32_t elements_ = 0;
-  float reach_ = 0, longest_ = 0; // as it was uploaded
+  std::optional<std::pair<float, float>> reaches_; // of rows_, where they are known
   double grid_ = 0, moved_grid_ = 0;
   bool moved_ = false;
   std::uint64_t version_ = 0; // the version of rows(), different from that of any other set

@@ -1,7 +1,7 @@
 #include "core/device/tree_kernels.hpp"
 #include "core/device/warp_walk.hpp"
 
-#include <cub/cub.cuh>
+#include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_tree.hpp>
 
 #include <algorithm>
@@ -12,6 +12,7 @@ namespace {
 using namespace cuda;
 
 __global__ void __launch_bounds__(tree_threads) levels_kernel(tree_node *nodes, tree_shape shape, int level) {
+  begin();
   const unsigned node = (blockIdx.x * tree_threads + threadIdx.x) / tree_width, lane = threadIdx.x % tree_width;
   tree_box b;
   if (node < shape.count[level])
@@ -21,49 +22,57 @@ __global__ void __launch_bounds__(tree_threads) levels_kernel(tree_node *nodes, 
     put_box(nodes[shape.first[level + 1] + node / tree_width], node % tree_width, b);
 }
 
-__global__ void __launch_bounds__(tree_threads)
-    slots_kernel(const std::uint32_t *starts, const place_rank *places, unsigned n, std::uint32_t *slots) {
-  const unsigned i = blockIdx.x * tree_threads + threadIdx.x;
-  if (i < n)
-    slots[starts[places[i].place] + places[i].rank] = i;
-}
-
+// What is left at the end is appended by all warps of a block together.
 template <bool ByPoints>
 __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 10)
     walk_kernel(const __grid_constant__ tree_walk w, const __grid_constant__ walk_plan plan) {
+  begin();
   __shared__ warp_room rooms[walk_warps];
-  warp_walk<ByPoints>(w, plan, rooms[threadIdx.x / tree_width]).run();
+  __shared__ unsigned left[walk_warps];
+  __shared__ unsigned long long at;
+  const unsigned warp = threadIdx.x / tree_width;
+  warp_walk<ByPoints> mine(w, plan, rooms[warp]);
+  mine.run(blockIdx.x * walk_warps + warp, gridDim.x * walk_warps);
+  left[warp] = mine.unwritten();
+  __syncthreads();
+  unsigned all = 0, before = 0;
+  for (unsigned i = 0; i < walk_warps; ++i)
+    all += left[i], before += i < warp ? left[i] : 0;
+  if (threadIdx.x == 0)
+    at = all > 0 ? atomicAdd(w.out.count, static_cast<unsigned long long>(all)) : 0;
+  __syncthreads();
+  mine.flush(at + before);
+}
+
+template <bool ByPoints> cudaError_t start_walk(const tree_walk &w, cudaStream_t stream) {
+  // The blocks that the device holds at once.
+  static const unsigned most = [] {
+    int which = 0, processors = 0, each = 0;
+    cudaGetDevice(&which);
+    cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, which);
+    cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, walk_kernel<ByPoints>, walk_threads, 0);
+    return static_cast<unsigned>(std::max(1, processors * each));
+  }();
+  const walk_plan plan = plan_of(w, most * walk_warps);
+  const unsigned blocks = std::min((plan.items + walk_warps - 1) / walk_warps, most);
+  return launch<walk_kernel<ByPoints>>(blocks, walk_threads, stream, w, plan);
 }
 
 } // namespace
 
-cudaError_t order_slots(void *space, std::size_t &bytes, std::uint32_t *counts, std::uint32_t cells,
-                        const place_rank *places, std::uint32_t n, std::uint32_t *slots, cudaStream_t stream) {
-  const cudaError_t e =
-      cub::DeviceScan::ExclusiveSum(space, bytes, counts, counts, static_cast<std::int64_t>(cells), stream);
-  if (e != cudaSuccess || !space || n == 0)
-    return e;
-  slots_kernel<<<(n - 1) / tree_threads + 1, tree_threads, 0, stream>>>(counts, places, n, slots);
-  return cudaGetLastError();
-}
-
 cudaError_t enclose_levels(tree_node *nodes, std::uint32_t elements, cudaStream_t stream) {
   const tree_shape shape(elements);
-  for (int level = 1; level + 1 < shape.depth; ++level)
-    levels_kernel<<<shape.count[level + 1] * (tree_width / walk_warps), tree_threads, 0, stream>>>(nodes, shape, level);
-  return cudaGetLastError();
+  cudaError_t e = cudaSuccess;
+  for (int level = 1; level + 1 < shape.depth && e == cudaSuccess; ++level)
+    e = launch<levels_kernel>(shape.count[level + 1] * (tree_width / walk_warps), tree_threads, stream, nodes, shape,
+                              level);
+  return e;
 }
 
 cudaError_t walk(const tree_walk &w, cudaStream_t stream) {
   if (w.of.first_a >= w.of.end_a || w.of.first_b >= w.of.end_b)
     return cudaSuccess;
-  const walk_plan plan = plan_of(w);
-  const unsigned blocks = std::min((plan.items + walk_warps - 1) / walk_warps, walk_blocks);
-  if (w.rows)
-    walk_kernel<true><<<blocks, walk_threads, 0, stream>>>(w, plan);
-  else
-    walk_kernel<false><<<blocks, walk_threads, 0, stream>>>(w, plan);
-  return cudaGetLastError();
+  return w.rows ? start_walk<true>(w, stream) : start_walk<false>(w, stream);
 }
 
 } // namespace meetc

@@ -8,11 +8,6 @@
 
 namespace meetc {
 
-// Orders n elements by their places, of which there are `cells`, by counting. counts is what kind_launchers::places made.
-// With `space` null it only sets `bytes`.
-cudaError_t order_slots(void *space, std::size_t &bytes, std::uint32_t *counts, std::uint32_t cells,
-                        const cuda::place_rank *places, std::uint32_t n, std::uint32_t *slots, cudaStream_t stream);
-
 // Fills the levels above level 1.
 cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t stream);
 

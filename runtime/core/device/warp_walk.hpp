@@ -9,17 +9,17 @@
 namespace meetc::cuda {
 
 inline constexpr unsigned walk_threads = 128, walk_warps = walk_threads / tree_width;
-inline constexpr unsigned walk_blocks = 1320; // 10 for each of 132 multiprocessors
 inline constexpr unsigned waiting_size = 2 * tree_width, hits_size = 128;
-inline constexpr unsigned enough_items = 2 * walk_blocks * walk_warps;
 
 // A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
 // is a node of level `start`. Where that is too few, the long elements of the node, and the children of the chunk, are
-// dealt out to groups, whose number is a power of two. `batch` items are taken at once.
+// dealt out to groups, whose number is a power of two. `batch` items are taken at once, at most 32: the first by the
+// warp's number, others by a counter, which warps can change only one after another.
 struct walk_plan {
   int start;
   std::uint32_t first_chunk, chunks, long_groups, child_groups, batch, items;
-  bool cut; // the part is not all of the tree
+  bool cut;   // the part is not all of the tree
+  bool whole; // an item is a node and goes down from the root
 };
 
 // Of one warp, in shared memory.
@@ -62,29 +62,54 @@ public:
   __device__ warp_walk(const tree_walk &w, const walk_plan &plan, warp_room &room)
       : w_(w), plan_(plan), room_(room), lane_(threadIdx.x % tree_width) {}
 
-  __device__ void run() {
-    if constexpr (ByPoints)
-      long_side_ = side_of_long();
-    for (;;) {
-      unsigned long long item = 0;
-      if (lane_ == 0)
-        item = atomicAdd(w_.taken, static_cast<unsigned long long>(plan_.batch));
-      item = __shfl_sync(~0U, item, 0);
-      if (item >= plan_.items || full(w_.out))
-        break;
-      const unsigned end = min(static_cast<std::uint32_t>(item) + plan_.batch, plan_.items);
-      for (unsigned i = static_cast<std::uint32_t>(item); i < end; ++i)
-        enter(i);
-    }
-    flush();
-  }
-
-private:
-  // Longer than some nodes of level 0, if these were spread over a surface of the tree's extent.
-  __device__ float side_of_long() const {
+  // Does the items of this one of all warps, up to the pairs in the buffer.
+  __device__ void run(std::uint32_t warp, std::uint32_t warps) {
     const tree_shape &s = w_.tree.shape;
     const tree_box all = around_warp(box_of(w_.tree.nodes[s.first[s.depth - 1]], lane_));
-    return 4 * longest_side(all) * sqrtf(1.0F / static_cast<float>(s.count[0]));
+    // Longer than some nodes of level 0, if these were spread over a surface of the tree's extent.
+    long_side_ = 4 * longest_side(all) * sqrtf(1.0F / static_cast<float>(s.count[0]));
+    for (unsigned long long at = warp; at * plan_.batch < plan_.items; at = next(warps)) {
+      const std::uint32_t first = static_cast<std::uint32_t>(at) * plan_.batch, items = plan_.items - first;
+      unsigned left = ~0U >> (tree_width - (items < plan_.batch ? items : plan_.batch));
+      if (plan_.whole)
+        left = touching(all, first, left);
+      for (; left; left &= left - 1)
+        enter(first + __ffs(left) - 1);
+      if (full(w_.out))
+        break;
+    }
+  }
+
+  // Appends what is left in the buffer, to the place `at` of the list if it has been reserved.
+  __device__ void flush() {
+    if (hits_ > 0)
+      flush(reserve(hits_));
+  }
+  __device__ void flush(unsigned long long at) {
+    __syncwarp();
+    for (unsigned i = lane_; i < hits_; i += tree_width)
+      write(w_.out, at + i, room_.hits[i].a, room_.hits[i].b);
+    hits_ = 0;
+    __syncwarp();
+  }
+  __device__ unsigned unwritten() const { return hits_; }
+
+private:
+  __device__ unsigned long long next(std::uint32_t warps) {
+    unsigned long long at = 0;
+    if (lane_ == 0)
+      at = atomicAdd(w_.taken, 1ULL);
+    return warps + __shfl_sync(~0U, at, 0);
+  }
+  // Of items that are whole nodes, those whose boxes touch the box of all of the tree.
+  __device__ unsigned touching(const tree_box &all, std::uint32_t first, unsigned items) const {
+    bool touch = false;
+    if (items >> lane_ & 1) {
+      const std::uint32_t node = w_.of.first_a + first + lane_;
+      const tree_view &walker = w_.walker;
+      touch = all.touches(box_of(walker.nodes[walker.shape.first[1] + node / tree_width], node % tree_width));
+    }
+    return __ballot_sync(~0U, touch);
   }
 
   __device__ void enter(std::uint32_t item) {
@@ -98,7 +123,7 @@ private:
     const tree_view &walker = w_.walker;
     const std::uint32_t at = node * tree_width + lane_;
     own_ = box_of(walker.nodes[node], lane_);
-    slot_ = at < walker.elements ? walker.slots[at] : 0;
+    slot_ = at < walker.elements ? at : 0;
     if constexpr (ByPoints) {
       const bool is_long = longest_side(own_) > long_side_;
       unsigned alone = __ballot_sync(~0U, is_long);
@@ -210,7 +235,7 @@ private:
     const unsigned touching = __ballot_sync(~0U, touch);
     if (touching == 0)
       return;
-    const std::uint32_t slot = touch ? w_.tree.slots[node * tree_width + lane_] : 0;
+    const std::uint32_t slot = node * tree_width + lane_;
     const unsigned before = __popc(touching & ((1U << lane_) - 1)), all = __popc(touching);
     if constexpr (Single) {
       make_room(all);
@@ -286,16 +311,6 @@ private:
     if (hits_ + n > hits_size)
       flush();
   }
-  __device__ void flush() {
-    if (hits_ == 0)
-      return;
-    __syncwarp();
-    const unsigned long long at = reserve(hits_);
-    for (unsigned i = lane_; i < hits_; i += tree_width)
-      write(w_.out, at + i, room_.hits[i].a, room_.hits[i].b);
-    hits_ = 0;
-    __syncwarp();
-  }
 
   const tree_walk &w_;
   const walk_plan &plan_;
@@ -311,7 +326,7 @@ private:
 };
 
 // `enough` items keep the device busy.
-inline walk_plan plan_of(const tree_walk &w, unsigned enough = enough_items) {
+inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   // The nodes of a level that have a part of the tree below them.
   const auto nodes_of = [&w](int level) { return ((w.of.end_b - 1) >> 5 * level) - (w.of.first_b >> 5 * level) + 1; };
   walk_plan plan{w.tree.shape.depth - 1,
@@ -321,7 +336,8 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough = enough_items) {
                  1,
                  1,
                  w.of.end_a - w.of.first_a,
-                 w.of.first_b > 0 || w.of.end_b < w.tree.shape.count[0]};
+                 w.of.first_b > 0 || w.of.end_b < w.tree.shape.count[0],
+                 false};
   for (; w.rows && plan.long_groups < tree_width && plan.items < enough; plan.items *= 2)
     plan.long_groups *= 2;
   const unsigned cuts = (enough + plan.items - 1) / plan.items;
@@ -334,6 +350,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough = enough_items) {
   plan.items *= plan.chunks * plan.child_groups; // no overflow: there are many nodes, or few cuts
   while (plan.batch < 8 && plan.items > 16 * plan.batch * enough)
     plan.batch *= 2;
+  plan.whole = plan.items == w.of.end_a - w.of.first_a;
   return plan;
 }
 

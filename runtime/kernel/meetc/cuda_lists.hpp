@@ -47,6 +47,54 @@ __device__ inline void append(unsigned marks, const index_pair (&pairs)[Each], c
   }
 }
 
+// Of one warp: pairs that wait in shared memory until there are many, because additions to one counter are carried out one at
+// a time. All functions are of the whole warp.
+inline constexpr unsigned waiting_pairs = 512;
+class waiting_list {
+public:
+  __device__ waiting_list(const pair_list &to, index_pair *room) : to_(to), room_(room) {}
+
+  // Appends the marked pairs of all lanes, at most Each of them for a lane; bit k of `marks` stands for pair k.
+  template <int Each> __device__ void append(unsigned marks, const index_pair (&pairs)[Each]) {
+    static_assert(32 * Each <= waiting_pairs);
+    const unsigned lane = threadIdx.x % 32;
+    unsigned total = 0;
+    unsigned lanes[Each];
+#pragma unroll
+    for (int k = 0; k < Each; ++k) {
+      lanes[k] = __ballot_sync(~0U, marks >> k & 1);
+      total += __popc(lanes[k]);
+    }
+    if (n_ + total > waiting_pairs)
+      flush();
+#pragma unroll
+    for (int k = 0; k < Each; ++k) {
+      if (marks >> k & 1)
+        room_[n_ + __popc(lanes[k] & ((1U << lane) - 1))] = pairs[k];
+      n_ += __popc(lanes[k]);
+    }
+  }
+  __device__ void flush() {
+    if (n_ == 0)
+      return;
+    __syncwarp();
+    const unsigned lane = threadIdx.x % 32;
+    unsigned long long at = 0;
+    if (lane == 0)
+      at = atomicAdd(to_.count, static_cast<unsigned long long>(n_));
+    at = __shfl_sync(~0U, at, 0);
+    for (unsigned i = lane; i < n_ && at + i < to_.capacity; i += 32)
+      to_.pairs[at + i] = room_[i];
+    n_ = 0;
+    __syncwarp();
+  }
+
+private:
+  const pair_list &to_;
+  index_pair *room_;
+  unsigned n_ = 0;
+};
+
 __device__ inline void write(const pair_list &to, unsigned long long at, std::uint32_t a, std::uint32_t b) {
   if (at < to.capacity)
     to.pairs[at] = {a, b};

@@ -6,6 +6,7 @@
 #ifndef MEETC_CUDA_STEPS_HPP
 #define MEETC_CUDA_STEPS_HPP
 
+#include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_lists.hpp>
 #include <meetc/near.hpp>
 #include <meetc/tolerant.hpp>
@@ -14,7 +15,8 @@
 
 namespace meetc::cuda {
 
-inline constexpr int step_threads = 128, step_blocks = 1056; // 8 for each of 132 multiprocessors
+inline constexpr int step_threads = 128, step_warps = step_threads / 32;
+inline constexpr int step_blocks = 1056; // 8 for each of 132 multiprocessors
 
 // Where answers go: an array with one answer for each pair, or two lists.
 struct sink {
@@ -50,6 +52,9 @@ template <class Of> inline constexpr bool of_stored = requires(const stored_pair
 // in.count may be null: there are then in.capacity pairs.
 template <class P, class Of>
 __global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_array b, pair_list in, sink to) {
+  begin();
+  __shared__ index_pair rooms[step_warps][waiting_pairs];
+  waiting_list hits(to.yes, rooms[threadIdx.x / 32]);
   // A warp stays whole, since a lane without pairs takes part as well.
   for (walk w(in); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
@@ -79,9 +84,10 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_a
     for (int k = 0; k < step_pairs; ++k)
       if ((yes | unsure) >> k & 1)
         p[k] = in.pairs[w.index(k)];
-    append(yes, p, to.yes);
+    hits.append(yes, p);
     append(unsure, p, to.unsure);
   }
+  hits.flush();
 }
 
 // Pair i of the pairs of slots in a list of pairs of objects; false if a group has no such slot.
@@ -102,6 +108,9 @@ __device__ inline bool slots_of(const index_pair *objects, unsigned long long i,
 template <class P, class A, class B, bool Reject>
 __global__ void __launch_bounds__(step_threads)
     near_kernel(operand a, operand b, pair_list in, pair_list kept, unsigned long long *touching) {
+  begin();
+  __shared__ index_pair rooms[step_warps][waiting_pairs];
+  waiting_list list(kept, rooms[threadIdx.x / 32]);
   unsigned long long touched = 0;
   for (walk w(in, a.by == grouping::group ? group_size * group_size : 1); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
@@ -129,8 +138,9 @@ __global__ void __launch_bounds__(step_threads)
           keep &= ~(static_cast<unsigned>(rejected) << k);
         }
       }
-    append(keep, p, kept);
+    list.append(keep, p);
   }
+  list.flush();
   for (int d = 16; d > 0; d /= 2)
     touched += __shfl_xor_sync(~0U, touched, d);
   if (threadIdx.x % 32 == 0 && touched > 0)
@@ -175,15 +185,13 @@ cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs,
   const std::size_t wanted = (n + step_threads * step_pairs - 1) / (step_threads * step_pairs);
   const unsigned blocks = wanted < 0x7fffffff ? static_cast<unsigned>(wanted) : 0x7fffffff;
   const pair_list in{const_cast<index_pair *>(pairs), nullptr, n}; // which is only read
-  decide_kernel<P, Of><<<blocks, step_threads, 0, stream>>>(a, b, in, {out, {}, {}});
-  return cudaGetLastError();
+  return launch<decide_kernel<P, Of>>(blocks, step_threads, stream, row_array{a}, row_array{b}, in, sink{out, {}, {}});
 }
 template <class P, class Of>
 cudaError_t decide_list(const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                         cudaStream_t stream) {
-  decide_kernel<P, Of>
-      <<<step_blocks, step_threads, 0, stream>>>({a.rows, a.stored}, {b.rows, b.stored}, in, {nullptr, yes, unsure});
-  return cudaGetLastError();
+  return launch<decide_kernel<P, Of>>(step_blocks, step_threads, stream, row_array{a.rows, a.stored},
+                                      row_array{b.rows, b.stored}, in, sink{nullptr, yes, unsure});
 }
 
 // The step in fp32 for sets; it reads stored values if P has any.
@@ -196,6 +204,7 @@ template <class P> bool have_stored(const operand &a, const operand &b) {
 
 template <class Store>
 __global__ void __launch_bounds__(step_threads) store_kernel(const float *rows, unsigned n, float *out) {
+  begin();
   for (unsigned i = blockIdx.x * step_threads + threadIdx.x; i < n; i += gridDim.x * step_threads)
     Store::compute(rows + i * std::size_t{Store::inputs}, out + i * std::size_t{Store::floats});
 }
@@ -203,8 +212,7 @@ template <class Store> cudaError_t store(const float *rows, std::uint32_t n, flo
   if (n == 0)
     return cudaSuccess;
   const unsigned blocks = std::min((n - 1) / step_threads + 1, 65536U);
-  store_kernel<Store><<<blocks, step_threads, 0, stream>>>(rows, n, out);
-  return cudaGetLastError();
+  return launch<store_kernel<Store>>(blocks, step_threads, stream, rows, n, out);
 }
 
 // The rungs that the scene asks for, as bits 1 << rung.
@@ -269,14 +277,11 @@ template <class P, class A, class B, unsigned Rungs>
 cudaError_t near(step which, const operand &a, const operand &b, pair_list in, pair_list kept,
                  unsigned long long *touching, cudaStream_t stream) {
   if (which == step::near_boxes) {
-    near_kernel<P, A, B, false><<<step_blocks, step_threads, 0, stream>>>(a, b, in, kept, touching);
-    return cudaGetLastError();
+    return launch<near_kernel<P, A, B, false>>(step_blocks, step_threads, stream, a, b, in, kept, touching);
   }
   if constexpr (asks(Rungs, rung::certified))
-    if (which == step::near_reject && have_stored<P>(a, b)) {
-      near_kernel<P, A, B, true><<<step_blocks, step_threads, 0, stream>>>(a, b, in, kept, touching);
-      return cudaGetLastError();
-    }
+    if (which == step::near_reject && have_stored<P>(a, b))
+      return launch<near_kernel<P, A, B, true>>(step_blocks, step_threads, stream, a, b, in, kept, touching);
   return cudaErrorInvalidValue;
 }
 

@@ -9,7 +9,6 @@
 #include <meetc/matrix.hpp>
 #include <meetc/table.hpp>
 #include <meetc/tree.hpp>
-#include <meetc/tree_order.hpp>
 
 #include <cuda_runtime_api.h>
 
@@ -111,8 +110,8 @@ struct query {
 struct kind_launchers {
   const char *name;
   int fields;
-  // Writes packed rows in the pose `at`. *bad is as in query_result. Element i is written from element order[i], or
-  // from i where order is null.
+  // Writes packed rows in the pose `at`, in the order of the view. *bad is as in query_result; there element i counts as
+  // element order[i] where order is not null.
   cudaError_t (*pose)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
                       unsigned long long *bad, cudaStream_t stream);
   // Widens *around, which clear_extent() has emptied, by the balls around the finite boxes of the elements.
@@ -121,13 +120,11 @@ struct kind_launchers {
   // the filter passes every pair whose boxes touch.
   cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
                          const extent *around, void *columns, cudaStream_t stream);
-  // For each row its place along Hilbert's curve, below 2^(3 bits), and its rank among those with this place, which about
-  // keeps their order. counts[p] becomes the number of rows with place p; all are 0 before.
+  // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits).
   cudaError_t (*places)(const float *rows, std::uint32_t elements, const extent *around, int bits,
-                        std::uint32_t *counts, place_rank *places, cudaStream_t stream);
-  // Fills levels 0 and 1 of the tree over the rows in the order of `slots`.
-  cudaError_t (*boxes)(const float *rows, std::uint32_t elements, const std::uint32_t *slots, tree_node *nodes,
-                       cudaStream_t stream);
+                        std::uint32_t *places, cudaStream_t stream);
+  // Fills levels 0 and 1 of the tree over the rows.
+  cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, cudaStream_t stream);
 };
 
 inline constexpr std::uint32_t part_step = 64;

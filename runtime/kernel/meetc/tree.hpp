@@ -1,7 +1,7 @@
 // The hierarchy of boxes over a set on a device, as kernels and their stand-in on a host see it.
 //
-// Every 32 consecutive elements in a spatial order have a node with their boxes, every 32 nodes a node above with the
-// boxes around theirs, and so on up to one root. There are no pointers: the children of lane i of node n are in node
+// Every 32 consecutive elements, whose order is a spatial one, have a node with their boxes, every 32 nodes a node above with
+// the boxes around theirs, and so on up to one root. There are no pointers: the children of lane i of node n are in node
 // 32 n + i of the level below. A warp tests a node at once, one lane a box.
 //
 // Boxes are finite: an end beyond float32 becomes its largest number, which loses no pair, since clamping is monotone.
@@ -42,10 +42,9 @@ struct tree_shape {
   MEETC_HD constexpr std::uint32_t nodes() const { return depth == 0 ? 0 : first[depth - 1] + 1; }
 };
 
-// A tree in device memory. Lane i of node n of level 0 is element slots[32 n + i] of the rows.
+// A tree in device memory. Lane i of node n of level 0 is element 32 n + i of the rows.
 struct tree_view {
   const tree_node *nodes;
-  const std::uint32_t *slots;
   std::uint32_t elements;
   tree_shape shape;
 };

@@ -1,4 +1,4 @@
-// The order of a set's elements on a device, before their hierarchy is made.
+// The spatial order of a set's elements, where a device makes it.
 #ifndef MEETC_TREE_ORDER_HPP
 #define MEETC_TREE_ORDER_HPP
 
@@ -34,11 +34,6 @@ struct hilbert_cells {
     }
     return hilbert_place(cell[0], cell[1], cell[2], bits);
   }
-};
-
-// Of an element: its place, and which of those with this place it is.
-struct place_rank {
-  std::uint32_t place, rank;
 };
 
 } // namespace meetc::cuda

@@ -162,7 +162,8 @@ void all_hits(comparison &with, const settings &s) {
       const std::uint64_t objects = by.by == search::groups ? n / cuda::group_size : n;
       with.require(scene, r.near_balls == objects * objects,
                    std::string(p.name) + ": the search lost or repeated pairs");
-      with.require(scene, enlarged ? r.parts == 1 : r.parts > 34, "the product was not cut as it should be");
+      // The first may find the lists too small, and try again.
+      with.require(scene, enlarged ? r.parts <= 2 : r.parts > 34, "the product was not cut as it should be");
     }
   });
 }

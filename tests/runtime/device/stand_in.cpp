@@ -193,6 +193,8 @@ cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cuda
   bytes = 1;
   if (!space)
     return cudaSuccess;
+  if (std::any_of(o.starts, o.starts + o.items_a + 1, [](std::uint32_t start) { return start != 0; }))
+    return cudaErrorInvalidValue;
   const std::size_t n = std::min(*o.count, o.capacity);
   for (std::size_t i = 0; i < n; ++i)
     o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
@@ -293,18 +295,14 @@ cudaError_t columns(cuda::filter by, cuda::grouping g, cover c, bool first, cons
 }
 
 template <class Shape>
-cudaError_t places(const float *rows, std::uint32_t n, const extent *around, int bits, std::uint32_t *counts,
-                   cuda::place_rank *places, cudaStream_t) {
+cudaError_t places(const float *rows, std::uint32_t n, const extent *around, int bits, std::uint32_t *places,
+                   cudaStream_t) {
   const cuda::hilbert_cells cells(*around, bits);
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t place = cells.place_of(cuda::box_of_row<Shape>(rows + i * std::size_t{Shape::fields}));
-    places[i] = {place, counts[place]++};
-  }
+  for (std::uint32_t i = 0; i < n; ++i)
+    places[i] = cells.place_of(cuda::box_of_row<Shape>(rows + i * std::size_t{Shape::fields}));
   return cudaSuccess;
 }
-template <class Shape>
-cudaError_t boxes(const float *rows, std::uint32_t n, const std::uint32_t *slots, cuda::tree_node *nodes,
-                  cudaStream_t) {
+template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, cuda::tree_node *nodes, cudaStream_t) {
   const cuda::tree_shape shape(n);
   for (std::uint32_t node = 0; node < shape.count[1] * cuda::tree_width; ++node) {
     cuda::tree_box around;
@@ -312,7 +310,7 @@ cudaError_t boxes(const float *rows, std::uint32_t n, const std::uint32_t *slots
       const std::size_t at = std::size_t{node} * cuda::tree_width + lane;
       cuda::tree_box b;
       if (at < n)
-        b = cuda::box_of_row<Shape>(rows + slots[at] * std::size_t{Shape::fields});
+        b = cuda::box_of_row<Shape>(rows + at * std::size_t{Shape::fields});
       put_box(nodes[node], lane, b);
       around.widen(b);
     }

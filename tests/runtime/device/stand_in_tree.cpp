@@ -1,4 +1,5 @@
-// The kernels of hierarchies that depend on no kind of element, on the host: see stand_in.cpp.
+// The kernels of orders and hierarchies that depend on no kind of element, on the host: see stand_in.cpp.
+#include "core/device/order_kernels.hpp"
 #include "core/device/tree_kernels.hpp"
 
 #include <algorithm>
@@ -6,14 +7,27 @@
 
 namespace meetc {
 
-cudaError_t order_slots(void *space, std::size_t &bytes, std::uint32_t *counts, std::uint32_t cells,
-                        const cuda::place_rank *places, std::uint32_t n, std::uint32_t *slots, cudaStream_t) {
+cudaError_t sort_places(void *space, std::size_t &bytes, const std::uint32_t *places, std::uint32_t *sorted,
+                        std::uint32_t *slots, std::uint32_t n, int, cudaStream_t) {
   bytes = 1;
   if (!space)
     return cudaSuccess;
-  std::exclusive_scan(counts, counts + cells, counts, 0U);
+  std::iota(slots, slots + n, 0U);
+  std::stable_sort(slots, slots + n, [places](std::uint32_t i, std::uint32_t j) { return places[i] < places[j]; });
   for (std::uint32_t i = 0; i < n; ++i)
-    slots[counts[places[i].place] + places[i].rank] = i;
+    sorted[i] = places[slots[i]];
+  return cudaSuccess;
+}
+cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned *crowded, cudaStream_t) {
+  *crowded = 0;
+  for (std::uint32_t i = cuda::tree_width; i < n; ++i)
+    *crowded += sorted[i] == sorted[i - cuda::tree_width];
+  return cudaSuccess;
+}
+cudaError_t gather_rows(const float *rows, unsigned fields, const std::uint32_t *slots, std::uint32_t n, float *to,
+                        cudaStream_t) {
+  for (std::uint32_t i = 0; i < n; ++i)
+    std::copy_n(rows + std::size_t{slots[i]} * fields, fields, to + std::size_t{i} * fields);
   return cudaSuccess;
 }
 cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t) {
@@ -46,8 +60,7 @@ void go_down(const tree_walk &w, const cuda::tree_box &own, const two_points *po
     }
     if (node < w.of.first_b || node >= w.of.end_b)
       continue;
-    const std::uint32_t other = w.tree.slots[child];
-    const index_pair p = w.swapped ? index_pair{other, slot} : index_pair{slot, other};
+    const index_pair p = w.swapped ? index_pair{child, slot} : index_pair{slot, child};
     if (*w.out.count < w.out.capacity)
       w.out.pairs[*w.out.count] = p;
     ++*w.out.count;
@@ -61,11 +74,10 @@ cudaError_t walk(const tree_walk &w, cudaStream_t) {
     return cudaErrorInvalidValue;
   const std::uint32_t width = cuda::tree_width;
   for (std::uint32_t i = w.of.first_a * width; i < std::min(w.walker.elements, w.of.end_a * width); ++i) {
-    const std::uint32_t slot = w.walker.slots[i];
     two_points points{};
     if (w.rows)
-      points = two_points_of(w.points, w.rows + slot * static_cast<std::size_t>(w.fields));
-    go_down(w, cuda::box_of(w.walker.nodes[i / width], i % width), w.rows ? &points : nullptr, slot,
+      points = two_points_of(w.points, w.rows + i * static_cast<std::size_t>(w.fields));
+    go_down(w, cuda::box_of(w.walker.nodes[i / width], i % width), w.rows ? &points : nullptr, i,
             w.tree.shape.depth - 1, 0);
     if (*w.out.count > w.out.capacity)
       return cudaSuccess;

@@ -16,10 +16,9 @@ namespace {
 
 using pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-// Elements whose hull has two points: rows x y z, x y z, radius. Slots are in another order than the rows.
+// Elements whose hull has two points: rows x y z, x y z, radius.
 struct set {
   std::vector<float> rows;
-  std::vector<std::uint32_t> slots;
   std::vector<tree_node> nodes;
 
   static constexpr int fields = 7;
@@ -42,12 +41,12 @@ struct set {
       for (std::uint32_t i = 0; i < shape.count[level] * tree_width; ++i) {
         tree_box b;
         if (level == 0 && i < size())
-          b = box(slots[i]);
+          b = box(i);
         for (std::uint32_t lane = 0; level > 0 && i < shape.count[level - 1] && lane < tree_width; ++lane)
           b.widen(box_of(nodes[shape.first[level - 1] + i], lane));
         put_box(nodes[shape.first[level] + i / tree_width], i % tree_width, b);
       }
-    return {nodes.data(), slots.data(), size(), shape};
+    return {nodes.data(), size(), shape};
   }
 };
 
@@ -55,8 +54,10 @@ struct set {
 set random_set(std::mt19937_64 &random, std::uint32_t n, float length, float longest) {
   std::uniform_real_distribution<float> unit(-1, 1);
   set s;
+  const bool mixed = random() % 4 == 0; // up, so that neighbours in the order are not near
   for (std::uint32_t i = 0; i < n; ++i) {
-    const float at = static_cast<float>(i) / static_cast<float>(n), side = random() % 8 == 0 ? longest : length;
+    const float at = static_cast<float>(mixed ? random() % n : i) / static_cast<float>(n),
+                side = random() % 8 == 0 ? longest : length;
     const float centre[3] = {at, 0.1F * unit(random), 0.1F * unit(random)};
     for (const float c : centre)
       s.rows.push_back(c);
@@ -64,11 +65,6 @@ set random_set(std::mt19937_64 &random, std::uint32_t n, float length, float lon
       s.rows.push_back(random() % 4 == 0 ? c : c + side * unit(random));
     s.rows.push_back(random() % 2 ? 0 : 0.01F * length);
   }
-  // In slots of the rows turned around, and sometimes all mixed up.
-  for (std::uint32_t i = 0; i < n; ++i)
-    s.slots.push_back(n - 1 - i);
-  if (random() % 4 == 0)
-    std::shuffle(s.slots.begin(), s.slots.end(), random);
   return s;
 }
 
@@ -76,7 +72,7 @@ struct found {
   pairs list;
   unsigned long long count;
 };
-found walked(const tree_walk &from, std::size_t capacity, unsigned enough) {
+found walked(const tree_walk &from, std::size_t capacity, unsigned enough, std::uint32_t warps = 1) {
   constexpr index_pair untouched{0xffffffff, 0xffffffff};
   std::vector<index_pair> list(capacity + 64, untouched);
   unsigned long long count = 0, taken = 0;
@@ -85,12 +81,17 @@ found walked(const tree_walk &from, std::size_t capacity, unsigned enough) {
   w.taken = &taken;
   const walk_plan plan = plan_of(w, enough);
   static warp_room room;
-  host_warp::the_warp.run([&w, &plan] {
-    if (w.rows)
-      warp_walk<true>(w, plan, room).run();
-    else
-      warp_walk<false>(w, plan, room).run();
-  });
+  const auto go = [&](auto &&walk, std::uint32_t warp) {
+    walk.run(warp, warps);
+    walk.flush();
+  };
+  for (std::uint32_t warp = 0; warp < warps; ++warp)
+    host_warp::the_warp.run([&] {
+      if (w.rows)
+        go(warp_walk<true>(w, plan, room), warp);
+      else
+        go(warp_walk<false>(w, plan, room), warp);
+    });
   CHECK(std::all_of(list.begin() + static_cast<std::ptrdiff_t>(capacity), list.end(),
                     [&](index_pair p) { return p.a == untouched.a && p.b == untouched.b; }));
   found f{{}, count};
@@ -105,13 +106,12 @@ std::pair<pairs, pairs> looked_at(const set &walker, const set &tree, const part
   pairs touching, near;
   for (std::uint32_t i = of.first_a * tree_width; i < std::min(walker.size(), of.end_a * tree_width); ++i)
     for (std::uint32_t j = of.first_b * tree_width; j < std::min(tree.size(), of.end_b * tree_width); ++j) {
-      const std::uint32_t a = walker.slots[i], b = tree.slots[j];
-      if (!walker.box(a).touches(tree.box(b)))
+      const tree_box other = tree.box(j);
+      if (!walker.box(i).touches(other))
         continue;
-      const std::pair<std::uint32_t, std::uint32_t> p = swapped ? std::pair{b, a} : std::pair{a, b};
+      const std::pair<std::uint32_t, std::uint32_t> p = swapped ? std::pair{j, i} : std::pair{i, j};
       touching.push_back(p);
-      const tree_box other = tree.box(b);
-      if (!apart_from_box(two_points_of(set::points, walker.row(a)), other.low, other.high))
+      if (!apart_from_box(two_points_of(set::points, walker.row(i)), other.low, other.high))
         near.push_back(p);
     }
   std::sort(touching.begin(), touching.end());
@@ -138,9 +138,10 @@ TEST_CASE("walk: a warp finds every pair of boxes that touch, once") {
     }
     const bool swapped = random() % 2, by_points = random() % 2;
     const unsigned enough = 1U << random() % 14;
+    const auto warps = static_cast<std::uint32_t>(1 + random() % 3);
     const tree_walk w{x, y, of, swapped, by_points ? a.rows.data() : nullptr, set::fields, set::points, {}, nullptr};
     const auto [touching, near] = looked_at(a, b, of, swapped);
-    const found f = walked(w, touching.size() + 1, enough);
+    const found f = walked(w, touching.size() + 1, enough, warps);
     INFO("round " << round << ": " << a.size() << " x " << b.size() << (by_points ? ", by points" : "") << ", cut into "
                   << enough);
     REQUIRE(f.count == f.list.size());

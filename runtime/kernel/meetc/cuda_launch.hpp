@@ -1,0 +1,43 @@
+// Kernels that start while the one before them on their stream ends. Included by nvcc only.
+//
+// Most steps of a query are shorter than it takes to start a kernel. So a kernel's blocks may come to the device early, and
+// wait there for the memory of the kernel before (CUDA's programmatic dependent launch, capability 9.0).
+#ifndef MEETC_CUDA_LAUNCH_HPP
+#define MEETC_CUDA_LAUNCH_HPP
+
+#include <cuda_runtime_api.h>
+
+namespace meetc::cuda {
+
+// The first statement of a kernel that launch() starts: before it, nothing may be read or written.
+__device__ inline void begin() {
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
+  asm volatile("griddepcontrol.launch_dependents;");
+  asm volatile("griddepcontrol.wait;" ::: "memory");
+#endif
+}
+
+// Whether the code of a kernel waits in begin().
+template <auto Kernel> bool waits() {
+  static const bool there = [] {
+    cudaFuncAttributes of{};
+    return cudaFuncGetAttributes(&of, Kernel) == cudaSuccess && of.ptxVersion >= 90 && of.binaryVersion >= 90;
+  }();
+  return there;
+}
+
+// Enqueues a kernel whose first statement is begin().
+template <auto Kernel, class... Arguments>
+cudaError_t launch(unsigned blocks, unsigned threads, cudaStream_t stream, const Arguments &...arguments) {
+  cudaLaunchAttribute early{};
+  early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+  early.val.programmaticStreamSerializationAllowed = 1;
+  cudaLaunchConfig_t how{};
+  how.gridDim = {blocks, 1, 1}, how.blockDim = {threads, 1, 1}, how.stream = stream;
+  how.attrs = &early, how.numAttrs = waits<Kernel>() ? 1 : 0;
+  return cudaLaunchKernelEx(&how, Kernel, arguments...);
+}
+
+} // namespace meetc::cuda
+
+#endif
