@@ -13,10 +13,12 @@
 
 namespace meetc {
 
-// The exception of prepare() for a bad element.
+// The exception for a bad element.
 class input_error : public std::invalid_argument {
 public:
-  input_error(const fault &f, const kind_info &kind) : std::invalid_argument(describe(f, kind)), where(f) {}
+  // `before` is put in front of the text.
+  input_error(const fault &f, const kind_info &kind, const std::string &before = {})
+      : std::invalid_argument(before + describe(f, kind)), where(f) {}
   fault where;
 };
 

@@ -39,8 +39,9 @@ std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
   std::string out = "namespace {\n\nusing form = ball_form;\n\nconst meetc::cuda::kind_launchers all_kinds[] = {\n";
   for (const lower::lowered_kind *k : kinds)
-    out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::enclose<{1}>, "
-                       "meetc::cuda::columns<{1}, form>, meetc::cuda::places<{1}>, meetc::cuda::boxes<{1}>}},\n",
+    out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::instances<{1}>, "
+                       "meetc::cuda::enclose<{1}>, meetc::cuda::columns<{1}, form>, meetc::cuda::places<{1}>, "
+                       "meetc::cuda::boxes<{1}>}},\n",
                        k->name, shape_of(k->name));
   out += "};\n\n"
          "// A query with the predicate at this index of the catalogue.\n"

@@ -17,18 +17,20 @@ namespace {
 using form = ball_form;
 
 const meetc::cuda::kind_launchers all_kinds[] = {
-  {"point", point_shape::fields, meetc::cuda::pose_rows<point_shape>, meetc::cuda::enclose<point_shape>,
-      meetc::cuda::columns<point_shape, form>, meetc::cuda::places<point_shape>,
-      meetc::cuda::boxes<point_shape>},
-  {"sphere", sphere_shape::fields, meetc::cuda::pose_rows<sphere_shape>, meetc::cuda::enclose<sphere_shape>,
-      meetc::cuda::columns<sphere_shape, form>, meetc::cuda::places<sphere_shape>,
-      meetc::cuda::boxes<sphere_shape>},
+  {"point", point_shape::fields, meetc::cuda::pose_rows<point_shape>, meetc::cuda::instances<point_shape>,
+      meetc::cuda::enclose<point_shape>, meetc::cuda::columns<point_shape, form>,
+      meetc::cuda::places<point_shape>, meetc::cuda::boxes<point_shape>},
+  {"sphere", sphere_shape::fields, meetc::cuda::pose_rows<sphere_shape>, meetc::cuda::instances<sphere_shape>,
+      meetc::cuda::enclose<sphere_shape>, meetc::cuda::columns<sphere_shape, form>,
+      meetc::cuda::places<sphere_shape>, meetc::cuda::boxes<sphere_shape>},
   {"segment", segment_shape::fields, meetc::cuda::pose_rows<segment_shape>,
-      meetc::cuda::enclose<segment_shape>, meetc::cuda::columns<segment_shape, form>,
-      meetc::cuda::places<segment_shape>, meetc::cuda::boxes<segment_shape>},
+      meetc::cuda::instances<segment_shape>, meetc::cuda::enclose<segment_shape>,
+      meetc::cuda::columns<segment_shape, form>, meetc::cuda::places<segment_shape>,
+      meetc::cuda::boxes<segment_shape>},
   {"triangle", triangle_shape::fields, meetc::cuda::pose_rows<triangle_shape>,
-      meetc::cuda::enclose<triangle_shape>, meetc::cuda::columns<triangle_shape, form>,
-      meetc::cuda::places<triangle_shape>, meetc::cuda::boxes<triangle_shape>},
+      meetc::cuda::instances<triangle_shape>, meetc::cuda::enclose<triangle_shape>,
+      meetc::cuda::columns<triangle_shape, form>, meetc::cuda::places<triangle_shape>,
+      meetc::cuda::boxes<triangle_shape>},
 };
 
 // A query with the predicate at this index of the catalogue.

@@ -2,6 +2,7 @@
 
 #include "core/device/buffers.hpp"
 #include "core/device/kernels.hpp"
+#include "core/device/query.hpp"
 #include "core/device/tree_kernels.hpp"
 #include "core/pair_sort.hpp"
 
@@ -62,9 +63,12 @@ rung tolerant_or_certified(const device_set &a, const device_set &b, const predi
 class device_query {
 public:
   device_query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
-               const device_options &options)
+               const device_options &options, std::span<std::uint64_t> of_instances)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
-        options_(options), keep_(options.want != answer_kind::any && (options.want != answer_kind::count || owned())) {}
+        options_(options), of_instances_(of_instances),
+        tallies_(!of_instances.empty() ||
+                 (!owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
+        keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && owned())) {}
 
   device_result run() {
     result_.filter = options_.filter.value_or(on_.best_filter());
@@ -82,11 +86,14 @@ public:
         y_.stored = b_.stored(predicate_.stored_b);
       }
       take_room();
+      take_tallies();
       go_through({0, objects(a_), 0, objects(b_)});
     }
     if (options_.want == answer_kind::any)
       result_.count = result_.count > 0;
-    if (keep_)
+    if (tallies_)
+      download_tallies();
+    else if (keep_)
       finish();
     read_clock();
     return std::move(result_);
@@ -181,7 +188,7 @@ private:
     capacity_ = within_options(wanted);
     if (!enlarge_lists(capacity_))
       capacity_ = within_options(first_capacity);
-    orders_all_ = keep_ && !owned() && a_.elements() <= most_to_count;
+    orders_all_ = keep_ && !tallies_ && !owned() && a_.elements() <= most_to_count;
     zeroed_ = counters + (orders_all_ ? a_.elements() / 2 + 1 : 0);
     buffers_.counts.reserve(zeroed_, "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
@@ -348,6 +355,14 @@ private:
     ordered_ = ordered_ && seen(counter::longest) == 0;
     if (!keep_ || n == 0)
       return;
+    if (tallies_) {
+      check(tally({buffers_.hits.data(), n, a_.order(), b_.order(), counts_a_.data(), counts_b_.data(), flags_a_.data(),
+                   flags_b_.data(), of_instance()},
+                  on_.stream()),
+            "starting a kernel");
+      mark_clock();
+      return;
+    }
     if (ordered_) {
       keys_ = n;
       return;
@@ -362,6 +377,43 @@ private:
                   buffers_.keys.data() + keys_, on_.stream()),
           "starting a kernel");
     keys_ += n;
+  }
+
+  // The slots of each instance of B; 0: B has none.
+  std::uint32_t of_instance() const {
+    return of_instances_.empty() ? 0 : static_cast<std::uint32_t>(b_.elements() / of_instances_.size());
+  }
+  void take_tallies() {
+    const auto zeroed = [this](auto &numbers, std::size_t n) {
+      numbers.reserve(n, "counts of elements");
+      check(cudaMemsetAsync(numbers.data(), 0, n * sizeof *numbers.data(), on_.stream()), "clearing counts");
+    };
+    if (!of_instances_.empty())
+      zeroed(counts_b_, of_instances_.size());
+    else if (tallies_ && options_.want == answer_kind::counts)
+      zeroed(counts_a_, a_.elements()), zeroed(counts_b_, b_.elements());
+    else if (tallies_)
+      zeroed(flags_a_, a_.elements()), zeroed(flags_b_, b_.elements());
+  }
+  void download_tallies() {
+    const auto download = [this](const auto &numbers, auto *to, std::size_t n) {
+      static_assert(sizeof *to == sizeof *numbers.data());
+      if (numbers.data())
+        check(cudaMemcpyAsync(to, numbers.data(), n * sizeof *to, cudaMemcpyDeviceToHost, on_.stream()),
+              "downloading counts");
+    };
+    if (!of_instances_.empty()) {
+      download(counts_b_, of_instances_.data(), of_instances_.size());
+    } else {
+      const bool counts = options_.want == answer_kind::counts;
+      result_.counts.a.resize(counts ? a_.elements() : 0), result_.counts.b.resize(counts ? b_.elements() : 0);
+      result_.flags.a.resize(counts ? 0 : a_.elements()), result_.flags.b.resize(counts ? 0 : b_.elements());
+      download(counts_a_, result_.counts.a.data(), a_.elements());
+      download(counts_b_, result_.counts.b.data(), b_.elements());
+      download(flags_a_, result_.flags.a.data(), a_.elements());
+      download(flags_b_, result_.flags.b.data(), b_.elements());
+    }
+    check(cudaStreamSynchronize(on_.stream()), "downloading counts");
   }
 
   // Moves the keys to the host, unsorted.
@@ -450,7 +502,10 @@ private:
   const cuda::predicate_launchers &predicate_;
   rung precision_;
   const device_options &options_;
-  bool keep_;
+  std::span<std::uint64_t> of_instances_;
+  bool tallies_, keep_; // hits are counted by item; they are kept until then, or for their list
+  device_memory<unsigned long long> counts_a_, counts_b_;
+  device_memory<std::uint8_t> flags_a_, flags_b_;
   int bits_b_ = bits_of_items(options_.owner_b, b_);
   cuda::operand x_{}, y_{};
   tree_walk walk_{};
@@ -464,8 +519,8 @@ private:
 
 } // namespace
 
-device_result collide(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
-                      const device_options &options) {
+device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
+                    const device_options &options, std::span<std::uint64_t> of_instances) {
   const auto start = std::chrono::steady_clock::now();
   const auto same = [](const kind_info &x, const kind_info &y) {
     return x.fields == y.fields && std::strcmp(x.name, y.name) == 0;
@@ -477,10 +532,15 @@ device_result collide(device &on, device_set &a, device_set &b, const predicate_
   if (precision == rung::tolerant)
     precision = tolerant_or_certified(a, b, predicate, report);
   require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
-  device_result r = device_query(on, a, b, predicate, precision, options).run();
+  device_result r = device_query(on, a, b, predicate, precision, options, of_instances).run();
   r.rungs.left_box_a = report.left_box_a, r.rungs.left_box_b = report.left_box_b;
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;
+}
+
+device_result collide(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
+                      const device_options &options) {
+  return query(on, a, b, predicate, precision, options, {});
 }
 
 } // namespace meetc

@@ -1,8 +1,8 @@
 // core/device/collide.hpp: which elements of two sets touch, on a CUDA device. The answers are those of
 // core/collide.hpp.
 //
-// The device finds pairs and counts them. Flags and counts of elements are made on the host from the list of pairs, so
-// their memory grows with the pairs, on the device and for a while on the host.
+// The device finds pairs, and counts them, for each element too where that is asked for. Where there are owners, flags and
+// counts of items are made on the host from the list of pairs, so that their memory grows with the pairs.
 //
 // First the search finds candidates. Either the filter tests every pair of elements, or of groups of neighbours: a matrix
 // product whose signs tell which enclosing balls may touch. Or the elements of one set walk down a hierarchy of boxes over

@@ -81,7 +81,33 @@ __global__ void place_kernel(hit_order o) {
   });
 }
 
+// Adds 1 to the counter `at`, once for all lanes with the same one.
+__device__ void count_one(unsigned long long *counters, std::uint32_t at) {
+  const unsigned alike = __match_any_sync(__activemask(), at);
+  if (threadIdx.x % 32 == __ffs(alike) - 1)
+    atomicAdd(counters + at, static_cast<unsigned long long>(__popc(alike)));
+}
+__global__ void tally_kernel(hit_tally t) {
+  cuda::begin();
+  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < t.n;
+       i += gridDim.x * std::size_t{threads}) {
+    const index_pair hit = t.hits[i];
+    if (t.counts_a)
+      count_one(t.counts_a, t.order_a[hit.a]);
+    if (t.counts_b)
+      count_one(t.counts_b, t.of_instance > 0 ? hit.b / t.of_instance : t.order_b[hit.b]);
+    if (t.flags_a)
+      t.flags_a[t.order_a[hit.a]] = 1, t.flags_b[t.order_b[hit.b]] = 1;
+  }
+}
+
 } // namespace
+
+cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
+  if (t.n == 0)
+    return cudaSuccess;
+  return cuda::launch<tally_kernel>(blocks_for(t.n), threads, stream, t);
+}
 
 cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream) {
   const auto items = static_cast<std::int64_t>(o.items_a) + 1;

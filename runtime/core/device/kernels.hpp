@@ -41,6 +41,18 @@ inline constexpr unsigned most_of_one = 1024;
 // With `space` null it only sets `bytes`.
 cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream);
 
+// Counts the hits of each item, or marks the items that have one. Null: of this set nothing is asked. Where of_instance > 0,
+// B's items are instances of so many slots each.
+struct hit_tally {
+  const index_pair *hits; // of slots
+  std::size_t n;
+  const std::uint32_t *order_a, *order_b;
+  unsigned long long *counts_a, *counts_b;
+  std::uint8_t *flags_a, *flags_b; // both or none
+  std::uint32_t of_instance;
+};
+cudaError_t tally(const hit_tally &t, cudaStream_t stream);
+
 // Sorts keys below 2^bits into `to`. With space null, only sets the number of bytes that it needs.
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
                       int bits, cudaStream_t stream);

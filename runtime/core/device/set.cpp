@@ -27,6 +27,15 @@ const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_
   throw device_error(std::string("no CUDA kernels were generated for the kind ") + kind.name);
 }
 
+void require_movable(const kind_info &kind, const pose &at) {
+  if (!at.identity() && !can_move(kind))
+    throw std::invalid_argument(text(status::cannot_move));
+  if (!is_grid(at.grid))
+    throw std::invalid_argument(text(status::bad_grid));
+  if (!(at.length_scale >= 0))
+    throw std::invalid_argument("a pose's length scale is negative or not a number");
+}
+
 cuda::pose_matrix matrix_of(const pose &at) {
   cuda::pose_matrix out{{}, at.length_scale, at.identity(), at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
   std::copy_n(at.m, 12, out.m);
@@ -131,6 +140,54 @@ bool device_set::make(const view &elements, const pose &at) {
   return false;
 }
 
+device_set::device_set(const device_set &of, std::span<const pose> poses, std::size_t first_pose)
+    : device_set(*of.on_, *of.kind_, of.elements_ * poses.size(), 0) {
+  const auto fields = static_cast<std::size_t>(kind_->fields);
+  const cudaStream_t stream = on_->stream();
+  std::vector<cuda::pose_matrix> matrices;
+  for (const pose &at : poses) {
+    require_movable(*kind_, at);
+    matrices.push_back(matrix_of(at));
+  }
+  const auto grid_of = [&](const pose &at) { return at.identity() ? of.grid_ : at.grid; };
+  if (!poses.empty() &&
+      std::all_of(poses.begin(), poses.end(), [&](const pose &at) { return grid_of(at) == grid_of(poses.front()); }))
+    grid_ = grid_of(poses.front());
+  device_memory<cuda::pose_matrix> there;
+  device_memory<unsigned long long> bad;
+  there.reserve(matrices.size(), "poses");
+  bad.reserve(1, "poses");
+  rows_.reserve(elements_ * fields, "a set in several poses");
+  check(cudaMemcpyAsync(there.data(), matrices.data(), matrices.size() * sizeof(cuda::pose_matrix),
+                        cudaMemcpyHostToDevice, stream),
+        "uploading poses");
+  check(launchers_->instances(of.rows_.data(), of.elements_, there.data(), static_cast<std::uint32_t>(poses.size()),
+                              rows_.data(), bad.data(), stream),
+        "starting a kernel");
+  enclose(rows_.data());
+  unsigned long long first = 0;
+  check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, stream), "moving a set");
+  check(cudaStreamSynchronize(stream), "moving a set");
+  if (first != ~0ULL) {
+    const std::uint64_t pose = first_pose + first / of.elements_;
+    std::uint32_t element = 0;
+    check(cudaMemcpy(&element, of.order_.data() + first % of.elements_, sizeof element, cudaMemcpyDeviceToHost),
+          "moving a set");
+    throw input_error(fault_of(rows_.data() + first * fields, element), *kind_, "pose " + std::to_string(pose) + ": ");
+  }
+}
+
+// What is wrong with a row on the device: a number that is not finite.
+fault device_set::fault_of(const float *there, std::size_t element) const {
+  std::vector<float> row(static_cast<std::size_t>(kind_->fields));
+  fault f{fault_kind::moved, element, 0, 0, 0, nullptr};
+  check(cudaMemcpy(row.data(), there, row.size() * sizeof(float), cudaMemcpyDeviceToHost), "moving a set");
+  while (std::isfinite(row[static_cast<std::size_t>(f.field)]))
+    ++f.field;
+  f.value = row[static_cast<std::size_t>(f.field)];
+  return f;
+}
+
 void device_set::enclose(const float *rows) {
   version_ = next_version(); // first: if a launch fails, nothing that was made of other rows is taken for these
   check(on_->kernels().clear_extent(around_.data(), on_->stream()), "starting a kernel");
@@ -143,12 +200,7 @@ void device_set::move(const pose &at) {
       enclose(rows());
     return;
   }
-  if (!can_move(*kind_))
-    throw std::invalid_argument(text(status::cannot_move));
-  if (!is_grid(at.grid))
-    throw std::invalid_argument(text(status::bad_grid));
-  if (!(at.length_scale >= 0))
-    throw std::invalid_argument("a pose's length scale is negative or not a number");
+  require_movable(*kind_, at);
   const auto fields = static_cast<std::size_t>(kind_->fields);
   device_memory<float> to;
   device_memory<unsigned long long> bad;
@@ -162,14 +214,7 @@ void device_set::move(const pose &at) {
   check(cudaStreamSynchronize(on_->stream()), "moving a set");
   if (first != ~0ULL) {
     const auto slot = static_cast<std::size_t>(first & 0xffffffff);
-    std::vector<float> row(fields);
-    fault f{fault_kind::moved, static_cast<std::size_t>(first >> 32), 0, 0, 0, nullptr};
-    check(cudaMemcpy(row.data(), to.data() + slot * fields, fields * sizeof(float), cudaMemcpyDeviceToHost),
-          "moving a set");
-    while (std::isfinite(row[static_cast<std::size_t>(f.field)]))
-      ++f.field;
-    f.value = row[static_cast<std::size_t>(f.field)];
-    throw input_error(f, *kind_);
+    throw input_error(fault_of(to.data() + slot * fields, static_cast<std::size_t>(first >> 32)), *kind_);
   }
   moved_rows_ = std::move(to);
   moved_grid_ = at.grid;

@@ -10,6 +10,7 @@
 #include "core/device/tree.hpp"
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,11 @@ public:
   // one grid; where most elements share few of them, prepare() orders the set instead, on all cores. Answers are those of a
   // prepared set. Throws what prepare() throws, and device_error.
   device_set(device &on, const view &elements, const kind_info &kind, const pose &at = {});
+
+  // `of`, as it was uploaded, in each of these poses, one after another. Throws what move() throws, with the pose's number in
+  // front of the text, where `first` is that of the first one, and std::length_error beyond 2^32 - 1 elements. It has no
+  // order, and cannot be moved.
+  device_set(const device_set &of, std::span<const pose> poses, std::size_t first);
 
   const kind_info &kind() const { return *kind_; }
   std::uint32_t elements() const { return elements_; }
@@ -66,6 +72,7 @@ private:
   device_set(device &on, const kind_info &kind, std::size_t elements, double grid);
   void upload(const prepared &set);
   bool make(const view &elements, const pose &at);
+  fault fault_of(const float *there, std::size_t element) const;
   void enclose(const float *rows);
 
   device *on_;

@@ -89,6 +89,32 @@ __device__ inline float moved(const double *m, double x, double y, double z) {
       __dadd_rn(__dadd_rn(__dadd_rn(__dmul_rn(m[0], x), __dmul_rn(m[1], y)), __dmul_rn(m[2], z)), m[3]));
 }
 
+// A row in the pose. Returns whether it is one: finite, and no length is negative.
+template <class Shape> __device__ bool posed_row(const pose_matrix &at, const float *in, float *out) {
+  for (int f = 0; f < Shape::fields; ++f)
+    out[f] = in[f];
+  for (int f = 0; f < Shape::fields && !at.identity; ++f) {
+    if (Shape::role_of(f) == role::length) {
+      out[f] = __double2float_rn(__dmul_rn(in[f], at.length_scale));
+    } else if (Shape::role_of(f) == role::x) {
+      const bool has_z = f + 2 < Shape::fields && Shape::role_of(f + 2) == role::z;
+      const double x = in[f], y = in[f + 1], z = has_z ? in[f + 2] : 0.0F;
+      out[f] = moved(at.m, x, y, z);
+      out[f + 1] = moved(at.m + 4, x, y, z);
+      if (has_z)
+        out[f + 2] = moved(at.m + 8, x, y, z);
+    }
+  }
+  for (int f = 0; f < Shape::fields && at.on_grid; ++f)
+    out[f] = nearest_multiple(out[f], at.grid_low);
+  bool good = true;
+  for (int f = 0; f < Shape::fields; ++f)
+    good &= isfinite(out[f]);
+  if (Shape::pad >= 0)
+    good &= out[Shape::pad < 0 ? 0 : Shape::pad] >= 0;
+  return good;
+}
+
 template <class Shape>
 __global__ void __launch_bounds__(set_threads)
     pose_kernel(view v, pose_matrix at, const std::uint32_t *order, float *rows, unsigned long long *bad) {
@@ -107,28 +133,10 @@ __global__ void __launch_bounds__(set_threads)
                sizeof(float));
       else
         in[f] = 0;
-      out[f] = in[f];
     }
-    for (int f = 0; f < Shape::fields && !at.identity; ++f) {
-      if (Shape::role_of(f) == role::length) {
-        out[f] = __double2float_rn(__dmul_rn(in[f], at.length_scale));
-      } else if (Shape::role_of(f) == role::x) {
-        const bool has_z = f + 2 < Shape::fields && Shape::role_of(f + 2) == role::z;
-        const double x = in[f], y = in[f + 1], z = has_z ? in[f + 2] : 0.0F;
-        out[f] = moved(at.m, x, y, z);
-        out[f + 1] = moved(at.m + 4, x, y, z);
-        if (has_z)
-          out[f + 2] = moved(at.m + 8, x, y, z);
-      }
-    }
-    for (int f = 0; f < Shape::fields && at.on_grid; ++f)
-      out[f] = nearest_multiple(out[f], at.grid_low);
-    for (int f = 0; f < Shape::fields; ++f) {
-      good &= isfinite(out[f]);
+    good &= posed_row<Shape>(at, in, out);
+    for (int f = 0; f < Shape::fields; ++f)
       rows[i * std::size_t{Shape::fields} + f] = out[f];
-    }
-    if (Shape::pad >= 0)
-      good &= out[Shape::pad < 0 ? 0 : Shape::pad] >= 0;
     if (!good)
       atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : i) << 32 | i);
   }
@@ -143,6 +151,32 @@ cudaError_t pose_rows(const view &v, const pose_matrix &at, const std::uint32_t 
     return cudaErrorInvalidValue; // the kind does not consist of points
   const unsigned blocks = std::min(blocks_for(v.elements), 65536U);
   pose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad);
+  return cudaGetLastError();
+}
+
+template <class Shape>
+__global__ void __launch_bounds__(set_threads) instances_kernel(const float *rows, unsigned n, const pose_matrix *at,
+                                                                unsigned poses, float *to, unsigned long long *bad) {
+  for (std::size_t i = blockIdx.x * std::size_t{set_threads} + threadIdx.x; i < std::size_t{n} * poses;
+       i += gridDim.x * std::size_t{set_threads}) {
+    const auto pose = static_cast<unsigned>(i / n);
+    float out[Shape::fields];
+    const bool good = posed_row<Shape>(at[pose], rows + (i - std::size_t{pose} * n) * Shape::fields, out);
+    for (int f = 0; f < Shape::fields; ++f)
+      to[i * Shape::fields + f] = out[f];
+    if (!good)
+      atomicMin(bad, static_cast<unsigned long long>(i));
+  }
+}
+template <class Shape>
+cudaError_t instances(const float *rows, std::uint32_t n, const pose_matrix *at, std::uint32_t poses, float *to,
+                      unsigned long long *bad, cudaStream_t stream) {
+  const cudaError_t e = cudaMemsetAsync(bad, 0xff, sizeof *bad, stream);
+  const std::size_t all = std::size_t{n} * poses;
+  if (e != cudaSuccess || all == 0)
+    return e;
+  const unsigned blocks = blocks_for(std::min(all, std::size_t{65536} * set_threads));
+  instances_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, at, poses, to, bad);
   return cudaGetLastError();
 }
 

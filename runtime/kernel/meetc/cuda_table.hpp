@@ -114,6 +114,10 @@ struct kind_launchers {
   // element order[i] where order is not null.
   cudaError_t (*pose)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
                       unsigned long long *bad, cudaStream_t stream);
+  // Writes n rows in each of `poses` poses, which lie in device memory, one pose after another: n * poses rows. *bad becomes
+  // the first of these that is no row of its kind, or ~0.
+  cudaError_t (*instances)(const float *rows, std::uint32_t n, const pose_matrix *at, std::uint32_t poses, float *to,
+                           unsigned long long *bad, cudaStream_t stream);
   // Widens *around, which clear_extent() has emptied, by the balls around the finite boxes of the elements.
   cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
   // Writes the filter's columns of all objects in the frame of *around, as X (first) or as Y. With balls around boxes,

@@ -29,6 +29,12 @@ const char *name_of(cuda::filter f) {
   }
   return "";
 }
+void each_predicate(const std::function<void(const predicate_info &)> &f) {
+  const catalogue &all = cga::catalogue();
+  for (int i = 0; i < all.predicate_count; ++i)
+    f(all.predicates[i]);
+}
+
 const predicate_info &predicate_named(std::string_view name) {
   const catalogue &all = cga::catalogue();
   for (int i = 0; i < all.predicate_count; ++i)

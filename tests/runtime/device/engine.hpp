@@ -5,6 +5,7 @@
 #include <cga/cga_runtime.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -20,6 +21,7 @@ const char *name_of(meetc::cuda::filter f);
 inline constexpr meetc::rung all_rungs[] = {meetc::rung::fp32, meetc::rung::fp64, meetc::rung::fp64x2,
                                             meetc::rung::exact, meetc::rung::certified};
 const meetc::predicate_info &predicate_named(std::string_view name);
+void each_predicate(const std::function<void(const meetc::predicate_info &)> &f);
 
 // Whether a rung that is never wrong looks at fewer candidates on the CPU, which tests the two points of an element.
 bool fewer_candidates_on_cpu(const meetc::predicate_info &p);
@@ -126,9 +128,10 @@ struct settings {
   bool small = false; // few and small sets, for tools that slow everything down
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
-  std::string part; // of the scenes: pairs, poses or ends; empty: all
+  std::string part; // of the scenes: pairs, made, poses or ends; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
+void made_scenes(comparison &with, const settings &s);
 void pose_scenes(comparison &with, const settings &s);
 void end_scenes(comparison &with, const settings &s);
 void mesh_scenes(comparison &with, const settings &s);

@@ -15,12 +15,6 @@ constexpr rung certified[] = {rung::certified};
 constexpr rung both[] = {rung::exact, rung::certified};
 constexpr std::size_t least_lists = std::size_t{1} << 18;
 
-void each_predicate(const std::function<void(const predicate_info &)> &f) {
-  const catalogue &all = cga::catalogue();
-  for (int i = 0; i < all.predicate_count; ++i)
-    f(all.predicates[i]);
-}
-
 prepared ready(const rows_of &r) {
   return prepare(view_of(r), *r.kind);
 }

@@ -189,6 +189,19 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
   return cudaSuccess;
 }
 
+cudaError_t tally(const hit_tally &t, cudaStream_t) {
+  for (std::size_t i = 0; i < t.n; ++i) {
+    const std::uint32_t a = t.hits[i].a, b = t.hits[i].b;
+    if (t.counts_a)
+      ++t.counts_a[t.order_a[a]];
+    if (t.counts_b)
+      ++t.counts_b[t.of_instance > 0 ? b / t.of_instance : t.order_b[b]];
+    if (t.flags_a)
+      t.flags_a[t.order_a[a]] = 1, t.flags_b[t.order_b[b]] = 1;
+  }
+  return cudaSuccess;
+}
+
 cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t) {
   bytes = 1;
   if (!space)
@@ -225,28 +238,53 @@ cudaError_t clear_extent(extent *around, cudaStream_t) {
     clear(*around, k);
   return cudaSuccess;
 }
+// Returns whether it is a row of its kind.
+template <class Shape> bool posed_row(const cuda::pose_matrix &at, const float *row, float *out) {
+  constexpr int fields = Shape::fields;
+  std::copy_n(row, fields, out);
+  for (int f = 0; f < fields && !at.identity; ++f)
+    if (Shape::role_of(f) == role::length)
+      out[f] = static_cast<float>(static_cast<double>(row[f]) * at.length_scale);
+    else if (Shape::role_of(f) == role::x)
+      for (int k = 0; k < 3; ++k) {
+        const double *m = at.m + 4 * k;
+        const double x = row[f], y = row[f + 1], z = row[f + 2];
+        out[f + k] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
+      }
+  for (int f = 0; f < fields && at.on_grid; ++f)
+    out[f] = nearest_multiple(out[f], at.grid_low);
+  return std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }) &&
+         (Shape::pad < 0 || out[std::max(Shape::pad, 0)] >= 0);
+}
 template <class Shape>
 cudaError_t pose_rows(const cuda::view &v, const cuda::pose_matrix &at, const std::uint32_t *order, float *to,
                       unsigned long long *bad, cudaStream_t) {
   constexpr int fields = Shape::fields;
   *bad = ~0ULL;
   for (std::uint32_t i = 0; i < v.elements; ++i) {
-    const float *row = v.data + i * std::size_t{fields};
-    float *out = to + i * std::size_t{fields};
-    for (int f = 0; f < fields; ++f)
-      if (Shape::role_of(f) == role::length)
-        out[f] = static_cast<float>(static_cast<double>(row[f]) * at.length_scale);
-      else if (Shape::role_of(f) == role::x)
-        for (int k = 0; k < 3; ++k) {
-          const double *m = at.m + 4 * k;
-          const double x = row[f], y = row[f + 1], z = row[f + 2];
-          out[f + k] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
-        }
-    for (int f = 0; f < fields && at.on_grid; ++f)
-      out[f] = nearest_multiple(out[f], at.grid_low);
-    if (!std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }))
-      *bad = std::min(*bad, static_cast<unsigned long long>(order[i]) << 32 | i);
+    float row[fields] = {};
+    bool there = true;
+    for (int f = 0; f < fields; ++f) {
+      const std::size_t at_row = v.index ? v.index[i * (fields / 3) + f / 3] : i;
+      const std::size_t at_field = static_cast<std::size_t>(v.index ? f % 3 : f);
+      there = there && (!v.index || at_row < v.vertices);
+      if (there)
+        std::memcpy(row + f,
+                    reinterpret_cast<const char *>(v.data) + at_row * v.stride_bytes + at_field * sizeof(float),
+                    sizeof(float));
+    }
+    if (!posed_row<Shape>(at, row, to + i * std::size_t{fields}) || !there)
+      *bad = std::min(*bad, static_cast<unsigned long long>(order ? order[i] : i) << 32 | i);
   }
+  return cudaSuccess;
+}
+template <class Shape>
+cudaError_t instances(const float *rows, std::uint32_t n, const cuda::pose_matrix *at, std::uint32_t poses, float *to,
+                      unsigned long long *bad, cudaStream_t) {
+  *bad = ~0ULL;
+  for (std::size_t i = 0; i < std::size_t{n} * poses; ++i)
+    if (!posed_row<Shape>(at[i / n], rows + i % n * std::size_t{Shape::fields}, to + i * std::size_t{Shape::fields}))
+      *bad = std::min(*bad, static_cast<unsigned long long>(i));
   return cudaSuccess;
 }
 // As on the device: lanes go through the set in strides, a warp joins what its lanes have found, and the bits of that are
@@ -447,7 +485,8 @@ cudaError_t probe(cuda::probe_result *out, cudaStream_t) {
 }
 
 template <class Shape> constexpr cuda::kind_launchers launchers_of(const char *name) {
-  return {name, Shape::fields, pose_rows<Shape>, enclose<Shape>, columns<Shape>, places<Shape>, boxes<Shape>};
+  return {name,           Shape::fields,  pose_rows<Shape>, instances<Shape>,
+          enclose<Shape>, columns<Shape>, places<Shape>,    boxes<Shape>};
 }
 const cuda::kind_launchers kinds[] = {
     launchers_of<cga::point_shape>("point"), launchers_of<cga::sphere_shape>("sphere"),

@@ -1,0 +1,31 @@
+// core/device/poses.hpp: one set against another in many poses, on a CUDA device.
+//
+// Problem: a query takes some 50 us even where nothing touches, and its kernels are too short to fill a device. Method: the
+// elements of B in many poses at once are one set, whose hierarchy's lowest boxes each hold neighbours in one pose or two, and
+// one query counts the pairs of each pose. As many poses are taken at once as the device's memory allows.
+#ifndef MEETC_CORE_DEVICE_POSES_HPP
+#define MEETC_CORE_DEVICE_POSES_HPP
+
+#include "core/device/collide.hpp"
+
+#include <span>
+#include <vector>
+
+namespace meetc {
+
+struct poses_result {
+  std::vector<std::uint64_t> counts; // for each pose, how many pairs (a, b) touch
+  rung_report rungs;                 // of all poses
+  std::uint64_t candidates = 0;
+  double device_seconds = 0, seconds = 0; // as in device_result; without posing, and with it
+};
+
+// Each count is that of collide() on a and b in that pose, which replaces the pose of b for this call alone. Of the options,
+// `want` and owners are not read. Throws what collide() throws, and what device_set::move() throws for a pose, with its number
+// in the text; poses count from 0.
+poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
+                           const predicate_info &predicate, rung precision, const device_options &options = {});
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,165 @@
+// Sets that are made on the device, and one set in many poses.
+#include "engine.hpp"
+
+#include "core/device/poses.hpp"
+#include "core/element_set.hpp"
+
+#include <cstring>
+#include <functional>
+
+namespace cuda_test {
+namespace {
+
+using namespace meetc;
+
+constexpr rung certified[] = {rung::certified};
+
+// A turn about an axis, scaled, and then a move.
+pose placed(double scale, double x, double y, double z) {
+  pose p;
+  const double turn[9] = {0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}, t[3] = {x, y, z};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k)
+      p.m[4 * i + k] = scale * turn[3 * i + k];
+    p.m[4 * i + 3] = t[i];
+  }
+  p.length_scale = scale;
+  return p;
+}
+
+bool same_box(device_set &there, const prepared &set) {
+  float have[2][3], want[2][3];
+  there.bounds(have[0], have[1]);
+  set.bounds(want[0], want[1]);
+  return set.elements() == 0 ? have[0][0] > have[1][0] : std::memcmp(have, want, sizeof want) == 0;
+}
+
+void made(comparison &with, const settings &s) {
+  engine random(s.seed + 40);
+  const std::size_t n = s.small ? 90 : 3000;
+  pose rounded = placed(1, 0.1, 0.2, 0.3);
+  rounded.grid = 0x1p-9;
+  const pose poses[] = {{}, placed(1.5, 0.1, -0.2, 0.3), rounded};
+  each_predicate([&](const predicate_info &p) {
+    const auto check = [&](const std::string &scene, const view &x, const view &y, const pose &at) {
+      const prepared a = prepare(x, *p.a, at), b = prepare(y, *p.b, at);
+      device_set da(with.on(), x, *p.a, at), db(with.on(), y, *p.b, at);
+      const std::string what = std::string(p.name) + ": ";
+      with.require(scene, same_box(da, a) && same_box(db, b), what + "another box around all elements");
+      with.require(scene, da.reaches() == std::pair(a.set().reach, a.set().longest), what + "another reach");
+      with.require(scene, da.grid() == at.grid, what + "another grid");
+      options o;
+      o.all_modes = true, o.all_filters = false;
+      with.same(scene, p, a, da, b, db, certified, o);
+      device_set uploaded(with.on(), a);
+      const pose next = placed(1, 0.01, 0, 0.02);
+      da.move(next), uploaded.move(next);
+      const device_result have = collide(with.on(), da, db, p, rung::certified),
+                          want = collide(with.on(), uploaded, db, p, rung::certified);
+      with.require(scene, have.pairs.size() == want.pairs.size() && have.count == want.count,
+                   what + "another answer after a move");
+    };
+    for (const pose &at : poses) {
+      rows_of x = random_rows(*p.a, n, {1, 0.1, 1, 0}, random), y = random_rows(*p.b, n / 3, {1, 0.1, 1, 0}, random);
+      check("made there", view_of(x), view_of(y), at);
+      // All but one share a cell of the device's grid.
+      const auto fields = static_cast<std::size_t>(p.a->fields);
+      for (std::size_t f = 0; f < fields; ++f)
+        x.rows[f] = p.a->roles[f] == role::length ? 1.0F : 1e15F;
+      check("made there, one far away", view_of(x), view_of(y), at);
+    }
+    const rows_of x = same_rows(*p.a, 200), y = same_rows(*p.b, 50), none{p.b, {}};
+    check("made there, all alike", view_of(x), view_of(y), {});
+    check("made there, nothing", view_of(x), view_of(none), {});
+  });
+}
+
+// A mesh of triangles, with points that lie apart in memory.
+void indexed(comparison &with, const settings &s) {
+  engine random(s.seed + 41);
+  const predicate_info &p = predicate_named("triangle_triangle");
+  const std::string scene = "made there, of indices";
+  constexpr std::size_t stride = 17;
+  const std::uint32_t points = s.small ? 40 : 900;
+  std::vector<unsigned char> bytes(points * stride);
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (std::size_t i = 0; i < points; ++i) {
+    const float xyz[3] = {unit(random), unit(random), unit(random)};
+    std::memcpy(bytes.data() + i * stride, xyz, sizeof xyz);
+  }
+  std::vector<std::uint32_t> index;
+  for (std::uint32_t i = 0; i < 3 * points; ++i)
+    index.push_back(i % 3 == 0 ? i / 3 : static_cast<std::uint32_t>(random() % points));
+  view mesh{reinterpret_cast<const float *>(bytes.data()), points, stride, index.data(), points};
+  const prepared a = prepare(mesh, *p.a);
+  device_set there(with.on(), mesh, *p.a);
+  with.same(scene, p, a, there, a, there, certified);
+
+  const auto refused = [&](const char *what) {
+    const fault want = check(mesh, *p.a);
+    fault have;
+    try {
+      device_set bad(with.on(), mesh, *p.a);
+    } catch (const input_error &e) {
+      have = e.where;
+    }
+    with.require(scene, want && describe(have, *p.a) == describe(want, *p.a), what);
+  };
+  const std::uint32_t before = index[33];
+  index[33] = points;
+  refused("an index beyond the points");
+  index[33] = before;
+  const float bad = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(bytes.data() + 7 * stride + sizeof(float), &bad, sizeof bad);
+  refused("a number that is none");
+}
+
+void many_poses(comparison &with, const settings &s) {
+  engine random(s.seed + 42);
+  const std::string scene = "many poses";
+  std::vector<pose> poses;
+  for (int i = 0; i < (s.small ? 7 : 40); ++i)
+    poses.push_back(i % 5 == 0 ? pose{} : placed(i % 7 == 3 ? 1e3 : 1, 0.05 * i, i % 3 == 0 ? 0.2 : -0.03 * i, 0.1));
+  std::uint64_t all = 0;
+  each_predicate([&](const predicate_info &p) {
+    const rows_of x = random_rows(*p.a, s.small ? 60 : 400, {1, 0.3, 1, 0}, random),
+                  y = random_rows(*p.b, s.small ? 33 : 100, {1, 0.3, 1, 0}, random);
+    const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
+    device_set da(with.on(), a), db(with.on(), b);
+    db.move(placed(2, 1, 1, 1)); // which the poses replace
+    std::vector<std::uint64_t> want;
+    collide_options counting;
+    counting.want = answer_kind::count;
+    for (const pose &at : poses)
+      want.push_back(collide(a, prepare(view_of(y), *p.b, at), p, rung::certified, counting).count), all += want.back();
+    for (const std::size_t capacity : {std::size_t{1} << 18, std::size_t{1} << 25}) {
+      device_options o;
+      o.list_capacity = capacity;
+      const poses_result have = collide_poses(with.on(), da, db, poses, p, rung::certified, o);
+      with.require(scene, have.counts == want, std::string(p.name) + ": other counts of pairs");
+    }
+    const poses_result none = collide_poses(with.on(), da, db, {}, p, rung::certified);
+    with.require(scene, none.counts.empty(), "no poses");
+    std::vector<pose> far = poses;
+    far[4] = placed(1e30, 0, 0, 0);
+    far[4].m[3] = 1e300;
+    std::string said;
+    try {
+      collide_poses(with.on(), da, db, far, p, rung::certified);
+    } catch (const input_error &e) {
+      said = e.what();
+    }
+    with.require(scene, said.starts_with("pose 4: element "), std::string(p.name) + ": a pose beyond float32: " + said);
+  });
+  with.require(scene, all > 100, "the poses touch too little");
+}
+
+} // namespace
+
+void made_scenes(comparison &with, const settings &s) {
+  made(with, s);
+  indexed(with, s);
+  many_poses(with, s);
+}
+
+} // namespace cuda_test
