@@ -21,13 +21,27 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 // The predicate's first and second set, in whichever order the user gave them.
 struct ordered {
-  const prepared &first, &second;
-  const io::element_set &first_set, &second_set;
+  const io::element_set &first, &second;
   side_answer &first_answer, &second_answer;
 };
 
-result found_on_device(const ordered &o, const query &q, const collide_options &options, answers &out) {
-  device_pairs d = pairs_on_device(o.first, o.second, *q.by.predicate, q.precision, options);
+result find_on_cpu(const ordered &o, const query &q, const collide_options &options, answers &out) {
+  const auto start = std::chrono::steady_clock::now();
+  // The larger set is prepared for the smaller one alone.
+  const bool first_smaller = o.first.elements <= o.second.elements;
+  const prepared smaller = prepare(first_smaller ? o.first : o.second, q.threads, nullptr, q.grid);
+  const prepared larger = prepare(first_smaller ? o.second : o.first, q.threads, &smaller, q.grid);
+  const prepared &first = first_smaller ? smaller : larger, &second = first_smaller ? larger : smaller;
+  first.bounds(o.first_answer.bounds.lo, o.first_answer.bounds.hi);
+  second.bounds(o.second_answer.bounds.lo, o.second_answer.bounds.hi);
+  out.prepare_seconds = seconds_since(start);
+  return meetc::collide(first, second, *q.by.predicate, q.precision, options);
+}
+
+result find_on_device(const ordered &o, const query &q, const collide_options &options, answers &out) {
+  device_pairs d = pairs_on_device(o.first, o.second, *q.by.predicate, q.precision, q.grid, options);
+  o.first_answer.bounds = d.around_a, o.second_answer.bounds = d.around_b;
+  out.prepare_seconds = d.account.start_seconds + d.prepare_seconds;
   out.by_device = std::move(d.account);
   return std::move(d.found);
 }
@@ -38,15 +52,14 @@ void find(const ordered &o, const query &q, answers &out) {
   options.threads = q.threads;
   options.box = q.box;
   options.progress = q.progress;
-  options.owner_a = o.first_set.owner;
-  options.owner_b = o.second_set.owner;
-  result r = q.on == processor::cuda ? found_on_device(o, q, options, out)
-                                     : meetc::collide(o.first, o.second, *q.by.predicate, q.precision, options);
+  options.owner_a = o.first.owner;
+  options.owner_b = o.second.owner;
+  result r = q.on == processor::cuda ? find_on_device(o, q, options, out) : find_on_cpu(o, q, options, out);
   out.pairs = r.count;
   out.candidates = r.candidates;
   out.rungs = r.rungs;
   if (q.keep)
-    r.flags = flags_of(r.pairs, o.first_set.items, o.second_set.items);
+    r.flags = flags_of(r.pairs, o.first.items, o.second.items);
   o.first_answer.hit = std::move(r.flags.a);
   o.second_answer.hit = std::move(r.flags.b);
   out.list = q.by.swapped ? transposed(std::move(r.pairs)) : std::move(r.pairs);
@@ -78,34 +91,19 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
     throw failure(fmt::format("--precision {}: {} was not generated for it", name_of(q.precision), predicate.name));
   answers out;
   const auto start = std::chrono::steady_clock::now();
-  // On the CPU the larger set is prepared for the smaller one alone. A device has a hierarchy over all elements.
-  const bool a_first = a.elements <= b.elements;
-  const auto ready = [&q](const io::element_set &set, const prepared *near) {
-    try {
-      return prepare(set, q.threads, near, q.grid);
-    } catch (const input_error &e) {
-      throw failure(
-          fmt::format("--tolerance {}: rounded to multiples of 2^{}, {}", q.tolerance, std::ilogb(q.grid), e.what()));
-    }
-  };
-  const prepared smaller = ready(a_first ? a : b, nullptr);
-  const prepared larger = ready(a_first ? b : a, q.on == processor::cuda ? nullptr : &smaller);
-  const prepared &ready_a = a_first ? smaller : larger, &ready_b = a_first ? larger : smaller;
-  ready_a.bounds(out.a.bounds.lo, out.a.bounds.hi);
-  ready_b.bounds(out.b.bounds.lo, out.b.bounds.hi);
-  out.prepare_seconds = seconds_since(start);
-
-  const auto then = std::chrono::steady_clock::now();
-  const ordered o =
-      q.by.swapped ? ordered{ready_b, ready_a, b, a, out.b, out.a} : ordered{ready_a, ready_b, a, b, out.a, out.b};
-  find(o, q, out);
+  try {
+    find(q.by.swapped ? ordered{b, a, out.b, out.a} : ordered{a, b, out.a, out.b}, q, out);
+  } catch (const input_error &e) {
+    throw failure(
+        fmt::format("--tolerance {}: rounded to multiples of 2^{}, {}", q.tolerance, std::ilogb(q.grid), e.what()));
+  }
   if (q.by.swapped)
     std::swap(out.rungs.left_box_a, out.rungs.left_box_b);
   out.a.hit.resize(a.items); // for items after the last with an element, and for all items with `any`
   out.b.hit.resize(b.items);
   for (side_answer *const side : {&out.a, &out.b})
     side->touched = q.any ? out.pairs : static_cast<std::uint64_t>(std::count(side->hit.begin(), side->hit.end(), 1));
-  out.collide_seconds = seconds_since(then);
+  out.collide_seconds = seconds_since(start) - out.prepare_seconds;
   return out;
 }
 

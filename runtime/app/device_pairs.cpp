@@ -1,6 +1,7 @@
 #include "app/device_pairs.hpp"
 
 #include "app/failure.hpp"
+#include "app/sets.hpp"
 
 #include <fmt/format.h>
 
@@ -25,34 +26,42 @@ processor processor_named(std::string_view name) {
 }
 
 #if MEETC_WITH_CUDA
-device_pairs pairs_on_device(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
-                             const collide_options &options) {
+device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,
+                             rung precision, double grid, const collide_options &options) {
   try {
     const auto start = std::chrono::steady_clock::now();
     device on(cga::cuda::catalogue());
-    device_set set_a(on, a), set_b(on, b);
-    const std::chrono::duration<double> started = std::chrono::steady_clock::now() - start;
+    const auto ready = std::chrono::steady_clock::now();
+    pose at;
+    at.grid = grid;
+    device_set set_a(on, view_of(a), *a.kind, at), set_b(on, view_of(b), *b.kind, at);
+    device_pairs out;
+    set_a.bounds(out.around_a.lo, out.around_a.hi);
+    set_b.bounds(out.around_b.lo, out.around_b.hi);
+    const std::chrono::duration<double> started = ready - start, made = std::chrono::steady_clock::now() - ready;
+    out.prepare_seconds = made.count();
     device_options o;
     o.want = options.want;
     o.owner_a = options.owner_a;
     o.owner_b = options.owner_b;
     o.progress = options.progress;
     device_result r = meetc::collide(on, set_a, set_b, predicate, precision, o);
-    device_account by{on.facts().name,
-                      r.by == search::tree ? "none" : model_of(r.filter), // a hierarchy compares numbers alone
-                      name_of(r.by),
-                      {},
-                      r.device_seconds,
-                      started.count()};
+    out.account = {on.facts().name,
+                   r.by == search::tree ? "none" : model_of(r.filter), // a hierarchy compares numbers alone
+                   name_of(r.by),
+                   {},
+                   r.device_seconds,
+                   started.count()};
     for (int i = 0; i < searches; ++i)
-      by.expected.emplace_back(name_of(static_cast<search>(i)), r.expected.of[i]);
-    return {std::move(r), std::move(by)};
+      out.account.expected.emplace_back(name_of(static_cast<search>(i)), r.expected.of[i]);
+    out.found = std::move(r);
+    return out;
   } catch (const device_error &e) {
     throw failure(e.what(), no_device);
   }
 }
 #else
-device_pairs pairs_on_device(const prepared &, const prepared &, const predicate_info &, rung,
+device_pairs pairs_on_device(const io::element_set &, const io::element_set &, const predicate_info &, rung, double,
                              const collide_options &) {
   throw failure("this build has no CUDA kernels", no_device);
 }

@@ -1,8 +1,10 @@
-// app/device_pairs.hpp: the choice of a processor, and the pairs of two sets on the CUDA device.
+// app/device_pairs.hpp: the choice of a processor, and the pairs of two sets on the CUDA device, which orders them too.
 #ifndef MEETC_APP_DEVICE_PAIRS_HPP
 #define MEETC_APP_DEVICE_PAIRS_HPP
 
+#include "core/box.hpp"
 #include "core/collide.hpp"
+#include "io/element_set.hpp"
 
 #include <string>
 #include <string_view>
@@ -23,16 +25,19 @@ struct device_account {
   std::string search;        // by which it found candidates
   std::vector<std::pair<std::string, double>> expected; // the seconds that each search was expected to take
   double device_seconds = 0;                            // for the kernels alone
-  double start_seconds = 0;                             // until the device was ready and the sets were on it
+  double start_seconds = 0;                             // until the device was ready
 };
 struct device_pairs {
   result found;
   device_account account;
+  box around_a{}, around_b{};  // all elements of a set; lo > hi where there are none
+  double prepare_seconds = 0; // to upload the sets, and to check and order them there
 };
 
-// Throws failure, with exit code no_device, where there is no device, where it fails, or where it lacks the memory.
-device_pairs pairs_on_device(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
-                             const collide_options &options);
+// Both sets are rounded to `grid` (pose::grid). Throws failure, with exit code no_device, where there is no device, where it
+// fails, or where it lacks the memory, and input_error where a rounded number leaves float32.
+device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,
+                             rung precision, double grid, const collide_options &options);
 
 } // namespace meetc::app
 

@@ -59,7 +59,7 @@ std::string device_lines(const device_account &d) {
   std::string others;
   for (const auto &[name, expected] : d.expected)
     others += fmt::format("{}{} {:.2g} ms", others.empty() ? "" : ", ", name, expected * 1000);
-  return fmt::format("on {}: {:.3f} s to start and upload, {:.6f} s of kernels\n"
+  return fmt::format("on {}: {:.3f} s to start, {:.6f} s of kernels\n"
                      "candidates by {} (expected: {}); assumed of the matrix unit: {}\n",
                      d.device, d.start_seconds, d.device_seconds, d.search, others, d.model);
 }

@@ -26,9 +26,9 @@ constexpr const char *rules =
     "takes apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's "
     "memory to the pairs in it, with the extent and the columns of both sets.";
 
-// The scenes of growing size make one table, which --only names by this word.
-bool growth_is_meant(const std::string &only) {
-  return only == "growth";
+// Whether --only leaves a table that has a name: "growth", the scenes of growing size, or "poses".
+bool is_meant(const gpu_request &q, const char *name) {
+  return !q.only || *q.only == name;
 }
 
 } // namespace
@@ -43,9 +43,10 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     if (q.only)
       std::erase_if(scenes, [&q](const gpu_scene &s) { return s.name.find(*q.only) == std::string::npos; });
     std::vector<gpu_scene> growth = growth_scenes(all, q.data, q.quick);
-    if (q.only && !growth_is_meant(*q.only))
+    if (!is_meant(q, "growth"))
       growth.clear();
-    if (scenes.empty() && growth.empty())
+    const bool poses = is_meant(q, "poses");
+    if (scenes.empty() && growth.empty() && !poses)
       throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
     auto progress = std::make_unique<app::progress_line>("bench gpu");
     std::vector<table> tables;
@@ -59,6 +60,8 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
       tables.push_back(bench.measure_tangent());
     if (!growth.empty())
       tables.push_back(bench.measure_growth(growth, step));
+    if (poses)
+      tables.push_back(bench.measure_poses(meshes_for_poses(all, q.data, q.quick)));
     progress.reset();
     std::string text = fmt::format("{}\n{}\n", bench.device_in_words(), rules);
     std::string markdown = fmt::format("# Measured on a GPU\n\nWritten by `meet bench gpu{}{}{} -o DIR`.\n\n{}\n\n{}\n",

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace meetc::bench {
 
@@ -37,14 +38,18 @@ table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std:
                {"tree_posed", "hierarchy: after|a pose, ms"},
                {"tree_again", "hierarchy: again,|ms"},
                {"tree_wall", "hierarchy: first,|wall clock, ms"},
+               {"ordered", "both ordered|there, ms"},
+               {"made_wall", "both made there,|wall clock, ms"},
                {"chosen", "chosen first"},
                {"of_best", "chosen / best|of both"}};
   t.notes.emplace_back(
-      "First: a query on sets that have only been uploaded, so that columns, or order and boxes, are "
-      "made in it. After a "
-      "pose: of B, whose boxes are made anew in the order that there is. Again: nothing is made. Times "
-      "are of the device "
-      "until the pairs are sorted there, but for the wall clock, which also has the pairs downloaded.");
+      "First: a query on sets that have only been uploaded, so that columns, or boxes, are made in it. After a pose: "
+      "of "
+      "B, whose boxes are made anew. Again: nothing is made. Ordered there: elements as they are given are moved, "
+      "checked "
+      "and ordered on the device; made there also has them uploaded from ordinary memory. Times are of the device "
+      "until "
+      "the pairs are sorted there, but for the wall clock, which in a query also has the pairs downloaded.");
   for (const gpu_scene &scene : scenes) {
     const auto [first, second] = scene.make();
     const prepared a = app::prepare(first), b = app::prepare(second);
@@ -79,6 +84,14 @@ table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std:
     }();
     const search chosen = expected.least();
     const search_times tree = time(search::tree);
+    std::vector<double> ordered, made;
+    for (int i = 0; i <= growth_runs; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      const device_set there_a(on_, app::view_of(first), *first.kind), there_b(on_, app::view_of(second), *second.kind);
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+      if (i > 0)
+        made.push_back(took.count()), ordered.push_back(there_a.ordered_seconds() + there_b.ordered_seconds());
+    }
     const bool with_groups = expected.of[static_cast<int>(search::groups)] < too_slow;
     const search_times groups = with_groups ? time(search::groups) : search_times{};
     const auto of_groups = [&](double seconds) { return with_groups ? of_milliseconds(seconds) : missing("too slow"); };
@@ -86,7 +99,7 @@ table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std:
     t.rows.push_back({of_words(scene.name), of_count(a.elements()), of_count(b.elements()), of_count(*found),
                       of_groups(groups.first), of_groups(groups.again), of_milliseconds(tree.first),
                       of_milliseconds(tree.posed), of_milliseconds(tree.again), of_milliseconds(tree.wall),
-                      of_words(name_of(chosen)),
+                      of_milliseconds(median(ordered)), of_milliseconds(median(made)), of_words(name_of(chosen)),
                       with_groups && chosen != search::every_pair ? of_ratio(taken / std::min(groups.first, tree.first))
                                                                   : missing("not both were run")});
     progress();

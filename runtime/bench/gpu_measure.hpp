@@ -25,6 +25,8 @@ public:
   table measure_tangent();
   // Calls `progress` after each scene.
   table measure_growth(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
+  // One mesh against another in many poses, of three classes and mixed.
+  table measure_poses(const posed_meshes &meshes);
 
 private:
   struct counted_pairs {

@@ -114,6 +114,14 @@ std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<s
   return out;
 }
 
+posed_meshes meshes_for_poses(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick) {
+  const scene_meshes meshes{all, data, quick};
+  return {meshes.figure(),
+          data ? meshes.read(quick ? "bunny_1k.ply" : "bunny_5k.ply")
+               : app::of_mesh(all, bodies::blob(quick ? 12 : 24)),
+          quick ? std::size_t{60} : std::size_t{10'000}};
+}
+
 std::vector<std::function<tangent_scene()>> tangent_scenes(const catalogue &all, bool quick) {
   const int side = quick ? 12 : 64;
   std::vector<std::function<tangent_scene()>> out;

@@ -25,6 +25,14 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
 std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data,
                                      bool quick);
 
+// A small mesh that is posed about a large one.
+struct posed_meshes {
+  io::element_set large, small;
+  std::size_t poses;
+};
+// Throws io::error where the folder lacks a mesh: bunny_5k.ply, armadillo_345k.ply.
+posed_meshes meshes_for_poses(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
+
 // Balls of which a share of all pairs touches in exactly one point, which no bound in fp32 can decide.
 struct tangent_scene {
   std::string name;

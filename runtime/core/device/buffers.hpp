@@ -34,6 +34,23 @@ struct device_buffers {
   cudaEvent_t events[2] = {nullptr, nullptr};
   unsigned long long *seen = nullptr; // the counts, in host memory that the device can write to
 
+  // Throws device_error.
+  void create() {
+    for (cudaEvent_t &e : events)
+      check(cudaEventCreate(&e), "making an event");
+    for (cudaEvent_t *const e : {&forked, &joined})
+      check(cudaEventCreateWithFlags(e, cudaEventDisableTiming), "making an event");
+    check(cudaStreamCreateWithFlags(&beside, cudaStreamNonBlocking), "making a stream");
+    check(cudaMallocHost(reinterpret_cast<void **>(&seen), counters * sizeof *seen), "allocating host memory");
+  }
+  // Seconds between the two events, once the second is reached.
+  double between() const {
+    float ms = 0;
+    check(cudaEventSynchronize(events[1]), "waiting for the device");
+    check(cudaEventElapsedTime(&ms, events[0], events[1]), "reading a clock");
+    return static_cast<double>(ms) / 1000;
+  }
+
   ~device_buffers() {
     for (const cudaEvent_t e : {events[0], events[1], forked, joined})
       if (e)

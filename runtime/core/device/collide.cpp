@@ -95,7 +95,7 @@ public:
       download_tallies();
     else if (keep_)
       finish();
-    read_clock();
+    result_.device_seconds = buffers_.between();
     return std::move(result_);
   }
 
@@ -153,28 +153,9 @@ private:
     upload(options_.owner_b, b_, owner_b_);
   }
 
-  void start_clock() {
-    for (cudaEvent_t &e : buffers_.events)
-      if (!e)
-        check(cudaEventCreate(&e), "making an event");
-    for (cudaEvent_t *const e : {&buffers_.forked, &buffers_.joined})
-      if (!*e)
-        check(cudaEventCreateWithFlags(e, cudaEventDisableTiming), "making an event");
-    if (!buffers_.beside)
-      check(cudaStreamCreateWithFlags(&buffers_.beside, cudaStreamNonBlocking), "making a stream");
-    if (!buffers_.seen)
-      check(cudaMallocHost(reinterpret_cast<void **>(&buffers_.seen), counters * sizeof *buffers_.seen),
-            "allocating host memory");
-    check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock");
-  }
+  void start_clock() { check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock"); }
   // The last mark counts.
   void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
-  void read_clock() {
-    check(cudaEventSynchronize(buffers_.events[1]), "colliding");
-    float ms = 0;
-    check(cudaEventElapsedTime(&ms, buffers_.events[0], buffers_.events[1]), "reading a clock");
-    result_.device_seconds = static_cast<double>(ms) / 1000;
-  }
 
   // Of a walk: a guess, of balls that touch one other on average.
   std::uint64_t expected_candidates() const { return 3 * std::uint64_t{std::max(a_.elements(), b_.elements())}; }

@@ -110,6 +110,7 @@ device::device(const cuda::catalogue &kernels)
           " does not compute as the error bounds assume: " + text_of(static_cast<arithmetic_fault>(bit)) + on_the_cpu);
   check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "making a stream");
   keep_freed_memory();
+  buffers_->create();
 }
 
 device::~device() {

@@ -43,6 +43,8 @@ public:
   double grid() const { return moved_ ? moved_grid_ : grid_; }
   // The largest magnitude of a coordinate, and of a length. After a move they are measured on the device.
   std::pair<float, float> reaches() const;
+  // How long the device took to move, check and order it, without uploading; 0: prepare() has done that.
+  double ordered_seconds() const { return ordered_seconds_; }
   // The closed box around all elements, as prepared::bounds() gives it.
   void bounds(float lo[3], float hi[3]);
 
@@ -80,7 +82,7 @@ private:
   const cuda::kind_launchers *launchers_;
   std::uint32_t elements_ = 0;
   std::optional<std::pair<float, float>> reaches_; // of rows_, where they are known
-  double grid_ = 0, moved_grid_ = 0;
+  double grid_ = 0, moved_grid_ = 0, ordered_seconds_ = 0;
   bool moved_ = false;
   std::uint64_t version_ = 0; // the version of rows(), different from that of any other set
   device_memory<float> rows_, moved_rows_;
