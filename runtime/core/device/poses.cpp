@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
+#include <stdexcept>
 
 namespace meetc {
 namespace {
@@ -11,31 +13,74 @@ namespace {
 constexpr std::size_t most_elements = std::size_t{1} << 23; // at once: more do not fill the device better
 constexpr std::size_t bytes_of_element = 4096;              // with boxes, stored values and lists, and room to spare
 
+// Of the elements of B, the share that is tested first.
+constexpr std::uint32_t sample = 16, least_sampled = 16 * sample;
+
+class poses_query {
+public:
+  poses_query(device &on, device_set &a, const predicate_info &p, rung precision, const device_options &options)
+      : on_(on), a_(a), predicate_(p), precision_(precision), options_(options) {
+    options_.want = answer_kind::count;
+    options_.owner_a = options_.owner_b = {};
+    options_.progress = {};
+  }
+
+  // Fills the counts of these poses, which are numbers in r.counts.
+  void count(const device_set &b, std::span<const pose> poses, std::span<const std::size_t> numbers, poses_result &r,
+             const std::function<void(double)> &progress) {
+    const std::size_t room = std::min(most_elements, on_.facts().bytes / bytes_of_element);
+    const std::size_t at_once = std::max<std::size_t>(1, room / std::max<std::size_t>(b.elements(), 1));
+    std::vector<pose> some;
+    std::vector<std::uint64_t> counts;
+    for (std::size_t first = 0; first < numbers.size(); first += at_once) {
+      const auto of = numbers.subspan(first, std::min(at_once, numbers.size() - first));
+      some.clear();
+      for (const std::size_t i : of)
+        some.push_back(poses[i]);
+      counts.assign(of.size(), 0);
+      device_set instances(b, some, of);
+      const device_result part = query(on_, a_, instances, predicate_, precision_, options_, counts);
+      for (std::size_t i = 0; i < of.size(); ++i)
+        r.counts[of[i]] = counts[i];
+      for (int i = 0; i < bounded_rungs; ++i)
+        r.rungs.unsure[i] += part.rungs.unsure[i];
+      r.rungs.left_box_a |= part.rungs.left_box_a, r.rungs.left_box_b |= part.rungs.left_box_b;
+      r.candidates += part.candidates;
+      r.device_seconds += part.device_seconds;
+      if (progress)
+        progress(static_cast<double>(first + of.size()) / static_cast<double>(numbers.size()));
+    }
+  }
+
+private:
+  device &on_;
+  device_set &a_;
+  const predicate_info &predicate_;
+  rung precision_;
+  device_options options_;
+};
+
 } // namespace
 
 poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
                            const predicate_info &predicate, rung precision, const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
-  device_options o = options;
-  o.want = answer_kind::count;
-  o.owner_a = o.owner_b = {};
-  o.progress = {};
-  const std::size_t room = std::min(most_elements, on.facts().bytes / bytes_of_element);
-  const std::size_t at_once = std::max<std::size_t>(1, room / std::max<std::size_t>(b.elements(), 1));
+  const bool any = options.want == answer_kind::any;
+  if (!any && options.want != answer_kind::count)
+    throw std::invalid_argument("many poses are answered by counts, or by whether anything touches");
+  poses_query ask(on, a, predicate, precision, options);
   poses_result r;
   r.counts.resize(poses.size());
-  for (std::size_t first = 0; first < poses.size(); first += at_once) {
-    const std::size_t n = std::min(at_once, poses.size() - first);
-    device_set instances(b, poses.subspan(first, n), first);
-    const device_result part = query(on, a, instances, predicate, precision, o, std::span(r.counts).subspan(first, n));
-    for (int i = 0; i < 3; ++i)
-      r.rungs.unsure[i] += part.rungs.unsure[i];
-    r.rungs.left_box_a |= part.rungs.left_box_a, r.rungs.left_box_b |= part.rungs.left_box_b;
-    r.candidates += part.candidates;
-    r.device_seconds += part.device_seconds;
-    if (options.progress)
-      options.progress(static_cast<double>(first + n) / static_cast<double>(poses.size()));
+  std::vector<std::size_t> left(poses.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  if (any && b.elements() >= least_sampled) {
+    ask.count(device_set(b, sample), poses, left, r, {});
+    std::erase_if(left, [&r](std::size_t i) { return r.counts[i] > 0; });
   }
+  ask.count(b, poses, left, r, options.progress);
+  if (any)
+    for (std::uint64_t &n : r.counts)
+      n = n > 0;
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;
 }

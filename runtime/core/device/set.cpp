@@ -146,7 +146,21 @@ bool device_set::make(const view &elements, const pose &at) {
   return false;
 }
 
-device_set::device_set(const device_set &of, std::span<const pose> poses, std::size_t first_pose)
+device_set::device_set(const device_set &of, std::uint32_t n)
+    : device_set(*of.on_, *of.kind_, (std::size_t{of.elements_} + (n - 1)) / n, of.grid_) {
+  const auto strided = [&](auto &to, const auto &from, std::size_t each) {
+    const std::size_t bytes = each * sizeof *to.data();
+    to.reserve(elements_ * each, "a part of a set");
+    check(cudaMemcpy2DAsync(to.data(), bytes, from.data(), n * bytes, bytes, elements_, cudaMemcpyDeviceToDevice,
+                            on_->stream()),
+          "taking a part of a set");
+  };
+  strided(rows_, of.rows_, static_cast<std::size_t>(kind_->fields));
+  strided(order_, of.order_, 1);
+  enclose(rows());
+}
+
+device_set::device_set(const device_set &of, std::span<const pose> poses, std::span<const std::size_t> numbers)
     : device_set(*of.on_, *of.kind_, of.elements_ * poses.size(), 0) {
   const auto fields = static_cast<std::size_t>(kind_->fields);
   const cudaStream_t stream = on_->stream();
@@ -175,7 +189,7 @@ device_set::device_set(const device_set &of, std::span<const pose> poses, std::s
   check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, stream), "moving a set");
   check(cudaStreamSynchronize(stream), "moving a set");
   if (first != ~0ULL) {
-    const std::uint64_t pose = first_pose + first / of.elements_;
+    const std::size_t pose = numbers[first / of.elements_];
     std::uint32_t element = 0;
     check(cudaMemcpy(&element, of.order_.data() + first % of.elements_, sizeof element, cudaMemcpyDeviceToHost),
           "moving a set");

@@ -25,10 +25,11 @@ public:
   // prepared set. Throws what prepare() throws, and device_error.
   device_set(device &on, const view &elements, const kind_info &kind, const pose &at = {});
 
+  // Every n-th element of `of`, as it was uploaded. Answers are about the numbers of the others.
+  device_set(const device_set &of, std::uint32_t n);
   // `of`, as it was uploaded, in each of these poses, one after another. Throws what move() throws, with the pose's number in
-  // front of the text, where `first` is that of the first one, and std::length_error beyond 2^32 - 1 elements. It has no
-  // order, and cannot be moved.
-  device_set(const device_set &of, std::span<const pose> poses, std::size_t first);
+  // front of the text, and std::length_error beyond 2^32 - 1 elements. It has no order, and cannot be moved.
+  device_set(const device_set &of, std::span<const pose> poses, std::span<const std::size_t> numbers);
 
   const kind_info &kind() const { return *kind_; }
   std::uint32_t elements() const { return elements_; }

@@ -121,9 +121,11 @@ void many_poses(comparison &with, const settings &s) {
   for (int i = 0; i < (s.small ? 7 : 40); ++i)
     poses.push_back(i % 5 == 0 ? pose{} : placed(i % 7 == 3 ? 1e3 : 1, 0.05 * i, i % 3 == 0 ? 0.2 : -0.03 * i, 0.1));
   std::uint64_t all = 0;
+  device_options counted;
+  counted.want = answer_kind::count;
   each_predicate([&](const predicate_info &p) {
     const rows_of x = random_rows(*p.a, s.small ? 60 : 400, {1, 0.3, 1, 0}, random),
-                  y = random_rows(*p.b, s.small ? 33 : 100, {1, 0.3, 1, 0}, random);
+                  y = random_rows(*p.b, s.small ? 33 : 300, {1, 0.3, 1, 0}, random);
     const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
     device_set da(with.on(), a), db(with.on(), b);
     db.move(placed(2, 1, 1, 1)); // which the poses replace
@@ -133,19 +135,25 @@ void many_poses(comparison &with, const settings &s) {
     for (const pose &at : poses)
       want.push_back(collide(a, prepare(view_of(y), *p.b, at), p, rung::certified, counting).count), all += want.back();
     for (const std::size_t capacity : {std::size_t{1} << 18, std::size_t{1} << 25}) {
-      device_options o;
+      device_options o = counted;
       o.list_capacity = capacity;
       const poses_result have = collide_poses(with.on(), da, db, poses, p, rung::certified, o);
       with.require(scene, have.counts == want, std::string(p.name) + ": other counts of pairs");
+      o.want = answer_kind::any;
+      const poses_result any = collide_poses(with.on(), da, db, poses, p, rung::certified, o);
+      bool same = any.counts.size() == want.size();
+      for (std::size_t i = 0; same && i < want.size(); ++i)
+        same = any.counts[i] == (want[i] > 0);
+      with.require(scene, same, std::string(p.name) + ": other poses touch");
     }
-    const poses_result none = collide_poses(with.on(), da, db, {}, p, rung::certified);
+    const poses_result none = collide_poses(with.on(), da, db, {}, p, rung::certified, counted);
     with.require(scene, none.counts.empty(), "no poses");
     std::vector<pose> far = poses;
     far[4] = placed(1e30, 0, 0, 0);
     far[4].m[3] = 1e300;
     std::string said;
     try {
-      collide_poses(with.on(), da, db, far, p, rung::certified);
+      collide_poses(with.on(), da, db, far, p, rung::certified, counted);
     } catch (const input_error &e) {
       said = e.what();
     }
