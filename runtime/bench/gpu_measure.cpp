@@ -53,7 +53,7 @@ std::string gpu_bench::device_in_words() const {
   const device_facts &f = on_.facts();
   const cuda::probe_result &p = on_.probe();
   return fmt::format(
-      "{}, compute capability {}.{}, {} multiprocessors. The start-up probe tried {} sums: mma.sync left "
+      "{}, compute capability {}.{}, {} multiprocessors. The probe tried {} sums: mma.sync left "
       "the model in {}, wgmma in {}, with results in fp16 in {}{}. Times are medians of {} warm runs.",
       f.name, f.major, f.minor, f.multiprocessors, app::grouped(p.cases), p.mma_faults, p.wgmma_faults,
       p.wgmma_half_faults, p.has_wgmma ? "" : " (this device has none)", runs);

@@ -85,8 +85,10 @@ table gpu_bench::measure_poses(const posed_meshes &meshes) {
   const predicate_info &p = find_predicate(all_, "triangle_triangle");
   const prepared a = app::prepare(meshes.large), b = app::prepare(meshes.small);
   device_set on_a(on_, a), on_b(on_, b);
-  const auto counts = [&](const std::vector<pose> &poses) {
-    return collide_poses(on_, on_a, on_b, poses, p, rung::certified);
+  const auto ask = [&](answer_kind want, const std::vector<pose> &poses) {
+    device_options o;
+    o.want = want;
+    return collide_poses(on_, on_a, on_b, poses, p, rung::certified, o);
   };
   const ball large = around(a), small = around(b);
   const std::size_t third = meshes.poses / 3;
@@ -108,7 +110,7 @@ table gpu_bench::measure_poses(const posed_meshes &meshes) {
     std::vector<pose> middle;
     for (std::size_t i = 0; i < third; ++i)
       middle.push_back(lines[i].at((hit[i] + miss[i]) / 2));
-    const std::vector<std::uint64_t> found = counts(middle).counts;
+    const std::vector<std::uint64_t> found = ask(answer_kind::any, middle).counts;
     for (std::size_t i = 0; i < third; ++i)
       (found[i] > 0 ? hit : miss)[i] = (hit[i] + miss[i]) / 2;
   }

@@ -63,7 +63,8 @@ std::string catalogue_text(const unit &u) {
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
                            "  static const meetc::cuda::catalogue c{{\"{}\", all_kinds, {}, all_predicates, {}, "
-                           "meetc::cuda::clear_extent, meetc::cuda::candidates<form>, meetc::cuda::probe}};\n"
+                           "meetc::cuda::clear_extent, meetc::cuda::candidates<form>, meetc::cuda::probe, "
+                           "meetc::launch_self_test}};\n"
                            "  return c;\n}}\n\n",
                            u.scene.space, kinds.size(), count);
 }
@@ -76,7 +77,7 @@ std::string cuda_header(const unit &u) {
   out += fmt::format("#ifndef MEETC_{0}_cuda_HPP\n#define MEETC_{0}_cuda_HPP\n\n#include <meetc/cuda_table.hpp>\n"
                      "#include <meetc/support.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space);
-  out += "// What a runtime needs for queries on sets: every kind and predicate, the filter and the start-up probe.\n"
+  out += "// What a runtime needs for queries on sets: every kind and predicate, the filter and its probe.\n"
          "const meetc::cuda::catalogue &catalogue();\n\n";
   if (u.asks(lang::rung::certified))
     out += "// Writes bits of meetc::arithmetic_fault to *faults (device memory): 0 if the arithmetic is as the bounds "

@@ -69,7 +69,7 @@ const meetc::cuda::predicate_launchers all_predicates[] = {
 
 const meetc::cuda::catalogue &catalogue() {
   static const meetc::cuda::catalogue c{"cga", all_kinds, 4, all_predicates, 10, meetc::cuda::clear_extent,
-      meetc::cuda::candidates<form>, meetc::cuda::probe};
+      meetc::cuda::candidates<form>, meetc::cuda::probe, meetc::launch_self_test};
   return c;
 }
 

@@ -71,10 +71,12 @@ public:
         keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && owned())) {}
 
   device_result run() {
-    result_.filter = options_.filter.value_or(on_.best_filter());
-    require(on_.offers(result_.filter), "this device does not offer the filter that was asked for");
+    require(!options_.filter || on_.offers(*options_.filter),
+            "this device does not offer the filter that was asked for");
     result_.expected = expected_costs(a_.for_search(b_));
     result_.by = options_.by.value_or(result_.expected.least());
+    if (result_.by != search::tree)
+      result_.filter = options_.filter ? *options_.filter : on_.best_filter();
     if (owned())
       upload_owners();
     start_clock();

@@ -99,12 +99,13 @@ void *allocate_on_device(std::size_t bytes, const char *what_for) {
 
 device::device(const cuda::catalogue &kernels)
     : kernels_(kernels), facts_(find()), buffers_(std::make_unique<device_buffers>()) {
-  device_memory<cuda::probe_result> found;
-  found.reserve(1, "the start-up probe");
-  check(kernels.probe(found.data(), nullptr), "starting the probe");
-  check(cudaMemcpy(&probe_, found.data(), sizeof probe_, cudaMemcpyDeviceToHost), "the start-up probe");
+  device_memory<unsigned> found;
+  found.reserve(1, "the self-test");
+  check(kernels.self_test(found.data(), nullptr), "starting the self-test");
+  unsigned faults = 0;
+  check(cudaMemcpy(&faults, found.data(), sizeof faults, cudaMemcpyDeviceToHost), "the self-test");
   for (unsigned bit = 1; bit <= fault_bits; bit <<= 1)
-    if (probe_.arithmetic_faults & bit)
+    if (faults & bit)
       throw device_error(
           std::string("the CUDA device ") + facts_.name +
           " does not compute as the error bounds assume: " + text_of(static_cast<arithmetic_fault>(bit)) + on_the_cpu);
@@ -123,17 +124,31 @@ device::~device() {
   }
 }
 
+const cuda::probe_result &device::probe() const {
+  if (probe_.cases == 0) {
+    device_memory<cuda::probe_result> found;
+    found.reserve(1, "the probe");
+    check(kernels_.probe(found.data(), stream_), "starting the probe");
+    check(cudaMemcpyAsync(&probe_, found.data(), sizeof probe_, cudaMemcpyDeviceToHost, stream_), "the probe");
+    check(cudaStreamSynchronize(stream_), "the probe");
+  }
+  return probe_;
+}
+
 bool device::offers(cuda::filter f) const {
-  const bool mma = probe_.cases > 0 && probe_.mma_faults == 0;
+  if (f == cuda::filter::float32)
+    return true;
+  const cuda::probe_result &found = probe();
+  const bool mma = found.cases > 0 && found.mma_faults == 0;
   switch (f) {
   case cuda::filter::float32:
-    return true;
+    break;
   case cuda::filter::mma:
     return mma;
   case cuda::filter::wgmma: // computes hits again by mma.sync
-    return mma && probe_.has_wgmma && probe_.wgmma_faults == 0;
+    return mma && found.has_wgmma && found.wgmma_faults == 0;
   case cuda::filter::wgmma_half:
-    return mma && probe_.has_wgmma && probe_.wgmma_half_faults == 0;
+    return mma && found.has_wgmma && found.wgmma_half_faults == 0;
   }
   return false;
 }

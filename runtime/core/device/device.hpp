@@ -44,7 +44,8 @@ public:
 
   const cuda::catalogue &kernels() const { return kernels_; }
   const device_facts &facts() const { return facts_; }
-  const cuda::probe_result &probe() const { return probe_; }
+  // What the matrix units were found to do, which is tried when it is first asked for.
+  const cuda::probe_result &probe() const;
 
   // The fastest filter whose model the probe did not refute. wgmma_half is never chosen, only asked for.
   cuda::filter best_filter() const;
@@ -56,7 +57,7 @@ public:
 private:
   const cuda::catalogue &kernels_;
   device_facts facts_;
-  cuda::probe_result probe_{};
+  mutable cuda::probe_result probe_{}; // no cases: it has not run
   void keep_freed_memory();
 
   cudaStream_t stream_ = nullptr;

@@ -6,7 +6,6 @@
 #define MEETC_CUDA_LAUNCH_HPP
 
 #include <cuda_runtime_api.h>
-#include <cstdlib>
 
 namespace meetc::cuda {
 
@@ -22,7 +21,7 @@ __device__ inline void begin() {
 template <auto Kernel> bool waits() {
   static const bool there = [] {
     cudaFuncAttributes of{};
-    return cudaFuncGetAttributes(&of, Kernel) == cudaSuccess && of.ptxVersion >= 90 && of.binaryVersion >= 90 && std::getenv("MEETC_PDL");
+    return cudaFuncGetAttributes(&of, Kernel) == cudaSuccess && of.ptxVersion >= 90 && of.binaryVersion >= 90;
   }();
   return there;
 }

@@ -1,4 +1,4 @@
-// The start-up probe: does a matrix unit add as matrix.hpp assumes?
+// The probe: does a matrix unit add as matrix.hpp assumes?
 //
 // Sixteen million rows by columns of halves, whose exact sums fit in fp64, go through mma.sync and, where the device
 // has it, wgmma. A result whose error exceeds 17 2^-23 of the sum of the products' magnitudes refutes the model; the
@@ -14,7 +14,7 @@
 
 namespace meetc::cuda {
 
-inline constexpr unsigned probe_rounds = 64, probe_blocks = 64;
+inline constexpr unsigned probe_rounds = 4, probe_blocks = 1024; // which fill a device
 
 __device__ inline unsigned mixed(unsigned x) { // a hash, so that every run has the same cases
   x ^= x >> 16, x *= 0x7feb352dU;
@@ -145,7 +145,7 @@ inline cudaError_t probe(probe_result *out, cudaStream_t stream) {
     probe_kernel<<<probe_blocks, 128, 0, stream>>>(out);
     e = cudaGetLastError();
   }
-  return e == cudaSuccess ? launch_self_test(&out->arithmetic_faults, stream) : e;
+  return e;
 }
 
 } // namespace meetc::cuda

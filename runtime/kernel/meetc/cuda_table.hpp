@@ -54,11 +54,10 @@ enum class filter : std::uint8_t {
   wgmma_half,
 };
 
-// What the start-up probe found, in device memory.
+// What the probe found, in device memory.
 struct probe_result {
   unsigned mma_faults, wgmma_faults, wgmma_half_faults; // cases in which the unit broke the model of matrix.hpp
   unsigned has_wgmma;                                   // the device runs code for sm_90a
-  unsigned arithmetic_faults;                           // bits of arithmetic_fault
   unsigned cases;                                       // tried on each unit
 };
 
@@ -225,8 +224,10 @@ struct catalogue {
   // Appends the pairs of objects in the part whose enclosing balls may touch. Both operands are grouped alike. Once the
   // list is full it stops early, and the count may leave pairs out.
   cudaError_t (*candidates)(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream);
-  // Tests the model of the matrix units, and the arithmetic that the bounds assume.
+  // Tests the model of the matrix units.
   cudaError_t (*probe)(probe_result *out, cudaStream_t stream);
+  // *faults becomes the bits of arithmetic_fault: what the device does not compute as the bounds assume.
+  cudaError_t (*self_test)(unsigned *faults, cudaStream_t stream);
 };
 
 } // namespace meetc::cuda

@@ -486,7 +486,11 @@ cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list 
 }
 
 cudaError_t probe(cuda::probe_result *out, cudaStream_t) {
-  *out = {0, 0, 0, 1, 0, 1};
+  *out = {0, 0, 0, 1, 1};
+  return cudaSuccess;
+}
+cudaError_t no_faults(unsigned *faults, cudaStream_t) {
+  *faults = 0;
   return cudaSuccess;
 }
 
@@ -529,7 +533,8 @@ const ::meetc::cuda::catalogue &catalogue() {
     add(std::type_identity<::cga::sphere_triangle>(), sphere_shape(), triangle_shape(),
         std::integral_constant<int, 9>());
   }
-  static const ::meetc::cuda::catalogue c{"cga", kinds, 4, predicates.data(), 10, clear_extent, candidates, probe};
+  static const ::meetc::cuda::catalogue c{"cga",        kinds,      4,     predicates.data(), 10,
+                                          clear_extent, candidates, probe, no_faults};
   return c;
 }
 
