@@ -39,7 +39,10 @@ void add_question(CLI::App &c, arguments &to) {
                "A length. An answer may then be wrong, but only where moving one element by at most this changes it: "
                "numbers are rounded to a power of two, and certified answers are about these. 0, the default, is exact")
       ->type_name("LENGTH");
-  c.add_option("--device", to.device, "Where pairs are decided; auto, the default, is the CPU")
+  c.add_option("--device", to.device,
+               "Where pairs are decided; auto, the default, is the one that is expected to be the faster, where a "
+               "device must first "
+               "be started")
       ->type_name("auto|cpu|cuda");
   c.add_option(
        "--instruction-set", to.instruction_set,

@@ -46,7 +46,8 @@ result find_on_device(const ordered &o, const query &q, const collide_options &o
   return std::move(d.found);
 }
 
-void find(const ordered &o, const query &q, answers &out) {
+void find_on(processor on, const ordered &o, const query &q, answers &out) {
+  out.on = on;
   collide_options options;
   options.want = q.any ? answer_kind::any : q.keep ? answer_kind::pairs : answer_kind::flags;
   options.threads = q.threads;
@@ -54,7 +55,7 @@ void find(const ordered &o, const query &q, answers &out) {
   options.progress = q.progress;
   options.owner_a = o.first.owner;
   options.owner_b = o.second.owner;
-  result r = q.on == processor::cuda ? find_on_device(o, q, options, out) : find_on_cpu(o, q, options, out);
+  result r = out.on == processor::cuda ? find_on_device(o, q, options, out) : find_on_cpu(o, q, options, out);
   out.pairs = r.count;
   out.candidates = r.candidates;
   out.rungs = r.rungs;
@@ -63,6 +64,25 @@ void find(const ordered &o, const query &q, answers &out) {
   o.first_answer.hit = std::move(r.flags.a);
   o.second_answer.hit = std::move(r.flags.b);
   out.list = q.by.swapped ? transposed(std::move(r.pairs)) : std::move(r.pairs);
+}
+
+void find_on_best(const ordered &o, const query &q, answers &out) {
+  const std::size_t elements = o.first.elements + o.second.elements;
+  if (device_expected(elements, q.threads)) {
+    const expected_seconds expected = expected_on(elements, q.threads);
+    try {
+      find_on(processor::cuda, o, q, out);
+      out.notes.push_back(fmt::format("--device auto took the CUDA device: {:.2g} s were expected of it, its start "
+                                      "included, and {:.2g} s of the CPU",
+                                      expected.cuda, expected.cpu));
+      return;
+    } catch (const failure &e) {
+      if (e.code() != no_device)
+        throw;
+      out.notes.push_back(fmt::format("--device auto took the CPU: {}", e.what()));
+    }
+  }
+  find_on(processor::cpu, o, q, out);
 }
 
 } // namespace
@@ -92,7 +112,11 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
   answers out;
   const auto start = std::chrono::steady_clock::now();
   try {
-    find(q.by.swapped ? ordered{b, a, out.b, out.a} : ordered{a, b, out.a, out.b}, q, out);
+    const ordered o = q.by.swapped ? ordered{b, a, out.b, out.a} : ordered{a, b, out.a, out.b};
+    if (q.on == processor::best)
+      find_on_best(o, q, out);
+    else
+      find_on(q.on, o, q, out);
   } catch (const input_error &e) {
     throw failure(
         fmt::format("--tolerance {}: rounded to multiples of 2^{}, {}", q.tolerance, std::ilogb(q.grid), e.what()));

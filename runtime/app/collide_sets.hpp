@@ -25,7 +25,9 @@ struct answers {
   rung_report rungs;            // of `certified`
   side_answer a, b;
   double prepare_seconds = 0, collide_seconds = 0;
-  device_account by_device; // on processor::cuda
+  processor on = processor::cpu;  // which of the two answered
+  device_account by_device;       // on processor::cuda
+  std::vector<std::string> notes; // on that choice, where it was made here
 };
 
 struct query {
@@ -38,7 +40,7 @@ struct query {
   bool any = false;  // stop at the first pair
   bool keep = false; // keep the list of pairs; without it, and without polygons, memory does not grow with the pairs
   int threads = 0;   // 0: all cores
-  processor on = processor::cpu;
+  processor on = processor::cpu; // best: the one that is expected to be the faster
   std::function<void(double fraction)> progress = {};
 };
 

@@ -3,7 +3,11 @@
 #include "app/failure.hpp"
 #include "app/sets.hpp"
 
+#include "core/threads.hpp"
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #if MEETC_WITH_CUDA
 #include "cga/cga_cuda.hpp"
@@ -15,14 +19,34 @@
 namespace meetc::app {
 
 processor processor_named(std::string_view name) {
-  if (name == "cpu" || name == "auto")
+  if (name == "cpu")
     return processor::cpu;
+  if (name == "auto")
+    return processor::best;
   if (name != "cuda")
     throw failure(fmt::format("--device {}: unknown; known: auto, cpu, cuda", io::quote(std::string(name))));
 #if !MEETC_WITH_CUDA
   throw failure("--device cuda: this build has no CUDA kernels (no nvcc was found); use --device cpu", no_device);
 #endif
   return processor::cuda;
+}
+
+expected_seconds expected_on(std::size_t elements, int threads) {
+  // A thread's nanoseconds for an element of `meet bench cpu --only balls`, whose gain ends with the cores of that machine,
+  // and a device's start and nanoseconds for an element that is uploaded and ordered, of `meet bench gpu --only growth`.
+  constexpr double a_thread = 300e-9, start = 0.3, there = 4e-9;
+  constexpr int most_threads = 16;
+  const auto n = static_cast<double>(elements);
+  return {a_thread * n / std::min(thread_count(threads), most_threads), start + there * n};
+}
+
+bool device_expected([[maybe_unused]] std::size_t elements, [[maybe_unused]] int threads) {
+#if MEETC_WITH_CUDA
+  const expected_seconds expected = expected_on(elements, threads);
+  return expected.cuda < expected.cpu;
+#else
+  return false;
+#endif
 }
 
 #if MEETC_WITH_CUDA

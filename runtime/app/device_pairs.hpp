@@ -13,11 +13,19 @@
 
 namespace meetc::app {
 
-enum class processor : std::uint8_t { cpu, cuda };
+enum class processor : std::uint8_t { cpu, cuda, best };
 
-// "auto" is the CPU; docs/gpu.md says how large the sets must be before starting a device pays. Throws failure for an
-// unknown name, and where this build has no CUDA.
+// "auto" is the best. Throws failure for an unknown name, and for "cuda" where this build has none.
 processor processor_named(std::string_view name);
+
+// The seconds after which a query on so many elements is expected to be answered, from the elements as they were read, a
+// device's start and transfers included.
+struct expected_seconds {
+  double cpu, cuda;
+};
+expected_seconds expected_on(std::size_t elements, int threads);
+// Whether this build has a device's kernels and they are expected to be the faster ones.
+bool device_expected(std::size_t elements, int threads);
 
 // How a device answered.
 struct device_account {
@@ -30,7 +38,7 @@ struct device_account {
 struct device_pairs {
   result found;
   device_account account;
-  box around_a{}, around_b{};  // all elements of a set; lo > hi where there are none
+  box around_a{}, around_b{}; // all elements of a set; lo > hi where there are none
   double prepare_seconds = 0; // to upload the sets, and to check and order them there
 };
 

@@ -23,12 +23,12 @@ bool may_be_contained(const collide_report &r) {
          ((is_mesh(r.a) && inside(f.b.bounds, f.a.bounds)) || (is_mesh(r.b) && inside(f.a.bounds, f.b.bounds)));
 }
 
-std::string predicate_in_words(const query &q) {
+std::string predicate_in_words(const query &q, processor on) {
   const predicate_info &p = *q.by.predicate;
   const std::string mode = *p.mode ? fmt::format(" ({})", p.mode) : "";
   const std::string tolerance = q.tolerance > 0 ? fmt::format(" within {}", q.tolerance) : "";
   return fmt::format("{}{}, {}{}, on the {}", p.name, mode, name_of(q.precision), tolerance,
-                     q.on == processor::cuda ? "CUDA device" : "CPU");
+                     on == processor::cuda ? "CUDA device" : "CPU");
 }
 
 std::string file_lines(const collide_report &r) {
@@ -98,7 +98,7 @@ std::string summary(const collide_report &r) {
   out += answer_line(r);
   if (may_be_contained(r))
     out += "Meshes are surfaces here: what lies wholly inside one does not touch it.\n";
-  out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked), grouped(f.candidates),
+  out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked, f.on), grouped(f.candidates),
                      f.candidates == 1 ? "" : "s");
   if (r.asked.precision == rung::certified)
     out += rungs_line(f);
@@ -106,10 +106,11 @@ std::string summary(const collide_report &r) {
     out += tolerance_lines(r.asked);
   out += fmt::format("read {:.3f} s, prepare {:.3f} s, collide {:.3f} s\n", r.read_seconds, f.prepare_seconds,
                      f.collide_seconds);
-  if (r.asked.on == processor::cuda)
+  if (r.found.on == processor::cuda)
     out += device_lines(f.by_device);
-  for (const std::string &note : r.notes)
-    out += note + "\n";
+  for (const std::vector<std::string> *const notes : {&f.notes, &r.notes})
+    for (const std::string &note : *notes)
+      out += note + "\n";
   for (const std::string &file : r.written)
     out += fmt::format("wrote {}\n", file);
   return out;

@@ -23,7 +23,7 @@ json seconds(const collide_report &r) {
   json out = {{"read", with_decimals(r.read_seconds, 6)},
               {"prepare", with_decimals(f.prepare_seconds, 6)},
               {"collide", with_decimals(f.collide_seconds, 6)}};
-  if (r.asked.on == processor::cuda) {
+  if (r.found.on == processor::cuda) {
     out["start"] = with_decimals(f.by_device.start_seconds, 6);
     out["device"] = with_decimals(f.by_device.device_seconds, 6);
   }
@@ -34,7 +34,7 @@ json seconds(const collide_report &r) {
 
 std::string as_json(const collide_report &r) {
   const answers &f = r.found;
-  const bool on_device = r.asked.on == processor::cuda;
+  const bool on_device = r.found.on == processor::cuda;
   json out = {{"a", side(r.a)},
               {"b", side(r.b)},
               {"pairs", f.pairs},
@@ -59,6 +59,8 @@ std::string as_json(const collide_report &r) {
     for (const auto &[name, expected] : f.by_device.expected)
       out["expected_seconds"][name] = with_decimals(expected, 7);
   }
+  if (!f.notes.empty())
+    out["notes"] = f.notes;
   return in_one_line(out) + '\n';
 }
 

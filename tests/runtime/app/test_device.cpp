@@ -1,0 +1,29 @@
+// Which processor answers, where the user leaves the choice to the program.
+#include "app/collide_sets.hpp"
+#include "app/made_sets.hpp"
+#include "tests/catch.hpp"
+
+#include <cga/cga_runtime.hpp>
+
+using namespace meetc;
+using namespace meetc::app;
+
+TEST_CASE("a device is taken by itself where its start pays") {
+  const expected_seconds few = expected_on(10'000, 2), many = expected_on(30'000'000, 2);
+  CHECK(few.cpu < few.cuda);
+  CHECK(many.cuda < many.cpu);
+  CHECK(expected_on(30'000'000, 1).cpu > many.cpu);
+  CHECK_FALSE(device_expected(10'000, 2));
+
+  // Without a device the CPU answers, and says why.
+  const std::size_t n = 1'500'000;
+  const io::element_set points = of_rows(cga::catalogue(), "point", std::vector<float>(3 * n)),
+                        triangle = of_rows(cga::catalogue(), "triangle", {-1, -1, 0, 1, -1, 0, 0, 1, 0});
+  query q;
+  q.by = choose(cga::catalogue(), *points.kind, *triangle.kind, {}, {});
+  q.threads = 1;
+  q.on = processor::best;
+  const answers found = collide_sets(points, triangle, q);
+  CHECK(found.pairs == n);
+  CHECK(found.notes.size() == (device_expected(n + 1, 1) ? 1 : 0));
+}
