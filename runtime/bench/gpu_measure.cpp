@@ -52,11 +52,10 @@ gpu_bench::gpu_bench(const catalogue &all, bool quick)
 std::string gpu_bench::device_in_words() const {
   const device_facts &f = on_.facts();
   const cuda::probe_result &p = on_.probe();
-  return fmt::format(
-      "{}, compute capability {}.{}, {} multiprocessors. The probe tried {} sums: mma.sync left "
-      "the model in {}, wgmma in {}, with results in fp16 in {}{}. Times are medians of {} warm runs.",
-      f.name, f.major, f.minor, f.multiprocessors, app::grouped(p.cases), p.mma_faults, p.wgmma_faults,
-      p.wgmma_half_faults, p.has_wgmma ? "" : " (this device has none)", runs);
+  return fmt::format("{}, compute capability {}.{}, {} multiprocessors. The probe tried {} sums: mma.sync left "
+                     "the model in {}, wgmma in {}, with results in fp16 in {}{}. Times are medians of {} warm runs.",
+                     f.name, f.major, f.minor, f.multiprocessors, app::grouped(p.cases), p.mma_faults, p.wgmma_faults,
+                     p.wgmma_half_faults, p.has_wgmma ? "" : " (this device has none)", runs);
 }
 
 table gpu_bench::measure(const gpu_scene &scene) {
@@ -114,6 +113,8 @@ table gpu_bench::measure(const gpu_scene &scene) {
     add(fmt::format("query, certified, {}, groups", name_of(f)), grouped.found, grouped.seconds, 0,
         grouped.with_transfers);
   }
+  const whole_query tree = query(on_.best_filter(), search::tree, rung::certified, a, b, on_a, on_b, p);
+  add("query, certified, hierarchy", tree.found, tree.seconds, 0, tree.with_transfers);
   return t;
 }
 

@@ -87,7 +87,7 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
 std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data,
                                      bool quick) {
   std::vector<gpu_scene> out;
-  const int least = 12, most = quick ? 14 : 24;
+  const int least = 10, most = quick ? 14 : 24;
   for (int power = least; power <= most; power += 2) {
     const std::size_t n = std::size_t{1} << power;
     out.push_back({fmt::format("balls, {0} x {0}", n), "ball_ball", [&all, n] {

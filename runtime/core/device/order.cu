@@ -18,7 +18,7 @@ __global__ void count_up_kernel(std::uint32_t *slots, unsigned n) {
     slots[i] = static_cast<std::uint32_t>(i);
 }
 
-__global__ void crowded_kernel(const std::uint32_t *sorted, unsigned n, unsigned *crowded) {
+__global__ void crowded_kernel(const std::uint32_t *sorted, unsigned n, unsigned long long *crowded) {
   unsigned mine = 0;
   for (std::size_t i = cuda::tree_width + blockIdx.x * std::size_t{threads} + threadIdx.x; i < n;
        i += gridDim.x * std::size_t{threads})
@@ -26,7 +26,7 @@ __global__ void crowded_kernel(const std::uint32_t *sorted, unsigned n, unsigned
   for (int d = 16; d > 0; d /= 2)
     mine += __shfl_xor_sync(~0U, mine, d);
   if (threadIdx.x % 32 == 0 && mine > 0)
-    atomicAdd(crowded, mine);
+    atomicAdd(crowded, static_cast<unsigned long long>(mine));
 }
 
 __global__ void gather_kernel(const float *rows, unsigned fields, const std::uint32_t *slots, std::size_t numbers,
@@ -56,7 +56,8 @@ cudaError_t sort_places(void *space, std::size_t &bytes, const std::uint32_t *pl
   return e;
 }
 
-cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned *crowded, cudaStream_t stream) {
+cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned long long *crowded,
+                          cudaStream_t stream) {
   const cudaError_t e = cudaMemsetAsync(crowded, 0, sizeof *crowded, stream);
   if (e != cudaSuccess || n <= cuda::tree_width)
     return e;

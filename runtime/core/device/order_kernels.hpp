@@ -15,7 +15,8 @@ namespace meetc {
 cudaError_t sort_places(void *space, std::size_t &bytes, const std::uint32_t *places, std::uint32_t *sorted,
                         std::uint32_t *slots, std::uint32_t n, int bits, cudaStream_t stream);
 // *crowded becomes the number of elements before which at least tree_width others have the same place.
-cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned *crowded, cudaStream_t stream);
+cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned long long *crowded,
+                          cudaStream_t stream);
 // Row i is written from row slots[i].
 cudaError_t gather_rows(const float *rows, unsigned fields, const std::uint32_t *slots, std::uint32_t n, float *to,
                         cudaStream_t stream);

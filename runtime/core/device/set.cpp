@@ -103,8 +103,7 @@ bool device_set::make(const view &elements, const pose &at) {
         "uploading a set");
 
   struct findings {
-    unsigned long long bad;
-    unsigned crowded;
+    unsigned long long bad, crowded;
   };
   device_memory<float> rows;
   device_memory<std::uint32_t> places, sorted;

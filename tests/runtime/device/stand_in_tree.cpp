@@ -18,7 +18,7 @@ cudaError_t sort_places(void *space, std::size_t &bytes, const std::uint32_t *pl
     sorted[i] = places[slots[i]];
   return cudaSuccess;
 }
-cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned *crowded, cudaStream_t) {
+cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned long long *crowded, cudaStream_t) {
   *crowded = 0;
   for (std::uint32_t i = cuda::tree_width; i < n; ++i)
     *crowded += sorted[i] == sorted[i - cuda::tree_width];
