@@ -39,10 +39,10 @@ void add_question(CLI::App &c, arguments &to) {
                "A length. An answer may then be wrong, but only where moving one element by at most this changes it: "
                "numbers are rounded to a power of two, and certified answers are about these. 0, the default, is exact")
       ->type_name("LENGTH");
-  c.add_option("--device", to.device,
-               "Where pairs are decided; auto, the default, is the one that is expected to be the faster, where a "
-               "device must first "
-               "be started")
+  c.add_option(
+       "--device", to.device,
+       "Where pairs are decided; auto, the default, is the processor that is expected to answer first, where a device "
+       "must be started")
       ->type_name("auto|cpu|cuda");
   c.add_option(
        "--instruction-set", to.instruction_set,
@@ -74,6 +74,8 @@ void add_answers(CLI::App &c, arguments &to) {
 const collide_request &read(arguments &args) {
   collide_request &q = args.request;
   q.on = processor_named(args.device);
+  if (q.on == processor::best && args.instruction_set != "auto") // which is of a CPU
+    q.on = processor::cpu;
   q.precision = precision_named(args.precision);
   if (args.tolerance)
     q.tolerance = length_named("--tolerance", *args.tolerance);

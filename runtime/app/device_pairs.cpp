@@ -58,7 +58,7 @@ device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b,
     const auto ready = std::chrono::steady_clock::now();
     pose at;
     at.grid = grid;
-    device_set set_a(on, view_of(a), *a.kind, at), set_b(on, view_of(b), *b.kind, at);
+    device_set set_a(on, view_of(a), *a.kind, at, options.threads), set_b(on, view_of(b), *b.kind, at, options.threads);
     device_pairs out;
     set_a.bounds(out.around_a.lo, out.around_a.hi);
     set_b.bounds(out.around_b.lo, out.around_b.hi);

@@ -15,7 +15,7 @@ namespace meetc::app {
 
 enum class processor : std::uint8_t { cpu, cuda, best };
 
-// "auto" is the best. Throws failure for an unknown name, and for "cuda" where this build has none.
+// "auto" is the best. Throws failure for an unknown name, and for "cuda" where this build has no CUDA kernels.
 processor processor_named(std::string_view name);
 
 // The seconds after which a query on so many elements is expected to be answered, from the elements as they were read, a

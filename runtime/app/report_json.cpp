@@ -59,8 +59,10 @@ std::string as_json(const collide_report &r) {
     for (const auto &[name, expected] : f.by_device.expected)
       out["expected_seconds"][name] = with_decimals(expected, 7);
   }
-  if (!f.notes.empty())
-    out["notes"] = f.notes;
+  std::vector<std::string> notes = f.notes;
+  notes.insert(notes.end(), r.notes.begin(), r.notes.end());
+  if (!notes.empty())
+    out["notes"] = notes;
   return in_one_line(out) + '\n';
 }
 

@@ -45,7 +45,8 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     std::vector<gpu_scene> growth = growth_scenes(all, q.data, q.quick);
     if (!is_meant(q, "growth"))
       growth.clear();
-    const bool poses = is_meant(q, "poses");
+    const std::optional<posed_meshes> poses =
+        is_meant(q, "poses") ? std::optional(meshes_for_poses(all, q.data, q.quick)) : std::nullopt;
     if (scenes.empty() && growth.empty() && !poses)
       throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
     auto progress = std::make_unique<app::progress_line>("bench gpu");
@@ -61,7 +62,7 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     if (!growth.empty())
       tables.push_back(bench.measure_growth(growth, step));
     if (poses)
-      tables.push_back(bench.measure_poses(meshes_for_poses(all, q.data, q.quick)));
+      tables.push_back(bench.measure_poses(*poses));
     progress.reset();
     std::string text = fmt::format("{}\n{}\n", bench.device_in_words(), rules);
     std::string markdown = fmt::format("# Measured on a GPU\n\nWritten by `meet bench gpu{}{}{} -o DIR`.\n\n{}\n\n{}\n",

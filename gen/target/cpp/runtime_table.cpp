@@ -100,9 +100,11 @@ std::string shape_text(const lower::lowered_kind &k) {
                      "    constexpr int all[] = {{{}}};\n    return all[3 * point + axis];\n  }}\n"
                      "  MEETC_HD static constexpr meetc::role role_of(int field) {{\n"
                      "    constexpr meetc::role all[] = {{{}}};\n    return all[field];\n  }}\n"
-                     "  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {{\n{}  }}\n}};\n\n",
+                     "  MEETC_HD static void box(const float *row, float lo[3], float hi[3]) {{\n{}  }}\n"
+                     "  MEETC_HD static bool obeys({}) {{ return {}; }}\n}};\n\n",
                      identifier(k.name), k.reals.size(), e.hull.size(), e.pad, hull_fields(e), join(roles_of(k), ", "),
-                     box);
+                     box, e.rule ? "const float *row" : "const float *",
+                     e.rule ? rule_test(*e.rule, [](int i) { return fmt::format("row[{}]", i); }) : "true");
 }
 
 std::string kind_entry(const lower::lowered_kind &k, int stored, bool filtered) {
@@ -122,8 +124,9 @@ std::string kind_functions(const lower::lowered_kind &k) {
   std::string out = fmt::format("const meetc::role {}_roles[] = {{{}}};\n", name, join(roles_of(k), ", "));
   out += fmt::format("const int {}_hull[] = {{{}}};\n", name, hull_fields(e));
   if (e.rule)
-    out += fmt::format("const char *{}_fault(const float *row) {{ return {} ? nullptr : \"{}\"; }}\n", name,
-                       rule_test(*e.rule, [](int i) { return fmt::format("row[{}]", i); }), e.rule->text);
+    out +=
+        fmt::format("const char *{0}_fault(const float *row) {{ return {0}_shape::obeys(row) ? nullptr : \"{1}\"; }}\n",
+                    name, e.rule->text);
   return out + "\n";
 }
 

@@ -40,7 +40,7 @@ const int point_hull[] = {0, 1, 2};
 
 const meetc::role sphere_roles[] = {meetc::role::x, meetc::role::y, meetc::role::z, meetc::role::length};
 const int sphere_hull[] = {0, 1, 2};
-const char *sphere_fault(const float *row) { return meetc::not_negative(row[3]) ? nullptr : "r >= 0"; }
+const char *sphere_fault(const float *row) { return sphere_shape::obeys(row) ? nullptr : "r >= 0"; }
 
 const meetc::role segment_roles[] = {meetc::role::x, meetc::role::y, meetc::role::z, meetc::role::x,
     meetc::role::y, meetc::role::z};

@@ -30,6 +30,7 @@ struct point_shape {
     lo[2] = row[2];
     hi[2] = row[2];
   }
+  MEETC_HD static bool obeys(const float *) { return true; }
 };
 
 struct sphere_shape {
@@ -50,6 +51,7 @@ struct sphere_shape {
     lo[2] = meetc::step_down(row[2] - row[3]);
     hi[2] = meetc::step_up(row[2] + row[3]);
   }
+  MEETC_HD static bool obeys(const float *row) { return meetc::not_negative(row[3]); }
 };
 
 struct segment_shape {
@@ -71,6 +73,7 @@ struct segment_shape {
     lo[2] = meetc::least_of(row[2], row[5]);
     hi[2] = meetc::most_of(row[2], row[5]);
   }
+  MEETC_HD static bool obeys(const float *) { return true; }
 };
 
 struct triangle_shape {
@@ -92,6 +95,7 @@ struct triangle_shape {
     lo[2] = meetc::least_of(meetc::least_of(row[2], row[5]), row[8]);
     hi[2] = meetc::most_of(meetc::most_of(row[2], row[5]), row[8]);
   }
+  MEETC_HD static bool obeys(const float *) { return true; }
 };
 
 } // namespace cga

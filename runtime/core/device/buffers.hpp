@@ -29,13 +29,15 @@ struct device_buffers {
   device_memory<unsigned long long> counts;      // and behind them where each item's hits start, 32 bits each
   device_memory<std::uint64_t> keys, more_keys;  // hits as sortable numbers
   device_memory<std::byte> sort_space;
+  cudaStream_t stream = nullptr; // of all queries
   cudaStream_t beside = nullptr; // for work on one set while the query's stream works on the other
   cudaEvent_t forked = nullptr, joined = nullptr;
   cudaEvent_t events[2] = {nullptr, nullptr};
   unsigned long long *seen = nullptr; // the counts, in host memory that the device can write to
 
-  // Throws device_error.
+  // Apart from the constructor, so that what was created is destroyed where the next cannot be. Throws device_error.
   void create() {
+    check(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking), "making a stream");
     for (cudaEvent_t &e : events)
       check(cudaEventCreate(&e), "making an event");
     for (cudaEvent_t *const e : {&forked, &joined})
@@ -55,8 +57,9 @@ struct device_buffers {
     for (const cudaEvent_t e : {events[0], events[1], forked, joined})
       if (e)
         cudaEventDestroy(e);
-    if (beside)
-      cudaStreamDestroy(beside);
+    for (const cudaStream_t s : {stream, beside})
+      if (s)
+        cudaStreamDestroy(s);
     cudaFreeHost(seen);
   }
 };

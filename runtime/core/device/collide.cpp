@@ -3,6 +3,7 @@
 #include "core/device/buffers.hpp"
 #include "core/device/kernels.hpp"
 #include "core/device/query.hpp"
+#include "core/device/tallies.hpp"
 #include "core/device/tree_kernels.hpp"
 #include "core/pair_sort.hpp"
 
@@ -81,6 +82,8 @@ public:
       upload_owners();
     start_clock();
     mark_clock();
+    if (tallies_)
+      tallied_.start(options_.want, a_.elements(), b_.elements(), of_instances_, on_.stream());
     if (a_.elements() > 0 && b_.elements() > 0) {
       result_.by == search::tree ? take_trees() : take_columns();
       if (cuda::reads_stored(precision_)) {
@@ -88,13 +91,12 @@ public:
         y_.stored = b_.stored(predicate_.stored_b);
       }
       take_room();
-      take_tallies();
       go_through({0, objects(a_), 0, objects(b_)});
     }
     if (options_.want == answer_kind::any)
       result_.count = result_.count > 0;
     if (tallies_)
-      download_tallies();
+      tallied_.finish(result_, of_instances_, on_.stream());
     else if (keep_)
       finish();
     result_.device_seconds = buffers_.between();
@@ -339,10 +341,7 @@ private:
     if (!keep_ || n == 0)
       return;
     if (tallies_) {
-      check(tally({buffers_.hits.data(), n, a_.order(), b_.order(), counts_a_.data(), counts_b_.data(), flags_a_.data(),
-                   flags_b_.data(), of_instance()},
-                  on_.stream()),
-            "starting a kernel");
+      tallied_.add(buffers_.hits.data(), n, a_.order(), b_.order(), on_.stream());
       mark_clock();
       return;
     }
@@ -360,43 +359,6 @@ private:
                   buffers_.keys.data() + keys_, on_.stream()),
           "starting a kernel");
     keys_ += n;
-  }
-
-  // The slots of each instance of B; 0: B has none.
-  std::uint32_t of_instance() const {
-    return of_instances_.empty() ? 0 : static_cast<std::uint32_t>(b_.elements() / of_instances_.size());
-  }
-  void take_tallies() {
-    const auto zeroed = [this](auto &numbers, std::size_t n) {
-      numbers.reserve(n, "counts of elements");
-      check(cudaMemsetAsync(numbers.data(), 0, n * sizeof *numbers.data(), on_.stream()), "clearing counts");
-    };
-    if (!of_instances_.empty())
-      zeroed(counts_b_, of_instances_.size());
-    else if (tallies_ && options_.want == answer_kind::counts)
-      zeroed(counts_a_, a_.elements()), zeroed(counts_b_, b_.elements());
-    else if (tallies_)
-      zeroed(flags_a_, a_.elements()), zeroed(flags_b_, b_.elements());
-  }
-  void download_tallies() {
-    const auto download = [this](const auto &numbers, auto *to, std::size_t n) {
-      static_assert(sizeof *to == sizeof *numbers.data());
-      if (numbers.data())
-        check(cudaMemcpyAsync(to, numbers.data(), n * sizeof *to, cudaMemcpyDeviceToHost, on_.stream()),
-              "downloading counts");
-    };
-    if (!of_instances_.empty()) {
-      download(counts_b_, of_instances_.data(), of_instances_.size());
-    } else {
-      const bool counts = options_.want == answer_kind::counts;
-      result_.counts.a.resize(counts ? a_.elements() : 0), result_.counts.b.resize(counts ? b_.elements() : 0);
-      result_.flags.a.resize(counts ? 0 : a_.elements()), result_.flags.b.resize(counts ? 0 : b_.elements());
-      download(counts_a_, result_.counts.a.data(), a_.elements());
-      download(counts_b_, result_.counts.b.data(), b_.elements());
-      download(flags_a_, result_.flags.a.data(), a_.elements());
-      download(flags_b_, result_.flags.b.data(), b_.elements());
-    }
-    check(cudaStreamSynchronize(on_.stream()), "downloading counts");
   }
 
   // Moves the keys to the host, unsorted.
@@ -487,8 +449,7 @@ private:
   const device_options &options_;
   std::span<std::uint64_t> of_instances_;
   bool tallies_, keep_; // hits are counted by item; they are kept until then, or for their list
-  device_memory<unsigned long long> counts_a_, counts_b_;
-  device_memory<std::uint8_t> flags_a_, flags_b_;
+  tallies tallied_;
   int bits_b_ = bits_of_items(options_.owner_b, b_);
   cuda::operand x_{}, y_{};
   tree_walk walk_{};
@@ -502,19 +463,23 @@ private:
 
 } // namespace
 
-device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
-                    const device_options &options, std::span<std::uint64_t> of_instances) {
-  const auto start = std::chrono::steady_clock::now();
+void require_query(const device &on, const device_set &a, const device_set &b, const predicate_info &predicate,
+                   rung precision, const device_options &options) {
   const auto same = [](const kind_info &x, const kind_info &y) {
     return x.fields == y.fields && std::strcmp(x.name, y.name) == 0;
   };
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
   require(a.is_on(on) && b.is_on(on), "a set is on another device");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
+  require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
+}
+
+device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
+                    const device_options &options, std::span<std::uint64_t> of_instances) {
+  const auto start = std::chrono::steady_clock::now();
   rung_report report;
   if (precision == rung::tolerant)
     precision = tolerant_or_certified(a, b, predicate, report);
-  require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
   device_result r = device_query(on, a, b, predicate, precision, options, of_instances).run();
   r.rungs.left_box_a = report.left_box_a, r.rungs.left_box_b = report.left_box_b;
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -523,6 +488,9 @@ device_result query(device &on, device_set &a, device_set &b, const predicate_in
 
 device_result collide(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                       const device_options &options) {
+  require_query(on, a, b, predicate, precision, options);
+  for (const device_set *const s : {&a, &b})
+    require(s->elements() == 0 || s->order(), "a set in several poses is for collide_poses() alone");
   return query(on, a, b, predicate, precision, options, {});
 }
 

@@ -109,14 +109,11 @@ device::device(const cuda::catalogue &kernels)
       throw device_error(
           std::string("the CUDA device ") + facts_.name +
           " does not compute as the error bounds assume: " + text_of(static_cast<arithmetic_fault>(bit)) + on_the_cpu);
-  check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "making a stream");
-  keep_freed_memory();
   buffers_->create();
+  keep_freed_memory();
 }
 
 device::~device() {
-  if (stream_)
-    cudaStreamDestroy(stream_);
   buffers_.reset();
   if (pool_) {
     cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &kept_before_);
@@ -124,13 +121,17 @@ device::~device() {
   }
 }
 
+cudaStream_t device::stream() const {
+  return buffers_->stream;
+}
+
 const cuda::probe_result &device::probe() const {
   if (probe_.cases == 0) {
     device_memory<cuda::probe_result> found;
     found.reserve(1, "the probe");
-    check(kernels_.probe(found.data(), stream_), "starting the probe");
-    check(cudaMemcpyAsync(&probe_, found.data(), sizeof probe_, cudaMemcpyDeviceToHost, stream_), "the probe");
-    check(cudaStreamSynchronize(stream_), "the probe");
+    check(kernels_.probe(found.data(), stream()), "starting the probe");
+    check(cudaMemcpyAsync(&probe_, found.data(), sizeof probe_, cudaMemcpyDeviceToHost, stream()), "the probe");
+    check(cudaStreamSynchronize(stream()), "the probe");
   }
   return probe_;
 }

@@ -1,4 +1,4 @@
-// core/device/device.hpp: one CUDA device, found, checked and probed.
+// core/device/device.hpp: one CUDA device, found and tested.
 //
 // Nothing here starts CUDA before a device is made. Errors are device_error, one line that names the operation and a
 // way out.
@@ -51,7 +51,7 @@ public:
   cuda::filter best_filter() const;
   bool offers(cuda::filter f) const;
 
-  cudaStream_t stream() const { return stream_; }
+  cudaStream_t stream() const;
   device_buffers &buffers() { return *buffers_; }
 
 private:
@@ -60,7 +60,6 @@ private:
   mutable cuda::probe_result probe_{}; // no cases: it has not run
   void keep_freed_memory();
 
-  cudaStream_t stream_ = nullptr;
   cudaMemPool_t pool_ = nullptr;  // null: there is none
   std::uint64_t kept_before_ = 0; // what the pool kept of freed memory, in bytes
   std::unique_ptr<device_buffers> buffers_;

@@ -1,17 +1,14 @@
 #include "core/device/kernels.hpp"
 
+#include "core/device/blocks.hpp"
+
 #include <cub/cub.cuh>
 #include <meetc/cuda_launch.hpp>
 
 namespace meetc {
 namespace {
 
-constexpr unsigned threads = 256;
 constexpr unsigned order_blocks = 1056; // 8 for each of 132 multiprocessors
-unsigned blocks_for(std::size_t n) {
-  const std::size_t blocks = (n + threads - 1) / threads;
-  return static_cast<unsigned>(blocks < 65536 ? blocks : 65536);
-}
 
 __global__ void keys_kernel(const index_pair *slots, std::size_t n, const std::uint32_t *order_a,
                             const std::uint32_t *owner_a, const std::uint32_t *order_b, const std::uint32_t *owner_b,

@@ -1,5 +1,7 @@
 #include "core/device/order_kernels.hpp"
 
+#include "core/device/blocks.hpp"
+
 #include <cub/cub.cuh>
 #include <meetc/tree.hpp>
 
@@ -7,11 +9,6 @@
 
 namespace meetc {
 namespace {
-
-constexpr unsigned threads = 256;
-unsigned blocks_for(std::size_t n) {
-  return static_cast<unsigned>(std::min<std::size_t>((n + threads - 1) / threads, 65536));
-}
 
 __global__ void count_up_kernel(std::uint32_t *slots, unsigned n) {
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads})

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 
@@ -68,6 +69,7 @@ poses_result collide_poses(device &on, device_set &a, const device_set &b, std::
   const bool any = options.want == answer_kind::any;
   if (!any && options.want != answer_kind::count)
     throw std::invalid_argument("many poses are answered by counts, or by whether anything touches");
+  require_query(on, a, b, predicate, precision, options);
   poses_query ask(on, a, predicate, precision, options);
   poses_result r;
   r.counts.resize(poses.size());
@@ -78,6 +80,8 @@ poses_result collide_poses(device &on, device_set &a, const device_set &b, std::
     std::erase_if(left, [&r](std::size_t i) { return r.counts[i] > 0; });
   }
   ask.count(b, poses, left, r, options.progress);
+  if (options.progress)
+    options.progress(1);
   if (any)
     for (std::uint64_t &n : r.counts)
       n = n > 0;

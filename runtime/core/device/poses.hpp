@@ -16,8 +16,9 @@ namespace meetc {
 
 struct poses_result {
   std::vector<std::uint64_t>
-      counts;        // for each pose, how many pairs (a, b) touch; for answer_kind::any whether one does
-  rung_report rungs; // of all poses
+      counts; // for each pose, how many pairs (a, b) touch; for answer_kind::any whether one does
+  // Of all poses; for answer_kind::any also of the sixteenth of B that went first.
+  rung_report rungs;
   std::uint64_t candidates = 0;
   double device_seconds = 0, seconds = 0; // as in device_result; without posing, and with it
 };

@@ -28,11 +28,14 @@ const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_
   throw device_error(std::string("no CUDA kernels were generated for the kind ") + kind.name);
 }
 
-void require_movable(const kind_info &kind, const pose &at) {
+void require_pose(const kind_info &kind, const pose &at) {
   if (!at.identity() && !can_move(kind))
     throw std::invalid_argument(text(status::cannot_move));
   if (!is_grid(at.grid))
     throw std::invalid_argument(text(status::bad_grid));
+}
+void require_movable(const kind_info &kind, const pose &at) {
+  require_pose(kind, at);
   if (!(at.length_scale >= 0))
     throw std::invalid_argument("a pose's length scale is negative or not a number");
 }
@@ -59,14 +62,11 @@ device_set::device_set(device &on, const prepared &set) : device_set(on, set.kin
   upload(set);
 }
 
-device_set::device_set(device &on, const view &elements, const kind_info &kind, const pose &at)
+device_set::device_set(device &on, const view &elements, const kind_info &kind, const pose &at, int threads)
     : device_set(on, kind, elements.elements, at.grid) {
-  if (!at.identity() && !can_move(kind))
-    throw std::invalid_argument(text(status::cannot_move));
-  if (!is_grid(at.grid))
-    throw std::invalid_argument(text(status::bad_grid));
+  require_pose(kind, at);
   if (!make(elements, at))
-    upload(prepare(elements, kind, at));
+    upload(prepare(elements, kind, at, threads));
 }
 
 void device_set::upload(const prepared &set) {
@@ -94,32 +94,26 @@ bool device_set::make(const view &elements, const pose &at) {
   const std::size_t bytes =
       given > 0 ? (given - 1) * elements.stride_bytes + (elements.index ? 3 : fields) * sizeof(float) : 0;
   const std::size_t indices = elements.index ? n * (fields / 3) : 0;
-  device_memory<std::byte> data;
-  device_memory<std::uint32_t> index;
-  data.reserve(bytes, "a set's elements");
-  index.reserve(indices, "a set's elements");
-  check(cudaMemcpyAsync(data.data(), elements.data, bytes, cudaMemcpyHostToDevice, stream), "uploading a set");
-  check(cudaMemcpyAsync(index.data(), elements.index, indices * sizeof(std::uint32_t), cudaMemcpyHostToDevice, stream),
-        "uploading a set");
-
+  // What lies between the elements is uploaded as well.
+  if (bytes > 4 * (n * fields * sizeof(float)) + (std::size_t{1} << 20))
+    return false;
   struct findings {
     unsigned long long bad, crowded;
   };
+  device_memory<std::byte> data, space;
+  device_memory<std::uint32_t> index, places, sorted;
   device_memory<float> rows;
-  device_memory<std::uint32_t> places, sorted;
   device_memory<findings> found;
-  device_memory<std::byte> space;
-  rows.reserve(n * fields, "a set's elements");
-  rows_.reserve(n * fields, "a set's elements");
-  order_.reserve(n, "a set's order");
-  places.reserve(n, "the order of a set");
-  sorted.reserve(n, "the order of a set");
-  found.reserve(1, "the order of a set");
   const int bits = n <= std::uint32_t{1} << 20 ? 8 : 10; // of a cell along an axis
   std::size_t need = 0;
   check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits, stream), "planning to order");
-  space.reserve(need, "the order of a set");
-
+  const auto room = [stream](auto &memory, std::size_t count) { return memory.grow(count, 0, stream); };
+  if (!room(data, bytes) || !room(index, indices) || !room(rows, n * fields) || !room(rows_, n * fields) ||
+      !room(order_, n) || !room(places, n) || !room(sorted, n) || !room(found, 1) || !room(space, need))
+    return false; // a set that is ordered needs a third of it
+  check(cudaMemcpyAsync(data.data(), elements.data, bytes, cudaMemcpyHostToDevice, stream), "uploading a set");
+  check(cudaMemcpyAsync(index.data(), elements.index, indices * sizeof(std::uint32_t), cudaMemcpyHostToDevice, stream),
+        "uploading a set");
   const cuda::view there{reinterpret_cast<const float *>(data.data()), elements.stride_bytes,
                          elements.index ? index.data() : nullptr, static_cast<std::uint32_t>(elements.vertices), n};
   device_buffers &buffers = on_->buffers();
@@ -188,22 +182,31 @@ device_set::device_set(const device_set &of, std::span<const pose> poses, std::s
   check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, stream), "moving a set");
   check(cudaStreamSynchronize(stream), "moving a set");
   if (first != ~0ULL) {
-    const std::size_t pose = numbers[first / of.elements_];
-    std::uint32_t element = 0;
-    check(cudaMemcpy(&element, of.order_.data() + first % of.elements_, sizeof element, cudaMemcpyDeviceToHost),
-          "moving a set");
-    throw input_error(fault_of(rows_.data() + first * fields, element), *kind_, "pose " + std::to_string(pose) + ": ");
+    // Again, in this pose alone: the first element that is named is then that of the caller.
+    const std::size_t at = first / of.elements_;
+    check(launchers_->pose({of.rows_.data(), fields * sizeof(float), nullptr, 0, of.elements_}, matrices[at],
+                           of.order_.data(), rows_.data(), bad.data(), stream),
+          "starting a kernel");
+    check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, stream), "moving a set");
+    check(cudaStreamSynchronize(stream), "moving a set");
+    throw input_error(fault_of(rows_.data() + (first & 0xffffffff) * fields, static_cast<std::size_t>(first >> 32)),
+                      *kind_, "pose " + std::to_string(numbers[at]) + ": ");
   }
 }
 
-// What is wrong with a row on the device: a number that is not finite.
+// What a pose has made of a row on the device.
 fault device_set::fault_of(const float *there, std::size_t element) const {
   std::vector<float> row(static_cast<std::size_t>(kind_->fields));
   fault f{fault_kind::moved, element, 0, 0, 0, nullptr};
   check(cudaMemcpy(row.data(), there, row.size() * sizeof(float), cudaMemcpyDeviceToHost), "moving a set");
-  while (std::isfinite(row[static_cast<std::size_t>(f.field)]))
-    ++f.field;
-  f.value = row[static_cast<std::size_t>(f.field)];
+  const auto bad = std::find_if_not(row.begin(), row.end(), [](float x) { return std::isfinite(x); });
+  if (bad != row.end()) {
+    f.field = static_cast<int>(bad - row.begin());
+    f.value = *bad;
+  } else {
+    f.kind = fault_kind::rule;
+    f.rule = kind_->fault ? kind_->fault(row.data()) : "";
+  }
   return f;
 }
 
@@ -214,6 +217,8 @@ void device_set::enclose(const float *rows) {
 }
 
 void device_set::move(const pose &at) {
+  if (elements_ > 0 && !order())
+    throw std::invalid_argument("a set in several poses cannot be moved");
   if (at.identity()) {
     if (std::exchange(moved_, false))
       enclose(rows());
@@ -289,7 +294,7 @@ cuda::tree_view device_set::tree(cudaStream_t stream) {
 }
 
 void device_set::bounds(float lo[3], float hi[3]) {
-  cuda::tree_box all;
+  cuda::tree_box all; // empty
   if (elements_ > 0) {
     const cuda::tree_view view = tree(on_->stream());
     cuda::tree_node root;

@@ -21,9 +21,10 @@ public:
   // Throws device_error, also if the catalogue lacks the kind.
   device_set(device &on, const prepared &set);
   // Elements that nobody prepared: they are uploaded as they stand, and moved, checked and ordered there. Places are cells of
-  // one grid; where most elements share few of them, prepare() orders the set instead, on all cores. Answers are those of a
-  // prepared set. Throws what prepare() throws, and device_error.
-  device_set(device &on, const view &elements, const kind_info &kind, const pose &at = {});
+  // one grid. Where more than an eighth of the elements share a cell with 32 others, where they lie far apart in memory, or
+  // where the device's memory does not suffice for that, prepare() orders the set instead, on this number of threads. Answers
+  // are those of a prepared set. Throws what prepare() throws, and device_error.
+  device_set(device &on, const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0);
 
   // Every n-th element of `of`, as it was uploaded. Answers are about the numbers of the others.
   device_set(const device_set &of, std::uint32_t n);
@@ -46,7 +47,7 @@ public:
   std::pair<float, float> reaches() const;
   // How long the device took to move, check and order it, without uploading; 0: prepare() has done that.
   double ordered_seconds() const { return ordered_seconds_; }
-  // The closed box around all elements, as prepared::bounds() gives it.
+  // The closed box around all elements; lo > hi where there are none.
   void bounds(float lo[3], float hi[3]);
 
   const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }

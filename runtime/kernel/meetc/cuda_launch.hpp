@@ -7,6 +7,8 @@
 
 #include <cuda_runtime_api.h>
 
+#include <atomic>
+
 namespace meetc::cuda {
 
 // The first statement of a kernel that launch() starts: before it, nothing may be read or written.
@@ -17,13 +19,30 @@ __device__ inline void begin() {
 #endif
 }
 
-// Whether the code of a kernel waits in begin().
+// A number above 0 that is the same for every call on one device; `find` is called once for each, or a few times.
+struct number_of_device {
+  static constexpr int most = 64;
+  std::atomic<unsigned> known[most] = {};
+
+  template <class Find> unsigned get(Find &&find) {
+    int which = 0;
+    if (cudaGetDevice(&which) != cudaSuccess || which >= most)
+      return find();
+    unsigned n = known[which].load(std::memory_order_relaxed);
+    if (n == 0)
+      known[which].store(n = find(), std::memory_order_relaxed);
+    return n;
+  }
+};
+
+// Whether the code that this device runs of a kernel waits in begin().
 template <auto Kernel> bool waits() {
-  static const bool there = [] {
+  static number_of_device there;
+  return there.get([] {
     cudaFuncAttributes of{};
-    return cudaFuncGetAttributes(&of, Kernel) == cudaSuccess && of.ptxVersion >= 90 && of.binaryVersion >= 90;
-  }();
-  return there;
+    const bool found = cudaFuncGetAttributes(&of, Kernel) == cudaSuccess;
+    return found && of.ptxVersion >= 90 && of.binaryVersion >= 90 ? 2U : 1U;
+  }) == 2;
 }
 
 // Enqueues a kernel whose first statement is begin().

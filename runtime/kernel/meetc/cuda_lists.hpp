@@ -20,18 +20,24 @@ __device__ inline unsigned long long places(unsigned n, unsigned long long *coun
   return __shfl_sync(~0U, at, 31) + up_to - n;
 }
 
-// Appends the marked pairs of all lanes of this warp, at most Each of them for a lane; bit k of `marks` stands for pair
-// k. The warp makes one addition, because additions to one counter are carried out one at a time.
-template <int Each>
-__device__ inline void append(unsigned marks, const index_pair (&pairs)[Each], const pair_list &to) {
-  const unsigned lane = threadIdx.x % 32;
+// lanes[k] becomes the lanes of this warp whose bit k is marked. Returns the number of all marks.
+template <int Each> __device__ inline unsigned marked(unsigned marks, unsigned (&lanes)[Each]) {
   unsigned total = 0;
-  unsigned lanes[Each];
 #pragma unroll
   for (int k = 0; k < Each; ++k) {
     lanes[k] = __ballot_sync(~0U, marks >> k & 1);
     total += __popc(lanes[k]);
   }
+  return total;
+}
+
+// Appends the marked pairs of all lanes of this warp, at most Each of them for a lane; bit k of `marks` stands for pair
+// k. The warp makes one addition, because additions to one counter are carried out one at a time.
+template <int Each>
+__device__ inline void append(unsigned marks, const index_pair (&pairs)[Each], const pair_list &to) {
+  const unsigned lane = threadIdx.x % 32;
+  unsigned lanes[Each];
+  const unsigned total = marked(marks, lanes);
   if (total == 0)
     return;
   unsigned long long at = 0;
@@ -58,14 +64,8 @@ public:
   template <int Each> __device__ void append(unsigned marks, const index_pair (&pairs)[Each]) {
     static_assert(32 * Each <= waiting_pairs);
     const unsigned lane = threadIdx.x % 32;
-    unsigned total = 0;
     unsigned lanes[Each];
-#pragma unroll
-    for (int k = 0; k < Each; ++k) {
-      lanes[k] = __ballot_sync(~0U, marks >> k & 1);
-      total += __popc(lanes[k]);
-    }
-    if (n_ + total > waiting_pairs)
+    if (n_ + marked(marks, lanes) > waiting_pairs)
       flush();
 #pragma unroll
     for (int k = 0; k < Each; ++k) {

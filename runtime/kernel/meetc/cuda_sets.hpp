@@ -89,7 +89,7 @@ __device__ inline float moved(const double *m, double x, double y, double z) {
       __dadd_rn(__dadd_rn(__dadd_rn(__dmul_rn(m[0], x), __dmul_rn(m[1], y)), __dmul_rn(m[2], z)), m[3]));
 }
 
-// A row in the pose. Returns whether it is one: finite, and no length is negative.
+// A row in the pose. Returns whether it is one: finite, and as the kind's rule says.
 template <class Shape> __device__ bool posed_row(const pose_matrix &at, const float *in, float *out) {
   for (int f = 0; f < Shape::fields; ++f)
     out[f] = in[f];
@@ -107,11 +107,9 @@ template <class Shape> __device__ bool posed_row(const pose_matrix &at, const fl
   }
   for (int f = 0; f < Shape::fields && at.on_grid; ++f)
     out[f] = nearest_multiple(out[f], at.grid_low);
-  bool good = true;
+  bool good = Shape::obeys(out);
   for (int f = 0; f < Shape::fields; ++f)
     good &= isfinite(out[f]);
-  if (Shape::pad >= 0)
-    good &= out[Shape::pad < 0 ? 0 : Shape::pad] >= 0;
   return good;
 }
 

@@ -276,9 +276,8 @@ cudaError_t certify_rows(rung which, const float *a, const float *b, const index
 template <class P, class A, class B, unsigned Rungs>
 cudaError_t near(step which, const operand &a, const operand &b, pair_list in, pair_list kept,
                  unsigned long long *touching, cudaStream_t stream) {
-  if (which == step::near_boxes) {
+  if (which == step::near_boxes)
     return launch<near_kernel<P, A, B, false>>(step_blocks, step_threads, stream, a, b, in, kept, touching);
-  }
   if constexpr (asks(Rungs, rung::certified))
     if (which == step::near_reject && have_stored<P>(a, b))
       return launch<near_kernel<P, A, B, true>>(step_blocks, step_threads, stream, a, b, in, kept, touching);

@@ -86,8 +86,8 @@ struct query_result {
   unsigned long long count; // the true number of touching pairs, even where it exceeds the capacity
   // Above list_capacity: the workspace is too small, count is too low, and the room that is needed is not known.
   unsigned long long candidates, kept;
-  // The first element with a bad index, a number that is not finite, or a radius below 0, times 2^32, plus its slot; ~0
-  // if all elements are good. If one is not, the rest means nothing.
+  // The first element with a bad index, a number that is not finite, or a broken rule of its kind, times 2^32, plus its
+  // slot; ~0 if all elements are good. If one is not, the rest means nothing.
   unsigned long long bad_a, bad_b;
 };
 struct query {

@@ -4,6 +4,9 @@
 #include "tests/generated/many_rows.hpp"
 
 #include <cmath>
+#include <cstring>
+#include <string>
+#include <unusual/shapes.hpp>
 #include <unusual/unusual_runtime.hpp>
 
 using namespace meetc::generated_test;
@@ -82,4 +85,21 @@ TEST_CASE("large constants and degrees: no bounded rung is wrong, at any scale")
     }
   CHECK(unsure_in_fp64 > 0);
   CHECK(overflowing > 0);
+}
+
+TEST_CASE("a kind's rule is the same for the shape, which a device asks, as for the host") {
+  const meetc::catalogue &all = unusual::catalogue();
+  const auto fault = [&all](const char *kind, const float *r) -> const char * {
+    for (int i = 0; i < all.kind_count; ++i)
+      if (std::strcmp(all.kinds[i].name, kind) == 0)
+        return all.kinds[i].fault ? all.kinds[i].fault(r) : nullptr;
+    return "no such kind";
+  };
+  const float same[fields] = {1, 0, 1, -0.0F}, other[fields] = {1, 0, 1, 2};
+  CHECK(fault("pair", same) == std::string("p != q"));
+  CHECK_FALSE(unusual::pair_shape::obeys(same));
+  CHECK(fault("pair", other) == nullptr);
+  CHECK(unusual::pair_shape::obeys(other));
+  CHECK(fault("equal", same) == nullptr);
+  CHECK(unusual::equal_shape::obeys(same));
 }

@@ -259,8 +259,7 @@ template <class Shape> bool posed_row(const cuda::pose_matrix &at, const float *
       }
   for (int f = 0; f < fields && at.on_grid; ++f)
     out[f] = nearest_multiple(out[f], at.grid_low);
-  return std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }) &&
-         (Shape::pad < 0 || out[std::max(Shape::pad, 0)] >= 0);
+  return std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }) && Shape::obeys(out);
 }
 template <class Shape>
 cudaError_t pose_rows(const cuda::view &v, const cuda::pose_matrix &at, const std::uint32_t *order, float *to,

@@ -72,7 +72,8 @@ struct found {
   pairs list;
   unsigned long long count;
 };
-found walked(const tree_walk &from, std::size_t capacity, unsigned enough, std::uint32_t warps = 1) {
+found walked(const tree_walk &from, std::size_t capacity, unsigned enough, std::uint32_t warps = 1,
+             bool jointly = false) {
   constexpr index_pair untouched{0xffffffff, 0xffffffff};
   std::vector<index_pair> list(capacity + 64, untouched);
   unsigned long long count = 0, taken = 0;
@@ -83,7 +84,14 @@ found walked(const tree_walk &from, std::size_t capacity, unsigned enough, std::
   static warp_room room;
   const auto go = [&](auto &&walk, std::uint32_t warp) {
     walk.run(warp, warps);
-    walk.flush();
+    if (!jointly) {
+      walk.flush();
+      return;
+    }
+    unsigned long long at = 0; // as a block does it for its warps
+    if (threadIdx.x == 0)
+      at = atomicAdd(w.out.count, static_cast<unsigned long long>(walk.unwritten()));
+    walk.flush(__shfl_sync(~0U, at, 0));
   };
   for (std::uint32_t warp = 0; warp < warps; ++warp)
     host_warp::the_warp.run([&] {
@@ -141,7 +149,7 @@ TEST_CASE("walk: a warp finds every pair of boxes that touch, once") {
     const auto warps = static_cast<std::uint32_t>(1 + random() % 3);
     const tree_walk w{x, y, of, swapped, by_points ? a.rows.data() : nullptr, set::fields, set::points, {}, nullptr};
     const auto [touching, near] = looked_at(a, b, of, swapped);
-    const found f = walked(w, touching.size() + 1, enough, warps);
+    const found f = walked(w, touching.size() + 1, enough, warps, random() % 2 == 0);
     INFO("round " << round << ": " << a.size() << " x " << b.size() << (by_points ? ", by points" : "") << ", cut into "
                   << enough);
     REQUIRE(f.count == f.list.size());
