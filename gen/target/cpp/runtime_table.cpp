@@ -150,7 +150,8 @@ std::string shapes_header(const unit &u) {
       "index of "
       "the\n"
       "// radius around the hull; -1: there is none. box(): never too small, provided that subnormals are not "
-      "flushed.\n\n";
+      "flushed.\n"
+      "// obeys(): whether a row of finite numbers is as the kind's `where` says.\n\n";
   for (const lower::lowered_kind *k : element_kinds(u))
     out += shape_text(*k);
   out.pop_back();

@@ -5,12 +5,13 @@
 
 #include <meetc/support.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 7, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
 // coordinate(): the index in the row of a coordinate of a hull's point; -1: the coordinate is 0. pad: the index of the
 // radius around the hull; -1: there is none. box(): never too small, provided that subnormals are not flushed.
+// obeys(): whether a row of finite numbers is as the kind's `where` says.
 
 struct point_shape {
   static constexpr int fields = 3, hull = 1, pad = -1;
