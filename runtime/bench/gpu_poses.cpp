@@ -53,21 +53,21 @@ struct line_of_poses {
     double q[4];
     unit(q, 4);
     unit(direction, 3);
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       turn[4 * i] = 1 - 2 * (q[j] * q[j] + q[k] * q[k]);
       turn[3 * i + j] = 2 * (q[i] * q[j] - q[3] * q[k]);
       turn[3 * i + k] = 2 * (q[i] * q[k] + q[3] * q[j]);
     }
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       start[i] = from[i];
-      for (int k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < 3; ++k)
         start[i] -= turn[3 * i + k] * of.centre[k];
     }
   }
   pose at(double t) const {
     pose p;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       std::copy_n(turn + 3 * i, 3, p.m + 4 * i);
       p.m[4 * i + 3] = start[i] + t * direction[i];
     }
