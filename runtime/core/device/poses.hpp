@@ -15,8 +15,8 @@
 namespace meetc {
 
 struct poses_result {
-  std::vector<std::uint64_t>
-      counts; // for each pose, how many pairs (a, b) touch; for answer_kind::any whether one does
+  // For each pose, how many pairs (a, b) touch; for answer_kind::any 1 if one does, and 0 if not.
+  std::vector<std::uint64_t> counts;
   // Of all poses; for answer_kind::any also of the sixteenth of B that went first.
   rung_report rungs;
   std::uint64_t candidates = 0;

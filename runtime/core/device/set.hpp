@@ -26,7 +26,7 @@ public:
   // are those of a prepared set. Throws what prepare() throws, and device_error.
   device_set(device &on, const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0);
 
-  // Every n-th element of `of`, as it was uploaded. Answers are about the numbers of the others.
+  // Every n-th element of `of`, as it was uploaded. They keep their numbers in `of`.
   device_set(const device_set &of, std::uint32_t n);
   // `of`, as it was uploaded, in each of these poses, one after another. Throws what move() throws, with the pose's number in
   // front of the text, and std::length_error beyond 2^32 - 1 elements. It has no order, and cannot be moved.
