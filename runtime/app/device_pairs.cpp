@@ -2,12 +2,12 @@
 
 #include "app/failure.hpp"
 #include "app/sets.hpp"
-
 #include "core/threads.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #if MEETC_WITH_CUDA
 #include "cga/cga_cuda.hpp"
@@ -32,12 +32,13 @@ processor processor_named(std::string_view name) {
 }
 
 expected_seconds expected_on(std::size_t elements, int threads) {
-  // A thread's nanoseconds for an element of `meet bench cpu --only balls`, whose gain ends with the cores of that machine,
-  // and a device's start and nanoseconds for an element that is uploaded and ordered, of `meet bench gpu --only growth`.
-  constexpr double a_thread = 300e-9, start = 0.3, there = 4e-9;
+  // What an element takes in `meet bench cpu --only balls`, from 1 to 16 threads (docs/cpu.md), and where it is uploaded and
+  // ordered in `meet bench gpu --only growth` (docs/gpu.md); `start` is what --json says of a device's start on that machine.
+  constexpr double one_thread = 200e-9, gain = 0.82, start = 0.3, there = 2e-9;
   constexpr int most_threads = 16;
   const auto n = static_cast<double>(elements);
-  return {a_thread * n / std::min(thread_count(threads), most_threads), start + there * n};
+  const int used = std::min(thread_count(threads), most_threads);
+  return {one_thread * n / std::pow(used, gain), start + there * n};
 }
 
 bool device_expected([[maybe_unused]] std::size_t elements, [[maybe_unused]] int threads) {

@@ -12,8 +12,8 @@ namespace meetc {
 void require_query(const device &on, const device_set &a, const device_set &b, const predicate_info &predicate,
                    rung precision, const device_options &options);
 
-// collide() after require_query(), whose B may be several instances of equally many elements, one after another. If of_instances is not empty, it
-// becomes the number of pairs of each, and nothing else is kept.
+// collide() after require_query(), whose B may be several instances of equally many elements, one after another. If
+// of_instances is not empty, it becomes the number of pairs of each, and nothing else is kept.
 device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                     const device_options &options, std::span<std::uint64_t> of_instances);
 

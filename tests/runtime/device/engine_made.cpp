@@ -70,6 +70,15 @@ void made(comparison &with, const settings &s) {
       check("made there, one far away", view_of(x), view_of(y), at);
     }
     const rows_of x = same_rows(*p.a, 200), y = same_rows(*p.b, 50), none{p.b, {}};
+    // Too far apart in memory to be uploaded as they stand.
+    const std::size_t stride = std::size_t{1} << 15, rows = 60;
+    const rows_of sparse = random_rows(*p.a, rows, {1, 0.1, 1, 0}, random);
+    std::vector<unsigned char> bytes(stride * rows);
+    const std::size_t row_bytes = static_cast<std::size_t>(p.a->fields) * sizeof(float);
+    for (std::size_t i = 0; i < rows; ++i)
+      std::memcpy(bytes.data() + i * stride, sparse.rows.data() + i * static_cast<std::size_t>(p.a->fields), row_bytes);
+    check("made there, far apart", {reinterpret_cast<const float *>(bytes.data()), 0, stride, nullptr, rows},
+          view_of(y), {});
     check("made there, all alike", view_of(x), view_of(y), {});
     check("made there, nothing", view_of(x), view_of(none), {});
   });

@@ -26,6 +26,21 @@ TEST_CASE("search: what is made already costs nothing, and long elements are not
   CHECK(cost(longer, search::groups) > cost(fresh, search::groups));
 }
 
+TEST_CASE("search: the choice is that which was measured to be the fastest, in the scenes of docs/gpu.md") {
+  const auto chosen = [](std::uint64_t a, std::uint64_t b, bool long_elements = false) {
+    return expected_costs({.a = a, .b = b, .long_elements = long_elements}).least();
+  };
+  CHECK(chosen(1'024, 1'024) == search::every_pair);
+  CHECK(chosen(4'096, 4'096) == search::every_pair);
+  for (const std::uint64_t n : {16'384U, 65'536U, 262'144U, 1'048'576U, 4'194'304U, 16'777'216U})
+    CHECK(chosen(n, n) == search::tree);
+  CHECK(chosen(69'451, 345'944) == search::tree);
+  CHECK(chosen(345'944, 345'944) == search::tree);
+  CHECK(chosen(4'444'864, 22'140'416) == search::tree);
+  CHECK(chosen(100, 4'444'864, true) == search::tree);
+  CHECK(chosen(10'000, 4'444'864, true) == search::tree);
+}
+
 TEST_CASE("search: each has a name") {
   for (int i = 0; i < searches; ++i)
     CHECK(!std::string(name_of(static_cast<search>(i))).empty());
