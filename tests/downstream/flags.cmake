@@ -14,9 +14,9 @@ endfunction()
 
 foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
   # Harmless flags, contraction among them: the transforms stand behind barriers, and the bounds hold with or without it.
-  # One of the compilers takes all predicates.
+  # One of the compilers, the faster if it is there, takes all predicates.
   set(plain "-O2" ${few})
-  if("${compiler}" STREQUAL "${GXX}")
+  if("${compiler}" STREQUAL "${CLANGXX}" OR NOT CLANGXX)
     set(plain "-O2")
   endif()
   foreach(flags IN ITEMS "${plain}" "-O3;-march=native;-ffp-contract=fast;${few}")
@@ -44,10 +44,12 @@ foreach(compiler IN ITEMS ${GXX} ${CLANGXX})
   run("${compiler}" "${ROOM}/hostile.o" "${ROOM}/flags/twice.cpp" -o "${ROOM}/hostile")
   run("${ROOM}/hostile")
   expect("fma() is not rounded once" "${right}")
-  # The control word is changed between calls.
-  compile("${compiler}" switched -O2 ${strict} "${ROOM}/flags/switched.cpp")
-  run("${ROOM}/switched")
-  expect("0 wrong beside changes of the control word")
+  # The control word is changed between calls. (For clang flags_unseen.cmake does so, with everything inlined.)
+  if(LONG OR NOT "${compiler}" STREQUAL "${CLANGXX}")
+    compile("${compiler}" switched -O2 ${strict} "${ROOM}/flags/switched.cpp")
+    run("${ROOM}/switched")
+    expect("0 wrong beside changes of the control word")
+  endif()
 endforeach()
 
 # gcc defines macros if sums are reassociated or intermediate results are wide; clang does not, and the calls notice.

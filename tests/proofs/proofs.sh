@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# proofs.sh CHECK GAPPA COQC FOLDER...: runs Gappa on every proofs/*.gappa under each FOLDER of generated files, on all
-# cores.
+# proofs.sh [--long] CHECK GAPPA COQC FOLDER...: runs Gappa on every proofs/*.gappa under each FOLDER of generated files,
+# on all cores.
 #   prove      every script is proved
 #   theorems   of rounding, each proof uses only what also holds in finer formats (gen/target/gappa/gappa.cpp)
 #   quarter    with a quarter of its bound, no script is proved
@@ -10,7 +10,14 @@
 # Three scripts are not about signs: half_parts, and ball_filter and two_points, whose errors are variables. For these
 # `quarter` divides each part of the margin by 4 (the term of two_points, which has room, by more), and `roundings`
 # doubles each error or multiplies it by 4, widens the other ranges, and breaks the rule.
+# Most signs have two scripts: their products and sums are fused, or not. Without --long, `roundings` and `coq` take the
+# first of the two, and Coq forges only the shortest proof of a sign and the three others.
 set -euo pipefail
+long=
+if [ "$1" = --long ]; then
+  long=1
+  shift
+fi
 check=$1 gappa=$2 coqc_found=$3
 shift 3
 [ -x "$gappa" ] || {
@@ -199,6 +206,22 @@ for each in "$@"; do
     exit 1
   }
 done
+if [ -z "$long" ] && [[ $check == @(roundings|coq) ]]; then
+  kept=()
+  for each in "${scripts[@]}"; do
+    [[ $each == *_unfused.gappa && -e ${each/_unfused/} ]] || kept+=("$each")
+  done
+  scripts=("${kept[@]}")
+fi
+# What Coq forges: all, or the shortest proof of a sign and those that are not about signs.
+forge=$(printf '%s\n' "${scripts[@]}")
+[ -n "$long" ] || forge=$(
+  grep -L 'v - e' "${scripts[@]}" || true
+  for each in "${scripts[@]}"; do
+    ! grep -q 'v - e' "$each" || echo "$each"
+  done | tail -n 1
+)
+export forge
 log=$folder/log
 status=0
 printf '%s\0' "${scripts[@]}" | xargs -0 -P "$(nproc)" -n 1 bash -c 'set -euo pipefail; one "$1"' one >"$log" || status=1

@@ -127,6 +127,7 @@ one_coq() {
   echo accepted
   for change in "${changes[@]}"; do echo "another claim refused"; done
 
+  [[ $'\n'$forge$'\n' == *$'\n'"$1"$'\n'* ]] || return 0
   # The forgery: the first false claim, with its number in place of the true one in Gappa's proof.
   number=$(diff <(grep -oE '[0-9]+b-[0-9]+' <<<"$text") <(grep -oE '[0-9]+b-[0-9]+' <<<"${others[0]}") |
     sed -n 's/^< //p;T;q') || true
