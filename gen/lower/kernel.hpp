@@ -86,6 +86,7 @@ struct predicate {
   stage reject, common, rare;    // no atoms: there is no such stage
   std::vector<sign_value> taken; // every sign that the hit takes, in the order of the spec
   std::vector<sub_decision> calls;
+  bool symmetric = false; // proved: the operands may be exchanged (gen/lower/symmetric.hpp)
 
   // The atoms in the order in which the stages compute them.
   std::vector<int> order() const;

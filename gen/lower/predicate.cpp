@@ -1,6 +1,7 @@
 // Kernels that consist of signs: predicates with their stages, and single signs.
 #include "gen/lower/calls.hpp"
 #include "gen/lower/compile.hpp"
+#include "gen/lower/symmetric.hpp"
 
 #include <set>
 
@@ -89,6 +90,7 @@ predicate compile_predicate(const model &m, const request &r) {
   out.common = compile_stage(*out.local, out.signs, usual, r);
   out.rare = compile_stage(*out.local, out.signs, rare, r);
   find_calls(m, expand.calls(), out);
+  out.symmetric = is_symmetric(out, r.kinds);
   return out;
 }
 

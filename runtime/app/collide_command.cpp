@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 namespace meetc::app {
 
@@ -79,7 +80,13 @@ std::string collide(const catalogue &all, const collide_request &q) {
   check_outputs(q, outputs);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<const kind_info *> kinds = kinds_of(all);
-  const io::element_set a = io::read(q.a, kinds), b = io::read(q.b, kinds, q.move_b);
+  const io::element_set a = io::read(q.a, kinds);
+  std::error_code code;
+  const bool same_file = fs::equivalent(q.a, q.b, code);
+  std::optional<io::element_set> other; // unless A is collided with itself
+  if (!same_file || q.move_b.any())
+    other = io::read(q.b, kinds, q.move_b);
+  const io::element_set &b = other ? *other : a;
   const std::chrono::duration<double> read = std::chrono::steady_clock::now() - start;
 
   query h;
@@ -98,14 +105,13 @@ std::string collide(const catalogue &all, const collide_request &q) {
   if (const std::string warning = box_warning(h, found); !warning.empty())
     std::fprintf(stderr, "meet: %s\n", warning.c_str());
 
-  std::error_code code;
   collide_report report{q.a.string(),
                         q.b.string(),
                         a,
                         b,
                         h,
                         found,
-                        fs::equivalent(q.a, q.b, code),
+                        same_file,
                         q.move_b.any(),
                         read.count(),
                         name_of(all.compiled_for),

@@ -27,6 +27,13 @@ struct ordered {
 
 result find_on_cpu(const ordered &o, const query &q, const collide_options &options, answers &out) {
   const auto start = std::chrono::steady_clock::now();
+  if (&o.first == &o.second) {
+    const prepared both = prepare(o.first, q.threads, nullptr, q.grid);
+    both.bounds(o.first_answer.bounds.lo, o.first_answer.bounds.hi);
+    o.second_answer.bounds = o.first_answer.bounds;
+    out.prepare_seconds = seconds_since(start);
+    return meetc::collide(both, both, *q.by.predicate, q.precision, options);
+  }
   // The larger set is prepared for the smaller one alone.
   const bool first_smaller = o.first.elements <= o.second.elements;
   const prepared smaller = prepare(first_smaller ? o.first : o.second, q.threads, nullptr, q.grid);

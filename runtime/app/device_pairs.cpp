@@ -14,6 +14,7 @@
 #include "core/device/collide.hpp"
 
 #include <chrono>
+#include <optional>
 #endif
 
 namespace meetc::app {
@@ -59,7 +60,11 @@ device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b,
     const auto ready = std::chrono::steady_clock::now();
     pose at;
     at.grid = grid;
-    device_set set_a(on, view_of(a), *a.kind, at, options.threads), set_b(on, view_of(b), *b.kind, at, options.threads);
+    device_set set_a(on, view_of(a), *a.kind, at, options.threads);
+    std::optional<device_set> other; // unless A is collided with itself
+    if (&a != &b)
+      other.emplace(on, view_of(b), *b.kind, at, options.threads);
+    device_set &set_b = other ? *other : set_a;
     device_pairs out;
     set_a.bounds(out.around_a.lo, out.around_a.hi);
     set_b.bounds(out.around_b.lo, out.around_b.hi);

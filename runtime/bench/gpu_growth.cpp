@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace meetc::bench {
 
@@ -53,8 +54,11 @@ table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std:
       "until "
       "the pairs are sorted there, but for the wall clock, which in a query also has the pairs downloaded.");
   for (const gpu_scene &scene : scenes) {
-    const auto [first, second] = scene.make();
-    const prepared a = app::prepare(first), b = app::prepare(second);
+    const auto made_sets = scene.make();
+    const io::element_set &first = made_sets.first, &second = scene.itself ? first : made_sets.second;
+    const prepared a = app::prepare(first);
+    std::optional<prepared> other;
+    const prepared &b = scene.itself ? a : other.emplace(app::prepare(second));
     const predicate_info &p = find_predicate(all_, scene.predicate);
     std::optional<std::uint64_t> found;
     device_options o;
@@ -65,7 +69,9 @@ table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std:
       o.by = by;
       std::vector<double> fresh, posed, again, wall;
       for (int i = 0; i <= growth_runs; ++i) {
-        device_set on_a(on_, a), on_b(on_, b);
+        device_set on_a(on_, a);
+        std::optional<device_set> its_own;
+        device_set &on_b = scene.itself ? on_a : its_own.emplace(on_, b);
         const device_result r = query(on_a, on_b), r_again = query(on_a, on_b);
         pose at;
         at.m[3] = 0x1p-20;
@@ -82,17 +88,21 @@ table gpu_bench::measure_growth(const std::vector<gpu_scene> &scenes, const std:
     };
     const search_costs expected = [&] {
       const device_set on_a(on_, a), on_b(on_, b);
-      return expected_costs(on_a.for_search(on_b));
+      return expected_costs(on_a.for_search(scene.itself ? on_a : on_b));
     }();
     const search chosen = expected.least();
     const search_times tree = time(search::tree);
     std::vector<double> ordered, made;
     for (int i = 0; i <= growth_runs; ++i) {
       const auto start = std::chrono::steady_clock::now();
-      const device_set there_a(on_, app::view_of(first), *first.kind), there_b(on_, app::view_of(second), *second.kind);
+      const device_set there_a(on_, app::view_of(first), *first.kind);
+      std::optional<device_set> there_b;
+      if (!scene.itself)
+        there_b.emplace(on_, app::view_of(second), *second.kind);
       const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
       if (i > 0)
-        made.push_back(took.count()), ordered.push_back(there_a.ordered_seconds() + there_b.ordered_seconds());
+        made.push_back(took.count()),
+            ordered.push_back(there_a.ordered_seconds() + (there_b ? there_b->ordered_seconds() : 0));
     }
     const auto time_if_quick = [&](search by) {
       return expected.of[static_cast<int>(by)] < too_slow ? std::optional(time(by)) : std::nullopt;

@@ -16,6 +16,7 @@ namespace meetc::bench {
 struct gpu_scene {
   std::string name, predicate;
   std::function<std::pair<io::element_set, io::element_set>()> make; // the predicate's first and second set
+  bool itself = false;                                               // the second set is the first
 };
 
 // Throws io::error where the folder lacks a mesh: bunny_69k.ply, armadillo_345k.ply.

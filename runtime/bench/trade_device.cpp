@@ -103,8 +103,8 @@ private:
     device_set a(on_, prepare_rows(*pairs.by->a, pairs.a.data(), pairs.count)),
         b(on_, prepare_rows(*pairs.by->b, pairs.b.data(), pairs.count));
     const auto n = static_cast<std::uint32_t>(pairs.count);
-    const cuda::operand x{a.rows(), n, cuda::grouping::single, nullptr, a.stored(run.stored_a)},
-        y{b.rows(), n, cuda::grouping::single, nullptr, b.stored(run.stored_b)};
+    const cuda::operand x{a.rows(), n, cuda::grouping::single, nullptr},
+        y{b.rows(), n, cuda::grouping::single, nullptr};
     // Slot i of a set holds element order[i].
     std::vector<std::uint32_t> slot_b(n);
     const std::vector<std::uint32_t> order_a = orders(a), order_b = orders(b);
@@ -115,17 +115,17 @@ private:
     for (std::size_t c = 0; c < copies; ++c)
       for (std::uint32_t s = 0; s < n; ++s)
         list.push_back({s, slot_b[order_a[s]]});
-    device_memory<index_pair> pairs_there, hits, first, second;
+    device_memory<index_pair> pairs_there, hits, left;
     device_memory<unsigned long long> counts;
     upload(pairs_there, list, stream);
-    hits.reserve(list.size(), "hits"), first.reserve(list.size(), "pairs"), second.reserve(list.size(), "pairs");
-    counts.reserve(5, "counters");
+    hits.reserve(list.size(), "hits"), left.reserve(list.size(), "pairs");
+    counts.reserve(4, "counters");
     const cuda::cascade_steps steps = cuda::steps_of(precision);
     const auto decide = [&](std::size_t length) {
-      check(cudaMemsetAsync(counts.data(), 0, 5 * sizeof(unsigned long long), stream), "clearing counters");
+      check(cudaMemsetAsync(counts.data(), 0, 4 * sizeof(unsigned long long), stream), "clearing counters");
       cuda::pair_list in{pairs_there.data(), nullptr, length};
       for (int s = 0; s < steps.count; ++s) {
-        const cuda::pair_list unsure{(s % 2 == 0 ? first : second).data(), counts.data() + 1 + s, list.size()};
+        const cuda::pair_list unsure{left.data(), counts.data() + 1 + s, list.size()}; // the last step writes none
         check(run.run(steps.of[s], x, y, in, {hits.data(), counts.data(), list.size()}, unsure, stream),
               "starting a decision step");
         in = unsure;
@@ -133,7 +133,7 @@ private:
     };
     const double seconds = timer_.seconds([&] { decide(list.size()); }, repetitions);
     decide(n);
-    const std::vector<unsigned long long> seen = download(counts, 5, stream);
+    const std::vector<unsigned long long> seen = download(counts, 4, stream);
     std::vector<answer> given(n, answer::no);
     for (const index_pair &h : download(hits, seen[0], stream))
       given[order_a[h.a]] = answer::yes;

@@ -59,10 +59,11 @@ private:
 };
 
 // Walks the hierarchy of one set with each block of the other, or with each of its elements: which set walks, and how,
-// is what is expected to take fewer tests. The sets must outlive it.
+// is what is expected to take fewer tests. The sets must outlive it. With `half` they are one set, and of two pairs that
+// differ only in their order it yields the one with a <= b.
 class tree_pairs final : public candidate_source {
 public:
-  tree_pairs(const element_set &a, const element_set &b, ruled_out_by what);
+  tree_pairs(const element_set &a, const element_set &b, ruled_out_by what, bool half = false);
   std::size_t units() const override;
   bool yield(std::size_t unit, pair_sink &sink) const override;
 
@@ -70,8 +71,9 @@ private:
   candidate_operand a_, b_;
   std::optional<walk_cost> cost_; // of the walks of this set; empty where a set is
   bool b_walks_ = false;          // the blocks of b walk the hierarchy of a
-  int start_ = 0;                 // the level at which a walk starts
-  std::size_t starts_ = 0;        // blocks of that level
+  bool half_;
+  int start_ = 0;          // the level at which a walk starts
+  std::size_t starts_ = 0; // blocks of that level
 };
 
 } // namespace meetc

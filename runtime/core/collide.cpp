@@ -150,7 +150,8 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   if (options.all_pairs && pair_filter::pays(predicate, a.set(), b.set()))
     filter.emplace(predicate, a.set(), b.set(), threads);
   const all_pairs every(a.set(), b.set(), what_rules_out(precision), filter ? &*filter : nullptr);
-  const tree_pairs tree(a.set(), b.set(), what_rules_out(precision));
+  const bool half = &a == &b && predicate.symmetric && never_wrong(precision) && !options.all_pairs;
+  const tree_pairs tree(a.set(), b.set(), what_rules_out(precision), half);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   collect list(threads, options.owner_a, options.owner_b);
   const answer_kind want = options.want;
@@ -167,7 +168,7 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   const tally total = decide_all({of_a.set(), of_b.set(), of_a.stored(by.stored_a, *predicate.a),
                                   of_b.stored(by.stored_b, *predicate.b), by, source, threads, want == answer_kind::any,
                                   options.progress ? +report : nullptr,
-                                  const_cast<std::function<void(double)> *>(&options.progress), taker},
+                                  const_cast<std::function<void(double)> *>(&options.progress), taker, half},
                                  {batches.get(), batch_bytes(threads)});
   r.candidates = total.candidates;
   r.count = total.hits;

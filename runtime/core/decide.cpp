@@ -2,6 +2,7 @@
 
 #include "core/threads.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 
@@ -30,9 +31,9 @@ public:
 
   bool flush() override {
     const decision_job &job = shared_.job;
+    candidates_ += meant(0, size_);
     const std::size_t n = decide();
-    candidates_ += size_;
-    hits_ += n;
+    hits_ += meant(0, n);
     size_ = 0;
     if (job.stop_at_first) {
       if (n > 0)
@@ -43,6 +44,8 @@ public:
       for (std::size_t i = 0; i < n; ++i)
         pairs_[i] = {job.a.order[pairs_[i].a], job.b.order[pairs_[i].b]};
       job.taker->take(worker_, pairs_, n);
+      if (job.both_ways)
+        take_turned(n);
     }
     return true;
   }
@@ -56,6 +59,24 @@ public:
   }
 
 private:
+  // How many pairs these candidates stand for.
+  std::size_t meant(std::size_t begin, std::size_t end) const {
+    if (!shared_.job.both_ways)
+      return end - begin;
+    return 2 * (end - begin) - static_cast<std::size_t>(std::count_if(pairs_ + begin, pairs_ + end,
+                                                                      [](index_pair p) { return p.a == p.b; }));
+  }
+  // The first n pairs the other way round.
+  void take_turned(std::size_t n) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const index_pair p = pairs_[i];
+      pairs_[kept] = {p.b, p.a};
+      kept += p.a != p.b;
+    }
+    shared_.job.taker->take(worker_, pairs_, kept);
+  }
+
   // Moves the hits to the front of the batch and returns their number.
   std::size_t decide() {
     const decision_job &job = shared_.job;
@@ -63,7 +84,7 @@ private:
     std::size_t hits = 0, end = size_; // the pairs from hits to end are unsure
     for (int at = 0; at < job.by.count && hits < end && (hits == 0 || !job.stop_at_first); ++at) {
       if (at > 0)
-        unsure_[at - 1] += end - hits;
+        unsure_[at - 1] += meant(hits, end);
       job.by.decide(at, a, b, pairs_ + hits, end - hits, answers_);
       end = sort_out(hits, end);
     }

@@ -29,6 +29,8 @@ struct decision_job {
   void (*progress)(void *context, double fraction); // may be null; called from the calling thread a few times a second
   void *progress_context;
   hit_taker *taker; // null: only count
+  // Each candidate {a, b} stands for {b, a} as well, which has the same answer; a and b are one set.
+  bool both_ways = false;
 };
 
 struct tally {

@@ -4,16 +4,30 @@
 
 #include "core/probe.hpp"
 
+#include <algorithm>
+
 namespace meetc {
+
+// A walk of half of the pairs of a set with itself leaves out those whose other slot is below the walker's.
+//
+// Whether a block of the level below `at` has only blocks of elements before `first`.
+inline bool lies_before(std::size_t block, int at, std::size_t first) {
+  static_assert(lanes == 16);
+  return (block + 1) << (4 * (at - 1)) <= first;
+}
+// Drops the pairs of `slot` with lower slots from a run, and returns its end.
+inline index_pair *without_lower(std::size_t slot, index_pair *begin, index_pair *end) {
+  return std::remove_if(begin, end, [slot](const index_pair &p) { return p.b < slot; });
+}
 
 // Tests the box around a block of `walker` against the boxes of `tree`, and yields the candidates of its elements. It
 // collects the leaf blocks first, so that runs of one element are long.
 class block_walk {
 public:
-  block_walk(const candidate_operand &walker, std::size_t block, const candidate_operand &tree, bool swapped,
+  block_walk(const candidate_operand &walker, std::size_t block, const candidate_operand &tree, bool swapped, bool half,
              pair_sink &sink)
       : walker_(walker), tree_(tree), block_(block), around_(walker.set.boxes.levels[1].get(block)), swapped_(swapped),
-        sink_(sink) {}
+        half_(half), sink_(sink) {}
 
   // Walks down from one block of level `at` >= 1. Returns false when the sink asks to stop.
   bool from(int at, std::size_t block) { return down(at, block) && finish(); }
@@ -23,6 +37,8 @@ private:
     const level &l = tree_.set.boxes.levels[at];
     for (std::uint32_t mask = tests_.touching(l.blocks[block], around_); mask != 0; mask &= mask - 1) {
       const std::size_t child = block * lanes + static_cast<std::size_t>(std::countr_zero(mask));
+      if (half_ && lies_before(child, at, block_))
+        continue;
       if (!(at == 1 ? collect(child, l.get(child)) : down(at - 1, child)))
         return false;
     }
@@ -49,7 +65,9 @@ private:
       if (count == 0)
         continue;
       const probe one(walker_, block_ * lanes + lane, tree_, swapped_);
-      index_pair *const begin = sink_.room(), *const end = one.pairs_with(chosen, count, begin);
+      index_pair *const begin = sink_.room(), *end = one.pairs_with(chosen, count, begin);
+      if (half_ && chosen[0] == block_) // blocks come in their order
+        end = without_lower(block_ * lanes + lane, begin, end);
       if (!sink_.advance(static_cast<std::size_t>(end - begin)))
         return false;
     }
@@ -61,7 +79,7 @@ private:
   const candidate_operand &walker_, &tree_;
   std::size_t block_;
   box around_;
-  bool swapped_;
+  bool swapped_, half_;
   pair_sink &sink_;
   std::size_t size_ = 0;
   std::size_t leaves_[most];
@@ -73,8 +91,9 @@ private:
 class element_walk {
 public:
   element_walk(const candidate_operand &walker, std::size_t slot, const candidate_operand &tree, bool swapped,
-               pair_sink &sink)
-      : one_(walker, slot, tree, swapped), tree_(tree.set.boxes), sink_(sink), end_(sink.room()) {}
+               bool half, pair_sink &sink)
+      : one_(walker, slot, tree, swapped), tree_(tree.set.boxes), slot_(slot), half_(half), sink_(sink),
+        end_(sink.room()) {}
 
   bool from(int at, std::size_t block) { return down(at, block) && advance(); }
 
@@ -84,6 +103,8 @@ private:
     std::uint32_t mask = touching(l.blocks[block], one_.points()) & ((1u << l.filled(block)) - 1);
     for (; mask != 0; mask &= mask - 1) {
       const std::size_t child = block * lanes + static_cast<std::size_t>(std::countr_zero(mask));
+      if (half_ && lies_before(child, at, slot_ / lanes))
+        continue;
       if (!(at == 1 ? take(child) : down(at - 1, child)))
         return false;
     }
@@ -91,7 +112,10 @@ private:
   }
 
   bool take(std::size_t leaf) {
+    index_pair *const begin = end_;
     end_ = one_.pairs_by_points(leaf, end_);
+    if (half_ && leaf == slot_ / lanes)
+      end_ = without_lower(slot_, begin, end_);
     return end_ + lanes <= sink_.room() + pair_sink::longest_run || advance();
   }
 
@@ -103,6 +127,8 @@ private:
 
   probe one_;
   const hierarchy &tree_;
+  std::size_t slot_;
+  bool half_;
   pair_sink &sink_;
   index_pair *end_; // of the pairs in the sink's room
 };

@@ -194,8 +194,10 @@ std::string predicate_text(const unit &u, std::size_t number) {
   for (const lang::expr_ptr &r : asked.reject)
     out += commented("miss: ", lang::print(*r));
   out += commented("hit: ", lang::print(*asked.hit));
-  out += fmt::format("struct {}{} {{\n  static constexpr int inputs_a = {}, inputs_b = {}, atoms = {};\n", p.name,
-                     bases(p), d.inputs_a, d.inputs_b, d.signs.atoms().size());
+  out += fmt::format("struct {}{} {{\n  static constexpr int inputs_a = {}, inputs_b = {}, atoms = {};\n"
+                     "  static constexpr bool symmetric = {};{}\n",
+                     p.name, bases(p), d.inputs_a, d.inputs_b, d.signs.atoms().size(), d.symmetric,
+                     d.symmetric ? " // proved: the exact answer is the same with the operands exchanged" : "");
   const auto method = [&](const char *comment, const char *head, const char *type, const char *function,
                           const std::string &body) {
     out += fmt::format("\n  // {}\n  {}MEETC_HD static {} {}(const {}<float> &{}, const {}<float> &{}) {{\n"

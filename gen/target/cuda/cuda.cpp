@@ -4,7 +4,6 @@
 
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
-#include "gen/target/cpp/stored.hpp"
 #include "gen/target/gappa/gappa.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +25,8 @@ constexpr const char *parameters = "(meetc::rung rung, const float *a, const flo
 
 constexpr const char *near_parameters =
     "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b, "
-    "meetc::cuda::pair_list in, meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream)";
+    "meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list kept, unsigned long long *touching, "
+    "cudaStream_t stream)";
 constexpr const char *run_parameters =
     "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b, "
     "meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure, cudaStream_t stream)";
@@ -52,13 +52,10 @@ std::string catalogue_text(const unit &u) {
          "  return meetc::cuda::query_workspace(catalogue(), catalogue().predicates[Place], a, b, list_capacity);\n"
          "}\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
   int count = 0;
-  const stored_numbers stored = number_stored(u);
   for (const lower::kernel *k : predicates_of(u)) {
-    const auto [a, b] = stored.of.at(k);
-    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {3}::stored_a({5}), "
-                       "{3}::stored_b({6}), {7}}},\n",
+    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {5}}},\n",
                        k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1),
-                       identifier(k->asked.asked->name), count, a, b, !k->decision.reject.atoms.empty());
+                       identifier(k->asked.asked->name), count, !k->decision.reject.atoms.empty());
     ++count;
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
@@ -93,22 +90,19 @@ std::string cuda_header(const unit &u) {
              ? "certify() runs one bounded rung of `certified` (fp32, fp64,\n"
                "// fp64x2), which may answer unsure. The answers equal those of the CPU, bit for bit. An unknown rung "
                "gives\n"
-               "// cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and stored_b() "
-               "compute\n"
+               "// cudaErrorInvalidValue. near() and run() are steps of a query on sets: see\n"
              : "The answers equal those of the CPU, bit for bit. An unknown rung\n"
-               "// gives cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and "
-               "stored_b() "
-               "compute\n";
-  out += "// what sets store: see meetc::cuda::predicate_launchers. All work is enqueued on the stream; nothing is\n"
-         "// allocated, waited for or thrown.\n";
+               "// gives cudaErrorInvalidValue. near() and run() are steps of a query on sets: see\n";
+  out +=
+      "// meetc::cuda::predicate_launchers. They compute anew what sets on a CPU store beside their rows, since the\n"
+      "// rows are loaded in any case. All work is enqueued on the stream; nothing is allocated, waited for or "
+      "thrown.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
     if (u.asks(lang::rung::certified))
       out += fmt::format("  static cudaError_t certify{};\n", parameters);
-    out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n"
-                       "  static meetc::cuda::stored_launcher stored_a(int number);\n"
-                       "  static meetc::cuda::stored_launcher stored_b(int number);\n}};\n",
-                       near_parameters, run_parameters);
+    out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n}};\n", near_parameters,
+                       run_parameters);
   }
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
@@ -145,16 +139,11 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
                        "  return meetc::cuda::certify_rows<{1}>(rung, a, b, pairs, n, out, stream);\n}}\n",
                        name, predicate, parameters);
   out += fmt::format("cudaError_t {0}::near{3} {{\n"
-                     "  return meetc::cuda::near<{1}, {2}, rungs>(which, a, b, in, kept, touching, stream);\n}}\n",
+                     "  return meetc::cuda::near<{1}, {2}, rungs>(which, a, b, in, yes, kept, touching, stream);\n}}\n",
                      name, predicate, shapes, near_parameters);
   out += fmt::format("cudaError_t {0}::run{2} {{\n"
                      "  return meetc::cuda::run<{1}, rungs>(which, a, b, in, yes, unsure, stream);\n}}\n",
                      name, predicate, run_parameters);
-  for (const char which : {'a', 'b'})
-    out += fmt::format(
-        "meetc::cuda::stored_launcher {0}::stored_{2}(int number) {{\n"
-        "  return meetc::cuda::stored_by<meetc::store_{2}<{1}, meetc::in_fp32::value>, rungs>(number);\n}}\n",
-        name, predicate, which);
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
 

@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/ball_segment_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -16,6 +16,7 @@ MEETC_NAMESPACE(cga) {
 //   or sign(norm2(meet(S, s))) >= 0 and side(wall(s, s.p), S.c) * side(wall(s, s.q), S.c) < 0
 struct ball_segment : detail::ball_segment_points {
   static constexpr int inputs_a = 4, inputs_b = 6, atoms = 5;
+  static constexpr bool symmetric = false;
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const sphere<float> &S_, const segment<float> &s) {

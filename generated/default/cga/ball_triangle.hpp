@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/ball_triangle_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -18,6 +18,7 @@ MEETC_NAMESPACE(cga) {
 //   or sign(norm2(meet(S, t))) >= 0 and inside(each(e in t.edges: side(e ^ (I*t), S.c)))
 struct ball_triangle : detail::ball_triangle_points {
   static constexpr int inputs_a = 4, inputs_b = 9, atoms = 16;
+  static constexpr bool symmetric = false;
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const sphere<float> &S_, const triangle<float> &t) {

@@ -43,26 +43,16 @@ std::size_t workspace(std::uint32_t a, std::uint32_t b, unsigned long long list_
 }
 
 const meetc::cuda::predicate_launchers all_predicates[] = {
-  {"segment_segment", 2, 2, segment_segment::near, segment_segment::run, pairs<0>, workspace<0>,
-      segment_segment::stored_a(-1), segment_segment::stored_b(-1), false},
-  {"point_triangle", 0, 3, point_triangle::near, point_triangle::run, pairs<1>, workspace<1>,
-      point_triangle::stored_a(-1), point_triangle::stored_b(0), false},
-  {"segment_triangle", 2, 3, segment_triangle::near, segment_triangle::run, pairs<2>, workspace<2>,
-      segment_triangle::stored_a(-1), segment_triangle::stored_b(0), true},
-  {"triangle_triangle", 3, 3, triangle_triangle::near, triangle_triangle::run, pairs<3>, workspace<3>,
-      triangle_triangle::stored_a(0), triangle_triangle::stored_b(0), true},
-  {"sphere_sphere", 1, 1, sphere_sphere::near, sphere_sphere::run, pairs<4>, workspace<4>,
-      sphere_sphere::stored_a(-1), sphere_sphere::stored_b(-1), false},
-  {"ball_ball", 1, 1, ball_ball::near, ball_ball::run, pairs<5>, workspace<5>, ball_ball::stored_a(-1),
-      ball_ball::stored_b(-1), false},
-  {"ball_segment", 1, 2, ball_segment::near, ball_segment::run, pairs<6>, workspace<6>,
-      ball_segment::stored_a(-1), ball_segment::stored_b(0), false},
-  {"sphere_segment", 1, 2, sphere_segment::near, sphere_segment::run, pairs<7>, workspace<7>,
-      sphere_segment::stored_a(-1), sphere_segment::stored_b(0), false},
-  {"ball_triangle", 1, 3, ball_triangle::near, ball_triangle::run, pairs<8>, workspace<8>,
-      ball_triangle::stored_a(-1), ball_triangle::stored_b(1), false},
-  {"sphere_triangle", 1, 3, sphere_triangle::near, sphere_triangle::run, pairs<9>, workspace<9>,
-      sphere_triangle::stored_a(-1), sphere_triangle::stored_b(1), false},
+  {"segment_segment", 2, 2, segment_segment::near, segment_segment::run, pairs<0>, workspace<0>, false},
+  {"point_triangle", 0, 3, point_triangle::near, point_triangle::run, pairs<1>, workspace<1>, false},
+  {"segment_triangle", 2, 3, segment_triangle::near, segment_triangle::run, pairs<2>, workspace<2>, true},
+  {"triangle_triangle", 3, 3, triangle_triangle::near, triangle_triangle::run, pairs<3>, workspace<3>, true},
+  {"sphere_sphere", 1, 1, sphere_sphere::near, sphere_sphere::run, pairs<4>, workspace<4>, false},
+  {"ball_ball", 1, 1, ball_ball::near, ball_ball::run, pairs<5>, workspace<5>, false},
+  {"ball_segment", 1, 2, ball_segment::near, ball_segment::run, pairs<6>, workspace<6>, false},
+  {"sphere_segment", 1, 2, sphere_segment::near, sphere_segment::run, pairs<7>, workspace<7>, false},
+  {"ball_triangle", 1, 3, ball_triangle::near, ball_triangle::run, pairs<8>, workspace<8>, false},
+  {"sphere_triangle", 1, 3, sphere_triangle::near, sphere_triangle::run, pairs<9>, workspace<9>, false},
 };
 
 } // namespace

@@ -26,22 +26,20 @@ inline constexpr unsigned rungs = 1U << static_cast<int>(meetc::rung::fp32) |
 // One struct for each predicate. decide() decides n pairs of rows: a, b, pairs and out are device pointers, and
 // rows are packed floats in the spec's store order. certify() runs one bounded rung of `certified` (fp32, fp64,
 // fp64x2), which may answer unsure. The answers equal those of the CPU, bit for bit. An unknown rung gives
-// cudaErrorInvalidValue. near() and run() are steps of a query on sets, and stored_a() and stored_b() compute
-// what sets store: see meetc::cuda::predicate_launchers. All work is enqueued on the stream; nothing is
-// allocated, waited for or thrown.
+// cudaErrorInvalidValue. near() and run() are steps of a query on sets: see
+// meetc::cuda::predicate_launchers. They compute anew what sets on a CPU store beside their rows, since the
+// rows are loaded in any case. All work is enqueued on the stream; nothing is allocated, waited for or thrown.
 struct segment_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct point_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -49,13 +47,11 @@ struct point_triangle {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct segment_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -63,13 +59,11 @@ struct segment_triangle {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct triangle_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -77,13 +71,11 @@ struct triangle_triangle {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_sphere {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -91,13 +83,11 @@ struct sphere_sphere {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_ball {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -105,13 +95,11 @@ struct ball_ball {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -119,13 +107,11 @@ struct ball_segment {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -133,13 +119,11 @@ struct sphere_segment {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct ball_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -147,13 +131,11 @@ struct ball_triangle {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 struct sphere_triangle {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -161,13 +143,11 @@ struct sphere_triangle {
   static cudaError_t certify(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
       std::size_t n, meetc::answer *out, cudaStream_t stream);
   static cudaError_t near(meetc::cuda::step which, const meetc::cuda::operand &a,
-      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-      unsigned long long *touching, cudaStream_t stream);
+      const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+      meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream);
   static cudaError_t run(meetc::cuda::step which, const meetc::cuda::operand &a,
       const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
       meetc::cuda::pair_list unsure, cudaStream_t stream);
-  static meetc::cuda::stored_launcher stored_a(int number);
-  static meetc::cuda::stored_launcher stored_b(int number);
 };
 
 } // namespace cuda

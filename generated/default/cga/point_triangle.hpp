@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/point_triangle_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -17,6 +17,7 @@ MEETC_NAMESPACE(cga) {
 //     and overlap(k, [p], t.corners))
 struct point_triangle : detail::point_triangle_points {
   static constexpr int inputs_a = 3, inputs_b = 9, atoms = 19;
+  static constexpr bool symmetric = false;
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const point<float> &p, const triangle<float> &t) {

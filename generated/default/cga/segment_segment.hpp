@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/segment_segment_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -18,6 +18,7 @@ MEETC_NAMESPACE(cga) {
 //     and overlap(k, s.ends, e.ends))
 struct segment_segment : detail::segment_segment_points {
   static constexpr int inputs_a = 6, inputs_b = 6, atoms = 25;
+  static constexpr bool symmetric = true; // proved: the exact answer is the same with the operands exchanged
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const segment<float> &s, const segment<float> &e) {

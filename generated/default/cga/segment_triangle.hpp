@@ -9,7 +9,7 @@
 #include <cga/point_triangle.hpp>
 #include <cga/segment_segment.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -22,6 +22,7 @@ MEETC_NAMESPACE(cga) {
 //   else sp*sq <= 0 and agree(each(e in t.edges: twist(s, e)))
 struct segment_triangle : detail::segment_triangle_points {
   static constexpr int inputs_a = 6, inputs_b = 9, atoms = 50;
+  static constexpr bool symmetric = false;
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const segment<float> &s, const triangle<float> &t) {

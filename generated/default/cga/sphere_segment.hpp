@@ -8,7 +8,7 @@
 #include <cga/detail/sphere_segment_bounds.hpp>
 #include <cga/ball_segment.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -16,6 +16,7 @@ MEETC_NAMESPACE(cga) {
 //   hit: ball_segment(S, s) and any(p in s.ends: side(S, p) <= 0)
 struct sphere_segment : detail::sphere_segment_points {
   static constexpr int inputs_a = 4, inputs_b = 6, atoms = 5;
+  static constexpr bool symmetric = false;
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const sphere<float> &S_, const segment<float> &s) {

@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/sphere_sphere_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -15,6 +15,7 @@ MEETC_NAMESPACE(cga) {
 //   hit: sign(norm2(meet(S, T))) >= 0
 struct sphere_sphere : detail::sphere_sphere_points {
   static constexpr int inputs_a = 4, inputs_b = 4, atoms = 2;
+  static constexpr bool symmetric = true; // proved: the exact answer is the same with the operands exchanged
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const sphere<float> &S_, const sphere<float> &T_) {

@@ -8,7 +8,7 @@
 #include <cga/detail/sphere_triangle_bounds.hpp>
 #include <cga/ball_triangle.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -16,6 +16,7 @@ MEETC_NAMESPACE(cga) {
 //   hit: ball_triangle(S, t) and any(p in t.corners: side(S, p) <= 0)
 struct sphere_triangle : detail::sphere_triangle_points {
   static constexpr int inputs_a = 4, inputs_b = 9, atoms = 16;
+  static constexpr bool symmetric = false;
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const sphere<float> &S_, const triangle<float> &t) {

@@ -10,7 +10,7 @@
 #include <cga/segment_segment.hpp>
 #include <cga/segment_triangle.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 8, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 9, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -21,6 +21,7 @@ MEETC_NAMESPACE(cga) {
 //   or any(e in B.edges: segment_triangle(e, A))
 struct triangle_triangle : detail::triangle_triangle_points {
   static constexpr int inputs_a = 9, inputs_b = 9, atoms = 96;
+  static constexpr bool symmetric = true; // proved: the exact answer is the same with the operands exchanged
 
   // Right for all valid operands (see valid()). The cheapest rung that can prove the answer gives it.
   MEETC_HD static bool hit(const triangle<float> &A, const triangle<float> &B) {

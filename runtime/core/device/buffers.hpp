@@ -17,12 +17,11 @@ enum class counter : std::uint8_t {
   hits,
   unsure_fp32,
   unsure_fp64,
-  unsure_fp64x2,
-  unused,
+  unsure_fp64x2, // right after unsure_fp64, as certify_rest needs it
   taken,
   longest
 };
-inline constexpr int counters = 10;
+inline constexpr int counters = 9;
 
 struct device_buffers {
   device_memory<index_pair> first, second, hits; // first and second alternate for candidates and unsure pairs

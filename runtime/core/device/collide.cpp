@@ -66,7 +66,7 @@ public:
   device_query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
                const device_options &options, std::span<std::uint64_t> of_instances)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
-        options_(options), of_instances_(of_instances),
+        symmetric_(p.symmetric), options_(options), of_instances_(of_instances),
         tallies_(!of_instances.empty() ||
                  (!owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
         keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && owned())) {}
@@ -78,20 +78,22 @@ public:
     result_.by = options_.by.value_or(result_.expected.least());
     if (result_.by != search::tree)
       result_.filter = options_.filter ? *options_.filter : on_.best_filter();
+    // A hierarchy visits half of the pairs of a set with itself where the other half has the same answers.
+    both_ways_ = &a_ == &b_ && result_.by == search::tree && symmetric_ && never_wrong(precision_);
     if (owned())
       upload_owners();
     start_clock();
-    mark_clock();
     if (tallies_)
       tallied_.start(options_.want, a_.elements(), b_.elements(), of_instances_, on_.stream());
     if (a_.elements() > 0 && b_.elements() > 0) {
       result_.by == search::tree ? take_trees() : take_columns();
-      if (cuda::reads_stored(precision_)) {
-        x_.stored = a_.stored(predicate_.stored_a);
-        y_.stored = b_.stored(predicate_.stored_b);
-      }
       take_room();
       go_through({0, objects(a_), 0, objects(b_)});
+      if (both_ways_ && options_.want != answer_kind::any) // each element's box touches itself
+        for (std::uint64_t *const pairs : {&result_.near_balls, &result_.candidates})
+          *pairs = 2 * *pairs - a_.elements();
+    } else {
+      mark_clock();
     }
     if (options_.want == answer_kind::any)
       result_.count = result_.count > 0;
@@ -126,15 +128,21 @@ private:
     y_ = {b_.rows(), b_.elements(), cuda::grouping::single, nullptr};
     const bool points = never_wrong(precision_), by_points_a = points && has_two_points(a_.kind()),
                by_points_b = points && has_two_points(b_.kind());
+    walk_.half = both_ways_;
     walk_.swapped = by_points_a == by_points_b ? a_.elements() < b_.elements() : by_points_b;
     device_set &walker = walk_.swapped ? b_ : a_, &tree = walk_.swapped ? a_ : b_;
-    // The two are made beside each other.
-    check(cudaEventRecord(buffers_.forked, on_.stream()), "starting a stream");
-    check(cudaStreamWaitEvent(buffers_.beside, buffers_.forked, 0), "starting a stream");
-    walk_.tree = tree.tree(buffers_.beside);
+    const bool beside =
+        &tree != &walker && !tree.has_tree() && !walker.has_tree(); // the two are made beside each other
+    if (beside) {
+      check(cudaEventRecord(buffers_.forked, on_.stream()), "starting a stream");
+      check(cudaStreamWaitEvent(buffers_.beside, buffers_.forked, 0), "starting a stream");
+    }
+    walk_.tree = tree.tree(beside ? buffers_.beside : on_.stream());
     walk_.walker = walker.tree(on_.stream());
-    check(cudaEventRecord(buffers_.joined, buffers_.beside), "joining a stream");
-    check(cudaStreamWaitEvent(on_.stream(), buffers_.joined, 0), "joining a stream");
+    if (beside) {
+      check(cudaEventRecord(buffers_.joined, buffers_.beside), "joining a stream");
+      check(cudaStreamWaitEvent(on_.stream(), buffers_.joined, 0), "joining a stream");
+    }
     walk_.rows = nullptr;
     if (by_points_a || by_points_b) {
       walk_.rows = walker.rows();
@@ -201,11 +209,14 @@ private:
   cuda::pair_list count_only(counter c) const { return {nullptr, buffers_.counts.data() + static_cast<int>(c), 0}; }
   unsigned long long seen(counter c) const { return buffers_.seen[static_cast<int>(c)]; }
 
-  bool overflowed() const { return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_; }
+  bool overflowed() const {
+    return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_ ||
+           (keep_ && seen(counter::hits) > capacity_);
+  }
   // This number of pairs of objects never overflows a list.
   std::uint64_t always_fits() const {
     const std::uint64_t size = object_size(result_.by);
-    return capacity_ / (size * size);
+    return capacity_ / (size * size * (both_ways_ ? 2 : 1));
   }
 
   static std::uint64_t area(const cuda::part &p) { return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b); }
@@ -262,18 +273,18 @@ private:
         cudaMemsetAsync(buffers_.counts.data(), 0, (is_all ? zeroed_ : counters) * sizeof(unsigned long long), stream),
         "clearing counters");
     find_candidates(p, list(buffers_.first, counter::candidates));
-    const cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
+    cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
+    hits.both_ways = both_ways_;
     cuda::pair_list in = list(buffers_.first, counter::candidates), out = list(buffers_.second, counter::kept);
     if (!boxes_suffice()) {
-      check(predicate_.near(cuda::first_step(precision_), x_, y_, in, out, count_only(counter::touching).count, stream),
+      check(predicate_.near(cuda::first_step(precision_), x_, y_, in, hits, out, count_only(counter::touching).count,
+                            stream),
             "starting the step that tests boxes");
       std::swap(in, out);
     }
-    static constexpr counter unsure[] = {counter::unsure_fp32, counter::unsure_fp64, counter::unsure_fp64x2,
-                                         counter::unused};
     const cuda::cascade_steps steps = cuda::steps_of(precision_);
     for (int s = 0; s < steps.count; ++s) {
-      out.count = list({}, unsure[s]).count;
+      out.count = count_only(s == 0 ? counter::unsure_fp32 : counter::unsure_fp64).count;
       check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
       std::swap(in, out);
     }
@@ -446,8 +457,10 @@ private:
   device_set &a_, &b_;
   const cuda::predicate_launchers &predicate_;
   rung precision_;
+  bool symmetric_;
   const device_options &options_;
   std::span<std::uint64_t> of_instances_;
+  bool both_ways_ = false;
   bool tallies_, keep_; // hits are counted by item; they are kept until then, or for their list
   tallies tallied_;
   int bits_b_ = bits_of_items(options_.owner_b, b_);

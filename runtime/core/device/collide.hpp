@@ -13,6 +13,9 @@
 // result::candidates counts pairs whose boxes, and balls or two points where those were tested, touch. There are fewer than
 // on the CPU if a ball rules out more pairs, and rungs.unsure can be smaller too. The plain rungs can say yes where nothing
 // touches, so for them balls enclose boxes, and both devices decide the same pairs.
+//
+// A set may be collided with itself. If the predicate is symmetric, the rung is never wrong and the search is a hierarchy,
+// only half of the pairs are tested, and their hits are turned round; rungs.unsure then counts that half.
 #ifndef MEETC_CORE_DEVICE_COLLIDE_HPP
 #define MEETC_CORE_DEVICE_COLLIDE_HPP
 

@@ -12,7 +12,7 @@ namespace meetc {
 namespace {
 
 constexpr std::size_t most_elements = std::size_t{1} << 23; // at once: more do not fill the device better
-constexpr std::size_t bytes_of_element = 4096;              // with boxes, stored values and lists, and room to spare
+constexpr std::size_t bytes_of_element = 4096;              // with boxes and lists, and room to spare
 
 // Of the elements of B, the share that is tested first.
 constexpr std::uint32_t sample = 16, least_sampled = 16 * sample;

@@ -309,20 +309,4 @@ void device_set::bounds(float lo[3], float hi[3]) {
   std::copy_n(all.high, 3, hi);
 }
 
-const float *device_set::stored(const cuda::stored_launcher &values) {
-  if (values.number < 0 || elements_ == 0)
-    return nullptr;
-  const auto at = static_cast<std::size_t>(values.number);
-  if (stores_.size() <= at)
-    stores_.resize(at + 1);
-  store &s = stores_[at];
-  if (s.of != version_) {
-    s.of = 0;
-    s.numbers.reserve(elements_ * static_cast<std::size_t>(values.floats), "a set's stored values");
-    check(values.compute(rows(), elements_, s.numbers.data(), on_->stream()), "starting a kernel");
-    s.of = version_;
-  }
-  return s.numbers.data();
-}
-
 } // namespace meetc

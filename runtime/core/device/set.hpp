@@ -60,10 +60,9 @@ public:
   cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame);
   // What this set, as A, and another say about a search.
   search_sizes for_search(const device_set &b) const;
+  bool has_tree() const { return tree_of_ == version_; }
   // The hierarchy of the boxes of rows(). It is made, on the stream, unless it exists already. The set has elements.
   cuda::tree_view tree(cudaStream_t stream);
-  // A predicate's stored values, in device memory. They are computed unless they exist already. Null: there are none.
-  const float *stored(const cuda::stored_launcher &values);
 
 private:
   struct made { // describes the contents of columns
@@ -94,11 +93,6 @@ private:
   made have_[2];
   device_tree tree_;
   std::uint64_t tree_of_ = 0; // version
-  struct store {
-    device_memory<float> numbers;
-    std::uint64_t of = 0; // version
-  };
-  std::vector<store> stores_; // by stored_launcher::number
 };
 
 } // namespace meetc

@@ -45,14 +45,7 @@ __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 10)
 }
 
 template <bool ByPoints> cudaError_t start_walk(const tree_walk &w, cudaStream_t stream) {
-  static number_of_device blocks_at_once;
-  const unsigned most = blocks_at_once.get([] {
-    int which = 0, processors = 0, each = 0;
-    cudaGetDevice(&which);
-    cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, which);
-    cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, walk_kernel<ByPoints>, walk_threads, 0);
-    return static_cast<unsigned>(std::max(1, processors * each));
-  });
+  const unsigned most = blocks_at_once<walk_kernel<ByPoints>, walk_threads>();
   const walk_plan plan = plan_of(w, most * walk_warps);
   const unsigned blocks = std::min((plan.items + walk_warps - 1) / walk_warps, most);
   return launch<walk_kernel<ByPoints>>(blocks, walk_threads, stream, w, plan);

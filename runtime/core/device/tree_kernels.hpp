@@ -16,6 +16,7 @@ struct tree_walk {
   cuda::tree_view walker, tree;
   cuda::part of; // of the nodes of level 0: `a` of the walker's, `b` of the tree's
   bool swapped;  // the walker's elements are the second of each pair
+  bool half; // the walker is the tree, and of two pairs that differ only in their order the one with a <= b is taken
   // The rows of the walker and where their two points are, if long elements are to be tested by those; else null.
   const float *rows;
   int fields;

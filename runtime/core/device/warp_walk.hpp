@@ -18,7 +18,7 @@ inline constexpr unsigned waiting_size = 2 * tree_width, hits_size = 128;
 struct walk_plan {
   int start;
   std::uint32_t first_chunk, chunks, long_groups, child_groups, batch, items;
-  bool cut;   // the part is not all of the tree
+  bool cut;   // not all of the tree is tested
   bool whole; // an item is a node and goes down from the root
 };
 
@@ -119,6 +119,7 @@ private:
     item >>= __ffs(plan_.long_groups) - 1;
     const std::uint32_t before = plan_.chunks > 1 ? item / plan_.chunks : item;
     const std::uint32_t node = w_.of.first_a + before, chunk = plan_.first_chunk + (item - before * plan_.chunks);
+    first_b_ = w_.half && node > w_.of.first_b ? node : w_.of.first_b;
     dealt_ = (lane_ & (plan_.child_groups - 1)) == child_group;
     const tree_view &walker = w_.walker;
     const std::uint32_t at = node * tree_width + lane_;
@@ -201,11 +202,11 @@ private:
     }
   }
 
-  // Whether a child of a node of this level has a node of level 0 in the part.
+  // Whether a child of a node of this level has a node of level 0 that is to be tested.
   __device__ bool is_in_part(int level, std::uint32_t child) const {
     const int shift = 5 * (level - 1);
     const unsigned long long first = static_cast<unsigned long long>(child) << shift;
-    return first < w_.of.end_b && first + (1ULL << shift) > w_.of.first_b;
+    return first < w_.of.end_b && first + (1ULL << shift) > first_b_;
   }
 
   // Drops the lanes whose boxes no element of the packet touches.
@@ -231,11 +232,11 @@ private:
     leaf<Single>(at, b);
   }
   template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b) {
-    const bool touch = touches<Single>(b);
+    const std::uint32_t slot = node * tree_width + lane_;
+    const bool touch = touches<Single>(b) && !(Single && w_.half && slot < single_slot_);
     const unsigned touching = __ballot_sync(~0U, touch);
     if (touching == 0)
       return;
-    const std::uint32_t slot = node * tree_width + lane_;
     const unsigned before = __popc(touching & ((1U << lane_) - 1)), all = __popc(touching);
     if constexpr (Single) {
       make_room(all);
@@ -269,6 +270,11 @@ private:
       mine |= eight << first;
     }
     mine &= ~0U >> (tree_width - n);
+    if (w_.half)
+      for (unsigned left = mine; left; left &= left - 1) {
+        const unsigned i = __ffs(left) - 1;
+        mine &= ~(static_cast<unsigned>(__float_as_uint(room_.low[i].w) < slot_) << i);
+      }
     unsigned before = __popc(mine);
     for (unsigned d = 1; d < tree_width; d *= 2) {
       const unsigned below = __shfl_up_sync(~0U, before, d);
@@ -318,6 +324,7 @@ private:
   unsigned lane_;
   tree_box own_, around_; // of this lane's element, and of the packet, or of the element that goes alone
   std::uint32_t slot_ = 0, single_slot_ = 0;
+  std::uint32_t first_b_ = 0; // of the tree's nodes of level 0 the first that is tested
   two_points single_{};
   bool dealt_ = true;   // of the children of a chunk this lane's is this item's
   bool sparse_ = false; // the packet's box is large beside those of its elements
@@ -336,7 +343,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
                  1,
                  1,
                  w.of.end_a - w.of.first_a,
-                 w.of.first_b > 0 || w.of.end_b < w.tree.shape.count[0],
+                 w.half || w.of.first_b > 0 || w.of.end_b < w.tree.shape.count[0],
                  false};
   for (; w.rows && plan.long_groups < tree_width && plan.items < enough; plan.items *= 2)
     plan.long_groups *= 2;

@@ -45,6 +45,18 @@ template <auto Kernel> bool waits() {
   }) == 2;
 }
 
+// As many blocks of this kernel, which need no dynamic shared memory, as the device runs at once.
+template <auto Kernel, unsigned Threads> unsigned blocks_at_once() {
+  static number_of_device there;
+  return there.get([] {
+    int which = 0, processors = 0, each = 0;
+    cudaGetDevice(&which);
+    cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, which);
+    cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, Kernel, static_cast<int>(Threads), 0);
+    return processors > 0 && each > 0 ? static_cast<unsigned>(processors * each) : 1U;
+  });
+}
+
 // Enqueues a kernel whose first statement is begin().
 template <auto Kernel, class... Arguments>
 cudaError_t launch(unsigned blocks, unsigned threads, cudaStream_t stream, const Arguments &...arguments) {

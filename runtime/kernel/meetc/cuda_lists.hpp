@@ -53,25 +53,40 @@ __device__ inline void append(unsigned marks, const index_pair (&pairs)[Each], c
   }
 }
 
+// The same pairs the other way round; of those of an element with itself the marks are cleared.
+template <int Each>
+__device__ inline unsigned turned(unsigned marks, const index_pair (&pairs)[Each], index_pair (&out)[Each]) {
+#pragma unroll
+  for (int k = 0; k < Each; ++k) {
+    out[k] = {pairs[k].b, pairs[k].a};
+    marks &= ~(static_cast<unsigned>(pairs[k].a == pairs[k].b) << k);
+  }
+  return marks;
+}
+template <int Each>
+__device__ inline void append_hits(unsigned marks, const index_pair (&pairs)[Each], const pair_list &to) {
+  append(marks, pairs, to);
+  if (to.both_ways) {
+    index_pair other[Each];
+    const unsigned others = turned(marks, pairs, other);
+    append(others, other, to);
+  }
+}
+
 // Of one warp: pairs that wait in shared memory until there are many, because additions to one counter are carried out one at
 // a time. All functions are of the whole warp.
 inline constexpr unsigned waiting_pairs = 512;
-class waiting_list {
+template <unsigned Size = waiting_pairs> class waiting_list {
 public:
   __device__ waiting_list(const pair_list &to, index_pair *room) : to_(to), room_(room) {}
 
   // Appends the marked pairs of all lanes, at most Each of them for a lane; bit k of `marks` stands for pair k.
   template <int Each> __device__ void append(unsigned marks, const index_pair (&pairs)[Each]) {
-    static_assert(32 * Each <= waiting_pairs);
-    const unsigned lane = threadIdx.x % 32;
-    unsigned lanes[Each];
-    if (n_ + marked(marks, lanes) > waiting_pairs)
-      flush();
-#pragma unroll
-    for (int k = 0; k < Each; ++k) {
-      if (marks >> k & 1)
-        room_[n_ + __popc(lanes[k] & ((1U << lane) - 1))] = pairs[k];
-      n_ += __popc(lanes[k]);
+    put(marks, pairs);
+    if (to_.both_ways) {
+      index_pair other[Each];
+      const unsigned others = turned(marks, pairs, other);
+      put(others, other);
     }
   }
   __device__ void flush() {
@@ -90,6 +105,20 @@ public:
   }
 
 private:
+  template <int Each> __device__ void put(unsigned marks, const index_pair (&pairs)[Each]) {
+    static_assert(32 * Each <= Size);
+    const unsigned lane = threadIdx.x % 32;
+    unsigned lanes[Each];
+    if (n_ + marked(marks, lanes) > Size)
+      flush();
+#pragma unroll
+    for (int k = 0; k < Each; ++k) {
+      if (marks >> k & 1)
+        room_[n_ + __popc(lanes[k] & ((1U << lane) - 1))] = pairs[k];
+      n_ += __popc(lanes[k]);
+    }
+  }
+
   const pair_list &to_;
   index_pair *room_;
   unsigned n_ = 0;

@@ -29,11 +29,11 @@ private:
 };
 
 struct query_memory {
-  float *rows_a, *rows_b, *stored_a, *stored_b;
+  float *rows_a, *rows_b;
   void *columns_a, *columns_b;
   extent *around;
   index_pair *first, *second;
-  unsigned long long *counts; // unsure in fp32, fp64, fp64x2 and exact (none); pairs whose boxes touch
+  unsigned long long *counts; // unsure in fp32, fp64 and double-double; pairs whose boxes touch
 
   static query_memory of(cutter &from, const catalogue &all, const predicate_launchers &p, std::uint32_t a,
                          std::uint32_t b, unsigned long long list) {
@@ -43,12 +43,10 @@ struct query_memory {
     query_memory m{};
     m.rows_a = from.take<float>(a * static_cast<std::size_t>(all.kinds[p.kind_a].fields));
     m.rows_b = from.take<float>(b * static_cast<std::size_t>(all.kinds[p.kind_b].fields));
-    m.stored_a = from.take<float>(a * static_cast<std::size_t>(p.stored_a.floats));
-    m.stored_b = from.take<float>(b * static_cast<std::size_t>(p.stored_b.floats));
     m.columns_a = columns(a), m.columns_b = columns(b);
     m.around = from.take<extent>(1);
     m.first = from.take<index_pair>(list), m.second = from.take<index_pair>(list);
-    m.counts = from.take<unsigned long long>(5);
+    m.counts = from.take<unsigned long long>(4);
     return m;
   }
 };
@@ -70,7 +68,7 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
     return cudaErrorInvalidValue;
   cudaError_t e = cudaMemsetAsync(q.result, 0, sizeof *q.result, stream);
   const auto then = [&e](auto &&enqueue) { e = e == cudaSuccess ? enqueue() : e; };
-  then([&] { return cudaMemsetAsync(m.counts, 0, 5 * sizeof *m.counts, stream); });
+  then([&] { return cudaMemsetAsync(m.counts, 0, 4 * sizeof *m.counts, stream); });
   then([&] { return a.pose(q.a, q.at_a, nullptr, m.rows_a, &q.result->bad_a, stream); });
   then([&] { return b.pose(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
   if (q.a.elements == 0 || q.b.elements == 0)
@@ -88,22 +86,16 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
   then([&] {
     return b.columns(q.by, grouping::group, c, false, m.rows_b, q.b.elements, m.around, m.columns_b, stream);
   });
-  if (reads_stored(q.precision)) {
-    if (p.stored_a.floats > 0)
-      then([&] { return p.stored_a.compute(m.rows_a, q.a.elements, m.stored_a, stream); });
-    if (p.stored_b.floats > 0)
-      then([&] { return p.stored_b.compute(m.rows_b, q.b.elements, m.stored_b, stream); });
-  }
-  const operand x{m.rows_a, q.a.elements, grouping::group, m.columns_a, m.stored_a},
-      y{m.rows_b, q.b.elements, grouping::group, m.columns_b, m.stored_b};
+  const operand x{m.rows_a, q.a.elements, grouping::group, m.columns_a},
+      y{m.rows_b, q.b.elements, grouping::group, m.columns_b};
   const pair_list near{m.first, &q.result->candidates, q.list_capacity},
       kept{m.second, &q.result->kept, q.list_capacity};
   const pair_list hits{q.pairs, &q.result->count, q.pairs ? q.capacity : 0};
   then([&] { return all.candidates(q.by, x, y, {0, x.objects(), 0, y.objects()}, near, stream); });
-  then([&] { return p.near(first_step(q.precision), x, y, near, kept, m.counts + 4, stream); });
+  then([&] { return p.near(first_step(q.precision), x, y, near, hits, kept, m.counts + 3, stream); });
   pair_list in = kept;
   for (int s = 0; s < steps.count; ++s) {
-    const pair_list unsure{s % 2 == 0 ? m.first : m.second, m.counts + s, q.list_capacity};
+    const pair_list unsure{m.first, m.counts + s, q.list_capacity}; // the last step writes none
     then([&] { return p.run(steps.of[s], x, y, in, hits, unsure, stream); });
     in = unsure;
   }

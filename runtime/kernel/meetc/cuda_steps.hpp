@@ -16,7 +16,10 @@
 namespace meetc::cuda {
 
 inline constexpr int step_threads = 128, step_warps = step_threads / 32;
-inline constexpr int step_blocks = 1056; // 8 for each of 132 multiprocessors
+// Enqueues a step for the whole device.
+template <auto Kernel, class... Arguments> cudaError_t launch_step(cudaStream_t stream, const Arguments &...arguments) {
+  return launch<Kernel>(blocks_at_once<Kernel, step_threads>(), step_threads, stream, arguments...);
+}
 
 // Where answers go: an array with one answer for each pair, or two lists.
 struct sink {
@@ -44,17 +47,12 @@ struct walk {
   __device__ unsigned long long index(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
 };
 
-// A step that reads stored values has of(stored_pair); any other step has of(row_a, row_b).
-template <class Of> inline constexpr bool of_stored = requires(const stored_pair &p) {
-  Of::of(p);
-};
-
 // in.count may be null: there are then in.capacity pairs.
 template <class P, class Of>
-__global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_array b, pair_list in, sink to) {
+__global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, const float *b, pair_list in, sink to) {
   begin();
   __shared__ index_pair rooms[step_warps][waiting_pairs];
-  waiting_list hits(to.yes, rooms[threadIdx.x / 32]);
+  waiting_list<> hits(to.yes, rooms[threadIdx.x / 32]);
   // A warp stays whole, since a lane without pairs takes part as well.
   for (walk w(in); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
@@ -65,14 +63,7 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(row_array a, row_a
       if (i >= w.n)
         break;
       const index_pair q = in.pairs[i];
-      const float *const row_a = a.rows + std::size_t{q.a} * P::inputs_a, *const row_b =
-                                                                              b.rows + std::size_t{q.b} * P::inputs_b;
-      answer x;
-      if constexpr (of_stored<Of>)
-        x = Of::of(stored_pair{row_a, row_b, a.stored + std::size_t{q.a} * stored_layout<P>::floats_a,
-                               b.stored + std::size_t{q.b} * stored_layout<P>::floats_b});
-      else
-        x = Of::of(row_a, row_b);
+      const answer x = Of::of(a + std::size_t{q.a} * P::inputs_a, b + std::size_t{q.b} * P::inputs_b);
       yes |= (x == answer::yes) << k;
       unsure |= (x == answer::unsure) << k;
       if (to.answers)
@@ -107,14 +98,16 @@ __device__ inline bool slots_of(const index_pair *objects, unsigned long long i,
 
 template <class P, class A, class B, bool Reject>
 __global__ void __launch_bounds__(step_threads)
-    near_kernel(operand a, operand b, pair_list in, pair_list kept, unsigned long long *touching) {
+    near_kernel(operand a, operand b, pair_list in, pair_list yes, pair_list kept, unsigned long long *touching) {
   begin();
-  __shared__ index_pair rooms[step_warps][waiting_pairs];
-  waiting_list list(kept, rooms[threadIdx.x / 32]);
+  constexpr bool rejects = Reject && P::reject_stage::atoms > 0, settles = rejects && P::settled_by != 0;
+  constexpr unsigned room = waiting_pairs / 2;
+  __shared__ index_pair rooms[step_warps][2][room];
+  waiting_list<room> list(kept, rooms[threadIdx.x / 32][0]), hits(yes, rooms[threadIdx.x / 32][1]);
   unsigned long long touched = 0;
   for (walk w(in, a.by == grouping::group ? group_size * group_size : 1); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
-    unsigned keep = 0;
+    unsigned keep = 0, hit = 0;
 #pragma unroll
     for (int k = 0; k < step_pairs; ++k) {
       const unsigned long long i = w.index(k);
@@ -124,22 +117,24 @@ __global__ void __launch_bounds__(step_threads)
       keep |= touch << k;
     }
     touched += __popc(keep);
-    if constexpr (Reject && P::reject_stage::atoms > 0)
+    if constexpr (rejects)
       if (standard_environment()) {
         MEETC_ROLLED
         for (unsigned left = keep; left; left &= left - 1) {
           const int k = __ffs(left) - 1;
           index_pair q;
           slots_of(in.pairs, w.index(k), a, b, q);
-          const bool rejected =
-              surely_rejected<P>({a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b,
-                                  a.stored + std::size_t{q.a} * stored_layout<P>::floats_a,
-                                  b.stored + std::size_t{q.b} * stored_layout<P>::floats_b});
-          keep &= ~(static_cast<unsigned>(rejected) << k);
+          const progress at =
+              try_to_reject<P>(a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b);
+          keep &= ~(static_cast<unsigned>(at != progress::open) << k);
+          hit |= static_cast<unsigned>(at == progress::hit) << k;
         }
       }
+    if constexpr (settles)
+      hits.append(hit, p);
     list.append(keep, p);
   }
+  hits.flush();
   list.flush();
   for (int d = 16; d > 0; d /= 2)
     touched += __shfl_xor_sync(~0U, touched, d);
@@ -159,15 +154,66 @@ template <class P, class A> struct certify_step {
   }
 };
 
-// The rungs in fp32 if both operands store the values that P reads.
-template <class P> struct stored_plain_step {
-  __device__ static answer of(const stored_pair &p) { return to_answer(decide<P>(stored_plain_signs<P>{p})); }
-};
-template <class P> struct stored_certify_step {
-  __device__ static answer of(const stored_pair &p) {
-    return standard_environment() ? decide_sets<P>(stored_bounded_signs<P>{p}) : answer::unsure;
+// What certify_fp32 leaves, a lane a pair. Pairs that a rung leaves unsure wait in shared memory until they fill the lanes.
+template <class P>
+__global__ void __launch_bounds__(step_threads)
+    rest_kernel(const float *a, const float *b, pair_list in, pair_list yes, unsigned long long *left) {
+  begin();
+  constexpr unsigned room = 64;                     // a full warp, and what a full warp adds to fewer
+  __shared__ index_pair rooms[step_warps][2][room]; // of those that fp64 and double-double leave
+  index_pair(&waiting)[2][room] = rooms[threadIdx.x / 32];
+  unsigned waits[2] = {0, 0}, passed[2] = {0, 0};
+  const unsigned lane = threadIdx.x % 32;
+  const unsigned long long n = *in.count < in.capacity ? *in.count : in.capacity,
+                           stride = gridDim.x * std::size_t{step_threads};
+  for (unsigned long long at = blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32;;) {
+    const bool ends = at >= n;
+    int stage; // of the rungs
+    if (waits[1] >= 32 || (ends && waits[0] == 0 && waits[1] > 0))
+      stage = 2;
+    else if (waits[0] >= 32 || (ends && waits[0] > 0))
+      stage = 1;
+    else if (!ends)
+      stage = 0;
+    else
+      break;
+    index_pair p[1] = {};
+    bool there;
+    if (stage == 0) {
+      there = at + lane < n;
+      if (there)
+        p[0] = in.pairs[at + lane];
+      at += stride;
+    } else {
+      unsigned &w = waits[stage - 1];
+      const unsigned taken = w < 32 ? w : 32;
+      w -= taken;
+      there = lane < taken;
+      if (there)
+        p[0] = waiting[stage - 1][w + lane];
+      __syncwarp();
+    }
+    answer x = answer::no;
+    if (there) {
+      const float *const row_a = a + std::size_t{p[0].a} * P::inputs_a, *const row_b =
+                                                                            b + std::size_t{p[0].b} * P::inputs_b;
+      x = stage == 0   ? certify_step<P, in_fp64>::of(row_a, row_b)
+          : stage == 1 ? certify_step<P, in_fp64x2>::of(row_a, row_b)
+                       : exact_step<P>::of(row_a, row_b);
+    }
+    append_hits(x == answer::yes, p, yes);
+    const unsigned unsure = __ballot_sync(~0U, x == answer::unsure);
+    if (unsure == 0) // always after the exact rung
+      continue;
+    if (x == answer::unsure)
+      waiting[stage][waits[stage] + __popc(unsure & ((1U << lane) - 1))] = p[0];
+    waits[stage] += __popc(unsure);
+    passed[stage] += __popc(unsure);
+    __syncwarp();
   }
-};
+  if (lane < 2 && passed[lane] > 0)
+    atomicAdd(left + lane, static_cast<unsigned long long>(passed[lane]));
+}
 
 template <class P> struct certified_step {
   __device__ static answer of(const float *a, const float *b) { return to_answer(decide_certified<P>(a, b)); }
@@ -185,34 +231,12 @@ cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs,
   const std::size_t wanted = (n + step_threads * step_pairs - 1) / (step_threads * step_pairs);
   const unsigned blocks = wanted < 0x7fffffff ? static_cast<unsigned>(wanted) : 0x7fffffff;
   const pair_list in{const_cast<index_pair *>(pairs), nullptr, n}; // which is only read
-  return launch<decide_kernel<P, Of>>(blocks, step_threads, stream, row_array{a}, row_array{b}, in, sink{out, {}, {}});
+  return launch<decide_kernel<P, Of>>(blocks, step_threads, stream, a, b, in, sink{out, {}, {}});
 }
 template <class P, class Of>
 cudaError_t decide_list(const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                         cudaStream_t stream) {
-  return launch<decide_kernel<P, Of>>(step_blocks, step_threads, stream, row_array{a.rows, a.stored},
-                                      row_array{b.rows, b.stored}, in, sink{nullptr, yes, unsure});
-}
-
-// The step in fp32 for sets; it reads stored values if P has any.
-template <class P, class Stored, class Plain>
-using fp32_step = std::conditional_t<(stored_layout<P>::floats_a + stored_layout<P>::floats_b > 0), Stored, Plain>;
-// Whether the operands have the stored values that P reads.
-template <class P> bool have_stored(const operand &a, const operand &b) {
-  return (stored_layout<P>::floats_a == 0 || a.stored) && (stored_layout<P>::floats_b == 0 || b.stored);
-}
-
-template <class Store>
-__global__ void __launch_bounds__(step_threads) store_kernel(const float *rows, unsigned n, float *out) {
-  begin();
-  for (unsigned i = blockIdx.x * step_threads + threadIdx.x; i < n; i += gridDim.x * step_threads)
-    Store::compute(rows + i * std::size_t{Store::inputs}, out + i * std::size_t{Store::floats});
-}
-template <class Store> cudaError_t store(const float *rows, std::uint32_t n, float *out, cudaStream_t stream) {
-  if (n == 0)
-    return cudaSuccess;
-  const unsigned blocks = std::min((n - 1) / step_threads + 1, 65536U);
-  return launch<store_kernel<Store>>(blocks, step_threads, stream, rows, n, out);
+  return launch_step<decide_kernel<P, Of>>(stream, a.rows, b.rows, in, sink{nullptr, yes, unsure});
 }
 
 // The rungs that the scene asks for, as bits 1 << rung.
@@ -252,12 +276,6 @@ cudaError_t decide_rows(rung which, const float *a, const float *b, const index_
   }
   return cudaErrorInvalidValue;
 }
-template <class Store, unsigned Rungs> stored_launcher stored_by(int number) {
-  if constexpr (Store::floats > 0 && (asks(Rungs, rung::fp32) || asks(Rungs, rung::certified)))
-    return {number, Store::floats, store<Store>};
-  return {};
-}
-
 template <class P>
 cudaError_t certify_rows(rung which, const float *a, const float *b, const index_pair *pairs, std::size_t n,
                          answer *out, cudaStream_t stream) {
@@ -274,13 +292,13 @@ cudaError_t certify_rows(rung which, const float *a, const float *b, const index
 }
 
 template <class P, class A, class B, unsigned Rungs>
-cudaError_t near(step which, const operand &a, const operand &b, pair_list in, pair_list kept,
+cudaError_t near(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list kept,
                  unsigned long long *touching, cudaStream_t stream) {
   if (which == step::near_boxes)
-    return launch<near_kernel<P, A, B, false>>(step_blocks, step_threads, stream, a, b, in, kept, touching);
+    return launch_step<near_kernel<P, A, B, false>>(stream, a, b, in, yes, kept, touching);
   if constexpr (asks(Rungs, rung::certified))
-    if (which == step::near_reject && have_stored<P>(a, b))
-      return launch<near_kernel<P, A, B, true>>(step_blocks, step_threads, stream, a, b, in, kept, touching);
+    if (which == step::near_reject)
+      return launch_step<near_kernel<P, A, B, true>>(stream, a, b, in, yes, kept, touching);
   return cudaErrorInvalidValue;
 }
 
@@ -294,8 +312,7 @@ cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pa
     break;
   case step::plain_fp32:
     if constexpr (asks(Rungs, rung::fp32))
-      if (have_stored<P>(a, b))
-        return decide_list<P, fp32_step<P, stored_plain_step<P>, plain_step<P, float>>>(a, b, in, yes, unsure, stream);
+      return decide_list<P, plain_step<P, float>>(a, b, in, yes, unsure, stream);
     break;
   case step::plain_fp64:
     if constexpr (asks(Rungs, rung::fp64))
@@ -315,17 +332,11 @@ cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pa
     break;
   case step::certify_fp32:
     if constexpr (certified)
-      if (have_stored<P>(a, b))
-        return decide_list<P, fp32_step<P, stored_certify_step<P>, certify_step<P, in_fp32>>>(a, b, in, yes, unsure,
-                                                                                              stream);
+      return decide_list<P, certify_step<P, in_fp32>>(a, b, in, yes, unsure, stream);
     break;
-  case step::certify_fp64:
+  case step::certify_rest:
     if constexpr (certified)
-      return decide_list<P, certify_step<P, in_fp64>>(a, b, in, yes, unsure, stream);
-    break;
-  case step::certify_fp64x2:
-    if constexpr (certified)
-      return decide_list<P, certify_step<P, in_fp64x2>>(a, b, in, yes, unsure, stream);
+      return launch_step<rest_kernel<P>>(stream, a.rows, b.rows, in, yes, unsure.count);
     break;
   }
   return cudaErrorInvalidValue;

@@ -21,6 +21,7 @@ struct pair_list {
   index_pair *pairs;
   unsigned long long *count;
   unsigned long long capacity;
+  bool both_ways = false; // of hits: {a, b} is appended as {b, a} as well, unless a is b
 };
 
 // What the filter takes as one object: an element, or a group of neighbouring slots. With groups far fewer pairs are
@@ -37,8 +38,6 @@ struct operand {
   std::uint32_t elements;
   grouping by;
   const void *columns; // half_bytes or float_bytes for each of matrix_padded(objects) objects
-  // The values that the predicate's stored_launcher computed from the rows; null if it stores nothing.
-  const float *stored = nullptr;
 
   MEETC_HD constexpr std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
 };
@@ -139,21 +138,20 @@ struct part {
 // The steps that run on a list of candidates.
 enum class step : std::uint8_t {
   near_boxes,  // keeps the pairs whose closed boxes touch
-  near_reject, // ... and that the reject stage, certified in fp32, does not rule out
+  near_reject, // ... that the reject stage, certified in fp32, does not rule out, and that equal points do not settle
   plain_fp32,
   plain_fp64,
   plain_fp64x2,
   exact,
   certify_fp32,
-  certify_fp64,
-  certify_fp64x2,
+  certify_rest, // fp64, double-double and the integers, for what certify_fp32 leaves
   tolerant,
 };
 
 // The steps of a rung after first_step(): each step takes the pairs that the one before left unsure. count 0: there is
 // no such rung.
 struct cascade_steps {
-  step of[4];
+  step of[2];
   int count;
 };
 constexpr cascade_steps steps_of(rung precision) {
@@ -169,13 +167,9 @@ constexpr cascade_steps steps_of(rung precision) {
   case rung::tolerant:
     return {{step::tolerant}, 1};
   case rung::certified:
-    return {{step::certify_fp32, step::certify_fp64, step::certify_fp64x2, step::exact}, 4};
+    return {{step::certify_fp32, step::certify_rest}, 2};
   }
   return {{}, 0};
-}
-// Whether a rung reads stored values.
-constexpr bool reads_stored(rung precision) {
-  return precision == rung::certified || precision == rung::fp32;
 }
 constexpr step first_step(rung precision) {
   return precision == rung::certified ? step::near_reject : step::near_boxes;
@@ -185,32 +179,24 @@ constexpr cover balls_for(rung precision) {
   return never_wrong(precision) ? cover::element : cover::box;
 }
 
-// The values that a set stores beside its rows for a predicate, like stored_values on the host.
-struct stored_launcher {
-  int number = -1; // by kind; -1: nothing is stored
-  int floats = 0;
-  // Fills out for n rows.
-  cudaError_t (*compute)(const float *rows, std::uint32_t n, float *out, cudaStream_t stream) = nullptr;
-};
-
 struct predicate_launchers {
   const char *name;
   int kind_a, kind_b; // indices of the catalogue's kinds
   // Reads min(*in.count, in.capacity) pairs of objects, takes them apart into pairs of slots, and appends those that
-  // the step keeps to `kept`; the number of pairs whose boxes touch is added to *touching. `which` is near_boxes or
-  // near_reject. Returns cudaErrorInvalidValue if the scene does not ask for the rung.
-  cudaError_t (*near)(step which, const operand &a, const operand &b, pair_list in, pair_list kept,
+  // the step keeps to `kept`, and those whose equal points prove a hit to `yes`; the number of pairs whose boxes touch is
+  // added to *touching. `which` is near_boxes or near_reject. Returns cudaErrorInvalidValue if the scene does not ask for
+  // the rung.
+  cudaError_t (*near)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list kept,
                       unsigned long long *touching, cudaStream_t stream);
-  // Reads min(*in.count, in.capacity) pairs of slots; hits go to `yes`, and pairs that certify_* cannot decide to
-  // `unsure`. Returns cudaErrorInvalidValue if the scene does not ask for the rung and, like near(), if an operand
-  // lacks stored values that the step reads.
+  // Reads min(*in.count, in.capacity) pairs of slots; hits go to `yes`, and pairs that certify_fp32 cannot decide to
+  // `unsure`. certify_rest decides all, writes no such list, and adds to unsure.count[0] how many fp64 left to
+  // double-double, and to unsure.count[1] how many that left to the integers. Returns cudaErrorInvalidValue if the scene
+  // does not ask for the rung.
   cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
                      cudaStream_t stream);
   // A whole query, and the bytes that it needs.
   cudaError_t (*pairs)(const query &q, cudaStream_t stream);
   std::size_t (*workspace)(std::uint32_t elements_a, std::uint32_t elements_b, unsigned long long list_capacity);
-  // The stored values that certify_fp32, plain_fp32 and near_reject read.
-  stored_launcher stored_a = {}, stored_b = {};
   bool rejects = true; // near_reject drops more than near_boxes
 };
 

@@ -1,10 +1,9 @@
-// The tests that a pair from a filter must pass before it is decided: its boxes touch, and the reject stage does not
-// rule it out. Kernels call them, and so does their stand-in on a host.
+// The tests that a pair from a filter must pass before it is decided: its boxes touch, the reject stage does not rule it
+// out, and its points do not settle it. Kernels call them, and so does their stand-in on a host.
 #ifndef MEETC_NEAR_HPP
 #define MEETC_NEAR_HPP
 
 #include <meetc/decide.hpp>
-#include <meetc/stored.hpp>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -20,11 +19,10 @@ template <class A, class B> MEETC_HD inline bool boxes_touch(const float *a, con
   return touch;
 }
 
-// Whether the reject stage, certified in fp32, rules the pair out. P must have one.
-template <class P> MEETC_HD inline bool surely_rejected(const stored_pair &p) {
-  sign_set s[P::atoms + 1];
-  stored_bounded_signs<P>{p}.template get<typename P::reject_stage>(s);
-  return !can_be_false(P::rejected(s));
+// What the reject stage, certified in fp32, and equal points say of the pair. P must have such a stage.
+template <class P> MEETC_HD inline progress try_to_reject(const float *row_a, const float *row_b) {
+  found_signs<P> f;
+  return try_to_reject<P>(bounded_signs<P, in_fp32>(row_a, row_b), f);
 }
 
 } // MEETC_NAMESPACE(meetc)

@@ -135,6 +135,8 @@ struct predicate_info {
   tolerance_info tolerance = {}; // of decide[tolerant]
   // Where no difference and no length exceeds 2^this, in steps of a grid, every value fits 128 bits; 0: not known.
   int longest_differences = 0;
+  // Proved: the exact answer, and with it that of every rung that is never wrong, is the same with the operands exchanged.
+  bool symmetric = false;
 };
 
 // All that a namespace offers to a runtime.

@@ -275,6 +275,7 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.box_most = most_box<P>();
   }
   p.longest_differences = longest_differences<P>();
+  p.symmetric = P::symmetric;
   if constexpr (asks(rung::tolerant)) {
     decide(rung::tolerant) = decide_tolerant<P>;
     p.tolerance = {P::tolerance::moves, P::tolerance::step(), P::tolerance::rounds, P::tolerance::reach};

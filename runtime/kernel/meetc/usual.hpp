@@ -57,24 +57,30 @@ template <class P> MEETC_HD MEETC_INLINE bool surely_rejected(found_signs<P> &f)
 // Where a pair stands after the reject stage and the stage of the usual case.
 enum class progress : std::uint8_t { miss, hit, open };
 
+// Runs the reject stage, which P must have.
+template <class P, class Signs> MEETC_HD MEETC_INLINE progress try_to_reject(const Signs &signs, found_signs<P> &f) {
+  using stage = typename P::reject_stage;
+  f.known = signs.template by_bounds<stage>(f.sets);
+  if (surely_rejected<P>(f))
+    return progress::miss;
+  if (some_zero<stage>(f.sets)) {
+    if (points_settle<P>(signs, f))
+      return progress::hit;
+    if (!f.known) {
+      f.known = zero_by_equal_points<P, stage>(f.equal, f.sets);
+      if (surely_rejected<P>(f))
+        return progress::miss;
+    }
+  }
+  return progress::open;
+}
+
 // Runs the reject stage and the stage of the usual case. An unsure reject stage does not stop it, since the decision is
 // right without that stage.
 template <class P, class Signs> MEETC_HD MEETC_INLINE progress find_usual(const Signs &signs, found_signs<P> &f) {
-  if constexpr (P::reject_stage::atoms > 0) {
-    using stage = typename P::reject_stage;
-    f.known = signs.template by_bounds<stage>(f.sets);
-    if (surely_rejected<P>(f))
-      return progress::miss;
-    if (some_zero<stage>(f.sets)) {
-      if (points_settle<P>(signs, f))
-        return progress::hit;
-      if (!f.known) {
-        f.known = zero_by_equal_points<P, stage>(f.equal, f.sets);
-        if (surely_rejected<P>(f))
-          return progress::miss;
-      }
-    }
-  }
+  if constexpr (P::reject_stage::atoms > 0)
+    if (const progress at = try_to_reject<P>(signs, f); at != progress::open)
+      return at;
   if constexpr (P::common_stage::atoms > 0) {
     using stage = typename P::common_stage;
     bool known = signs.template by_bounds<stage>(f.sets);

@@ -72,6 +72,35 @@ TEST_CASE("a set against itself gives every ordered pair") {
   CHECK(std::count_if(r.pairs.begin(), r.pairs.end(), equal) == 600);
 }
 
+// The half that is tested has to give all that two copies of the set give, in every kind of answer.
+TEST_CASE("a set against itself, by a predicate that is symmetric, gives what two copies of it give") {
+  predicate_info half = box_box_hit;
+  half.symmetric = true;
+  for (const std::size_t n : {std::size_t{1}, std::size_t{15}, std::size_t{16}, std::size_t{17}, std::size_t{600}})
+    for (const float size : {0.05f, 0.6f}) {
+      const rows a = some_boxes(n, 1, size, 11);
+      const prepared x = prepare(view_of(a, boxes), boxes), copy = prepare(view_of(a, boxes), boxes);
+      std::vector<std::uint32_t> owners(n);
+      for (std::size_t i = 0; i < n; ++i)
+        owners[i] = static_cast<std::uint32_t>(i / 3);
+      for (const bool owned : {false, true})
+        for (const answer_kind want :
+             {answer_kind::pairs, answer_kind::count, answer_kind::flags, answer_kind::counts, answer_kind::any}) {
+          collide_options o;
+          o.want = want;
+          if (owned)
+            o.owner_a = o.owner_b = owners;
+          const result one = collide(x, x, half, rung::exact, o), two = collide(x, copy, half, rung::exact, o);
+          INFO(n << " boxes of " << size << (owned ? ", owned" : "") << ", answer " << static_cast<int>(want));
+          CHECK(one.count == two.count);
+          CHECK(same(one.pairs, two.pairs));
+          CHECK((one.flags.a == two.flags.a && one.flags.b == two.flags.b));
+          CHECK((one.counts.a == two.counts.a && one.counts.b == two.counts.b));
+          CHECK((want == answer_kind::any || one.candidates == two.candidates));
+        }
+    }
+}
+
 TEST_CASE("empty sets and single elements") {
   agree({}, {}, box_box_hit);
   agree({}, some_boxes(40, 1, 1, 11), box_box_hit);

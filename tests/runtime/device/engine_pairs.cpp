@@ -242,6 +242,28 @@ void again(comparison &with, const settings &s) {
   on_cpu("another predicate on the CPU", z, x, q, balls);
 }
 
+// The same set twice, also where its hits need several parts.
+void with_itself(comparison &with, const settings &s) {
+  engine random(s.seed + 20);
+  const std::vector<std::size_t> all =
+      s.small ? std::vector<std::size_t>{1, 33, 700} : std::vector<std::size_t>{1, 31, 32, 33, 1000, 5000, 70'000};
+  each_predicate([&](const predicate_info &p) {
+    if (p.a != p.b)
+      return;
+    for (const std::size_t n : all)
+      for (const bool crowded : {false, true}) {
+        if (crowded && n > 5000)
+          continue;
+        const prepared x = ready(random_rows(*p.a, n, {1, crowded ? 0.6 : size_for(n), 1, 0}, random));
+        device_set d(with.on(), x);
+        options o;
+        o.all_modes = true;
+        o.list_capacity = least_lists;
+        with.same("a set with itself", p, x, d, x, d, both, o);
+      }
+  });
+}
+
 // Long grids: many X by few Y and the reverse, with sets whose sizes are multiples of nothing.
 void long_sets(comparison &with, const settings &s) {
   engine random(s.seed + 7);
@@ -315,6 +337,7 @@ void pair_scenes(comparison &with, const settings &s) {
   scene("parts", cut_parts);
   scene("owners", owners);
   scene("asked again", again);
+  scene("a set with itself", with_itself);
   scene("long sets", long_sets);
   scene("refusals", refusals);
 }

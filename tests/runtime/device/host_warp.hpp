@@ -24,7 +24,10 @@
 #include <sanitizer/common_interface_defs.h>
 #endif
 
-inline struct { unsigned x; } threadIdx;
+struct thread_index { // named, so that all files have one variable
+  unsigned x;
+};
+inline thread_index threadIdx;
 
 namespace host_warp {
 

@@ -242,6 +242,8 @@ void append(const pair_list &to, index_pair p) {
   if (*to.count < to.capacity)
     to.pairs[*to.count] = p;
   ++*to.count;
+  if (to.both_ways && p.a != p.b)
+    append({to.pairs, to.count, to.capacity}, {p.b, p.a});
 }
 
 bool negative(cuda::filter by, const double *x, const double *y) {
@@ -307,18 +309,9 @@ cudaError_t candidates(cuda::filter by, const operand &a, const operand &b, cuda
   return cudaSuccess;
 }
 
-template <class Store> cudaError_t store(const float *rows, std::uint32_t n, float *out, cudaStream_t) {
-  for (std::size_t i = 0; i < n; ++i)
-    Store::compute(rows + i * Store::inputs, out + i * Store::floats);
-  return cudaSuccess;
-}
-template <class Store> cuda::stored_launcher stored_by(const stored_values &on_host) {
-  return {on_host.number, on_host.floats, on_host.floats > 0 ? store<Store> : nullptr};
-}
-
 // The steps of the predicate at this index of the catalogue, as in the kernels.
 template <class P, class A, class B>
-cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list kept,
+cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list kept,
                  unsigned long long *touching, cudaStream_t) {
   const std::size_t n = std::min(*in.count, in.capacity);
   const std::uint32_t size = cuda::size_of(a.by);
@@ -333,10 +326,13 @@ cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list
         continue;
       ++*touching;
       if constexpr (P::reject_stage::atoms > 0)
-        if (which == cuda::step::near_reject && standard_environment() &&
-            surely_rejected<P>({row_a, row_b, a.stored + slots.a * std::size_t{stored_layout<P>::floats_a},
-                                b.stored + slots.b * std::size_t{stored_layout<P>::floats_b}}))
-          continue;
+        if (which == cuda::step::near_reject && standard_environment()) {
+          const progress at = try_to_reject<P>(row_a, row_b);
+          if (at == progress::hit)
+            append(yes, slots);
+          if (at != progress::open)
+            continue;
+        }
       append(kept, slots);
     }
   return cudaSuccess;
@@ -346,17 +342,34 @@ cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list 
                 cudaStream_t) {
   const predicate_info &p = cga::catalogue().predicates[Which];
   const std::size_t n = std::min(*in.count, in.capacity);
-  std::vector<answer> answers(n);
-  const int at = static_cast<int>(which) - static_cast<int>(cuda::step::plain_fp32);
-  const decide_function decide = which >= cuda::step::certify_fp32
-                                     ? p.certify[static_cast<int>(which) - static_cast<int>(cuda::step::certify_fp32)]
-                                     : p.decide[at];
-  decide({a.rows, a.stored}, {b.rows, b.stored}, in.pairs, n, answers.data());
-  for (std::size_t i = 0; i < n; ++i)
-    if (answers[i] == answer::yes)
-      append(yes, in.pairs[i]);
-    else if (answers[i] == answer::unsure)
-      append(unsure, in.pairs[i]);
+  std::vector<index_pair> asked(in.pairs, in.pairs + n);
+  // Appends the hits of this rung; the pairs that it leaves unsure are to be asked next.
+  const auto decide = [&](decide_function f) {
+    std::vector<answer> answers(asked.size());
+    f({a.rows}, {b.rows}, asked.data(), asked.size(), answers.data());
+    std::vector<index_pair> open;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if (answers[i] == answer::yes)
+        append(yes, asked[i]);
+      else if (answers[i] == answer::unsure)
+        open.push_back(asked[i]);
+    asked = std::move(open);
+  };
+  if (which == cuda::step::certify_rest) {
+    decide(p.certify[static_cast<int>(rung::fp64)]);
+    unsure.count[0] += asked.size();
+    decide(p.certify[static_cast<int>(rung::fp64x2)]);
+    unsure.count[1] += asked.size();
+    decide(p.decide[static_cast<int>(rung::exact)]);
+  } else if (which == cuda::step::certify_fp32) {
+    decide(p.certify[static_cast<int>(rung::fp32)]);
+    for (const index_pair &q : asked)
+      append(unsure, q);
+  } else {
+    decide(
+        p.decide[which == cuda::step::tolerant ? static_cast<int>(rung::tolerant)
+                                               : static_cast<int>(which) - static_cast<int>(cuda::step::plain_fp32)]);
+  }
   return cudaSuccess;
 }
 
@@ -389,7 +402,6 @@ const ::meetc::cuda::catalogue &catalogue() {
                                                              std::integral_constant<int, Which>) {
     const predicate_info &p = all.predicates[Which];
     predicates.push_back({p.name, place_of(p.a), place_of(p.b), near<P, A, B>, run<Which>, nullptr, nullptr,
-                          stored_by<store_a<P>>(p.stored_a), stored_by<store_b<P>>(p.stored_b),
                           P::reject_stage::atoms > 0});
   };
   if (predicates.empty()) {

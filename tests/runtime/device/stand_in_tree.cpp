@@ -60,6 +60,8 @@ void go_down(const tree_walk &w, const cuda::tree_box &own, const two_points *po
     }
     if (node < w.of.first_b || node >= w.of.end_b)
       continue;
+    if (w.half && child < slot)
+      continue;
     const index_pair p = w.swapped ? index_pair{child, slot} : index_pair{slot, child};
     if (*w.out.count < w.out.capacity)
       w.out.pairs[*w.out.count] = p;

@@ -217,6 +217,13 @@ TEST_CASE("sticks of all lengths against each other") {
     CHECK(same(every.pairs, want.pairs));
     CHECK(walked.candidates == every.candidates);
     CHECK(walked.candidates <= want.candidates);
+    // Half of the pairs of a set with itself.
+    predicate_info half = stick_stick;
+    half.symmetric = true;
+    const result itself = collide(y, y, half, rung::exact);
+    const toy::truth all = brute(b, b, stick_stick);
+    CHECK(same(itself.pairs, all.pairs));
+    CHECK(itself.count == all.pairs.size());
   }
 }
 

@@ -17,21 +17,15 @@ cudaError_t ball_ball::certify(meetc::rung rung, const float *a, const float *b,
   return meetc::cuda::certify_rows<::cga::ball_ball>(rung, a, b, pairs, n, out, stream);
 }
 cudaError_t ball_ball::near(meetc::cuda::step which, const meetc::cuda::operand &a,
-    const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-    unsigned long long *touching, cudaStream_t stream) {
-  return meetc::cuda::near<::cga::ball_ball, sphere_shape, sphere_shape, rungs>(which, a, b, in, kept,
+    const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+    meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream) {
+  return meetc::cuda::near<::cga::ball_ball, sphere_shape, sphere_shape, rungs>(which, a, b, in, yes, kept,
       touching, stream);
 }
 cudaError_t ball_ball::run(meetc::cuda::step which, const meetc::cuda::operand &a,
     const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
     meetc::cuda::pair_list unsure, cudaStream_t stream) {
   return meetc::cuda::run<::cga::ball_ball, rungs>(which, a, b, in, yes, unsure, stream);
-}
-meetc::cuda::stored_launcher ball_ball::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::ball_ball, meetc::in_fp32::value>, rungs>(number);
-}
-meetc::cuda::stored_launcher ball_ball::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::ball_ball, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

@@ -17,21 +17,15 @@ cudaError_t point_triangle::certify(meetc::rung rung, const float *a, const floa
   return meetc::cuda::certify_rows<::cga::point_triangle>(rung, a, b, pairs, n, out, stream);
 }
 cudaError_t point_triangle::near(meetc::cuda::step which, const meetc::cuda::operand &a,
-    const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-    unsigned long long *touching, cudaStream_t stream) {
-  return meetc::cuda::near<::cga::point_triangle, point_shape, triangle_shape, rungs>(which, a, b, in, kept,
-      touching, stream);
+    const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+    meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream) {
+  return meetc::cuda::near<::cga::point_triangle, point_shape, triangle_shape, rungs>(which, a, b, in, yes,
+      kept, touching, stream);
 }
 cudaError_t point_triangle::run(meetc::cuda::step which, const meetc::cuda::operand &a,
     const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
     meetc::cuda::pair_list unsure, cudaStream_t stream) {
   return meetc::cuda::run<::cga::point_triangle, rungs>(which, a, b, in, yes, unsure, stream);
-}
-meetc::cuda::stored_launcher point_triangle::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::point_triangle, meetc::in_fp32::value>, rungs>(number);
-}
-meetc::cuda::stored_launcher point_triangle::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::point_triangle, meetc::in_fp32::value>, rungs>(number);
 }
 
 } // namespace cuda

@@ -17,23 +17,15 @@ cudaError_t triangle_triangle::certify(meetc::rung rung, const float *a, const f
   return meetc::cuda::certify_rows<::cga::triangle_triangle>(rung, a, b, pairs, n, out, stream);
 }
 cudaError_t triangle_triangle::near(meetc::cuda::step which, const meetc::cuda::operand &a,
-    const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list kept,
-    unsigned long long *touching, cudaStream_t stream) {
+    const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
+    meetc::cuda::pair_list kept, unsigned long long *touching, cudaStream_t stream) {
   return meetc::cuda::near<::cga::triangle_triangle, triangle_shape, triangle_shape, rungs>(which, a, b, in,
-      kept, touching, stream);
+      yes, kept, touching, stream);
 }
 cudaError_t triangle_triangle::run(meetc::cuda::step which, const meetc::cuda::operand &a,
     const meetc::cuda::operand &b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes,
     meetc::cuda::pair_list unsure, cudaStream_t stream) {
   return meetc::cuda::run<::cga::triangle_triangle, rungs>(which, a, b, in, yes, unsure, stream);
-}
-meetc::cuda::stored_launcher triangle_triangle::stored_a(int number) {
-  return meetc::cuda::stored_by<meetc::store_a<::cga::triangle_triangle, meetc::in_fp32::value>,
-      rungs>(number);
-}
-meetc::cuda::stored_launcher triangle_triangle::stored_b(int number) {
-  return meetc::cuda::stored_by<meetc::store_b<::cga::triangle_triangle, meetc::in_fp32::value>,
-      rungs>(number);
 }
 
 } // namespace cuda
