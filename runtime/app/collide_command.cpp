@@ -83,8 +83,8 @@ std::string collide(const catalogue &all, const collide_request &q) {
   const io::element_set a = io::read(q.a, kinds);
   std::error_code code;
   const bool same_file = fs::equivalent(q.a, q.b, code);
-  std::optional<io::element_set> other; // unless A is collided with itself
-  if (!same_file || q.move_b.any())
+  std::optional<io::element_set> other;                                   // unless A is collided with itself
+  if (!same_file || q.a.extension() != q.b.extension() || q.move_b.any()) // the extension names the format
     other = io::read(q.b, kinds, q.move_b);
   const io::element_set &b = other ? *other : a;
   const std::chrono::duration<double> read = std::chrono::steady_clock::now() - start;

@@ -74,7 +74,7 @@ void find_on(processor on, const ordered &o, const query &q, answers &out) {
 }
 
 void find_on_best(const ordered &o, const query &q, answers &out) {
-  const std::size_t elements = o.first.elements + o.second.elements;
+  const std::size_t elements = o.first.elements + (&o.first == &o.second ? 0 : o.second.elements);
   if (device_expected(elements, q.threads)) {
     const expected_seconds expected = expected_on(elements, q.threads);
     try {

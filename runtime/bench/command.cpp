@@ -51,7 +51,8 @@ app::command add_gpu(CLI::App &bench, const catalogue &all) {
                "bodies of about the same sizes serve")
       ->type_name("DIR");
   c.add_option("--only", q->only,
-               "Measure the scenes alone whose names hold this; growth: those of growing size, in one table")
+               "Measure the scenes alone whose names hold this; growth, poses: one table; hard, choice: "
+               "tables that are not measured otherwise")
       ->type_name("TEXT");
   c.add_flag("--quick", q->quick, "Small sets, to see that it runs")->disable_flag_override();
   c.add_flag("--json", q->json, "Print one JSON object instead of the tables")->disable_flag_override();

@@ -26,9 +26,12 @@ constexpr const char *rules =
     "takes apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's "
     "memory to the pairs in it, with the extent and the columns of both sets.";
 
-// Whether --only leaves a table that has a name: "growth", the scenes of growing size, or "poses".
+// Whether --only leaves a table that has a name: "growth" or "poses"; "hard" and "choice" are only measured if asked for.
+bool is_asked(const gpu_request &q, const char *name) {
+  return q.only && *q.only == name;
+}
 bool is_meant(const gpu_request &q, const char *name) {
-  return !q.only || *q.only == name;
+  return !q.only || is_asked(q, name);
 }
 
 } // namespace
@@ -42,25 +45,37 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     std::vector<gpu_scene> scenes = gpu_scenes(all, q.data, q.quick);
     if (q.only)
       std::erase_if(scenes, [&q](const gpu_scene &s) { return s.name.find(*q.only) == std::string::npos; });
-    std::vector<gpu_scene> growth = growth_scenes(all, q.data, q.quick);
-    if (!is_meant(q, "growth"))
-      growth.clear();
+    struct search_table {
+      const char *name, *title;
+      std::vector<gpu_scene> scenes;
+    };
+    std::vector<search_table> searches;
+    if (is_meant(q, "growth"))
+      searches.push_back({"growth", "Growth with the sets, by search", growth_scenes(all, q.data, q.quick)});
+    if (is_asked(q, "hard"))
+      searches.push_back({"hard", "Sets that do not lie evenly", hard_scenes(all, q.quick)});
+    if (is_asked(q, "choice"))
+      searches.push_back({"choice", "The choice of a search, in scenes to which its model was not fitted",
+                          choice_scenes(all, q.quick)});
+    std::size_t steps = scenes.size() + 1;
+    for (const search_table &t : searches)
+      steps += t.scenes.size();
     const std::optional<posed_meshes> poses =
         is_meant(q, "poses") ? std::optional(meshes_for_poses(all, q.data, q.quick)) : std::nullopt;
-    if (scenes.empty() && growth.empty() && !poses)
+    if (scenes.empty() && searches.empty() && !poses)
       throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
     auto progress = std::make_unique<app::progress_line>("bench gpu");
     std::vector<table> tables;
     double done = 0;
-    const auto step = [&] { (*progress)(++done / static_cast<double>(scenes.size() + growth.size() + 1)); };
+    const auto step = [&] { (*progress)(++done / static_cast<double>(steps)); };
     for (const gpu_scene &s : scenes) {
       tables.push_back(bench.measure(s));
       step();
     }
     if (!q.only)
       tables.push_back(bench.measure_tangent());
-    if (!growth.empty())
-      tables.push_back(bench.measure_growth(growth, step));
+    for (const search_table &t : searches)
+      tables.push_back(bench.measure_searches(t.name, t.title, t.scenes, step));
     if (poses)
       tables.push_back(bench.measure_poses(*poses));
     progress.reset();

@@ -23,8 +23,9 @@ public:
   std::string device_in_words() const;
   table measure(const gpu_scene &scene);
   table measure_tangent();
-  // Calls `progress` after each scene.
-  table measure_growth(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
+  // Times the searches. Calls `progress` after each scene.
+  table measure_searches(const std::string &name, const std::string &title, const std::vector<gpu_scene> &scenes,
+                         const std::function<void()> &progress);
   // One mesh against another in many poses, of three classes and mixed.
   table measure_poses(const posed_meshes &meshes);
 

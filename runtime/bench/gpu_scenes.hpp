@@ -17,6 +17,7 @@ struct gpu_scene {
   std::string name, predicate;
   std::function<std::pair<io::element_set, io::element_set>()> make; // the predicate's first and second set
   bool itself = false;                                               // the second set is the first
+  bool even = false;                                                 // what the scenes after it are compared with
 };
 
 // Throws io::error where the folder lacks a mesh: bunny_69k.ply, armadillo_345k.ply.
@@ -25,6 +26,12 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
 // Scenes of growing size: about 1.1 pairs a ball, meshes, and segments as long as a mesh.
 std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data,
                                      bool quick);
+
+// A million elements that lie evenly, and as many that do not: far ones, clusters, sizes of many scales, copies.
+std::vector<gpu_scene> hard_scenes(const catalogue &all, bool quick);
+
+// Scenes to which the model of the searches' costs was not fitted.
+std::vector<gpu_scene> choice_scenes(const catalogue &all, bool quick);
 
 // A small mesh that is posed about a large one.
 struct posed_meshes {

@@ -11,7 +11,7 @@
 # `quarter` divides each part of the margin by 4 (the term of two_points, which has room, by more), and `roundings`
 # doubles each error or multiplies it by 4, widens the other ranges, and breaks the rule.
 # Most signs have two scripts: their products and sums are fused, or not. Without --long, `roundings` and `coq` take the
-# first of the two, and Coq forges only the shortest proof of a sign and the three others.
+# first of the two, and of all proofs only the shortest of a sign and the three others are forged for Coq.
 set -euo pipefail
 long=
 if [ "$1" = --long ]; then
@@ -225,6 +225,10 @@ export forge
 log=$folder/log
 status=0
 printf '%s\0' "${scripts[@]}" | xargs -0 -P "$(nproc)" -n 1 bash -c 'set -euo pipefail; one "$1"' one >"$log" || status=1
+[ "$check" != coq ] || grep -q "forgery refused" "$log" || {
+  echo "FAILED: no forgery was tried"
+  status=1
+}
 sort "$log" | uniq -c
 echo "$check: $(wc -l <"$log") lines of ${#scripts[@]} scripts"
 exit $status

@@ -55,8 +55,8 @@ std::string counts_of(const emitted_predicate &p, const emitted_stage &s, const 
     for (const auto &[where, name] : {std::pair(poly::residency::a, &p.a), std::pair(poly::residency::b, &p.b)})
       if (const std::size_t n = ir::stored_of(code, where).size()) {
         any_stored = true;
-        text += fmt::format("{}// A set stores {} {}{} beside each {}, by {}.\n", indent, n, one, n == 1 ? "" : "s",
-                            *name, count_text(ir::count_object(code, where)));
+        text += fmt::format("{}// A set on a CPU stores {} {}{} beside each {}, by {}.\n", indent, n, one,
+                            n == 1 ? "" : "s", *name, count_text(ir::count_object(code, where)));
       }
     return text;
   };

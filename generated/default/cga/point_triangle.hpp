@@ -41,9 +41,9 @@ struct point_triangle : detail::point_triangle_points {
 
   // The usual case: signs 0 to 18, degree 3.
   // Values cost each pair 21 multiplications, 29 additions.
-  // A set stores 3 values beside each t, by 6 multiplications, 9 additions.
+  // A set on a CPU stores 3 values beside each t, by 6 multiplications, 9 additions.
   // Magnitudes, where a rung has bounds, cost each pair 21 multiplications, 11 additions.
-  // A set stores 3 magnitudes beside each t, by 6 multiplications, 3 additions.
+  // A set on a CPU stores 3 magnitudes beside each t, by 6 multiplications, 3 additions.
   // A call on two single objects computes these as well.
   struct common_stage : detail::point_triangle_common_bounds {
     static constexpr int first = 0, atoms = 19, fields_a = 0, fields_b = 3;

@@ -46,9 +46,9 @@ struct segment_triangle : detail::segment_triangle_points {
 
   // Decides most misses: signs 0 to 1, degree 3.
   // Values cost each pair 6 multiplications, 10 additions.
-  // A set stores 3 values beside each t, by 6 multiplications, 9 additions.
+  // A set on a CPU stores 3 values beside each t, by 6 multiplications, 9 additions.
   // Magnitudes, where a rung has bounds, cost each pair 6 multiplications, 4 additions.
-  // A set stores 3 magnitudes beside each t, by 6 multiplications, 3 additions.
+  // A set on a CPU stores 3 magnitudes beside each t, by 6 multiplications, 3 additions.
   // A call on two single objects computes these as well.
   struct reject_stage : detail::segment_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 3;

@@ -40,9 +40,9 @@ struct sphere_segment : detail::sphere_segment_points {
 
   // The usual case: signs 0 to 4, degree 4.
   // Values cost each pair 20 multiplications, 24 additions.
-  // A set stores 1 value beside each s, by 3 multiplications, 5 additions.
+  // A set on a CPU stores 1 value beside each s, by 3 multiplications, 5 additions.
   // Magnitudes, where a rung has bounds, cost each pair 20 multiplications, 15 additions.
-  // A set stores 1 magnitude beside each s, by 3 multiplications, 2 additions.
+  // A set on a CPU stores 1 magnitude beside each s, by 3 multiplications, 2 additions.
   // A call on two single objects computes these as well.
   struct common_stage : detail::sphere_segment_common_bounds {
     static constexpr int first = 0, atoms = 5, fields_a = 0, fields_b = 1;

@@ -40,9 +40,9 @@ struct sphere_triangle : detail::sphere_triangle_points {
 
   // The usual case: signs 0 to 15, degree 6.
   // Values cost each pair 60 multiplications, 61 additions.
-  // A set stores 10 values beside each t, by 21 multiplications, 24 additions.
+  // A set on a CPU stores 10 values beside each t, by 21 multiplications, 24 additions.
   // Magnitudes, where a rung has bounds, cost each pair 60 multiplications, 43 additions.
-  // A set stores 10 magnitudes beside each t, by 21 multiplications, 15 additions.
+  // A set on a CPU stores 10 magnitudes beside each t, by 21 multiplications, 15 additions.
   // A call on two single objects computes these as well.
   struct common_stage : detail::sphere_triangle_common_bounds {
     static constexpr int first = 0, atoms = 16, fields_a = 0, fields_b = 10;

@@ -45,11 +45,11 @@ struct triangle_triangle : detail::triangle_triangle_points {
 
   // Decides most misses: signs 0 to 5, degree 3.
   // Values cost each pair 18 multiplications, 27 additions.
-  // A set stores 3 values beside each A, by 6 multiplications, 9 additions.
-  // A set stores 3 values beside each B, by 6 multiplications, 9 additions.
+  // A set on a CPU stores 3 values beside each A, by 6 multiplications, 9 additions.
+  // A set on a CPU stores 3 values beside each B, by 6 multiplications, 9 additions.
   // Magnitudes, where a rung has bounds, cost each pair 18 multiplications, 12 additions.
-  // A set stores 3 magnitudes beside each A, by 6 multiplications, 3 additions.
-  // A set stores 3 magnitudes beside each B, by 6 multiplications, 3 additions.
+  // A set on a CPU stores 3 magnitudes beside each A, by 6 multiplications, 3 additions.
+  // A set on a CPU stores 3 magnitudes beside each B, by 6 multiplications, 3 additions.
   // A call on two single objects computes these as well.
   struct reject_stage : detail::triangle_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 6, fields_a = 3, fields_b = 3;

@@ -248,6 +248,10 @@ private:
         left.push_back(y), left.push_back(x);
         continue;
       }
+      if (both_ways_ && p.end_b <= p.first_a) { // a half that the other answers for
+        done += area(p);
+        continue;
+      }
       try_part(p, area(p) == area(whole));
       if (overflowed()) {
         ordered_ = false;

@@ -11,8 +11,6 @@
 #include <meetc/near.hpp>
 #include <meetc/tolerant.hpp>
 
-#include <algorithm>
-
 namespace meetc::cuda {
 
 inline constexpr int step_threads = 128, step_warps = step_threads / 32;
@@ -100,7 +98,13 @@ template <class P, class A, class B, bool Reject>
 __global__ void __launch_bounds__(step_threads)
     near_kernel(operand a, operand b, pair_list in, pair_list yes, pair_list kept, unsigned long long *touching) {
   begin();
-  constexpr bool rejects = Reject && P::reject_stage::atoms > 0, settles = rejects && P::settled_by != 0;
+  constexpr bool rejects = Reject && P::reject_stage::atoms > 0;
+  constexpr bool settles = [] {
+    if constexpr (rejects) // a predicate without bounds knows no coincidences
+      return P::coincidences > 0;
+    else
+      return false;
+  }();
   constexpr unsigned room = waiting_pairs / 2;
   __shared__ index_pair rooms[step_warps][2][room];
   waiting_list<room> list(kept, rooms[threadIdx.x / 32][0]), hits(yes, rooms[threadIdx.x / 32][1]);

@@ -142,7 +142,7 @@ template <class P, class Stage, class V> MEETC_HD MEETC_INLINE void stage_values
                                n.stored_b + stored_layout<P>::template first_b<Stage>, v);
 }
 
-// The same signs as plain_signs in float, and as bounded_signs in fp32.
+// The same signs as plain_signs in float.
 template <class P> struct stored_plain_signs {
   stored_pair pair;
   template <class Stage> MEETC_HD void get(sign *s) const {
@@ -150,31 +150,6 @@ template <class P> struct stored_plain_signs {
     stage_values<P, Stage>(pair, v);
     for (int i = 0; i < Stage::atoms; ++i)
       s[Stage::first + i] = sign_of(v[i]);
-  }
-};
-template <class P> struct stored_bounded_signs {
-  stored_pair pair;
-  MEETC_HD std::uint32_t equal() const { return equal_points<P>(pair.row_a, pair.row_b); }
-  template <class Stage> MEETC_HD MEETC_INLINE bool get(sign_set *all) const {
-    return by_bounds<Stage>(all) || zero_by_equal_points<P, Stage>(equal(), all);
-  }
-  template <class Stage> MEETC_HD MEETC_INLINE bool by_bounds(sign_set *all) const {
-    const bounded_signs<P, in_fp32> anew(pair.row_a, pair.row_b);
-    if constexpr (std::is_same_v<Stage, typename P::rare_stage>) {
-      return anew.template by_bounds<Stage>(all);
-    } else {
-      if (!computes_as_bounded())
-        return nothing_known<Stage>(all);
-      using V = in_fp32::value;
-      V v[Stage::atoms], m[Stage::atoms];
-      stage_values<P, Stage>(pair, v);
-      const pair_numbers<P, V> n(pair);
-      using layout = stored_layout<P>;
-      Stage::magnitudes(n.row_a, n.stored_a + layout::template first_a<Stage> + stored_values_a<Stage>(), n.row_b,
-                        n.stored_b + layout::template first_b<Stage> + stored_values_b<Stage>(), fp32_leaf<Stage, V>(),
-                        m);
-      return anew.template sort_out<Stage>(v, m, all);
-    }
   }
 };
 

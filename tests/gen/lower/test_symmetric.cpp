@@ -71,7 +71,8 @@ TEST_CASE("symmetric: not claimed where the decision is another one") {
       {"segment_segment", "predicates/words.toml", "p[k] <= q[k]", "p[k] < q[k]"},
       {"triangle_triangle", flat, "reject = ['apart(B, A.corners)', 'apart(A, B.corners)']",
        "reject = ['apart(B, A.corners)']"},
-      {"triangle_triangle", flat, "or any(e in B.edges: segment_triangle(e, A))", "or segment_triangle(segment(B.a, B.b), A)"},
+      {"triangle_triangle", flat, "or any(e in B.edges: segment_triangle(e, A))",
+       "or segment_triangle(segment(B.a, B.b), A)"},
       {"ball_ball", round_ones, "4*S.r*T.r) >= 0", "4*S.r*S.r) >= 0"},
       {"sphere_sphere", round_ones, "sign(norm2(meet(S, T))) >= 0", "sign(norm2(meet(S, T))) >= 0 and sign(S.r) > 0"},
   };

@@ -7,7 +7,8 @@
 # own format.
 #
 # False claims must be refused: for a claim with a quarter of a bound Gappa writes no proof, Coq does not accept the
-# script's proof for it, and Coq refuses a forgery, which is the script's proof with the quarter in place of the bound.
+# script's proof for it, and Coq refuses a forgery, which is the script's proof with the quarter in place of the bound. The
+# forgeries are those of the scripts in $forge, a line each.
 
 coq_limit=300 # seconds for each file
 coq_axioms=" ClassicalDedekindReals.sig_not_dec ClassicalDedekindReals.sig_forall_dec \

@@ -80,16 +80,16 @@ TEST_CASE("a set against itself, by a predicate that is symmetric, gives what tw
     for (const float size : {0.05f, 0.6f}) {
       const rows a = some_boxes(n, 1, size, 11);
       const prepared x = prepare(view_of(a, boxes), boxes), copy = prepare(view_of(a, boxes), boxes);
-      std::vector<std::uint32_t> owners(n);
+      std::vector<std::uint32_t> owners(n), others(n);
       for (std::size_t i = 0; i < n; ++i)
-        owners[i] = static_cast<std::uint32_t>(i / 3);
+        owners[i] = static_cast<std::uint32_t>(i / 3), others[i] = static_cast<std::uint32_t>(i / 5);
       for (const bool owned : {false, true})
         for (const answer_kind want :
              {answer_kind::pairs, answer_kind::count, answer_kind::flags, answer_kind::counts, answer_kind::any}) {
           collide_options o;
           o.want = want;
           if (owned)
-            o.owner_a = o.owner_b = owners;
+            o.owner_a = owners, o.owner_b = others;
           const result one = collide(x, x, half, rung::exact, o), two = collide(x, copy, half, rung::exact, o);
           INFO(n << " boxes of " << size << (owned ? ", owned" : "") << ", answer " << static_cast<int>(want));
           CHECK(one.count == two.count);

@@ -15,8 +15,8 @@ constexpr rung certified[] = {rung::certified};
 constexpr rung both[] = {rung::exact, rung::certified};
 constexpr std::size_t least_lists = std::size_t{1} << 18;
 
-prepared ready(const rows_of &r) {
-  return prepare(view_of(r), *r.kind);
+prepared ready(const rows_of &r, const pose &at = {}) {
+  return prepare(view_of(r), *r.kind, at);
 }
 
 // The size of an element at which it meets a few of the other set's elements.
@@ -254,12 +254,31 @@ void with_itself(comparison &with, const settings &s) {
       for (const bool crowded : {false, true}) {
         if (crowded && n > 5000)
           continue;
-        const prepared x = ready(random_rows(*p.a, n, {1, crowded ? 0.6 : size_for(n), 1, 0}, random));
+        const rows_of x_rows = random_rows(*p.a, n, {1, crowded ? 0.6 : size_for(n), 1, 0}, random);
+        const prepared x = ready(x_rows);
         device_set d(with.on(), x);
         options o;
         o.all_modes = true;
         o.list_capacity = least_lists;
         with.same("a set with itself", p, x, d, x, d, both, o);
+        // Each third element, and each fifth, are one item; the set is then moved.
+        std::vector<std::uint32_t> thirds(n), fifths(n);
+        for (std::uint32_t i = 0; i < n; ++i)
+          thirds[i] = i / 3, fifths[i] = i / 5;
+        o.owner_a = thirds, o.owner_b = fifths;
+        with.same("a set with itself, owned", p, x, d, x, d, certified, o);
+        pose at;
+        at.m[3] = 0x1p-3;
+        d.move(at);
+        const prepared moved = ready(x_rows, at);
+        with.same("a set with itself, moved", p, moved, d, moved, d, certified, {.list_capacity = least_lists});
+        if (crowded && n == 5000) {
+          device_options cut;
+          cut.by = search::tree;
+          cut.list_capacity = least_lists;
+          with.require("a set with itself", collide(with.on(), d, d, p, rung::certified, cut).parts > 1,
+                       "no query was cut into parts");
+        }
       }
   });
 }

@@ -58,6 +58,9 @@ else
 fi
 
 ! does bench || step bench_gpu "$meet" bench gpu -o "$out" ${data:+--data "$data"}
+for table in hard choice; do
+  ! does bench || step "bench_$table" timeout 150 "$meet" bench gpu --only $table -o "$out/$table"
+done
 ! does paper || step bench_paper "$meet" bench paper --device cuda -o "$out/paper" ${data:+--data "$data"}
 
 # The use of the matrix units and the logic units in the filter of balls x balls.

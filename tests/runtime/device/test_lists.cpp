@@ -66,8 +66,8 @@ TEST_CASE("lists: every marked pair is appended once, or both ways, and no more 
             }
             waiting.flush();
           });
-          INFO((waits ? "waiting" : "at once") << (both_ways ? ", both ways, " : ", ") << of_16 << " of 16, room for "
-                                               << capacity);
+          INFO((waits ? "waiting" : "at once")
+               << (both_ways ? ", both ways, " : ", ") << of_16 << " of 16, room for " << capacity);
           CHECK(count == expected.size());
           CHECK(std::all_of(list.begin() + static_cast<std::ptrdiff_t>(capacity), list.end(),
                             [&](index_pair p) { return p.a == untouched.a && p.b == untouched.b; }));

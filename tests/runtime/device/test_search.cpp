@@ -39,6 +39,10 @@ TEST_CASE("search: the choice is that which was measured to be the fastest, in t
   CHECK(chosen(4'444'864, 22'140'416) == search::tree);
   CHECK(chosen(100, 4'444'864, true) == search::tree);
   CHECK(chosen(10'000, 4'444'864, true) == search::tree);
+  // Groups of a small set are large, and each touches many of a large one.
+  CHECK(chosen(500, 2'000'000) == search::every_pair);
+  CHECK(chosen(2'000'000, 20) == search::every_pair);
+  CHECK(chosen(2'000, 5'000'000) == search::tree);
 }
 
 TEST_CASE("search: each has a name") {
