@@ -11,11 +11,11 @@ constexpr std::size_t widest_lanes = 16;
 
 } // namespace
 
-classic_set::classic_set(const io::element_set &set)
+classic_set::classic_set(const io::element_set &set, const std::uint32_t *order)
     : count_(set.elements), fields_(static_cast<std::size_t>(set.kind->fields)),
       stride_((set.elements + widest_lanes - 1) / widest_lanes * widest_lanes), rows_(stride_ * fields_) {
   for (std::size_t i = 0; i < count_; ++i)
-    set.row(i, rows_.data() + i * fields_);
+    set.row(order ? order[i] : i, rows_.data() + i * fields_);
   const bool triangles = app::is_mesh(set);
   planes_.resize(triangles ? 4 * stride_ : 0);
   for (std::size_t i = 0; i < planes_.size() / 4; ++i) {

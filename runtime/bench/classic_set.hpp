@@ -6,14 +6,15 @@
 #include "core/memory.hpp"
 #include "io/element_set.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace meetc::bench {
 
 class classic_set {
 public:
-  // The elements of a set of triangles or balls.
-  explicit classic_set(const io::element_set &set);
+  // The elements of a set of triangles or balls, in this order; null: as they are given.
+  explicit classic_set(const io::element_set &set, const std::uint32_t *order = nullptr);
   std::size_t count() const { return count_; }
   std::size_t fields() const { return fields_; }
   const float *rows() const { return rows_.data(); }

@@ -19,11 +19,13 @@ filtered_tiles::filtered_tiles(const predicate_info &predicate, rung precision, 
       rows_b_(rows_b), fields_a_(static_cast<std::size_t>(predicate.a->fields)),
       fields_b_(static_cast<std::size_t>(predicate.b->fields)), floats_(static_cast<std::size_t>(filter_.floats)),
       singles_(allocate(count_a * floats_ * sizeof(float))),
-      tiles_(allocate((count_b + filter_tile) * floats_ * sizeof(float))) {
+      tiles_(allocate((count_b + filter_tile) * floats_ * sizeof(float))),
+      groups_(allocate((count_b / filter_tile + 1 + filter_tile) * floats_ * sizeof(float))) {
   filter_extent frame;
   predicate.b->filter->widen(rows_b, count_b, frame);
   filter_.singles(frame, rows_a, count_a, floats_in(singles_));
   predicate.b->filter->tiles(frame, rows_b, count_b, floats_in(tiles_));
+  predicate.b->filter->groups(frame, rows_b, count_b, floats_in(groups_));
 }
 
 void filtered_tiles::decide(const pair_tile &tile, answer *out) const {
@@ -33,9 +35,9 @@ void filtered_tiles::decide(const pair_tile &tile, answer *out) const {
   std::fill_n(out, tile.rows * tile.n, answer::no);
   std::size_t size = 0;
   for (std::size_t r = 0; r < tile.rows; ++r) {
-    const near_tile *const end =
-        filter_.near(floats_in(singles_) + (tile.row + r) * floats_, floats_in(tiles_) + tile.from * floats_,
-                     (tile.n + filter_tile - 1) / filter_tile, near);
+    const near_tile *const end = filter_.near(
+        floats_in(singles_) + (tile.row + r) * floats_, floats_in(groups_) + tile.from / filter_tile * floats_,
+        floats_in(tiles_) + tile.from * floats_, (tile.n + filter_tile - 1) / filter_tile, near);
     for (const near_tile *t = near; t < end; ++t)
       for (std::uint32_t left = t->elements; left != 0; left &= left - 1) {
         const std::size_t k = std::size_t{t->index} * filter_tile + static_cast<std::size_t>(std::countr_zero(left));

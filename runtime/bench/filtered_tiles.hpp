@@ -14,7 +14,7 @@ public:
   filtered_tiles(const predicate_info &predicate, rung precision, const float *rows_a, std::size_t count_a,
                  const float *rows_b, std::size_t count_b);
 
-  // As tile_test, where tile.from is a multiple of filter_tile. What the filter rules out is `no`. Any thread may call.
+  // As tile_test, where tile.from is a multiple of filter_tile^2. What the filter rules out is `no`. Any thread may call.
   void decide(const pair_tile &tile, answer *out) const;
 
 private:
@@ -22,7 +22,7 @@ private:
   decide_function rung_;
   const float *rows_a_, *rows_b_;
   std::size_t fields_a_, fields_b_, floats_;
-  owned_memory singles_, tiles_; // as those of core/pair_filter.hpp
+  owned_memory singles_, tiles_, groups_; // as those of core/pair_filter.hpp
 };
 
 } // namespace meetc::bench

@@ -24,13 +24,14 @@ filter_extent extent_of(const kind_filter &filter, const element_set &set, int t
   return all;
 }
 
-// The numbers of all rows, with room for a whole last tile.
+// The numbers of the objects that `size` rows make, with room for a whole last tile.
 owned_memory numbers(void (*of)(const filter_extent &, const float *, std::size_t, float *), const filter_extent &frame,
-                     const element_set &set, std::size_t floats, int threads) {
-  owned_memory out = allocate((set.elements + filter_tile) * floats * sizeof(float));
+                     const element_set &set, std::size_t size, std::size_t floats, int threads) {
+  static_assert(chunk % (filter_tile * filter_tile) == 0, "a tile of groups is not split between threads");
+  owned_memory out = allocate((set.elements / size + 1 + filter_tile) * floats * sizeof(float));
   for_chunks(threads, set.elements, chunk, [&](int, std::size_t begin, std::size_t end) {
     of(frame, set.rows + begin * static_cast<std::size_t>(set.kind->fields), end - begin,
-       static_cast<float *>(out.get()) + begin * floats);
+       static_cast<float *>(out.get()) + begin / size * floats);
   });
   return out;
 }
@@ -46,8 +47,9 @@ pair_filter::pair_filter(const predicate_info &predicate, const element_set &a, 
     : floats_(static_cast<std::size_t>(predicate.a->filter->floats)), near_(predicate.a->filter->near) {
   const kind_filter &of_a = *predicate.a->filter, &of_b = *predicate.b->filter;
   const filter_extent frame = b.elements < a.elements ? extent_of(of_a, a, threads) : extent_of(of_b, b, threads);
-  singles_ = numbers(of_a.singles, frame, a, floats_, threads);
-  tiles_ = numbers(of_b.tiles, frame, b, floats_, threads);
+  singles_ = numbers(of_a.singles, frame, a, 1, floats_, threads);
+  tiles_ = numbers(of_b.tiles, frame, b, 1, floats_, threads);
+  groups_ = numbers(of_b.groups, frame, b, filter_tile, floats_, threads);
 }
 
 } // namespace meetc

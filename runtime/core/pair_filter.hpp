@@ -18,17 +18,18 @@ public:
   pair_filter(const predicate_info &predicate, const element_set &a, const element_set &b, int threads);
 
   // Writes which of the blocks of b from `first` on, `count` of them, may hold an element whose box touches that of a's
-  // element in `slot`. Their indices count from `first`. Returns the end.
+  // element in `slot`. Their indices count from `first`, which is a multiple of filter_tile. Returns the end.
   near_tile *near(std::size_t slot, std::size_t first, std::size_t count, near_tile *out) const {
-    return near_(floats(singles_) + slot * floats_, floats(tiles_) + first * filter_tile * floats_, count, out);
+    return near_(floats(singles_) + slot * floats_, floats(groups_) + first * floats_,
+                 floats(tiles_) + first * filter_tile * floats_, count, out);
   }
 
 private:
   static const float *floats(const owned_memory &m) { return static_cast<const float *>(m.get()); }
 
   std::size_t floats_;
-  near_tile *(*near_)(const float *, const float *, std::size_t, near_tile *);
-  owned_memory singles_, tiles_; // of a, and of b, where tiles start on cache lines
+  near_tile *(*near_)(const float *, const float *, const float *, std::size_t, near_tile *);
+  owned_memory singles_, tiles_, groups_; // of a, and of b, where tiles start on cache lines
 };
 
 } // namespace meetc

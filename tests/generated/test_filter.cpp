@@ -110,21 +110,21 @@ void check(const meetc::kind_info &a, const meetc::kind_info &b, random_numbers 
       const float *single = singles.data() + i * floats;
       const bool touching = touch(box_of(a, rows_a.data() + i * static_cast<std::size_t>(a.fields)), of_row_b);
       meetc::near_tile out[1];
-      const bool near = of_a.near(single, one.data(), 1, out) != out;
+      const bool near = of_a.near(single, nullptr, one.data(), 1, out) != out;
       CHECK((!near || out[0].elements == 1)); // the rest of the tile is empty
       sum.touching += touching, sum.apart += !touching;
       sum.lost += touching && !near;
       sum.kept += !touching && near;
       std::copy_n(single, floats, bare_single.begin());
       bare_single[floats - 1] = without_margin(single, of_a.floats);
-      sum.lost_without_margins += touching && of_a.near(bare_single.data(), bare_tile.data(), 1, out) == out;
+      sum.lost_without_margins += touching && of_a.near(bare_single.data(), nullptr, bare_tile.data(), 1, out) == out;
     }
   }
   // All tiles at once: the elements that are near one by one.
   for (std::size_t i = 0; i < n; ++i) {
     meetc::near_tile out[n / meetc::filter_tile];
     const meetc::near_tile *const end =
-        of_a.near(singles.data() + i * floats, tiles.data(), n / meetc::filter_tile, out);
+        of_a.near(singles.data() + i * floats, nullptr, tiles.data(), n / meetc::filter_tile, out);
     const meetc::near_tile *at = out;
     for (std::uint32_t t = 0; t < n / meetc::filter_tile; ++t) {
       std::uint32_t alone = 0; // element by element
@@ -132,7 +132,7 @@ void check(const meetc::kind_info &a, const meetc::kind_info &b, random_numbers 
         const std::size_t j = std::size_t{t} * meetc::filter_tile + k;
         of_b.tiles(frame, rows_b.data() + j * static_cast<std::size_t>(b.fields), 1, one.data());
         meetc::near_tile found[1];
-        alone |= (of_a.near(singles.data() + i * floats, one.data(), 1, found) != found ? 1U : 0U) << k;
+        alone |= (of_a.near(singles.data() + i * floats, nullptr, one.data(), 1, found) != found ? 1U : 0U) << k;
       }
       const bool listed = at < end && at->index == t;
       if ((listed ? at->elements : 0) != alone)
@@ -164,6 +164,72 @@ TEST_CASE("filter: no pair of touching boxes is lost, and only its margins see t
   }
 }
 
+TEST_CASE("filter: the balls of tiles lose no pair of touching boxes, and leave out tiles") {
+  constexpr std::size_t tile = meetc::filter_tile, n = 700, tiles = (n + tile - 1) / tile; // the last ones are not full
+  for (int s = 0; s < meetc::instruction_set_count; ++s) {
+    const meetc::catalogue *const c = cga::catalogue_for(static_cast<meetc::instruction_set>(s));
+    if (!c)
+      continue;
+    INFO(meetc::name_of(c->compiled_for));
+    random_numbers random(11);
+    long touching = 0, looked_at = 0, tiles_there = 0;
+    for (int i = 0; i < c->kind_count; ++i)
+      for (int j = 0; j < c->kind_count; ++j) {
+        const meetc::kind_info &a = c->kinds[i], &b = c->kinds[j];
+        const auto floats = static_cast<std::size_t>(a.filter->floats);
+        numbers rows_a, rows_b, huge; // those of b near the middle of their tile, and such as no ball rules out
+        float middle[3] = {0, 0, 0};
+        for (std::size_t k = 0; k < n; ++k) {
+          float at[3];
+          for (int d = 0; d < 3; ++d) {
+            middle[d] = k % tile == 0 ? 50 * random.unit() : middle[d];
+            at[d] = middle[d] + 2 * random.unit();
+          }
+          add_in_cube(b, at, std::fabs(random.unit()), rows_b);
+          add_in_cube(b, at, 0x1p127F, huge);
+          if (k % 10 == 0) // the first one is too large for a ball
+            add_in_cube(a, at, k == 0 ? 0x1p127F : std::fabs(random.unit()), rows_a);
+        }
+        meetc::filter_extent frame;
+        b.filter->widen(rows_b.data(), n, frame);
+        const std::size_t count_a = rows_a.size() / static_cast<std::size_t>(a.fields);
+        numbers singles(count_a * floats), of_tiles(tiles * tile * floats), near_all(of_tiles.size()),
+            of_groups((tiles / tile + 1) * tile * floats);
+        a.filter->singles(frame, rows_a.data(), count_a, singles.data());
+        b.filter->tiles(frame, rows_b.data(), n, of_tiles.data());
+        b.filter->tiles(frame, huge.data(), n, near_all.data());
+        b.filter->groups(frame, rows_b.data(), n, of_groups.data());
+        for (std::size_t x = 0; x < count_a; ++x)
+          for (const std::size_t count : {std::size_t{1}, tile - 1, tile, tile + 1, tiles}) {
+            meetc::near_tile all[tiles], left[tiles];
+            const float *const single = singles.data() + x * floats;
+            const auto *const end = a.filter->near(single, nullptr, of_tiles.data(), count, all);
+            const auto *const end_left = a.filter->near(single, of_groups.data(), of_tiles.data(), count, left);
+            const meetc::near_tile *at = left;
+            for (const meetc::near_tile *t = all; t < end; ++t) { // what is left is as without groups
+              const bool listed = at < end_left && at->index == t->index;
+              if (listed)
+                CHECK(at->elements == t->elements);
+              at += listed;
+              for (std::size_t k = 0; k < tile; ++k)
+                if (const std::size_t y = t->index * tile + k; (t->elements >> k & 1) != 0 && y < n) {
+                  const bool touch_here = touch(box_of(a, rows_a.data() + x * static_cast<std::size_t>(a.fields)),
+                                                box_of(b, rows_b.data() + y * static_cast<std::size_t>(b.fields)));
+                  touching += touch_here;
+                  if (touch_here && !listed)
+                    FAIL("a tile with an element that touches is left out");
+                }
+            }
+            CHECK(at == end_left);
+            looked_at += a.filter->near(single, of_groups.data(), near_all.data(), count, left) - left;
+            tiles_there += static_cast<long>(count);
+          }
+      }
+    CHECK(touching > 1000);
+    CHECK(looked_at * 5 < tiles_there);
+  }
+}
+
 TEST_CASE("filter: sets that reach infinity, single points and empty frames lose nothing") {
   const meetc::catalogue &c = cga::catalogue();
   const meetc::kind_info &sphere = kind_named(c, "sphere");
@@ -181,7 +247,7 @@ TEST_CASE("filter: sets that reach infinity, single points and empty frames lose
         meetc::near_tile out[1];
         CAPTURE(framed, i, j);
         CHECK((!touch(box_of(sphere, rows.data() + 4 * i), box_of(sphere, rows.data() + 4 * j)) ||
-               sphere.filter->near(singles.data() + i * floats, tile.data(), 1, out) != out));
+               sphere.filter->near(singles.data() + i * floats, nullptr, tile.data(), 1, out) != out));
       }
     }
   }

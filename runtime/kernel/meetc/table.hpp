@@ -33,9 +33,12 @@ struct kind_filter {
   // The same in tiles of filter_tile elements: number k of a tile's element i is at k * filter_tile + i. The last tile is
   // filled up with numbers that touch nothing.
   void (*tiles)(const filter_extent &frame, const float *rows, std::size_t n, float *out);
+  // Tiles again, in which an element stands for a whole tile: the ball around the boxes of its elements.
+  void (*groups)(const filter_extent &frame, const float *rows, std::size_t n, float *out);
   // Writes those of `count` tiles whose elements are not all ruled out for one element of another set, in the same frame.
-  // There is room for `count`. Returns their end.
-  near_tile *(*near)(const float *single, const float *tiles, std::size_t count, near_tile *out);
+  // There is room for `count`. Returns their end. `groups` are those of these tiles, of which the first is the first of a
+  // group tile; a tile whose ball is ruled out is left out. Null: each tile is looked at.
+  near_tile *(*near)(const float *single, const float *groups, const float *tiles, std::size_t count, near_tile *out);
 };
 inline constexpr int filter_tile = 16;
 
