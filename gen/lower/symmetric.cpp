@@ -17,7 +17,7 @@ bool is_symmetric(const predicate &p, const std::vector<const lang::kind *> &kin
   for (const poly::poly &atom : p.signs.atoms())
     images.push_back(both.sign_of(atom.renamed(other, atom.in())));
   rewriter exchange(p.signs, both, images);
-  const auto either = [&](std::vector<int> of) { return of.empty() ? both.constant(false) : both.either(of); };
+  const auto either = [&](const std::vector<int> &of) { return of.empty() ? both.constant(false) : both.either(of); };
   std::vector<int> rejects;
   for (const int r : p.truths.reject)
     rejects.push_back(exchange.of(r));

@@ -24,6 +24,8 @@ std::string power_of_ten(int exponent) {
     return "1M";
   case 7:
     return "10M";
+  case 8:
+    return "100M";
   default:
     return exponent >= 0 && exponent <= 2   ? fmt::format("{}", std::lround(std::pow(10, exponent)))
            : exponent < 0 && exponent >= -3 ? fmt::format("{:.{}f}", std::pow(10, exponent), -exponent)

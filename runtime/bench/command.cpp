@@ -4,12 +4,14 @@
 #include "app/option_values.hpp"
 #include "bench/cpu_command.hpp"
 #include "bench/gpu_command.hpp"
+#include "bench/gpu_growth_chart.hpp"
 #include "bench/option_values.hpp"
 #include "bench/paper_command.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,18 +47,24 @@ app::command add_paper(CLI::App &bench, const catalogue &all) {
 app::command add_gpu(CLI::App &bench, const catalogue &all) {
   CLI::App &c = *bench.add_subcommand("gpu", "Kernels and queries on the CUDA device, beside the classic tests");
   const auto q = std::make_shared<gpu_request>();
-  c.add_option("-o", q->folder, "Also write gpu.md into this folder")->type_name("DIR");
+  const auto draw = std::make_shared<std::optional<std::filesystem::path>>();
+  CLI::Option *const folder =
+      c.add_option("-o", q->folder, "Also write gpu.md and gpu.json into this folder")->type_name("DIR");
   c.add_option("--data", q->data,
                "A folder with bunny_69k.ply and armadillo_345k.ply (with --quick the 5k ones); without it built-in "
                "bodies of about the same sizes serve")
       ->type_name("DIR");
   c.add_option("--only", q->only,
-               "Measure the scenes alone whose names hold this; growth, poses: one table; hard, choice: "
-               "tables that are not measured otherwise")
+               "Measure the scenes alone whose names hold this; growth, poses: one table; hard, choice, "
+               "lbvh: tables that are not measured otherwise")
       ->type_name("TEXT");
+  c.add_option("--draw", *draw,
+               "Measure nothing: draw the growth in such a gpu.json as growth.png into the folder of -o")
+      ->type_name("FILE")
+      ->needs(folder);
   c.add_flag("--quick", q->quick, "Small sets, to see that it runs")->disable_flag_override();
   c.add_flag("--json", q->json, "Print one JSON object instead of the tables")->disable_flag_override();
-  return {&c, [&all, q] { return gpu(all, *q); }};
+  return {&c, [&all, q, draw] { return *draw ? draw_growth(**draw, *q->folder) : gpu(all, *q); }};
 }
 
 app::command add_cpu(CLI::App &bench, const app::kernel_library &kernels) {

@@ -26,7 +26,8 @@ constexpr const char *rules =
     "takes apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's "
     "memory to the pairs in it, with the extent and the columns of both sets.";
 
-// Whether --only leaves a table that has a name: "growth" or "poses"; "hard" and "choice" are only measured if asked for.
+// Whether --only leaves a table that has a name: "growth" or "poses"; "hard", "choice" and "lbvh" are only measured if asked
+// for.
 bool is_asked(const gpu_request &q, const char *name) {
   return q.only && *q.only == name;
 }
@@ -39,7 +40,8 @@ bool is_meant(const gpu_request &q, const char *name) {
 std::string gpu(const catalogue &all, const gpu_request &q) {
   app::output_files outputs;
   if (q.folder)
-    outputs.expect(*q.folder / "gpu.md", true);
+    for (const char *file : {"gpu.md", "gpu.json"})
+      outputs.expect(*q.folder / file, true);
   try {
     gpu_bench bench(all, q.quick);
     std::vector<gpu_scene> scenes = gpu_scenes(all, q.data, q.quick);
@@ -57,12 +59,14 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     if (is_asked(q, "choice"))
       searches.push_back({"choice", "The choice of a search, in scenes to which its model was not fitted",
                           choice_scenes(all, q.quick)});
-    std::size_t steps = scenes.size() + 1;
+    const std::vector<gpu_scene> beside_lbvh =
+        is_asked(q, "lbvh") ? growth_scenes(all, q.data, q.quick) : std::vector<gpu_scene>{};
+    std::size_t steps = scenes.size() + beside_lbvh.size() + 1;
     for (const search_table &t : searches)
       steps += t.scenes.size();
     const std::optional<posed_meshes> poses =
         is_meant(q, "poses") ? std::optional(meshes_for_poses(all, q.data, q.quick)) : std::nullopt;
-    if (scenes.empty() && searches.empty() && !poses)
+    if (scenes.empty() && searches.empty() && beside_lbvh.empty() && !poses)
       throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
     auto progress = std::make_unique<app::progress_line>("bench gpu");
     std::vector<table> tables;
@@ -76,6 +80,8 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
       tables.push_back(bench.measure_tangent());
     for (const search_table &t : searches)
       tables.push_back(bench.measure_searches(t.name, t.title, t.scenes, step));
+    if (!beside_lbvh.empty())
+      tables.push_back(bench.measure_lbvh(beside_lbvh, step));
     if (poses)
       tables.push_back(bench.measure_poses(*poses));
     progress.reset();
@@ -89,20 +95,22 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
       markdown += fmt::format("\n{}", as_markdown(t));
       json_tables.push_back(as_json(t));
     }
+    const std::string json = app::in_one_line({{"device", bench.device_in_words()},
+                                               {"quick", q.quick},
+                                               {"meshes", q.data ? "files" : "built-in"},
+                                               {"tables", std::move(json_tables)}}) +
+                             '\n';
     if (q.folder) {
       outputs.make_folder(*q.folder);
-      outputs.write(*q.folder / "gpu.md",
-                    [&markdown](const std::filesystem::path &to) { io::write_file(to, markdown); });
+      const auto write = [&](const char *file, const std::string &content) {
+        outputs.write(*q.folder / file, [&content](const std::filesystem::path &to) { io::write_file(to, content); });
+      };
+      write("gpu.md", markdown);
+      write("gpu.json", json);
       outputs.commit();
-      text += fmt::format("\nwrote {}\n", (*q.folder / "gpu.md").string());
+      text += fmt::format("\nwrote {} and gpu.json\n", (*q.folder / "gpu.md").string());
     }
-    if (!q.json)
-      return text;
-    const app::json out = {{"device", bench.device_in_words()},
-                           {"quick", q.quick},
-                           {"meshes", q.data ? "files" : "built-in"},
-                           {"tables", std::move(json_tables)}};
-    return app::in_one_line(out) + '\n';
+    return q.json ? json : text;
   } catch (const device_error &e) {
     throw app::failure(e.what(), app::no_device);
   }

@@ -11,7 +11,7 @@
 namespace meetc::bench {
 
 struct gpu_request {
-  std::optional<std::filesystem::path> folder; // gpu.md is written there
+  std::optional<std::filesystem::path> folder; // gpu.md and gpu.json are written there
   std::optional<std::filesystem::path> data;   // has meshes; without it procedural bodies are used
   std::optional<std::string> only;             // part of the names of the scenes to measure
   bool json = false, quick = false;

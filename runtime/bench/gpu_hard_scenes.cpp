@@ -44,7 +44,8 @@ std::vector<gpu_scene> hard_scenes(const catalogue &all, bool quick) {
   const auto add = [&](const char *what, auto &&change, bool even = false) {
     out.push_back({fmt::format("{} balls: {}", n, what), "ball_ball", balls_changed(all, n, change), false, even});
   };
-  add("even", [](std::vector<float> &, bool) {}, true);
+  add(
+      "even", [](std::vector<float> &, bool) {}, true);
   add("one of each set at 1e30", [](std::vector<float> &rows, bool) { rows[0] = 1e30F; });
   add("all but the first eight in 1e-6 of the box", [](std::vector<float> &rows, bool) {
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -109,12 +110,12 @@ std::vector<gpu_scene> choice_scenes(const catalogue &all, bool quick) {
   add_balls("sphere_sphere", 200'000, 50'000, 1);
   const auto add_mesh = [&](std::size_t n, double share, int faces) {
     n = std::max<std::size_t>(1, n / part);
-    out.push_back({fmt::format("{} segments of {:g} of the box x a body", n, share), "segment_triangle",
-                   [&all, n, share, faces] {
-                     io::element_set mesh = app::of_mesh(all, bodies::blob(faces));
-                     io::element_set segments = segments_in(all, mesh, n, share);
-                     return std::pair(std::move(segments), std::move(mesh));
-                   }});
+    out.push_back(
+        {fmt::format("{} segments of {:g} of the box x a body", n, share), "segment_triangle", [&all, n, share, faces] {
+           io::element_set mesh = app::of_mesh(all, bodies::blob(faces));
+           io::element_set segments = segments_in(all, mesh, n, share);
+           return std::pair(std::move(segments), std::move(mesh));
+         }});
   };
   add_mesh(40'000, 0.02, quick ? 20 : 150);
   add_mesh(3'000, 0.3, quick ? 20 : 60);

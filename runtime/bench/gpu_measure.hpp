@@ -26,6 +26,8 @@ public:
   // Times the searches. Calls `progress` after each scene.
   table measure_searches(const std::string &name, const std::string &title, const std::vector<gpu_scene> &scenes,
                          const std::function<void()> &progress);
+  // Times a hierarchy of the usual kind beside ours, likewise.
+  table measure_lbvh(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
   // One mesh against another in many poses, of three classes and mixed.
   table measure_poses(const posed_meshes &meshes);
 

@@ -27,7 +27,8 @@ filter_extent extent_of(const kind_filter &filter, const element_set &set, int t
 // The numbers of the objects that `size` rows make, with room for a whole last tile.
 owned_memory numbers(void (*of)(const filter_extent &, const float *, std::size_t, float *), const filter_extent &frame,
                      const element_set &set, std::size_t size, std::size_t floats, int threads) {
-  static_assert(chunk % (filter_tile * filter_tile) == 0, "a tile of groups is not split between threads");
+  static_assert(chunk / filter_tile % filter_tile == 0 && chunk % filter_tile == 0,
+                "a tile of groups is not split between threads");
   owned_memory out = allocate((set.elements / size + 1 + filter_tile) * floats * sizeof(float));
   for_chunks(threads, set.elements, chunk, [&](int, std::size_t begin, std::size_t end) {
     of(frame, set.rows + begin * static_cast<std::size_t>(set.kind->fields), end - begin,

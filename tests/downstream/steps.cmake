@@ -64,14 +64,15 @@ function(fresh_room)
 endfunction()
 
 # configure_command(OUT FOLDER [option ...]): the command that configures FOLDER in FOLDER-build with the compiler and
-# the generator of the main build. Except in the long mode, the compiler chooses what it inlines, which takes half the time.
+# the generator of the main build. Except in the long mode, the compiler inlines what it likes and optimises nothing, which
+# takes less than half the time.
 function(configure_command out folder)
-  set(inline "")
+  set(quick "")
   if(NOT LONG)
-    set(inline "-DCMAKE_CXX_FLAGS=-DMEETC_PLAIN_INLINE")
+    set(quick "-DCMAKE_CXX_FLAGS=-DMEETC_PLAIN_INLINE" "-DCMAKE_CXX_FLAGS_RELEASE=-O0 -DNDEBUG")
   endif()
   set(${out} ${CMAKE_COMMAND} -S "${folder}" -B "${folder}-build" -G "${GENERATOR}" "-DCMAKE_MAKE_PROGRAM=${MAKE_PROGRAM}"
-    "-DCMAKE_CXX_COMPILER=${CXX}" -DCMAKE_BUILD_TYPE=Release ${inline} ${ARGN} PARENT_SCOPE)
+    "-DCMAKE_CXX_COMPILER=${CXX}" -DCMAKE_BUILD_TYPE=Release ${quick} ${ARGN} PARENT_SCOPE)
 endfunction()
 macro(configure folder)
   configure_command(_configure "${folder}" ${ARGN})

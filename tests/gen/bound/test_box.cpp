@@ -84,10 +84,10 @@ TEST_CASE("box form: no sign's bound is beaten, static or per object") {
       double top = 0;
       for (const int precision : {4, 6, 8}) {
         const auto seed = static_cast<std::uint64_t>(1000 * precision + i);
-        const double exact = worst(c, i, precision, rule::exact, 3, effort(700), seed);
+        const double exact = worst(c, i, precision, rule::exact, 3, steps_of_climb(effort(700)), seed);
         CHECK(exact <= 1);
-        CHECK(worst(c, i, precision, rule::computed, 2, effort(500), seed) <= 1);
-        CHECK(worst(c, i, precision, rule::computed, 2, effort(500), seed, true) <= 1);
+        CHECK(worst(c, i, precision, rule::computed, 2, steps_of_climb(effort(500)), seed) <= 1);
+        CHECK(worst(c, i, precision, rule::computed, 2, steps_of_climb(effort(500)), seed, true) <= 1);
         top = std::max(top, exact);
       }
       if (c.box(i).c == 0)

@@ -162,7 +162,7 @@ TEST_CASE("magnitude form: climbing does not beat it, and shows that a quarter o
         const claims s(c, i, precision);
         random_numbers random(static_cast<std::uint64_t>(100 * precision + i));
         bool held = true;
-        const double best = climb(c, range_of(c, precision), random, 3, 800, [&](const sample &x) {
+        const double best = climb(c, range_of(c, precision), random, 3, steps_of_climb(800), [&](const sample &x) {
           const run_of_stage r(c, x, 0);
           held = held && s.value_is_near(r, i) && s.sign_is_right(r, i);
           return ratio(r, i, s.growth_double);

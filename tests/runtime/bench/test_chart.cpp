@@ -4,6 +4,7 @@
 #include "app/failure.hpp"
 #include "bench/chart.hpp"
 #include "bench/gnuplot.hpp"
+#include "bench/gpu_growth_chart.hpp"
 #include "picture/image.hpp"
 
 #include <array>
@@ -110,4 +111,44 @@ TEST_CASE("a file that cannot be written and a missing gnuplot are one-line erro
   }
   CHECK_THROWS_AS(write_chart(here("x.png"), one_curve({{1, 1}}), 600, 400), meetc::app::failure);
   ::setenv("PATH", path.c_str(), 1);
+}
+
+TEST_CASE("growth: the searches' times by the number of balls, without what was too slow or has no balls") {
+  const meetc::app::json results = meetc::app::json::parse(R"({"device": "A GPU, of some kind", "tables": [
+    {"name": "ball_ball", "rows": []},
+    {"name": "growth", "rows": [
+      {"scene": "balls, 40 x 40", "a": 40, "every_first": null, "groups_first": 3, "tree_first": 2},
+      {"scene": "balls, 10 x 10", "a": 10, "every_first": 0.5, "groups_first": 0.75, "tree_first": 1},
+      {"scene": "Bunny x Armadillo", "a": 70, "every_first": 1, "groups_first": 1, "tree_first": 1}]}]})");
+  const std::optional<chart> c = growth_chart(results);
+  REQUIRE(c);
+  CHECK(c->y_label == "Milliseconds, A GPU");
+  REQUIRE(c->curves.size() == 3);
+  CHECK(c->curves[0].points == points{{10, 0.5}});
+  CHECK(c->curves[1].points == points{{10, 0.75}, {40, 3}});
+  CHECK(c->curves[2].points == points{{10, 1}, {40, 2}});
+  CHECK(!growth_chart(meetc::app::json::parse(R"({"device": "", "tables": []})")));
+}
+
+TEST_CASE("growth: a chart is drawn of a file, and what is no such file is refused") {
+  const std::filesystem::path folder = here("growth"), file = folder / "gpu.json";
+  std::filesystem::create_directory(folder);
+  const auto refusal = [&](const char *text) {
+    std::ofstream(file) << text;
+    try {
+      draw_growth(file, folder);
+    } catch (const meetc::io::error &e) {
+      return std::string(e.what());
+    }
+    return std::string("none");
+  };
+  for (const char *text : {"{", "[]", "7", R"({"tables": 1})", R"({"tables": [{"name": "growth"}]})"})
+    CHECK(refusal(text).find("gpu.json: not an object as `meet bench gpu --json` prints it") != std::string::npos);
+  CHECK(refusal(R"({"tables": []})").find("gpu.json: it has no table of growth") != std::string::npos);
+  CHECK(!std::filesystem::exists(folder / "growth.png"));
+  std::ofstream(file) << R"({"device": "A GPU, of some kind", "tables": [{"name": "growth", "rows": [
+    {"scene": "balls, 10 x 10", "a": 10, "every_first": 0.5, "groups_first": 0.75, "tree_first": 1}]}]})";
+  CHECK(draw_growth(file, folder).find("growth.png") != std::string::npos);
+  CHECK(decode(bytes_of(folder / "growth.png")).width == 800);
+  std::filesystem::remove_all(folder);
 }

@@ -58,8 +58,8 @@ else
 fi
 
 ! does bench || step bench_gpu "$meet" bench gpu -o "$out" ${data:+--data "$data"}
-for table in hard choice; do
-  ! does bench || step "bench_$table" timeout 150 "$meet" bench gpu --only $table -o "$out/$table"
+for table in hard choice lbvh; do
+  ! does bench || step "bench_$table" timeout 150 "$meet" bench gpu --only $table -o "$out/$table" ${data:+--data "$data"}
 done
 ! does paper || step bench_paper "$meet" bench paper --device cuda -o "$out/paper" ${data:+--data "$data"}
 
