@@ -7,6 +7,7 @@ namespace meetc {
 namespace {
 
 constexpr std::size_t tile = 64; // blocks of b: 24 KiB of boxes, which stay in the first cache
+static_assert(tile % filter_tile == 0, "a filter's groups of blocks are not split");
 
 std::size_t tiles(const element_set &b) {
   return (b.boxes.levels[0].count() + tile - 1) / tile;
