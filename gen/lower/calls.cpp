@@ -1,6 +1,7 @@
 #include "gen/lower/calls.hpp"
 
 #include "gen/lower/compile.hpp"
+#include "gen/lower/rewriter.hpp"
 
 #include <functional>
 #include <optional>
@@ -8,47 +9,6 @@
 
 namespace meetc::lower {
 namespace {
-
-// Writes the callee's truth with the caller's signs.
-class transfer {
-public:
-  transfer(const predicate &from, const std::vector<sign_value> &signs, decision &to) : from_(from.signs), to_(to) {
-    const std::vector<int> order = from.order();
-    for (std::size_t i = 0; i < order.size(); ++i)
-      signs_[order[i]] = signs[i];
-  }
-
-  int operator()(int id) {
-    const truth_node n = from_.at(id);
-    std::vector<int> args;
-    for (const int a : n.args)
-      args.push_back((*this)(a));
-    switch (n.kind) {
-    case truth_node::type::constant:
-      return to_.constant(n.flag != 0);
-    case truth_node::type::test: {
-      sign_value s{n.sign.unit, {}};
-      for (const auto &[atom, exponent] : n.sign.atoms)
-        for (int k = 0; k < exponent; ++k)
-          s = s * signs_.at(atom);
-      return to_.test(s, n.flag);
-    }
-    case truth_node::type::both:
-      return to_.both(args);
-    case truth_node::type::either:
-      return to_.either(args);
-    case truth_node::type::negate:
-      return to_.negate(args[0]);
-    default:
-      return to_.choose(args[0], args[1], args[2]);
-    }
-  }
-
-private:
-  const decision &from_;
-  decision &to_;
-  std::map<int, sign_value> signs_;
-};
 
 // The caller's sign for each of the callee's atoms. Both take their signs in the same order.
 std::optional<std::vector<sign_value>> signs_of(const predicate &callee, const std::vector<sign_value> &taken) {
@@ -96,9 +56,14 @@ void find_calls(const model &m, const std::vector<predicate_call> &calls, predic
     const auto signs = signs_of(*callee, call.signs);
     if (!signs)
       continue;
-    transfer over(*callee, *signs, caller.signs);
+    // The callee's truth with the caller's signs.
+    std::vector<sign_value> images(callee->signs.atoms().size());
+    const std::vector<int> order = callee->order();
+    for (std::size_t i = 0; i < order.size(); ++i)
+      images[static_cast<std::size_t>(order[i])] = (*signs)[i];
+    rewriter over(callee->signs, caller.signs, images);
     const int usual = caller.signs.usual(call.truth);
-    if (over(callee->truths.hit) == call.truth && over(callee->usual) == usual)
+    if (over.of(callee->truths.hit) == call.truth && over.of(callee->usual) == usual)
       caller.calls.push_back({callee, call.callee->name, call.text, call.truth, usual, *signs});
   }
 }
