@@ -4,8 +4,8 @@
 #include "core/collide.hpp"
 #include "core/pair_filter.hpp"
 
-#include <cga/cga_runtime.hpp>
 #include <algorithm>
+#include <cga/cga_runtime.hpp>
 #include <random>
 #include <stdexcept>
 #include <string_view>
