@@ -32,6 +32,8 @@ enclosure enclosing(const lower::model &m, const lang::kind &k) {
     std::vector<int> axes;
     for (const lower::value &f : p.fields)
       axes.push_back(input_of(f, "a hull's coordinate", where));
+    for (std::size_t axis = 0; axis < axes.size(); ++axis)
+      out.mixes_points = out.mixes_points || axes[axis] != axes[0] + static_cast<int>(axis);
     out.hull.push_back(std::move(axes));
   };
   if (k.position)

@@ -146,6 +146,8 @@ stored_ring stored_numbers(const lower::model &m, const std::vector<std::string>
 // none), and the rule that a valid element obeys.
 struct enclosure {
   std::vector<std::vector<int>> hull;
+  // A point of the hull takes its coordinates from several stored points, as a corner of a box does.
+  bool mixes_points = false;
   int pad = -1;
   std::optional<element_rule> rule;
 };

@@ -48,14 +48,16 @@ std::optional<element_rule> rule_of(const model &m, const lang::kind &k) {
                           {input_of(expand.evaluate(*e.args[0], env), "what a rule compares", e.args[0]->where)},
                           {},
                           lang::print(e)};
-  if (e.kind == lang::op::not_equal) {
-    const auto x = numbers_of(expand.evaluate(*e.args[0], env), e.args[0]->where),
-               y = numbers_of(expand.evaluate(*e.args[1], env), e.args[1]->where);
-    if (!x.empty() && x.size() == y.size())
-      return element_rule{element_rule::type::differ, x, y, lang::print(e)};
-  }
-  throw spec_error(e.where,
-                   "a kind's 'where' compares a stored number with 0, as in 'r >= 0', or two points, as in 'p != q'");
+  for (const auto &[kind, type] : {std::pair(lang::op::not_equal, element_rule::type::differ),
+                                   std::pair(lang::op::less_equal, element_rule::type::not_above)})
+    if (e.kind == kind) {
+      const auto x = numbers_of(expand.evaluate(*e.args[0], env), e.args[0]->where),
+                 y = numbers_of(expand.evaluate(*e.args[1], env), e.args[1]->where);
+      if (!x.empty() && x.size() == y.size())
+        return element_rule{type, x, y, lang::print(e)};
+    }
+  throw spec_error(e.where, "a kind's 'where' compares a stored number with 0, as in 'r >= 0', or two points, as in "
+                            "'p != q' and 'low <= high'");
 }
 
 bool obeys(const std::optional<element_rule> &rule, const std::vector<rational> &row) {
@@ -67,6 +69,8 @@ bool obeys(const std::optional<element_rule> &rule, const std::vector<rational> 
     return at(rule->x[0]) >= 0;
   case element_rule::type::positive:
     return at(rule->x[0]) > 0;
+  case element_rule::type::not_above:
+    return std::equal(rule->x.begin(), rule->x.end(), rule->y.begin(), [&](int a, int b) { return at(a) <= at(b); });
   case element_rule::type::differ:
     break;
   }
@@ -74,6 +78,8 @@ bool obeys(const std::optional<element_rule> &rule, const std::vector<rational> 
 }
 
 void known_signs::add(const element_rule &rule, int first) {
+  if (rule.kind == element_rule::type::not_above)
+    return;
   if (rule.kind != element_rule::type::differ) {
     not_negative.push_back(first + rule.x[0]);
     if (rule.kind == element_rule::type::positive)

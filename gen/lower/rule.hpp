@@ -6,7 +6,8 @@
 // written in differences, each of its terms is a positive number times even powers and numbers that are not negative, and
 // if among the terms are squares that do not all vanish: those of the components of a vector between two points that
 // differ, or numbers that are positive.
-// Limits: the condition is sufficient, not necessary. It is exact: nothing is dropped that may be zero on valid operands.
+// Limits: that one point is not above another ('low <= high') is checked of elements, and says nothing of signs here. The
+// condition is sufficient, not necessary. It is exact: nothing is dropped that may be zero on valid operands.
 // On operands that are not valid, a sign without its positive factors means nothing.
 #pragma once
 #include "gen/lower/model.hpp"
@@ -17,7 +18,7 @@
 namespace meetc::lower {
 
 struct element_rule {
-  enum class type : std::uint8_t { not_negative, positive, differ } kind;
+  enum class type : std::uint8_t { not_negative, positive, differ, not_above } kind;
   std::vector<int> x, y; // stored numbers of the kind: one that is compared with 0; or two points, by axis
   std::string text;      // as the spec says it: "r >= 0"
 };
@@ -25,7 +26,7 @@ struct element_rule {
 // The rule of a kind's `where`. Throws spec_error where it is not a rule.
 std::optional<element_rule> rule_of(const model &m, const lang::kind &k);
 
-// Whether a row of stored numbers obeys a rule.
+// Whether a row of stored numbers obeys a rule. x is not above y if no coordinate is greater.
 bool obeys(const std::optional<element_rule> &rule, const std::vector<rational> &row);
 
 // What the rules of all operands say of the stored numbers of a kernel.

@@ -74,7 +74,8 @@ oracle::point point_of(lattice &random, const oracle::hull &hull) {
   return out;
 }
 
-// An operand whose corners are on the lattice or, half of the time, come from the other operand.
+// An operand whose corners are on the lattice or, half of the time, come from the other operand. Two points of which one must
+// not be above the other become so; another rule may be broken.
 sample draw(lattice &random, std::size_t reals, const lower::enclosure &e, int size, int flat_axis,
             const oracle::hull *near) {
   sample out;
@@ -89,6 +90,13 @@ sample draw(lattice &random, std::size_t reals, const lower::enclosure &e, int s
     for (std::size_t axis = 0; axis < point.size(); ++axis)
       out.row[static_cast<std::size_t>(point[axis])] = from[axis];
   }
+  if (e.rule && e.rule->kind == lower::element_rule::type::not_above)
+    for (std::size_t axis = 0; axis < e.rule->x.size(); ++axis) {
+      auto &low = out.row[static_cast<std::size_t>(e.rule->x[axis])],
+           &high = out.row[static_cast<std::size_t>(e.rule->y[axis])];
+      if (high < low)
+        std::swap(low, high);
+    }
   place(out, e);
   return out;
 }

@@ -8,6 +8,7 @@
 #include "app/progress.hpp"
 #include "app/report.hpp"
 #include "app/sets.hpp"
+#include "core/plural.hpp"
 #include "io/read.hpp"
 
 #include <chrono>
@@ -39,8 +40,8 @@ void check_outputs(const collide_request &q, output_files &outputs) {
 void write_colours(const collide_request &q, const painted &a, const painted &b, output_files &outputs,
                    collide_report &report) {
   if (!is_mesh(a.set) && !is_mesh(b.set))
-    throw failure(fmt::format("--color: only the faces of a mesh can be coloured; here are {}s and {}s",
-                              a.set.kind->name, b.set.kind->name));
+    throw failure(fmt::format("--color: only the faces of a mesh can be coloured; here are {} and {}",
+                              plural(a.set.kind->name), plural(b.set.kind->name)));
   outputs.make_folder(*q.colour);
   for (const painted *const side : {&a, &b}) {
     const bool first = side == &a;

@@ -12,6 +12,7 @@
 #include "app/scene_worth.hpp"
 #include "app/sets.hpp"
 #include "app/words.hpp"
+#include "core/plural.hpp"
 #include "core/pose.hpp"
 #include "io/atomic_file.hpp"
 #include "io/read.hpp"
@@ -168,7 +169,7 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
     check_width(kept, box, q.tolerance);
   out += worth_of_scene(all, a, b, kept.front(), box, q.tolerance);
   const std::string text = scene_text(*q.scene, algebra, names, box, q.tolerance,
-                                      fmt::format("What {}s with {}s require.", a.kind->name, b.kind->name));
+                                      fmt::format("What {} with {} require.", plural(a.kind->name), plural(b.kind->name)));
   outputs.write(*q.scene, [&text](const fs::path &to) { io::write_file(to, text); });
   outputs.commit();
   return out + fmt::format("wrote {}\n", q.scene->string());

@@ -2,6 +2,7 @@
 
 #include "app/failure.hpp"
 #include "app/sets.hpp"
+#include "core/pose.hpp"
 #include "io/atomic_file.hpp"
 #include "picture/render.hpp"
 
@@ -20,6 +21,22 @@ struct kept {
   std::vector<std::uint8_t> hit; // one for each element
   std::vector<float> rows;       // used where the set's own rows do not serve
 };
+
+// The two triangles of each of its six faces.
+constexpr std::size_t triangles_of_box = 12;
+void add_box(const float *row, std::vector<float> &to) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side)
+      for (const int corner : {0, 1, 3, 0, 3, 2}) { // bit by bit whether it is the greater along the two other axes
+        float p[3];
+        p[axis] = row[3 * side + axis];
+        for (int other = 0; other < 2; ++other) {
+          const int k = (axis + 1 + other) % 3;
+          p[k] = row[3 * (corner >> other & 1) + k];
+        }
+        to.insert(to.end(), p, p + 3);
+      }
+}
 
 picture::shape shape_of(const painted &side, kept &keep) {
   const io::element_set &set = side.set;
@@ -46,6 +63,17 @@ picture::shape shape_of(const painted &side, kept &keep) {
     for (std::size_t i = 0; i < set.elements; ++i)
       keep.rows.insert(keep.rows.end(), {set.data[3 * i], set.data[3 * i + 1], set.data[3 * i + 2], 0.0f});
     s.rows = keep.rows;
+  } else if (lies_along_axes(*set.kind)) {
+    s.parts = triangles_of_box;
+    s.whole = set.kind->name;
+    for (std::size_t i = 0; i < set.elements; ++i)
+      add_box(&set.data[6 * i], keep.rows);
+    s.rows = keep.rows;
+    std::vector<std::uint8_t> of_boxes = std::move(keep.hit);
+    keep.hit.clear();
+    for (const std::uint8_t hit : of_boxes)
+      keep.hit.insert(keep.hit.end(), triangles_of_box, hit);
+    s.hit = keep.hit;
   } else {
     throw failure(fmt::format("a picture cannot show elements of kind {}", set.kind->name));
   }

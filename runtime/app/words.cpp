@@ -2,6 +2,7 @@
 
 #include "app/boxes.hpp"
 #include "app/sets.hpp"
+#include "core/plural.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,8 @@ std::string grouped(std::uint64_t n) {
 }
 
 std::string counted(const io::element_set &set, std::uint64_t n) {
-  return fmt::format("{} {}{}", grouped(n), is_mesh(set) ? "face" : set.kind->name, n == 1 ? "" : "s");
+  const char *const one = is_mesh(set) ? "face" : set.kind->name;
+  return grouped(n) + " " + (n == 1 ? one : plural(one));
 }
 
 std::string counted(const io::element_set &set) {

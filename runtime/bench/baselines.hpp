@@ -15,6 +15,11 @@
 
 MEETC_NAMESPACE(meetc::baselines) {
 
+// Boxes: their least and their greatest corners.
+template <class T> MEETC_HD inline bool boxes(const T *a, const T *b) {
+  return a[0] <= b[3] && b[0] <= a[3] && a[1] <= b[4] && b[1] <= a[4] && a[2] <= b[5] && b[2] <= a[5];
+}
+
 // Solid balls: d^2 <= (r1 + r2)^2.
 template <class T> MEETC_HD inline bool balls(const T *a, const T *b) {
   const vec<T> d = corner(a, 0) - corner(b, 0);

@@ -37,6 +37,10 @@ struct moller_trumbore_0_fp32 {
   static constexpr int fields_a = 6, fields_b = 9, rows = 2;
   __device__ static bool hit(const float *a, const float *b) { return baselines::moller_trumbore(a, b, 0.0F); }
 };
+struct boxes_fp32 {
+  static constexpr int fields_a = 6, fields_b = 6, rows = 4;
+  __device__ static bool hit(const float *a, const float *b) { return baselines::boxes(a, b); }
+};
 
 // A thread holds some rows of a, and rows of b come through shared memory.
 template <class Test>
@@ -133,6 +137,8 @@ cudaError_t count_pairs(baseline by, const float *a, std::size_t n, const float 
     return launch<guigue_devillers_fp32>(a, n, b, m, count, stream);
   case baseline::moller_trumbore_0_fp32:
     return launch<moller_trumbore_0_fp32>(a, n, b, m, count, stream);
+  case baseline::boxes_fp32:
+    return launch<boxes_fp32>(a, n, b, m, count, stream);
   }
   return cudaErrorInvalidValue;
 }

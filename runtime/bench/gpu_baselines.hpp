@@ -14,7 +14,8 @@ enum class baseline {
   moller_fp32,
   moller_0_fp32,
   guigue_devillers_fp32,
-  moller_trumbore_0_fp32
+  moller_trumbore_0_fp32,
+  boxes_fp32
 };
 constexpr const char *name_of(baseline p) {
   switch (p) {
@@ -30,6 +31,8 @@ constexpr const char *name_of(baseline p) {
     return "Guigue-Devillers, fp32";
   case baseline::moller_trumbore_0_fp32:
     return "Möller-Trumbore, epsilon 0, fp32";
+  case baseline::boxes_fp32:
+    return "comparisons, fp32";
   }
   return "";
 }

@@ -70,6 +70,11 @@ struct moller_trumbore_0_fp32 {
   __device__ static baselines::walking_segment walking(const float *a) { return baselines::walking_segment(a); }
   __device__ static bool hit(const float *a, const float *b) { return baselines::moller_trumbore(a, b, 0.0F); }
 };
+struct boxes_fp32 {
+  static constexpr int fields_a = 6, fields_b = 6;
+  __device__ static baselines::walking_box walking(const float *a) { return {baselines::box_of<6>(a)}; }
+  __device__ static bool hit(const float *a, const float *b) { return baselines::boxes(a, b); }
+};
 
 template <class Test>
 __global__ void __launch_bounds__(query_threads)
@@ -155,6 +160,8 @@ cudaError_t gpu_lbvh::start(baseline by, const float *a, std::uint32_t n, bool i
     return with(query_kernel<moller_0_fp32>);
   case baseline::moller_trumbore_0_fp32:
     return with(query_kernel<moller_trumbore_0_fp32>);
+  case baseline::boxes_fp32:
+    return with(query_kernel<boxes_fp32>);
   default:
     return cudaErrorInvalidValue;
   }

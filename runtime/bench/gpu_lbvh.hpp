@@ -9,7 +9,7 @@
 
 namespace meetc::bench {
 
-// Leaves are the rows of one kind: balls of 4 fields, segments of 6, triangles of 9.
+// Leaves are the rows of one kind: balls of 4 fields, segments and boxes of 6, triangles of 9.
 class gpu_lbvh {
 public:
   // For up to this many elements. Throws device_error where memory does not suffice.

@@ -22,6 +22,8 @@ std::optional<baseline> test_of(const std::string &predicate) {
     return baseline::moller_0_fp32;
   if (predicate == "segment_triangle")
     return baseline::moller_trumbore_0_fp32;
+  if (predicate == "box_box")
+    return baseline::boxes_fp32;
   return {};
 }
 
@@ -43,9 +45,8 @@ table gpu_bench::measure_lbvh(const std::vector<gpu_scene> &scenes, const std::f
                {"ratio", "LBVH /|ours"}};
   t.notes.emplace_back(
       "LBVH: after Karras 2012, over the elements of B, with one thread for each element of A and the classic test in "
-      "plain fp32 at the leaves: distance of balls, Möller with epsilon 0, Möller-Trumbore with epsilon 0. Segments "
-      "walk "
-      "as rays do, through the boxes that they reach; all else walks with its box. Its pairs "
+      "plain fp32 at the leaves: distance of balls, Möller with epsilon 0, Möller-Trumbore with epsilon 0, comparisons "
+      "of boxes. Segments walk as rays do, through the boxes that they reach; all else walks with its box. Its pairs "
       "stay unsorted. It is given the extent of B, and A in our spatial order, without their time. Of a set with "
       "itself it looks at each pair of two elements once, and so counts less than half of the pairs. Ours: certified, "
       "and sorted; both sets are ordered on the device and enclosed. The ratio is of all these times.");

@@ -41,6 +41,8 @@ std::vector<baseline> baselines_of(const std::string &predicate) {
     return {baseline::balls_fp32, baseline::balls_fp64};
   if (predicate == "triangle_triangle")
     return {baseline::moller_0_fp32, baseline::moller_fp32, baseline::guigue_devillers_fp32};
+  if (predicate == "box_box")
+    return {baseline::boxes_fp32};
   return {baseline::moller_trumbore_0_fp32};
 }
 

@@ -111,6 +111,9 @@ std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<s
            io::element_set segments = segments_in(all, mesh, n, 1);
            return std::pair(std::move(segments), std::move(mesh));
          }});
+  const std::size_t boxes = quick ? 4096 : 100'000;
+  out.push_back({fmt::format("{} boxes with themselves", boxes), "box_box",
+                 [&all, boxes] { return std::pair(box_cloud(all, boxes, 1, 0.001), io::element_set{}); }, true});
   return out;
 }
 

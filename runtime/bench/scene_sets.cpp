@@ -11,6 +11,17 @@ io::element_set ball_cloud(const catalogue &all, std::size_t n, std::uint64_t se
   return app::of_rows(all, "sphere", bodies::sphere_cloud(n, seed, 0.8 * radius, 1.2 * radius));
 }
 
+io::element_set box_cloud(const catalogue &all, std::size_t n, std::uint64_t seed, double half_width) {
+  const std::vector<float> centres = bodies::sphere_cloud(n, seed, 0, 0);
+  std::vector<float> rows;
+  rows.reserve(6 * n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (const double way : {-half_width, half_width})
+      for (std::size_t k = 0; k < 3; ++k)
+        rows.push_back(static_cast<float>((static_cast<double>(centres[4 * i + k]) + 1) / 2 + way));
+  return app::of_rows(all, "box", std::move(rows));
+}
+
 double mesh_extent::longest() const {
   return std::fmax(hi[0] - lo[0], std::fmax(hi[1] - lo[1], hi[2] - lo[2]));
 }

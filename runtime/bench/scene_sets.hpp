@@ -12,6 +12,9 @@ namespace meetc::bench {
 // Balls in the cube [-1, 1)^3 with radii from 0.8 to 1.2 of `radius`.
 io::element_set ball_cloud(const catalogue &all, std::size_t n, std::uint64_t seed, double radius);
 
+// Boxes of this half-width about points of the cube [0, 1)^3.
+io::element_set box_cloud(const catalogue &all, std::size_t n, std::uint64_t seed, double half_width);
+
 // The box around the coordinates of an indexed mesh, in double.
 struct mesh_extent {
   double lo[3], hi[3];

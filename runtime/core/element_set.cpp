@@ -182,10 +182,8 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   const kind_info &kind = *set.kind;
   const auto fields = static_cast<std::size_t>(kind.fields);
   const std::size_t given = elements.elements;
-  if (!at.identity() && !can_move(kind))
-    return status::cannot_move;
-  if (!is_grid(at.grid))
-    return status::bad_grid;
+  if (const status s = movable(kind, at); s != status::ok)
+    return s;
 
   constexpr std::size_t chunk = 2048;
   const float *const in_place = rows_in_place(elements, kind, at);

@@ -56,6 +56,31 @@ bool can_move(const kind_info &kind) {
   return true;
 }
 
+bool lies_along_axes(const kind_info &kind) {
+  for (int p = 0; p < kind.hull; ++p) {
+    const int *const at = kind.hull_fields + 3 * p;
+    if (at[1] != at[0] + 1 || (at[2] >= 0 && at[2] != at[0] + 2))
+      return true;
+  }
+  return false;
+}
+
+bool keeps_axes(const double *matrix) {
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      if (i == k ? !(matrix[4 * i + k] >= 0) : matrix[4 * i + k] != 0)
+        return false;
+  return true;
+}
+
+status movable(const kind_info &kind, const pose &at) {
+  if (!at.identity() && !can_move(kind))
+    return status::cannot_move;
+  if (lies_along_axes(kind) && !keeps_axes(at.m))
+    return status::turns_axes;
+  return is_grid(at.grid) ? status::ok : status::bad_grid;
+}
+
 void move_row(const kind_info &kind, const pose &at, float *row) {
   for (int i = 0; i < kind.fields; ++i) {
     if (kind.roles[i] == role::length) {

@@ -5,6 +5,7 @@
 #ifndef MEETC_CORE_POSE_HPP
 #define MEETC_CORE_POSE_HPP
 
+#include "core/status.hpp"
 #include "meetc/support.hpp"
 
 namespace meetc {
@@ -43,7 +44,17 @@ double grid_within(const predicate_info &predicate, double tolerance);
 // Whether a pose can move every field of the kind: all are points x, y, z (or x, y) in this order, or lengths.
 bool can_move(const kind_info &kind);
 
-// Moves one row of kind.fields floats in place. The kind must pass can_move(). The result may be infinite or NaN.
+// Whether the element's edges lie along the axes, because points of its hull mix the coordinates of stored points, as a box's
+// corners do.
+bool lies_along_axes(const kind_info &kind);
+// Whether a row-major 3x4 matrix maps such an element to its like: it scales along the axes, by factors that are not
+// negative, and moves.
+bool keeps_axes(const double *matrix);
+
+// ok, or why this pose does not go with this kind.
+status movable(const kind_info &kind, const pose &at);
+
+// Moves one row of kind.fields floats in place. The pose must be movable(). The result may be infinite or NaN.
 void move_row(const kind_info &kind, const pose &at, float *row);
 
 } // namespace meetc

@@ -15,7 +15,7 @@ const float *rows_in_place(const view &elements, const kind_info &kind, const po
 status check_rows(const kind_info &kind, const float *rows, std::size_t count);
 
 // Writes the elements [begin, end) as rows, the first to out[0], and returns ok, or bad_index or bad_value if one of
-// them is bad; nothing out of bounds is read. The kind must pass can_move() unless the pose is the identity.
+// them is bad; nothing out of bounds is read. The pose must be movable().
 status gather(const view &elements, const kind_info &kind, const pose &at, std::size_t begin, std::size_t end,
               float *out);
 

@@ -14,6 +14,7 @@ enum class status : std::uint8_t {
   bad_index,           // check() names the element
   bad_value,           // not finite, perhaps only after the pose, or against a rule of the kind; check() names it
   cannot_move,         // the kind has fields that a pose cannot move
+  turns_axes,          // the kind's edges lie along the axes, and the pose does not keep them there
   bad_grid,            // a pose's grid is no power of two
   not_on_grid,         // the rung tolerant is for sets that were rounded to its grid, by their poses
   left_box,            // the rung tolerant is for sets in its scene's box, and the scene has no certified rungs
@@ -36,6 +37,8 @@ constexpr const char *text(status s) {
     return "a value is not finite or breaks a rule of its kind";
   case status::cannot_move:
     return "this kind cannot be moved by a pose";
+  case status::turns_axes:
+    return "the edges of this kind lie along the axes, so that a pose may move and scale it, and neither turn nor mirror it";
   case status::bad_grid:
     return "a pose's grid is neither 0 nor a power of two from 2^-149 to 2^127";
   case status::not_on_grid:

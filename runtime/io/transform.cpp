@@ -1,5 +1,6 @@
 #include "io/transform.hpp"
 
+#include "core/plural.hpp"
 #include "core/pose.hpp"
 #include "io/error.hpp"
 #include "io/number.hpp"
@@ -83,6 +84,9 @@ std::array<float, 3> round_point(const transform &move, const std::array<double,
 row_transform::row_transform(const kind_info &kind, const transform &move, const std::string &file) : move_(move) {
   if (!move.any())
     return;
+  if (move.matrix && lies_along_axes(kind) && !keeps_axes(move.matrix->data()))
+    throw error(fmt::format("{}: {} turns or mirrors, and the edges of {} lie along the axes", file, matrix_option,
+                            plural(kind.name)));
   roles_.assign(kind.roles, kind.roles + kind.fields);
   for (std::size_t f = 0; f < roles_.size(); ++f) {
     if (roles_[f] == role::x && f + 2 < roles_.size() && roles_[f + 1] == role::y && roles_[f + 2] == role::z) {
@@ -90,16 +94,16 @@ row_transform::row_transform(const kind_info &kind, const transform &move, const
       continue;
     }
     if (roles_[f] != role::length)
-      throw error(fmt::format("{}: a transform cannot move {}s: number {} of a row is neither part of a point nor "
+      throw error(fmt::format("{}: a transform cannot move {}: number {} of a row is neither part of a point nor "
                               "a length",
-                              file, kind.name, f + 1));
+                              file, plural(kind.name), f + 1));
     if (!move.matrix)
       continue;
     const std::optional<double> scale = similarity_scale(*move.matrix);
     if (!scale)
-      throw error(fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {}s have "
+      throw error(fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {} have "
                               "no radius under it",
-                              file, matrix_option, kind.name));
+                              file, matrix_option, plural(kind.name)));
     matrix_scale_ = *scale;
   }
 }

@@ -45,7 +45,7 @@ std::optional<double> similarity_scale(const std::array<double, 12> &matrix);
 class row_transform {
 public:
   // Throws io::error, beginning with `file`, where the kind cannot be moved in this way: a length with a matrix that is
-  // not a similarity, or any transform with a field of another role.
+  // not a similarity, a box with one that does not keep the axes, or any transform with a field of another role.
   row_transform(const kind_info &kind, const transform &move, const std::string &file);
 
   // Takes kind.fields numbers and returns as many. The result may be infinite or NaN; the caller refuses that.

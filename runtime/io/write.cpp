@@ -1,5 +1,6 @@
 #include "io/write.hpp"
 
+#include "core/plural.hpp"
 #include "io/atomic_file.hpp"
 #include "io/endian.hpp"
 
@@ -129,7 +130,7 @@ void write_ply(const std::filesystem::path &path, std::span<const float> xyz, st
 
 void write_ply(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours) {
   if (mesh.kind->points != 3 || mesh.kind->fields != 9)
-    throw error(fmt::format("{}: only triangles make a PLY mesh, not {}s", path.string(), mesh.kind->name));
+    throw error(fmt::format("{}: only triangles make a PLY mesh, not {}", path.string(), plural(mesh.kind->name)));
   if (!mesh.index.empty() || mesh.elements == 0)
     return write_polygons(path, mesh.data, gather(mesh.index, mesh.owner), colours);
   std::vector<std::uint32_t> index(3 * mesh.elements);

@@ -1,4 +1,5 @@
 // Several panels of one scene in one picture, with captions. See render.hpp.
+#include "core/plural.hpp"
 #include "core/vec.hpp"
 #include "picture/projection.hpp"
 #include "picture/render.hpp"
@@ -42,9 +43,9 @@ std::string grouped(std::size_t n) { // 345944 as 345,944
 
 std::string describe(const shape &s) {
   const char *const kinds[] = {"triangle", "sphere", "segment"};
-  const std::size_t n = elements(s), h = hits(s);
-  return (s.name.empty() ? "" : s.name + ": ") + grouped(n) + " " + kinds[static_cast<int>(s.what)] +
-         (n == 1 ? "" : "s") + (s.hit.empty() ? "" : ", " + grouped(h) + " hit");
+  const std::size_t n = elements(s) / s.parts, h = hits(s) / s.parts;
+  const std::string one = *s.whole ? s.whole : kinds[static_cast<int>(s.what)];
+  return (s.name.empty() ? "" : s.name + ": ") + grouped(n) + " " + (n == 1 ? one : plural(one)) + (s.hit.empty() ? "" : ", " + grouped(h) + " hit");
 }
 
 struct canvas {

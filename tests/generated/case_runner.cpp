@@ -170,6 +170,9 @@ cga::segment<float> segment(const float *r) {
 cga::triangle<float> triangle(const float *r) {
   return {point(r), point(r + 3), point(r + 6)};
 }
+cga::box<float> box(const float *r) { // its corners are in any order, which changes no comparison
+  return {point(r), point(r + 3)};
+}
 
 } // namespace
 
@@ -188,5 +191,6 @@ int main() {
   RUN(sphere_segment, sphere, segment);
   RUN(ball_triangle, sphere, triangle);
   RUN(sphere_triangle, sphere, triangle);
+  RUN(box_box, box, box);
   return 0;
 }

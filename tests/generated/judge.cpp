@@ -20,12 +20,20 @@ bool is_zero(const vec &a) {
   return a[0] == 0 && a[1] == 0 && a[2] == 0;
 }
 
+// The row's number that is coordinate k of corner i of the hull. Bit k of a box's corner says whether it is the greater.
+std::size_t place(shape kind, std::size_t i, std::size_t k) {
+  return kind == shape::box ? 3 * (i >> k & 1) + k : 3 * i + k;
+}
+std::size_t corners_of(shape kind) {
+  return kind == shape::box ? 8 : static_cast<std::size_t>(points_of(kind));
+}
+
 // Float32 numbers are integers times 2^-149.
 std::vector<vec> corners(shape kind, const row &r) {
-  std::vector<vec> out(static_cast<std::size_t>(points_of(kind)));
+  std::vector<vec> out(corners_of(kind));
   for (std::size_t i = 0; i < out.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
-      out[i][k] = mpq_class(mpq_class(static_cast<double>(r[3 * i + k])) << 149).get_num();
+      out[i][k] = mpq_class(mpq_class(static_cast<double>(r[place(kind, i, k)])) << 149).get_num();
   return out;
 }
 
@@ -63,9 +71,9 @@ bool apart(const vec &axis, const std::vector<vec> &a, const std::vector<vec> &b
 
 oracle::hull hull_of(shape kind, const row &r) {
   oracle::hull out;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(points_of(kind)); ++i)
-    out.push_back(oracle::at(static_cast<double>(r[3 * i]), static_cast<double>(r[3 * i + 1]),
-                             static_cast<double>(r[3 * i + 2])));
+  for (std::size_t i = 0; i < corners_of(kind); ++i)
+    out.push_back(oracle::at(static_cast<double>(r[place(kind, i, 0)]), static_cast<double>(r[place(kind, i, 1)]),
+                             static_cast<double>(r[place(kind, i, 2)])));
   return out;
 }
 mpq_class pad_of(shape kind, const row &r) {

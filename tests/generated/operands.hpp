@@ -18,8 +18,11 @@ struct family {
   pair_of_rows (*make)(shape a, shape b, random_numbers &random);
 };
 
-// Every row is finite and every radius >= 0.
+// Every row is finite, every radius >= 0, and every box in order.
 std::span<const family> families();
+
+// Makes of a box's corners, which may be any two opposite ones, the least and the greatest. Other rows stay as they are.
+void put_in_order(shape kind, row &r);
 
 // The row times 2^k, rounded where necessary. Beyond float32 it is the largest number.
 row scaled(const row &r, int k);

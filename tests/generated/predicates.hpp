@@ -1,4 +1,4 @@
-// The ten predicates of the shipped scene with their kinds, so that one loop runs a check over all of them.
+// The eleven predicates of the shipped scene with their kinds, so that one loop runs a check over all of them.
 #ifndef MEETC_TESTS_GENERATED_PREDICATES_HPP
 #define MEETC_TESTS_GENERATED_PREDICATES_HPP
 
@@ -9,10 +9,10 @@
 
 namespace meetc::generated_test {
 
-// A kind of operand: a hull of some points, perhaps with a radius.
-enum class shape { point, sphere, segment, triangle };
+// A kind of operand: a hull of some points, perhaps with a radius, or the box between its least and its greatest corner.
+enum class shape { point, sphere, segment, triangle, box };
 constexpr int points_of(shape s) {
-  return s == shape::triangle ? 3 : s == shape::segment ? 2 : 1;
+  return s == shape::triangle ? 3 : s == shape::segment || s == shape::box ? 2 : 1;
 }
 constexpr bool padded(shape s) {
   return s == shape::sphere;
@@ -30,6 +30,8 @@ template <shape S> auto operand(const float *r) {
     return cga::sphere<float>{{r[0], r[1], r[2]}, r[3]};
   else if constexpr (S == shape::segment)
     return cga::segment<float>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
+  else if constexpr (S == shape::box)
+    return cga::box<float>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}};
   else
     return cga::triangle<float>{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}};
 }
@@ -62,6 +64,7 @@ template <class F> void for_each_predicate(F &&f) {
   f(predicate<cga::sphere_segment, sphere, segment, true>{"sphere_segment"});
   f(predicate<cga::ball_triangle, sphere, triangle, false>{"ball_triangle"});
   f(predicate<cga::sphere_triangle, sphere, triangle, true>{"sphere_triangle"});
+  f(predicate<cga::box_box, box, box, false>{"box_box"});
 }
 
 } // namespace meetc::generated_test

@@ -25,7 +25,7 @@ const meetc::predicate_info *find(const char *name) {
   return nullptr;
 }
 const char *name_of(shape s) {
-  static constexpr const char *names[] = {"point", "sphere", "segment", "triangle"};
+  static constexpr const char *names[] = {"point", "sphere", "segment", "triangle", "box"};
   return names[static_cast<int>(s)];
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("environment: operands that are not finite do no harm") {
 }
 
 TEST_CASE("environment: the runtime's table answers as the headers do") {
-  CHECK(cga::catalogue().predicate_count == 10);
+  CHECK(cga::catalogue().predicate_count == 11);
   CHECK(std::string(cga::catalogue().space) == "cga");
   for_each_predicate([](auto p) {
     INFO(p.name);

@@ -88,8 +88,13 @@ TEST_CASE("predicates: the exact rung against the oracle, on every family") {
   for (const auto &[name, t] : by_predicate) {
     INFO("predicate " << name << ": " << t.cases << " cases, " << t.hits << " hits, fp32 wrong " << t.fp32_wrong
                       << ", fp64 wrong " << t.fp64_wrong);
-    CHECK(t.fp32_wrong > t.cases / 200);
-    CHECK(t.fp64_wrong > 0);
+    if (name == "box_box") { // the sign of a difference is that of the rounded one
+      CHECK(t.fp32_wrong == 0);
+      CHECK(t.fp64_wrong == 0);
+    } else {
+      CHECK(t.fp32_wrong > t.cases / 200);
+      CHECK(t.fp64_wrong > 0);
+    }
     // Every width of the exact rung was used, up to the widest.
     CHECK(t.widest >= 270);
     for (const int count : t.by_width)
@@ -97,7 +102,7 @@ TEST_CASE("predicates: the exact rung against the oracle, on every family") {
   }
 }
 
-TEST_CASE("predicates: segments and triangles against separating axes, in bulk") {
+TEST_CASE("predicates: segments, triangles and boxes against separating axes, in bulk") {
   for_each_predicate([&](auto p) {
     if constexpr (!padded(p.a) && !padded(p.b)) {
       std::uint64_t seed = 100;

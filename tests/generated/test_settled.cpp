@@ -39,6 +39,8 @@ template <class P> bool by_integers(const row &a, const row &b) {
 TEST_CASE("settled: an equal point is a hit on every certified path") {
   for_each_predicate([](auto p) {
     using P = typename decltype(p)::type;
+    if (p.a == shape::box) // one point in common settles nothing, since nothing is said of the others
+      return;
     INFO(p.name);
     random_numbers random(11);
     int settled = 0;
@@ -79,6 +81,8 @@ TEST_CASE("settled: an equal point is a hit on every certified path") {
 TEST_CASE("settled: a point that differs in one bit settles nothing") {
   for_each_predicate([](auto p) {
     using P = typename decltype(p)::type;
+    if (p.a == shape::box)
+      return;
     INFO(p.name);
     random_numbers random(12);
     int misses = 0;

@@ -181,12 +181,13 @@ std::string kernel_function(const lower::request &r) {
 
 std::string rule_test(const lower::element_rule &r, const std::function<std::string(int)> &number) {
   using type = lower::element_rule::type;
-  if (r.kind != type::differ)
+  if (r.kind == type::positive || r.kind == type::not_negative)
     return fmt::format("meetc::{}({})", r.kind == type::positive ? "is_positive" : "not_negative", number(r.x[0]));
   std::vector<std::string> axes;
   for (std::size_t i = 0; i < r.x.size(); ++i)
-    axes.push_back(fmt::format("meetc::differ({}, {})", number(r.x[i]), number(r.y[i])));
-  return '(' + join(axes, " || ") + ')';
+    axes.push_back(fmt::format("meetc::{}({}, {})", r.kind == type::differ ? "differ" : "not_above", number(r.x[i]),
+                               number(r.y[i])));
+  return '(' + join(axes, r.kind == type::differ ? " || " : " && ") + ')';
 }
 
 } // namespace meetc::target

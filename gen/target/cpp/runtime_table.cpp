@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace meetc::target {
 
@@ -40,12 +41,13 @@ std::size_t element_place(const std::vector<const lower::lowered_kind *> &elemen
 
 namespace {
 
-// The CSV header: only the axes where there is one point, with numbers where there are more.
+// The CSV header: only the axes where there is one point, with numbers where there are more, or with their names where a
+// hull mixes the points.
 std::string csv_names(const lower::lowered_kind &k) {
   std::vector<std::string> names;
   for (const lower::stored_real &r : k.reals) {
     const std::string last = r.path.substr(r.path.find_last_of('.') + 1);
-    if (r.position)
+    if (r.position && !k.enclosed->mixes_points)
       names.push_back(k.points > 1 ? last + std::to_string(r.group) : last);
     else
       names.push_back(r.group < 0 ? last : r.path);
@@ -83,7 +85,10 @@ std::string shape_text(const lower::lowered_kind &k) {
   std::string box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::string lo, hi;
+    std::set<int> seen; // the corners of a box share their coordinates
     for (const std::vector<int> &point : e.hull) {
+      if (!seen.insert(axis < point.size() ? point[axis] : -1).second)
+        continue;
       const std::string value = axis < point.size() ? fmt::format("row[{}]", point[axis]) : "0.0f";
       lo = lo.empty() ? value : fmt::format("meetc::least_of({}, {})", lo, value);
       hi = hi.empty() ? value : fmt::format("meetc::most_of({}, {})", hi, value);
@@ -108,8 +113,9 @@ std::string shape_text(const lower::lowered_kind &k) {
 }
 
 std::string kind_entry(const lower::lowered_kind &k, int stored, bool filtered) {
-  const bool points_only = std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
   const lower::enclosure &e = *k.enclosed;
+  const bool points_only =
+      !e.mixes_points && std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
   const std::string name = identifier(k.name);
   const std::string filter = filtered ? fmt::format(", &meetc::filter_of<{}_shape, ball_form>", name) : "";
   return fmt::format(

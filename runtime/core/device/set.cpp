@@ -29,10 +29,8 @@ const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_
 }
 
 void require_pose(const kind_info &kind, const pose &at) {
-  if (!at.identity() && !can_move(kind))
-    throw std::invalid_argument(text(status::cannot_move));
-  if (!is_grid(at.grid))
-    throw std::invalid_argument(text(status::bad_grid));
+  if (const status s = movable(kind, at); s != status::ok)
+    throw std::invalid_argument(text(s));
 }
 void require_movable(const kind_info &kind, const pose &at) {
   require_pose(kind, at);

@@ -41,6 +41,13 @@ template <class T> MEETC_HD inline bool differ(T x, T y) {
   const number_parts a = parts_of(x), b = parts_of(y);
   return a.magnitude != b.magnitude || (a.negative != b.negative && a.magnitude != 0);
 }
+// x <= y for numbers that are not NaN; 0 and -0 are equal.
+template <class T> MEETC_HD inline bool not_above(T x, T y) {
+  const number_parts a = parts_of(x), b = parts_of(y);
+  if (a.negative != b.negative)
+    return a.negative || (a.magnitude == 0 && b.magnitude == 0);
+  return a.negative ? a.magnitude >= b.magnitude : a.magnitude <= b.magnitude;
+}
 
 } // MEETC_NAMESPACE(meetc)
 

@@ -66,6 +66,34 @@ TEST_CASE("kinds choose the predicate in either order, and pairs stay (of A, of 
   CHECK(has(run({"collide", "balls.csv", "rods.csv"}).out, "ball_segment (solid), certified"));
 }
 
+TEST_CASE("boxes: closed, in float32 as read, and never turned") {
+  put("one.csv", "low_x,low_y,low_z,high_x,high_y,high_z\n0,0,0,1,1,1\n");
+  const auto pairs_with = [](const std::string &row) {
+    put("other.csv", "low_x,low_y,low_z,high_x,high_y,high_z\n" + row + "\n");
+    return answer({"one.csv", "other.csv"})["pairs"];
+  };
+  CHECK(pairs_with("1,0,0,2,1,1") == 1);           // a face in common
+  CHECK(pairs_with("1,1,1,2,2,2") == 1);           // a corner
+  CHECK(pairs_with("1.0000001,0,0,2,1,1") == 0);   // one step off
+  CHECK(pairs_with("0.25,0.25,0.25,0.5,0.5,0.5") == 1); // within
+  CHECK(pairs_with("-1,0.5,0.5,2,0.5,0.5") == 1);  // a segment through it
+  CHECK(pairs_with("0.5,-1,-2,0.5,3,-0.0000001") == 0);
+  CHECK(answer({"one.csv", "one.csv"})["predicate"] == "box_box");
+  put("many.csv", "low_x,low_y,low_z,high_x,high_y,high_z\n0,0,0,1,1,1\n2,2,2,3,3,3\n");
+  const said s = run({"collide", "one.csv", "many.csv", "--image", "boxes.png"});
+  CHECK(s.code == 0);
+  CHECK(has(s.out, "2 boxes"));
+  CHECK(answer({"one.csv", "many.csv", "--scale-b", "0.5", "--translate-b", "-1,0,0"})["pairs"] == 1);
+  CHECK(answer({"one.csv", "many.csv", "--matrix-b", "2,0,0,0,0,1,0,0,0,0,1,-1"})["pairs"] == 1);
+  for (const char *const matrix : {"0,-1,0,0,1,0,0,0,0,0,1,0", "-1,0,0,0,0,1,0,0,0,0,1,0"})
+    CHECK(has(complaint({"collide", "one.csv", "many.csv", "--matrix-b", matrix}),
+              "many.csv: --matrix-b turns or mirrors, and the edges of boxes lie along the axes"));
+  put("upside.csv", "low_x,low_y,low_z,high_x,high_y,high_z\n0,0,0,1,1,1\n0,0,2,1,1,1\n");
+  CHECK(has(complaint({"collide", "one.csv", "upside.csv"}), "low <= high"));
+  put_mesh("ring.ply", torus(48, 24));
+  CHECK(has(complaint({"collide", "one.csv", "ring.ply"}), "box"));
+}
+
 TEST_CASE("spheres: tangent is a hit, nested depends on the mode, radius 0 is a point") {
   put("one.csv", "x,y,z,r\n0,0,0,1\n");
   const auto pairs_with = [](const std::string &row, const std::string &mode) {

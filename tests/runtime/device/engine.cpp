@@ -49,6 +49,25 @@ view view_of(const rows_of &r) {
   return {r.rows.data(), 0, static_cast<std::size_t>(r.kind->fields) * sizeof(float), nullptr, r.size()};
 }
 
+void put_in_order(rows_of &r) {
+  if (!lies_along_axes(*r.kind))
+    return;
+  for (float *row = r.rows.data(), *const end = row + r.rows.size(); row != end; row += r.kind->fields)
+    for (int k = 0; k < 3; ++k)
+      if (row[3 + k] < row[k])
+        std::swap(row[k], row[3 + k]);
+}
+
+pose pose_for(const kind_info &kind, const pose &at) {
+  if (!lies_along_axes(kind))
+    return at;
+  pose out = at;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      out.m[4 * i + k] = i == k ? at.length_scale : 0;
+  return out;
+}
+
 namespace {
 double between(engine &random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
@@ -74,6 +93,7 @@ rows_of random_rows(const kind_info &kind, std::size_t n, const place &at, engin
       axis = (axis + 1) % 3;
     }
   }
+  put_in_order(out);
   return out;
 }
 
@@ -84,6 +104,7 @@ rows_of family_rows(const kind_info &kind, std::size_t n, int family, engine &ra
       const float v = number(random, family < 0 ? static_cast<int>(i) : family);
       out.rows.push_back(kind.roles[f] == role::length ? std::fabs(v) : v);
     }
+  put_in_order(out);
   return out;
 }
 

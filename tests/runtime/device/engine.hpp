@@ -37,6 +37,10 @@ struct rows_of {
   std::size_t size() const { return rows.size() / static_cast<std::size_t>(kind->fields); }
 };
 meetc::view view_of(const rows_of &r);
+// Makes of a box's corners, which may be any two opposite ones, the least and the greatest. Other kinds stay as they are.
+void put_in_order(rows_of &r);
+// The pose; for a kind whose edges lie along the axes one that keeps them there, as large and at the same place.
+meetc::pose pose_for(const meetc::kind_info &kind, const meetc::pose &at);
 
 // n elements about points of a cube, each about `size` large, half of them on a lattice so that they touch exactly.
 // Numbers are multiplied by `scale`, moved by `offset` and then rounded.

@@ -36,6 +36,7 @@ private:
       const float v = palette[random_() % palette.size()];
       out.rows.push_back(kind.roles[i % static_cast<std::size_t>(kind.fields)] == role::length ? std::fabs(v) : v);
     }
+    put_in_order(out);
     return out;
   }
   rows_of ordinary(const kind_info &kind, std::size_t n, double offset = 0) {
@@ -47,6 +48,7 @@ private:
     static constexpr float row[] = {most, most, most, -most, -most, -most, -most, most, most};
     to.rows.insert(to.rows.end(), to.kind->fields == 4 ? sphere : row,
                    (to.kind->fields == 4 ? sphere : row) + to.kind->fields);
+    put_in_order(to);
   }
 
   std::uint64_t same(const std::string &scene, const predicate_info &p, const rows_of &x, const rows_of &y,
@@ -177,6 +179,7 @@ private:
         rows_of &owner = first ? x : y;
         const float *const row = owner.kind->fields == 4 ? sphere : across;
         owner.rows.insert(owner.rows.end(), row, row + owner.kind->fields);
+        put_in_order(owner);
         const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
         device_set da(with_.on(), a), db(with_.on(), b);
         for (const double scale : {static_cast<double>(most), 1e-44, 1.0}) {

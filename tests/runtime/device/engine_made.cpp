@@ -43,8 +43,9 @@ void made(comparison &with, const settings &s) {
   const pose poses[] = {{}, placed(1.5, 0.1, -0.2, 0.3), rounded};
   each_predicate([&](const predicate_info &p) {
     const auto check = [&](const std::string &scene, const view &x, const view &y, const pose &at) {
-      const prepared a = prepare(x, *p.a, at), b = prepare(y, *p.b, at);
-      device_set da(with.on(), x, *p.a, at), db(with.on(), y, *p.b, at);
+      const pose at_a = pose_for(*p.a, at), at_b = pose_for(*p.b, at);
+      const prepared a = prepare(x, *p.a, at_a), b = prepare(y, *p.b, at_b);
+      device_set da(with.on(), x, *p.a, at_a), db(with.on(), y, *p.b, at_b);
       const std::string what = std::string(p.name) + ": ";
       with.require(scene, same_box(da, a) && same_box(db, b), what + "another box around all elements");
       with.require(scene, da.reaches() == std::pair(a.set().reach, a.set().longest), what + "another reach");
@@ -53,7 +54,7 @@ void made(comparison &with, const settings &s) {
       o.all_modes = true, o.all_filters = false;
       with.same(scene, p, a, da, b, db, certified, o);
       device_set uploaded(with.on(), a);
-      const pose next = placed(1, 0.01, 0, 0.02);
+      const pose next = pose_for(*p.a, placed(1, 0.01, 0, 0.02));
       da.move(next), uploaded.move(next);
       const device_result have = collide(with.on(), da, db, p, rung::certified),
                           want = collide(with.on(), uploaded, db, p, rung::certified);
@@ -138,19 +139,22 @@ void many_poses(comparison &with, const settings &s) {
                   y = random_rows(*p.b, s.small ? 33 : 300, {1, 0.3, 1, 0}, random);
     const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
     device_set da(with.on(), a), db(with.on(), b);
-    db.move(placed(2, 1, 1, 1)); // which the poses replace
+    db.move(pose_for(*p.b, placed(2, 1, 1, 1))); // which the poses replace
+    std::vector<pose> fit;
+    for (const pose &at : poses)
+      fit.push_back(pose_for(*p.b, at));
     std::vector<std::uint64_t> want;
     collide_options counting;
     counting.want = answer_kind::count;
-    for (const pose &at : poses)
+    for (const pose &at : fit)
       want.push_back(collide(a, prepare(view_of(y), *p.b, at), p, rung::certified, counting).count), all += want.back();
     for (const std::size_t capacity : {std::size_t{1} << 18, std::size_t{1} << 25}) {
       device_options o = counted;
       o.list_capacity = capacity;
-      const poses_result have = collide_poses(with.on(), da, db, poses, p, rung::certified, o);
+      const poses_result have = collide_poses(with.on(), da, db, fit, p, rung::certified, o);
       with.require(scene, have.counts == want, std::string(p.name) + ": other counts of pairs");
       o.want = answer_kind::any;
-      const poses_result any = collide_poses(with.on(), da, db, poses, p, rung::certified, o);
+      const poses_result any = collide_poses(with.on(), da, db, fit, p, rung::certified, o);
       bool same = any.counts.size() == want.size();
       for (std::size_t i = 0; same && i < want.size(); ++i)
         same = any.counts[i] == (want[i] > 0);
@@ -158,8 +162,8 @@ void many_poses(comparison &with, const settings &s) {
     }
     const poses_result none = collide_poses(with.on(), da, db, {}, p, rung::certified, counted);
     with.require(scene, none.counts.empty(), "no poses");
-    std::vector<pose> far = poses;
-    far[4] = placed(1e30, 0, 0, 0);
+    std::vector<pose> far = fit;
+    far[4] = pose_for(*p.b, placed(1e30, 0, 0, 0));
     far[4].m[3] = 1e300;
     std::string said;
     try {

@@ -67,18 +67,21 @@ pose placed(const body &b, double scale, bool turned, const std::array<double, 3
   return p;
 }
 
-// Elements of a kind from at most `most` faces: the faces, their first edges or corners, or spheres a quarter of the
-// edge about the corners.
+// Elements of a kind from at most `most` faces: the faces, their first edges or corners, spheres a quarter of the edge about
+// the corners, or boxes around the edges.
 prepared elements(const body &b, const kind_info &kind, const pose &at, std::size_t most) {
   const std::size_t faces = std::min(most, b.corners.size() / 9), fields = static_cast<std::size_t>(kind.fields);
   std::vector<float> rows;
   for (std::size_t i = 0; i < faces; ++i) {
     const float *c = &b.corners[9 * i];
-    rows.insert(rows.end(), c, c + (kind.points > 0 ? fields : 3));
-    if (kind.points == 0)
+    const bool is_box = lies_along_axes(kind);
+    rows.insert(rows.end(), c, c + (kind.points > 0 || is_box ? fields : 3));
+    if (kind.points == 0 && !is_box)
       rows.push_back(0.25F * std::hypot(c[3] - c[0], c[4] - c[1], c[5] - c[2]));
   }
-  return prepare({rows.data(), 0, fields * sizeof(float), nullptr, faces}, kind, at);
+  rows_of out{&kind, std::move(rows)};
+  put_in_order(out);
+  return prepare(view_of(out), kind, pose_for(kind, at));
 }
 
 bool same(const std::vector<index_pair> &x, const std::vector<index_pair> &y) {

@@ -28,6 +28,8 @@ template <class F> auto of_shape(const kind_info &kind, F &&f) {
     return f(cga::segment_shape());
   if (name == "triangle")
     return f(cga::triangle_shape());
+  if (name == "box")
+    return f(cga::box_shape());
   throw std::runtime_error("a kind without a shape: " + std::string(name));
 }
 

@@ -76,12 +76,13 @@ void moves(comparison &with, const settings &s) {
     const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
     device_set da(with.on(), a), db(with.on(), b);
     for (const pose &at : std::span(poses).first(s.small ? 4 : std::size(poses))) {
-      da.move(at);
-      const prepared a_there = prepare(view_of(x), *p.a, at);
+      const pose at_a = pose_for(*p.a, at), at_b = pose_for(*p.b, at);
+      da.move(at_a);
+      const prepared a_there = prepare(view_of(x), *p.a, at_a);
       with.require("poses", same_rows_there(da, a, a_there), std::string(p.name) + ": other rows under a pose");
       with.same("poses of a", p, a_there, da, b, db, certified); // the frame stays b's
-      db.move(at);
-      const prepared b_there = prepare(view_of(y), *p.b, at);
+      db.move(at_b);
+      const prepared b_there = prepare(view_of(y), *p.b, at_b);
       with.require("poses", same_rows_there(db, b, b_there), std::string(p.name) + ": other rows under a pose");
       options o;
       o.expectations = true;
@@ -112,10 +113,11 @@ void overflows(comparison &with, const settings &s) {
       // Some that go beyond float32 under a scale of 1e20, in one field each; the caller's first is not the first slot.
       for (std::size_t i = n / 2; i < n; i += 1 + n / 7)
         rows.rows[i * fields + random() % fields] = 1e19F;
-      const pose at = turned(1e20, 0, 0, 0);
+      put_in_order(rows);
+      const pose at = pose_for(kind, turned(1e20, 0, 0, 0));
       const prepared p = prepare(view_of(rows), kind);
       device_set there(with.on(), p);
-      const pose before = turned(2, 1, 1, 1);
+      const pose before = pose_for(kind, turned(2, 1, 1, 1));
       there.move(before);
       const fault want = check(view_of(rows), kind, at), have = thrown([&] { there.move(at); });
       const bool same_value = std::memcmp(&want.value, &have.value, sizeof want.value) == 0 ||
@@ -139,6 +141,21 @@ void overflows(comparison &with, const settings &s) {
         with.require(scene, refused, "a length scale that is none");
       }
     }
+  }
+  // A box is neither turned nor mirrored.
+  const kind_info &box = *predicate_named("box_box").a;
+  const rows_of boxes = random_rows(box, 10, {}, random);
+  device_set stays(with.on(), prepare(view_of(boxes), box));
+  pose mirrored;
+  mirrored.m[5] = -1;
+  for (const pose &at : {turned(1, 0, 0, 0), mirrored}) {
+    bool refused = false;
+    try {
+      stays.move(at);
+    } catch (const std::invalid_argument &) {
+      refused = true;
+    }
+    with.require(scene, refused, "a box that would be turned or mirrored");
   }
   // A kind that no pose can move: a point's kernels with roles that have no meaning.
   static constexpr role roles[] = {role::other, role::x, role::y};

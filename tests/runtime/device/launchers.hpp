@@ -27,7 +27,8 @@ inline const launchers &launchers_of(const char *name) {
       {"ball_segment", cga::cuda::ball_segment::decide, cga::cuda::ball_segment::certify},
       {"sphere_segment", cga::cuda::sphere_segment::decide, cga::cuda::sphere_segment::certify},
       {"ball_triangle", cga::cuda::ball_triangle::decide, cga::cuda::ball_triangle::certify},
-      {"sphere_triangle", cga::cuda::sphere_triangle::decide, cga::cuda::sphere_triangle::certify}};
+      {"sphere_triangle", cga::cuda::sphere_triangle::decide, cga::cuda::sphere_triangle::certify},
+      {"box_box", cga::cuda::box_box::decide, cga::cuda::box_box::certify}};
   for (const auto &row : all)
     if (std::strcmp(row.name, name) == 0)
       return row;

@@ -388,7 +388,8 @@ template <class Shape> constexpr cuda::kind_launchers launchers_of(const char *n
 }
 const cuda::kind_launchers kinds[] = {
     launchers_of<cga::point_shape>("point"), launchers_of<cga::sphere_shape>("sphere"),
-    launchers_of<cga::segment_shape>("segment"), launchers_of<cga::triangle_shape>("triangle")};
+    launchers_of<cga::segment_shape>("segment"), launchers_of<cga::triangle_shape>("triangle"),
+    launchers_of<cga::box_shape>("box")};
 
 } // namespace
 
@@ -419,8 +420,9 @@ const ::meetc::cuda::catalogue &catalogue() {
     add(std::type_identity<::cga::ball_triangle>(), sphere_shape(), triangle_shape(), std::integral_constant<int, 8>());
     add(std::type_identity<::cga::sphere_triangle>(), sphere_shape(), triangle_shape(),
         std::integral_constant<int, 9>());
+    add(std::type_identity<::cga::box_box>(), box_shape(), box_shape(), std::integral_constant<int, 10>());
   }
-  static const ::meetc::cuda::catalogue c{"cga",        kinds,      4,     predicates.data(), 10,
+  static const ::meetc::cuda::catalogue c{"cga",        kinds,      5,     predicates.data(), 11,
                                           clear_extent, candidates, probe, no_faults};
   return c;
 }

@@ -43,4 +43,5 @@ MEETC_STAND_IN(ball_segment)
 MEETC_STAND_IN(sphere_segment)
 MEETC_STAND_IN(ball_triangle)
 MEETC_STAND_IN(sphere_triangle)
+MEETC_STAND_IN(box_box)
 } // namespace cga::cuda
