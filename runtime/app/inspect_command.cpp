@@ -168,8 +168,9 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   if (q.tolerance > 0)
     check_width(kept, box, q.tolerance);
   out += worth_of_scene(all, a, b, kept.front(), box, q.tolerance);
-  const std::string text = scene_text(*q.scene, algebra, names, box, q.tolerance,
-                                      fmt::format("What {} with {} require.", plural(a.kind->name), plural(b.kind->name)));
+  const std::string text =
+      scene_text(*q.scene, algebra, names, box, q.tolerance,
+                 fmt::format("What {} with {} require.", plural(a.kind->name), plural(b.kind->name)));
   outputs.write(*q.scene, [&text](const fs::path &to) { io::write_file(to, text); });
   outputs.commit();
   return out + fmt::format("wrote {}\n", q.scene->string());

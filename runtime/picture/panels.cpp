@@ -45,7 +45,8 @@ std::string describe(const shape &s) {
   const char *const kinds[] = {"triangle", "sphere", "segment"};
   const std::size_t n = elements(s) / s.parts, h = hits(s) / s.parts;
   const std::string one = *s.whole ? s.whole : kinds[static_cast<int>(s.what)];
-  return (s.name.empty() ? "" : s.name + ": ") + grouped(n) + " " + (n == 1 ? one : plural(one)) + (s.hit.empty() ? "" : ", " + grouped(h) + " hit");
+  return (s.name.empty() ? "" : s.name + ": ") + grouped(n) + " " + (n == 1 ? one : plural(one)) +
+         (s.hit.empty() ? "" : ", " + grouped(h) + " hit");
 }
 
 struct canvas {

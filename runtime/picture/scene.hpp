@@ -25,8 +25,9 @@ struct shape {
   std::span<const std::uint8_t> hit; // one for each element, non-zero where it is hit; missing ones are not hit
   colour base = palette::green;
   colour hit_colour = palette::yellow;
-  std::string name;   // for captions
-  const char *whole = ""; // what so many elements together are, for captions, as a box is twelve triangles; empty: each is one
+  std::string name; // for captions
+  const char *whole =
+      ""; // what so many elements together are, for captions, as a box is twelve triangles; empty: each is one
   std::size_t parts = 1;
 };
 

@@ -3,6 +3,7 @@
 #define MEETC_CORE_DEVICE_BUFFERS_HPP
 
 #include "core/device/memory.hpp"
+#include "core/device/repeated.hpp"
 
 #include <cstdint>
 
@@ -28,6 +29,7 @@ struct device_buffers {
   device_memory<unsigned long long> counts;      // and behind them where each item's hits start, 32 bits each
   device_memory<std::uint64_t> keys, more_keys;  // hits as sortable numbers
   device_memory<std::byte> sort_space;
+  repeated_launches repeated;
   cudaStream_t stream = nullptr; // of all queries
   cudaStream_t beside = nullptr; // for work on one set while the query's stream works on the other
   cudaEvent_t forked = nullptr, joined = nullptr;

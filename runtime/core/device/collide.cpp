@@ -1,14 +1,12 @@
 #include "core/device/collide.hpp"
 
 #include "core/device/buffers.hpp"
-#include "core/device/kernels.hpp"
+#include "core/device/hits.hpp"
 #include "core/device/query.hpp"
 #include "core/device/tallies.hpp"
 #include "core/device/tree_kernels.hpp"
-#include "core/pair_sort.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cstring>
 
@@ -29,9 +27,6 @@ constexpr std::size_t least_part(search by) {
 }
 // Even if every pair of the smallest part's objects is taken apart, the lists can hold them.
 constexpr std::size_t least_capacity = std::max(least_part(search::groups), least_part(search::tree));
-// Beyond this many elements of A, hits are sorted faster by their keys than by counting.
-constexpr std::uint32_t most_to_count = std::uint32_t{1} << 21;
-constexpr std::size_t most_counted = 0xffffffff; // their ranks are 32 bits
 constexpr std::size_t first_capacity = std::size_t{1} << 22;
 
 void require(bool holds, const char *what) {
@@ -67,9 +62,10 @@ public:
                const device_options &options, std::span<std::uint64_t> of_instances)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
         symmetric_(p.symmetric), options_(options), of_instances_(of_instances),
+        hits_(on, a, b, options.owner_a, options.owner_b),
         tallies_(!of_instances.empty() ||
-                 (!owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
-        keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && owned())) {}
+                 (!hits_.owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
+        keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())) {}
 
   device_result run() {
     require(!options_.filter || on_.offers(*options_.filter),
@@ -80,8 +76,7 @@ public:
       result_.filter = options_.filter ? *options_.filter : on_.best_filter();
     // A hierarchy visits half of the pairs of a set with itself where the other half has the same answers.
     both_ways_ = &a_ == &b_ && result_.by == search::tree && symmetric_ && never_wrong(precision_);
-    if (owned())
-      upload_owners();
+    hits_.upload_owners();
     start_clock();
     if (tallies_)
       tallied_.start(options_.want, a_.elements(), b_.elements(), of_instances_, on_.stream());
@@ -100,14 +95,12 @@ public:
     if (tallies_)
       tallied_.finish(result_, of_instances_, on_.stream());
     else if (keep_)
-      finish();
+      hits_.finish(options_.want, result_, [this] { mark_clock(); });
     result_.device_seconds = buffers_.between();
     return std::move(result_);
   }
 
 private:
-  bool owned() const { return !options_.owner_a.empty() || !options_.owner_b.empty(); }
-
   std::uint32_t objects(const device_set &s) const {
     const std::uint32_t size = object_size(result_.by);
     return s.elements() / size + (s.elements() % size != 0);
@@ -151,20 +144,6 @@ private:
     }
   }
 
-  void upload_owners() {
-    const auto upload = [this](std::span<const std::uint32_t> from, const device_set &of,
-                               device_memory<std::uint32_t> &to) {
-      require(from.empty() || from.size() == of.elements(), "an owner map needs one item for each element");
-      if (from.empty())
-        return;
-      to.reserve(from.size(), "an owner map");
-      check(cudaMemcpyAsync(to.data(), from.data(), from.size_bytes(), cudaMemcpyHostToDevice, on_.stream()),
-            "uploading owners");
-    };
-    upload(options_.owner_a, a_, owner_a_);
-    upload(options_.owner_b, b_, owner_b_);
-  }
-
   void start_clock() { check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock"); }
   // The last mark counts.
   void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
@@ -181,9 +160,7 @@ private:
     capacity_ = within_options(wanted);
     if (!enlarge_lists(capacity_))
       capacity_ = within_options(first_capacity);
-    orders_all_ = keep_ && !tallies_ && !owned() && a_.elements() <= most_to_count;
-    zeroed_ = counters + (orders_all_ ? a_.elements() / 2 + 1 : 0);
-    buffers_.counts.reserve(zeroed_, "counters");
+    buffers_.counts.reserve(counters + (keep_ ? hits_.starts_for_order() / 2 + 1 : 0), "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
     if (keep_)
@@ -254,7 +231,6 @@ private:
       }
       try_part(p, area(p) == area(whole));
       if (overflowed()) {
-        ordered_ = false;
         left.push_back(p);
         if (!take_more_room())
           most = area(p) / 4;
@@ -273,9 +249,24 @@ private:
 
   void try_part(const cuda::part &p, bool is_all) {
     const cudaStream_t stream = on_.stream();
-    check(
-        cudaMemsetAsync(buffers_.counts.data(), 0, (is_all ? zeroed_ : counters) * sizeof(unsigned long long), stream),
-        "clearing counters");
+    orders_ = is_all && keep_ && !tallies_ && hits_.can_order(capacity_);
+    if (is_all)
+      buffers_.repeated.run(stream, key_of(p), [&] { enqueue(p); });
+    else
+      enqueue(p);
+    mark_clock();
+    check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
+                          cudaMemcpyDeviceToHost, stream),
+          "reading counters");
+    check(cudaStreamSynchronize(stream), "colliding");
+    ++result_.parts;
+  }
+
+  // The kernels from the candidates to the last decision and, if all hits are ordered at once, to sorted pairs.
+  void enqueue(const cuda::part &p) {
+    const cudaStream_t stream = on_.stream();
+    const std::size_t zeroed = counters + (orders_ ? hits_.starts_for_order() / 2 + 1 : 0);
+    check(cudaMemsetAsync(buffers_.counts.data(), 0, zeroed * sizeof(unsigned long long), stream), "clearing counters");
     find_candidates(p, list(buffers_.first, counter::candidates));
     cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
     hits.both_ways = both_ways_;
@@ -292,44 +283,35 @@ private:
       check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
       std::swap(in, out);
     }
-    if (is_all && orders_all_ && capacity_ <= most_counted)
-      order_hits_of_all(hits);
-    mark_clock();
-    check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
-                          cudaMemcpyDeviceToHost, stream),
-          "reading counters");
-    check(cudaStreamSynchronize(stream), "colliding");
-    ++result_.parts;
+    if (orders_)
+      hits_.order(hits, reinterpret_cast<std::uint32_t *>(buffers_.counts.data() + counters),
+                  count_only(counter::longest).count);
+  }
+
+  // All that enqueue() makes the arguments of its launches of.
+  launch_key key_of(const cuda::part &p) const {
+    launch_key k;
+    k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, keep_, orders_, capacity_);
+    k.add(p.first_a, p.end_a, p.first_b, p.end_b);
+    for (const cuda::operand *const o : {&x_, &y_})
+      k.add(o->rows, o->elements, o->by, o->columns);
+    k.add(walk_.walker.nodes, walk_.walker.elements, walk_.tree.nodes, walk_.tree.elements, walk_.swapped, walk_.half,
+          walk_.rows, walk_.fields, walk_.points.pad);
+    for (const int field : walk_.points.of)
+      k.add(field);
+    k.add(buffers_.counts.data());
+    for (const device_memory<index_pair> *const m : {&buffers_.first, &buffers_.second, &buffers_.hits})
+      k.add(m->data(), m->capacity());
+    if (orders_)
+      k.add(a_.order(), b_.order(), buffers_.keys.data(), buffers_.more_keys.data(), buffers_.sort_space.data(),
+            buffers_.sort_space.capacity());
+    return k;
   }
 
   // A walk's candidates are the pairs whose boxes touch, so that the step that tests boxes has nothing to do but to reject.
   bool boxes_suffice() const {
     return result_.by == search::tree &&
            (cuda::first_step(precision_) == cuda::step::near_boxes || !predicate_.rejects);
-  }
-
-  // Enqueues what makes sorted pairs of these hits in buffers_.more_keys, if none has too many. Where there is too little
-  // memory for that, their keys are sorted later.
-  void order_hits_of_all(const cuda::pair_list &hits) {
-    if (!buffers_.keys.grow(capacity_, 0, on_.stream()) || !buffers_.more_keys.grow(capacity_, 0, on_.stream()))
-      return;
-    auto *const numbers = reinterpret_cast<std::uint32_t *>(buffers_.keys.data());
-    const hit_order o{hits.pairs,
-                      hits.count,
-                      hits.capacity,
-                      a_.order(),
-                      b_.order(),
-                      a_.elements(),
-                      reinterpret_cast<std::uint32_t *>(buffers_.counts.data() + counters),
-                      numbers,
-                      numbers + capacity_,
-                      reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
-                      buffers_.counts.data() + static_cast<int>(counter::longest)};
-    std::size_t bytes = 0;
-    check(order_hits(nullptr, bytes, o, on_.stream()), "planning to sort");
-    buffers_.sort_space.reserve(bytes, "sorted pairs");
-    check(order_hits(buffers_.sort_space.data(), bytes, o, on_.stream()), "sorting pairs");
-    ordered_ = true;
   }
 
   void find_candidates(const cuda::part &p, const cuda::pair_list &out) {
@@ -352,7 +334,6 @@ private:
     result_.rungs.unsure[1] += seen(counter::unsure_fp64);
     result_.rungs.unsure[2] += seen(counter::unsure_fp64x2);
     const std::size_t n = seen(counter::hits);
-    ordered_ = ordered_ && seen(counter::longest) == 0;
     if (!keep_ || n == 0)
       return;
     if (tallies_) {
@@ -360,100 +341,11 @@ private:
       mark_clock();
       return;
     }
-    if (ordered_) {
-      keys_ = n;
+    if (orders_ && seen(counter::longest) == 0) {
+      hits_.take_ordered(n);
       return;
     }
-    if (!buffers_.keys.grow(std::max(keys_ + n, std::min(2 * keys_, keys_ + (std::size_t{1} << 28))), keys_,
-                            on_.stream()) &&
-        !buffers_.keys.grow(keys_ + n, keys_, on_.stream())) {
-      spill();
-      buffers_.keys.reserve(n, "a list of hits");
-    }
-    check(to_keys(buffers_.hits.data(), n, a_.order(), owner_a_.data(), b_.order(), owner_b_.data(), bits_b_,
-                  buffers_.keys.data() + keys_, on_.stream()),
-          "starting a kernel");
-    keys_ += n;
-  }
-
-  // Moves the keys to the host, unsorted.
-  void spill() {
-    std::vector<std::uint64_t> keys(keys_);
-    check(cudaMemcpyAsync(keys.data(), buffers_.keys.data(), keys_ * sizeof(std::uint64_t), cudaMemcpyDeviceToHost,
-                          on_.stream()),
-          "downloading pairs");
-    check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
-    for (const std::uint64_t k : keys)
-      spilled_.push_back(pair_of(k, bits_b_));
-    keys_ = 0;
-  }
-
-  // Sorts the keys on the device and drops repeats where there are owners. Returns false where the device lacks the
-  // memory.
-  bool sort_on_device() {
-    if (owned() && keys_ > 0x7fffffff) // older versions of CUB take at most this many keys
-      return false;
-    const int bits = std::max(1, bits_of_items(options_.owner_a, a_) + bits_b_);
-    std::size_t sort_bytes = 0, repeat_bytes = 0;
-    check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
-    if (owned())
-      check(drop_repeats(nullptr, repeat_bytes, nullptr, nullptr, nullptr, keys_, on_.stream()), "planning to sort");
-    std::size_t bytes = std::max(sort_bytes, repeat_bytes);
-    if (!buffers_.more_keys.grow(keys_, 0, on_.stream()) || !buffers_.sort_space.grow(bytes, 0, on_.stream()))
-      return false;
-    check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_,
-                    bits, on_.stream()),
-          "sorting pairs");
-    std::swap(buffers_.keys, buffers_.more_keys);
-    if (owned()) {
-      check(drop_repeats(buffers_.sort_space.data(), repeat_bytes, buffers_.keys.data(), buffers_.more_keys.data(),
-                         buffers_.counts.data(), keys_, on_.stream()),
-            "dropping repeats");
-      unsigned long long kept = 0;
-      check(cudaMemcpyAsync(&kept, buffers_.counts.data(), sizeof kept, cudaMemcpyDeviceToHost, on_.stream()),
-            "dropping repeats");
-      check(cudaStreamSynchronize(on_.stream()), "dropping repeats");
-      keys_ = kept;
-      std::swap(buffers_.keys, buffers_.more_keys);
-    }
-    return true;
-  }
-
-  // Of the largest item's number.
-  static int bits_of_items(std::span<const std::uint32_t> owners, const device_set &of) {
-    const std::uint32_t elements = of.elements();
-    return std::bit_width(!owners.empty() ? *std::max_element(owners.begin(), owners.end())
-                          : elements > 0  ? elements - 1
-                                          : 0);
-  }
-
-  void finish() {
-    std::vector<index_pair> &pairs = result_.pairs;
-    if (spilled_.empty() && (keys_ == 0 || ordered_ || sort_on_device())) {
-      if (ordered_)
-        std::swap(buffers_.keys, buffers_.more_keys);
-      else
-        check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel"), mark_clock();
-      if (options_.want == answer_kind::count) {
-        result_.count = keys_;
-        return;
-      }
-      pairs.resize(keys_);
-      check(cudaMemcpyAsync(pairs.data(), buffers_.keys.data(), keys_ * sizeof(index_pair), cudaMemcpyDeviceToHost,
-                            on_.stream()),
-            "downloading pairs");
-      check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
-    } else {
-      spill();
-      pairs = std::move(spilled_);
-      sort_scratch scratch;
-      sort_pairs(pairs.data(), pairs.size(), scratch);
-      if (owned())
-        meetc::drop_repeats(pairs);
-      mark_clock();
-    }
-    answer_from_list(options_.want, items(options_.owner_a, a_.elements()), items(options_.owner_b, b_.elements()),
-                     result_);
+    hits_.add(buffers_.hits.data(), n);
   }
 
   device &on_;
@@ -465,16 +357,13 @@ private:
   const device_options &options_;
   std::span<std::uint64_t> of_instances_;
   bool both_ways_ = false;
+  hit_pairs hits_;
   bool tallies_, keep_; // hits are counted by item; they are kept until then, or for their list
   tallies tallied_;
-  int bits_b_ = bits_of_items(options_.owner_b, b_);
   cuda::operand x_{}, y_{};
   tree_walk walk_{};
-  device_memory<std::uint32_t> owner_a_, owner_b_;
-  std::size_t capacity_ = 0, keys_ = 0;
-  bool orders_all_ = false, ordered_ = false; // the hits of all are to be sorted at once, and are already
-  std::size_t zeroed_ = 0;                    // of the counters, in 64 bits
-  std::vector<index_pair> spilled_;
+  std::size_t capacity_ = 0;
+  bool orders_ = false; // the hits of all are ordered with the kernels that find them
   device_result result_;
 };
 

@@ -72,11 +72,11 @@ TEST_CASE("boxes: closed, in float32 as read, and never turned") {
     put("other.csv", "low_x,low_y,low_z,high_x,high_y,high_z\n" + row + "\n");
     return answer({"one.csv", "other.csv"})["pairs"];
   };
-  CHECK(pairs_with("1,0,0,2,1,1") == 1);           // a face in common
-  CHECK(pairs_with("1,1,1,2,2,2") == 1);           // a corner
-  CHECK(pairs_with("1.0000001,0,0,2,1,1") == 0);   // one step off
+  CHECK(pairs_with("1,0,0,2,1,1") == 1);                // a face in common
+  CHECK(pairs_with("1,1,1,2,2,2") == 1);                // a corner
+  CHECK(pairs_with("1.0000001,0,0,2,1,1") == 0);        // one step off
   CHECK(pairs_with("0.25,0.25,0.25,0.5,0.5,0.5") == 1); // within
-  CHECK(pairs_with("-1,0.5,0.5,2,0.5,0.5") == 1);  // a segment through it
+  CHECK(pairs_with("-1,0.5,0.5,2,0.5,0.5") == 1);       // a segment through it
   CHECK(pairs_with("0.5,-1,-2,0.5,3,-0.0000001") == 0);
   CHECK(answer({"one.csv", "one.csv"})["predicate"] == "box_box");
   put("many.csv", "low_x,low_y,low_z,high_x,high_y,high_z\n0,0,0,1,1,1\n2,2,2,3,3,3\n");

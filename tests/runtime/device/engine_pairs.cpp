@@ -242,6 +242,42 @@ void again(comparison &with, const settings &s) {
   on_cpu("another predicate on the CPU", z, x, q, balls);
 }
 
+// The same queries so often that their kernels start as one, with others, moves and other wants in between.
+void repeated(comparison &with, const settings &s) {
+  engine random(s.seed + 8);
+  const std::size_t n = s.small ? 120 : 3000;
+  each_predicate([&](const predicate_info &p) {
+    const place at{1, 0.15, 1, 0};
+    const rows_of x = random_rows(*p.a, n, at, random), y = random_rows(*p.b, n / 2, at, random);
+    const prepared a = ready(x), b = ready(y);
+    device_set da(with.on(), a), db(with.on(), b), same_size(with.on(), ready(random_rows(*p.b, n / 2, at, random)));
+    pose aside;
+    aside.m[7] = 0x1p-3;
+    const prepared b_aside = prepare(view_of(y), *p.b, aside);
+    const std::vector<index_pair> want = collide(a, b, p, rung::certified).pairs,
+                                  want_aside = collide(a, b_aside, p, rung::certified).pairs;
+    for (const search by : {search::tree, search::groups}) {
+      device_options o, count;
+      o.by = count.by = by;
+      count.want = answer_kind::count;
+      for (int round = 0; round < 8; ++round) {
+        const bool is_aside = round % 3 == 2;
+        db.move(is_aside ? aside : pose());
+        const std::vector<index_pair> &wanted = is_aside ? want_aside : want;
+        for (int i = 0; i < 3; ++i)
+          with.require("repeated", same(collide(with.on(), da, db, p, rung::certified, o).pairs, wanted),
+                       std::string(p.name) + ": other pairs");
+        with.require("repeated", collide(with.on(), da, db, p, rung::certified, count).count == wanted.size(),
+                     std::string(p.name) + ": another count");
+        with.require("repeated", same(collide(with.on(), da, db, p, rung::exact, o).pairs, wanted),
+                     std::string(p.name) + ": other pairs, exact");
+        if (round % 4 == 1)
+          collide(with.on(), da, same_size, p, rung::certified, o);
+      }
+    }
+  });
+}
+
 // The same set twice, also where its hits need several parts.
 void with_itself(comparison &with, const settings &s) {
   engine random(s.seed + 20);
@@ -356,6 +392,7 @@ void pair_scenes(comparison &with, const settings &s) {
   scene("parts", cut_parts);
   scene("owners", owners);
   scene("asked again", again);
+  scene("repeated", repeated);
   scene("a set with itself", with_itself);
   scene("long sets", long_sets);
   scene("refusals", refusals);

@@ -1,0 +1,155 @@
+#include "core/device/hits.hpp"
+
+#include "core/answers.hpp"
+#include "core/pair_sort.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace meetc {
+namespace {
+
+// Beyond this many elements of A, hits are sorted faster by their keys than by counting.
+constexpr std::uint32_t most_to_count = std::uint32_t{1} << 21;
+constexpr std::size_t most_counted = 0xffffffff; // their ranks are 32 bits
+
+int bits_of_items(std::span<const std::uint32_t> owners, std::uint32_t elements) {
+  return std::bit_width(!owners.empty() ? *std::max_element(owners.begin(), owners.end())
+                        : elements > 0  ? elements - 1
+                                        : 0);
+}
+
+} // namespace
+
+hit_pairs::hit_pairs(device &on, const device_set &a, const device_set &b, std::span<const std::uint32_t> owner_a,
+                     std::span<const std::uint32_t> owner_b)
+    : on_(on), buffers_(on.buffers()), a_(a), b_(b), owner_a_(owner_a), owner_b_(owner_b),
+      bits_a_(bits_of_items(owner_a, a.elements())), bits_b_(bits_of_items(owner_b, b.elements())) {}
+
+void hit_pairs::upload_owners() {
+  const auto upload = [this](std::span<const std::uint32_t> from, const device_set &of,
+                             device_memory<std::uint32_t> &to) {
+    if (!from.empty() && from.size() != of.elements())
+      throw std::invalid_argument("an owner map needs one item for each element");
+    if (from.empty())
+      return;
+    to.reserve(from.size(), "an owner map");
+    check(cudaMemcpyAsync(to.data(), from.data(), from.size_bytes(), cudaMemcpyHostToDevice, on_.stream()),
+          "uploading owners");
+  };
+  upload(owner_a_, a_, there_a_);
+  upload(owner_b_, b_, there_b_);
+}
+
+bool hit_pairs::can_order(std::size_t hits) {
+  if (owned() || a_.elements() > most_to_count || hits > most_counted || !buffers_.keys.grow(hits, 0, on_.stream()) ||
+      !buffers_.more_keys.grow(hits, 0, on_.stream()))
+    return false;
+  std::size_t bytes = 0;
+  hit_order sizes{};
+  sizes.items_a = a_.elements();
+  check(order_hits(nullptr, bytes, sizes, on_.stream()), "planning to sort");
+  return buffers_.sort_space.grow(bytes, 0, on_.stream());
+}
+
+void hit_pairs::order(const cuda::pair_list &hits, std::uint32_t *starts, unsigned long long *longest) {
+  auto *const numbers = reinterpret_cast<std::uint32_t *>(buffers_.keys.data());
+  const hit_order o{hits.pairs,
+                    hits.count,
+                    hits.capacity,
+                    a_.order(),
+                    b_.order(),
+                    a_.elements(),
+                    starts,
+                    numbers,
+                    numbers + hits.capacity,
+                    reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
+                    longest};
+  std::size_t bytes = buffers_.sort_space.capacity();
+  check(order_hits(buffers_.sort_space.data(), bytes, o, on_.stream()), "sorting pairs");
+}
+
+void hit_pairs::add(const index_pair *hits, std::size_t n) {
+  if (!buffers_.keys.grow(std::max(keys_ + n, std::min(2 * keys_, keys_ + (std::size_t{1} << 28))), keys_,
+                          on_.stream()) &&
+      !buffers_.keys.grow(keys_ + n, keys_, on_.stream())) {
+    spill();
+    buffers_.keys.reserve(n, "a list of hits");
+  }
+  check(to_keys(hits, n, a_.order(), there_a_.data(), b_.order(), there_b_.data(), bits_b_,
+                buffers_.keys.data() + keys_, on_.stream()),
+        "starting a kernel");
+  keys_ += n;
+}
+
+// Moves the keys to the host, unsorted.
+void hit_pairs::spill() {
+  std::vector<std::uint64_t> keys(keys_);
+  check(cudaMemcpyAsync(keys.data(), buffers_.keys.data(), keys_ * sizeof(std::uint64_t), cudaMemcpyDeviceToHost,
+                        on_.stream()),
+        "downloading pairs");
+  check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
+  for (const std::uint64_t k : keys)
+    spilled_.push_back(pair_of(k, bits_b_));
+  keys_ = 0;
+}
+
+// Sorts the keys and drops repeats where there are owners. Returns false where the device lacks the memory.
+bool hit_pairs::sort_on_device() {
+  if (owned() && keys_ > 0x7fffffff) // older versions of CUB take at most this many keys
+    return false;
+  const int bits = std::max(1, bits_a_ + bits_b_);
+  std::size_t sort_bytes = 0, repeat_bytes = 0;
+  check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
+  if (owned())
+    check(drop_repeats(nullptr, repeat_bytes, nullptr, nullptr, nullptr, keys_, on_.stream()), "planning to sort");
+  const std::size_t bytes = std::max(sort_bytes, repeat_bytes);
+  if (!buffers_.more_keys.grow(keys_, 0, on_.stream()) || !buffers_.sort_space.grow(bytes, 0, on_.stream()))
+    return false;
+  check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_, bits,
+                  on_.stream()),
+        "sorting pairs");
+  std::swap(buffers_.keys, buffers_.more_keys);
+  if (owned()) {
+    check(drop_repeats(buffers_.sort_space.data(), repeat_bytes, buffers_.keys.data(), buffers_.more_keys.data(),
+                       buffers_.counts.data(), keys_, on_.stream()),
+          "dropping repeats");
+    unsigned long long kept = 0;
+    check(cudaMemcpyAsync(&kept, buffers_.counts.data(), sizeof kept, cudaMemcpyDeviceToHost, on_.stream()),
+          "dropping repeats");
+    check(cudaStreamSynchronize(on_.stream()), "dropping repeats");
+    keys_ = kept;
+    std::swap(buffers_.keys, buffers_.more_keys);
+  }
+  return true;
+}
+
+void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> &sorted) {
+  std::vector<index_pair> &pairs = r.pairs;
+  if (spilled_.empty() && (keys_ == 0 || ordered_ || sort_on_device())) {
+    const std::uint64_t *const from = ordered_ ? buffers_.more_keys.data() : buffers_.keys.data();
+    if (!ordered_) {
+      check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel");
+      sorted();
+    }
+    if (want == answer_kind::count) {
+      r.count = keys_;
+      return;
+    }
+    pairs.resize(keys_);
+    check(cudaMemcpyAsync(pairs.data(), from, keys_ * sizeof(index_pair), cudaMemcpyDeviceToHost, on_.stream()),
+          "downloading pairs");
+    check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
+  } else {
+    spill();
+    pairs = std::move(spilled_);
+    sort_scratch scratch;
+    sort_pairs(pairs.data(), pairs.size(), scratch);
+    if (owned())
+      drop_repeats(pairs);
+    sorted();
+  }
+  answer_from_list(want, items(owner_a_, a_.elements()), items(owner_b_, b_.elements()), r);
+}
+
+} // namespace meetc

@@ -1,0 +1,62 @@
+// core/device/hits.hpp: what a query has found, from its kernels' list of hits to sorted pairs of items.
+//
+// The hits of a whole query are ordered by counting, which needs no number on the host, or else gathered as keys, part by
+// part, which are sorted at the end. Where the device lacks the memory for that, the host sorts.
+#ifndef MEETC_CORE_DEVICE_HITS_HPP
+#define MEETC_CORE_DEVICE_HITS_HPP
+
+#include "core/device/buffers.hpp"
+#include "core/device/kernels.hpp"
+#include "core/device/set.hpp"
+#include "meetc/cuda_table.hpp"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace meetc {
+
+// All members enqueue their work on the device's stream and throw device_error.
+class hit_pairs {
+public:
+  // Owners: the item of each element; empty: each element is its own item.
+  hit_pairs(device &on, const device_set &a, const device_set &b, std::span<const std::uint32_t> owner_a,
+            std::span<const std::uint32_t> owner_b);
+
+  bool owned() const { return !owner_a_.empty() || !owner_b_.empty(); }
+  // Throws std::invalid_argument where a map has not one item for each element.
+  void upload_owners();
+
+  // Whether all hits of a query can be ordered by counting: elements are their own items, and there is memory for this many.
+  bool can_order(std::size_t hits);
+  // Enqueues that, after can_order(). `starts` has room for starts_for_order(), and `longest` is one number; all are 0 at first.
+  void order(const cuda::pair_list &hits, std::uint32_t *starts, unsigned long long *longest);
+  std::size_t starts_for_order() const { return std::size_t{a_.elements()} + 1; }
+  // n hits were ordered.
+  void take_ordered(std::size_t n) { keys_ = n, ordered_ = true; }
+
+  // Adds n hits, pairs of slots.
+  void add(const index_pair *hits, std::size_t n);
+
+  // Sorts and drops repeats, without a list if only their number is asked for. Waits for the device; `sorted` is called when
+  // all work but downloading has been enqueued. Fills the rest of the answer.
+  void finish(answer_kind want, result &r, const std::function<void()> &sorted);
+
+private:
+  void spill();
+  bool sort_on_device();
+
+  device &on_;
+  device_buffers &buffers_;
+  const device_set &a_, &b_;
+  std::span<const std::uint32_t> owner_a_, owner_b_;
+  device_memory<std::uint32_t> there_a_, there_b_; // the owners
+  int bits_a_, bits_b_;                            // of the largest item's number
+  std::size_t keys_ = 0;
+  bool ordered_ = false;
+  std::vector<index_pair> spilled_;
+};
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,67 @@
+#include "core/device/repeated.hpp"
+
+#include "core/device/device.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace meetc {
+namespace {
+
+constexpr std::size_t most_sequences = 8;
+
+// Null where the driver cannot capture this.
+cudaGraphExec_t captured(cudaStream_t stream, const std::function<void()> &enqueue) {
+  if (cudaStreamBeginCapture(stream, cudaStreamCaptureModeThreadLocal) != cudaSuccess) {
+    cudaGetLastError();
+    return nullptr;
+  }
+  cudaGraph_t graph = nullptr;
+  cudaGraphExec_t out = nullptr;
+  try {
+    enqueue();
+  } catch (...) {
+    cudaStreamEndCapture(stream, &graph);
+    cudaGraphDestroy(graph);
+    cudaGetLastError();
+    throw;
+  }
+  if (cudaStreamEndCapture(stream, &graph) == cudaSuccess && cudaGraphInstantiate(&out, graph, 0) != cudaSuccess)
+    out = nullptr;
+  if (graph)
+    cudaGraphDestroy(graph);
+  cudaGetLastError();
+  return out;
+}
+
+} // namespace
+
+repeated_launches::~repeated_launches() {
+  for (const sequence &s : last_)
+    if (s.graph)
+      cudaGraphExecDestroy(s.graph);
+}
+
+void repeated_launches::run(cudaStream_t stream, launch_key key, const std::function<void()> &enqueue) {
+  const auto known = std::find_if(last_.begin(), last_.end(), [&key](const sequence &s) { return s.key == key; });
+  if (known == last_.end()) {
+    if (last_.size() == most_sequences) {
+      if (last_.front().graph)
+        cudaGraphExecDestroy(last_.front().graph);
+      last_.erase(last_.begin());
+    }
+    last_.push_back({std::move(key), false, nullptr});
+    enqueue();
+    return;
+  }
+  std::rotate(known, known + 1, last_.end());
+  sequence &s = last_.back();
+  if (!std::exchange(s.seen_twice, true))
+    s.graph = captured(stream, enqueue);
+  if (s.graph)
+    check(cudaGraphLaunch(s.graph, stream), "launching a graph");
+  else
+    enqueue();
+}
+
+} // namespace meetc
