@@ -4,6 +4,7 @@
 
 #include "core/device/memory.hpp"
 #include "core/device/repeated.hpp"
+#include "core/device/transfers.hpp"
 
 #include <cstdint>
 
@@ -30,6 +31,7 @@ struct device_buffers {
   device_memory<std::uint64_t> keys, more_keys;  // hits as sortable numbers
   device_memory<std::byte> sort_space;
   repeated_launches repeated;
+  transfers moving;
   cudaStream_t stream = nullptr; // of all queries
   cudaStream_t beside = nullptr; // for work on one set while the query's stream works on the other
   cudaEvent_t forked = nullptr, joined = nullptr;

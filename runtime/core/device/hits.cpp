@@ -85,10 +85,8 @@ void hit_pairs::add(const index_pair *hits, std::size_t n) {
 // Moves the keys to the host, unsorted.
 void hit_pairs::spill() {
   std::vector<std::uint64_t> keys(keys_);
-  check(cudaMemcpyAsync(keys.data(), buffers_.keys.data(), keys_ * sizeof(std::uint64_t), cudaMemcpyDeviceToHost,
-                        on_.stream()),
-        "downloading pairs");
-  check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
+  buffers_.moving.download(keys.data(), buffers_.keys.data(), keys_ * sizeof(std::uint64_t), on_.stream(),
+                           "downloading pairs");
   for (const std::uint64_t k : keys)
     spilled_.push_back(pair_of(k, bits_b_));
   keys_ = 0;
@@ -137,9 +135,7 @@ void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> 
       return;
     }
     pairs.resize(keys_);
-    check(cudaMemcpyAsync(pairs.data(), from, keys_ * sizeof(index_pair), cudaMemcpyDeviceToHost, on_.stream()),
-          "downloading pairs");
-    check(cudaStreamSynchronize(on_.stream()), "downloading pairs");
+    buffers_.moving.download(pairs.data(), from, keys_ * sizeof(index_pair), on_.stream(), "downloading pairs");
   } else {
     spill();
     pairs = std::move(spilled_);

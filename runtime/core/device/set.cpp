@@ -71,11 +71,9 @@ void device_set::upload(const prepared &set) {
   const std::size_t floats = std::size_t{elements_} * static_cast<std::size_t>(kind_->fields);
   rows_.reserve(floats, "a set's elements");
   order_.reserve(elements_, "a set's order");
-  check(cudaMemcpyAsync(rows_.data(), set.set().rows, floats * sizeof(float), cudaMemcpyHostToDevice, on_->stream()),
-        "uploading a set");
-  check(cudaMemcpyAsync(order_.data(), set.set().order, elements_ * sizeof(std::uint32_t), cudaMemcpyHostToDevice,
-                        on_->stream()),
-        "uploading a set");
+  transfers &moving = on_->buffers().moving;
+  moving.upload(rows_.data(), set.set().rows, floats * sizeof(float), on_->stream(), "uploading a set");
+  moving.upload(order_.data(), set.set().order, elements_ * sizeof(std::uint32_t), on_->stream(), "uploading a set");
   reaches_ = {set.set().reach, set.set().longest};
   enclose(rows());
   check(cudaStreamSynchronize(on_->stream()), "uploading a set"); // the caller may now change the memory
@@ -109,9 +107,9 @@ bool device_set::make(const view &elements, const pose &at) {
   if (!room(data, bytes) || !room(index, indices) || !room(rows, n * fields) || !room(rows_, n * fields) ||
       !room(order_, n) || !room(places, n) || !room(sorted, n) || !room(found, 1) || !room(space, need))
     return false; // a set that is ordered needs a third of it
-  check(cudaMemcpyAsync(data.data(), elements.data, bytes, cudaMemcpyHostToDevice, stream), "uploading a set");
-  check(cudaMemcpyAsync(index.data(), elements.index, indices * sizeof(std::uint32_t), cudaMemcpyHostToDevice, stream),
-        "uploading a set");
+  transfers &moving = on_->buffers().moving;
+  moving.upload(data.data(), elements.data, bytes, stream, "uploading a set");
+  moving.upload(index.data(), elements.index, indices * sizeof(std::uint32_t), stream, "uploading a set");
   const cuda::view there{reinterpret_cast<const float *>(data.data()), elements.stride_bytes,
                          elements.index ? index.data() : nullptr, static_cast<std::uint32_t>(elements.vertices), n};
   device_buffers &buffers = on_->buffers();

@@ -2,6 +2,7 @@
 #include "engine.hpp"
 
 #include "core/device/poses.hpp"
+#include "core/device/transfers.hpp"
 #include "core/element_set.hpp"
 
 #include <cstring>
@@ -125,6 +126,28 @@ void indexed(comparison &with, const settings &s) {
   refused("a number that is none");
 }
 
+// Memory of every size goes there and comes back, also twice through the same buffers.
+void travels(comparison &with, const settings &s) {
+  engine random(s.seed + 43);
+  transfers moving;
+  cudaStream_t stream = with.on().stream();
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{5}, (std::size_t{8} << 20) - 1, (std::size_t{8} << 20),
+                                  (std::size_t{50} << 20) + 13}) {
+    std::vector<unsigned char> here(bytes), back(bytes);
+    device_memory<unsigned char> there;
+    there.reserve(bytes + 1, "a test");
+    for (int round = 0; round < 2; ++round) {
+      for (std::size_t i = 0; i < bytes; i += 509)
+        here[i] = static_cast<unsigned char>(random());
+      const std::vector<unsigned char> want = here;
+      moving.upload(there.data(), here.data(), bytes, stream, "a test");
+      std::fill(here.begin(), here.end(), static_cast<unsigned char>(0)); // it has been taken
+      moving.download(back.data(), there.data(), bytes, stream, "a test");
+      with.require("travels", back == want, std::to_string(bytes) + " bytes come back otherwise");
+    }
+  }
+}
+
 void many_poses(comparison &with, const settings &s) {
   engine random(s.seed + 42);
   const std::string scene = "many poses";
@@ -184,6 +207,7 @@ void many_poses(comparison &with, const settings &s) {
 void made_scenes(comparison &with, const settings &s) {
   made(with, s);
   indexed(with, s);
+  travels(with, s);
   many_poses(with, s);
 }
 
