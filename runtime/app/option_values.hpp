@@ -11,7 +11,8 @@ namespace meetc::app {
 
 inline constexpr const char *files_help =
     "A mesh (.ply, .obj, .stl), or a .csv whose first line names a kind's numbers: "
-    "x,y,z,r spheres; x0,y0,z0,x1,y1,z1 segments; x,y,z points";
+    "x,y,z,r spheres; x0,y0,z0,x1,y1,z1 segments; x,y,z points; "
+    "low_x,low_y,low_z,high_x,high_y,high_z boxes along the axes";
 
 // The value of --threads, from 0 (all cores) to the maximum of the core. Throws failure.
 int threads_named(const std::string &text);
