@@ -73,6 +73,28 @@ bool keeps_axes(const double *matrix) {
   return true;
 }
 
+bool proved_apart(const pose &at, const float lo[3], const float hi[3], double longest, const float from[3],
+                  const float to[3]) {
+  constexpr double finite = 0x1p126;
+  const double reach = longest * std::abs(at.length_scale) * (1 + 0x1p-22) + at.grid + 0x1p-140;
+  bool apart = false;
+  for (int k = 0; k < 3; ++k) {
+    const double *const m = at.m + 4 * k;
+    double least = m[3], greatest = m[3], magnitude = std::abs(m[3]);
+    for (int j = 0; j < 3; ++j) {
+      const double x = m[j] * static_cast<double>(lo[j]), y = m[j] * static_cast<double>(hi[j]);
+      least += std::fmin(x, y), greatest += std::fmax(x, y);
+      magnitude += std::fmax(std::abs(x), std::abs(y));
+    }
+    const double slack = 0x1p-22 * magnitude + at.grid + 0x1p-140;
+    if (!(magnitude + reach + slack <= finite))
+      return false;
+    apart = apart || least - slack - reach > static_cast<double>(to[k]) ||
+            greatest + slack + reach < static_cast<double>(from[k]);
+  }
+  return apart;
+}
+
 status movable(const kind_info &kind, const pose &at) {
   if (!at.identity() && !can_move(kind))
     return status::cannot_move;

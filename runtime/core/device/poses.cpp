@@ -1,6 +1,7 @@
 #include "core/device/poses.hpp"
 
 #include "core/device/query.hpp"
+#include "core/pose.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -61,32 +62,81 @@ private:
   device_options options_;
 };
 
-} // namespace
-
-poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
-                           const predicate_info &predicate, rung precision, const device_options &options) {
-  const auto start = std::chrono::steady_clock::now();
+// Of one pair of bodies: fills the counts of these poses, which are numbers in r.counts.
+void count_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
+                 std::vector<std::size_t> left, const predicate_info &predicate, rung precision,
+                 const device_options &options, poses_result &r) {
   const bool any = options.want == answer_kind::any;
   if (!any && options.want != answer_kind::count)
     throw std::invalid_argument("many poses are answered by counts, or by whether anything touches");
   require_query(on, a, b, predicate, precision, options);
+  for (const std::size_t i : left)
+    if (const status s = movable(b.kind(), poses[i]); s != status::ok)
+      throw std::invalid_argument(text(s));
+  // A plain rung may say that what is far apart touches.
+  if (never_wrong(precision) && left.size() > 1 && a.elements() > 0 && b.elements() > 0) {
+    float from[3], to[3], lo[3], hi[3];
+    a.bounds(from, to);
+    device_set as_uploaded(b, 1);
+    as_uploaded.bounds(lo, hi);
+    const double longest = static_cast<double>(as_uploaded.reaches().second);
+    std::erase_if(left, [&](std::size_t i) { return proved_apart(poses[i], lo, hi, longest, from, to); });
+  }
   poses_query ask(on, a, predicate, precision, options);
-  poses_result r;
-  r.counts.resize(poses.size());
-  std::vector<std::size_t> left(poses.size());
-  std::iota(left.begin(), left.end(), std::size_t{0});
+  const std::vector<std::size_t> asked = left;
   if (any && b.elements() >= least_sampled) {
     ask.count(device_set(b, sample), poses, left, r, {});
     std::erase_if(left, [&r](std::size_t i) { return r.counts[i] > 0; });
   }
   ask.count(b, poses, left, r, options.progress);
+  if (any)
+    for (const std::size_t i : asked)
+      r.counts[i] = r.counts[i] > 0;
+}
+
+} // namespace
+
+poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
+                           const predicate_info &predicate, rung precision, const device_options &options) {
+  device_set *const bodies_a[] = {&a};
+  const device_set *const bodies_b[] = {&b};
+  return collide_bodies(on, bodies_a, bodies_b, poses, predicate, precision, options);
+}
+
+poses_result collide_bodies(device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
+                            std::span<const pose> poses, const predicate_info &predicate, rung precision,
+                            const device_options &options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (poses.size() % std::max<std::size_t>(b.size(), 1) != 0 || (b.empty() && !poses.empty()))
+    throw std::invalid_argument("a configuration has a pose for each body");
+  poses_result all;
+  all.counts.reserve(a.size() * poses.size());
+  double done = 0;
+  device_options each = options;
+  if (options.progress)
+    each.progress = [&](double fraction) {
+      options.progress((done + fraction) / static_cast<double>(a.size() * b.size()));
+    };
+  for (device_set *const body : a) {
+    poses_result r; // of all poses
+    r.counts.resize(poses.size());
+    for (std::size_t j = 0; j < b.size(); ++j, ++done) {
+      std::vector<std::size_t> numbers;
+      for (std::size_t i = j; i < poses.size(); i += b.size())
+        numbers.push_back(i);
+      count_poses(on, *body, *b[j], poses, std::move(numbers), predicate, precision, each, r);
+    }
+    all.counts.insert(all.counts.end(), r.counts.begin(), r.counts.end());
+    for (int i = 0; i < bounded_rungs; ++i)
+      all.rungs.unsure[i] += r.rungs.unsure[i];
+    all.rungs.left_box_a |= r.rungs.left_box_a, all.rungs.left_box_b |= r.rungs.left_box_b;
+    all.candidates += r.candidates;
+    all.device_seconds += r.device_seconds;
+  }
   if (options.progress)
     options.progress(1);
-  if (any)
-    for (std::uint64_t &n : r.counts)
-      n = n > 0;
-  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return r;
+  all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return all;
 }
 
 } // namespace meetc

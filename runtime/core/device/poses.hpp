@@ -2,7 +2,8 @@
 //
 // Problem: a query takes some 50 us even where nothing touches, and its kernels are too short to fill a device. Method: the
 // elements of B in many poses at once are one set, whose hierarchy's lowest boxes each hold neighbours in one pose or two, and
-// one query counts the pairs of each pose. As many poses are taken at once as the device's memory allows. Where it is only
+// one query counts the pairs of each pose. A pose in which the box around B is proved apart from that around A is not looked
+// at. As many poses are taken at once as the device's memory allows. Where it is only
 // asked whether anything touches, a sixteenth of B's elements goes first, and all of them in the poses that are left.
 #ifndef MEETC_CORE_DEVICE_POSES_HPP
 #define MEETC_CORE_DEVICE_POSES_HPP
@@ -29,6 +30,14 @@ struct poses_result {
 // that leaves float32 in a pose is no error where a sixteenth of the elements has told that the pose touches.
 poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
                            const predicate_info &predicate, rung precision, const device_options &options = {});
+
+// Bodies against bodies in many configurations, each of which has a pose for every body of B. poses[k * b.size() + j] is that of
+// body j in configuration k. counts[i * poses.size() + k * b.size() + j] of the result is that of collide_poses() for body i of A
+// and that pose. Throws what that throws, with a pose's place in `poses`, and std::invalid_argument where a configuration lacks
+// poses.
+poses_result collide_bodies(device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
+                            std::span<const pose> poses, const predicate_info &predicate, rung precision,
+                            const device_options &options = {});
 
 } // namespace meetc
 

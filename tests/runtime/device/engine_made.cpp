@@ -183,6 +183,23 @@ void many_poses(comparison &with, const settings &s) {
         same = any.counts[i] == (want[i] > 0);
       with.require(scene, same, std::string(p.name) + ": other poses touch");
     }
+    // Two bodies on each side, where those of B take poses that follow each other.
+    std::vector<pose> turns;
+    for (std::size_t i = 0; i < fit.size(); ++i)
+      turns.push_back(fit[i]), turns.push_back(fit[(i + 1) % fit.size()]);
+    device_set other_a(with.on(), b.elements() > 0 && p.a == p.b ? b : a), other_b(with.on(), b);
+    device_set *const bodies_a[] = {&da, &other_a};
+    const device_set *const bodies_b[] = {&db, &other_b};
+    const poses_result bodies = collide_bodies(with.on(), bodies_a, bodies_b, turns, p, rung::certified, counted);
+    bool right = bodies.counts.size() == 2 * turns.size();
+    const poses_result of_other = collide_poses(with.on(), other_a, db, fit, p, rung::certified, counted);
+    for (std::size_t i = 0; right && i < fit.size(); ++i)
+      for (std::size_t j = 0; j < 2; ++j) {
+        const std::size_t at = (i + j) % fit.size();
+        right = right && bodies.counts[2 * i + j] == want[at] &&
+                bodies.counts[turns.size() + 2 * i + j] == of_other.counts[at];
+      }
+    with.require(scene, right, std::string(p.name) + ": other counts of bodies");
     const poses_result none = collide_poses(with.on(), da, db, {}, p, rung::certified, counted);
     with.require(scene, none.counts.empty(), "no poses");
     std::vector<pose> far = fit;

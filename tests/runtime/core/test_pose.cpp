@@ -1,0 +1,115 @@
+// What is proved of an element in a pose without moving it.
+#include "tests/catch.hpp"
+
+#include "core/pose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace meetc;
+
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+
+// A ball's row.
+constexpr role ball_roles[] = {role::x, role::y, role::z, role::length};
+constexpr kind_info balls{"ball", "x,y,z,r", 4, ball_roles, 0, nullptr, nullptr};
+
+struct case_of_pose {
+  pose at;
+  float lo[3], hi[3], longest = 0;
+};
+
+// The box around some balls, and a pose.
+case_of_pose draw(std::mt19937 &random, std::vector<float> &rows, int scale) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  case_of_pose c;
+  for (double &m : c.at.m)
+    m = unit(random);
+  c.at.length_scale = std::abs(unit(random));
+  c.at.grid = random() % 4 == 0 ? std::ldexp(1.0, scale - 8) : 0;
+  std::fill(c.lo, c.lo + 3, inf), std::fill(c.hi, c.hi + 3, -inf);
+  rows.clear();
+  for (int i = 0; i < 20; ++i) {
+    for (int k = 0; k < 3; ++k)
+      rows.push_back(std::ldexp(static_cast<float>(unit(random)), scale));
+    const float r = std::ldexp(static_cast<float>(std::abs(unit(random))), scale - 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float x = rows[rows.size() - 3 + k];
+      c.lo[k] = std::min(c.lo[k], std::nextafter(x - r, -inf)), c.hi[k] = std::max(c.hi[k], std::nextafter(x + r, inf));
+    }
+    rows.push_back(r);
+    c.longest = std::max(c.longest, r);
+  }
+  for (int k = 0; k < 3; ++k)
+    c.at.m[4 * k + 3] = std::ldexp(unit(random), scale);
+  return c;
+}
+
+} // namespace
+
+TEST_CASE("pose: what is proved apart from a box lies outside of it, and what is far away is proved") {
+  std::mt19937 random(5);
+  std::vector<float> rows;
+  int proved = 0, clear = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const int scale = std::uniform_int_distribution(-148, 100)(random);
+    const case_of_pose c = draw(random, rows, scale);
+    double least = HUGE_VAL, greatest = -HUGE_VAL; // of the posed balls along an axis
+    const std::size_t axis = random() % 3;
+    for (std::size_t i = 0; i < rows.size(); i += 4) {
+      float row[4];
+      std::copy_n(&rows[i], 4, row);
+      move_row(balls, c.at, row);
+      const double x = row[axis], r = row[3];
+      least = std::min(least, x - r), greatest = std::max(greatest, x + r);
+    }
+    // A box that touches the ball that is farthest along the axis, from outside.
+    float from[3] = {-inf, -inf, -inf}, to[3] = {inf, inf, inf};
+    from[axis] = static_cast<float>(greatest);
+    if (static_cast<double>(from[axis]) > greatest)
+      from[axis] = std::nextafter(from[axis], -inf);
+    CHECK_FALSE(proved_apart(c.at, c.lo, c.hi, static_cast<double>(c.longest), from, to));
+    from[axis] = -inf, to[axis] = static_cast<float>(least);
+    if (static_cast<double>(to[axis]) < least)
+      to[axis] = std::nextafter(to[axis], inf);
+    CHECK_FALSE(proved_apart(c.at, c.lo, c.hi, static_cast<double>(c.longest), from, to));
+    to[axis] = static_cast<float>(least - std::ldexp(8.0, scale)); // the pose makes nothing larger than that
+    ++clear;
+    proved += proved_apart(c.at, c.lo, c.hi, static_cast<double>(c.longest), from, to);
+  }
+  CHECK(proved > clear * 9 / 10); // the very small ones are within the slack
+}
+
+TEST_CASE("pose: the slack covers a rounding to float32 and to a grid") {
+  pose at;
+  const float lo[3] = {1, 0, 0}, hi[3] = {1, 0, 0}, to[3] = {2, 1, 1};
+  at.m[3] = 0x1p-25; // 1 + 2^-25 becomes 1
+  const float beyond[3] = {std::nextafter(1.0F, 2.0F), 0, 0};
+  CHECK_FALSE(proved_apart(at, lo, hi, 0, beyond, to));
+  const float clear[3] = {1.00001F, 0, 0};
+  CHECK(proved_apart(at, lo, hi, 0, clear, to));
+  at.grid = 0x1p-3;
+  CHECK_FALSE(proved_apart(at, lo, hi, 0, clear, to));
+  at.grid = 0;
+  CHECK_FALSE(proved_apart(at, lo, hi, 1e-5, clear, to)); // a ball's radius
+  at.length_scale = 0.1;
+  CHECK(proved_apart(at, lo, hi, 1e-5, clear, to));
+}
+
+TEST_CASE("pose: nothing is proved of what might leave float32") {
+  pose at;
+  const float lo[3] = {0, 0, 0}, hi[3] = {1, 1, 1}, from[3] = {5, 5, 5}, to[3] = {6, 6, 6};
+  CHECK(proved_apart(at, lo, hi, 0, from, to));
+  for (const double m : {1e38, -1e38, 1e300, HUGE_VAL, std::nan("")}) {
+    at.m[0] = m;
+    CHECK_FALSE(proved_apart(at, lo, hi, 0, from, to));
+  }
+  at.m[0] = 1;
+  CHECK_FALSE(proved_apart(at, lo, hi, HUGE_VAL, from, to));
+  const float beyond[3] = {inf, 1, 1};
+  CHECK_FALSE(proved_apart(at, lo, beyond, 0, from, to));
+}
