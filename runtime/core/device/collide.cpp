@@ -272,8 +272,9 @@ private:
     hits.both_ways = both_ways_;
     cuda::pair_list in = list(buffers_.first, counter::candidates), out = list(buffers_.second, counter::kept);
     if (!boxes_suffice()) {
-      check(predicate_.near(cuda::first_step(precision_), x_, y_, in, hits, out, count_only(counter::touching).count,
-                            stream),
+      const cuda::step first =
+          result_.by == search::tree ? cuda::step::reject : cuda::first_step(precision_); // a walk has tested the boxes
+      check(predicate_.near(first, x_, y_, in, hits, out, count_only(counter::touching).count, stream),
             "starting the step that tests boxes");
       std::swap(in, out);
     }

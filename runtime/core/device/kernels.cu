@@ -62,20 +62,30 @@ __global__ void gather_kernel(hit_order o) {
   cuda::begin();
   each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[o.starts[a] + o.ranks[i]] = b; });
 }
-// The place of a hit among those of its item is the number of smaller ones.
-__global__ void place_kernel(hit_order o) {
-  cuda::begin();
-  each_hit(o, [&](unsigned long long, std::uint32_t a, std::uint32_t b) {
+// The place of a hit among those of its item is the number of smaller ones. So many lanes take an item together.
+template <unsigned Lanes> __device__ void place(const hit_order &o) {
+  const std::size_t stride = gridDim.x * std::size_t{threads} / Lanes;
+  for (std::size_t a = (blockIdx.x * std::size_t{threads} + threadIdx.x) / Lanes; a < o.items_a; a += stride) {
     const std::uint32_t begin = o.starts[a], end = o.starts[a + 1];
     if (end - begin > most_of_one) {
       atomicMax(o.longest, static_cast<unsigned long long>(end - begin));
-      return;
+      continue;
     }
-    std::uint32_t at = begin;
-    for (std::uint32_t k = begin; k < end; ++k)
-      at += o.others[k] < b;
-    o.sorted[at] = {a, b};
-  });
+    for (std::uint32_t i = begin + threadIdx.x % Lanes; i < end; i += Lanes) {
+      const std::uint32_t b = o.others[i];
+      std::uint32_t at = begin;
+      for (std::uint32_t k = begin; k < end; ++k)
+        at += o.others[k] < b;
+      o.sorted[at] = {static_cast<std::uint32_t>(a), b};
+    }
+  }
+}
+__global__ void place_kernel(hit_order o) {
+  cuda::begin();
+  if (*o.count > 3ULL * o.items_a)
+    place<8>(o);
+  else
+    place<1>(o);
 }
 
 // Adds 1 to the counter `at`, once for all lanes with the same one.

@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t most_elements = std::size_t{1} << 23; // at once: more do not fill the device better
 constexpr std::size_t bytes_of_element = 4096;              // with boxes and lists, and room to spare
 
+constexpr double lists_filled = 0.8; // the share of a list that a part may be expected to need
+
 // Of the elements of B, the share that is tested first.
 constexpr std::uint32_t sample = 16, least_sampled = 16 * sample;
 
@@ -31,11 +33,13 @@ public:
   void count(const device_set &b, std::span<const pose> poses, std::span<const std::size_t> numbers, poses_result &r,
              const std::function<void(double)> &progress) {
     const std::size_t room = std::min(most_elements, on_.facts().bytes / bytes_of_element);
-    const std::size_t at_once = std::max<std::size_t>(1, room / std::max<std::size_t>(b.elements(), 1));
+    const std::size_t most = std::max<std::size_t>(1, room / std::max<std::size_t>(b.elements(), 1));
     std::vector<pose> some;
     std::vector<std::uint64_t> counts;
-    for (std::size_t first = 0; first < numbers.size(); first += at_once) {
+    std::size_t at_once = std::max<std::size_t>(1, most / 4); // until it is known how many candidates a pose has
+    for (std::size_t first = 0, taken = 0; first < numbers.size(); first += taken) {
       const auto of = numbers.subspan(first, std::min(at_once, numbers.size() - first));
+      taken = of.size();
       some.clear();
       for (const std::size_t i : of)
         some.push_back(poses[i]);
@@ -49,6 +53,10 @@ public:
       r.rungs.left_box_a |= part.rungs.left_box_a, r.rungs.left_box_b |= part.rungs.left_box_b;
       r.candidates += part.candidates;
       r.device_seconds += part.device_seconds;
+      // As many as will probably not overflow the lists, by what these had.
+      const double each = static_cast<double>(std::max(part.near_balls, std::uint64_t{1})) / static_cast<double>(taken);
+      at_once = static_cast<std::size_t>(std::clamp(lists_filled * static_cast<double>(options_.list_capacity) / each,
+                                                    1.0, static_cast<double>(most)));
       if (progress)
         progress(static_cast<double>(first + of.size()) / static_cast<double>(numbers.size()));
     }

@@ -94,7 +94,8 @@ __device__ inline bool slots_of(const index_pair *objects, unsigned long long i,
   return there;
 }
 
-template <class P, class A, class B, bool Reject>
+// Boxes: they are tested.
+template <class P, class A, class B, bool Boxes, bool Reject>
 __global__ void __launch_bounds__(step_threads)
     near_kernel(operand a, operand b, pair_list in, pair_list yes, pair_list kept, unsigned long long *touching) {
   begin();
@@ -116,8 +117,10 @@ __global__ void __launch_bounds__(step_threads)
     for (int k = 0; k < step_pairs; ++k) {
       const unsigned long long i = w.index(k);
       const bool there = i < w.n && slots_of(in.pairs, i, a, b, p[k]);
-      const bool touch = there && boxes_touch<A, B>(a.rows + std::size_t{p[k].a} * P::inputs_a,
-                                                    b.rows + std::size_t{p[k].b} * P::inputs_b);
+      bool touch = there;
+      if constexpr (Boxes)
+        touch = there && boxes_touch<A, B>(a.rows + std::size_t{p[k].a} * P::inputs_a,
+                                           b.rows + std::size_t{p[k].b} * P::inputs_b);
       keep |= touch << k;
     }
     touched += __popc(keep);
@@ -299,10 +302,14 @@ template <class P, class A, class B, unsigned Rungs>
 cudaError_t near(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list kept,
                  unsigned long long *touching, cudaStream_t stream) {
   if (which == step::near_boxes)
-    return launch_step<near_kernel<P, A, B, false>>(stream, a, b, in, yes, kept, touching);
-  if constexpr (asks(Rungs, rung::certified))
+    return launch_step<near_kernel<P, A, B, true, false>>(stream, a, b, in, yes, kept, touching);
+  if constexpr (asks(Rungs, rung::certified)) {
     if (which == step::near_reject)
-      return launch_step<near_kernel<P, A, B, true>>(stream, a, b, in, yes, kept, touching);
+      return launch_step<near_kernel<P, A, B, true, true>>(stream, a, b, in, yes, kept, touching);
+    if constexpr (P::reject_stage::atoms > 0)
+      if (which == step::reject)
+        return launch_step<near_kernel<P, A, B, false, true>>(stream, a, b, in, yes, kept, touching);
+  }
   return cudaErrorInvalidValue;
 }
 
@@ -313,6 +320,7 @@ cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pa
   switch (which) {
   case step::near_boxes:
   case step::near_reject:
+  case step::reject:
     break;
   case step::plain_fp32:
     if constexpr (asks(Rungs, rung::fp32))

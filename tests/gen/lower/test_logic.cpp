@@ -136,7 +136,8 @@ TEST_CASE("the emitted decisions, on signs and on sets of signs") {
   check_logic<cga::sphere_segment>("sphere_segment");
   check_logic<cga::ball_triangle>("ball_triangle");
   check_logic<cga::sphere_triangle>("sphere_triangle");
-  CHECK(default_kernels(want::predicates).size() == 10); // one for every line above
+  check_logic<cga::box_box>("box_box");
+  CHECK(default_kernels(want::predicates).size() == 11); // one for every line above
 }
 
 TEST_CASE("signs and sets of signs: products, squares, tests and connectives, all of them") {

@@ -34,7 +34,8 @@ TEST_CASE("symmetric: the shipped predicates on two operands of one kind") {
   for (const lower::kernel *k : default_kernels(want::predicates))
     if (k->decision.symmetric)
       proved.insert(k->asked.name());
-  CHECK(proved == std::set<std::string>{"segment_segment", "triangle_triangle", "sphere_sphere", "ball_ball"});
+  CHECK(proved ==
+        std::set<std::string>{"segment_segment", "triangle_triangle", "sphere_sphere", "ball_ball", "box_box"});
 }
 
 // Small integers, so that every kind of coincidence occurs.

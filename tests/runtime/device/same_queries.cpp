@@ -33,6 +33,11 @@ operand_data make(const meetc::kind_info &kind, std::uint32_t n, std::mt19937_64
       const float v = f < fields ? number(random, family) : NAN;
       d.data.push_back(f < fields && kind.roles[f] == meetc::role::length ? std::fabs(v) / 4 : v);
     }
+  if (meetc::lies_along_axes(kind))
+    for (std::size_t i = 0; i < d.data.size(); i += d.stride)
+      for (std::size_t k = i; k < i + 3; ++k)
+        if (d.data[k + 3] < d.data[k])
+          std::swap(d.data[k], d.data[k + 3]);
   for (std::uint32_t i = 0; indexed && i < 3 * n; ++i)
     d.index.push_back(static_cast<std::uint32_t>(random() % rows));
   return d;
@@ -98,7 +103,13 @@ long same_queries() {
           if (move && family == 3)
             continue; // leaves float32
           const operand_data a = make(*info.a, 150, random, family), b = make(*info.b, 170, random, family);
-          const meetc::pose at_a = move ? turned : meetc::pose{}, at_b = move ? turned : meetc::pose{};
+          const auto pose_for = [&](const meetc::kind_info &kind) {
+            meetc::pose at = move ? turned : meetc::pose{};
+            if (move && meetc::lies_along_axes(kind)) // which is not turned
+              at.m[0] = at.m[5] = 2, at.m[1] = at.m[4] = 0;
+            return at;
+          };
+          const meetc::pose at_a = pose_for(*info.a), at_b = pose_for(*info.b);
           const meetc::prepared ready_a = meetc::prepare(on_cpu(a), *info.a, at_a, 1),
                                 ready_b = meetc::prepare(on_cpu(b), *info.b, at_b, 1);
           meetc::collide_options options;

@@ -322,11 +322,11 @@ cudaError_t near(cuda::step which, const operand &a, const operand &b, pair_list
         continue;
       const float *const row_a = a.rows + slots.a * std::size_t{A::fields};
       const float *const row_b = b.rows + slots.b * std::size_t{B::fields};
-      if (!boxes_touch<A, B>(row_a, row_b))
+      if (which != cuda::step::reject && !boxes_touch<A, B>(row_a, row_b))
         continue;
       ++*touching;
       if constexpr (P::reject_stage::atoms > 0)
-        if (which == cuda::step::near_reject && standard_environment()) {
+        if (which != cuda::step::near_boxes && standard_environment()) {
           const progress at = try_to_reject<P>(row_a, row_b);
           if (at == progress::hit)
             append(yes, slots);
