@@ -81,6 +81,8 @@ public:
     if (tallies_)
       tallied_.start(options_.want, a_.elements(), b_.elements(), of_instances_, on_.stream());
     if (a_.elements() > 0 && b_.elements() > 0) {
+      clock_inside_ =
+          !tallies_ && result_.by == search::tree && a_.has_tree() && b_.has_tree(); // nothing is enqueued before
       result_.by == search::tree ? take_trees() : take_columns();
       take_room();
       go_through({0, objects(a_), 0, objects(b_)});
@@ -144,7 +146,15 @@ private:
     }
   }
 
-  void start_clock() { check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock"); }
+  // Also as a part of a graph, which then starts the clock itself.
+  void start_clock() {
+    cudaStreamCaptureStatus capturing = cudaStreamCaptureStatusNone;
+    check(cudaStreamIsCapturing(on_.stream(), &capturing), "starting a clock");
+    check(cudaEventRecordWithFlags(buffers_.events[0], on_.stream(),
+                                   capturing == cudaStreamCaptureStatusNone ? cudaEventRecordDefault
+                                                                            : cudaEventRecordExternal),
+          "starting a clock");
+  }
   // The last mark counts.
   void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
 
@@ -250,22 +260,31 @@ private:
   void try_part(const cuda::part &p, bool is_all) {
     const cudaStream_t stream = on_.stream();
     orders_ = is_all && keep_ && !tallies_ && hits_.can_order(capacity_);
-    if (is_all)
+    few_ = false;
+    std::uint64_t *hits_before = nullptr; // plus 1
+    if (is_all) {
+      hits_before = &buffers_.repeated.note(key_of(p));
+      few_ = orders_ && *hits_before > 0 && *hits_before <= most_of_few;
       buffers_.repeated.run(stream, key_of(p), [&] { enqueue(p); });
-    else
+    } else {
       enqueue(p);
+    }
     mark_clock();
     check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
                           cudaMemcpyDeviceToHost, stream),
           "reading counters");
     check(cudaStreamSynchronize(stream), "colliding");
+    if (hits_before)
+      *hits_before = seen(counter::hits) + 1;
     ++result_.parts;
   }
 
   // The kernels from the candidates to the last decision and, if all hits are ordered at once, to sorted pairs.
   void enqueue(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
-    const std::size_t zeroed = counters + (orders_ ? hits_.starts_for_order() / 2 + 1 : 0);
+    if (clock_inside_)
+      start_clock();
+    const std::size_t zeroed = counters + (orders_ && !few_ ? hits_.starts_for_order() / 2 + 1 : 0);
     check(cudaMemsetAsync(buffers_.counts.data(), 0, zeroed * sizeof(unsigned long long), stream), "clearing counters");
     find_candidates(p, list(buffers_.first, counter::candidates));
     cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
@@ -286,13 +305,14 @@ private:
     }
     if (orders_)
       hits_.order(hits, reinterpret_cast<std::uint32_t *>(buffers_.counts.data() + counters),
-                  count_only(counter::longest).count);
+                  count_only(counter::longest).count, few_);
   }
 
   // All that enqueue() makes the arguments of its launches of.
   launch_key key_of(const cuda::part &p) const {
     launch_key k;
-    k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, keep_, orders_, capacity_);
+    k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, keep_, orders_, few_, clock_inside_,
+          capacity_);
     k.add(p.first_a, p.end_a, p.first_b, p.end_b);
     for (const cuda::operand *const o : {&x_, &y_})
       k.add(o->rows, o->elements, o->by, o->columns);
@@ -365,6 +385,8 @@ private:
   tree_walk walk_{};
   std::size_t capacity_ = 0;
   bool orders_ = false; // the hits of all are ordered with the kernels that find them
+  bool few_ = false;    // ... and expected to be few
+  bool clock_inside_ = false;
   device_result result_;
 };
 

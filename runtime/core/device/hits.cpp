@@ -52,7 +52,7 @@ bool hit_pairs::can_order(std::size_t hits) {
   return buffers_.sort_space.grow(bytes, 0, on_.stream());
 }
 
-void hit_pairs::order(const cuda::pair_list &hits, std::uint32_t *starts, unsigned long long *longest) {
+void hit_pairs::order(const cuda::pair_list &hits, std::uint32_t *starts, unsigned long long *longest, bool few) {
   auto *const numbers = reinterpret_cast<std::uint32_t *>(buffers_.keys.data());
   const hit_order o{hits.pairs,
                     hits.count,
@@ -65,6 +65,10 @@ void hit_pairs::order(const cuda::pair_list &hits, std::uint32_t *starts, unsign
                     numbers + hits.capacity,
                     reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
                     longest};
+  if (few) {
+    check(order_few_hits(o, on_.stream()), "sorting pairs");
+    return;
+  }
   std::size_t bytes = buffers_.sort_space.capacity();
   check(order_hits(buffers_.sort_space.data(), bytes, o, on_.stream()), "sorting pairs");
 }

@@ -88,6 +88,29 @@ __global__ void place_kernel(hit_order o) {
     place<1>(o);
 }
 
+constexpr unsigned few_threads = 1024;
+using few_sort = cub::BlockMergeSort<std::uint64_t, few_threads, most_of_few / few_threads>;
+__global__ void __launch_bounds__(few_threads) few_kernel(hit_order o) {
+  cuda::begin();
+  constexpr int each = most_of_few / few_threads;
+  __shared__ few_sort::TempStorage space;
+  const unsigned long long n = *o.count;
+  if (n > most_of_few || n > o.capacity) {
+    if (threadIdx.x == 0)
+      *o.longest = n;
+    return;
+  }
+  std::uint64_t keys[each];
+  for (int k = 0; k < each; ++k) {
+    const unsigned i = threadIdx.x * each + k;
+    keys[k] = i < n ? key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32) : ~std::uint64_t{0};
+  }
+  few_sort(space).Sort(keys, [](std::uint64_t x, std::uint64_t y) { return x < y; });
+  for (int k = 0; k < each; ++k)
+    if (const unsigned i = threadIdx.x * each + k; i < n)
+      o.sorted[i] = pair_of(keys[k], 32);
+}
+
 // Adds 1 to the counter `at`, once for all lanes with the same one.
 __device__ void count_one(unsigned long long *counters, std::uint32_t at) {
   const unsigned alike = __match_any_sync(__activemask(), at);
@@ -128,6 +151,10 @@ cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cuda
     return e;
   e = cuda::launch<gather_kernel>(order_blocks, threads, stream, o);
   return e == cudaSuccess ? cuda::launch<place_kernel>(order_blocks, threads, stream, o) : e;
+}
+
+cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream) {
+  return cuda::launch<few_kernel>(1, few_threads, stream, o);
 }
 
 cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,

@@ -40,6 +40,10 @@ struct hit_order {
 inline constexpr unsigned most_of_one = 1024;
 // With `space` null it only sets `bytes`.
 cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream);
+// The same of few hits, in one step; `starts`, `ranks` and `others` are not used. Where there are more, *longest becomes their
+// number, and `sorted` means nothing.
+inline constexpr unsigned most_of_few = 2048;
+cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream);
 
 // Counts the hits of each item, or marks the items that have one. Null: of this set nothing is asked. Where of_instance > 0,
 // B's items are instances of so many slots each.

@@ -30,13 +30,14 @@ public:
   }
 
   // Fills the counts of these poses, which are numbers in r.counts.
-  void count(const device_set &b, std::span<const pose> poses, std::span<const std::size_t> numbers, poses_result &r,
-             const std::function<void(double)> &progress) {
+  void count(const device_set &b, std::span<const pose> poses, std::span<const std::size_t> numbers, bool few_expected,
+             poses_result &r, const std::function<void(double)> &progress) {
     const std::size_t room = std::min(most_elements, on_.facts().bytes / bytes_of_element);
     const std::size_t most = std::max<std::size_t>(1, room / std::max<std::size_t>(b.elements(), 1));
     std::vector<pose> some;
     std::vector<std::uint64_t> counts;
-    std::size_t at_once = std::max<std::size_t>(1, most / 4); // until it is known how many candidates a pose has
+    // Until it is known how many candidates a pose has, fewer, but where a sample of B has left those that have few.
+    std::size_t at_once = few_expected ? most : std::max<std::size_t>(1, most / 4);
     for (std::size_t first = 0, taken = 0; first < numbers.size(); first += taken) {
       const auto of = numbers.subspan(first, std::min(at_once, numbers.size() - first));
       taken = of.size();
@@ -93,10 +94,10 @@ void count_poses(device &on, device_set &a, const device_set &b, std::span<const
   poses_query ask(on, a, predicate, precision, options);
   const std::vector<std::size_t> asked = left;
   if (any && b.elements() >= least_sampled) {
-    ask.count(device_set(b, sample), poses, left, r, {});
+    ask.count(device_set(b, sample), poses, left, true, r, {});
     std::erase_if(left, [&r](std::size_t i) { return r.counts[i] > 0; });
   }
-  ask.count(b, poses, left, r, options.progress);
+  ask.count(b, poses, left, any, r, options.progress);
   if (any)
     for (const std::size_t i : asked)
       r.counts[i] = r.counts[i] > 0;

@@ -8,7 +8,7 @@
 namespace meetc {
 namespace {
 
-constexpr std::size_t most_sequences = 8;
+constexpr std::size_t most_sequences = 8; // and notes
 
 // Null where the driver cannot capture this.
 cudaGraphExec_t captured(cudaStream_t stream, const std::function<void()> &enqueue) {
@@ -40,6 +40,18 @@ repeated_launches::~repeated_launches() {
   for (const sequence &s : last_)
     if (s.graph)
       cudaGraphExecDestroy(s.graph);
+}
+
+std::uint64_t &repeated_launches::note(const launch_key &key) {
+  const auto known = std::find_if(notes_.begin(), notes_.end(), [&key](const auto &n) { return n.first == key; });
+  if (known != notes_.end()) {
+    std::rotate(known, known + 1, notes_.end());
+  } else {
+    if (notes_.size() == most_sequences)
+      notes_.erase(notes_.begin());
+    notes_.emplace_back(key, 0);
+  }
+  return notes_.back().second;
 }
 
 void repeated_launches::run(cudaStream_t stream, launch_key key, const std::function<void()> &enqueue) {

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace meetc {
@@ -42,6 +43,8 @@ public:
   // Enqueues on the stream what enqueue() enqueues on it, which is the same for equal keys: kernels, and memory set or copied on
   // the device. Throws what enqueue() throws, and device_error.
   void run(cudaStream_t stream, launch_key key, const std::function<void()> &enqueue);
+  // A number that is kept with a key, of the last few that were asked for; 0 at first.
+  std::uint64_t &note(const launch_key &key);
 
 private:
   struct sequence {
@@ -49,7 +52,8 @@ private:
     bool seen_twice;
     cudaGraphExec_t graph; // null: it has not been captured, or cannot be
   };
-  std::vector<sequence> last_; // the latest at the end
+  std::vector<sequence> last_; // the latest at the end, as of the notes
+  std::vector<std::pair<launch_key, std::uint64_t>> notes_;
 };
 
 } // namespace meetc

@@ -9,6 +9,8 @@
 namespace meetc::cuda {
 
 inline constexpr unsigned walk_threads = 128, walk_warps = walk_threads / tree_width;
+// The children of its nodes have boxes of 1024 elements.
+inline constexpr int coarse_level = 2;
 inline constexpr unsigned waiting_size = 2 * tree_width, hits_size = 128;
 
 // A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
@@ -73,6 +75,12 @@ public:
       unsigned left = ~0U >> (tree_width - (items < plan_.batch ? items : plan_.batch));
       if (plan_.whole)
         left = touching(all, first, left);
+      descends_ = descends_ || ++batches_ % 16 == 0;
+      if (left && plan_.whole && descends_ && w_.tree.shape.depth - 1 > coarse_level) {
+        const unsigned near = touching_nodes(first, left);
+        descends_ = 4 * __popc(near) <= 3 * __popc(left); // or it costs more than it saves, for some time
+        left = near;
+      }
       for (; left; left &= left - 1)
         enter(first + __ffs(left) - 1);
       if (full(w_.out))
@@ -101,15 +109,39 @@ private:
       at = atomicAdd(w_.taken, 1ULL);
     return warps + __shfl_sync(~0U, at, 0);
   }
-  // Of items that are whole nodes, those whose boxes touch the box of all of the tree.
+  // The box of an item that is a whole node, a lane an item; empty where it is none of these.
+  __device__ tree_box box_of_item(std::uint32_t first, unsigned items) const {
+    if (!(items >> lane_ & 1))
+      return {};
+    const std::uint32_t node = w_.of.first_a + first + lane_;
+    return box_of(w_.walker.nodes[w_.walker.shape.first[1] + node / tree_width], node % tree_width);
+  }
+  // Of such items, those whose boxes touch the box of all of the tree.
   __device__ unsigned touching(const tree_box &all, std::uint32_t first, unsigned items) const {
-    bool touch = false;
-    if (items >> lane_ & 1) {
-      const std::uint32_t node = w_.of.first_a + first + lane_;
-      const tree_view &walker = w_.walker;
-      touch = all.touches(box_of(walker.nodes[walker.shape.first[1] + node / tree_width], node % tree_width));
+    return __ballot_sync(~0U, all.touches(box_of_item(first, items)));
+  }
+  // Of such items, those whose boxes touch that of a child of a node of the coarse level. They go down there together.
+  __device__ unsigned touching_nodes(std::uint32_t first, unsigned items) {
+    const tree_box mine = box_of_item(first, items), around = around_warp(mine);
+    const int top = w_.tree.shape.depth - 1;
+    int level = top;
+    std::uint32_t node = 0;
+    unsigned found = 0;
+    for (;;) {
+      const tree_box b = box_of(w_.tree.nodes[w_.tree.shape.first[level] + node], lane_);
+      unsigned children = __ballot_sync(~0U, around.touches(b));
+      if (level == coarse_level) {
+        for (; children; children &= children - 1)
+          found |= __ballot_sync(~0U, mine.touches(from_lane(b, __ffs(children) - 1)));
+        if (found == items)
+          return found;
+      } else {
+        enter_later(level, node, children);
+        --level;
+      }
+      if (!next_child(top, level, node))
+        return found;
     }
-    return __ballot_sync(~0U, touch);
   }
 
   __device__ void enter(std::uint32_t item) {
@@ -181,25 +213,35 @@ private:
         if (touching)
           leaves<Single>(node, touching);
       } else {
-        __syncwarp();
-        if (lane_ == 0)
-          room_.nodes[level] = node, room_.left[level] = touching;
-        __syncwarp();
+        enter_later(level, node, touching);
         --level;
       }
-      // The next node is the next child of the lowest level that has one left.
-      do {
-        if (++level > plan_.start)
-          return;
-      } while (room_.left[level] == 0);
-      const unsigned left = room_.left[level];
-      node = room_.nodes[level] * tree_width + __ffs(left) - 1;
-      __syncwarp();
-      if (lane_ == 0)
-        room_.left[level] = left & (left - 1);
-      __syncwarp();
-      --level;
+      if (!next_child(plan_.start, level, node))
+        return;
     }
+  }
+
+  // These children of a node of this level are still to be entered.
+  __device__ void enter_later(int level, std::uint32_t node, unsigned children) {
+    __syncwarp();
+    if (lane_ == 0)
+      room_.nodes[level] = node, room_.left[level] = children;
+    __syncwarp();
+  }
+  // The next child of the lowest level above this one, up to `top`, that has one left. Returns false where none has.
+  __device__ bool next_child(int top, int &level, std::uint32_t &node) {
+    do {
+      if (++level > top)
+        return false;
+    } while (room_.left[level] == 0);
+    const unsigned left = room_.left[level];
+    node = room_.nodes[level] * tree_width + __ffs(left) - 1;
+    __syncwarp();
+    if (lane_ == 0)
+      room_.left[level] = left & (left - 1);
+    __syncwarp();
+    --level;
+    return true;
   }
 
   // Whether a child of a node of this level has a node of level 0 that is to be tested.
@@ -326,6 +368,8 @@ private:
   std::uint32_t slot_ = 0, single_slot_ = 0;
   std::uint32_t first_b_ = 0; // of the tree's nodes of level 0 the first that is tested
   two_points single_{};
+  bool descends_ = true; // items that are whole nodes go down together first
+  unsigned batches_ = 0;
   bool dealt_ = true;   // of the children of a chunk this lane's is this item's
   bool sparse_ = false; // the packet's box is large beside those of its elements
   float long_side_ = 0;
@@ -345,7 +389,8 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
                  w.of.end_a - w.of.first_a,
                  w.half || w.of.first_b > 0 || w.of.end_b < w.tree.shape.count[0],
                  false};
-  for (; w.rows && plan.long_groups < tree_width && plan.items < enough; plan.items *= 2)
+  // Twice as many, since some long elements pass many more boxes than others.
+  for (; w.rows && plan.long_groups < tree_width && plan.items < 2 * enough; plan.items *= 2)
     plan.long_groups *= 2;
   const unsigned cuts = (enough + plan.items - 1) / plan.items;
   while (plan.start > 1 && nodes_of(plan.start - 1) < cuts)

@@ -276,6 +276,25 @@ void repeated(comparison &with, const settings &s) {
       }
     }
   });
+  // By turns nothing touches and all, which are more than few.
+  each_predicate([&](const predicate_info &p) {
+    device_set da(with.on(), ready(same_rows(*p.a, 60))), db(with.on(), ready(same_rows(*p.b, 60)));
+    pose away;
+    away.m[3] = 100;
+    device_options o;
+    o.by = search::tree;
+    const std::size_t all = collide(with.on(), da, db, p, rung::certified, o).count;
+    for (int round = 0; round < 6; ++round) {
+      db.move(round % 2 ? away : pose());
+      for (int i = 0; i < 3; ++i) {
+        const device_result r = collide(with.on(), da, db, p, rung::certified, o);
+        bool right = r.count == (round % 2 ? 0 : all) && r.pairs.size() == r.count;
+        for (std::size_t k = 0; right && k < r.pairs.size(); ++k)
+          right = r.pairs[k].a == k / 60 && r.pairs[k].b == k % 60;
+        with.require("repeated", right && (all == 0 || all == 3600), std::string(p.name) + ": not every pair once");
+      }
+    }
+  });
 }
 
 // The same set twice, also where its hits need several parts.

@@ -104,6 +104,18 @@ cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cuda
   return cudaSuccess;
 }
 
+cudaError_t order_few_hits(const hit_order &o, cudaStream_t) {
+  if (*o.count > most_of_few || *o.count > o.capacity) {
+    *o.longest = *o.count;
+    return cudaSuccess;
+  }
+  for (std::size_t i = 0; i < *o.count; ++i)
+    o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
+  std::sort(o.sorted, o.sorted + *o.count,
+            [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  return cudaSuccess;
+}
+
 } // namespace meetc
 
 // ---- the generated launchers ----
