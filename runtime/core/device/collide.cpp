@@ -81,8 +81,7 @@ public:
     if (tallies_)
       tallied_.start(options_.want, a_.elements(), b_.elements(), of_instances_, on_.stream());
     if (a_.elements() > 0 && b_.elements() > 0) {
-      clock_inside_ =
-          !tallies_ && result_.by == search::tree && a_.has_tree() && b_.has_tree(); // nothing is enqueued before
+      nothing_made_ = !tallies_ && result_.by == search::tree && a_.has_tree() && b_.has_tree();
       result_.by == search::tree ? take_trees() : take_columns();
       take_room();
       go_through({0, objects(a_), 0, objects(b_)});
@@ -158,8 +157,11 @@ private:
   // The last mark counts.
   void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
 
-  // Of a walk: a guess, of balls that touch one other on average.
-  std::uint64_t expected_candidates() const { return 3 * std::uint64_t{std::max(a_.elements(), b_.elements())}; }
+  // Of a walk: a guess, of balls that touch one other on average. Where there are more of one set, fewer of these do.
+  std::uint64_t expected_candidates() const {
+    const auto [few, many] = std::minmax({a_.elements(), b_.elements()});
+    return 3 * std::uint64_t{few} + (many - few) / 2;
+  }
   // Reserves room for the first lists, or keeps the existing lists.
   void take_room() {
     const std::size_t wanted =
@@ -260,11 +262,12 @@ private:
   void try_part(const cuda::part &p, bool is_all) {
     const cudaStream_t stream = on_.stream();
     orders_ = is_all && keep_ && !tallies_ && hits_.can_order(capacity_);
-    few_ = false;
+    few_ = clock_inside_ = false;
     std::uint64_t *hits_before = nullptr; // plus 1
     if (is_all) {
       hits_before = &buffers_.repeated.note(key_of(p));
       few_ = orders_ && *hits_before > 0 && *hits_before <= most_of_few;
+      clock_inside_ = nothing_made_ && result_.parts == 0;
       buffers_.repeated.run(stream, key_of(p), [&] { enqueue(p); });
     } else {
       enqueue(p);
@@ -384,9 +387,9 @@ private:
   cuda::operand x_{}, y_{};
   tree_walk walk_{};
   std::size_t capacity_ = 0;
-  bool orders_ = false; // the hits of all are ordered with the kernels that find them
-  bool few_ = false;    // ... and expected to be few
-  bool clock_inside_ = false;
+  bool orders_ = false;                              // the hits of all are ordered with the kernels that find them
+  bool few_ = false;                                 // ... and expected to be few
+  bool nothing_made_ = false, clock_inside_ = false; // before the first kernel of all; the clock starts with it
   device_result result_;
 };
 

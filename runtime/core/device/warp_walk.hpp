@@ -9,8 +9,9 @@
 namespace meetc::cuda {
 
 inline constexpr unsigned walk_threads = 128, walk_warps = walk_threads / tree_width;
-// The children of its nodes have boxes of 1024 elements.
+// The children of its nodes have boxes of 1024 elements. To it, so many packets at least go down together first.
 inline constexpr int coarse_level = 2;
+inline constexpr unsigned least_together = 4;
 inline constexpr unsigned waiting_size = 2 * tree_width, hits_size = 128;
 
 // A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
@@ -76,7 +77,7 @@ public:
       if (plan_.whole)
         left = touching(all, first, left);
       descends_ = descends_ || ++batches_ % 16 == 0;
-      if (left && plan_.whole && descends_ && w_.tree.shape.depth - 1 > coarse_level) {
+      if (left && plan_.whole && plan_.batch >= least_together && descends_ && w_.tree.shape.depth - 1 > coarse_level) {
         const unsigned near = touching_nodes(first, left);
         descends_ = 4 * __popc(near) <= 3 * __popc(left); // or it costs more than it saves, for some time
         left = near;

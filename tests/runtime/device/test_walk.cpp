@@ -167,6 +167,32 @@ TEST_CASE("walk: a warp finds every pair of boxes that touch, once") {
   CHECK(seen > 10000);
 }
 
+TEST_CASE("walk: packets that go down together first lose no pair") {
+  std::mt19937_64 random(3);
+  const auto lift = [](set &s, std::uint32_t first, std::uint32_t end, float by) {
+    for (std::uint32_t i = first; i < end; ++i)
+      for (const std::size_t z : {2, 5})
+        s.rows[std::size_t{set::fields} * i + z] += by;
+  };
+  for (int round = 0; round < 3; ++round) {
+    // Of the tree the middle is above the rest, and of the walkers some are between these.
+    set a = random_set(random, 2200, 0.003F, 0.02F), b = random_set(random, 33000, 0.003F, 0.003F);
+    lift(b, 11000, 22000, 5);
+    lift(a, 400, 1000, 2.5F);
+    lift(a, 1300, 1500, 5);
+    const tree_view x = a.view(), y = b.view();
+    REQUIRE(y.shape.depth - 1 > coarse_level);
+    const part of{0, x.shape.count[0], round == 2 ? 300U : 0U, y.shape.count[0]};
+    const tree_walk w{x, y, of, false, false, nullptr, set::fields, set::points, {}, nullptr};
+    const walk_plan plan = plan_of(w, 1);
+    REQUIRE((plan.whole && plan.batch >= least_together));
+    const auto [touching, near] = looked_at(a, b, of, false, false);
+    const found f = walked(w, touching.size() + 1, 1, 2);
+    CHECK(touching.size() > 1000);
+    CHECK(f.list == touching);
+  }
+}
+
 TEST_CASE("walk: a list that is too short is never overrun, and its count says so") {
   std::mt19937_64 random(2);
   for (const bool by_points : {false, true})
