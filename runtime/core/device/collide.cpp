@@ -81,7 +81,6 @@ public:
     if (tallies_)
       tallied_.start(options_.want, a_.elements(), b_.elements(), of_instances_, on_.stream());
     if (a_.elements() > 0 && b_.elements() > 0) {
-      nothing_made_ = !tallies_ && result_.by == search::tree && a_.has_tree() && b_.has_tree();
       result_.by == search::tree ? take_trees() : take_columns();
       take_room();
       go_through({0, objects(a_), 0, objects(b_)});
@@ -145,15 +144,7 @@ private:
     }
   }
 
-  // Also as a part of a graph, which then starts the clock itself.
-  void start_clock() {
-    cudaStreamCaptureStatus capturing = cudaStreamCaptureStatusNone;
-    check(cudaStreamIsCapturing(on_.stream(), &capturing), "starting a clock");
-    check(cudaEventRecordWithFlags(buffers_.events[0], on_.stream(),
-                                   capturing == cudaStreamCaptureStatusNone ? cudaEventRecordDefault
-                                                                            : cudaEventRecordExternal),
-          "starting a clock");
-  }
+  void start_clock() { check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock"); }
   // The last mark counts.
   void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
 
@@ -262,12 +253,11 @@ private:
   void try_part(const cuda::part &p, bool is_all) {
     const cudaStream_t stream = on_.stream();
     orders_ = is_all && keep_ && !tallies_ && hits_.can_order(capacity_);
-    few_ = clock_inside_ = false;
+    few_ = false;
     std::uint64_t *hits_before = nullptr; // plus 1
     if (is_all) {
       hits_before = &buffers_.repeated.note(key_of(p));
       few_ = orders_ && *hits_before > 0 && *hits_before <= most_of_few;
-      clock_inside_ = nothing_made_ && result_.parts == 0;
       buffers_.repeated.run(stream, key_of(p), [&] { enqueue(p); });
     } else {
       enqueue(p);
@@ -285,8 +275,6 @@ private:
   // The kernels from the candidates to the last decision and, if all hits are ordered at once, to sorted pairs.
   void enqueue(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
-    if (clock_inside_)
-      start_clock();
     const std::size_t zeroed = counters + (orders_ && !few_ ? hits_.starts_for_order() / 2 + 1 : 0);
     check(cudaMemsetAsync(buffers_.counts.data(), 0, zeroed * sizeof(unsigned long long), stream), "clearing counters");
     find_candidates(p, list(buffers_.first, counter::candidates));
@@ -314,8 +302,7 @@ private:
   // All that enqueue() makes the arguments of its launches of.
   launch_key key_of(const cuda::part &p) const {
     launch_key k;
-    k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, keep_, orders_, few_, clock_inside_,
-          capacity_);
+    k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, keep_, orders_, few_, capacity_);
     k.add(p.first_a, p.end_a, p.first_b, p.end_b);
     for (const cuda::operand *const o : {&x_, &y_})
       k.add(o->rows, o->elements, o->by, o->columns);
@@ -387,9 +374,8 @@ private:
   cuda::operand x_{}, y_{};
   tree_walk walk_{};
   std::size_t capacity_ = 0;
-  bool orders_ = false;                              // the hits of all are ordered with the kernels that find them
-  bool few_ = false;                                 // ... and expected to be few
-  bool nothing_made_ = false, clock_inside_ = false; // before the first kernel of all; the clock starts with it
+  bool orders_ = false; // the hits of all are ordered with the kernels that find them
+  bool few_ = false;    // ... and expected to be few
   device_result result_;
 };
 
