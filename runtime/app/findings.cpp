@@ -1,5 +1,7 @@
 #include "app/findings.hpp"
 
+#include "core/pose.hpp"
+
 #include <meetc/bytecode.hpp>
 
 #include <algorithm>
@@ -36,8 +38,16 @@ bool zero_area(const float *row) {
   return zero;
 }
 
-// The least height of a triangle, or the length of a segment; 0 for other kinds.
+// The least height of a triangle, the length of a segment, or the least side of a box; 0 for other kinds.
 double size_of(const kind_info &kind, const float *row) {
+  if (lies_along_axes(kind)) {
+    float lo[3], hi[3];
+    kind.box(row, lo, hi);
+    double least = HUGE_VAL;
+    for (int k = 0; k < 3; ++k)
+      least = std::min(least, static_cast<double>(hi[k]) - static_cast<double>(lo[k]));
+    return least;
+  }
   double edge[3][3] = {}; // from each point to the next one
   for (int p = 0; p < kind.points; ++p)
     for (int k = 0; k < 3; ++k)
@@ -141,7 +151,7 @@ std::size_t unused_vertices(const io::element_set &set) {
 findings find(const io::element_set &set) {
   findings f;
   const kind_info &kind = *set.kind;
-  item_counter areas(set), lengths(set), radii(set);
+  item_counter areas(set), lengths(set), radii(set), flat(set);
   std::array<float, 9> row{};
   for (std::size_t i = 0; i < set.elements; ++i) {
     set.row(i, row.data());
@@ -158,6 +168,8 @@ findings find(const io::element_set &set) {
       lengths.add(i);
     if (const double size = size_of(kind, row.data()); size > 0)
       f.least_size = std::min(f.least_size, size);
+    else if (lies_along_axes(kind))
+      flat.add(i);
     for (int k = 0; k < kind.fields; ++k) {
       const double v = std::abs(row[static_cast<std::size_t>(k)]);
       const bool is_length = kind.roles[k] == role::length;
@@ -171,6 +183,7 @@ findings find(const io::element_set &set) {
   f.zero_area = areas.count();
   f.zero_length = lengths.count();
   f.zero_radius = radii.count();
+  f.flat = flat.count();
   f.duplicates = duplicates(set);
   f.unused_vertices = unused_vertices(set);
   return f;

@@ -24,6 +24,7 @@ struct findings {
   std::size_t zero_area = 0; // items, as in the next three
   std::size_t zero_length = 0;
   std::size_t zero_radius = 0;
+  std::size_t flat = 0;            // boxes with a side of length 0
   std::size_t duplicates = 0;      // items that repeat an earlier one, with the corners in any order
   std::size_t unused_vertices = 0; // in an indexed mesh
 };

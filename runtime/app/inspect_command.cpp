@@ -56,6 +56,7 @@ std::string faults_in_words(const io::element_set &set, const findings &f) {
   add(f.zero_area, "face with a zero-area triangle", "faces with zero-area triangles");
   add(f.zero_length, "zero-length segment", "zero-length segments");
   add(f.zero_radius, "sphere of radius 0", "spheres of radius 0");
+  add(f.flat, "flat box", "flat boxes");
   if (is_mesh(set))
     add(f.duplicates, "duplicate face", "duplicate faces");
   else
@@ -68,9 +69,10 @@ std::string faults_in_words(const io::element_set &set, const findings &f) {
 std::string least_in_words(const io::element_set &set, const findings &f) {
   if (!std::isfinite(f.least_size))
     return "no element has a size";
-  const char *const what = set.kind->points == 3   ? "height of a triangle"
-                           : set.kind->points == 2 ? "length of a segment"
-                                                   : "radius";
+  const char *const what = set.kind->points == 3        ? "height of a triangle"
+                           : set.kind->points == 2      ? "length of a segment"
+                           : lies_along_axes(*set.kind) ? "side of a box"
+                                                        : "radius";
   return fmt::format("{} {:.4g}", what, f.least_size);
 }
 

@@ -54,16 +54,7 @@ picture::shape shape_of(const painted &side, kept &keep) {
     s.index = set.index;
     if (set.elements == 0)
       s.rows = {}; // vertices alone are not rows
-  } else if (set.kind->fields == 4) {
-    s.what = picture::form::spheres;
-  } else if (set.kind->points == 2) {
-    s.what = picture::form::segments;
-  } else if (set.kind->points == 1) {
-    s.what = picture::form::spheres;
-    for (std::size_t i = 0; i < set.elements; ++i)
-      keep.rows.insert(keep.rows.end(), {set.data[3 * i], set.data[3 * i + 1], set.data[3 * i + 2], 0.0f});
-    s.rows = keep.rows;
-  } else if (lies_along_axes(*set.kind)) {
+  } else if (lies_along_axes(*set.kind) && set.kind->hull == 8 && set.kind->fields == 6) {
     s.parts = triangles_of_box;
     s.whole = set.kind->name;
     for (std::size_t i = 0; i < set.elements; ++i)
@@ -74,6 +65,15 @@ picture::shape shape_of(const painted &side, kept &keep) {
     for (const std::uint8_t hit : of_boxes)
       keep.hit.insert(keep.hit.end(), triangles_of_box, hit);
     s.hit = keep.hit;
+  } else if (!lies_along_axes(*set.kind) && set.kind->fields == 4) {
+    s.what = picture::form::spheres;
+  } else if (set.kind->points == 2) {
+    s.what = picture::form::segments;
+  } else if (set.kind->points == 1) {
+    s.what = picture::form::spheres;
+    for (std::size_t i = 0; i < set.elements; ++i)
+      keep.rows.insert(keep.rows.end(), {set.data[3 * i], set.data[3 * i + 1], set.data[3 * i + 2], 0.0f});
+    s.rows = keep.rows;
   } else {
     throw failure(fmt::format("a picture cannot show elements of kind {}", set.kind->name));
   }

@@ -98,7 +98,7 @@ std::string in_one_line(const CLI::Error &e, const std::vector<command> &command
 }
 
 int obey(int argc, char **argv, const std::vector<add_command> &add) {
-  CLI::App parser("Which elements of two sets touch: meshes, segments and spheres, exactly.", "meet");
+  CLI::App parser("Which elements of two sets touch: meshes, segments, spheres and boxes, exactly.", "meet");
   parser.set_version_flag("--version", "meet " MEETC_VERSION);
   parser.require_subcommand(1);
   std::vector<command> commands;

@@ -1,5 +1,6 @@
 #include "core/pose.hpp"
 
+#include "core/control_word.hpp"
 #include "meetc/tolerant.hpp"
 
 #include <cmath>
@@ -75,6 +76,7 @@ bool keeps_axes(const double *matrix) {
 
 bool proved_apart(const pose &at, const float lo[3], const float hi[3], double longest, const float from[3],
                   const float to[3]) {
+  const control_word_guard guard;
   constexpr double finite = 0x1p126;
   const double reach = longest * std::abs(at.length_scale) * (1 + 0x1p-22) + at.grid + 0x1p-140;
   bool apart = false;

@@ -38,8 +38,7 @@ constexpr const char *text(status s) {
   case status::cannot_move:
     return "this kind cannot be moved by a pose";
   case status::turns_axes:
-    return "the edges of this kind lie along the axes, so that a pose may move and scale it, and neither turn nor "
-           "mirror it";
+    return "a pose does more than move and scale along the axes, and this kind has its edges there";
   case status::bad_grid:
     return "a pose's grid is neither 0 nor a power of two from 2^-149 to 2^127";
   case status::not_on_grid:

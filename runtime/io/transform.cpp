@@ -85,8 +85,8 @@ row_transform::row_transform(const kind_info &kind, const transform &move, const
   if (!move.any())
     return;
   if (move.matrix && lies_along_axes(kind) && !keeps_axes(move.matrix->data()))
-    throw error(fmt::format("{}: {} turns or mirrors, and the edges of {} lie along the axes", file, matrix_option,
-                            plural(kind.name)));
+    throw error(fmt::format("{}: {} does more than move and scale along the axes, and {} have their edges there", file,
+                            matrix_option, plural(kind.name)));
   roles_.assign(kind.roles, kind.roles + kind.fields);
   for (std::size_t f = 0; f < roles_.size(); ++f) {
     if (roles_[f] == role::x && f + 2 < roles_.size() && roles_[f + 1] == role::y && roles_[f + 2] == role::z) {

@@ -28,6 +28,10 @@ void add_in_cube(const meetc::kind_info &kind, const float lo[3], float size, nu
     to.push_back(size / 2);
     return;
   }
+  if (kind.points == 0) { // a box
+    to.insert(to.end(), lo, lo + 3), to.insert(to.end(), hi, hi + 3);
+    return;
+  }
   for (int p = 0; p < kind.points; ++p) // one point; two ends of a diagonal; another corner as well
     for (int k = 0; k < 3; ++k)
       to.push_back(p == 0 ? lo[k] : p == 1 || k == 0 ? hi[k] : lo[k]);

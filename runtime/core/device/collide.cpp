@@ -163,7 +163,8 @@ private:
     capacity_ = within_options(wanted);
     if (!enlarge_lists(capacity_))
       capacity_ = within_options(first_capacity);
-    buffers_.counts.reserve(counters + (keep_ ? hits_.starts_for_order() / 2 + 1 : 0), "counters");
+    buffers_.counts.reserve(counters + (keep_ && !tallies_ && hits_.countable() ? hits_.starts_for_order() / 2 + 1 : 0),
+                            "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
     if (keep_)
@@ -255,13 +256,16 @@ private:
     orders_ = is_all && keep_ && !tallies_ && hits_.can_order(capacity_);
     few_ = false;
     std::uint64_t *hits_before = nullptr; // plus 1
-    if (is_all) {
-      hits_before = &buffers_.repeated.note(key_of(p));
-      few_ = orders_ && *hits_before > 0 && *hits_before <= most_of_few;
-      buffers_.repeated.run(stream, key_of(p), [&] { enqueue(p); });
-    } else {
-      enqueue(p);
+    if (orders_) {
+      launch_key query;
+      query.add(a_.id(), b_.id(), &predicate_, precision_);
+      hits_before = &buffers_.repeated.note(query);
+      few_ = *hits_before > 0 && *hits_before <= most_of_few;
     }
+    if (is_all && options_.as_graph)
+      buffers_.repeated.run(stream, launches_of(p), [&] { enqueue(p); });
+    else
+      enqueue(p);
     mark_clock();
     check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
                           cudaMemcpyDeviceToHost, stream),
@@ -300,7 +304,7 @@ private:
   }
 
   // All that enqueue() makes the arguments of its launches of.
-  launch_key key_of(const cuda::part &p) const {
+  launch_key launches_of(const cuda::part &p) const {
     launch_key k;
     k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, keep_, orders_, few_, capacity_);
     k.add(p.first_a, p.end_a, p.first_b, p.end_b);

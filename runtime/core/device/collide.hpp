@@ -32,7 +32,10 @@ struct device_options {
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   std::optional<cuda::filter> filter = {}; // empty: the fastest that the device offers
   std::optional<search> by = {};           // empty: the one that is expected to be the fastest (search.hpp)
-  std::optional<cover> balls = {};         // empty: around boxes for the plain rungs (see above), else around elements
+  // The same query, asked again on sets at the same addresses, starts its kernels as one (repeated.hpp says what other threads
+  // must not do meanwhile).
+  bool as_graph = false;
+  std::optional<cover> balls = {}; // empty: around boxes for the plain rungs (see above), else around elements
   std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^18
   std::function<void(double fraction)> progress = {};
 };

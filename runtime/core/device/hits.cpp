@@ -41,8 +41,12 @@ void hit_pairs::upload_owners() {
   upload(owner_b_, b_, there_b_);
 }
 
+bool hit_pairs::countable() const {
+  return !owned() && a_.elements() <= most_to_count;
+}
+
 bool hit_pairs::can_order(std::size_t hits) {
-  if (owned() || a_.elements() > most_to_count || hits > most_counted || !buffers_.keys.grow(hits, 0, on_.stream()) ||
+  if (!countable() || hits > most_counted || !buffers_.keys.grow(hits, 0, on_.stream()) ||
       !buffers_.more_keys.grow(hits, 0, on_.stream()))
     return false;
   std::size_t bytes = 0;

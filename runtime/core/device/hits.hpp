@@ -27,7 +27,9 @@ public:
   // Throws std::invalid_argument where a map has not one item for each element.
   void upload_owners();
 
-  // Whether all hits of a query can be ordered by counting: elements are their own items, and there is memory for this many.
+  // Whether hits may be ordered by counting: elements are their own items, and there are not too many of A.
+  bool countable() const;
+  // Whether all hits of a query can be, of which there is room for this many.
   bool can_order(std::size_t hits);
   // Enqueues that, after can_order(). `starts` has room for starts_for_order(), and `longest` is one number; all are 0 at first.
   // Where there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or an

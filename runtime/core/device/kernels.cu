@@ -62,30 +62,37 @@ __global__ void gather_kernel(hit_order o) {
   cuda::begin();
   each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[o.starts[a] + o.ranks[i]] = b; });
 }
-// The place of a hit among those of its item is the number of smaller ones. So many lanes take an item together.
-template <unsigned Lanes> __device__ void place(const hit_order &o) {
-  const std::size_t stride = gridDim.x * std::size_t{threads} / Lanes;
-  for (std::size_t a = (blockIdx.x * std::size_t{threads} + threadIdx.x) / Lanes; a < o.items_a; a += stride) {
-    const std::uint32_t begin = o.starts[a], end = o.starts[a + 1];
-    if (end - begin > most_of_one) {
-      atomicMax(o.longest, static_cast<unsigned long long>(end - begin));
-      continue;
-    }
-    for (std::uint32_t i = begin + threadIdx.x % Lanes; i < end; i += Lanes) {
-      const std::uint32_t b = o.others[i];
-      std::uint32_t at = begin;
-      for (std::uint32_t k = begin; k < end; ++k)
-        at += o.others[k] < b;
-      o.sorted[at] = {static_cast<std::uint32_t>(a), b};
-    }
+// The place of a hit among those of its item is the number of smaller ones. A lane takes an item, and the warp together one with
+// more than a few hits.
+__device__ void place_each(const hit_order &o, std::size_t item, std::uint32_t begin, std::uint32_t end, unsigned first,
+                           unsigned step) {
+  for (std::uint32_t i = begin + first; i < end; i += step) {
+    const std::uint32_t b = o.others[i];
+    std::uint32_t at = begin;
+    for (std::uint32_t k = begin; k < end; ++k)
+      at += o.others[k] < b;
+    o.sorted[at] = {static_cast<std::uint32_t>(item), b};
   }
 }
 __global__ void place_kernel(hit_order o) {
   cuda::begin();
-  if (*o.count > 3ULL * o.items_a)
-    place<8>(o);
-  else
-    place<1>(o);
+  constexpr std::uint32_t few = 4;
+  const unsigned lane = threadIdx.x % 32;
+  const std::size_t stride = gridDim.x * std::size_t{threads};
+  for (std::size_t first = blockIdx.x * std::size_t{threads} + threadIdx.x - lane; first < o.items_a; first += stride) {
+    const std::size_t item = first + lane;
+    const bool there = item < o.items_a;
+    const std::uint32_t begin = there ? o.starts[item] : 0, end = there ? o.starts[item + 1] : 0;
+    const bool crowded = end - begin > most_of_one;
+    if (crowded)
+      atomicMax(o.longest, static_cast<unsigned long long>(end - begin));
+    else if (end - begin <= few)
+      place_each(o, item, begin, end, 0, 1);
+    for (unsigned left = __ballot_sync(~0U, !crowded && end - begin > few); left; left &= left - 1) {
+      const unsigned of = __ffs(left) - 1;
+      place_each(o, first + of, __shfl_sync(~0U, begin, of), __shfl_sync(~0U, end, of), lane, 32);
+    }
+  }
 }
 
 constexpr unsigned few_threads = 1024;

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace meetc {
 namespace {
@@ -71,33 +72,40 @@ private:
   device_options options_;
 };
 
-// Of one pair of bodies: fills the counts of these poses, which are numbers in r.counts.
-void count_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
-                 std::vector<std::size_t> left, const predicate_info &predicate, rung precision,
-                 const device_options &options, poses_result &r) {
-  const bool any = options.want == answer_kind::any;
-  if (!any && options.want != answer_kind::count)
-    throw std::invalid_argument("many poses are answered by counts, or by whether anything touches");
-  require_query(on, a, b, predicate, precision, options);
-  for (const std::size_t i : left)
-    if (const status s = movable(b.kind(), poses[i]); s != status::ok)
-      throw std::invalid_argument(text(s));
-  // A plain rung may say that what is far apart touches.
-  if (never_wrong(precision) && left.size() > 1 && a.elements() > 0 && b.elements() > 0) {
-    float from[3], to[3], lo[3], hi[3];
-    a.bounds(from, to);
+// What encloses a body of B as it was uploaded.
+struct enclosed {
+  float lo[3], hi[3];
+  double longest; // of its lengths
+  enclosed(const device_set &b) {
     device_set as_uploaded(b, 1);
     as_uploaded.bounds(lo, hi);
-    const double longest = static_cast<double>(as_uploaded.reaches().second);
-    std::erase_if(left, [&](std::size_t i) { return proved_apart(poses[i], lo, hi, longest, from, to); });
+    longest = static_cast<double>(as_uploaded.reaches().second);
   }
-  poses_query ask(on, a, predicate, precision, options);
+};
+// Whether poses of this set may be proved apart without posing it.
+bool can_be_enclosed(const device_set &b) {
+  const kind_info &kind = b.kind();
+  return b.elements() > 0 && b.order() &&
+         std::find(kind.roles, kind.roles + kind.fields, role::z) != kind.roles + kind.fields;
+}
+
+// Of one pair of bodies: fills the counts of these poses, which are numbers in r.counts.
+void count_poses(poses_query &ask, device_set &a, const device_set &b, const std::optional<enclosed> &around_b,
+                 std::span<const pose> poses, std::vector<std::size_t> left, bool any,
+                 const std::function<void(double)> &progress, poses_result &r) {
+  if (around_b && a.elements() > 0) {
+    float from[3], to[3];
+    a.bounds(from, to);
+    std::erase_if(left, [&](std::size_t i) {
+      return proved_apart(poses[i], around_b->lo, around_b->hi, around_b->longest, from, to);
+    });
+  }
   const std::vector<std::size_t> asked = left;
   if (any && b.elements() >= least_sampled) {
     ask.count(device_set(b, sample), poses, left, true, r, {});
     std::erase_if(left, [&r](std::size_t i) { return r.counts[i] > 0; });
   }
-  ask.count(b, poses, left, any, r, options.progress);
+  ask.count(b, poses, left, any, r, progress);
   if (any)
     for (const std::size_t i : asked)
       r.counts[i] = r.counts[i] > 0;
@@ -116,24 +124,40 @@ poses_result collide_bodies(device &on, std::span<device_set *const> a, std::spa
                             std::span<const pose> poses, const predicate_info &predicate, rung precision,
                             const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
+  const bool any = options.want == answer_kind::any;
+  if (!any && options.want != answer_kind::count)
+    throw std::invalid_argument("many poses are answered by counts, or by whether anything touches");
   if (poses.size() % std::max<std::size_t>(b.size(), 1) != 0 || (b.empty() && !poses.empty()))
     throw std::invalid_argument("a configuration has a pose for each body");
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    try {
+      require_movable(b[i % b.size()]->kind(), poses[i]);
+    } catch (const std::invalid_argument &e) {
+      throw std::invalid_argument("pose " + std::to_string(i) + ": " + e.what());
+    }
+  for (device_set *const body : a)
+    for (const device_set *const other : b)
+      require_query(on, *body, *other, predicate, precision, options);
+  // A plain rung may say that what is far apart touches.
+  std::vector<std::optional<enclosed>> around(b.size());
+  for (std::size_t j = 0; j < b.size(); ++j)
+    if (never_wrong(precision) && a.size() * poses.size() > b.size() && can_be_enclosed(*b[j]))
+      around[j].emplace(*b[j]);
   poses_result all;
   all.counts.reserve(a.size() * poses.size());
   double done = 0;
-  device_options each = options;
+  std::function<void(double)> progress;
   if (options.progress)
-    each.progress = [&](double fraction) {
-      options.progress((done + fraction) / static_cast<double>(a.size() * b.size()));
-    };
+    progress = [&](double fraction) { options.progress((done + fraction) / static_cast<double>(a.size() * b.size())); };
   for (device_set *const body : a) {
     poses_result r; // of all poses
     r.counts.resize(poses.size());
+    poses_query ask(on, *body, predicate, precision, options);
     for (std::size_t j = 0; j < b.size(); ++j, ++done) {
       std::vector<std::size_t> numbers;
       for (std::size_t i = j; i < poses.size(); i += b.size())
         numbers.push_back(i);
-      count_poses(on, *body, *b[j], poses, std::move(numbers), predicate, precision, each, r);
+      count_poses(ask, *body, *b[j], around[j], poses, std::move(numbers), any, progress, r);
     }
     all.counts.insert(all.counts.end(), r.counts.begin(), r.counts.end());
     for (int i = 0; i < bounded_rungs; ++i)

@@ -3,8 +3,8 @@
 // Problem: a query takes some 50 us even where nothing touches, and its kernels are too short to fill a device. Method: the
 // elements of B in many poses at once are one set, whose hierarchy's lowest boxes each hold neighbours in one pose or two, and
 // one query counts the pairs of each pose. A pose in which the box around B is proved apart from that around A is not looked
-// at. As many poses are taken at once as the device's memory allows. Where it is only
-// asked whether anything touches, a sixteenth of B's elements goes first, and all of them in the poses that are left.
+// at. As many poses are taken at once as memory allows, and as will probably not overflow the lists. Where it is only asked
+// whether anything touches, a sixteenth of B's elements goes first, and all of them in the poses that are left.
 #ifndef MEETC_CORE_DEVICE_POSES_HPP
 #define MEETC_CORE_DEVICE_POSES_HPP
 
@@ -27,7 +27,8 @@ struct poses_result {
 // Each count is that of collide() on a and b in that pose, which replaces the pose of b for this call alone. Of the options,
 // owners are not read, and `want` is count or any. Throws what collide() throws, std::invalid_argument for other answers, and
 // what device_set::move() throws for a pose, with its number in the text; poses count from 0. With answer_kind::any an element
-// that leaves float32 in a pose is no error where a sixteenth of the elements has told that the pose touches.
+// that leaves float32 in a pose is no error where a sixteenth of the elements has told that the pose touches, and one that breaks
+// a rule of its kind is none where the pose is proved to keep the sets apart.
 poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
                            const predicate_info &predicate, rung precision, const device_options &options = {});
 

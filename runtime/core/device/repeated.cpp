@@ -18,15 +18,20 @@ cudaGraphExec_t captured(cudaStream_t stream, const std::function<void()> &enque
   }
   cudaGraph_t graph = nullptr;
   cudaGraphExec_t out = nullptr;
+  bool complete = true;
   try {
     enqueue();
+  } catch (const device_error &) {
+    complete = false; // it is enqueued again without a capture, and then tells of an error that is not the capture's
   } catch (...) {
     cudaStreamEndCapture(stream, &graph);
-    cudaGraphDestroy(graph);
+    if (graph)
+      cudaGraphDestroy(graph);
     cudaGetLastError();
     throw;
   }
-  if (cudaStreamEndCapture(stream, &graph) == cudaSuccess && cudaGraphInstantiate(&out, graph, 0) != cudaSuccess)
+  complete = cudaStreamEndCapture(stream, &graph) == cudaSuccess && complete;
+  if (complete && cudaGraphInstantiate(&out, graph, 0) != cudaSuccess)
     out = nullptr;
   if (graph)
     cudaGraphDestroy(graph);

@@ -3,7 +3,8 @@
 // Problem: a query starts some ten kernels, which takes a host 4 us each, and a small query's kernels take less than that.
 // Method: when a sequence is asked for the second time it is captured as a CUDA graph, which is launched from then on. Two
 // sequences are the same if their keys are equal, so that a key holds all that the arguments of the launches are made of.
-// Limits: of the last few sequences. Where the driver cannot capture a sequence, it is enqueued each time.
+// Limits: of the last few sequences. Where a sequence cannot be captured, it is enqueued each time. While one is being captured,
+// CUDA refuses to other threads what waits for the whole device, as cudaDeviceSynchronize() does.
 #ifndef MEETC_CORE_DEVICE_REPEATED_HPP
 #define MEETC_CORE_DEVICE_REPEATED_HPP
 

@@ -1,5 +1,6 @@
 #include "core/device/set.hpp"
 
+#include "core/control_word.hpp"
 #include "core/device/buffers.hpp"
 #include "core/device/kernels.hpp"
 #include "core/device/order_kernels.hpp"
@@ -32,12 +33,6 @@ void require_pose(const kind_info &kind, const pose &at) {
   if (const status s = movable(kind, at); s != status::ok)
     throw std::invalid_argument(text(s));
 }
-void require_movable(const kind_info &kind, const pose &at) {
-  require_pose(kind, at);
-  if (!(at.length_scale >= 0))
-    throw std::invalid_argument("a pose's length scale is negative or not a number");
-}
-
 cuda::pose_matrix matrix_of(const pose &at) {
   cuda::pose_matrix out{{}, at.length_scale, at.identity(), at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
   std::copy_n(at.m, 12, out.m);
@@ -46,9 +41,15 @@ cuda::pose_matrix matrix_of(const pose &at) {
 
 } // namespace
 
+void require_movable(const kind_info &kind, const pose &at) {
+  require_pose(kind, at);
+  if (!(at.length_scale >= 0))
+    throw std::invalid_argument("a pose's length scale is negative or not a number");
+}
+
 device_set::device_set(device &on, const kind_info &kind, std::size_t elements, double grid)
     : on_(&on), kind_(&kind), launchers_(&launchers_of(on.kernels(), kind)),
-      elements_(static_cast<std::uint32_t>(elements)), grid_(grid) {
+      elements_(static_cast<std::uint32_t>(elements)), grid_(grid), id_(next_version()) {
   if (elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
   around_.reserve(1, "a set's extent");
@@ -290,6 +291,7 @@ cuda::tree_view device_set::tree(cudaStream_t stream) {
 }
 
 void device_set::bounds(float lo[3], float hi[3]) {
+  const control_word_guard guard;
   cuda::tree_box all; // empty
   if (elements_ > 0) {
     const cuda::tree_view view = tree(on_->stream());

@@ -15,6 +15,9 @@
 
 namespace meetc {
 
+// Throws std::invalid_argument where this pose does not go with this kind.
+void require_movable(const kind_info &kind, const pose &at);
+
 class device_set {
 public:
   // Throws device_error, also if the catalogue lacks the kind.
@@ -32,6 +35,8 @@ public:
   device_set(const device_set &of, std::span<const pose> poses, std::span<const std::size_t> numbers);
 
   const kind_info &kind() const { return *kind_; }
+  // Different from that of any other set, and the same under all poses.
+  std::uint64_t id() const { return id_; }
   std::uint32_t elements() const { return elements_; }
   bool is_on(const device &d) const { return on_ == &d; }
 
@@ -84,6 +89,7 @@ private:
   std::optional<std::pair<float, float>> reaches_; // of rows_, where they are known
   double grid_ = 0, moved_grid_ = 0, ordered_seconds_ = 0;
   bool moved_ = false;
+  std::uint64_t id_;
   std::uint64_t version_ = 0; // the version of rows(), different from that of any other set
   device_memory<float> rows_, moved_rows_;
   device_memory<std::uint32_t> order_;

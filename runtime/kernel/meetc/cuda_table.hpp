@@ -185,7 +185,8 @@ struct predicate_launchers {
   int kind_a, kind_b; // indices of the catalogue's kinds
   // Reads min(*in.count, in.capacity) pairs of objects, takes them apart into pairs of slots, and appends those that
   // the step keeps to `kept`, and those whose equal points prove a hit to `yes`; the number of pairs whose boxes touch is
-  // added to *touching. `which` is near_boxes, near_reject or, if the predicate `rejects`, reject. Returns cudaErrorInvalidValue if the scene does not ask for
+  // added to *touching. `which` is near_boxes, near_reject or, if the
+  // predicate `rejects`, reject. Returns cudaErrorInvalidValue if the scene does not ask for
   // the rung.
   cudaError_t (*near)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list kept,
                       unsigned long long *touching, cudaStream_t stream);

@@ -72,6 +72,11 @@ TEST_CASE("rules: rows obey them or not") {
   CHECK(lower::obeys(std::nullopt, row({})));
   CHECK(lower::obeys(differ, row({1, 2, 1, 3})));
   CHECK_FALSE(lower::obeys(differ, row({1, 2, 1, 2})));
+  const lower::element_rule ordered{type::not_above, {0, 1}, {2, 3}, ""};
+  CHECK(lower::obeys(ordered, row({1, 2, 1, 3})));
+  CHECK(lower::obeys(ordered, row({1, 2, 1, 2})));
+  CHECK_FALSE(lower::obeys(ordered, row({1, 3, 1, 2})));
+  CHECK_FALSE(lower::obeys(ordered, row({2, 2, 1, 2})));
   CHECK(lower::obeys(lower::element_rule{type::not_negative, {0}, {}, ""}, row({0})));
   CHECK_FALSE(lower::obeys(lower::element_rule{type::positive, {0}, {}, ""}, row({0})));
   CHECK_FALSE(lower::obeys(lower::element_rule{type::not_negative, {0}, {}, ""}, row({-1})));

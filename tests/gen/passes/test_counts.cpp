@@ -105,6 +105,7 @@ const predicate_row predicates[] = {
     {"sphere_segment", none, {5, {1, 0}, {3, 5}, {19, 21}}, none},
     {"ball_triangle", none, {16, {1, 0}, {21, 24}, {59, 52}}, none},
     {"sphere_triangle", none, {16, {1, 0}, {21, 24}, {59, 52}}, none},
+    {"box_box", none, {6, {0, 0}, {0, 0}, {0, 6}}, none},
 };
 
 struct maker_row {
@@ -116,7 +117,7 @@ const maker_row made[] = {
     {"flat_point", "", {0, 0}},    {"line", "", {6, 6}},           {"line", "direction", {6, 3}},
     {"circle", "", {19, 11}},      {"circle", "points", {45, 36}}, {"plane", "", {0, 0}},
     {"plane", "points", {15, 14}}, {"sphere", "", {4, 3}},         {"sphere", "points", {64, 53}},
-    {"segment", "", {6, 6}},       {"triangle", "", {15, 14}},
+    {"segment", "", {6, 6}},       {"triangle", "", {15, 14}},     {"box", "", {18, 14}},
 };
 
 // The structural counts for B, never to be exceeded.

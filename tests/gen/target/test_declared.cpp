@@ -123,7 +123,7 @@ void name_coefficients(const std::string &operand, const multivector &m, values 
 
 const std::map<std::string, int> grades{{"point", 1},   {"direction", 1}, {"point_pair", 2}, {"flat_point", 2},
                                         {"line", 3},    {"circle", 3},    {"plane", 4},      {"sphere", 4},
-                                        {"segment", 3}, {"triangle", 4}};
+                                        {"segment", 3}, {"triangle", 4},  {"box", 2}};
 
 // The keys of an object are in the given order.
 void check_order(const json &object, const std::vector<std::string> &order) {

@@ -194,6 +194,10 @@ TEST_CASE("distance: no shorter translation changes the answer") {
 TEST_CASE("pairs near a contact are near it, on both sides") {
   for (int i = 0; i < cga::catalogue().predicate_count; ++i) {
     const predicate_info &p = cga::catalogue().predicates[i];
+    if (!can_make_pairs(p)) {
+      CHECK(std::string(p.name) == "box_box"); // its hull has more points than a distance is computed for
+      continue;
+    }
     for (const int bits : {3, 12, 20}) {
       const element_pairs pairs = make_pairs(p, 300, {0, 0, true, bits, bits}, 3);
       const std::vector<answer> exact = decide_all(pairs, p.decide[static_cast<int>(rung::exact)]);

@@ -7,6 +7,7 @@
 #include "tests/catch.hpp"
 
 #include "core/collide.hpp"
+#include "core/pose.hpp"
 #include "io/read.hpp"
 
 #include <algorithm>
@@ -88,12 +89,23 @@ prepared elements(const body &b, const kind_info &kind, const pose &at, std::siz
   std::vector<float> rows;
   for (std::size_t i = 0; i < faces; ++i) {
     const float *c = &b.corners[9 * i];
+    if (lies_along_axes(kind)) { // the box around an edge
+      for (const bool greater : {false, true})
+        for (int k = 0; k < 3; ++k)
+          rows.push_back(greater ? std::max(c[k], c[3 + k]) : std::min(c[k], c[3 + k]));
+      continue;
+    }
     rows.insert(rows.end(), c, c + (kind.points > 0 ? fields : 3));
     if (kind.points == 0)
       rows.push_back(0.25F * std::hypot(c[3] - c[0], c[4] - c[1], c[5] - c[2]));
   }
-  REQUIRE(rows.size() == faces * fields); // point, segment, triangle or sphere
-  return prepare({rows.data(), 0, fields * sizeof(float), nullptr, faces}, kind, at);
+  REQUIRE(rows.size() == faces * fields); // point, segment, triangle, sphere or box
+  pose there = at;
+  if (lies_along_axes(kind)) // which is moved and scaled, and not turned
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        there.m[4 * i + k] = i == k ? at.length_scale : 0;
+  return prepare({rows.data(), 0, fields * sizeof(float), nullptr, faces}, kind, there);
 }
 
 struct totals {

@@ -7,6 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
 using namespace meetc;
 
@@ -54,8 +58,9 @@ case_of_pose draw(std::mt19937 &random, std::vector<float> &rows, int scale) {
 TEST_CASE("pose: what is proved apart from a box lies outside of it, and what is far away is proved") {
   std::mt19937 random(5);
   std::vector<float> rows;
-  int proved = 0, clear = 0;
-  for (int n = 0; n < 20000; ++n) {
+  constexpr int cases = 20000;
+  int proved = 0;
+  for (int n = 0; n < cases; ++n) {
     const int scale = std::uniform_int_distribution(-148, 100)(random);
     const case_of_pose c = draw(random, rows, scale);
     double least = HUGE_VAL, greatest = -HUGE_VAL; // of the posed balls along an axis
@@ -78,10 +83,9 @@ TEST_CASE("pose: what is proved apart from a box lies outside of it, and what is
       to[axis] = std::nextafter(to[axis], inf);
     CHECK_FALSE(proved_apart(c.at, c.lo, c.hi, static_cast<double>(c.longest), from, to));
     to[axis] = static_cast<float>(least - std::ldexp(8.0, scale)); // the pose makes nothing larger than that
-    ++clear;
     proved += proved_apart(c.at, c.lo, c.hi, static_cast<double>(c.longest), from, to);
   }
-  CHECK(proved > clear * 9 / 10); // the very small ones are within the slack
+  CHECK(proved > cases * 9 / 10); // the very small ones are within the slack
 }
 
 TEST_CASE("pose: the slack covers a rounding to float32 and to a grid") {
@@ -99,6 +103,32 @@ TEST_CASE("pose: the slack covers a rounding to float32 and to a grid") {
   at.length_scale = 0.1;
   CHECK(proved_apart(at, lo, hi, 1e-5, clear, to));
 }
+
+TEST_CASE("pose: a matrix that keeps the axes") {
+  pose at;
+  CHECK(keeps_axes(at.m));
+  at.m[0] = 2, at.m[5] = 0, at.m[3] = -7;
+  CHECK(keeps_axes(at.m));
+  for (const auto &[place, value] : {std::pair(0, -1.0), std::pair(0, std::nan("")), std::pair(1, 0x1p-1000),
+                                     std::pair(6, std::nan("")), std::pair(10, -0x1p-1000)}) {
+    pose other;
+    other.m[place] = value;
+    CHECK_FALSE(keeps_axes(other.m));
+  }
+}
+
+#if defined(__SSE2__)
+TEST_CASE("pose: flush-to-zero changes no proof") {
+  pose at;
+  at.m[0] = at.m[5] = at.m[10] = 0x1p130;
+  const float lo[3] = {0x1p-129F, 0, 0}, from[3] = {1, 0, 0}, to[3] = {3, 1, 1}; // it goes to 2
+  const unsigned found = _mm_getcsr();
+  _mm_setcsr(found | 0x8040U);
+  const bool apart = proved_apart(at, lo, lo, 0, from, to);
+  _mm_setcsr(found);
+  CHECK_FALSE(apart);
+}
+#endif
 
 TEST_CASE("pose: nothing is proved of what might leave float32") {
   pose at;

@@ -153,7 +153,9 @@ void many_poses(comparison &with, const settings &s) {
   const std::string scene = "many poses";
   std::vector<pose> poses;
   for (int i = 0; i < (s.small ? 7 : 40); ++i)
-    poses.push_back(i % 5 == 0 ? pose{} : placed(i % 7 == 3 ? 1e3 : 1, 0.05 * i, i % 3 == 0 ? 0.2 : -0.03 * i, 0.1));
+    poses.push_back(i % 4 == 1 ? placed(1, 100, -5.0 * i, 3) : // far away
+                        i % 5 == 0 ? pose{}
+                                   : placed(i % 7 == 3 ? 1e3 : 1, 0.05 * i, i % 3 == 0 ? 0.2 : -0.03 * i, 0.1));
   std::uint64_t all = 0;
   device_options counted;
   counted.want = answer_kind::count;

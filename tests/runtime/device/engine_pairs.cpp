@@ -259,6 +259,7 @@ void repeated(comparison &with, const settings &s) {
     for (const search by : {search::tree, search::groups}) {
       device_options o, count;
       o.by = count.by = by;
+      o.as_graph = count.as_graph = true;
       count.want = answer_kind::count;
       for (int round = 0; round < 8; ++round) {
         const bool is_aside = round % 3 == 2;
@@ -283,6 +284,7 @@ void repeated(comparison &with, const settings &s) {
     away.m[3] = 100;
     device_options o;
     o.by = search::tree;
+    o.as_graph = true;
     const std::size_t all = collide(with.on(), da, db, p, rung::certified, o).count;
     for (int round = 0; round < 6; ++round) {
       db.move(round % 2 ? away : pose());
