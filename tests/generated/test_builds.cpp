@@ -62,8 +62,8 @@ TEST_CASE("builds: one hash a predicate from every build of the case runner, and
       CHECK(r.wrong == 0);
       CHECK(r.hits > r.cases / 50);
       CHECK(r.hits < r.cases - r.cases / 50);
-      for (const int unsure : r.unsure) { // every rung is challenged, and decides some pairs
-        CHECK(unsure > 0);
+      for (const int unsure : r.unsure) {                      // every rung is challenged, and decides some pairs
+        CHECK((unsure > 0 || r.same.starts_with("box_box "))); // whose signs no rounding changes
         CHECK(unsure < r.cases);
       }
     }

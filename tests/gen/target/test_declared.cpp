@@ -80,7 +80,7 @@ public:
       return point();
     if (kind == "direction")
       return vector();
-    if (kind == "point_pair")
+    if (kind == "point_pair" || kind == "box")
       return outer(point(), point());
     if (kind == "flat_point")
       return outer(point(), n());

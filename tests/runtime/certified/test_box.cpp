@@ -2,6 +2,7 @@
 #include "tests/catch.hpp"
 
 #include "core/collide.hpp"
+#include "core/pose.hpp"
 
 #include <algorithm>
 #include <cga/cga_runtime.hpp>
@@ -30,8 +31,18 @@ std::vector<float> some_rows(float box, const kind_info &kind, std::size_t n, st
   return rows;
 }
 
-prepared ready(const std::vector<float> &rows, const kind_info &kind) {
+// Of a box's corners the least and the greatest.
+std::vector<float> in_order(std::vector<float> rows, const kind_info &kind) {
+  for (std::size_t i = 0; lies_along_axes(kind) && i < rows.size(); i += static_cast<std::size_t>(kind.fields))
+    for (std::size_t k = i; k < i + 3; ++k)
+      if (rows[k + 3] < rows[k])
+        std::swap(rows[k], rows[k + 3]);
+  return rows;
+}
+
+prepared ready(const std::vector<float> &any, const kind_info &kind) {
   const auto fields = static_cast<std::size_t>(kind.fields);
+  const std::vector<float> rows = in_order(any, kind);
   return prepare({rows.data(), 0, fields * sizeof(float), nullptr, rows.size() / fields}, kind);
 }
 
