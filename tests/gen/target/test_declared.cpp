@@ -190,7 +190,7 @@ TEST_CASE("every pair with a meet, as JSON in the declared basis, is the dense p
                           contains("is not defined here") && contains(fmt::format("grade(X) = {}", grades.at(x))));
       }
     }
-  CHECK(pairs == 72);
+  CHECK(pairs == 84);
 }
 
 TEST_CASE("the program prints the same, asked for by the scene or not, below grade 5 it says why") {
