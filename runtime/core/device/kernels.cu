@@ -62,8 +62,8 @@ __global__ void gather_kernel(hit_order o) {
   cuda::begin();
   each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[o.starts[a] + o.ranks[i]] = b; });
 }
-// The place of a hit among those of its item is the number of smaller ones. A lane takes an item, and the warp together one with
-// more than a few hits.
+// The place of a hit among those of its item is the number of smaller ones. A lane takes an item with few hits, eight lanes one
+// with more, and the warp together one with many.
 __device__ void place_each(const hit_order &o, std::size_t item, std::uint32_t begin, std::uint32_t end, unsigned first,
                            unsigned step) {
   for (std::uint32_t i = begin + first; i < end; i += step) {
@@ -76,7 +76,8 @@ __device__ void place_each(const hit_order &o, std::size_t item, std::uint32_t b
 }
 __global__ void place_kernel(hit_order o) {
   cuda::begin();
-  constexpr std::uint32_t few = 4;
+  constexpr std::uint32_t few = 4, many = 32;
+  constexpr unsigned together = 8;
   const unsigned lane = threadIdx.x % 32;
   const std::size_t stride = gridDim.x * std::size_t{threads};
   for (std::size_t first = blockIdx.x * std::size_t{threads} + threadIdx.x - lane; first < o.items_a; first += stride) {
@@ -88,7 +89,14 @@ __global__ void place_kernel(hit_order o) {
       atomicMax(o.longest, static_cast<unsigned long long>(end - begin));
     else if (end - begin <= few)
       place_each(o, item, begin, end, 0, 1);
-    for (unsigned left = __ballot_sync(~0U, !crowded && end - begin > few); left; left &= left - 1) {
+    const unsigned more = __ballot_sync(~0U, end - begin > few && end - begin <= many);
+    for (unsigned round = 0; more && round < together; ++round) {
+      const unsigned of = round * (32 / together) + lane / together;
+      const std::uint32_t from = __shfl_sync(~0U, begin, of), to = __shfl_sync(~0U, end, of);
+      if (more >> of & 1)
+        place_each(o, first + of, from, to, lane % together, together);
+    }
+    for (unsigned left = __ballot_sync(~0U, !crowded && end - begin > many); left; left &= left - 1) {
       const unsigned of = __ffs(left) - 1;
       place_each(o, first + of, __shfl_sync(~0U, begin, of), __shfl_sync(~0U, end, of), lane, 32);
     }
