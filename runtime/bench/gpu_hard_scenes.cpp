@@ -107,6 +107,8 @@ std::vector<gpu_scene> choice_scenes(const catalogue &all, bool quick) {
   add_balls("sphere_sphere", 50, 300'000, 1);
   add_balls("ball_ball", 20'000, 3'000'000, 1);
   add_balls("ball_ball", 8'000'000, 300, 1);
+  add_balls("ball_ball", 100, 12'000'000, 1);
+  add_balls("ball_ball", 6'500'000, 900, 1);
   add_balls("sphere_sphere", 200'000, 50'000, 1);
   const auto add_mesh = [&](std::size_t n, double share, int faces) {
     n = std::max<std::size_t>(1, n / part);

@@ -27,11 +27,10 @@ struct search_sizes {
   bool long_elements = false;          // a kind has two points, around which a ball is mostly empty
 };
 
-// The model: a time to start, one for each pair of objects, and one for each element that is enclosed, walks, or is
-// taken from its group to be tested: a group of the larger set touches a few of the smaller, however far apart these lie.
-// Where balls may be mostly empty, the filter is expected to pass every pair. Its
-// constants were fitted by hand to times on an H200, of the scenes of `meet bench gpu --only growth`; on other devices only
-// their ratios matter.
+// The model: a time to start, one for each pair of objects, and one for each element that is enclosed, gets columns, walks, or is
+// taken from its group to be tested: a group of the larger set touches a few of the smaller, however far apart these lie. Where
+// balls may be mostly empty, the filter is expected to pass every pair. Its constants were fitted by hand to times on an H200, of
+// the scenes of `meet bench gpu --only growth`; on other devices only their ratios matter.
 search_costs expected_costs(const search_sizes &s);
 
 } // namespace meetc
