@@ -100,6 +100,8 @@ void count_poses(poses_query &ask, device_set &a, const device_set &b, const std
       return proved_apart(poses[i], around_b->lo, around_b->hi, around_b->longest, from, to);
     });
   }
+  if (left.empty())
+    return;
   const std::vector<std::size_t> asked = left;
   if (any && b.elements() >= least_sampled) {
     ask.count(device_set(b, sample), poses, left, true, r, {});
