@@ -66,6 +66,13 @@ public:
       if (f.domain)
         expression(*f.domain, scope(f.params.begin(), f.params.end()));
       calls_itself(f.name, f.where);
+      if (!f.orders.empty() && !a_.find_predicate(f.orders)) {
+        std::vector<std::string> known;
+        for (const predicate &p : a_.predicates)
+          known.push_back(p.name);
+        throw spec_error(f.orders_where, fmt::format("no predicate '{}'; predicates: {}{}", f.orders, join(known, ", "),
+                                                     nearest(f.orders, known)));
+      }
     }
     for (const predicate &p : a_.predicates) {
       fields(p.of);

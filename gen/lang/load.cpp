@@ -247,12 +247,16 @@ void load_into(const std::string &path, algebra &out, std::vector<std::shared_pt
       read_signature(std::string(name->str()), f.where, f);
       if (const toml::table *t = body->as_table()) {
         const std::string what = "functions." + f.name;
-        in.allow(*t, what, {"is", "where"});
+        in.allow(*t, what, {"is", "where", "orders"});
         if (!t->contains("is"))
           throw spec_error(f.where, what + " needs 'is'");
         f.body = in.as_expression(*t->get("is"), what);
         if (const toml::node *domain = t->get("where"))
           f.domain = in.as_expression(*domain, what + ".where");
+        if (const toml::node *orders = t->get("orders")) {
+          f.orders = in.as_string(*orders, what + ".orders");
+          f.orders_where = in.place(*orders);
+        }
       } else {
         f.body = in.as_expression(*body, "functions." + f.name);
       }

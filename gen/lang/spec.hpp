@@ -48,6 +48,10 @@ struct function {
   expr_ptr body;
   expr_ptr domain; // `where`: the condition on the arguments, or null
   location where;
+  // The predicate whose second operands it orders: the function's value says which of two of them the first operand meets
+  // first. Empty: none.
+  std::string orders;
+  location orders_where;
 };
 
 struct predicate {

@@ -57,6 +57,34 @@ bound::subject subject_of(const predicate &p) {
   return out;
 }
 
+namespace {
+
+// The predicate that the kernel's function orders, if the operands are of the form that runtimes order: two points, and a pair
+// of elements with three points each.
+const lang::predicate *ordered_by(const model &m, const request &r) {
+  const lang::function *f = r.body->kind == lang::op::call ? m.spec().find_function(r.body->text) : nullptr;
+  if (!f || f->orders.empty())
+    return nullptr;
+  const lang::predicate &p = *m.spec().find_predicate(f->orders);
+  const auto points = [&m](const lang::kind &k) {
+    const kind_layout l = m.layout(k);
+    return l.reals.size() == std::size_t{3} * static_cast<std::size_t>(l.points) ? l.points : 0;
+  };
+  const lang::kind &first = m.kind(p.of[0].type, p.of[0].where), &second = m.kind(p.of[1].type, p.of[1].where);
+  const std::vector<lang::field> &pair = r.kinds[1]->store;
+  const bool fits =
+      r.kinds[0] == &first && pair.size() == 2 && pair[0].type == second.name && pair[1].type == second.name;
+  if (!fits || points(first) != 2 || points(second) != 3)
+    throw spec_error(
+        f->orders_where,
+        fmt::format("'{}' orders {} only as a function of its first operand, which has two points, and of a pair "
+                    "of its second ones, which have three",
+                    f->name, p.name));
+  return &p;
+}
+
+} // namespace
+
 kernel compile(const model &m, const request &r) {
   kernel out;
   out.asked = r;
@@ -66,6 +94,7 @@ kernel compile(const model &m, const request &r) {
   } else if (auto sign = compile_sign(m, r)) {
     out.is_predicate = out.is_sign = true;
     out.decision = std::move(*sign);
+    out.orders = ordered_by(m, r);
   } else {
     out.value = compile_formula(m, r);
     check_constants(out.value.from_blades, r);

@@ -108,6 +108,9 @@ struct kernel {
   bool is_sign = false;      // is one sign, as 'side(triangle, point)'
   formula value;             // where it does not consist of signs
   predicate decision;        // where it does
+  // The predicate whose hits along the first operand this sign orders, or null: the value is -1 where that operand meets the
+  // first element of the second one's pair before the other one.
+  const lang::predicate *orders = nullptr;
 };
 
 // Turns a request into programs as lowering leaves them. Passes follow, and then bounds.

@@ -58,7 +58,7 @@ bool can_move(const kind_info &kind) {
 }
 
 bool lies_along_axes(const kind_info &kind) {
-  for (int p = 0; p < kind.hull; ++p) {
+  for (std::ptrdiff_t p = 0; p < kind.hull; ++p) {
     const int *const at = kind.hull_fields + 3 * p;
     if (at[1] != at[0] + 1 || (at[2] >= 0 && at[2] != at[0] + 2))
       return true;
@@ -80,7 +80,7 @@ bool proved_apart(const pose &at, const float lo[3], const float hi[3], double l
   constexpr double finite = 0x1p126;
   const double reach = longest * std::abs(at.length_scale) * (1 + 0x1p-22) + at.grid + 0x1p-140;
   bool apart = false;
-  for (int k = 0; k < 3; ++k) {
+  for (std::ptrdiff_t k = 0; k < 3; ++k) {
     const double *const m = at.m + 4 * k;
     double least = m[3], greatest = m[3], magnitude = std::abs(m[3]);
     for (int j = 0; j < 3; ++j) {

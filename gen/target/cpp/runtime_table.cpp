@@ -19,6 +19,13 @@ std::vector<const lower::kernel *> predicates_of(const unit &u) {
   return out;
 }
 
+const lower::kernel *order_of(const unit &u, const lower::kernel &predicate) {
+  const auto at = std::find_if(u.kernels.begin(), u.kernels.end(), [&](const lower::kernel &k) {
+    return k.orders && k.orders == predicate.asked.asked && u.asks(lang::rung::certified);
+  });
+  return at == u.kernels.end() ? nullptr : &*at;
+}
+
 bool filters_by_balls(const unit &u) {
   return u.balls && !predicates_of(u).empty();
 }

@@ -13,10 +13,12 @@ std::string info_function(const lower::kernel &k) {
 std::string predicate_source(const emitted_predicate &p) {
   const std::string space = identifier(p.of.scene.space), name = p.kernel.asked.name();
   std::string out = banner(p.of.scene, fmt::format("The parts of {} that only few pairs need.", p.kernel.asked.text));
-  out += fmt::format(
-      "#include <meetc/table_functions.hpp>\n\n#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_rest.hpp>\n\n"
-      "MEETC_NAMESPACE({0}) {{\n\n",
-      space, name);
+  const lower::kernel *const order = p.kernel.is_sign ? nullptr : order_of(p.of, p.kernel);
+  out += "#include <meetc/table_functions.hpp>\n";
+  if (order)
+    out += fmt::format("#include <meetc/first_met.hpp>\n\n#include <{}/{}.hpp>", space, order->asked.name());
+  out += fmt::format("\n#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_rest.hpp>\n\nMEETC_NAMESPACE({0}) {{\n\n",
+                     space, name);
   out += out_of_line(p, "");
   if (p.has_rare() && p.asks_plain())
     for (const char *type : {"float", "double", "meetc::double_double"})
@@ -29,9 +31,13 @@ std::string predicate_source(const emitted_predicate &p) {
     out += fmt::format("\nnamespace detail {{\nmeetc::predicate_info {0}(const meetc::kind_info *a, const "
                        "meetc::kind_info *b, int number_a,\n"
                        "    int number_b) {{\n"
-                       "  return meetc::info_of<{1}, {2}>(\"{3}\", \"{4}\", a, b, number_a,\n      number_b);\n}}\n}} "
-                       "// namespace detail\n",
-                       info_function(p.kernel), p.name, rungs, p.kernel.asked.asked->name, p.kernel.asked.asked->mode);
+                       "  {5}meetc::info_of<{1}, {2}>(\"{3}\", \"{4}\", a, b, number_a,\n      number_b);\n",
+                       info_function(p.kernel), p.name, rungs, p.kernel.asked.asked->name, p.kernel.asked.asked->mode,
+                       order ? "meetc::predicate_info info = " : "return ");
+    if (order)
+      out += fmt::format("  info.first_met = meetc::first_met<{}, {}_sign>;\n  return info;\n", p.name,
+                         identifier(order->asked.name()));
+    out += "}\n} // namespace detail\n";
   }
   return out + fmt::format("\n}} // namespace {}\n", space);
 }

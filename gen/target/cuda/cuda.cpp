@@ -31,6 +31,8 @@ constexpr const char *run_parameters =
     "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b, "
     "meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure, cudaStream_t stream)";
 
+constexpr const char *first_met_parameters = "(const meetc::cuda::first_met_job &job, cudaStream_t stream)";
+
 std::string shape_of(const std::string &kind) {
   return identifier(kind) + "_shape";
 }
@@ -53,9 +55,10 @@ std::string catalogue_text(const unit &u) {
          "}\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
-    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {5}}},\n",
-                       k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1),
-                       identifier(k->asked.asked->name), count, !k->decision.reject.atoms.empty());
+    const std::string name = identifier(k->asked.asked->name);
+    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {5}{6}}},\n",
+                       k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name, count,
+                       !k->decision.reject.atoms.empty(), order_of(u, *k) ? fmt::format(", {}::first_met", name) : "");
     ++count;
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
@@ -101,8 +104,10 @@ std::string cuda_header(const unit &u) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
     if (u.asks(lang::rung::certified))
       out += fmt::format("  static cudaError_t certify{};\n", parameters);
-    out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n}};\n", near_parameters,
-                       run_parameters);
+    out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n", near_parameters, run_parameters);
+    if (order_of(u, *k))
+      out += fmt::format("  static cudaError_t first_met{};\n", first_met_parameters);
+    out += "};\n";
   }
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
@@ -147,6 +152,19 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
 
+// A file of its own, since it compiles as long as the predicate's other launchers.
+std::string cuda_order(const unit &u, const lower::kernel &k, const lower::kernel &order) {
+  const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
+  return banner(u.scene, fmt::format("In which order the hits of {} lie, on a CUDA device.", k.asked.asked->name)) +
+         fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n#include <{0}/{2}.hpp>\n"
+                     "#include <meetc/cuda_first_met.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n"
+                     "cudaError_t {3}::first_met{4} {{\n"
+                     "  return meetc::cuda::first_met<::{0}::{3}, ::{0}::{5}_sign>(job, stream);\n}}\n"
+                     "\n}} // namespace cuda\n}} // namespace {0}\n",
+                     space, k.asked.name(), order.asked.name(), name, first_met_parameters,
+                     identifier(order.asked.name()));
+}
+
 std::string cuda_text(const unit &u, std::size_t kernel) {
   if (!u.kernels[kernel].is_predicate || u.kernels[kernel].is_sign)
     throw spec_error({},
@@ -167,6 +185,9 @@ std::vector<file> cuda_files(const unit &u) {
                         {space + '/' + space + "_cuda.cu", cuda_catalogue(u)}};
   for (const lower::kernel *k : predicates_of(u))
     out.push_back({fmt::format("{}/src/{}.cu", space, k->asked.name()), cuda_launchers(u, *k)});
+  for (const lower::kernel *k : predicates_of(u))
+    if (const lower::kernel *const order = order_of(u, *k))
+      out.push_back({fmt::format("{}/src/{}.cu", space, order->asked.name()), cuda_order(u, *k, *order)});
   for (file &f : out)
     f.text = broken_lines(f.text);
   return out;

@@ -180,6 +180,17 @@ constexpr cover balls_for(rung precision) {
   return never_wrong(precision) ? cover::element : cover::box;
 }
 
+// For each element of a set, the slot of the element of another set that it meets first.
+inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};
+struct first_met_job {
+  const float *a, *b; // the rows of both sets
+  const std::uint32_t
+      *order_b;           // the numbers of the slots of b; the least one counts where several are met at one point
+  const index_pair *hits; // of slots
+  std::size_t count;
+  std::uint32_t *first; // by slots of a; no_slot at first, and where nothing is met
+};
+
 struct predicate_launchers {
   const char *name;
   int kind_a, kind_b; // indices of the catalogue's kinds
@@ -200,6 +211,8 @@ struct predicate_launchers {
   cudaError_t (*pairs)(const query &q, cudaStream_t stream);
   std::size_t (*workspace)(std::uint32_t elements_a, std::uint32_t elements_b, unsigned long long list_capacity);
   bool rejects = true; // near_reject drops more than near_boxes
+  // Looks at further hits. Null: not generated.
+  cudaError_t (*first_met)(const first_met_job &job, cudaStream_t stream) = nullptr;
 };
 
 struct catalogue {

@@ -140,6 +140,9 @@ struct predicate_info {
   int longest_differences = 0;
   // Proved: the exact answer, and with it that of every rung that is never wrong, is the same with the operands exchanged.
   bool symmetric = false;
+  // Which of two rows of b an element of a meets first on its way from its first point to its second, of rows that it meets:
+  // -1, 1, or 0 for both at one point. It is exact, and a total order of any rows of b; null: not generated (first_met.hpp).
+  int (*first_met)(const float *a, const float *b, const float *other) = nullptr;
 };
 
 // All that a namespace offers to a runtime.
