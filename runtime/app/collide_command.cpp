@@ -24,10 +24,12 @@ namespace fs = std::filesystem;
 namespace {
 
 void check_outputs(const collide_request &q, output_files &outputs) {
-  if (q.any && (q.pairs || q.colour || q.image))
-    throw failure("--any stops at the first pair and keeps none; --pairs, --color and --image need them all");
+  if (q.any && (q.pairs || q.first || q.colour || q.image))
+    throw failure("--any stops at the first pair and keeps none; --pairs, --first, --color and --image need them all");
   if (q.pairs)
     outputs.expect(*q.pairs);
+  if (q.first)
+    outputs.expect(*q.first);
   if (q.image)
     outputs.expect(*q.image);
   if (q.colour && q.colour->empty())
@@ -60,11 +62,14 @@ void write_all(const collide_request &q, output_files &outputs, collide_report &
                   picture::palette::yellow};
   const painted b{report.b, report.found.b.hit, q.b.filename().string(), picture::palette::blue,
                   picture::palette::pink};
-  if (q.pairs) {
-    const std::vector<index_pair> &list = report.found.list;
-    outputs.write(*q.pairs, [&list](const fs::path &to) { io::write_pairs_csv(to, list); });
-    report.written.push_back(q.pairs->string());
-  }
+  const auto write_list = [&](const std::optional<fs::path> &to, const std::vector<index_pair> &list) {
+    if (!to)
+      return;
+    outputs.write(*to, [&list](const fs::path &file) { io::write_pairs_csv(file, list); });
+    report.written.push_back(to->string());
+  };
+  write_list(q.pairs, report.found.list);
+  write_list(q.first, report.found.first);
   if (q.colour)
     write_colours(q, a, b, outputs, report);
   if (q.image) {
@@ -97,6 +102,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
   h.box = all.box;
   h.any = q.any;
   h.keep = q.pairs.has_value();
+  h.first = q.first.has_value();
   h.threads = q.threads;
   h.on = q.on;
   auto progress = std::make_unique<progress_line>("collide");

@@ -21,7 +21,7 @@ struct collide_request {
   double tolerance = 0; // 0: no answer may be wrong
   io::transform move_b;
   bool any = false, json = false;
-  std::optional<std::filesystem::path> pairs, colour, image;
+  std::optional<std::filesystem::path> pairs, first, colour, image;
   int threads = 0;
   processor on = processor::cpu;
 };

@@ -63,6 +63,11 @@ void add_answers(CLI::App &c, arguments &to) {
              "which pair is not told")
       ->disable_flag_override();
   c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")->type_name("out.csv");
+  c.add_option(
+       "--first", q.first,
+       "Write, for each segment that touches a triangle, the pair that it meets first on its way from its first "
+       "point to its second; of several at one point that of the least index")
+      ->type_name("out.csv");
   c.add_option("--color,--colour", q.colour,
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");

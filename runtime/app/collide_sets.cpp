@@ -57,6 +57,7 @@ void find_on(processor on, const ordered &o, const query &q, answers &out) {
   out.on = on;
   collide_options options;
   options.want = q.any ? answer_kind::any : q.keep ? answer_kind::pairs : answer_kind::flags;
+  options.first_met = q.first;
   options.threads = q.threads;
   options.box = q.box;
   options.progress = q.progress;
@@ -70,6 +71,11 @@ void find_on(processor on, const ordered &o, const query &q, answers &out) {
     r.flags = flags_of(r.pairs, o.first.items, o.second.items);
   o.first_answer.hit = std::move(r.flags.a);
   o.second_answer.hit = std::move(r.flags.b);
+  for (std::uint32_t i = 0; i < r.first_met.size(); ++i)
+    if (r.first_met[i] != no_element)
+      out.first.push_back({i, r.first_met[i]});
+  if (q.by.swapped)
+    out.first = transposed(std::move(out.first));
   out.list = q.by.swapped ? transposed(std::move(r.pairs)) : std::move(r.pairs);
 }
 
@@ -116,6 +122,11 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
   const predicate_info &predicate = *q.by.predicate;
   if (cascade(predicate, q.precision).count == 0)
     throw failure(fmt::format("--precision {}: {} was not generated for it", name_of(q.precision), predicate.name));
+  if (q.first && !predicate.first_met)
+    throw failure(
+        fmt::format("--first: {} knows no order; of a segment and the triangles that it touches it is known which "
+                    "comes first (segment_triangle)",
+                    predicate.name));
   answers out;
   const auto start = std::chrono::steady_clock::now();
   try {

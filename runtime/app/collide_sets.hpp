@@ -20,7 +20,9 @@ struct side_answer {
 
 struct answers {
   std::vector<index_pair> list; // of items, sorted by a, then b; empty unless `keep`
-  std::uint64_t pairs = 0;      // with `any` 0 or 1
+  std::vector<index_pair>
+      first;               // if asked for: of each element of the predicate's first set, the pair met first; likewise
+  std::uint64_t pairs = 0; // with `any` 0 or 1
   std::uint64_t candidates = 0; // pairs of elements that the predicate decided
   rung_report rungs;            // of `certified`
   side_answer a, b;
@@ -36,10 +38,11 @@ struct query {
   // An answer may be wrong where moving one element by at most this changes it; 0: nowhere. `grid` is that to which
   // numbers are rounded for its sake.
   double tolerance = 0, grid = 0;
-  float box = 0;     // of the scene; 0: none
-  bool any = false;  // stop at the first pair
-  bool keep = false; // keep the list of pairs; without it, and without polygons, memory does not grow with the pairs
-  int threads = 0;   // 0: all cores
+  float box = 0;      // of the scene; 0: none
+  bool any = false;   // stop at the first pair
+  bool keep = false;  // keep the list of pairs; without it, and without polygons, memory does not grow with the pairs
+  bool first = false; // of each segment, the pair with the triangle that it meets first
+  int threads = 0;    // 0: all cores
   processor on = processor::cpu; // best: the one that is expected to be the faster
   std::function<void(double fraction)> progress = {};
 };
@@ -47,7 +50,7 @@ struct query {
 // Sets q.tolerance and q.grid. Throws failure where the predicate keeps no such tolerance.
 void set_tolerance(query &q, double tolerance);
 
-// Throws failure where the predicate was not generated for the precision, and std::bad_alloc.
+// Throws failure where the predicate was not generated for the precision or for `first`, and std::bad_alloc.
 answers collide_sets(const io::element_set &a, const io::element_set &b, const query &q);
 
 } // namespace meetc::app

@@ -72,6 +72,7 @@ device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b,
     out.prepare_seconds = made.count();
     device_options o;
     o.want = options.want;
+    o.first_met = options.first_met;
     o.owner_a = options.owner_a;
     o.owner_b = options.owner_b;
     o.progress = options.progress;

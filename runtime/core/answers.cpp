@@ -20,6 +20,12 @@ per_element<std::uint8_t> flags_of(std::span<const index_pair> pairs, std::size_
   return out;
 }
 
+void name_items(std::span<const std::uint32_t> owners, std::vector<std::uint32_t> &elements) {
+  for (std::uint32_t &e : elements)
+    if (!owners.empty() && e != no_element)
+      e = owners[e];
+}
+
 std::size_t items(std::span<const std::uint32_t> owners, std::size_t elements) {
   return owners.empty() ? elements : std::size_t{*std::max_element(owners.begin(), owners.end())} + 1;
 }

@@ -21,12 +21,18 @@ enum class answer_kind : std::uint8_t {
   any,    // whether there is a pair; the count is 0 or 1, and the search stops at the first
 };
 
+// In a list of elements: there is none.
+inline constexpr std::uint32_t no_element = ~std::uint32_t{0};
+
 // Indexed by the elements (or items) of the two sets. Both are empty for other kinds of answers.
 template <class T> struct per_element { std::vector<T> a, b; };
 
 // For pairs (a, b) with a < size_a and b < size_b, each once in the list.
 per_element<std::uint64_t> counts_of(std::span<const index_pair> pairs, std::size_t size_a, std::size_t size_b);
 per_element<std::uint8_t> flags_of(std::span<const index_pair> pairs, std::size_t size_a, std::size_t size_b);
+
+// Turns numbers of elements into those of their items; no_element stays. Without owners nothing changes.
+void name_items(std::span<const std::uint32_t> owners, std::vector<std::uint32_t> &elements);
 
 // The number of items: the number of elements where there are no owners, else the largest owner plus one.
 std::size_t items(std::span<const std::uint32_t> owners, std::size_t elements);

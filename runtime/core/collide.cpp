@@ -2,6 +2,7 @@
 
 #include "core/cascade.hpp"
 #include "core/decide.hpp"
+#include "core/first_met.hpp"
 #include "core/marks.hpp"
 #include "core/normalised.hpp"
 #include "core/pair_sort.hpp"
@@ -115,6 +116,13 @@ bool owners_fit(std::span<const std::uint32_t> owners, const prepared &p) {
 
 } // namespace
 
+void require_first_met(const predicate_info &predicate, answer_kind want, bool asked,
+                       std::span<const std::uint32_t> owner_a) {
+  require(!asked || predicate.first_met, "the predicate knows no order in which its hits are met");
+  require(!asked || want != answer_kind::any, "a search for any pair does not find those that are met first");
+  require(!asked || owner_a.empty(), "what is met first is asked of elements, not of the items that own them");
+}
+
 void answer_from_list(answer_kind want, std::size_t size_a, std::size_t size_b, result &r) {
   r.count = r.pairs.size();
   if (want == answer_kind::flags)
@@ -133,6 +141,7 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   require(a.fits(b) && b.fits(a), "a set was prepared for collisions with another one");
   require(owners_fit(options.owner_a, a) && owners_fit(options.owner_b, b),
           "an owner map needs one item for each element");
+  require_first_met(predicate, options.want, options.first_met, options.owner_a);
   cascade by(predicate, precision);
   require(by.count > 0, text(status::no_such_rung));
   const status s = by.check(a.set(), b.set());
@@ -150,7 +159,8 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   if (options.all_pairs && pair_filter::pays(predicate, a.set(), b.set()))
     filter.emplace(predicate, a.set(), b.set(), threads);
   const all_pairs every(a.set(), b.set(), what_rules_out(precision), filter ? &*filter : nullptr);
-  const bool half = &a == &b && predicate.symmetric && never_wrong(precision) && !options.all_pairs;
+  const bool half =
+      &a == &b && predicate.symmetric && never_wrong(precision) && !options.all_pairs && !options.first_met;
   const tree_pairs tree(a.set(), b.set(), what_rules_out(precision), half);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
   collect list(threads, options.owner_a, options.owner_b);
@@ -164,14 +174,21 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   const auto report = [](void *context, double fraction) {
     (*static_cast<const std::function<void(double)> *>(context))(fraction);
   };
+  std::optional<first_of_each> first;
+  if (options.first_met)
+    first.emplace(of_a.set(), of_b.set(), predicate.first_met);
   const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
-  const tally total = decide_all({of_a.set(), of_b.set(), of_a.stored(by.stored_a, *predicate.a),
-                                  of_b.stored(by.stored_b, *predicate.b), by, source, threads, want == answer_kind::any,
-                                  options.progress ? +report : nullptr,
-                                  const_cast<std::function<void(double)> *>(&options.progress), taker, half},
-                                 {batches.get(), batch_bytes(threads)});
+  const tally total = decide_all(
+      {of_a.set(), of_b.set(), of_a.stored(by.stored_a, *predicate.a), of_b.stored(by.stored_b, *predicate.b), by,
+       source, threads, want == answer_kind::any, options.progress ? +report : nullptr,
+       const_cast<std::function<void(double)> *>(&options.progress), taker, first ? &*first : nullptr, half},
+      {batches.get(), batch_bytes(threads)});
   r.candidates = total.candidates;
   r.count = total.hits;
+  if (first) {
+    r.first_met = first->by_element(a.elements());
+    name_items(options.owner_b, r.first_met);
+  }
   r.rungs = total.rungs;
   if (listed) {
     r.pairs = list.all(threads);

@@ -24,7 +24,10 @@ namespace meetc {
 
 struct collide_options {
   answer_kind want = answer_kind::pairs;
-  int threads = 0;        // 0: all cores
+  int threads = 0; // 0: all cores
+  // Fill result::first_met as well, without a list. The predicate must know an order (predicate_info::first_met), the set a has
+  // no owners, and `any` is not wanted. Which element is first is exact, of the hits that the rung finds.
+  bool first_met = false;
   bool all_pairs = false; // look at every pair, without a hierarchy: by the kinds' filter (kind_filter), then by boxes
   // The scene's box (catalogue::box): coordinates lie in [-box, box], lengths in [0, 2 box]; 0: there is none. No
   // answer depends on it. Where a set leaves it, the first rung of `certified` bounds each pair by itself.
@@ -42,6 +45,9 @@ struct result {
   std::uint64_t count = 0;       // pairs, or pairs of items where there are owners; 0 or 1 for answer_kind::any
   per_element<std::uint8_t> flags;
   per_element<std::uint64_t> counts;
+  // For each element of a, the element (or item) of b that it meets first on its way from its first point to its second, and
+  // of those that it meets at one point the least; no_element where it meets none.
+  std::vector<std::uint32_t> first_met;
   std::uint64_t candidates = 0; // pairs of elements that were decided
   rung_report rungs;            // the same for any number of threads, except for answer_kind::any
   double seconds = 0;           // wall-clock time of the call
@@ -52,6 +58,10 @@ struct result {
 // do not fit) or std::bad_alloc.
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
+
+// Throws std::invalid_argument unless what is met first may be asked for, if it is. It serves all engines.
+void require_first_met(const predicate_info &predicate, answer_kind want, bool asked,
+                       std::span<const std::uint32_t> owner_a);
 
 // Turns the list in r.pairs, which is sorted and holds no pair twice, into the answer that is wanted. It serves engines
 // that find lists, such as the one on a device.

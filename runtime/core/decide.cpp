@@ -40,6 +40,8 @@ public:
         shared_.found.store(true, std::memory_order_relaxed);
       return !shared_.found.load(std::memory_order_relaxed);
     }
+    if (job.by_slot && n > 0)
+      job.by_slot->take(worker_, pairs_, n);
     if (job.taker && n > 0) {
       for (std::size_t i = 0; i < n; ++i)
         pairs_[i] = {job.a.order[pairs_[i].a], job.b.order[pairs_[i].b]};

@@ -28,8 +28,10 @@ struct decision_job {
   bool stop_at_first;
   void (*progress)(void *context, double fraction); // may be null; called from the calling thread a few times a second
   void *progress_context;
-  hit_taker *taker; // null: only count
-  // Each candidate {a, b} stands for {b, a} as well, which has the same answer; a and b are one set.
+  hit_taker *taker;             // null: only count
+  hit_taker *by_slot = nullptr; // gets each hit by the slots of its elements, before the taker; null: none
+  // Each candidate {a, b} stands for {b, a} as well, which has the same answer; a and b are one set, and nothing is taken by
+  // slots.
   bool both_ways = false;
 };
 

@@ -1,6 +1,7 @@
 #include "core/device/collide.hpp"
 
 #include "core/device/buffers.hpp"
+#include "core/device/first_met.hpp"
 #include "core/device/hits.hpp"
 #include "core/device/query.hpp"
 #include "core/device/tallies.hpp"
@@ -65,7 +66,8 @@ public:
         hits_(on, a, b, options.owner_a, options.owner_b),
         tallies_(!of_instances.empty() ||
                  (!hits_.owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
-        keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())) {}
+        keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())),
+        stores_(keep_ || options.first_met) {}
 
   device_result run() {
     require(!options_.filter || on_.offers(*options_.filter),
@@ -75,9 +77,13 @@ public:
     if (result_.by != search::tree)
       result_.filter = options_.filter ? *options_.filter : on_.best_filter();
     // A hierarchy visits half of the pairs of a set with itself where the other half has the same answers.
-    both_ways_ = &a_ == &b_ && result_.by == search::tree && symmetric_ && never_wrong(precision_);
+    both_ways_ =
+        &a_ == &b_ && result_.by == search::tree && symmetric_ && never_wrong(precision_) && !options_.first_met;
+    require(!options_.first_met || predicate_.first_met, "no CUDA kernel was generated for the order of hits");
     hits_.upload_owners();
     start_clock();
+    if (options_.first_met)
+      first_.start(a_, on_.stream());
     if (tallies_)
       tallied_.start(options_.want, a_.elements(), b_.elements(), of_instances_, on_.stream());
     if (a_.elements() > 0 && b_.elements() > 0) {
@@ -96,6 +102,8 @@ public:
       tallied_.finish(result_, of_instances_, on_.stream());
     else if (keep_)
       hits_.finish(options_.want, result_, [this] { mark_clock(); });
+    if (options_.first_met)
+      first_.finish(a_, b_, options_.owner_b, result_, on_.stream());
     result_.device_seconds = buffers_.between();
     return std::move(result_);
   }
@@ -167,7 +175,7 @@ private:
                             "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
-    if (keep_)
+    if (stores_)
       buffers_.hits.reserve(capacity_, "a list of hits");
   }
   // Enlarges the lists if the options and the device's memory allow it.
@@ -181,7 +189,7 @@ private:
   // Returns false where there is too little memory.
   bool enlarge_lists(std::size_t capacity) {
     return buffers_.first.grow(capacity, 0, on_.stream()) && buffers_.second.grow(capacity, 0, on_.stream()) &&
-           (!keep_ || buffers_.hits.grow(capacity, 0, on_.stream()));
+           (!stores_ || buffers_.hits.grow(capacity, 0, on_.stream()));
   }
 
   cuda::pair_list list(const device_memory<index_pair> &pairs, counter c) const {
@@ -192,7 +200,7 @@ private:
 
   bool overflowed() const {
     return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_ ||
-           (keep_ && seen(counter::hits) > capacity_);
+           (stores_ && seen(counter::hits) > capacity_);
   }
   // This number of pairs of objects never overflows a list.
   std::uint64_t always_fits() const {
@@ -282,7 +290,7 @@ private:
     const std::size_t zeroed = counters + (orders_ && !few_ ? hits_.starts_for_order() / 2 + 1 : 0);
     check(cudaMemsetAsync(buffers_.counts.data(), 0, zeroed * sizeof(unsigned long long), stream), "clearing counters");
     find_candidates(p, list(buffers_.first, counter::candidates));
-    cuda::pair_list hits = keep_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
+    cuda::pair_list hits = stores_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
     hits.both_ways = both_ways_;
     cuda::pair_list in = list(buffers_.first, counter::candidates), out = list(buffers_.second, counter::kept);
     if (!boxes_suffice()) {
@@ -306,7 +314,7 @@ private:
   // All that enqueue() makes the arguments of its launches of.
   launch_key launches_of(const cuda::part &p) const {
     launch_key k;
-    k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, keep_, orders_, few_, capacity_);
+    k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, stores_, orders_, few_, capacity_);
     k.add(p.first_a, p.end_a, p.first_b, p.end_b);
     for (const cuda::operand *const o : {&x_, &y_})
       k.add(o->rows, o->elements, o->by, o->columns);
@@ -349,7 +357,13 @@ private:
     result_.rungs.unsure[1] += seen(counter::unsure_fp64);
     result_.rungs.unsure[2] += seen(counter::unsure_fp64x2);
     const std::size_t n = seen(counter::hits);
-    if (!keep_ || n == 0)
+    if (n == 0)
+      return;
+    if (options_.first_met) {
+      first_.add(predicate_, a_, b_, buffers_.hits.data(), n, on_.stream());
+      mark_clock();
+    }
+    if (!keep_)
       return;
     if (tallies_) {
       tallied_.add(buffers_.hits.data(), n, a_.order(), b_.order(), on_.stream());
@@ -374,7 +388,9 @@ private:
   bool both_ways_ = false;
   hit_pairs hits_;
   bool tallies_, keep_; // hits are counted by item; they are kept until then, or for their list
+  bool stores_;         // they are written to a list of the device, for either of these or for the first ones
   tallies tallied_;
+  first_met_there first_;
   cuda::operand x_{}, y_{};
   tree_walk walk_{};
   std::size_t capacity_ = 0;
@@ -393,6 +409,7 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
   require(a.is_on(on) && b.is_on(on), "a set is on another device");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
+  require_first_met(predicate, options.want, options.first_met, options.owner_a);
   require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
 }
 

@@ -30,6 +30,7 @@ struct device_options {
   answer_kind want = answer_kind::pairs;
   // The item of each element; empty: each element is its own item. Answers are then about items, as in collide_options.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
+  bool first_met = false; // as in collide_options; the device's kernels must have been generated with the order as well
   std::optional<cuda::filter> filter = {}; // empty: the fastest that the device offers
   std::optional<search> by = {};           // empty: the one that is expected to be the fastest (search.hpp)
   // The same query, asked again on sets at the same addresses, starts its kernels as one (repeated.hpp says what other threads

@@ -4,6 +4,7 @@
 
 #include <cub/cub.cuh>
 #include <meetc/cuda_launch.hpp>
+#include <meetc/cuda_table.hpp>
 
 namespace meetc {
 namespace {
@@ -146,7 +147,20 @@ __global__ void tally_kernel(hit_tally t) {
   }
 }
 
+__global__ void name_kernel(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,
+                            const std::uint32_t *order_b, std::uint32_t *named) {
+  cuda::begin();
+  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads})
+    named[order_a[i]] = slots[i] == cuda::no_slot ? cuda::no_slot : order_b[slots[i]];
+}
+
 } // namespace
+
+cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,
+                       const std::uint32_t *order_b, std::uint32_t *named, cudaStream_t stream) {
+  return n == 0 ? cudaSuccess
+                : cuda::launch<name_kernel>(blocks_for(n), threads, stream, slots, n, order_a, order_b, named);
+}
 
 cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
   if (t.n == 0)

@@ -129,6 +129,8 @@ poses_result collide_bodies(device &on, std::span<device_set *const> a, std::spa
   const bool any = options.want == answer_kind::any;
   if (!any && options.want != answer_kind::count)
     throw std::invalid_argument("many poses are answered by counts, or by whether anything touches");
+  if (options.first_met)
+    throw std::invalid_argument("many poses do not say what is met first");
   if (poses.size() % std::max<std::size_t>(b.size(), 1) != 0 || (b.empty() && !poses.empty()))
     throw std::invalid_argument("a configuration has a pose for each body");
   for (std::size_t i = 0; i < poses.size(); ++i)
