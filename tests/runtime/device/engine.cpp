@@ -200,6 +200,7 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
   for (const rung r : rungs) {
     collide_options on_cpu;
     on_cpu.owner_a = o.owner_a, on_cpu.owner_b = o.owner_b;
+    on_cpu.first_met = p.first_met && o.owner_a.empty();
     const result want = collide(a, b, p, r, on_cpu);
     for (const way &by : ways(o)) {
       const auto fails = [&](const std::string &what) {
@@ -211,8 +212,11 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
       with.owner_a = o.owner_a, with.owner_b = o.owner_b;
       with.filter = by.filter;
       with.list_capacity = o.list_capacity;
+      with.first_met = on_cpu.first_met;
       const device_result have = collide(on_, da, db, p, r, with);
       add(scene, p, have);
+      if (have.first_met != want.first_met)
+        fails("other elements are met first");
       if (have.count != have.pairs.size())
         fails("the count is " + std::to_string(have.count) + " and the list has " + std::to_string(have.pairs.size()));
       if (!std::is_sorted(have.pairs.begin(), have.pairs.end(), before))
@@ -247,6 +251,9 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
         fails("counted " + std::to_string(counted.count) + ", listed " + std::to_string(have.count));
       if (counted.candidates != have.candidates || counted.near_balls != have.near_balls)
         fails("counting looks at other candidates than listing");
+      if (counted.first_met != want.first_met)
+        fails("other elements are met first where pairs are only counted");
+      with.first_met = false;
       with.want = answer_kind::any;
       const device_result any = collide(on_, da, db, p, r, with);
       if (any.count != (have.count > 0) || !any.pairs.empty())

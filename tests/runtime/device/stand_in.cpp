@@ -71,6 +71,13 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
   return cudaSuccess;
 }
 
+cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,
+                       const std::uint32_t *order_b, std::uint32_t *named, cudaStream_t) {
+  for (std::uint32_t i = 0; i < n; ++i)
+    named[order_a[i]] = slots[i] == cuda::no_slot ? cuda::no_slot : order_b[slots[i]];
+  return cudaSuccess;
+}
+
 cudaError_t tally(const hit_tally &t, cudaStream_t) {
   for (std::size_t i = 0; i < t.n; ++i) {
     const std::uint32_t a = t.hits[i].a, b = t.hits[i].b;
@@ -385,6 +392,24 @@ cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list 
   return cudaSuccess;
 }
 
+// The last hit comes first.
+template <int Which> cudaError_t first_met(const cuda::first_met_job &job, cudaStream_t) {
+  const predicate_info &p = cga::catalogue().predicates[Which];
+  const auto row = [](const float *rows, std::uint32_t slot, const kind_info &kind) {
+    return rows + slot * static_cast<std::size_t>(kind.fields);
+  };
+  for (std::size_t i = job.count; i-- > 0;) {
+    const index_pair hit = job.hits[i];
+    std::uint32_t &first = job.first[hit.a];
+    const int order = first == cuda::no_slot
+                          ? -1
+                          : p.first_met(row(job.a, hit.a, *p.a), row(job.b, hit.b, *p.b), row(job.b, first, *p.b));
+    if (order < 0 || (order == 0 && job.order_b[hit.b] < job.order_b[first]))
+      first = hit.b;
+  }
+  return cudaSuccess;
+}
+
 cudaError_t probe(cuda::probe_result *out, cudaStream_t) {
   *out = {0, 0, 0, 1, 1};
   return cudaSuccess;
@@ -415,7 +440,7 @@ const ::meetc::cuda::catalogue &catalogue() {
                                                              std::integral_constant<int, Which>) {
     const predicate_info &p = all.predicates[Which];
     predicates.push_back({p.name, place_of(p.a), place_of(p.b), near<P, A, B>, run<Which>, nullptr, nullptr,
-                          P::reject_stage::atoms > 0});
+                          P::reject_stage::atoms > 0, p.first_met ? first_met<Which> : nullptr});
   };
   if (predicates.empty()) {
     add(std::type_identity<::cga::segment_segment>(), segment_shape(), segment_shape(),
