@@ -393,7 +393,7 @@ cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list 
 }
 
 // The last hit comes first.
-template <int Which> cudaError_t first_met(const cuda::first_met_job &job, cudaStream_t) {
+template <int Which> cudaError_t order_hits_of(const cuda::first_met_job &job, cudaStream_t) {
   const predicate_info &p = cga::catalogue().predicates[Which];
   const auto row = [](const float *rows, std::uint32_t slot, const kind_info &kind) {
     return rows + slot * static_cast<std::size_t>(kind.fields);
@@ -440,7 +440,7 @@ const ::meetc::cuda::catalogue &catalogue() {
                                                              std::integral_constant<int, Which>) {
     const predicate_info &p = all.predicates[Which];
     predicates.push_back({p.name, place_of(p.a), place_of(p.b), near<P, A, B>, run<Which>, nullptr, nullptr,
-                          P::reject_stage::atoms > 0, p.first_met ? first_met<Which> : nullptr});
+                          P::reject_stage::atoms > 0, p.first_met ? order_hits_of<Which> : nullptr});
   };
   if (predicates.empty()) {
     add(std::type_identity<::cga::segment_segment>(), segment_shape(), segment_shape(),
