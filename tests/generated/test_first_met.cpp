@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+using meetc::generated_test::effort;
+
 namespace {
 
 using point = std::array<mpq_class, 3>;
