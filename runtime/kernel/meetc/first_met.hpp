@@ -112,9 +112,9 @@ private:
           return;
         }
       }
-    for (const float *const end : {x, y}) // the edge lies on the line, which enters it at an end
-      if (touches(segment, of_corners(end, end, end).at))
-        to.take(segment, wall_at(end, along));
+    // The edge lies on the line. The segment does not start on it and so meets the nearer end first.
+    to.take(segment, wall_at(x, along));
+    to.take(segment, wall_at(y, along));
   }
   // A triangle that the line crosses at the point where the segment meets t first. Where it does not meet t: any that depends
   // on the segment and t alone.
