@@ -112,9 +112,9 @@ private:
           return;
         }
       }
-    // The edge lies on the line. The segment does not start on it and so meets the nearer end first.
+    // The edge lies on the line. The segment, which does not start on it, meets its nearer end first; at y the next edge
+    // begins.
     to.take(segment, wall_at(x, along));
-    to.take(segment, wall_at(y, along));
   }
   // A triangle that the line crosses at the point where the segment meets t first. Where it does not meet t: any that depends
   // on the segment and t alone.
