@@ -17,7 +17,7 @@ const broken keys[] = {
      "pads", ""},
     {"hit =", "hits =", "a.toml:40:1", "predicates.touch has no 'hits'; it may have: of, let, reject, hit, mode",
      "hits", ""},
-    {"is    =", "os    =", "a.toml:35:1", "functions.meet has no 'os'; it may have: is, where; did you mean 'is'?",
+    {"is    =", "os    =", "a.toml:35:1", "functions.meet has no 'os'; it may have: is, where, orders; did you mean 'is'?",
      "os", ""},
     {"null    =", "nulls   =", "a.toml:4:1", "algebra has no 'nulls'", "nulls", ""},
     {"[constants]", "[constant]", "a.toml:6:2", "an algebra has no 'constant'", "constant", ""},
@@ -36,6 +36,9 @@ const broken keys[] = {
      "a kind with 'position' stores only reals, one for each spatial axis", "segment", ""},
     {"[kinds.segment]", "[kinds]\nsegment = 3\n[other]", "a.toml:26:2", "an algebra has no 'other'", "other", ""},
     {vectors, "", "a.toml:1:1", "algebra needs 'vectors'", "[algebra]", ""},
+    {"where = 'grade", "orders = 3\nwhere = 'grade", "a.toml:36:10", "functions.meet.orders must be a string", "3", ""},
+    {"where = 'grade", "orders = 'touches'\nwhere = 'grade", "a.toml:36:10",
+     "no predicate 'touches'; predicates: touch; did you mean 'touch'?", "'touches'", ""},
 };
 
 const broken names[] = {
