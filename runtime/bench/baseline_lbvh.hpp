@@ -151,14 +151,16 @@ struct walking_segment {
     for (int d = 0; d < 3; ++d)
       from[d] = row[d], inverse[d] = 1 / (row[d + 3] - row[d]);
   }
-  MEETC_HD bool reaches(const lbvh_box &b) const {
-    float begin = 0, end = 1;
+  MEETC_HD bool reaches(const lbvh_box &b) const { return entry(b, 1) <= 1; }
+  // Where the segment enters the box, as a part of its length, if that is at most `most`; else more than 1.
+  MEETC_HD float entry(const lbvh_box &b, float most) const {
+    float begin = 0, end = most;
     for (int d = 0; d < 3; ++d) {
       const float s = (b.lo[d] - from[d]) * inverse[d], t = (b.hi[d] - from[d]) * inverse[d];
       const float in = s < t ? s : t, out = s < t ? t : s;
       begin = in > begin ? in : begin, end = out < end ? out : end;
     }
-    return begin <= end;
+    return begin <= end ? begin : 2;
   }
 };
 
@@ -186,6 +188,39 @@ MEETC_HD inline void walk(const lbvh_node *nodes, const Walking &q, std::int64_t
       at = waiting[--count];
     else
       return;
+  }
+}
+
+// Calls visit(position, most) for the leaves whose boxes the segment enters before `most`, the nearer child first. `most` is 1 at
+// first; visit() makes it the position of the nearest hit so far.
+template <class Visit>
+MEETC_HD inline void walk_to_first(const lbvh_node *nodes, const walking_segment &q, Visit visit) {
+  constexpr int deepest = 64;
+  std::uint32_t waiting[deepest], at = 0;
+  float entries[deepest], most = 1;
+  int count = 0;
+  for (;;) {
+    const lbvh_node &node = nodes[at];
+    float entry[2];
+    for (int side = 0; side < 2; ++side) {
+      entry[side] = q.entry(node.boxes[side], most);
+      if (entry[side] <= most && (node.child[side] & lbvh_leaf) != 0) {
+        visit(node.child[side] & ~lbvh_leaf, most);
+        entry[side] = 2;
+      }
+    }
+    const int nearer = entry[1] < entry[0] ? 1 : 0;
+    if (entry[1 - nearer] <= most)
+      waiting[count] = node.child[1 - nearer], entries[count++] = entry[1 - nearer];
+    if (entry[nearer] <= most) {
+      at = node.child[nearer];
+      continue;
+    }
+    while (count > 0 && entries[count - 1] > most)
+      --count;
+    if (count == 0)
+      return;
+    at = waiting[--count];
   }
 }
 

@@ -30,25 +30,31 @@ template <class T> MEETC_HD inline bool balls(const T *a, const T *b) {
 // Segment a = (p, q) against triangle b: T. Möller and B. Trumbore, "Fast, minimum storage ray-triangle intersection",
 // Journal of Graphics Tools 2(1), 1997, without culling. The barycentric coordinates u, v and the position t on the
 // segment solve p + t (q - p) = (1 - u - v) b0 + u b1 + v b2 by Cramer's rule. The paper's epsilon for the determinant
-// is 1e-6. A segment in the triangle's plane is never a hit.
-template <class T> MEETC_HD inline bool moller_trumbore(const T *a, const T *b, T epsilon) {
+// is 1e-6. A segment in the triangle's plane is never a hit. Returns t, or -1 where there is no hit.
+template <class T> MEETC_HD inline T moller_trumbore_position(const T *a, const T *b, T epsilon) {
+  constexpr T none = -1;
   const vec<T> p = corner(a, 0), way = corner(a, 1) - p;
   const vec<T> edge1 = corner(b, 1) - corner(b, 0), edge2 = corner(b, 2) - corner(b, 0);
   const vec<T> across = cross(way, edge2);
   const T determinant = dot(edge1, across);
   if (determinant == 0 || (determinant > -epsilon && determinant < epsilon))
-    return false;
+    return none;
   const T inverse = 1 / determinant;
   const vec<T> from = p - corner(b, 0);
   const T u = dot(from, across) * inverse;
   if (u < 0 || u > 1)
-    return false;
+    return none;
   const vec<T> turned = cross(from, edge1);
   const T v = dot(way, turned) * inverse;
   if (v < 0 || u + v > 1)
-    return false;
+    return none;
   const T t = dot(edge2, turned) * inverse;
-  return t >= 0 && t <= 1;
+  return t >= 0 && t <= 1 ? t : none;
+}
+
+// Whether there is a hit.
+template <class T> MEETC_HD inline bool moller_trumbore(const T *a, const T *b, T epsilon) {
+  return moller_trumbore_position(a, b, epsilon) >= 0;
 }
 
 } // MEETC_NAMESPACE(meetc::baselines)

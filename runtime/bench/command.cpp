@@ -56,7 +56,7 @@ app::command add_gpu(CLI::App &bench, const catalogue &all) {
       ->type_name("DIR");
   c.add_option("--only", q->only,
                "Measure the scenes alone whose names hold this; growth, poses: one table; hard, choice, "
-               "lbvh: tables that are not measured otherwise")
+               "lbvh, first: tables that are not measured otherwise")
       ->type_name("TEXT");
   c.add_option("--draw", *draw,
                "Measure nothing: draw the growth in such a gpu.json as growth.png into the folder of -o")

@@ -96,6 +96,24 @@ __global__ void __launch_bounds__(query_threads)
   });
 }
 
+__global__ void __launch_bounds__(query_threads)
+    first_kernel(const float *a, std::uint32_t n, const float *b, const std::uint32_t *order, const lbvh_node *nodes,
+                 std::uint32_t *first) {
+  const std::size_t i = blockIdx.x * std::size_t{query_threads} + threadIdx.x;
+  if (i >= n)
+    return;
+  float mine[6];
+  for (int f = 0; f < 6; ++f)
+    mine[f] = a[i * 6 + f];
+  std::uint32_t found = ~std::uint32_t{0};
+  baselines::walk_to_first(nodes, baselines::walking_segment(mine), [&](std::uint32_t leaf, float &most) {
+    const float t = baselines::moller_trumbore_position(mine, b + leaf * std::size_t{9}, 0.0F);
+    if (t >= 0 && t <= most)
+      most = t, found = order[leaf];
+  });
+  first[i] = found;
+}
+
 } // namespace
 
 gpu_lbvh::gpu_lbvh(std::uint32_t elements, unsigned fields) : elements_(elements), fields_(fields) {
@@ -165,6 +183,15 @@ cudaError_t gpu_lbvh::start(baseline by, const float *a, std::uint32_t n, bool i
   default:
     return cudaErrorInvalidValue;
   }
+}
+
+cudaError_t gpu_lbvh::first(const float *segments, std::uint32_t n, std::uint32_t *first, cudaStream_t stream) const {
+  if (fields_ != 9)
+    return cudaErrorInvalidValue;
+  if (n > 0)
+    first_kernel<<<(n + query_threads - 1) / query_threads, query_threads, 0, stream>>>(
+        segments, n, rows_.data(), order_.data(), nodes_.data(), first);
+  return cudaGetLastError();
 }
 
 } // namespace meetc::bench

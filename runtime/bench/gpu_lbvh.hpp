@@ -25,6 +25,10 @@ public:
   cudaError_t query_itself(baseline by, index_pair *pairs, unsigned long long capacity, unsigned long long *count,
                            cudaStream_t stream) const;
 
+  // Enqueues: for each of n segments the number of the triangle that it hits first, by Möller-Trumbore in fp32 over nearer
+  // children first, or all bits where it hits none.
+  cudaError_t first(const float *segments, std::uint32_t n, std::uint32_t *first, cudaStream_t stream) const;
+
 private:
   cudaError_t start(baseline by, const float *a, std::uint32_t n, bool itself, index_pair *pairs,
                     unsigned long long capacity, unsigned long long *count, cudaStream_t stream) const;

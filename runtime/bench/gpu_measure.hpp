@@ -28,6 +28,8 @@ public:
                          const std::function<void()> &progress);
   // Times a hierarchy of the usual kind beside ours, likewise.
   table measure_lbvh(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
+  // What segments meet first, beside the nearest hits of a hierarchy of the usual kind, likewise.
+  table measure_first(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
   // One mesh against another in many poses, of three classes and mixed.
   table measure_poses(const posed_meshes &meshes);
 

@@ -117,6 +117,21 @@ std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<s
   return out;
 }
 
+std::vector<gpu_scene> first_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data,
+                                    bool quick) {
+  const scene_meshes meshes{all, data, quick};
+  const std::string figure = meshes.name_of_figure();
+  std::vector<gpu_scene> out;
+  for (const std::size_t n :
+       {std::size_t{100}, std::size_t{10'000}, quick ? std::size_t{20'000} : std::size_t{1'000'000}})
+    out.push_back({fmt::format("{} segments x {}", n, figure), "segment_triangle", [&all, meshes, n] {
+                     io::element_set mesh = meshes.figure();
+                     io::element_set segments = segments_in(all, mesh, n, 1);
+                     return std::pair(std::move(segments), std::move(mesh));
+                   }});
+  return out;
+}
+
 posed_meshes meshes_for_poses(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick) {
   const scene_meshes meshes{all, data, quick};
   return {meshes.figure(),

@@ -33,6 +33,9 @@ std::vector<gpu_scene> hard_scenes(const catalogue &all, bool quick);
 // Scenes to which the model of the searches' costs was not fitted.
 std::vector<gpu_scene> choice_scenes(const catalogue &all, bool quick);
 
+// Segments as long as a mesh, of which it is asked what they meet first.
+std::vector<gpu_scene> first_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
+
 // A small mesh that is posed about a large one.
 struct posed_meshes {
   io::element_set large, small;

@@ -97,6 +97,12 @@ const broken calls[] = {
     {"where = 'grade(X) + grade(Y) >= 5'", "where = 'grade(X)'", "a.toml:36:10", "a number where a truth is needed",
      "grade(X)", in_norm2},
 };
+const broken orders[] = {
+    {"'side(H, p)' = 'sign(meet(H, p))'", "'side(H, p)' = {is = 'sign(meet(H, p))', orders = 'touch'}", "a.toml:31:54",
+     "'side' orders touch only as a function of its first operand, which has two points, and of a pair of its second "
+     "ones",
+     "'touch'", "", "'side(sphere, point)'"},
+};
 } // namespace
 
 TEST_CASE("values of the wrong type") {
@@ -119,4 +125,7 @@ TEST_CASE("signs that are not homogeneous are refused where the exact rung needs
       {hit, "'S.r*S.r > S.c.x'", "s.toml:4:13", "not homogeneous", "touch", in_touch, touch},
   };
   check_broken(rows);
+}
+TEST_CASE("orders of hits whose operands do not fit") {
+  check_broken(orders);
 }

@@ -90,6 +90,27 @@ TEST_CASE("lbvh: a walk visits each leaf whose box overlaps once, with equal cod
     }
 }
 
+TEST_CASE("lbvh: a walk to the first finds the least entry, and leaves out what lies behind it") {
+  std::size_t visited = 0;
+  const hierarchy h(balls(2000, 3, 0, 0.1F), 4);
+  meetc::bench::numbers random(5);
+  for (int i = 0; i < 200; ++i) {
+    float row[6];
+    for (float &x : row)
+      x = 3 * random.place() - 1;
+    const walking_segment q(row);
+    float want = 2, have = 2;
+    for (const lbvh_box &b : h.boxes)
+      want = std::min(want, q.entry(b, 1));
+    walk_to_first(h.nodes.data(), q, [&](std::uint32_t leaf, float &most) {
+      ++visited;
+      have = most = std::min(most, q.entry(h.boxes[leaf], most));
+    });
+    CHECK(have == want);
+  }
+  CHECK(visited < 200 * 20);
+}
+
 TEST_CASE("lbvh: codes put a box's centre into one of 1024 cells of each axis") {
   const float lo[3] = {0, 0, 5}, hi[3] = {1024, 1024, 5}; // the third side has no length
   const auto code = [&](float x, float y) {

@@ -58,7 +58,7 @@ else
 fi
 
 ! does bench || step bench_gpu "$meet" bench gpu -o "$out" ${data:+--data "$data"}
-for table in hard choice lbvh; do
+for table in hard choice lbvh first; do
   ! does bench || step "bench_$table" timeout 150 "$meet" bench gpu --only $table -o "$out/$table" ${data:+--data "$data"}
 done
 ! does paper || step bench_paper "$meet" bench paper --device cuda -o "$out/paper" ${data:+--data "$data"}
