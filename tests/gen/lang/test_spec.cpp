@@ -84,13 +84,12 @@ hit = 'k.a > 0'
 TEST_CASE("the shipped kinds come in the order of the file, imports after their importer") {
   const lang::algebra &a = default_scene().model->spec();
   CHECK(a.kind_names() == std::vector<std::string>{"point", "direction", "point_pair", "flat_point", "line", "circle",
-                                                   "plane", "sphere", "segment", "triangle", "box",
-                                                   "triangle_pair"});
+                                                   "plane", "sphere", "segment", "triangle", "box", "triangle_pair"});
   std::vector<std::string> files;
   for (const auto &f : default_scene().scene->files)
     files.push_back(fs::path(f->path).filename().string());
-  CHECK(files ==
-        std::vector<std::string>{"default.toml", "cga3.toml", "box.toml", "words.toml", "flat.toml", "order.toml", "round.toml"});
+  CHECK(files == std::vector<std::string>{"default.toml", "cga3.toml", "box.toml", "words.toml", "flat.toml",
+                                          "order.toml", "round.toml"});
 }
 
 TEST_CASE("memory order is store order, depth first") {
