@@ -60,6 +60,8 @@ const std::map<std::string, emitted_stage> &emitted_stages() {
     add<cga::side_sphere_point_sign, cga::side_sphere_point_sign::common_stage>(out, "side_sphere_point common");
     add<cga::twist_segment_segment_sign, cga::twist_segment_segment_sign::common_stage>(out,
                                                                                         "twist_segment_segment common");
+    add<cga::first_met_segment_triangle_pair_sign, cga::first_met_segment_triangle_pair_sign::common_stage>(
+        out, "first_met_segment_triangle_pair common");
     add_predicate<cga::segment_segment>(out, "segment_segment");
     add_predicate<cga::point_triangle>(out, "point_triangle");
     add_predicate<cga::segment_triangle>(out, "segment_triangle");

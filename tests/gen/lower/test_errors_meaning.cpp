@@ -98,7 +98,7 @@ const broken calls[] = {
      "grade(X)", in_norm2},
 };
 const broken orders[] = {
-    {"'side(H, p)' = 'sign(meet(H, p))'", "'side(H, p)' = {is = 'sign(meet(H, p))', orders = 'touch'}", "a.toml:31:54",
+    {"'side(H, p)' = 'sign(meet(H, p))'", "'side(H, p)' = {is = 'sign(meet(H, p))', orders = 'touch'}", "a.toml:32:51",
      "'side' orders touch only as a function of its first operand, which has two points, and of a pair of its second "
      "ones",
      "'touch'", "", "'side(sphere, point)'"},

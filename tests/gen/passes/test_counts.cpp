@@ -106,6 +106,7 @@ const predicate_row predicates[] = {
     {"ball_triangle", none, {16, {1, 0}, {21, 24}, {59, 52}}, none},
     {"sphere_triangle", none, {16, {1, 0}, {21, 24}, {59, 52}}, none},
     {"box_box", none, {6, {0, 0}, {0, 0}, {0, 6}}, none},
+    {"first_met_segment_triangle_pair", none, {3, {0, 3}, {30, 44}, {27, 23}}, none},
 };
 
 struct maker_row {
@@ -113,11 +114,12 @@ struct maker_row {
   ops count;
 };
 const maker_row made[] = {
-    {"point", "", {3, 2}},         {"direction", "", {0, 0}},      {"point_pair", "", {18, 14}},
-    {"flat_point", "", {0, 0}},    {"line", "", {6, 6}},           {"line", "direction", {6, 3}},
-    {"circle", "", {19, 11}},      {"circle", "points", {45, 36}}, {"plane", "", {0, 0}},
-    {"plane", "points", {15, 14}}, {"sphere", "", {4, 3}},         {"sphere", "points", {64, 53}},
-    {"segment", "", {6, 6}},       {"triangle", "", {15, 14}},     {"box", "", {18, 14}},
+    {"point", "", {3, 2}},           {"direction", "", {0, 0}},      {"point_pair", "", {18, 14}},
+    {"flat_point", "", {0, 0}},      {"line", "", {6, 6}},           {"line", "direction", {6, 3}},
+    {"circle", "", {19, 11}},        {"circle", "points", {45, 36}}, {"plane", "", {0, 0}},
+    {"plane", "points", {15, 14}},   {"sphere", "", {4, 3}},         {"sphere", "points", {64, 53}},
+    {"segment", "", {6, 6}},         {"triangle", "", {15, 14}},     {"box", "", {18, 14}},
+    {"triangle_pair", "", {42, 34}},
 };
 
 // The structural counts for B, never to be exceeded.

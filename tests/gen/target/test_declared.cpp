@@ -84,6 +84,8 @@ public:
       return outer(point(), point());
     if (kind == "flat_point")
       return outer(point(), n());
+    if (kind == "triangle_pair")
+      return dense_.meet(element("triangle"), element("triangle"));
     if (kind == "line" || kind == "segment")
       return outer(outer(point(), other || kind == "segment" ? point() : vector()), n());
     if (kind == "circle") {
@@ -123,7 +125,7 @@ void name_coefficients(const std::string &operand, const multivector &m, values 
 
 const std::map<std::string, int> grades{{"point", 1},   {"direction", 1}, {"point_pair", 2}, {"flat_point", 2},
                                         {"line", 3},    {"circle", 3},    {"plane", 4},      {"sphere", 4},
-                                        {"segment", 3}, {"triangle", 4},  {"box", 2}};
+                                        {"segment", 3}, {"triangle", 4},  {"box", 2},        {"triangle_pair", 3}};
 
 // The keys of an object are in the given order.
 void check_order(const json &object, const std::vector<std::string> &order) {
@@ -190,7 +192,7 @@ TEST_CASE("every pair with a meet, as JSON in the declared basis, is the dense p
                           contains("is not defined here") && contains(fmt::format("grade(X) = {}", grades.at(x))));
       }
     }
-  CHECK(pairs == 84);
+  CHECK(pairs == 103);
 }
 
 TEST_CASE("the program prints the same, asked for by the scene or not, below grade 5 it says why") {
