@@ -119,7 +119,7 @@ const maker_row made[] = {
     {"circle", "", {19, 11}},        {"circle", "points", {45, 36}}, {"plane", "", {0, 0}},
     {"plane", "points", {15, 14}},   {"sphere", "", {4, 3}},         {"sphere", "points", {64, 53}},
     {"segment", "", {6, 6}},         {"triangle", "", {15, 14}},     {"box", "", {18, 14}},
-    {"triangle_pair", "", {42, 34}},
+    {"triangle_pair", "", {156, 143}},
 };
 
 // The structural counts for B, never to be exceeded.
