@@ -104,6 +104,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
   h.keep = q.pairs.has_value();
   h.first = q.first.has_value();
   h.threads = q.threads;
+  h.devices = q.devices;
   h.on = q.on;
   auto progress = std::make_unique<progress_line>("collide");
   h.progress = [&progress](double fraction) { (*progress)(fraction); };

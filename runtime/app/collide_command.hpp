@@ -23,6 +23,7 @@ struct collide_request {
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs, first, colour, image;
   int threads = 0;
+  int devices = 1;
   processor on = processor::cpu;
 };
 

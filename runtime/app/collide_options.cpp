@@ -4,6 +4,7 @@
 #include "app/option_values.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <memory>
 
@@ -15,7 +16,7 @@ namespace {
 struct arguments {
   collide_request request;
   std::string precision = "certified", device = "auto", instruction_set = "auto";
-  std::optional<std::string> tolerance, translate, scale, matrix, threads;
+  std::optional<std::string> tolerance, translate, scale, matrix, threads, devices;
 };
 
 void add_sets(CLI::App &c, arguments &to) {
@@ -44,6 +45,9 @@ void add_question(CLI::App &c, arguments &to) {
        "Where pairs are decided; auto, the default, is the processor that is expected to answer first, where a device "
        "must be started")
       ->type_name("auto|cpu|cuda");
+  c.add_option("--devices", to.devices,
+               "Between how many CUDA devices the query is cut; 1 is the default. The answer is the same")
+      ->type_name("N");
   c.add_option(
        "--instruction-set", to.instruction_set,
        "For which processor the code that decides pairs on the CPU was compiled; auto, the default, is the best "
@@ -86,6 +90,10 @@ const collide_request &read(arguments &args) {
     q.tolerance = length_named("--tolerance", *args.tolerance);
   if (args.threads)
     q.threads = threads_named(*args.threads);
+  if (args.devices)
+    q.devices = devices_named(*args.devices);
+  if (q.devices > 1 && q.on != processor::cuda)
+    throw failure(fmt::format("--devices {}: needs --device cuda", q.devices));
   if (args.scale)
     q.move_b.scale = numbers<1>(io::scale_option, *args.scale)[0];
   if (args.matrix)

@@ -46,7 +46,7 @@ result find_on_cpu(const ordered &o, const query &q, const collide_options &opti
 }
 
 result find_on_device(const ordered &o, const query &q, const collide_options &options, answers &out) {
-  device_pairs d = pairs_on_device(o.first, o.second, *q.by.predicate, q.precision, q.grid, options);
+  device_pairs d = pairs_on_device(o.first, o.second, *q.by.predicate, q.precision, q.grid, q.devices, options);
   o.first_answer.bounds = d.around_a, o.second_answer.bounds = d.around_b;
   out.prepare_seconds = d.account.start_seconds + d.prepare_seconds;
   out.by_device = std::move(d.account);

@@ -44,6 +44,7 @@ struct query {
   bool first = false; // of each segment, the pair with the triangle that it meets first
   int threads = 0;    // 0: all cores
   processor on = processor::cpu; // best: the one that is expected to be the faster
+  int devices = 1;               // between which a device's query is cut
   std::function<void(double fraction)> progress = {};
 };
 

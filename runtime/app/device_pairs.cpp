@@ -11,9 +11,10 @@
 
 #if MEETC_WITH_CUDA
 #include "cga/cga_cuda.hpp"
-#include "core/device/collide.hpp"
+#include "core/device/group.hpp"
 
 #include <chrono>
+#include <numeric>
 #include <optional>
 #endif
 
@@ -52,48 +53,88 @@ bool device_expected([[maybe_unused]] std::size_t elements, [[maybe_unused]] int
 }
 
 #if MEETC_WITH_CUDA
+namespace {
+
+using seconds = std::chrono::duration<double>;
+
+device_options options_there(const collide_options &options) {
+  device_options o;
+  o.want = options.want;
+  o.first_met = options.first_met;
+  o.owner_a = options.owner_a;
+  o.owner_b = options.owner_b;
+  o.progress = options.progress;
+  return o;
+}
+
+device_account account_of(const device &on, std::size_t devices, const device_result &r, seconds started) {
+  device_account out{on.facts().name,
+                     r.by == search::tree ? "none" : model_of(r.filter), // a hierarchy compares numbers alone
+                     static_cast<int>(devices),
+                     name_of(r.by),
+                     {},
+                     r.device_seconds,
+                     started.count()};
+  for (int i = 0; i < searches; ++i)
+    out.expected.emplace_back(name_of(static_cast<search>(i)), r.expected.of[i]);
+  return out;
+}
+
+device_pairs pairs_on_one(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,
+                          rung precision, const pose &at, const collide_options &options) {
+  const auto start = std::chrono::steady_clock::now();
+  device on(cga::cuda::catalogue());
+  const auto ready = std::chrono::steady_clock::now();
+  device_set set_a(on, view_of(a), *a.kind, at, options.threads);
+  std::optional<device_set> other; // unless A is collided with itself
+  if (&a != &b)
+    other.emplace(on, view_of(b), *b.kind, at, options.threads);
+  device_set &set_b = other ? *other : set_a;
+  device_pairs out;
+  set_a.bounds(out.around_a.lo, out.around_a.hi);
+  set_b.bounds(out.around_b.lo, out.around_b.hi);
+  out.prepare_seconds = seconds(std::chrono::steady_clock::now() - ready).count();
+  device_result r = meetc::collide(on, set_a, set_b, predicate, precision, options_there(options));
+  out.account = account_of(on, 1, r, ready - start);
+  out.found = std::move(r);
+  return out;
+}
+
+device_pairs pairs_on_several(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,
+                              rung precision, const pose &at, int devices, const collide_options &options) {
+  std::vector<int> numbers(static_cast<std::size_t>(devices));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const auto start = std::chrono::steady_clock::now();
+  device_group on(cga::cuda::catalogue(), numbers);
+  const auto ready = std::chrono::steady_clock::now();
+  group_set set_a(on, view_of(a), *a.kind, spread::cut, at, options.threads),
+      set_b(on, view_of(b), *b.kind, spread::whole, at, options.threads);
+  device_pairs out;
+  set_a.bounds(out.around_a.lo, out.around_a.hi);
+  set_b.bounds(out.around_b.lo, out.around_b.hi);
+  out.prepare_seconds = seconds(std::chrono::steady_clock::now() - ready).count();
+  device_result r = meetc::collide(on, set_a, set_b, predicate, precision, options_there(options));
+  out.account = account_of(on[0], on.size(), r, ready - start);
+  out.found = std::move(r);
+  return out;
+}
+
+} // namespace
+
 device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,
-                             rung precision, double grid, const collide_options &options) {
+                             rung precision, double grid, int devices, const collide_options &options) {
+  pose at;
+  at.grid = grid;
   try {
-    const auto start = std::chrono::steady_clock::now();
-    device on(cga::cuda::catalogue());
-    const auto ready = std::chrono::steady_clock::now();
-    pose at;
-    at.grid = grid;
-    device_set set_a(on, view_of(a), *a.kind, at, options.threads);
-    std::optional<device_set> other; // unless A is collided with itself
-    if (&a != &b)
-      other.emplace(on, view_of(b), *b.kind, at, options.threads);
-    device_set &set_b = other ? *other : set_a;
-    device_pairs out;
-    set_a.bounds(out.around_a.lo, out.around_a.hi);
-    set_b.bounds(out.around_b.lo, out.around_b.hi);
-    const std::chrono::duration<double> started = ready - start, made = std::chrono::steady_clock::now() - ready;
-    out.prepare_seconds = made.count();
-    device_options o;
-    o.want = options.want;
-    o.first_met = options.first_met;
-    o.owner_a = options.owner_a;
-    o.owner_b = options.owner_b;
-    o.progress = options.progress;
-    device_result r = meetc::collide(on, set_a, set_b, predicate, precision, o);
-    out.account = {on.facts().name,
-                   r.by == search::tree ? "none" : model_of(r.filter), // a hierarchy compares numbers alone
-                   name_of(r.by),
-                   {},
-                   r.device_seconds,
-                   started.count()};
-    for (int i = 0; i < searches; ++i)
-      out.account.expected.emplace_back(name_of(static_cast<search>(i)), r.expected.of[i]);
-    out.found = std::move(r);
-    return out;
+    return devices > 1 ? pairs_on_several(a, b, predicate, precision, at, devices, options)
+                       : pairs_on_one(a, b, predicate, precision, at, options);
   } catch (const device_error &e) {
     throw failure(e.what(), no_device);
   }
 }
 #else
 device_pairs pairs_on_device(const io::element_set &, const io::element_set &, const predicate_info &, rung, double,
-                             const collide_options &) {
+                             int, const collide_options &) {
   throw failure("this build has no CUDA kernels", no_device);
 }
 #endif

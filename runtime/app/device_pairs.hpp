@@ -30,6 +30,7 @@ bool device_expected(std::size_t elements, int threads);
 // How a device answered.
 struct device_account {
   std::string device, model; // "NVIDIA H200"; what the filter assumes, such as "wgmma-f16-f32" or "none"
+  int devices = 1;           // between which the query was cut; what follows is of the first, or of the slowest
   std::string search;        // by which it found candidates
   std::vector<std::pair<std::string, double>> expected; // the seconds that each search was expected to take
   double device_seconds = 0;                            // for the kernels alone
@@ -42,10 +43,10 @@ struct device_pairs {
   double prepare_seconds = 0; // to upload the sets, and to check and order them there
 };
 
-// Both sets are rounded to `grid` (pose::grid). Throws failure, with exit code no_device, where there is no device, where it
-// fails, or where it lacks the memory, and input_error where a rounded number leaves float32.
+// Both sets are rounded to `grid` (pose::grid). The query is cut between the first `devices` of CUDA. Throws failure, with exit
+// code no_device, where there are not as many, where one fails, or where it lacks the memory, and input_error where a rounded number leaves float32.
 device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,
-                             rung precision, double grid, const collide_options &options);
+                             rung precision, double grid, int devices, const collide_options &options);
 
 } // namespace meetc::app
 

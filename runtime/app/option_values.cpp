@@ -36,6 +36,14 @@ int threads_named(const std::string &text) {
   return static_cast<int>(n);
 }
 
+int devices_named(const std::string &text) {
+  constexpr int most_devices = 64;
+  std::int64_t n = 0;
+  if (!io::parse_integer(text, n) || n < 1 || n > most_devices)
+    throw failure(fmt::format("--devices: {} is not a number from 1 to {}", io::quote(text), most_devices));
+  return static_cast<int>(n);
+}
+
 double length_named(const char *option, const std::string &text) {
   const double v = numbers<1>(option, text)[0];
   if (!(v >= 0) || !std::isfinite(v))

@@ -17,6 +17,9 @@ inline constexpr const char *files_help =
 // The value of --threads, from 0 (all cores) to the maximum of the core. Throws failure.
 int threads_named(const std::string &text);
 
+// A number of devices, from 1 on. Throws failure.
+int devices_named(const std::string &text);
+
 // A number from 0 on. Throws failure that names the option.
 double length_named(const char *option, const std::string &text);
 

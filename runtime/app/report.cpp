@@ -61,7 +61,8 @@ std::string device_lines(const device_account &d) {
     others += fmt::format("{}{} {:.2g} ms", others.empty() ? "" : ", ", name, expected * 1000);
   return fmt::format("on {}: {:.3f} s to start, {:.6f} s of kernels\n"
                      "candidates by {} (expected: {}); assumed of the matrix unit: {}\n",
-                     d.device, d.start_seconds, d.device_seconds, d.search, others, d.model);
+                     d.devices > 1 ? fmt::format("{} devices, the first {}", d.devices, d.device) : d.device,
+                     d.start_seconds, d.device_seconds, d.search, others, d.model);
 }
 
 // What a tolerance did to the numbers, and what that means.

@@ -54,6 +54,7 @@ std::string as_json(const collide_report &r) {
     out["instruction_set"] = r.instruction_set;
   if (on_device) {
     out["device_name"] = f.by_device.device;
+    out["devices"] = f.by_device.devices;
     out["model"] = f.by_device.model;
     out["search"] = f.by_device.search;
     for (const auto &[name, expected] : f.by_device.expected)
