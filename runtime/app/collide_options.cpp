@@ -1,6 +1,7 @@
 // The options of `meet collide`.
 #include "app/choose.hpp"
 #include "app/collide_command.hpp"
+#include "app/failure.hpp"
 #include "app/option_values.hpp"
 
 #include <CLI/CLI.hpp>
