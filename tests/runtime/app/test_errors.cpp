@@ -49,7 +49,7 @@ TEST_CASE("help says what there is, and only that") {
   CHECK_FALSE(has(one.out, "tolerant")); // --tolerance asks for it
   for (const char *const option :
        {"--predicate", "--mode", "--precision", "--tolerance", "--device", "--translate-b", "--scale-b", "--matrix-b",
-        "--any", "--pairs", "--color", "--image", "--json", "--threads"})
+        "--any", "--pairs", "--first", "--color", "--image", "--json", "--threads", "--devices"})
     CHECK(has(one.out, option));
   CHECK(has(one.out, "pairs is 0 or 1"));
   CHECK(run({"--version"}).out.rfind("meet ", 0) == 0);
@@ -82,6 +82,9 @@ TEST_CASE("values of options") {
   CHECK(with("--mode", "hollow") == "--mode 'hollow': unknown; known: solid, surface");
   for (const char *const n : {"-1", "257", "two", "1.5", ""})
     CHECK(has(with("--threads", n), "is not a number from 0 to 256"));
+  for (const char *const n : {"-1", "0", "65", "two", "1.5", ""})
+    CHECK(has(with("--devices", n), "is not a number from 1 to 64"));
+  CHECK(with("--devices", "2") == "--devices 2: needs --device cuda");
   CHECK(with("--scale-b", "0") == "--scale-b: the scale is 0; it must be finite and above 0");
   CHECK(has(with("--scale-b", "-2"), "--scale-b: the scale is -2; it must be finite and above 0"));
   CHECK(has(with("--scale-b", "nan"), "--scale-b: the scale is nan; it must be finite"));

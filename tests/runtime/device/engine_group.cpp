@@ -137,7 +137,7 @@ void run(comparison &with, const settings &s, device_group &on, const std::strin
   engine random(s.seed + 50);
   scenes all(with, on, name);
   const std::size_t n = s.small ? 80 : 2500, m = s.small ? 50 : 900;
-  const place at{1, 0.2, 1, 0};
+  const place at{1, 0.5, 1, 0};
   each_predicate([&](const predicate_info &p) {
     const rows_of x = random_rows(*p.a, n, at, random), y = random_rows(*p.b, m, at, random);
     owners few{"owners", {}, {}}, second{"owners of B", {}, {}};
