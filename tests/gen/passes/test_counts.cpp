@@ -114,12 +114,14 @@ struct maker_row {
   ops count;
 };
 const maker_row made[] = {
-    {"point", "", {3, 2}},           {"direction", "", {0, 0}},      {"point_pair", "", {18, 14}},
-    {"flat_point", "", {0, 0}},      {"line", "", {6, 6}},           {"line", "direction", {6, 3}},
-    {"circle", "", {19, 11}},        {"circle", "points", {45, 36}}, {"plane", "", {0, 0}},
-    {"plane", "points", {15, 14}},   {"sphere", "", {4, 3}},         {"sphere", "points", {64, 53}},
-    {"segment", "", {6, 6}},         {"triangle", "", {15, 14}},     {"box", "", {18, 14}},
-    {"triangle_pair", "", {156, 143}},
+    {"point", "", {3, 2}},        {"direction", "", {0, 0}},
+    {"point_pair", "", {18, 14}}, {"flat_point", "", {0, 0}},
+    {"line", "", {6, 6}},         {"line", "direction", {6, 3}},
+    {"circle", "", {19, 11}},     {"circle", "points", {45, 36}},
+    {"plane", "", {0, 0}},        {"plane", "points", {15, 14}},
+    {"sphere", "", {4, 3}},       {"sphere", "points", {64, 53}},
+    {"segment", "", {6, 6}},      {"triangle", "", {15, 14}},
+    {"box", "", {18, 14}},        {"triangle_pair", "", {156, 143}},
 };
 
 // The structural counts for B, never to be exceeded.

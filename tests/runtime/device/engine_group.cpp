@@ -149,6 +149,8 @@ void run(comparison &with, const settings &s, device_group &on, const std::strin
     for (const owners &o : {owners{"no owners", {}, {}}, second, few})
       all.same("random", p, view_of(x), view_of(y), pose_for(*p.a, {}), o);
     const owners none{"no owners", {}, {}};
+    const rows_of hostile = family_rows(*p.a, n, -1, random), other = family_rows(*p.b, m, -1, random);
+    all.same("families", p, view_of(hostile), view_of(other), {}, none);
     const rows_of one = random_rows(*p.a, 1, at, random), nothing{p.a, {}}, also_nothing{p.b, {}};
     all.same("one element", p, view_of(one), view_of(y), {}, none);
     all.same("nothing in A", p, view_of(nothing), view_of(y), {}, none);
