@@ -97,8 +97,8 @@ device_group::device_group(const cuda::catalogue &kernels, std::span<const int> 
     const device says_why(kernels); // throws
   }
   if (last >= count)
-    throw device_error("there is no CUDA device " + std::to_string(last) + ": there are " + std::to_string(count) +
-                       ", from 0 on");
+    throw device_error("there is no CUDA device number " + std::to_string(last) + " here: the last one is number " +
+                       std::to_string(count - 1));
   try {
     on_each([&](std::size_t i) { devices_[i] = std::make_unique<device>(kernels); });
   } catch (...) {

@@ -122,7 +122,7 @@ public:
     try {
       device_group(on_[0].kernels(), missing);
     } catch (const device_error &e) {
-      named = std::string(e.what()).find("there is no CUDA device 4711") == 0;
+      named = std::string(e.what()).find("there is no CUDA device number 4711 here") == 0;
     }
     require(named, "a device that is not there is not named");
   }
