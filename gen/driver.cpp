@@ -115,6 +115,10 @@ void compile_all(compilation &c) {
     names.push_back(request.name());
     try {
       compiled_kernel k = compile(c, request);
+      for (const lower::kernel &other : c.kernels)
+        if (k.kernel.orders && other.orders == k.kernel.orders)
+          throw spec_error(r.where, fmt::format("'{}' orders {} as '{}' does, and a predicate has one order",
+                                                request.text, k.kernel.orders->name, other.asked.text));
       c.kernels.push_back(std::move(k.kernel));
       c.bounds.push_back(std::move(k.bounds));
     } catch (spec_error &e) {

@@ -73,6 +73,11 @@ public:
         throw spec_error(f.orders_where, fmt::format("no predicate '{}'; predicates: {}{}", f.orders, join(known, ", "),
                                                      nearest(f.orders, known)));
       }
+      if (!f.orders.empty() && f.params.size() != 2)
+        throw spec_error(
+            f.orders_where,
+            fmt::format("'{}' orders {} and needs two arguments: an element, and a pair of those that it meets", f.name,
+                        f.orders));
     }
     for (const predicate &p : a_.predicates) {
       fields(p.of);

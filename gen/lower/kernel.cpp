@@ -59,10 +59,15 @@ bound::subject subject_of(const predicate &p) {
 
 namespace {
 
+// The function that the kernel calls, or null.
+const lang::function *function_of(const model &m, const request &r) {
+  return r.body->kind == lang::op::call ? m.spec().find_function(r.body->text) : nullptr;
+}
+
 // The predicate that the kernel's function orders, if the operands are of the form that runtimes order: two points, and a pair
 // of elements with three points each.
 const lang::predicate *ordered_by(const model &m, const request &r) {
-  const lang::function *f = r.body->kind == lang::op::call ? m.spec().find_function(r.body->text) : nullptr;
+  const lang::function *f = function_of(m, r);
   if (!f || f->orders.empty())
     return nullptr;
   const lang::predicate &p = *m.spec().find_predicate(f->orders);
@@ -96,6 +101,8 @@ kernel compile(const model &m, const request &r) {
     out.decision = std::move(*sign);
     out.orders = ordered_by(m, r);
   } else {
+    if (const lang::function *f = function_of(m, r); f && !f->orders.empty())
+      throw spec_error(f->orders_where, fmt::format("'{}' orders {} and must be a sign", f->name, f->orders));
     out.value = compile_formula(m, r);
     check_constants(out.value.from_blades, r);
     check_constants(out.value.from_stored, r);

@@ -26,6 +26,8 @@ namespace {
 void check_outputs(const collide_request &q, output_files &outputs) {
   if (q.any && (q.pairs || q.first || q.colour || q.image))
     throw failure("--any stops at the first pair and keeps none; --pairs, --first, --color and --image need them all");
+  if (q.first && q.tolerance > 0)
+    throw failure("--first is exact and goes with no --tolerance");
   if (q.pairs)
     outputs.expect(*q.pairs);
   if (q.first)

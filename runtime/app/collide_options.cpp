@@ -71,7 +71,8 @@ void add_answers(CLI::App &c, arguments &to) {
   c.add_option(
        "--first", q.first,
        "Write, for each segment that touches a triangle, the pair that it meets first on its way from its first "
-       "point to its second; of several at one point that of the least index")
+       "point to its second, and of several at one point that with the least index; sorted as --pairs are. The order "
+       "is exact, among the triangles that the precision finds")
       ->type_name("out.csv");
   c.add_option("--color,--colour", q.colour,
                "Write a.ply and b.ply with touched faces in bright colours into this folder")

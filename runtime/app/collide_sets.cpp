@@ -124,9 +124,7 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
     throw failure(fmt::format("--precision {}: {} was not generated for it", name_of(q.precision), predicate.name));
   if (q.first && !predicate.first_met)
     throw failure(
-        fmt::format("--first: {} knows no order; of a segment and the triangles that it touches it is known which "
-                    "comes first (segment_triangle)",
-                    predicate.name));
+        fmt::format("--first needs segments and triangles (segment_triangle); {} has no order", predicate.name));
   answers out;
   const auto start = std::chrono::steady_clock::now();
   try {

@@ -20,9 +20,10 @@ struct side_answer {
 
 struct answers {
   std::vector<index_pair> list; // of items, sorted by a, then b; empty unless `keep`
-  std::vector<index_pair>
-      first;               // if asked for: of each element of the predicate's first set, the pair met first; likewise
-  std::uint64_t pairs = 0; // with `any` 0 or 1
+  // If asked for: for each item of the predicate's first set that touches something, the pair that it meets first; sorted
+  // likewise.
+  std::vector<index_pair> first;
+  std::uint64_t pairs = 0;      // with `any` 0 or 1
   std::uint64_t candidates = 0; // pairs of elements that the predicate decided
   rung_report rungs;            // of `certified`
   side_answer a, b;

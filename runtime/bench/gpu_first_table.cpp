@@ -48,9 +48,10 @@ table gpu_bench::measure_first(const std::vector<gpu_scene> &scenes, const std::
                {"ratio", "LBVH /|ours"}};
   t.notes.emplace_back(
       "On prepared sets, without building hierarchies. Ours: certified, over all pairs, with the least triangle where "
-      "several "
-      "are met at one point. LBVH: that of `--only lbvh`, from the nearer child to the farther one and no farther than "
-      "the nearest hit so far, with Möller-Trumbore in plain fp32, epsilon 0. It is wrong about a segment where it "
+      "several are met at one point; the device's time, with the naming of elements and without downloading. LBVH: "
+      "that "
+      "of `--only lbvh`, from the nearer child to the farther one and no farther than the nearest hit so far, with "
+      "Möller-Trumbore in plain fp32, epsilon 0, without naming and downloading. It is wrong about a segment where it "
       "names a triangle that is not met, or not first, or none.");
   for (const gpu_scene &scene : scenes) {
     const auto [segments, mesh] = scene.make();

@@ -176,7 +176,7 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   };
   std::optional<first_of_each> first;
   if (options.first_met)
-    first.emplace(of_a.set(), of_b.set(), predicate.first_met);
+    first.emplace(of_a.set(), of_b.set(), options.owner_b, predicate.first_met);
   const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
   const tally total = decide_all(
       {of_a.set(), of_b.set(), of_a.stored(by.stored_a, *predicate.a), of_b.stored(by.stored_b, *predicate.b), by,
@@ -185,10 +185,8 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
       {batches.get(), batch_bytes(threads)});
   r.candidates = total.candidates;
   r.count = total.hits;
-  if (first) {
+  if (first)
     r.first_met = first->by_element(a.elements());
-    name_items(options.owner_b, r.first_met);
-  }
   r.rungs = total.rungs;
   if (listed) {
     r.pairs = list.all(threads);

@@ -30,6 +30,7 @@ struct device_buffers {
   device_memory<unsigned long long> counts;      // and behind them where each item's hits start, 32 bits each
   device_memory<std::uint64_t> keys, more_keys;  // hits as sortable numbers
   device_memory<std::byte> sort_space;
+  device_memory<std::uint32_t> first_slots, first_numbers; // what is met first
   repeated_launches repeated;
   transfers moving;
   cudaStream_t stream = nullptr; // of all queries

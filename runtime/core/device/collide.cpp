@@ -67,7 +67,7 @@ public:
         tallies_(!of_instances.empty() ||
                  (!hits_.owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
         keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())),
-        stores_(keep_ || options.first_met) {}
+        stores_(keep_ || options.first_met), first_(on.buffers()) {}
 
   device_result run() {
     require(!options_.filter || on_.offers(*options_.filter),
@@ -94,6 +94,10 @@ public:
         for (std::uint64_t *const pairs : {&result_.near_balls, &result_.candidates})
           *pairs = 2 * *pairs - a_.elements();
     } else {
+      mark_clock();
+    }
+    if (options_.first_met && a_.elements() > 0 && b_.elements() > 0) {
+      first_.name(a_, b_, on_.stream());
       mark_clock();
     }
     if (options_.want == answer_kind::any)
@@ -360,7 +364,7 @@ private:
     if (n == 0)
       return;
     if (options_.first_met) {
-      first_.add(predicate_, a_, b_, buffers_.hits.data(), n, on_.stream());
+      first_.add(predicate_, a_, b_, hits_.owners_there_b(), buffers_.hits.data(), n, on_.stream());
       mark_clock();
     }
     if (!keep_)

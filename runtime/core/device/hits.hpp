@@ -26,6 +26,8 @@ public:
   bool owned() const { return !owner_a_.empty() || !owner_b_.empty(); }
   // Throws std::invalid_argument where a map has not one item for each element.
   void upload_owners();
+  // Of B's elements, on the device, after upload_owners(); null: there are none.
+  const std::uint32_t *owners_there_b() const { return there_b_.data(); }
 
   // Whether hits may be ordered by counting: elements are their own items, and there are not too many of A.
   bool countable() const;

@@ -5,13 +5,13 @@
 #include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_table.hpp>
 #include <meetc/first_met.hpp>
+#include <meetc/take_first.hpp>
 
 namespace meetc::cuda {
 
 inline constexpr int first_met_threads = 128;
 
-// Each lane compares a hit with the first one so far. The order is total, so that the last one to stay is the least,
-// whichever came first.
+// Each lane compares a hit with the first one so far.
 template <class Touches, class Order>
 __global__ void __launch_bounds__(first_met_threads) first_met_kernel(first_met_job job) {
   begin();
@@ -20,18 +20,13 @@ __global__ void __launch_bounds__(first_met_threads) first_met_kernel(first_met_
     const index_pair hit = job.hits[i];
     const float *const row_a = job.a + std::size_t{hit.a} * Touches::inputs_a;
     const auto row_b = [&job](std::uint32_t slot) { return job.b + std::size_t{slot} * Touches::inputs_b; };
-    std::uint32_t first = *static_cast<volatile std::uint32_t *>(job.first + hit.a);
-    while (first != hit.b) {
-      if (first != no_slot) {
-        const int order = ::meetc::first_met<Touches, Order>(row_a, row_b(hit.b), row_b(first));
-        if (order > 0 || (order == 0 && job.order_b[first] <= job.order_b[hit.b]))
-          break;
-      }
-      const std::uint32_t found = atomicCAS(job.first + hit.a, first, hit.b);
-      if (found == first)
-        break;
-      first = found;
-    }
+    std::uint32_t *const cell = job.first + hit.a;
+    const auto before = [&](std::uint32_t slot, std::uint32_t other) {
+      return comes_before(::meetc::first_met<Touches, Order>(row_a, row_b(slot), row_b(other)), number_of_b(job, slot),
+                          number_of_b(job, other));
+    };
+    take_first(*static_cast<volatile std::uint32_t *>(cell), hit.b, no_slot, before,
+               [cell](std::uint32_t expected, std::uint32_t slot) { return atomicCAS(cell, expected, slot); });
   }
 }
 

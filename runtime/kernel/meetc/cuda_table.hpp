@@ -183,13 +183,17 @@ constexpr cover balls_for(rung precision) {
 // For each element of a set, the slot of the element of another set that it meets first.
 inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};
 struct first_met_job {
-  const float *a, *b; // the rows of both sets
+  const float *a, *b;           // the rows of both sets
+  const std::uint32_t *order_b; // the elements of the slots of b
   const std::uint32_t
-      *order_b;           // the numbers of the slots of b; the least one counts where several are met at one point
+      *owner_b;           // their items; null: each is its own. The least counts where several are met at one point
   const index_pair *hits; // of slots
   std::size_t count;
   std::uint32_t *first; // by slots of a; no_slot at first, and where nothing is met
 };
+MEETC_HD inline std::uint32_t number_of_b(const first_met_job &job, std::uint32_t slot) {
+  return job.owner_b ? job.owner_b[job.order_b[slot]] : job.order_b[slot];
+}
 
 struct predicate_launchers {
   const char *name;

@@ -112,8 +112,8 @@ private:
           return;
         }
       }
-    // The edge lies on the line. The segment, which does not start on it, meets its nearer end first; at y the next edge
-    // begins.
+    // The edge lies on the line. The segment, which does not start on it, meets its nearer end first. If that is y, the edge
+    // that begins there takes it.
     to.take(segment, wall_at(x, along));
   }
   // A triangle that the line crosses at the point where the segment meets t first. Where it does not meet t: any that depends

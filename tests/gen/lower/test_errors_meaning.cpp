@@ -102,6 +102,8 @@ const broken orders[] = {
      "'side' orders touch only as a function of its first operand, which has two points, and of a pair of its second "
      "ones",
      "'touch'", "", "'side(sphere, point)'"},
+    {"where = 'grade", "orders = 'touch'\nwhere = 'grade", "a.toml:36:10", "'meet' orders touch and must be a sign",
+     "'touch'", "", "'meet(sphere, sphere)'"},
 };
 } // namespace
 

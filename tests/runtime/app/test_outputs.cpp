@@ -47,6 +47,41 @@ TEST_CASE("the same bytes from any number of threads") {
   CHECK(first.size() > 100000);
 }
 
+TEST_CASE("what each segment meets first") {
+  // Two walls across the x axis, the nearer one twice: at x = 2, and at x = 1 as face 1, and as faces 2 and 3, a square.
+  put("walls.obj", "v 2 -9 -9\nv 2 9 -9\nv 2 0 9\nv 1 -9 -9\nv 1 9 -9\nv 1 0 9\nv 1 9 9\nv 1 -9 9\n"
+                   "f 1 2 3\nf 4 5 6\nf 4 5 7 8\n");
+  put("ways.csv", "x0,y0,z0,x1,y1,z1\n3,0,0,0,0,0\n0,0,0,3,0,0\n9,9,9,8,8,8\n0,0,0,1.5,0,0\n2,0,0,2,0,0\n");
+  for (const char *const threads : {"1", "2"}) {
+    const json j =
+        answer({"ways.csv", "walls.obj", "--first", "first.csv", "--pairs", "pairs.csv", "--threads", threads});
+    CHECK(get(at("first.csv")) == "a,b\n0,0\n1,1\n3,1\n4,0\n");
+    CHECK(j["touched_a"] == 4);
+    CHECK(j["pairs"] == 9);
+  }
+  // The mesh first: the same pairs, sorted by the triangle.
+  answer({"walls.obj", "ways.csv", "--first", "first.csv"});
+  CHECK(get(at("first.csv")) == "a,b\n0,0\n0,4\n1,1\n1,3\n");
+  put("balls.csv", "x,y,z,r\n1,0,0,0.5\n");
+  put("none.csv", "x0,y0,z0,x1,y1,z1\n");
+  answer({"none.csv", "walls.obj", "--first", "first.csv"});
+  CHECK(get(at("first.csv")) == "a,b\n");
+  fs::remove(at("first.csv"));
+  const auto refused = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "collide");
+    arguments.insert(arguments.end(), {"--first", "first.csv"});
+    const said s = run(arguments);
+    CHECK(s.code == 2);
+    CHECK_FALSE(fs::exists(at("first.csv")));
+    return s.err;
+  };
+  CHECK(refused({"balls.csv", "walls.obj"}) ==
+        "meet: --first needs segments and triangles (segment_triangle); ball_triangle has no order\n");
+  CHECK(has(refused({"ways.csv", "walls.obj", "--any"}), "--any stops at the first pair"));
+  CHECK(refused({"ways.csv", "walls.obj", "--tolerance", "0.1"}) ==
+        "meet: --first is exact and goes with no --tolerance\n");
+}
+
 TEST_CASE("coloured meshes: as many bright faces as are touched") {
   put_files();
   const json j = answer({"ball.ply", "ring.ply", "--color", "new/folder"});

@@ -96,17 +96,32 @@ TEST_CASE("first met: elements of B are named by their items") {
   std::mt19937 g(9);
   const rows a = some(*p.a, 200, true, g), b = some(*p.b, 300, true, g);
   const prepared x = ready(a, *p.a), y = ready(b, *p.b);
-  std::vector<std::uint32_t> owners;
+  const std::vector<index_pair> pairs = collide(x, y, p, rung::certified, {}).pairs;
+  std::vector<std::uint32_t> in_order, mixed;
   for (std::uint32_t i = 0; i < 300; ++i)
-    owners.push_back(i / 3);
-  collide_options o;
-  o.first_met = true;
-  std::vector<std::uint32_t> want = collide(x, y, p, rung::certified, o).first_met;
-  name_items(owners, want);
-  CHECK(std::count(want.begin(), want.end(), no_element) < 200);
-  for (const answer_kind kind : {answer_kind::pairs, answer_kind::count}) {
-    o.owner_b = owners, o.want = kind;
-    CHECK(collide(x, y, p, rung::certified, o).first_met == want);
+    in_order.push_back(i / 3), mixed.push_back(static_cast<std::uint32_t>(g() % 100));
+  for (const std::vector<std::uint32_t> &owners : {in_order, mixed}) {
+    // Of the elements met at the first point, the least item.
+    std::vector<std::uint32_t> want(200, no_element), at(200, no_element);
+    int ties = 0;
+    for (const index_pair hit : pairs) {
+      const auto row_b = [&](std::uint32_t i) { return b.data() + 9 * std::size_t{i}; };
+      std::uint32_t &item = want[hit.a], &first = at[hit.a];
+      const int order =
+          first == no_element ? -1 : p.first_met(a.data() + 6 * std::size_t{hit.a}, row_b(hit.b), row_b(first));
+      ties += order == 0 && owners[hit.b] < item;
+      if (order < 0)
+        first = hit.b, item = owners[hit.b];
+      else if (order == 0)
+        item = std::min(item, owners[hit.b]);
+    }
+    CHECK((ties > 10) == (owners == mixed));
+    CHECK(std::count(want.begin(), want.end(), no_element) < 200);
+    for (const answer_kind kind : {answer_kind::pairs, answer_kind::count}) {
+      collide_options o;
+      o.first_met = true, o.owner_b = owners, o.want = kind;
+      CHECK(collide(x, y, p, rung::certified, o).first_met == want);
+    }
   }
 }
 

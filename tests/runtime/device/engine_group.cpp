@@ -144,7 +144,7 @@ void run(comparison &with, const settings &s, device_group &on, const std::strin
     for (std::size_t i = 0; i < n; ++i) // elements of one item lie in several slices
       few.a.push_back(static_cast<std::uint32_t>(random() % (n / 4)));
     for (std::size_t i = 0; i < m; ++i)
-      few.b.push_back(static_cast<std::uint32_t>(i / 3));
+      few.b.push_back(static_cast<std::uint32_t>(random() % (m / 2)));
     second.b = few.b;
     for (const owners &o : {owners{"no owners", {}, {}}, second, few})
       all.same("random", p, view_of(x), view_of(y), pose_for(*p.a, {}), o);

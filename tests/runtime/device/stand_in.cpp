@@ -13,6 +13,7 @@
 #include <meetc/frame.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/near.hpp>
+#include <meetc/take_first.hpp>
 #include <meetc/tolerant.hpp>
 #include <meetc/tree_order.hpp>
 
@@ -392,7 +393,7 @@ cudaError_t run(cuda::step which, const operand &a, const operand &b, pair_list 
   return cudaSuccess;
 }
 
-// The last hit comes first.
+// The last hit comes first, and each lane has seen its cell before any other filled it.
 template <int Which> cudaError_t order_hits_of(const cuda::first_met_job &job, cudaStream_t) {
   const predicate_info &p = cga::catalogue().predicates[Which];
   const auto row = [](const float *rows, std::uint32_t slot, const kind_info &kind) {
@@ -400,12 +401,16 @@ template <int Which> cudaError_t order_hits_of(const cuda::first_met_job &job, c
   };
   for (std::size_t i = job.count; i-- > 0;) {
     const index_pair hit = job.hits[i];
-    std::uint32_t &first = job.first[hit.a];
-    const int order = first == cuda::no_slot
-                          ? -1
-                          : p.first_met(row(job.a, hit.a, *p.a), row(job.b, hit.b, *p.b), row(job.b, first, *p.b));
-    if (order < 0 || (order == 0 && job.order_b[hit.b] < job.order_b[first]))
-      first = hit.b;
+    const auto before = [&](std::uint32_t slot, std::uint32_t other) {
+      return comes_before(p.first_met(row(job.a, hit.a, *p.a), row(job.b, slot, *p.b), row(job.b, other, *p.b)),
+                          number_of_b(job, slot), number_of_b(job, other));
+    };
+    take_first(cuda::no_slot, hit.b, cuda::no_slot, before, [&](std::uint32_t expected, std::uint32_t slot) {
+      const std::uint32_t held = job.first[hit.a];
+      if (held == expected)
+        job.first[hit.a] = slot;
+      return held;
+    });
   }
   return cudaSuccess;
 }
