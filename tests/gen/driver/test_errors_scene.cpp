@@ -3,6 +3,7 @@
 #include "tests/gen/error_fixture.hpp"
 
 #include <fmt/format.h>
+#include <fstream>
 
 using namespace meetc::compiler_test;
 
@@ -194,4 +195,18 @@ TEST_CASE("command lines that must fail") {
   }
   CHECK(read(folder.path() / "file") == "mine");
   CHECK_FALSE(fs::exists(folder.path().parent_path() / "up"));
+}
+
+TEST_CASE("a predicate has one order") {
+  const temporary_folder folder;
+  fs::copy(source_folder() / "algebra_spec", folder.path(), fs::copy_options::recursive);
+  std::ofstream(folder.path() / "predicates" / "order.toml", std::ios::app)
+      << "[functions.'last_met(s, w)']\nis = 'sign(meet(w.t, s.p) - meet(w.u, s.p))'\norders = 'segment_triangle'\n";
+  folder.write("s.toml", "[scene]\nalgebra = 'cga3.toml'\nnamespace = 'x'\nkernels = ['segment_triangle', "
+                         "'first_met(segment, triangle_pair)', 'last_met(segment, triangle_pair)']\n");
+  const outcome o = run_meetc("generate s.toml -o out", folder.path());
+  CHECK(o.code == 2);
+  CHECK_THAT(o.err, contains("s.toml:4:68: error: 'last_met(segment, triangle_pair)' orders segment_triangle as "
+                             "'first_met(segment, triangle_pair)' does, and a predicate has one order"));
+  CHECK_FALSE(fs::exists(folder.path() / "out"));
 }
