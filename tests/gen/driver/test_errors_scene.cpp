@@ -206,7 +206,7 @@ TEST_CASE("a predicate has one order") {
                          "'first_met(segment, triangle_pair)', 'last_met(segment, triangle_pair)']\n");
   const outcome o = run_meetc("generate s.toml -o out", folder.path());
   CHECK(o.code == 2);
-  CHECK_THAT(o.err, contains("s.toml:4:68: error: 'last_met(segment, triangle_pair)' orders segment_triangle as "
+  CHECK_THAT(o.err, contains("s.toml:4:69: error: 'last_met(segment, triangle_pair)' orders segment_triangle as "
                              "'first_met(segment, triangle_pair)' does, and a predicate has one order"));
   CHECK_FALSE(fs::exists(folder.path() / "out"));
 }
