@@ -39,7 +39,7 @@ const broken keys[] = {
     {"where = 'grade", "orders = 3\nwhere = 'grade", "a.toml:36:10", "functions.meet.orders must be a string", "3", ""},
     {"where = 'grade", "orders = 'touches'\nwhere = 'grade", "a.toml:36:10",
      "no predicate 'touches'; predicates: touch; did you mean 'touch'?", "'touches'", ""},
-    {"'(B*B)[1]'", "{is = '(B*B)[1]', orders = 'touch'}", "a.toml:31:42",
+    {"'(B*B)[1]'", "{is = '(B*B)[1]', orders = 'touch'}", "a.toml:31:41",
      "'norm2' orders touch and needs two arguments: an element, and a pair of those that it meets", "'touch'", ""},
 };
 
