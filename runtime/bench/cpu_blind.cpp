@@ -49,14 +49,12 @@ struct tests_of_set {
                   })});
   }
 
-  // Certified answers behind the filter, if the kinds have one. The filter's numbers are made before the clock starts.
-  void add_filtered(const char *name) const {
+  // Certified answers behind a filter of one element against tiles, whose numbers are made before the clock starts.
+  void add_behind(const char *name, tile_filter (*filter)(const predicate_info &, const float *, std::size_t,
+                                                          const float *, std::size_t)) const {
     const predicate_info &p = find_predicate(kernels, scene.predicate);
-    if (!p.a->filter || !p.b->filter)
-      return;
-    const auto filtered = std::make_shared<filtered_tiles>(p, rung::certified, scene.a.rows(), scene.a.count(),
-                                                           scene.b.rows(), scene.b.count());
-    to.push_back({name, [filtered](const pair_tile &tile, answer *out) { filtered->decide(tile, out); }});
+    to.push_back({name, behind(filter(p, scene.a.rows(), scene.a.count(), scene.b.rows(), scene.b.count()), p,
+                               rung::certified, scene.a.rows(), scene.b.rows())});
   }
 
   // One of our rungs on rows and, where the predicate stores values, on these. They are computed before the clock starts,
@@ -85,6 +83,7 @@ struct certified_rate {
   instruction_set set;
   double rate = 0, filtered = 0; // in multiples of the reference's
 };
+constexpr const char *in_tiles = "certified";
 constexpr const char *behind_filter = "certified behind the filter";
 
 // The rows of a table: for each instruction set its tests, of which test `reference` has the rate 1. Returns those of `certified`.
@@ -110,7 +109,7 @@ measure_scene(const cpu_context &c, const blind_scene &scene, std::size_t refere
       t.rows.push_back({of_words(name_of(c.kernels[k]->compiled_for)), of_words(tests[i].name),
                         of_nanoseconds(row.seconds_a_pair), of_ratio(one / row.seconds_a_pair), of_count(row.hits),
                         of_count(row.false_hits), of_count(row.missed)});
-      if (tests[i].name == "certified")
+      if (tests[i].name == in_tiles)
         out.back().rate = one / row.seconds_a_pair;
       if (tests[i].name == behind_filter)
         out.back().filtered = one / row.seconds_a_pair;
@@ -149,8 +148,9 @@ void measure_triangles(const cpu_context &c, cpu_result &to) {
     of.add_classic("Möller, epsilon 0, lanes, planes stored", classic.moller_lanes);
     of.add_classic("Guigue-Devillers, scalar", classic.guigue_devillers);
     of.add_ours("fp32", rung::fp32);
-    of.add_ours("certified", rung::certified);
-    of.add_filtered(behind_filter);
+    of.add_ours("certified, pair by pair", rung::certified);
+    of.add_behind(in_tiles, filter_by_signs);
+    of.add_behind(behind_filter, filter_by_balls);
     of.add_ours("exact", rung::exact);
   };
   for (const certified_rate &r : measure_scene(c, scene, 0, add, t)) {
@@ -178,7 +178,7 @@ void measure_every_ball(const cpu_context &c, cpu_result &to) {
     of.add_classic("Euclid, scalar", classic.balls);
     of.add_ours("fp32", rung::fp32);
     of.add_ours("certified", rung::certified);
-    of.add_filtered(behind_filter);
+    of.add_behind(behind_filter, filter_by_balls);
     of.add_ours("exact", rung::exact);
   };
   // The filter has the form of the predicate, but for the balls around the boxes. The bar is for the faster of the two

@@ -3,12 +3,20 @@
 #include "core/walk.hpp"
 #include "core/walk_cost.hpp"
 
+#include <algorithm>
+
 namespace meetc {
 namespace {
 
 constexpr std::size_t tile = 64; // blocks of b: 24 KiB of boxes, which stay in the first cache
 static_assert(tile % filter_tile == 0, "a filter's groups of blocks are not split");
+static_assert(tile <= affine_pairs::most_tiles);
 
+near_tile *every(std::size_t count, near_tile *out) {
+  for (std::size_t t = 0; t < count; ++t)
+    *out++ = {static_cast<std::uint32_t>(t), (1U << filter_tile) - 1};
+  return out;
+}
 std::size_t tiles(const element_set &b) {
   return (b.boxes.levels[0].count() + tile - 1) / tile;
 }
@@ -23,22 +31,24 @@ bool all_pairs::yield(std::size_t unit, pair_sink &sink) const {
   const level &a = a_.set.boxes.levels[0], &b = b_.set.boxes.levels[0];
   const std::size_t block = unit / tiles(b_.set), first = unit % tiles(b_.set) * tile;
   const std::size_t count = std::min(b.count() - first, tile);
-  std::size_t chosen[tile], size = count;
-  for (std::size_t i = 0; i < count; ++i)
-    chosen[i] = first + i;
   for (std::size_t lane = 0; lane < a.filled(block); ++lane) {
     const std::size_t slot = block * lanes + lane;
-    if (filter_) { // the boxes rule out what the filter does
-      near_tile near[tile];
-      const near_tile *const end = filter_->near(slot, first, count, near);
-      size = 0;
-      for (const near_tile *at = near; at < end; ++at)
+    near_tile near[tile];
+    const near_tile *const near_end = filter_ ? filter_->near(slot, first, count, near) : every(count, near);
+    const bool by_signs = signs_ && static_cast<std::size_t>(near_end - near) * 4 > count;
+    std::uint32_t left[tile]; // by signs, the elements of each block
+    if (by_signs)
+      signs_->elements(slot, first, count, left);
+    std::size_t chosen[tile], size = 0;
+    for (const near_tile *at = near; at < near_end; ++at) // the boxes rule out what the filter by balls does
+      if (!by_signs || left[at->index] != 0)
         chosen[size++] = first + at->index;
-    }
     if (size == 0)
       continue;
     const probe one(a_, slot, b_, false);
-    index_pair *const begin = sink.room(), *const end = one.pairs_with(chosen, size, begin);
+    index_pair *const begin = sink.room(), *end = one.pairs_with(chosen, size, begin);
+    if (by_signs)
+      end = std::remove_if(begin, end, [&](index_pair p) { return !(left[p.b / lanes - first] >> p.b % lanes & 1); });
     if (!sink.advance(static_cast<std::size_t>(end - begin)))
       return false;
   }

@@ -3,11 +3,12 @@
 //
 // A source divides its work into units that may run in any order on any thread. Together they yield each candidate
 // exactly once. A candidate is a pair whose boxes may touch, and of which, where that is asked for, an element with two
-// hull points may touch the other's box. Both sources yield the same candidates. Pairs come in runs of one element, of
-// either set, and a run is never split between two batches.
+// hull points may touch the other's box. Both sources yield the same candidates, but for those that a filter by signs rules
+// out. Pairs come in runs of one element, of either set, and a run is never split between two batches.
 #ifndef MEETC_CORE_CANDIDATES_HPP
 #define MEETC_CORE_CANDIDATES_HPP
 
+#include "core/affine_pairs.hpp"
 #include "core/candidate_operand.hpp"
 #include "core/pair_filter.hpp"
 #include "core/walk_cost.hpp"
@@ -45,17 +46,20 @@ public:
   virtual bool yield(std::size_t unit, pair_sink &sink) const = 0; // false: the sink asked to stop
 };
 
-// Tests every pair, or those that a filter leaves. The sets and the filter must outlive it.
+// Tests every pair, or those that filters leave: that by balls, and where it leaves much, the one by signs. The sets and the
+// filters must outlive it.
 class all_pairs final : public candidate_source {
 public:
-  all_pairs(const element_set &a, const element_set &b, ruled_out_by what, const pair_filter *filter = nullptr)
-      : a_(a, what), b_(b, what), filter_(filter) {}
+  all_pairs(const element_set &a, const element_set &b, ruled_out_by what, const pair_filter *filter = nullptr,
+            const affine_pairs *signs = nullptr)
+      : a_(a, what), b_(b, what), filter_(filter), signs_(signs) {}
   std::size_t units() const override;
   bool yield(std::size_t unit, pair_sink &sink) const override;
 
 private:
   candidate_operand a_, b_;
   const pair_filter *filter_; // null: there is none
+  const affine_pairs *signs_; // likewise
 };
 
 // Walks the hierarchy of one set with each block of the other, or with each of its elements: which set walks, and how,

@@ -158,7 +158,11 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   std::optional<pair_filter> filter;
   if (options.all_pairs && pair_filter::pays(predicate, a.set(), b.set()))
     filter.emplace(predicate, a.set(), b.set(), threads);
-  const all_pairs every(a.set(), b.set(), what_rules_out(precision), filter ? &*filter : nullptr);
+  std::optional<affine_pairs> signs; // a plain rung answers for what its own signs reject
+  if (options.all_pairs && never_wrong(precision) && affine_pairs::pays(predicate, a.set().elements, b.set().elements))
+    signs.emplace(predicate, a.set().rows, a.set().elements, b.set().rows, b.set().elements, threads);
+  const all_pairs every(a.set(), b.set(), what_rules_out(precision), filter ? &*filter : nullptr,
+                        signs ? &*signs : nullptr);
   const bool half =
       &a == &b && predicate.symmetric && never_wrong(precision) && !options.all_pairs && !options.first_met;
   const tree_pairs tree(a.set(), b.set(), what_rules_out(precision), half);

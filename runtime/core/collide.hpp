@@ -28,7 +28,9 @@ struct collide_options {
   // Fill result::first_met as well, without a list. The predicate must know an order (predicate_info::first_met), the set a has
   // no owners, and `any` is not wanted. Which element is first is exact, of the hits that the rung finds.
   bool first_met = false;
-  bool all_pairs = false; // look at every pair, without a hierarchy: by the kinds' filter (kind_filter), then by boxes
+  // Look at every pair, without a hierarchy: by the filters of the kinds and of the predicate (kind_filter, affine_filter),
+  // then by boxes.
+  bool all_pairs = false;
   // The scene's box (catalogue::box): coordinates lie in [-box, box], lengths in [0, 2 box]; 0: there is none. No
   // answer depends on it. Where a set leaves it, the first rung of `certified` bounds each pair by itself.
   float box = 0;

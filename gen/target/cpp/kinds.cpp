@@ -61,8 +61,9 @@ std::string members_in_row(const unit &u, const lower::lowered_kind &k, int &at)
 std::string row_reader(const unit &u, const lower::lowered_kind &k) {
   int at = 0;
   const std::string members = members_in_row(u, k, at);
-  return fmt::format("template <class T> MEETC_HD MEETC_INLINE {0}<T> {0}_in(const T *row) {{\n  return {{{1}}};\n}}\n",
-                     identifier(k.name), members);
+  return fmt::format(
+      "template <class T> MEETC_HD MEETC_INLINE constexpr {0}<T> {0}_in(const T *row) {{\n  return {{{1}}};\n}}\n",
+      identifier(k.name), members);
 }
 
 std::string blade_struct(const lower::lowered_kind &k) {

@@ -37,8 +37,8 @@ std::string pointer(const char *type, const std::string &name, const std::string
 std::string function_of_object(const emitted_predicate &p, const char *name, const char *row, const std::string &body,
                                const std::string &indent) {
   const std::string all = p.operands_in(body, indent + "  ") + body;
-  return fmt::format("{0}template <class T> MEETC_HD MEETC_INLINE static void {1}({2}, {3}) {{\n{4}{0}}}\n", indent,
-                     name, pointer("const T", row, all), pointer("T", "f", all), all);
+  return fmt::format("{0}template <class T> MEETC_HD MEETC_INLINE static constexpr void {1}({2}, {3}) {{\n{4}{0}}}\n",
+                     indent, name, pointer("const T", row, all), pointer("T", "f", all), all);
 }
 
 std::string opened(const emitted_predicate &p, const char *which, const std::vector<std::string> &includes,
@@ -98,12 +98,12 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
   const body_names names{input, [](std::size_t i, const std::string &v) { return fmt::format("v[{}] = {};", i, v); }};
   const std::string body = pair_body(code, stored, names, s.bounds && s.bounds->mixed, remarks, inner + "  ");
   const std::string pair = p.operands_in(body, inner + "  ") + body;
-  out += fmt::format(
-      "{0}// The values of the signs; W holds those of degree 3 and more.\n"
-      "{0}template <class T, class W = T>\n{0}MEETC_HD MEETC_INLINE static void pair({1}, {2}, {3}, {4}, W *v) "
-      "{{\n{5}{0}}}\n",
-      inner, pointer("const T", "row_a", pair), pointer("const T", "fa", pair), pointer("const T", "row_b", pair),
-      pointer("const T", "fb", pair), pair);
+  out += fmt::format("{0}// The values of the signs; W holds those of degree 3 and more.\n"
+                     "{0}template <class T, class W = T>\n{0}MEETC_HD MEETC_INLINE static constexpr void pair({1}, "
+                     "{2}, {3}, {4}, W *v) "
+                     "{{\n{5}{0}}}\n",
+                     inner, pointer("const T", "row_a", pair), pointer("const T", "fa", pair),
+                     pointer("const T", "row_b", pair), pointer("const T", "fb", pair), pair);
   return out + indent + "};\n";
 }
 

@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/ball_triangle_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -49,7 +49,7 @@ struct ball_triangle : detail::ball_triangle_points {
   struct common_stage : detail::ball_triangle_common_bounds {
     static constexpr int first = 0, atoms = 16, fields_a = 0, fields_b = 10;
     using bytecode = detail::ball_triangle_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+    template <class T> MEETC_HD MEETC_INLINE static constexpr void object_b(const T *row_b, T *f) {
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.b.x - t.a.x;
       const T t1 = t.b.y - t.a.y;
@@ -79,7 +79,8 @@ struct ball_triangle : detail::ball_triangle_points {
     }
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *fb,
+        W *v) {
       const auto S_ = detail::sphere_in(row_a);
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.a.x - S_.c.x;

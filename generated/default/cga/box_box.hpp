@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/box_box_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -45,7 +45,8 @@ struct box_box : detail::box_box_points {
     using bytecode = detail::box_box_common_bytecode;
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *,
+        W *v) {
       const auto A = detail::box_in(row_a);
       const auto B = detail::box_in(row_b);
       v[0] = -(B.high.x - A.low.x); // s[0] = A.low[e1] - B.high[e1]

@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/first_met_segment_triangle_pair_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -23,7 +23,8 @@ struct first_met_segment_triangle_pair_sign : detail::first_met_segment_triangle
     using bytecode = detail::first_met_segment_triangle_pair_sign_common_bytecode;
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *,
+        W *v) {
       const auto X = detail::segment_in(row_a);
       const auto Y = detail::triangle_pair_in(row_b);
       const T t0 = X.q.x - X.p.x;

@@ -5,7 +5,7 @@
 
 #include <meetc/support.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -289,40 +289,40 @@ template <class T> MEETC_HD inline bool valid(const triangle_pair<T> &k) {
 
 // Reads kinds from rows.
 namespace detail {
-template <class T> MEETC_HD MEETC_INLINE point<T> point_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr point<T> point_in(const T *row) {
   return {row[0], row[1], row[2]};
 }
-template <class T> MEETC_HD MEETC_INLINE direction<T> direction_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr direction<T> direction_in(const T *row) {
   return {row[0], row[1], row[2]};
 }
-template <class T> MEETC_HD MEETC_INLINE point_pair<T> point_pair_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr point_pair<T> point_pair_in(const T *row) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
 }
-template <class T> MEETC_HD MEETC_INLINE flat_point<T> flat_point_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr flat_point<T> flat_point_in(const T *row) {
   return {{row[0], row[1], row[2]}};
 }
-template <class T> MEETC_HD MEETC_INLINE line<T> line_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr line<T> line_in(const T *row) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
 }
-template <class T> MEETC_HD MEETC_INLINE circle<T> circle_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr circle<T> circle_in(const T *row) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, row[6]};
 }
-template <class T> MEETC_HD MEETC_INLINE plane<T> plane_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr plane<T> plane_in(const T *row) {
   return {{row[0], row[1], row[2]}, row[3]};
 }
-template <class T> MEETC_HD MEETC_INLINE sphere<T> sphere_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr sphere<T> sphere_in(const T *row) {
   return {{row[0], row[1], row[2]}, row[3]};
 }
-template <class T> MEETC_HD MEETC_INLINE segment<T> segment_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr segment<T> segment_in(const T *row) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
 }
-template <class T> MEETC_HD MEETC_INLINE triangle<T> triangle_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr triangle<T> triangle_in(const T *row) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, {row[6], row[7], row[8]}};
 }
-template <class T> MEETC_HD MEETC_INLINE box<T> box_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr box<T> box_in(const T *row) {
   return {{row[0], row[1], row[2]}, {row[3], row[4], row[5]}};
 }
-template <class T> MEETC_HD MEETC_INLINE triangle_pair<T> triangle_pair_in(const T *row) {
+template <class T> MEETC_HD MEETC_INLINE constexpr triangle_pair<T> triangle_pair_in(const T *row) {
   return {{{row[0], row[1], row[2]}, {row[3], row[4], row[5]}, {row[6], row[7], row[8]}}, {{row[9], row[10],
       row[11]}, {row[12], row[13], row[14]}, {row[15], row[16], row[17]}}};
 }

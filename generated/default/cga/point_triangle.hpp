@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/point_triangle_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -48,7 +48,7 @@ struct point_triangle : detail::point_triangle_points {
   struct common_stage : detail::point_triangle_common_bounds {
     static constexpr int first = 0, atoms = 19, fields_a = 0, fields_b = 3;
     using bytecode = detail::point_triangle_common_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+    template <class T> MEETC_HD MEETC_INLINE static constexpr void object_b(const T *row_b, T *f) {
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.c.y - t.a.y;
       const T t1 = t.b.z - t.a.z;
@@ -62,7 +62,8 @@ struct point_triangle : detail::point_triangle_points {
     }
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *fb,
+        W *v) {
       const auto p = detail::point_in(row_a);
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.c.y - t.a.y;

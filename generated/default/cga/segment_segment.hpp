@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/segment_segment_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -48,7 +48,8 @@ struct segment_segment : detail::segment_segment_points {
     using bytecode = detail::segment_segment_common_bytecode;
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *,
+        W *v) {
       const auto s = detail::segment_in(row_a);
       const auto e = detail::segment_in(row_b);
       const T t0 = e.q.y - e.p.y;

@@ -9,7 +9,7 @@
 #include <cga/point_triangle.hpp>
 #include <cga/segment_segment.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -53,7 +53,7 @@ struct segment_triangle : detail::segment_triangle_points {
   struct reject_stage : detail::segment_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 2, fields_a = 0, fields_b = 3;
     using bytecode = detail::segment_triangle_reject_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+    template <class T> MEETC_HD MEETC_INLINE static constexpr void object_b(const T *row_b, T *f) {
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.c.y - t.a.y;
       const T t1 = t.b.z - t.a.z;
@@ -67,7 +67,8 @@ struct segment_triangle : detail::segment_triangle_points {
     }
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *fb, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *fb,
+        W *v) {
       const auto s = detail::segment_in(row_a);
       const auto t = detail::triangle_in(row_b);
       const W t0 = meetc::fma(fb[2], t.a.z - s.p.z, meetc::fma(fb[1], t.a.y - s.p.y, meetc::times<W>(fb[0],
@@ -87,7 +88,8 @@ struct segment_triangle : detail::segment_triangle_points {
     using bytecode = detail::segment_triangle_common_bytecode;
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *,
+        W *v) {
       const auto s = detail::segment_in(row_a);
       const auto t = detail::triangle_in(row_b);
       const T t0 = t.b.y - t.a.y;

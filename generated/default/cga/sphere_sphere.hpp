@@ -7,7 +7,7 @@
 #include <cga/kinds.hpp>
 #include <cga/detail/sphere_sphere_bounds.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -45,7 +45,8 @@ struct sphere_sphere : detail::sphere_sphere_points {
     using bytecode = detail::sphere_sphere_common_bytecode;
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *,
+        W *v) {
       const auto S_ = detail::sphere_in(row_a);
       const auto T_ = detail::sphere_in(row_b);
       const T t0 = T_.c.x - S_.c.x;

@@ -10,7 +10,7 @@
 #include <cga/segment_segment.hpp>
 #include <cga/segment_triangle.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -54,7 +54,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
   struct reject_stage : detail::triangle_triangle_reject_bounds {
     static constexpr int first = 0, atoms = 6, fields_a = 3, fields_b = 3;
     using bytecode = detail::triangle_triangle_reject_bytecode;
-    template <class T> MEETC_HD MEETC_INLINE static void object_a(const T *row_a, T *f) {
+    template <class T> MEETC_HD MEETC_INLINE static constexpr void object_a(const T *row_a, T *f) {
       const auto A = detail::triangle_in(row_a);
       const T t0 = A.c.y - A.a.y;
       const T t1 = A.b.z - A.a.z;
@@ -66,7 +66,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
       f[1] = meetc::fma(-t2, t4, t1 * t5);
       f[2] = meetc::fma(-t3, t5, t0 * t4);
     }
-    template <class T> MEETC_HD MEETC_INLINE static void object_b(const T *row_b, T *f) {
+    template <class T> MEETC_HD MEETC_INLINE static constexpr void object_b(const T *row_b, T *f) {
       const auto B = detail::triangle_in(row_b);
       const T t0 = B.c.y - B.a.y;
       const T t1 = B.b.z - B.a.z;
@@ -80,7 +80,8 @@ struct triangle_triangle : detail::triangle_triangle_points {
     }
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *fa, const T *row_b, const T *fb, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *fa, const T *row_b, const T *fb,
+        W *v) {
       const auto A = detail::triangle_in(row_a);
       const auto B = detail::triangle_in(row_b);
       const T t0 = B.a.x - A.a.x;
@@ -113,7 +114,8 @@ struct triangle_triangle : detail::triangle_triangle_points {
     using bytecode = detail::triangle_triangle_common_bytecode;
     // The values of the signs; W holds those of degree 3 and more.
     template <class T, class W = T>
-    MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
+    MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *,
+        W *v) {
       const auto A = detail::triangle_in(row_a);
       const auto B = detail::triangle_in(row_b);
       const T t0 = B.b.y - B.a.y;

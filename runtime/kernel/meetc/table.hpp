@@ -42,6 +42,25 @@ struct kind_filter {
 };
 inline constexpr int filter_tile = 16;
 
+// Where the numbers of a set's rows lie: number k from lo[k] to hi[k].
+struct field_ranges {
+  static constexpr int most = 16;
+  double lo[most], hi[most];
+};
+// A filter of a predicate for queries that look at all pairs of two sets: it rules out pairs that the reject stage proves
+// apart by signs that are affine in one object's numbers (affine_filter.hpp).
+struct affine_filter {
+  int of_a, of_b; // floats of an element
+  // The numbers of n elements of a, one element after another, and those of b in tiles, as kind_filter has them, but
+  // that elements behind the last repeat it. The ranges are those of the two sets. Returns false, and the numbers mean
+  // nothing, if one is out of its range or the floating-point environment is not the standard one.
+  bool (*singles)(const field_ranges &a, const field_ranges &b, const float *rows, std::size_t n, float *out);
+  bool (*tiles)(const field_ranges &a, const field_ranges &b, const float *rows, std::size_t n, float *out);
+  // Writes those of `count` tiles of b whose elements are not all ruled out for one element of a. There is room for
+  // `count`. Returns their end.
+  near_tile *(*near)(const float *single, const float *tiles, std::size_t count, near_tile *out);
+};
+
 // One kind of element. A row is `fields` floats in the spec's store order.
 struct kind_info {
   const char *name;
@@ -143,6 +162,7 @@ struct predicate_info {
   // Which of two rows of b an element of a meets first on its way from its first point to its second, of rows that it meets:
   // -1, 1, or 0 for both at one point. It is exact, and a total order of any rows of b; null: not generated (first_met.hpp).
   int (*first_met)(const float *a, const float *b, const float *other) = nullptr;
+  const affine_filter *affine = nullptr; // null: no sign of the reject stage is of that sort
 };
 
 // All that a namespace offers to a runtime.

@@ -10,7 +10,7 @@
 #include <cga/detail/segment_segment_rest.hpp>
 #include <cga/detail/segment_triangle_rest.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 11, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 12, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
@@ -503,7 +503,8 @@ struct triangle_triangle::rare_stage : detail::triangle_triangle_rare_bounds {
   using bytecode = detail::triangle_triangle_rare_bytecode;
   // The values of the signs; W holds those of degree 3 and more.
   template <class T, class W = T>
-  MEETC_HD MEETC_INLINE static void pair(const T *row_a, const T *, const T *row_b, const T *, W *v) {
+  MEETC_HD MEETC_INLINE static constexpr void pair(const T *row_a, const T *, const T *row_b, const T *,
+      W *v) {
     const auto A = detail::triangle_in(row_a);
     const auto B = detail::triangle_in(row_b);
     const T t0 = B.a.y - A.a.y;

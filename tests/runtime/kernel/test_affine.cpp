@@ -1,0 +1,312 @@
+// The affine filter: its number types, its layouts, and that it rules out no pair that touches.
+#include "tests/catch.hpp"
+
+#include <meetc/table_functions.hpp>
+
+#include <cga/triangle_triangle.hpp>
+
+#include <cga/cga_runtime.hpp>
+#include <cga/detail/triangle_triangle_rest.hpp>
+
+#include "core/affine_pairs.hpp"
+#include "core/find.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace meetc;
+
+namespace {
+
+using triangles = affine_kernel<cga::triangle_triangle>;
+using segments = affine_kernel<cga::segment_triangle>;
+
+using row = std::array<float, 9>;
+
+float between(std::mt19937 &g, float lo, float hi) {
+  return lo + (hi - lo) * static_cast<float>(g() >> 8) * 0x1p-24F;
+}
+row random_triangle(std::mt19937 &g, float place, float size) {
+  row t{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float c = between(g, -place, place);
+    for (std::size_t p = 0; p < 3; ++p)
+      t[3 * p + k] = c + between(g, -size, size);
+  }
+  return t;
+}
+// A triangle that touches t in one corner, or nearly so: the corner is a point of t's plane, exact where t's coordinates
+// are multiples of a large enough power of two.
+row at_plane_of(const row &t, std::mt19937 &g, float size) {
+  row r{};
+  const auto i = static_cast<float>(g() % 5), j = static_cast<float>(g() % 4);
+  for (std::size_t k = 0; k < 3; ++k) {
+    r[k] = t[k] + (t[3 + k] - t[k]) * (i / 8) + (t[6 + k] - t[k]) * (j / 8);
+    r[3 + k] = r[k] + between(g, 0, size), r[6 + k] = r[k] + between(g, 0, size);
+  }
+  return r;
+}
+std::vector<float> flat(const std::vector<row> &rows) {
+  std::vector<float> out;
+  for (const row &r : rows)
+    out.insert(out.end(), r.begin(), r.end());
+  return out;
+}
+
+struct scene {
+  std::string name;
+  std::vector<row> a, b;
+};
+std::vector<scene> scenes(std::size_t n) {
+  std::mt19937 g(11);
+  std::vector<scene> all;
+  scene even{"even", {}, {}};
+  for (std::size_t i = 0; i < n; ++i)
+    even.a.push_back(random_triangle(g, 1, 0.2F)), even.b.push_back(random_triangle(g, 1, 0.05F));
+  scene touching{"corners on planes", {}, {}}, far = touching, coplanar = touching;
+  far.name = "corners on planes, far from the origin", coplanar.name = "in one oblique plane";
+  for (std::size_t i = 0; i < n; ++i) {
+    row t{};
+    for (float &x : t)
+      x = static_cast<float>(8 * (static_cast<int>(g() % 2000) - 1000));
+    touching.a.push_back(t), touching.b.push_back(at_plane_of(t, g, 100));
+    row moved = t;
+    for (float &x : moved)
+      x += 0x1p22F;
+    far.a.push_back(moved), far.b.push_back(at_plane_of(moved, g, 1000));
+    row flat_row{};
+    for (std::size_t p = 0; p < 3; ++p) {
+      const float x = between(g, -1, 1), y = between(g, -1, 1);
+      flat_row[3 * p] = x, flat_row[3 * p + 1] = y, flat_row[3 * p + 2] = 0.3F * x - 0.7F * y;
+    }
+    (i % 2 ? coplanar.a : coplanar.b).push_back(flat_row);
+  }
+  all.insert(all.end(), {even, touching, far, coplanar});
+  for (const int power : {-125, -100, 100, 115}) { // some coordinates are subnormal, and some nearly overflow
+    for (const scene *s : {&even, &touching}) {
+      scene scaled = *s;
+      scaled.name += " * 2^" + std::to_string(power);
+      for (std::vector<row> *rows : {&scaled.a, &scaled.b})
+        for (row &r : *rows)
+          for (float &x : r)
+            x = std::ldexp(x, power - (s == &touching ? 13 : 0));
+      all.push_back(std::move(scaled));
+    }
+  }
+  scene mixed{"one huge among small ones", even.a, even.b};
+  for (float &x : mixed.b[3])
+    x *= 1e30F;
+  for (float &x : mixed.a[5])
+    x *= 1e-30F;
+  scene points{"without area", even.a, even.b};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      points.b[i][3 + k] = points.b[i][k];
+      if (i % 2)
+        points.b[i][6 + k] = points.b[i][k], points.a[i][3 + k] = points.a[i][k];
+    }
+  all.push_back(mixed), all.push_back(points);
+  return all;
+}
+
+struct outcome {
+  std::size_t wrong = 0, ruled_out = 0, pairs = 0, hits = 0;
+};
+// `left(i, near)` writes the tiles that row i of a leaves, as affine_filter::near.
+template <class Left> outcome compare(const scene &s, const Left &left) {
+  const std::vector<float> a = flat(s.a), b = flat(s.b);
+  const predicate_info &p = find_predicate(cga::catalogue(), "triangle_triangle");
+  std::vector<index_pair> pairs(s.b.size());
+  std::vector<answer> truth(s.b.size());
+  std::vector<near_tile> near(s.b.size() / filter_tile + 1);
+  outcome o;
+  for (std::size_t i = 0; i < s.a.size(); ++i) {
+    for (std::size_t j = 0; j < s.b.size(); ++j)
+      pairs[j] = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j)};
+    p.decide[static_cast<int>(rung::exact)](a.data(), b.data(), pairs.data(), pairs.size(), truth.data());
+    std::vector<bool> kept(s.b.size() + filter_tile);
+    for (const near_tile *t = near.data(), *const end = left(i, near.data()); t < end; ++t)
+      for (std::size_t k = 0; k < filter_tile; ++k)
+        kept[t->index * filter_tile + k] = t->elements >> k & 1;
+    for (std::size_t j = 0; j < s.b.size(); ++j) {
+      o.hits += truth[j] == answer::yes;
+      o.ruled_out += !kept[j];
+      o.wrong += !kept[j] && truth[j] == answer::yes;
+    }
+  }
+  o.pairs = s.a.size() * s.b.size();
+  return o;
+}
+template <int Bound> outcome by_kernel(const scene &s) {
+  using kernel = affine_kernel<cga::triangle_triangle, Bound>;
+  const std::vector<float> a = flat(s.a), b = flat(s.b);
+  field_ranges of_a{}, of_b{};
+  for (std::size_t k = 0; k < 9; ++k) {
+    of_a.lo[k] = of_b.lo[k] = HUGE_VAL, of_a.hi[k] = of_b.hi[k] = -HUGE_VAL;
+    const auto widen = [k](const std::vector<row> &rows, field_ranges &r) {
+      for (const row &x : rows)
+        r.lo[k] = std::min(r.lo[k], static_cast<double>(x[k])), r.hi[k] = std::max(r.hi[k], static_cast<double>(x[k]));
+    };
+    widen(s.a, of_a), widen(s.b, of_b);
+  }
+  std::vector<float> singles(s.a.size() * kernel::single_floats), tiles((s.b.size() + 16) * kernel::tile_floats);
+  REQUIRE(kernel::singles(of_a, of_b, a.data(), s.a.size(), singles.data()));
+  REQUIRE(kernel::tiles(of_a, of_b, b.data(), s.b.size(), tiles.data()));
+  return compare(s, [&](std::size_t i, near_tile *out) {
+    return affine_finder<cga::triangle_triangle, Bound>(singles.data() + i * kernel::single_floats, tiles.data(), out)
+        .look((s.b.size() + filter_tile - 1) / filter_tile);
+  });
+}
+
+} // namespace
+
+TEST_CASE("affine forms over a finite field") {
+  using form = field_form<2>;
+  CHECK(field_inverse(7) * 7 % field_prime == 1);
+  form x, y;
+  x.c[0] = y.c[1] = 1;
+  const form f = (x + form(3)) * form(-2) - y / form(2);
+  CHECK(f.affine);
+  CHECK(f.c[0] == field_prime - 2);
+  CHECK(f.c[1] == field_prime - field_inverse(2));
+  CHECK(f.c[2] == field_prime - 6);
+  CHECK_FALSE((x * y).affine);
+  CHECK_FALSE((x * x + y).affine);
+  CHECK((x - x).is_constant());
+}
+
+TEST_CASE("which signs are affine is found in the emitted programs") {
+  for (const auto &[signs, coefficients, columns] :
+       {std::array{triangles::in_a.signs, triangles::in_a.coefficients, triangles::in_a.columns},
+        std::array{triangles::in_b.signs, triangles::in_b.coefficients, triangles::in_b.columns}}) {
+    CHECK(signs == 3);        // the sides of three corners
+    CHECK(coefficients == 4); // of one plane
+    CHECK(columns == 9);
+  }
+  CHECK(triangles::by_sides);
+  CHECK(segments::in_a.signs == 2);
+  CHECK(segments::in_a.coefficients == 4);
+  CHECK(segments::in_a.columns == 6);
+  CHECK(segments::in_b.signs == 0); // degree 3 in the triangle
+  const catalogue &all = cga::catalogue();
+  CHECK(find_predicate(all, "triangle_triangle").affine);
+  CHECK(find_predicate(all, "segment_triangle").affine);
+  CHECK_FALSE(find_predicate(all, "ball_ball").affine); // it has no reject stage
+}
+
+TEST_CASE("errors of tracked coefficients hold the true ones") {
+  std::mt19937 g(5);
+  double largest = 0;
+  for (int n = 0; n < 20'000; ++n) {
+    // Integers for which 2^53 is far too little, so that products round.
+    std::int64_t x[6];
+    for (std::int64_t &v : x)
+      v = (static_cast<std::int64_t>(g()) << 20 | static_cast<std::int64_t>(g() >> 12)) - (std::int64_t{1} << 51);
+    tracked t[6];
+    for (int k = 0; k < 6; ++k)
+      t[k] = tracked(static_cast<double>(x[k]));
+    const tracked found = (t[0] - t[1]) * (t[2] - t[3]) - (t[4] + t[5]) * t[0];
+    const __int128 exact =
+        static_cast<__int128>(x[0] - x[1]) * (x[2] - x[3]) - static_cast<__int128>(x[4] + x[5]) * x[0];
+    const __int128 off = exact - static_cast<__int128>(found.v);
+    const auto error = static_cast<double>(off < 0 ? -off : off);
+    REQUIRE(error <= found.e);
+    largest = std::max(largest, error / found.e);
+  }
+  CHECK(largest > 0.05); // and are of their size
+  tracked_form<1> y, z;
+  y.c[0] = tracked(3), y.c[1] = tracked(1), z.c[0] = tracked(-2), z.c[1] = tracked(5);
+  const tracked_form<1> p = y * z; // (3 y + 1) (5 - 2 y): the square of y is an error of at most 6
+  CHECK(p.c[0].v == 13);
+  CHECK(p.c[1].v == 5);
+  CHECK(p.c[1].e >= 6);
+}
+
+TEST_CASE("margins prove what sets of signs prove") {
+  std::mt19937 g(7);
+  const auto agree = [](truth_margin m, truth t, int lane) {
+    if (proved(m) >> lane & 1)
+      CHECK_FALSE(can_be_false(t));
+    return (proved(m) >> lane & 1) != 0;
+  };
+  int proofs = 0;
+  for (int n = 0; n < 2000; ++n) {
+    float v[4][lane_count];
+    margin s[4];
+    for (int i = 0; i < 4; ++i) {
+      for (float &x : v[i])
+        x = between(g, -3, 3);
+      s[i] = {lanes::from(v[i]), g() % 8 != 0, g() % 2 != 0};
+    }
+    for (int lane = 0; lane < lane_count; ++lane) {
+      sign_set of[4];
+      for (int i = 0; i < 4; ++i) {
+        const float x = s[i].turned ? -v[i][lane] : v[i][lane];
+        of[i] =
+            !s[i].known || std::fabs(x) <= 1 ? sign_set::all() : sign_set::of(x > 0 ? sign::positive : sign::negative);
+      }
+      proofs += agree(both(above_zero(s[0]), below_zero(s[1]), above_zero(s[2])),
+                      both(above_zero(of[0]), below_zero(of[1]), above_zero(of[2])), lane);
+      proofs +=
+          agree(either(both(above_zero(s[0]), above_zero(s[1])), both(below_zero(s[2]), below_zero(s[3]))),
+                either(both(above_zero(of[0]), above_zero(of[1])), both(below_zero(of[2]), below_zero(of[3]))), lane);
+      proofs += agree(above_zero(s[0] * s[1]), above_zero(of[0] * of[1]), lane);
+      proofs += agree(below_zero(s[0] * -s[1]), below_zero(of[0] * -of[1]), lane);
+      proofs += agree(either(at_most_zero(s[0]), at_least_zero(s[1])),
+                      either(at_most_zero(of[0]), at_least_zero(of[1])), lane);
+      proofs +=
+          agree(both(not_zero(s[0]), above_zero(square(s[1]))), both(not_zero(of[0]), above_zero(square(of[1]))), lane);
+      CHECK_FALSE(agree(is_zero(s[0]), is_zero(of[0]), lane));
+      CHECK_FALSE(agree(negate(above_zero(s[0])), negate(above_zero(of[0])), lane));
+      proofs += agree(both(above_zero(s[0]), true), both(above_zero(of[0]), true), lane);
+      CHECK_FALSE(agree(both(above_zero(s[0]), false), both(above_zero(of[0]), false), lane));
+    }
+  }
+  CHECK(proofs > 5000);
+}
+
+TEST_CASE("the affine filter rules out no pair that touches, on each instruction set") {
+  for (const instruction_set set : {instruction_set::baseline, instruction_set::avx2, instruction_set::avx512}) {
+    const catalogue *of = cga::catalogue_for(set);
+    if (!of)
+      continue;
+    const predicate_info &p = find_predicate(*of, "triangle_triangle");
+    for (const scene &s : scenes(150)) {
+      CAPTURE(name_of(set), s.name);
+      const std::vector<float> a = flat(s.a), b = flat(s.b);
+      const affine_pairs filter(p, a.data(), s.a.size(), b.data(), s.b.size(), 2);
+      const outcome o = compare(s, [&](std::size_t i, near_tile *out) {
+        return filter.near(i, 0, (s.b.size() + filter_tile - 1) / filter_tile, out);
+      });
+      CHECK(o.wrong == 0);
+      if (s.name == "even" || s.name == "corners on planes")
+        CHECK(10 * o.ruled_out > 8 * o.pairs);
+      if (s.name.starts_with("corners on planes"))
+        CHECK(o.hits > 100);
+    }
+  }
+}
+
+TEST_CASE("less than what a sum's roundings can be is wrong") {
+  std::size_t wrong = 0, right = 0;
+  for (const scene &s : scenes(300)) {
+    right += by_kernel<-18>(s).wrong;
+    wrong += by_kernel<-26>(s).wrong;
+  }
+  CHECK(right == 0);
+  CHECK(wrong > 0);
+}
+
+TEST_CASE("rows out of their ranges, and other environments, rule out nothing") {
+  const scene s = scenes(20).front();
+  const std::vector<float> a = flat(s.a);
+  field_ranges narrow{};
+  for (std::size_t k = 0; k < 9; ++k)
+    narrow.lo[k] = -0.01, narrow.hi[k] = 0.01;
+  std::vector<float> out(s.a.size() * triangles::single_floats);
+  CHECK_FALSE(triangles::singles(narrow, narrow, a.data(), s.a.size(), out.data()));
+}
