@@ -14,6 +14,7 @@
 #define MEETC_AFFINE_FORMS_HPP
 
 #include <meetc/stored.hpp>
+#include <meetc/tracked.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -23,14 +24,6 @@ MEETC_NAMESPACE(meetc) {
 // ---- over a finite field ----
 
 inline constexpr std::uint64_t field_prime = 0x7fffffff;
-
-constexpr std::uint64_t field_inverse(std::uint64_t x) { // x^(p - 2)
-  std::uint64_t r = 1;
-  for (std::uint64_t e = field_prime - 2; e != 0; e >>= 1, x = x * x % field_prime)
-    if (e & 1)
-      r = r * x % field_prime;
-  return r;
-}
 
 // Numbers without a simple relation, so that no polynomial of a program vanishes for them by accident (SplitMix64: Steele,
 // Lea and Flood, 2014).
@@ -80,46 +73,11 @@ template <int N> struct field_form {
       x = x * by.c[N] % field_prime;
     return r;
   }
-  friend constexpr field_form operator/(const field_form &a, const field_form &b) {
-    field_form inverse;
-    inverse.c[N] = field_inverse(b.c[N]);
-    inverse.affine = b.is_constant();
-    return a * inverse;
-  }
 };
 
 // ---- over double, with errors ----
 
-// v is within e of the true value. Every operation's rounding is counted twice over, and an underflow as 2^-1070, so that
-// neither contraction to fma nor the roundings of e itself matter, of which there are far fewer than 2^40.
-struct tracked {
-  double v = 0, e = 0;
-
-  tracked() = default;
-  MEETC_INLINE explicit tracked(double x) : v(x) {} // exact
-  MEETC_INLINE explicit operator double() const { return v; }
-};
-MEETC_INLINE tracked rounded(double v, double e) {
-  tracked r(v);
-  r.e = e + (0x1p-51 * std::fabs(v) + 0x1p-1070);
-  return r;
-}
-MEETC_INLINE tracked operator-(tracked a) {
-  a.v = -a.v;
-  return a;
-}
-MEETC_INLINE tracked operator+(tracked a, tracked b) {
-  return rounded(a.v + b.v, a.e + b.e);
-}
-MEETC_INLINE tracked operator-(tracked a, tracked b) {
-  return a + -b;
-}
-MEETC_INLINE tracked operator*(tracked a, tracked b) {
-  return rounded(a.v * b.v, (std::fabs(a.v) + a.e) * b.e + a.e * std::fabs(b.v));
-}
-MEETC_INLINE tracked operator/(tracked a, tracked b) { // by a constant of the program, which is exact
-  return rounded(a.v / b.v, a.e / std::fabs(b.v));
-}
+using tracked = tracked_number<double>;
 
 // An affine form whose variables lie in [-1, 1]. The product of two that are no constants is counted as an error.
 template <int N> struct tracked_form {
@@ -158,11 +116,6 @@ template <int N> struct tracked_form {
     r.c[N] = a.c[N] * b.c[N];
     r.c[N].e += a.reach() * b.reach();
     return r;
-  }
-  friend MEETC_INLINE tracked_form operator/(tracked_form a, const tracked_form &b) {
-    for (tracked &x : a.c)
-      x = x / b.c[N];
-    return a;
   }
 };
 

@@ -15,6 +15,16 @@
 
 MEETC_NAMESPACE(meetc) {
 
+// Of the stages before the rare one.
+template <class P> constexpr int highest_degree() {
+  int most = 0;
+  if constexpr (P::reject_stage::atoms > 0)
+    most = P::reject_stage::degree;
+  if constexpr (P::common_stage::atoms > 0)
+    most = P::common_stage::degree > most ? P::common_stage::degree : most;
+  return most;
+}
+
 // Calls one(x) for each pair of rows x.
 template <class P, class Decide>
 void decide_each(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
@@ -73,8 +83,20 @@ void decide_plain(row_array a, row_array b, const index_pair *pairs, std::size_t
     decide_each<P>(a, b, pairs, n, out,
                    [](const row_pair &p) { return to_answer(decide<P>(plain_signs<P, T>(p.row_a, p.row_b))); });
 }
+// The exact rung: signs that doubles prove by their running errors, in lanes; then each pair that these leave by itself.
 template <class P> void decide_exact(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
-  decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return to_answer(decide_exact<P>(p.row_a, p.row_b)); });
+  const auto one = [](const row_pair &p) { return to_answer(decide_exact<P>(p.row_a, p.row_b)); };
+  if constexpr (highest_degree<P>() > tracked_number<wide_lanes>::highest_degree) {
+    decide_each<P>(a, b, pairs, n, out, one);
+  } else {
+    if (!standard_environment())
+      return decide_each<P>(a, b, pairs, n, out, one);
+    a = {after_check(a.rows)}, b = {after_check(b.rows)};
+    decide_in_wide_lanes<P, residue_width<64>, running_errors>(a, b, pairs, n, out, [&](std::size_t i) {
+      return one({a.rows + std::size_t{pairs[i].a} * P::inputs_a, b.rows + std::size_t{pairs[i].b} * P::inputs_b});
+    });
+    after_check(out); // keeps the computation before the return
+  }
 }
 // The exact rung for pairs that the bounded rungs left unsure.
 template <class P> void decide_last(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {

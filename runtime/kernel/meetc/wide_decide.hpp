@@ -1,4 +1,5 @@
-// Decides pairs in lanes of doubles: the rung fp64 of `certified`, for the runtime's table.
+// Decides pairs in lanes of doubles: the rung fp64 of `certified`, and what `exact` decides in lanes, for the runtime's
+// table.
 //
 // Problem: pairs that fp32 leaves unsure are often degenerate: many of their signs are zero, which no bound can tell from
 // a small number.
@@ -6,6 +7,8 @@
 // modulo 2^64: on a common grid the value is an integer n, and the bound says |n| < 2^62, so that the residue of n is n.
 // This needs neither wide products nor that the values in fp64 are exact. Where the differences of a pair are so short that
 // no value reaches 2^62, integers alone serve.
+// `exact` takes no bound from the compiler: its values carry the bound of their own error (tracked.hpp), so that it judges
+// the other rungs. It compares equal points first, and leaves the rare stage open.
 // What this leaves open is decided pair by pair by the caller's function. A pair's answer does not depend on those that
 // share the lanes with it.
 #ifndef MEETC_WIDE_DECIDE_HPP
@@ -14,6 +17,7 @@
 #include <meetc/lanes.hpp>
 
 #include <meetc/lane_decide.hpp>
+#include <meetc/tracked.hpp>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -117,7 +121,36 @@ template <class P, class Width> constexpr int short_span_of_all() {
   return span;
 }
 
-template <class P, class Stage, class Width> class wide_signs {
+// How values get their errors: v[i] is within error[i] of the truth, and a magnitude of zero proves zero.
+struct emitted_bounds {
+  static constexpr bool is_exact = false;
+  template <class P, class Stage>
+  static MEETC_INLINE void values(const wide_rows<P> &rows, wide_lanes *v, wide_lanes *error, wide_lanes *magnitude) {
+    stage_values<Stage>(rows.a, rows.b, v);
+    constexpr double floor = power_of_two(Stage::floor_fp64, 0.0);
+    stage_magnitudes<Stage>(rows.a, rows.b, leaf_magnitude<wide_lanes>{wide_lanes(floor)}, magnitude);
+    for (int i = 0; i < Stage::atoms; ++i)
+      error[i] = wide_lanes(in_fp64::factor<Stage>(i)) * magnitude[i];
+  }
+};
+struct running_errors {
+  static constexpr bool is_exact = true;
+  template <class P, class Stage>
+  static MEETC_INLINE void values(const wide_rows<P> &rows, wide_lanes *v, wide_lanes *error, wide_lanes *magnitude) {
+    using number = tracked_number<wide_lanes>;
+    static_assert(Stage::degree <= number::highest_degree);
+    number a[P::inputs_a], b[P::inputs_b], found[Stage::atoms];
+    for (int i = 0; i < P::inputs_a; ++i)
+      a[i] = number(rows.a[i]);
+    for (int i = 0; i < P::inputs_b; ++i)
+      b[i] = number(rows.b[i]);
+    stage_values<Stage>(a, b, found);
+    for (int i = 0; i < Stage::atoms; ++i)
+      v[i] = found[i].v, error[i] = found[i].e, magnitude[i] = larger(magnitude_of(v[i]), error[i]);
+  }
+};
+
+template <class P, class Stage, class Width, class How = emitted_bounds> class wide_signs {
 public:
   MEETC_INLINE explicit wide_signs(const wide_rows<P> &rows) : rows_(rows) {}
 
@@ -125,20 +158,18 @@ public:
   // since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two (unless -fno-tree-ter is
   // given; tests/extremes sees it).
   MEETC_NOINLINE void get(lane_mask wanted, proved_lanes *s) const {
-    wide_lanes v[Stage::atoms], m[Stage::atoms];
-    stage_values<Stage>(rows_.a, rows_.b, v);
-    constexpr double floor = power_of_two(Stage::floor_fp64, 0.0);
-    stage_magnitudes<Stage>(rows_.a, rows_.b, leaf_magnitude<wide_lanes>{wide_lanes(floor)}, m);
+    wide_lanes v[Stage::atoms], error[Stage::atoms], m[Stage::atoms];
+    How::template values<P, Stage>(rows_, v, error, m);
     const lane_mask finite = finite_lanes(v),
                     sound = computes_as_bounded() ? all_bits : 0; // elsewhere values prove nothing
     lane_mask known = wanted;
     for (int i = 0; i < Stage::atoms; ++i) {
-      const proved_lanes p = proved(v[i], error(i, m[i]), m[i]);
+      const proved_lanes p = proved(v[i], error[i], m[i]);
       s[i] = {p.negative & finite & sound, p.zero & sound, p.positive & finite & sound};
       known &= s[i].negative | s[i].zero | s[i].positive;
     }
     if (known != wanted)
-      by_residues(v, m, s);
+      by_residues(v, error, s);
   }
 
 private:
@@ -151,10 +182,7 @@ private:
       largest = larger(magnitude_of(v[i]), largest);
     return ~greater(largest, wide_lanes(largest_finite(0.0)));
   }
-  static MEETC_INLINE wide_lanes error(int i, wide_lanes magnitude) {
-    return wide_lanes(in_fp64::factor<Stage>(i)) * magnitude;
-  }
-  MEETC_NOINLINE void by_residues(const wide_lanes *v, const wide_lanes *m, proved_lanes *s) const {
+  MEETC_NOINLINE void by_residues(const wide_lanes *v, const wide_lanes *error, proved_lanes *s) const {
     whole_rows<P> r;
     r.template take<bounded_span<Stage, Width>()>(rows_, extent_of(rows_));
     if (r.on_grid == 0) // not all integers have been computed
@@ -168,7 +196,7 @@ private:
       limit[k + 1] = limit[k] * r.step;
     for (int i = 0; i < Stage::atoms; ++i) {
       const lane_mask unknown = r.on_grid & ~(s[i].negative | s[i].zero | s[i].positive) &
-                                greater(limit[Stage::degree_of(i)], magnitude_of(v[i]) + error(i, m[i]));
+                                greater(limit[Stage::degree_of(i)], magnitude_of(v[i]) + error[i]);
       const whole_lanes value = Width::read(n[i]);
       const lane_mask below = unknown & negative(value), none = unknown & zero(value);
       s[i].negative |= below;
@@ -191,7 +219,7 @@ template <class P, class Stage, class Width> MEETC_NOINLINE void short_signs(con
   }
 }
 
-template <class P, class Width, class Open> class wide_decider {
+template <class P, class Width, class How, class Open> class wide_decider {
 public:
   // `open(i)` decides pair i alone.
   wide_decider(const row_array &a, const row_array &b, const index_pair *pairs, answer *out, const Open &open)
@@ -210,6 +238,7 @@ private:
   static constexpr int block = 32;
 
   void load(const index_pair *pairs, int n) {
+    settled_ = 0;
     for (int from = 0; from < n; from += lane_count) {
       std::uint32_t at_a[lane_count], at_b[lane_count];
       for (int k = 0; k < lane_count; ++k) { // lanes from n on repeat the last pair
@@ -219,12 +248,15 @@ private:
       lanes a[P::inputs_a], b[P::inputs_b];
       gather_rows<P::inputs_a>(a_.rows, at_a, a);
       gather_rows<P::inputs_b>(b_.rows, at_b, b);
+      if constexpr (How::is_exact && P::settled_by != 0)
+        if (computes_as_bounded())
+          settled_ |= (P::settled_lanes(a, b) & every_lane) << from;
       for (int half = 0; half < lane_count; half += wide_count) {
         wide_rows<P> &to = rows_[(from + half) / wide_count];
         take<P::inputs_a>(a, half, to.a);
         take<P::inputs_b>(b, half, to.b);
-        whole_rows<P> &integers = integers_[(from + half) / wide_count];
-        integers.template take<short_span_of_all<P, Width>()>(to, extent_of(to));
+        if constexpr (!How::is_exact) // there, integers serve only where values do not
+          integers_[(from + half) / wide_count].template take<short_span_of_all<P, Width>()>(to, extent_of(to));
       }
     }
   }
@@ -237,7 +269,7 @@ private:
   }
 
   void decide(std::size_t at, int n) {
-    lane_mask left = ~lane_mask{0} >> (block - n), rare = 0;
+    lane_mask left = ~lane_mask{0} >> (block - n) & ~settled_, rare = 0;
     sign_lanes s[P::atoms + 1];
     if constexpr (P::reject_stage::atoms > 0) {
       signs<typename P::reject_stage>(left, s);
@@ -248,14 +280,16 @@ private:
     truth_lanes hit = to_truth_lanes(P::usual(s));
     if constexpr (P::rare_stage::atoms > 0) {
       rare = left & to_truth_lanes(P::needs_rare(s)).can_be_true;
-      if (rare != 0) {
+      if constexpr (How::is_exact) {
+        hit = {hit.can_be_false | rare, hit.can_be_true | rare};
+      } else if (rare != 0) {
         signs<typename P::rare_stage>(rare, s);
         const truth_lanes whole = to_truth_lanes(P::whole(s));
         hit = {(hit.can_be_false & ~rare) | (rare & whole.can_be_false),
                (hit.can_be_true & ~rare) | (rare & whole.can_be_true)};
       }
     }
-    const lane_mask open = left & hit.can_be_false & hit.can_be_true, yes = left & ~hit.can_be_false;
+    const lane_mask open = left & hit.can_be_false & hit.can_be_true, yes = (left & ~hit.can_be_false) | settled_;
     for (int k = 0; k < n; ++k) {
       const std::size_t i = at + static_cast<std::size_t>(k);
       out_[i] = open >> k & 1 ? open_(i) : to_answer((yes >> k & 1) != 0);
@@ -271,11 +305,10 @@ private:
       if (here == 0)
         continue;
       proved_lanes s[Stage::atoms];
-      const whole_rows<P> &integers = integers_[from / wide_count];
-      if ((here & ~integers.on_grid) == 0)
-        short_signs<P, Stage, Width>(integers, s);
+      if (!How::is_exact && (here & ~integers_[from / wide_count].on_grid) == 0)
+        short_signs<P, Stage, Width>(integers_[from / wide_count], s);
       else
-        wide_signs<P, Stage, Width>(rows_[from / wide_count]).get(here, s);
+        wide_signs<P, Stage, Width, How>(rows_[from / wide_count]).get(here, s);
       for (int i = 0; i < Stage::atoms; ++i) {
         together[i].negative |= (s[i].negative & every) << from;
         together[i].zero |= (s[i].zero & every) << from;
@@ -292,13 +325,14 @@ private:
   const Open &open_;
   wide_rows<P> rows_[block / wide_count];
   whole_rows<P> integers_[block / wide_count];
+  lane_mask settled_ = 0; // pairs that equal points settle
 };
 
 // Decides n pairs in lanes of doubles; open(i) decides pair i where these do not.
-template <class P, class Width = residue_width<64>, class Open>
+template <class P, class Width = residue_width<64>, class How = emitted_bounds, class Open>
 void decide_in_wide_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
                           const Open &open) {
-  wide_decider<P, Width, Open>(a, b, pairs, out, open).run(n);
+  wide_decider<P, Width, How, Open>(a, b, pairs, out, open).run(n);
 }
 
 } // MEETC_NAMESPACE(meetc)

@@ -1,0 +1,57 @@
+// Numbers that carry a bound of their own error: running error analysis.
+//
+// Problem: an exact rung needs signs that owe nothing to the bounds of the other rungs, and coefficients need a bound that
+// no compiler has computed beforehand.
+// Method: every operation adds what it can lose to the errors of its operands. V is double, or lanes of it.
+// Source: Wilkinson; Higham, "Accuracy and Stability of Numerical Algorithms", 3.3.
+#ifndef MEETC_TRACKED_HPP
+#define MEETC_TRACKED_HPP
+
+#include <meetc/wide_lanes.hpp>
+
+MEETC_NAMESPACE(meetc) {
+
+// v is within e of the true value, while no NaN occurs. A rounding is counted twice over, so that neither contraction to fma
+// nor the roundings of e itself matter, of which there are far fewer than 2^40. Of doubles, an underflow is counted as
+// 2^-1070. In lanes nothing underflows: they hold products of at most highest_degree differences of floats, each 0 or at
+// least 2^-149, so that no value but 0 is below 2^-894, no error but 0 below 2^-52 of it, and no product of two errors
+// below 2^-998.
+template <class V> struct tracked_number {
+  static constexpr int highest_degree = 6;
+  V v = V(0.0), e = V(0.0);
+
+  tracked_number() = default;
+  MEETC_INLINE explicit tracked_number(V exact) : v(exact) {}
+  MEETC_INLINE explicit tracked_number(int exact) : v(static_cast<double>(exact)) {}
+};
+// a b + c, by one instruction where lanes have it; of doubles fma() may be a call.
+MEETC_INLINE double multiply_add(double a, double b, double c) {
+  return a * b + c;
+}
+MEETC_INLINE wide_lanes multiply_add(wide_lanes a, wide_lanes b, wide_lanes c) {
+  return fma(a, b, c);
+}
+template <class V> MEETC_INLINE tracked_number<V> rounded(V v, V e) {
+  tracked_number<V> r(v);
+  r.e = multiply_add(V(0x1p-51), magnitude_of(v), e);
+  if constexpr (std::is_same_v<V, double>)
+    r.e += 0x1p-1070;
+  return r;
+}
+template <class V> MEETC_INLINE tracked_number<V> operator-(tracked_number<V> a) {
+  a.v = -a.v;
+  return a;
+}
+template <class V> MEETC_INLINE tracked_number<V> operator+(tracked_number<V> a, tracked_number<V> b) {
+  return rounded(a.v + b.v, a.e + b.e);
+}
+template <class V> MEETC_INLINE tracked_number<V> operator-(tracked_number<V> a, tracked_number<V> b) {
+  return rounded(a.v - b.v, a.e + b.e);
+}
+template <class V> MEETC_INLINE tracked_number<V> operator*(tracked_number<V> a, tracked_number<V> b) {
+  return rounded(a.v * b.v, multiply_add(magnitude_of(a.v) + a.e, b.e, a.e * magnitude_of(b.v)));
+}
+
+} // MEETC_NAMESPACE(meetc)
+
+#endif
