@@ -23,22 +23,38 @@ inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
   return cudaGetLastError();
 }
 
+// The extent of what a block's threads bring, which all call it; all get it.
+template <unsigned Threads> __device__ extent joined_in_block(const interval (&mine)[3]) {
+  __shared__ extent of_warps[Threads / 32];
+  for (int k = 0; k < 3; ++k) {
+    interval warp = mine[k];
+    for (int d = 16; d > 0; d /= 2)
+      warp = joined(warp, {__shfl_xor_sync(~0U, warp.lo, d), __shfl_xor_sync(~0U, warp.hi, d)});
+    if (threadIdx.x % 32 == 0)
+      of_warps[threadIdx.x / 32].low[k] = ordered(warp.lo), of_warps[threadIdx.x / 32].high[k] = ordered(warp.hi);
+  }
+  __syncthreads();
+  extent all = of_warps[0];
+  for (unsigned w = 1; w < Threads / 32; ++w)
+    for (int k = 0; k < 3; ++k)
+      all.low[k] = min(all.low[k], of_warps[w].low[k]), all.high[k] = max(all.high[k], of_warps[w].high[k]);
+  return all;
+}
+
 template <class Shape>
 __global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows, unsigned n, extent *around) {
   interval mine[3];
   for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads)
     widen<Shape>(mine, rows + i * std::size_t{Shape::fields});
-  for (int k = 0; k < 3; ++k) {
-    for (int d = 16; d > 0; d /= 2)
-      mine[k] = joined(mine[k], {__shfl_xor_sync(~0U, mine[k].lo, d), __shfl_xor_sync(~0U, mine[k].hi, d)});
-    if (threadIdx.x % 32 == 0 && mine[k].lo <= mine[k].hi)
-      atomicMin(&around->low[k], ordered(mine[k].lo)), atomicMax(&around->high[k], ordered(mine[k].hi));
-  }
+  const extent all = joined_in_block<set_threads>(mine);
+  if (threadIdx.x == 0)
+    for (int k = 0; k < 3; ++k)
+      atomicMin(&around->low[k], all.low[k]), atomicMax(&around->high[k], all.high[k]);
 }
 template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  const unsigned blocks = std::min(blocks_for(n), 1024U);
+  const unsigned blocks = std::min(blocks_for(n), 528U); // few, which all change the same numbers
   enclose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, around);
   return cudaGetLastError();
 }
@@ -113,26 +129,34 @@ template <class Shape> __device__ bool posed_row(const pose_matrix &at, const fl
   return good;
 }
 
+// The same of element i of a view.
+template <class Shape>
+__device__ bool posed_element(const view &v, const pose_matrix &at, std::uint32_t i, float *out) {
+  float in[Shape::fields];
+  bool good = true;
+  const auto *bytes = reinterpret_cast<const char *>(v.data);
+  for (int f = 0; f < Shape::fields; ++f) {
+    // Kinds that can be indexed consist of points, x y z each.
+    const std::size_t vertex =
+        v.index ? v.index[i * (std::size_t{Shape::fields} / 3) + static_cast<unsigned>(f / 3)] : i;
+    const bool there = !v.index || vertex < v.vertices;
+    good &= there;
+    if (there)
+      memcpy(in + f, bytes + vertex * v.stride_bytes + sizeof(float) * static_cast<unsigned>(v.index ? f % 3 : f),
+             sizeof(float));
+    else
+      in[f] = 0;
+  }
+  good &= posed_row<Shape>(at, in, out);
+  return good;
+}
+
 template <class Shape>
 __global__ void __launch_bounds__(set_threads)
     pose_kernel(view v, pose_matrix at, const std::uint32_t *order, float *rows, unsigned long long *bad) {
   for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < v.elements; i += gridDim.x * set_threads) {
-    float in[Shape::fields], out[Shape::fields];
-    bool good = true;
-    const auto *bytes = reinterpret_cast<const char *>(v.data);
-    for (int f = 0; f < Shape::fields; ++f) {
-      // Kinds that can be indexed consist of points, x y z each.
-      const std::size_t vertex =
-          v.index ? v.index[i * (std::size_t{Shape::fields} / 3) + static_cast<unsigned>(f / 3)] : i;
-      const bool there = !v.index || vertex < v.vertices;
-      good &= there;
-      if (there)
-        memcpy(in + f, bytes + vertex * v.stride_bytes + sizeof(float) * static_cast<unsigned>(v.index ? f % 3 : f),
-               sizeof(float));
-      else
-        in[f] = 0;
-    }
-    good &= posed_row<Shape>(at, in, out);
+    float out[Shape::fields];
+    const bool good = posed_element<Shape>(v, at, i, out);
     for (int f = 0; f < Shape::fields; ++f)
       rows[i * std::size_t{Shape::fields} + f] = out[f];
     if (!good)
