@@ -7,6 +7,8 @@
 #include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_table.hpp>
 
+#include <algorithm>
+
 namespace meetc {
 namespace {
 
@@ -93,8 +95,8 @@ template <class Start> __device__ void place_hits(const hit_order &o, Start &&st
 }
 
 // Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
-constexpr unsigned order_threads = 512, order_blocks = 2; // of a multiprocessor
-__global__ void __launch_bounds__(order_threads, order_blocks)
+constexpr unsigned order_threads = 1024;
+__global__ void __launch_bounds__(order_threads, 2)
     order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
   __shared__ unsigned room[order_threads / 32], starts[order_threads];
   const cuda::running_sums counts{o.starts, o.items_a + 1, totals};
@@ -177,7 +179,17 @@ __global__ void name_kernel(const std::uint32_t *slots, std::uint32_t n, const s
     named[order_a[i]] = slots[i] == cuda::no_slot ? cuda::no_slot : order_b[slots[i]];
 }
 
+__global__ void renumber_kernel(index_pair *pairs, std::size_t n, std::uint32_t by) {
+  cuda::begin();
+  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads})
+    pairs[i].a += by;
+}
+
 } // namespace
+
+cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream) {
+  return n == 0 || by == 0 ? cudaSuccess : cuda::launch<renumber_kernel>(blocks_for(n), threads, stream, pairs, n, by);
+}
 
 cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,
                        const std::uint32_t *order_b, std::uint32_t *named, cudaStream_t stream) {
@@ -195,7 +207,9 @@ cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cuda
   bytes = order_threads * sizeof(std::uint32_t); // a total for each block
   if (!space)
     return cudaSuccess;
-  return cuda::launch_together<order_kernel, order_threads>(~0U, stream, o, static_cast<std::uint32_t *>(space));
+  // Few blocks meet sooner; many items mostly have many hits.
+  const unsigned blocks = std::max(128U, o.items_a / order_threads);
+  return cuda::launch_together<order_kernel, order_threads>(blocks, stream, o, static_cast<std::uint32_t *>(space));
 }
 
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream) {

@@ -157,6 +157,7 @@ std::optional<cuda::order_findings> device_set::arrange(const cuda::view &there,
     if (planned && !space.grow(from.used(), 0, on_->stream()))
       return {};
   }
+  tree_.take_room(n, on_->stream()); // of a small set, which is searched by a hierarchy more often than not
   version_ = next_version();
   check(cudaEventRecord(on_->buffers().events[0], on_->stream()), "starting a clock");
   check(launchers_->arrange(job, on_->stream()), "starting a kernel");

@@ -17,12 +17,14 @@ inline constexpr unsigned waiting_size = 2 * tree_width, hits_size = 128;
 // A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
 // is a node of level `start`. Where that is too few, the long elements of the node, and the children of the chunk, are
 // dealt out to groups, whose number is a power of two. `batch` items are taken at once, at most 32: the first by the
-// warp's number, others by a counter, which warps can change only one after another.
+// warp's number, others by a counter, which warps can change only one after another. So where there are few items for each
+// warp, all are taken by its number.
 struct walk_plan {
   int start;
   std::uint32_t first_chunk, chunks, long_groups, child_groups, batch, items;
-  bool cut;   // not all of the tree is tested
-  bool whole; // an item is a node and goes down from the root
+  bool cut;       // not all of the tree is tested
+  bool whole;     // an item is a node and goes down from the root
+  bool by_number; // no counter says who takes an item
 };
 
 // Of one warp, in shared memory.
@@ -71,7 +73,8 @@ public:
     const tree_box all = around_warp(box_of(w_.tree.nodes[s.first[s.depth - 1]], lane_));
     // Longer than some nodes of level 0, if these were spread over a surface of the tree's extent.
     long_side_ = 4 * longest_side(all) * sqrtf(1.0F / static_cast<float>(s.count[0]));
-    for (unsigned long long at = warp; at * plan_.batch < plan_.items; at = next(warps)) {
+    for (unsigned long long at = warp; at * plan_.batch < plan_.items;
+         at = plan_.by_number ? at + warps : next(warps)) {
       const std::uint32_t first = static_cast<std::uint32_t>(at) * plan_.batch, items = plan_.items - first;
       unsigned left = ~0U >> (tree_width - (items < plan_.batch ? items : plan_.batch));
       if (plan_.whole)
@@ -389,6 +392,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
                  1,
                  w.of.end_a - w.of.first_a,
                  w.half || w.of.first_b > 0 || w.of.end_b < w.tree.shape.count[0],
+                 false,
                  false};
   // Twice as many, since some long elements pass many more boxes than others.
   for (; w.rows && plan.long_groups < tree_width && plan.items < 2 * enough; plan.items *= 2)
@@ -404,6 +408,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   while (plan.batch < 8 && plan.items > 16 * plan.batch * enough)
     plan.batch *= 2;
   plan.whole = plan.items == w.of.end_a - w.of.first_a;
+  plan.by_number = plan.items <= 4 * enough;
   return plan;
 }
 

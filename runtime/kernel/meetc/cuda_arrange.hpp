@@ -48,17 +48,16 @@ __global__ void __launch_bounds__(arrange_threads) arrange_kernel(const __grid_c
   }
   for (std::uint32_t c = first; c < counts.n; c += step)
     job.cells[c] = 0;
-  const extent of_block = joined_in_block<arrange_threads>(mine);
+  const extent of_block = joined_in_block<arrange_threads>(extent_of(mine));
   if (threadIdx.x == 0)
     parts[blockIdx.x] = {of_block, bad_of_block};
   meet_grid();
 
   // Places, and how many elements each cell has.
-  interval around[3];
+  extent around = no_extent();
   if (threadIdx.x < gridDim.x) {
     const arrange_part &of = parts[threadIdx.x];
-    for (int k = 0; k < 3; ++k)
-      around[k] = {from_ordered(of.around.low[k]), from_ordered(of.around.high[k])};
+    around = of.around;
     if (of.bad != ~0ULL)
       atomicMin(&bad_of_block, of.bad);
   }
@@ -70,8 +69,7 @@ __global__ void __launch_bounds__(arrange_threads) arrange_kernel(const __grid_c
   }
   __syncthreads();
   for (std::uint32_t i = first; i < n; i += step) {
-    const std::uint32_t place =
-        cells.place_of(box_of_row<Shape>(job.posed + i * std::size_t{Shape::fields}));
+    const std::uint32_t place = cells.place_of(box_of_row<Shape>(job.posed + i * std::size_t{Shape::fields}));
     job.places[i] = place;
     job.ranks[i] = atomicAdd(job.cells + cell_of(in_order(place, i), place_bits, job.cell_bits), 1U);
   }
@@ -91,8 +89,7 @@ __global__ void __launch_bounds__(arrange_threads) arrange_kernel(const __grid_c
   // Elements in their order.
   for (std::uint32_t i = first; i < n; i += step) {
     const std::uint64_t element = job.by_cell[i];
-    const std::uint32_t cell = cell_of(element, place_bits, job.cell_bits),
-                        begin = counts.at(starts, shift, cell),
+    const std::uint32_t cell = cell_of(element, place_bits, job.cell_bits), begin = counts.at(starts, shift, cell),
                         end = cell + 1 < counts.n ? counts.at(starts, shift, cell + 1) : n;
     if (end - begin > most_in_cell) {
       atomicMax(&longest_of_block, static_cast<unsigned long long>(end - begin));
@@ -120,8 +117,8 @@ template <class Shape> cudaError_t arrange(const arrange_job &job, cudaStream_t 
   if (job.from.elements == 0 || job.from.elements > most_to_arrange || job.cell_bits > 3 * job.bits ||
       (job.from.index && (Shape::fields % 3 != 0 || Shape::pad >= 0)))
     return cudaErrorInvalidValue;
-  return launch_together<arrange_kernel<Shape>, arrange_threads>((job.from.elements + arrange_threads - 1) / arrange_threads,
-                                                                 stream, job);
+  return launch_together<arrange_kernel<Shape>, arrange_threads>(
+      (job.from.elements + arrange_threads - 1) / arrange_threads, stream, job);
 }
 
 } // namespace meetc::cuda

@@ -12,7 +12,10 @@ namespace meetc::cuda {
 
 // All threads of all blocks meet. What one wrote before, every one reads after.
 __device__ inline void meet_grid() {
-  cooperative_groups::this_grid().sync();
+  if (gridDim.x > 1)
+    cooperative_groups::this_grid().sync();
+  else
+    __syncthreads();
 }
 __device__ inline unsigned grid_thread() {
   return blockIdx.x * blockDim.x + threadIdx.x;
@@ -21,26 +24,26 @@ __device__ inline unsigned grid_threads() {
   return gridDim.x * blockDim.x;
 }
 
+__device__ inline unsigned sum_up_to(unsigned mine) { // in this lane of a warp
+  for (unsigned d = 1; d < 32; d *= 2) {
+    const unsigned below = __shfl_up_sync(~0U, mine, d);
+    mine += threadIdx.x % 32 >= d ? below : 0;
+  }
+  return mine;
+}
 // The sum of what the threads before this one bring; `all` becomes that of the whole block, whose threads all call it.
 template <unsigned Threads>
 __device__ unsigned sum_before(unsigned mine, unsigned (&room)[Threads / 32], unsigned &all) {
-  const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32;
-  unsigned up_to = mine;
-  for (unsigned d = 1; d < 32; d *= 2) {
-    const unsigned below = __shfl_up_sync(~0U, up_to, d);
-    up_to += lane >= d ? below : 0;
-  }
+  static_assert(Threads <= 1024);
+  const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32, up_to = sum_up_to(mine);
   __syncthreads(); // of an earlier call nobody reads any more
   if (lane == 31)
     room[warp] = up_to;
   __syncthreads();
-  unsigned before = up_to - mine;
-  all = 0;
-  for (unsigned w = 0; w < Threads / 32; ++w) {
-    before += w < warp ? room[w] : 0;
-    all += room[w];
-  }
-  return before;
+  const unsigned warps_up_to = sum_up_to(lane < Threads / 32 ? room[lane] : 0);
+  all = __shfl_sync(~0U, warps_up_to, 31);
+  const unsigned warps_before = __shfl_sync(~0U, warps_up_to, warp > 0 ? warp - 1 : 0);
+  return (warp > 0 ? warps_before : 0) + up_to - mine;
 }
 
 // n numbers that become the sums of those before each, chunk by chunk: a block a chunk, whose length is a power of two. Then
@@ -60,7 +63,8 @@ struct running_sums {
     const unsigned size = 1U << shift(), each = (size + Threads - 1) / Threads;
     const unsigned long long first = static_cast<unsigned long long>(blockIdx.x) * size;
     const auto within = [&](unsigned long long i) {
-      return static_cast<unsigned>(min(first + min(i, static_cast<unsigned long long>(size)), static_cast<unsigned long long>(n)));
+      return static_cast<unsigned>(
+          min(first + min(i, static_cast<unsigned long long>(size)), static_cast<unsigned long long>(n)));
     };
     const unsigned from = within(static_cast<unsigned long long>(threadIdx.x) * each),
                    to = within((threadIdx.x + 1ULL) * each);

@@ -23,22 +23,35 @@ inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
   return cudaGetLastError();
 }
 
-// The extent of what a block's threads bring, which all call it; all get it.
-template <unsigned Threads> __device__ extent joined_in_block(const interval (&mine)[3]) {
+__device__ inline extent joined_in_warp(extent mine) {
+  for (int d = 16; d > 0; d /= 2)
+    for (int k = 0; k < 3; ++k) {
+      mine.low[k] = min(mine.low[k], __shfl_xor_sync(~0U, mine.low[k], d));
+      mine.high[k] = max(mine.high[k], __shfl_xor_sync(~0U, mine.high[k], d));
+    }
+  return mine;
+}
+__device__ inline extent no_extent() {
+  extent e;
+  for (int k = 0; k < 3; ++k)
+    clear(e, k);
+  return e;
+}
+__device__ inline extent extent_of(const interval (&mine)[3]) {
+  extent e;
+  for (int k = 0; k < 3; ++k)
+    e.low[k] = ordered(mine[k].lo), e.high[k] = ordered(mine[k].hi);
+  return e;
+}
+// The extent of what a block's threads bring, which all call it; the first warp gets it.
+template <unsigned Threads> __device__ extent joined_in_block(const extent &mine) {
   __shared__ extent of_warps[Threads / 32];
-  for (int k = 0; k < 3; ++k) {
-    interval warp = mine[k];
-    for (int d = 16; d > 0; d /= 2)
-      warp = joined(warp, {__shfl_xor_sync(~0U, warp.lo, d), __shfl_xor_sync(~0U, warp.hi, d)});
-    if (threadIdx.x % 32 == 0)
-      of_warps[threadIdx.x / 32].low[k] = ordered(warp.lo), of_warps[threadIdx.x / 32].high[k] = ordered(warp.hi);
-  }
+  const unsigned lane = threadIdx.x % 32;
+  const extent warp = joined_in_warp(mine);
+  if (lane == 0)
+    of_warps[threadIdx.x / 32] = warp;
   __syncthreads();
-  extent all = of_warps[0];
-  for (unsigned w = 1; w < Threads / 32; ++w)
-    for (int k = 0; k < 3; ++k)
-      all.low[k] = min(all.low[k], of_warps[w].low[k]), all.high[k] = max(all.high[k], of_warps[w].high[k]);
-  return all;
+  return threadIdx.x < 32 ? joined_in_warp(lane < Threads / 32 ? of_warps[lane] : no_extent()) : warp;
 }
 
 template <class Shape>
@@ -46,7 +59,7 @@ __global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows,
   interval mine[3];
   for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads)
     widen<Shape>(mine, rows + i * std::size_t{Shape::fields});
-  const extent all = joined_in_block<set_threads>(mine);
+  const extent all = joined_in_block<set_threads>(extent_of(mine));
   if (threadIdx.x == 0)
     for (int k = 0; k < 3; ++k)
       atomicMin(&around->low[k], all.low[k]), atomicMax(&around->high[k], all.high[k]);
@@ -135,17 +148,20 @@ __device__ bool posed_element(const view &v, const pose_matrix &at, std::uint32_
   float in[Shape::fields];
   bool good = true;
   const auto *bytes = reinterpret_cast<const char *>(v.data);
+  const bool aligned = ((reinterpret_cast<std::uintptr_t>(bytes) | v.stride_bytes) & 3) == 0;
   for (int f = 0; f < Shape::fields; ++f) {
     // Kinds that can be indexed consist of points, x y z each.
     const std::size_t vertex =
         v.index ? v.index[i * (std::size_t{Shape::fields} / 3) + static_cast<unsigned>(f / 3)] : i;
     const bool there = !v.index || vertex < v.vertices;
+    const char *const at_field =
+        bytes + vertex * v.stride_bytes + sizeof(float) * static_cast<unsigned>(v.index ? f % 3 : f);
     good &= there;
-    if (there)
-      memcpy(in + f, bytes + vertex * v.stride_bytes + sizeof(float) * static_cast<unsigned>(v.index ? f % 3 : f),
-             sizeof(float));
-    else
-      in[f] = 0;
+    in[f] = 0;
+    if (there && aligned)
+      in[f] = *reinterpret_cast<const float *>(at_field);
+    else if (there)
+      memcpy(in + f, at_field, sizeof(float)); // byte by byte
   }
   good &= posed_row<Shape>(at, in, out);
   return good;

@@ -116,15 +116,15 @@ inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 256;
 struct arrange_job {
   view from;
   pose_matrix at;
-  int bits, cell_bits;        // of a cell along an axis, as places() has them; and of those 3 bits the first, at most all
-  float *posed;               // room for the rows in the caller's order
+  int bits, cell_bits; // of a cell along an axis, as places() has them; and of those 3 bits the first, at most all
+  float *posed;        // room for the rows in the caller's order
   std::uint32_t *places, *ranks; // room for a number each
-  std::uint32_t *cells;       // room for 2^cell_bits
-  std::uint64_t *by_cell;     // room for a number each
-  void *parts;                // room for arrange_bytes
-  float *rows;                // the rows become these,
-  std::uint32_t *order;       // of these elements
-  extent *around;             // as by enclose(), which is not emptied before
+  std::uint32_t *cells;          // room for 2^cell_bits
+  std::uint64_t *by_cell;        // room for a number each
+  void *parts;                   // room for arrange_bytes
+  float *rows;                   // the rows become these,
+  std::uint32_t *order;          // of these elements
+  extent *around;                // as by enclose(), which is not emptied before
   order_findings *found;
 };
 inline constexpr std::size_t arrange_bytes = std::size_t{64} << 10;
@@ -150,7 +150,7 @@ struct kind_launchers {
   // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits).
   cudaError_t (*places)(const float *rows, std::uint32_t elements, const extent *around, int bits,
                         std::uint32_t *places, cudaStream_t stream);
-  // Fills levels 0 to 2 of the tree over the rows, as far as there are such.
+  // Fills the first levels_with_boxes() levels of the tree over the rows, as far as there are such.
   cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, cudaStream_t stream);
   // pose(), enclose() and places() at once, and the order, of 1 to most_to_arrange elements. Null: not generated.
   cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;

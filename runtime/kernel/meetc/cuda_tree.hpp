@@ -55,25 +55,33 @@ inline unsigned blocks_above(const tree_shape &shape, int level) {
   return level + 1 == shape.depth ? shape.count[level] : shape.count[level + 1] * tree_width;
 }
 
-// A warp makes a node of level 0.
-template <class Shape>
-__global__ void __launch_bounds__(node_threads, 2)
+// A warp makes a node of level 0, and its box in level 1; and large blocks those of level 2.
+template <class Shape, unsigned Threads>
+__global__ void __launch_bounds__(Threads)
     boxes_kernel(const float *rows, unsigned n, tree_node *nodes, tree_shape shape) {
   begin();
-  const unsigned node = (blockIdx.x * node_threads + threadIdx.x) / tree_width, lane = threadIdx.x % tree_width;
+  const unsigned node = (blockIdx.x * Threads + threadIdx.x) / tree_width, lane = threadIdx.x % tree_width;
   const std::size_t at = std::size_t{node} * tree_width + lane;
   tree_box b;
   if (at < n)
     b = box_of_row<Shape>(rows + at * std::size_t{Shape::fields});
   if (node < shape.count[0])
     put_box(nodes[node], lane, b);
-  put_above(nodes, shape, 1, around_warp(b));
+  b = around_warp(b);
+  if constexpr (Threads == node_threads)
+    put_above(nodes, shape, 1, b);
+  else if (lane == 0)
+    put_box(nodes[shape.first[1] + node / tree_width], node % tree_width, b);
 }
 template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, tree_node *nodes, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
   const tree_shape shape(n);
-  return launch<boxes_kernel<Shape>>(blocks_above(shape, 1), node_threads, stream, rows, n, nodes, shape);
+  if (levels_with_boxes(n) == 3)
+    return launch<boxes_kernel<Shape, node_threads>>(blocks_above(shape, 1), node_threads, stream, rows, n, nodes,
+                                                     shape);
+  return launch<boxes_kernel<Shape, tree_threads>>(shape.count[1] * (node_threads / tree_threads), tree_threads, stream,
+                                                   rows, n, nodes, shape);
 }
 
 } // namespace meetc::cuda

@@ -176,6 +176,12 @@ inline int __any_sync(unsigned mask, bool holds) {
 inline void __syncwarp() {
   host_warp::the_warp.meet("syncwarp", 0);
 }
+// A block is one warp, and its shared memory that of the program.
+inline void __syncthreads() {
+  host_warp::the_warp.meet("syncthreads", 0);
+}
+#undef __shared__
+#define __shared__ static
 inline unsigned __popc(unsigned x) {
   return static_cast<unsigned>(std::popcount(x));
 }

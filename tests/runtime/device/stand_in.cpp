@@ -74,6 +74,11 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
   return cudaSuccess;
 }
 
+cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t) {
+  std::for_each_n(pairs, n, [by](index_pair &p) { p.a += by; });
+  return cudaSuccess;
+}
+
 cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,
                        const std::uint32_t *order_b, std::uint32_t *named, cudaStream_t) {
   for (std::uint32_t i = 0; i < n; ++i)
@@ -286,7 +291,7 @@ template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, cud
       b = cuda::box_of_row<Shape>(rows + std::size_t{i} * Shape::fields);
     put_box(nodes[i / cuda::tree_width], i % cuda::tree_width, b);
   }
-  for (int level = 0; level < 2 && level + 1 < shape.depth; ++level)
+  for (int level = 0; level + 1 < std::min(cuda::levels_with_boxes(n), shape.depth); ++level)
     cuda::enclose_level(nodes, shape, level);
   return cudaSuccess;
 }
@@ -458,9 +463,8 @@ cudaError_t no_faults(unsigned *faults, cudaStream_t) {
 }
 
 template <class Shape> constexpr cuda::kind_launchers launchers_of(const char *name) {
-  return {name,           Shape::fields,  pose_rows<Shape>, instances<Shape>,
-          enclose<Shape>, columns<Shape>, places<Shape>,    boxes<Shape>,
-          arrange<Shape>};
+  return {name,           Shape::fields, pose_rows<Shape>, instances<Shape>, enclose<Shape>,
+          columns<Shape>, places<Shape>, boxes<Shape>,     arrange<Shape>};
 }
 const cuda::kind_launchers kinds[] = {
     launchers_of<cga::point_shape>("point"), launchers_of<cga::sphere_shape>("sphere"),

@@ -33,7 +33,7 @@ cudaError_t gather_rows(const float *rows, unsigned fields, const std::uint32_t 
 }
 cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t) {
   const cuda::tree_shape shape(elements);
-  for (int level = 2; level + 1 < shape.depth; ++level)
+  for (int level = cuda::levels_with_boxes(elements) - 1; level + 1 < shape.depth; ++level)
     cuda::enclose_level(nodes, shape, level);
   return cudaSuccess;
 }
