@@ -65,6 +65,13 @@ device_set::device_set(device &on, const prepared &set) : device_set(on, set.kin
   if (!set.whole())
     throw std::invalid_argument("a set on a device must not be prepared for collisions with one other set");
   upload(set);
+  take_room_for_tree();
+}
+
+// Most queries want the hierarchy, and to wait for memory takes longer than to make that of a small set.
+void device_set::take_room_for_tree() {
+  if (elements_ > 0)
+    tree_.take_room(elements_, on_->stream());
 }
 
 device_set::device_set(device &on, const view &elements, const kind_info &kind, const pose &at, int threads)
@@ -72,6 +79,7 @@ device_set::device_set(device &on, const view &elements, const kind_info &kind, 
   require_pose(kind, at);
   if (!make(elements, at))
     upload(prepare(elements, kind, at, threads));
+  take_room_for_tree();
 }
 
 void device_set::upload(const prepared &set) {
@@ -157,7 +165,6 @@ std::optional<cuda::order_findings> device_set::arrange(const cuda::view &there,
     if (planned && !space.grow(from.used(), 0, on_->stream()))
       return {};
   }
-  tree_.take_room(n, on_->stream()); // of a small set, which is searched by a hierarchy more often than not
   version_ = next_version();
   check(cudaEventRecord(on_->buffers().events[0], on_->stream()), "starting a clock");
   check(launchers_->arrange(job, on_->stream()), "starting a kernel");

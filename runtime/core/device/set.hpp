@@ -78,6 +78,7 @@ private:
   };
   device_set(device &on, const kind_info &kind, std::size_t elements, double grid);
   void upload(const prepared &set);
+  void take_room_for_tree();
   bool make(const view &elements, const pose &at);
   std::optional<cuda::order_findings> arrange(const cuda::view &there, const pose &at);
   std::optional<cuda::order_findings> sort(const cuda::view &there, const pose &at);

@@ -14,17 +14,26 @@
 
 namespace meetc::cuda {
 
-inline constexpr unsigned arrange_threads = 1024;
+// Of a block, which keeps a row of each in shared memory.
+MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
+  unsigned n = 1024;
+  while (n > 32 && n * static_cast<unsigned>(fields) * sizeof(float) > 40000)
+    n /= 2;
+  return n;
+}
 
 // What a block finds in its elements. Behind the parts is room for a number of each block.
 struct arrange_part {
   extent around;
   unsigned long long bad;
 };
-static_assert(arrange_threads * (sizeof(arrange_part) + sizeof(std::uint32_t)) <= arrange_bytes);
+static_assert(1024 * (sizeof(arrange_part) + sizeof(std::uint32_t)) <= arrange_bytes);
 
 template <class Shape>
-__global__ void __launch_bounds__(arrange_threads) arrange_kernel(const __grid_constant__ arrange_job job) {
+__global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
+    arrange_kernel(const __grid_constant__ arrange_job job) {
+  constexpr unsigned arrange_threads = threads_to_arrange(Shape::fields), fields = Shape::fields;
+  __shared__ float rows_of_warps[arrange_threads / 32][32 * fields];
   __shared__ unsigned room[arrange_threads / 32], starts[arrange_threads];
   __shared__ unsigned long long bad_of_block, crowded_of_block, longest_of_block;
   __shared__ hilbert_cells cells;
@@ -37,14 +46,23 @@ __global__ void __launch_bounds__(arrange_threads) arrange_kernel(const __grid_c
   if (threadIdx.x == 0)
     bad_of_block = ~0ULL, crowded_of_block = 0, longest_of_block = 0;
   __syncthreads();
+  const unsigned lane = threadIdx.x % 32;
+  float *const of_warp = rows_of_warps[threadIdx.x / 32];
   interval mine[3];
-  for (std::uint32_t i = first; i < n; i += step) {
-    float row[Shape::fields];
-    if (!posed_element<Shape>(job.from, job.at, i, row))
-      atomicMin(&bad_of_block, static_cast<unsigned long long>(i) << 32 | i);
-    for (int f = 0; f < Shape::fields; ++f)
-      job.posed[i * std::size_t{Shape::fields} + f] = row[f];
-    widen<Shape>(mine, row);
+  for (std::uint32_t base = first - lane; base < n;
+       base += step) { // a warp stays whole, since it writes its rows together
+    const std::uint32_t i = base + lane;
+    float *const row = of_warp + lane * fields;
+    if (i < n) {
+      if (!posed_element<Shape>(job.from, job.at, i, row))
+        atomicMin(&bad_of_block, static_cast<unsigned long long>(i) << 32 | i);
+      widen<Shape>(mine, row);
+    }
+    __syncwarp();
+    const unsigned numbers = (n - base < 32 ? n - base : 32) * fields;
+    for (unsigned k = lane; k < numbers; k += 32)
+      job.posed[base * std::size_t{fields} + k] = of_warp[k];
+    __syncwarp();
   }
   for (std::uint32_t c = first; c < counts.n; c += step)
     job.cells[c] = 0;
@@ -69,7 +87,7 @@ __global__ void __launch_bounds__(arrange_threads) arrange_kernel(const __grid_c
   }
   __syncthreads();
   for (std::uint32_t i = first; i < n; i += step) {
-    const std::uint32_t place = cells.place_of(box_of_row<Shape>(job.posed + i * std::size_t{Shape::fields}));
+    const std::uint32_t place = cells.place_of(box_of_row<Shape>(job.posed + i * std::size_t{fields}));
     job.places[i] = place;
     job.ranks[i] = atomicAdd(job.cells + cell_of(in_order(place, i), place_bits, job.cell_bits), 1U);
   }
@@ -86,23 +104,28 @@ __global__ void __launch_bounds__(arrange_threads) arrange_kernel(const __grid_c
   }
   meet_grid();
 
-  // Elements in their order.
-  for (std::uint32_t i = first; i < n; i += step) {
-    const std::uint64_t element = job.by_cell[i];
-    const std::uint32_t cell = cell_of(element, place_bits, job.cell_bits), begin = counts.at(starts, shift, cell),
-                        end = cell + 1 < counts.n ? counts.at(starts, shift, cell + 1) : n;
-    if (end - begin > most_in_cell) {
-      atomicMax(&longest_of_block, static_cast<unsigned long long>(end - begin));
-      continue;
+  // Elements in their order. A warp copies the rows of its elements together.
+  for (std::uint32_t base = first - lane; base < n; base += step) {
+    std::uint32_t from = 0, to = n; // n: there is none
+    if (base + lane < n) {
+      const std::uint64_t element = job.by_cell[base + lane];
+      const std::uint32_t cell = cell_of(element, place_bits, job.cell_bits), begin = counts.at(starts, shift, cell),
+                          end = cell + 1 < counts.n ? counts.at(starts, shift, cell + 1) : n;
+      if (end - begin > most_in_cell) {
+        atomicMax(&longest_of_block, static_cast<unsigned long long>(end - begin));
+      } else {
+        const before_in_cell before(job.by_cell, begin, end, element);
+        if (before.alike >= tree_width)
+          atomicAdd(&crowded_of_block, 1ULL);
+        from = static_cast<std::uint32_t>(element), to = begin + before.all;
+        job.order[to] = from;
+      }
     }
-    const before_in_cell before(job.by_cell, begin, end, element);
-    if (before.alike >= tree_width)
-      atomicAdd(&crowded_of_block, 1ULL);
-    const auto from = static_cast<std::uint32_t>(element);
-    const std::uint32_t to = begin + before.all;
-    job.order[to] = from;
-    for (int f = 0; f < Shape::fields; ++f)
-      job.rows[to * std::size_t{Shape::fields} + f] = job.posed[from * std::size_t{Shape::fields} + f];
+    for (unsigned k = lane; k < 32 * fields; k += 32) {
+      const std::uint32_t row_from = __shfl_sync(~0U, from, k / fields), row_to = __shfl_sync(~0U, to, k / fields);
+      if (row_to < n)
+        job.rows[row_to * std::size_t{fields} + k % fields] = job.posed[row_from * std::size_t{fields} + k % fields];
+    }
   }
   __syncthreads();
   if (threadIdx.x == 0) {
@@ -117,8 +140,8 @@ template <class Shape> cudaError_t arrange(const arrange_job &job, cudaStream_t 
   if (job.from.elements == 0 || job.from.elements > most_to_arrange || job.cell_bits > 3 * job.bits ||
       (job.from.index && (Shape::fields % 3 != 0 || Shape::pad >= 0)))
     return cudaErrorInvalidValue;
-  return launch_together<arrange_kernel<Shape>, arrange_threads>(
-      (job.from.elements + arrange_threads - 1) / arrange_threads, stream, job);
+  constexpr unsigned threads = threads_to_arrange(Shape::fields);
+  return launch_together<arrange_kernel<Shape>, threads>((job.from.elements + threads - 1) / threads, stream, job);
 }
 
 } // namespace meetc::cuda
