@@ -258,9 +258,13 @@ private:
   // Drops the lanes whose boxes no element of the packet touches.
   __device__ unsigned touched_by_some(unsigned lanes, const tree_box &b) const {
     unsigned kept = 0;
-    for (unsigned left = lanes; left; left &= left - 1) {
-      const unsigned lane = __ffs(left) - 1;
-      kept |= static_cast<unsigned>(__any_sync(~0U, own_.touches(from_lane(b, lane)))) << lane;
+    for (unsigned left = lanes; left; left &= left - 1) { // two at once, each of which waits for the other's box less
+      const unsigned first = __ffs(left) - 1;
+      left = left & (left - 1) ? left & (left - 1) : left;
+      const unsigned second = __ffs(left) - 1;
+      const tree_box x = from_lane(b, first), y = from_lane(b, second);
+      kept |= static_cast<unsigned>(__any_sync(~0U, own_.touches(x))) << first;
+      kept |= static_cast<unsigned>(__any_sync(~0U, own_.touches(y))) << second;
     }
     return kept;
   }

@@ -58,11 +58,7 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
         atomicMin(&bad_of_block, static_cast<unsigned long long>(i) << 32 | i);
       widen<Shape>(mine, row);
     }
-    __syncwarp();
-    const unsigned numbers = (n - base < 32 ? n - base : 32) * fields;
-    for (unsigned k = lane; k < numbers; k += 32)
-      job.posed[base * std::size_t{fields} + k] = of_warp[k];
-    __syncwarp();
+    write_rows<Shape::fields>(of_warp, n - base, job.posed + base * std::size_t{fields});
   }
   for (std::uint32_t c = first; c < counts.n; c += step)
     job.cells[c] = 0;

@@ -67,7 +67,7 @@ __global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows,
 template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  const unsigned blocks = std::min(blocks_for(n), 528U); // few, which all change the same numbers
+  const unsigned blocks = std::min(blocks_for(n), 1056U); // all change the same numbers
   enclose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, around);
   return cudaGetLastError();
 }
@@ -167,16 +167,27 @@ __device__ bool posed_element(const view &v, const pose_matrix &at, std::uint32_
   return good;
 }
 
+// A warp writes the first rows, up to 32, from its shared memory, in one piece.
+template <int Fields> __device__ void write_rows(const float *from, std::uint32_t rows, float *to) {
+  __syncwarp();
+  for (unsigned k = threadIdx.x % 32; k < (rows < 32 ? rows : 32) * Fields; k += 32)
+    to[k] = from[k];
+  __syncwarp();
+}
+
 template <class Shape>
 __global__ void __launch_bounds__(set_threads)
     pose_kernel(view v, pose_matrix at, const std::uint32_t *order, float *rows, unsigned long long *bad) {
-  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < v.elements; i += gridDim.x * set_threads) {
-    float out[Shape::fields];
-    const bool good = posed_element<Shape>(v, at, i, out);
-    for (int f = 0; f < Shape::fields; ++f)
-      rows[i * std::size_t{Shape::fields} + f] = out[f];
-    if (!good)
+  constexpr unsigned fields = Shape::fields;
+  __shared__ float rows_of_warps[set_threads / 32][32 * fields];
+  const unsigned lane = threadIdx.x % 32;
+  float *const of_warp = rows_of_warps[threadIdx.x / 32];
+  for (std::size_t base = blockIdx.x * std::size_t{set_threads} + threadIdx.x - lane; base < v.elements;
+       base += gridDim.x * std::size_t{set_threads}) {
+    const auto i = static_cast<std::uint32_t>(base + lane);
+    if (i < v.elements && i >= base && !posed_element<Shape>(v, at, i, of_warp + lane * fields))
       atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : i) << 32 | i);
+    write_rows<Shape::fields>(of_warp, static_cast<std::uint32_t>(v.elements - base), rows + base * fields);
   }
 }
 template <class Shape>
