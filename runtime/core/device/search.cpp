@@ -27,7 +27,10 @@ search_costs expected_costs(const search_sizes &s) {
                near = s.long_elements ? near_pair * a * b : 0;
   const double columns = column * ((s.made_a ? 0 : a) + (s.made_b ? 0 : b)), many = std::max(a, b);
   search_costs c;
-  c.of[static_cast<int>(search::every_pair)] = start + columns + pair * a * b + near;
+  const auto in_tiles = [](std::uint64_t n) { // the filter tests whole ones
+    return static_cast<double>((n + cuda::part_step - 1) / cuda::part_step * cuda::part_step);
+  };
+  c.of[static_cast<int>(search::every_pair)] = start + columns + pair * in_tiles(s.a) * in_tiles(s.b) + near;
   c.of[static_cast<int>(search::groups)] = start_groups + columns +
                                            group_pair * (a / cuda::group_size) * (b / cuda::group_size) +
                                            taken_apart * (a + b) / 2 + near;

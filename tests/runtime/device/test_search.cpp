@@ -40,6 +40,7 @@ TEST_CASE("search: the choice is that which was measured to be the fastest, in t
   // Groups of a small set are large, and each touches many of a large one.
   CHECK(chosen(500, 2'000'000) == search::every_pair);
   CHECK(chosen(2'000'000, 20) == search::every_pair);
+  CHECK(chosen(100, 12'000'000) == search::tree); // two tiles of the filter, of which the second is half empty
   CHECK(chosen(2'000, 5'000'000) == search::tree);
 }
 
