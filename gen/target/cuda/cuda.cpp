@@ -115,12 +115,12 @@ std::string cuda_header(const unit &u) {
 std::string cuda_catalogue(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The catalogue of launchers on a CUDA device.");
-  out +=
-      fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
-                  "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_filter.hpp>\n#include <meetc/cuda_probe.hpp>\n"
-                  "#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
-                  "namespace {0} {{\nnamespace cuda {{\n\n",
-                  space);
+  out += fmt::format(
+      "#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
+      "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_filter.hpp>\n#include <meetc/cuda_probe.hpp>\n"
+      "#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
+      "namespace {0} {{\nnamespace cuda {{\n\n",
+      space);
   out += catalogue_text(u);
   if (u.asks(lang::rung::certified))
     out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) {\n"
