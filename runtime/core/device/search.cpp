@@ -28,7 +28,8 @@ search_costs expected_costs(const search_sizes &s) {
   const double columns = column * ((s.made_a ? 0 : a) + (s.made_b ? 0 : b)), many = std::max(a, b);
   search_costs c;
   const auto in_tiles = [](std::uint64_t n) { // the filter tests whole ones
-    return static_cast<double>((n + cuda::part_step - 1) / cuda::part_step * cuda::part_step);
+    const std::uint64_t tiles = (n + cuda::part_step - 1) / cuda::part_step;
+    return static_cast<double>(tiles * cuda::part_step);
   };
   c.of[static_cast<int>(search::every_pair)] = start + columns + pair * in_tiles(s.a) * in_tiles(s.b) + near;
   c.of[static_cast<int>(search::groups)] = start_groups + columns +

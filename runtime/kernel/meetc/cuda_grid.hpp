@@ -1,10 +1,13 @@
-// What all blocks of a kernel compute together, where they run at once (launch_together()). Included by nvcc only.
+// What all blocks of a kernel compute together, where they run at once (launch_together()). Included by nvcc, or behind a
+// stand-in for a warp.
 #ifndef MEETC_CUDA_GRID_HPP
 #define MEETC_CUDA_GRID_HPP
 
 #include <meetc/cuda_launch.hpp>
 
+#if defined(__CUDACC__)
 #include <cooperative_groups.h>
+#endif
 
 #include <cstdint>
 
@@ -12,10 +15,13 @@ namespace meetc::cuda {
 
 // All threads of all blocks meet. What one wrote before, every one reads after.
 __device__ inline void meet_grid() {
-  if (gridDim.x > 1)
+#if defined(__CUDACC__)
+  if (gridDim.x > 1) {
     cooperative_groups::this_grid().sync();
-  else
-    __syncthreads();
+    return;
+  }
+#endif
+  __syncthreads();
 }
 __device__ inline unsigned grid_thread() {
   return blockIdx.x * blockDim.x + threadIdx.x;

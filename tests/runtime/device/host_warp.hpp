@@ -27,7 +27,7 @@
 struct thread_index { // named, so that all files have one variable
   unsigned x;
 };
-inline thread_index threadIdx;
+inline thread_index threadIdx, blockIdx, blockDim{32}, gridDim{1};
 
 namespace host_warp {
 
