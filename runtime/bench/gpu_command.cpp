@@ -26,8 +26,8 @@ constexpr const char *rules =
     "takes apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's "
     "memory to the pairs in it, with the extent and the columns of both sets.";
 
-// Whether --only leaves a table that has a name: "growth" or "poses"; "hard", "choice", "lbvh" and "first" are only measured if
-// asked for.
+// Whether --only leaves a table that has a name: "growth" or "poses"; "hard", "choice", "lbvh", "first" and "group" are only
+// measured if asked for.
 bool is_asked(const gpu_request &q, const char *name) {
   return q.only && *q.only == name;
 }
@@ -63,12 +63,14 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
         is_asked(q, "lbvh") ? growth_scenes(all, q.data, q.quick) : std::vector<gpu_scene>{};
     const std::vector<gpu_scene> first =
         is_asked(q, "first") ? first_scenes(all, q.data, q.quick) : std::vector<gpu_scene>{};
-    std::size_t steps = scenes.size() + beside_lbvh.size() + first.size() + 1;
+    const std::vector<gpu_scene> grouped =
+        is_asked(q, "group") ? group_scenes(all, q.data, q.quick) : std::vector<gpu_scene>{};
+    std::size_t steps = scenes.size() + beside_lbvh.size() + first.size() + grouped.size() + 1;
     for (const search_table &t : searches)
       steps += t.scenes.size();
     const std::optional<posed_meshes> poses =
         is_meant(q, "poses") ? std::optional(meshes_for_poses(all, q.data, q.quick)) : std::nullopt;
-    if (scenes.empty() && searches.empty() && beside_lbvh.empty() && first.empty() && !poses)
+    if (scenes.empty() && searches.empty() && beside_lbvh.empty() && first.empty() && grouped.empty() && !poses)
       throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
     auto progress = std::make_unique<app::progress_line>("bench gpu");
     std::vector<table> tables;
@@ -86,6 +88,8 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
       tables.push_back(bench.measure_lbvh(beside_lbvh, step));
     if (!first.empty())
       tables.push_back(bench.measure_first(first, step));
+    if (!grouped.empty())
+      tables.push_back(bench.measure_group(grouped, step));
     if (poses)
       tables.push_back(bench.measure_poses(*poses));
     progress.reset();

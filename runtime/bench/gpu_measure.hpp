@@ -30,6 +30,8 @@ public:
   table measure_lbvh(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
   // What segments meet first, beside the nearest hits of a hierarchy of the usual kind, likewise.
   table measure_first(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
+  // The same queries on one device of this host and on all of them, likewise. Throws app::failure where there is one.
+  table measure_group(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
   // One mesh against another in many poses, of three classes and mixed.
   table measure_poses(const posed_meshes &meshes);
 

@@ -84,17 +84,24 @@ std::vector<gpu_scene> gpu_scenes(const catalogue &all, const std::optional<std:
   return out;
 }
 
+namespace {
+
+// 2^power balls against as many, of which one touches 1.1 others on average.
+gpu_scene growing_balls(const catalogue &all, int power) {
+  const std::size_t n = std::size_t{1} << power;
+  return {fmt::format("balls, {0} x {0}", n), "ball_ball", [&all, n] {
+            const double radius = std::cbrt(1.1 * 3 / (4 * std::numbers::pi * static_cast<double>(n)));
+            return std::pair(ball_cloud(all, n, 1, radius), ball_cloud(all, n, 2, radius));
+          }};
+}
+
+} // namespace
+
 std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data,
                                      bool quick) {
   std::vector<gpu_scene> out;
-  const int least = 10, most = quick ? 14 : 24;
-  for (int power = least; power <= most; power += 2) {
-    const std::size_t n = std::size_t{1} << power;
-    out.push_back({fmt::format("balls, {0} x {0}", n), "ball_ball", [&all, n] {
-                     const double radius = std::cbrt(1.1 * 3 / (4 * std::numbers::pi * static_cast<double>(n)));
-                     return std::pair(ball_cloud(all, n, 1, radius), ball_cloud(all, n, 2, radius));
-                   }});
-  }
+  for (int power = 10; power <= (quick ? 14 : 24); power += 2)
+    out.push_back(growing_balls(all, power));
   const scene_meshes meshes{all, data, quick};
   const std::string body = meshes.name_of_body(), figure = meshes.name_of_figure();
   const std::size_t fine = quick ? 20'000 : 4'000'000, finest = quick ? 20'000 : 20'000'000;
@@ -129,6 +136,30 @@ std::vector<gpu_scene> first_scenes(const catalogue &all, const std::optional<st
                      io::element_set segments = segments_in(all, mesh, n, 1);
                      return std::pair(std::move(segments), std::move(mesh));
                    }});
+  return out;
+}
+
+std::vector<gpu_scene> group_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data,
+                                    bool quick) {
+  std::vector<gpu_scene> out;
+  for (int power = quick ? 12 : 18; power <= (quick ? 14 : 24); power += 2)
+    out.push_back(growing_balls(all, power));
+  const scene_meshes meshes{all, data, quick};
+  const std::string body = meshes.name_of_body(), figure = meshes.name_of_figure();
+  const std::size_t fine = quick ? 20'000 : 4'000'000, finest = quick ? 20'000 : 20'000'000;
+  out.push_back({fmt::format("{} with itself", figure), "triangle_triangle",
+                 [meshes] { return std::pair(meshes.figure(), io::element_set{}); }, true});
+  out.push_back({fmt::format("{} x {}, both cut finer", body, figure), "triangle_triangle",
+                 [meshes, fine, finest] { return std::pair(meshes.finer_body(fine), meshes.finer_figure(finest)); }});
+  out.push_back({fmt::format("{} x {}, both cut finer", figure, body), "triangle_triangle",
+                 [meshes, fine, finest] { return std::pair(meshes.finer_figure(finest), meshes.finer_body(fine)); }});
+  const std::size_t segments = quick ? 20'000 : 4'000'000;
+  out.push_back({fmt::format("{} segments as long as the box x {}", segments, figure), "segment_triangle",
+                 [&all, meshes, segments] {
+                   io::element_set mesh = meshes.figure();
+                   io::element_set of = segments_in(all, mesh, segments, 1);
+                   return std::pair(std::move(of), std::move(mesh));
+                 }});
   return out;
 }
 

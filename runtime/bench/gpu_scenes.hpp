@@ -36,6 +36,9 @@ std::vector<gpu_scene> choice_scenes(const catalogue &all, bool quick);
 // Segments as long as a mesh, of which it is asked what they meet first.
 std::vector<gpu_scene> first_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
 
+// Scenes for several devices: balls of growing number, meshes in either order, a mesh with itself, and many segments.
+std::vector<gpu_scene> group_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
+
 // A small mesh that is posed about a large one.
 struct posed_meshes {
   io::element_set large, small;

@@ -26,6 +26,9 @@ using owned_memory = std::unique_ptr<void, free_memory>;
 // time of filling it for the first time is spent on page faults. Throws std::bad_alloc.
 owned_memory allocate(std::size_t bytes);
 
+// Asks for large pages where these bytes, which nobody has filled, hold whole ones. A wish: that it is refused is no fault.
+void wish_for_large_pages(void *data, std::size_t bytes);
+
 class bump_allocator {
 public:
   static constexpr std::size_t line = 64;

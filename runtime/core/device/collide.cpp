@@ -60,14 +60,14 @@ rung tolerant_or_certified(const device_set &a, const device_set &b, const predi
 class device_query {
 public:
   device_query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
-               const device_options &options, std::span<std::uint64_t> of_instances)
+               const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
         symmetric_(p.symmetric), options_(options), of_instances_(of_instances),
         hits_(on, a, b, options.owner_a, options.owner_b),
         tallies_(!of_instances.empty() ||
                  (!hits_.owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
         keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())),
-        stores_(keep_ || options.first_met), first_(on.buffers()) {}
+        stores_(keep_ || options.first_met), left_there_(left_there), first_(on.buffers()) {}
 
   device_result run() {
     require(!options_.filter || on_.offers(*options_.filter),
@@ -105,7 +105,8 @@ public:
     if (tallies_)
       tallied_.finish(result_, of_instances_, on_.stream());
     else if (keep_)
-      hits_.finish(options_.want, result_, [this] { mark_clock(); });
+      hits_.finish(
+          options_.want, result_, [this] { mark_clock(); }, left_there_);
     if (options_.first_met)
       first_.finish(a_, b_, options_.owner_b, result_, on_.stream());
     result_.device_seconds = buffers_.between();
@@ -393,6 +394,7 @@ private:
   hit_pairs hits_;
   bool tallies_, keep_; // hits are counted by item; they are kept until then, or for their list
   bool stores_;         // they are written to a list of the device, for either of these or for the first ones
+  pairs_there *left_there_;
   tallies tallied_;
   first_met_there first_;
   cuda::operand x_{}, y_{};
@@ -418,12 +420,12 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
 }
 
 device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
-                    const device_options &options, std::span<std::uint64_t> of_instances) {
+                    const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there) {
   const auto start = std::chrono::steady_clock::now();
   rung_report report;
   if (precision == rung::tolerant)
     precision = tolerant_or_certified(a, b, predicate, report);
-  device_result r = device_query(on, a, b, predicate, precision, options, of_instances).run();
+  device_result r = device_query(on, a, b, predicate, precision, options, of_instances, left_there).run();
   r.rungs.left_box_a = report.left_box_a, r.rungs.left_box_b = report.left_box_b;
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;

@@ -1,12 +1,18 @@
 #include "core/device/group.hpp"
 
 #include "core/answers.hpp"
+#include "core/device/buffers.hpp"
+#include "core/device/kernels.hpp"
+#include "core/device/query.hpp"
 #include "core/pair_sort.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -59,10 +65,7 @@ template <class T> void append(std::vector<T> &to, const std::vector<T> &more) {
 }
 
 // What device i found of elements (or items) of A that no other device has seen.
-void join(device_result &r, device_result &more, std::size_t first) {
-  for (index_pair &p : more.pairs)
-    p.a += static_cast<std::uint32_t>(first);
-  append(r.pairs, more.pairs);
+void join(device_result &r, const device_result &more) {
   append(r.flags.a, more.flags.a);
   append(r.counts.a, more.counts.a);
   append(r.first_met, more.first_met);
@@ -70,6 +73,30 @@ void join(device_result &r, device_result &more, std::size_t first) {
     r.flags.b[k] |= more.flags.b[k];
   for (std::size_t k = 0; k < r.counts.b.size(); ++k)
     r.counts.b[k] += more.counts.b[k];
+}
+
+// All devices' lists of pairs, one after another, each where it belongs at once. first(i): what is added to the elements of A.
+std::vector<index_pair> list_of(device_group &on, std::vector<device_result> &of, const std::vector<pairs_there> &left,
+                                const std::function<std::size_t(std::size_t)> &first) {
+  std::vector<std::size_t> begin{0};
+  for (std::size_t i = 0; i < of.size(); ++i)
+    begin.push_back(begin.back() + of[i].pairs.size() + left[i].n); // one of them
+  std::vector<index_pair> out;
+  if (begin.back() == 0)
+    return out;
+  make_room(out, begin.back());
+  on.on_each([&](std::size_t i) {
+    const auto by = static_cast<std::uint32_t>(first(i));
+    index_pair *const to = out.data() + begin[i];
+    for (std::size_t k = 0; k < of[i].pairs.size(); ++k)
+      to[k] = {of[i].pairs[k].a + by, of[i].pairs[k].b};
+    if (left[i].n == 0)
+      return;
+    check(renumber(left[i].pairs, left[i].n, by, on[i].stream()), "starting a kernel");
+    on[i].buffers().moving.download(to, left[i].pairs, left[i].n * sizeof(index_pair), on[i].stream(),
+                                    "downloading pairs");
+  });
+  return out;
 }
 
 void add_up(device_result &r, const device_result &more) {
@@ -86,6 +113,48 @@ void add_up(device_result &r, const device_result &more) {
 
 } // namespace
 
+// A thread for each device but the first. They cost a query less than threads that are started for it.
+class device_group::waiting_threads {
+public:
+  explicit waiting_threads(std::size_t devices) {
+    for (std::size_t i = 1; i < devices; ++i)
+      threads_.emplace_back([this, i](const std::stop_token &stop) { take_turns(i, stop); });
+  }
+
+  // work(i) must not throw.
+  void run(const std::function<void(std::size_t)> &work) {
+    {
+      const std::scoped_lock lock(mutex_);
+      work_ = &work, left_ = threads_.size(), ++turn_;
+    }
+    begins_.notify_all();
+    work(0);
+    std::unique_lock lock(mutex_);
+    ends_.wait(lock, [this] { return left_ == 0; });
+  }
+
+private:
+  void take_turns(std::size_t i, const std::stop_token &stop) {
+    std::unique_lock lock(mutex_);
+    for (std::uint64_t seen = 0; begins_.wait(lock, stop, [&] { return turn_ != seen; });) {
+      seen = turn_;
+      lock.unlock();
+      (*work_)(i);
+      lock.lock();
+      if (--left_ == 0)
+        ends_.notify_one();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any begins_;
+  std::condition_variable ends_;
+  const std::function<void(std::size_t)> *work_ = nullptr; // that of this turn
+  std::uint64_t turn_ = 0;
+  std::size_t left_ = 0;              // threads that have not ended it
+  std::vector<std::jthread> threads_; // the last member: stopped and joined first
+};
+
 device_group::device_group(const cuda::catalogue &kernels, std::span<const int> numbers)
     : numbers_(numbers.begin(), numbers.end()), devices_(numbers.size()) {
   require(!numbers_.empty() && *std::min_element(numbers_.begin(), numbers_.end()) >= 0,
@@ -99,6 +168,7 @@ device_group::device_group(const cuda::catalogue &kernels, std::span<const int> 
   if (last >= count)
     throw device_error("there is no CUDA device number " + std::to_string(last) + " here: the last one is number " +
                        std::to_string(count - 1));
+  threads_ = std::make_unique<waiting_threads>(size());
   try {
     on_each([&](std::size_t i) { devices_[i] = std::make_unique<device>(kernels); });
   } catch (...) {
@@ -121,12 +191,7 @@ void device_group::on_each(const std::function<void(std::size_t)> &work) {
       thrown[i] = std::current_exception();
     }
   };
-  {
-    std::vector<std::jthread> started; // joined at the end of this scope
-    for (std::size_t i = 1; i < size(); ++i)
-      started.emplace_back(run, i);
-    run(0);
-  }
+  threads_->run(run);
   for (const std::exception_ptr &e : thrown)
     if (e)
       std::rethrow_exception(e);
@@ -194,6 +259,7 @@ device_result collide(device_group &on, group_set &a, group_set &b, const predic
   const bool owned = !options.owner_a.empty();
   require(!owned || options.owner_a.size() == a.elements(), "an owner map needs one item for each element");
   std::vector<device_result> of(on.size());
+  std::vector<pairs_there> left(on.size());
   on.on_each([&](std::size_t i) {
     device_options o = options;
     if (owned) {
@@ -203,13 +269,16 @@ device_result collide(device_group &on, group_set &a, group_set &b, const predic
     }
     if (i > 0)
       o.progress = nullptr;
-    of[i] = collide(on[i], a.part(i), b.part(i), predicate, precision, o);
+    require_query(on[i], a.part(i), b.part(i), predicate, precision, o);
+    of[i] = query(on[i], a.part(i), b.part(i), predicate, precision, o, {}, &left[i]);
   });
+  std::vector<index_pair> pairs = list_of(on, of, left, [&](std::size_t i) { return owned ? 0 : a.first(i); });
   device_result r = std::move(of[0]);
   for (std::size_t i = 1; i < of.size(); ++i) {
     add_up(r, of[i]);
-    join(r, of[i], owned ? 0 : a.first(i));
+    join(r, of[i]);
   }
+  r.pairs = std::move(pairs);
   if (options.want == answer_kind::any)
     r.count = std::min<std::uint64_t>(r.count, 1);
   else if (owned) {

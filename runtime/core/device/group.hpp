@@ -35,12 +35,15 @@ public:
   std::span<const int> numbers() const { return numbers_; }
   device &operator[](std::size_t i) { return *devices_[i]; }
 
-  // Calls work(i) for each device while that is the current one of its thread; work(0) runs on the calling thread. Once all
-  // have ended, the exception of the first device that threw one is thrown again.
+  // Calls work(i) for each device while that is the current one of its thread; work(0) runs on the calling thread, and others on
+  // threads that wait for it. Once all have ended, the exception of the first device that threw one is thrown again.
   void on_each(const std::function<void(std::size_t i)> &work);
 
 private:
+  class waiting_threads;
+
   std::vector<int> numbers_;
+  std::unique_ptr<waiting_threads> threads_;
   std::vector<std::unique_ptr<device>> devices_;
 };
 

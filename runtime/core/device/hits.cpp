@@ -1,6 +1,7 @@
 #include "core/device/hits.hpp"
 
 #include "core/answers.hpp"
+#include "core/memory.hpp"
 #include "core/pair_sort.hpp"
 
 #include <algorithm>
@@ -20,6 +21,13 @@ int bits_of_items(std::span<const std::uint32_t> owners, std::uint32_t elements)
 }
 
 } // namespace
+
+void make_room(std::vector<index_pair> &pairs, std::size_t n) {
+  pairs.clear();
+  pairs.reserve(n);
+  wish_for_large_pages(pairs.data(), n * sizeof(index_pair));
+  pairs.resize(n);
+}
 
 hit_pairs::hit_pairs(device &on, const device_set &a, const device_set &b, std::span<const std::uint32_t> owner_a,
                      std::span<const std::uint32_t> owner_b)
@@ -130,19 +138,22 @@ bool hit_pairs::sort_on_device() {
   return true;
 }
 
-void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> &sorted) {
+void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> &sorted, pairs_there *left_there) {
   std::vector<index_pair> &pairs = r.pairs;
   if (spilled_.empty() && (keys_ == 0 || ordered_ || sort_on_device())) {
-    const std::uint64_t *const from = ordered_ ? buffers_.more_keys.data() : buffers_.keys.data();
+    std::uint64_t *const from = ordered_ ? buffers_.more_keys.data() : buffers_.keys.data();
     if (!ordered_) {
       check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel");
       sorted();
     }
-    if (want == answer_kind::count) {
-      r.count = keys_;
+    r.count = keys_;
+    if (want == answer_kind::count)
+      return;
+    if (left_there && want == answer_kind::pairs) {
+      *left_there = {reinterpret_cast<index_pair *>(from), keys_};
       return;
     }
-    pairs.resize(keys_);
+    make_room(pairs, keys_);
     buffers_.moving.download(pairs.data(), from, keys_ * sizeof(index_pair), on_.stream(), "downloading pairs");
   } else {
     spill();

@@ -7,6 +7,7 @@
 
 #include "core/device/buffers.hpp"
 #include "core/device/kernels.hpp"
+#include "core/device/query.hpp"
 #include "core/device/set.hpp"
 #include "meetc/cuda_table.hpp"
 
@@ -45,8 +46,8 @@ public:
   void add(const index_pair *hits, std::size_t n);
 
   // Sorts and drops repeats, without a list if only their number is asked for. Waits for the device; `sorted` is called when
-  // all work but downloading has been enqueued. Fills the rest of the answer.
-  void finish(answer_kind want, result &r, const std::function<void()> &sorted);
+  // all work but downloading has been enqueued. Fills the rest of the answer; `left_there` is that of query().
+  void finish(answer_kind want, result &r, const std::function<void()> &sorted, pairs_there *left_there);
 
 private:
   void spill();

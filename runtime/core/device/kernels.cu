@@ -3,13 +3,14 @@
 #include "core/device/blocks.hpp"
 
 #include <cub/cub.cuh>
+#include <meetc/cuda_grid.hpp>
 #include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_table.hpp>
 
+#include <algorithm>
+
 namespace meetc {
 namespace {
-
-constexpr unsigned order_blocks = 1056; // 8 for each of 132 multiprocessors
 
 __global__ void keys_kernel(const index_pair *slots, std::size_t n, const std::uint32_t *order_a,
                             const std::uint32_t *owner_a, const std::uint32_t *order_b, const std::uint32_t *owner_b,
@@ -51,17 +52,8 @@ __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned 
 // What a thread does for each hit.
 template <class Each> __device__ void each_hit(const hit_order &o, Each &&each) {
   const unsigned long long n = *o.count < o.capacity ? *o.count : o.capacity;
-  for (unsigned long long i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n;
-       i += gridDim.x * std::size_t{threads})
+  for (unsigned long long i = cuda::grid_thread(); i < n; i += cuda::grid_threads())
     each(i, o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]);
-}
-__global__ void count_kernel(hit_order o) {
-  cuda::begin();
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
-}
-__global__ void gather_kernel(hit_order o) {
-  cuda::begin();
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[o.starts[a] + o.ranks[i]] = b; });
 }
 // The place of a hit among those of its item is the number of smaller ones. A lane takes an item with few hits, eight lanes one
 // with more, and the warp together one with many.
@@ -75,16 +67,14 @@ __device__ void place_each(const hit_order &o, std::size_t item, std::uint32_t b
     o.sorted[at] = {static_cast<std::uint32_t>(item), b};
   }
 }
-__global__ void place_kernel(hit_order o) {
-  cuda::begin();
+template <class Start> __device__ void place_hits(const hit_order &o, Start &&start) {
   constexpr std::uint32_t few = 4, many = 32;
   constexpr unsigned together = 8;
   const unsigned lane = threadIdx.x % 32;
-  const std::size_t stride = gridDim.x * std::size_t{threads};
-  for (std::size_t first = blockIdx.x * std::size_t{threads} + threadIdx.x - lane; first < o.items_a; first += stride) {
+  for (std::size_t first = cuda::grid_thread() - lane; first < o.items_a; first += cuda::grid_threads()) {
     const std::size_t item = first + lane;
     const bool there = item < o.items_a;
-    const std::uint32_t begin = there ? o.starts[item] : 0, end = there ? o.starts[item + 1] : 0;
+    const std::uint32_t begin = there ? start(item) : 0, end = there ? start(item + 1) : 0;
     const bool crowded = end - begin > most_of_one;
     if (crowded)
       atomicMax(o.longest, static_cast<unsigned long long>(end - begin));
@@ -104,11 +94,30 @@ __global__ void place_kernel(hit_order o) {
   }
 }
 
+// Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
+constexpr unsigned order_threads = 1024;
+__global__ void __launch_bounds__(order_threads, 2)
+    order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
+  __shared__ unsigned room[order_threads / 32], starts[order_threads];
+  const cuda::running_sums counts{o.starts, o.items_a + 1, totals};
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
+  cuda::meet_grid();
+  counts.sum_chunk<order_threads>(room);
+  cuda::meet_grid();
+  counts.sum_totals<order_threads>(room, starts);
+  const unsigned shift = counts.shift();
+  const auto start = [&](std::size_t item) { return counts.at(starts, shift, static_cast<std::uint32_t>(item)); };
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[start(a) + o.ranks[i]] = b; });
+  cuda::meet_grid();
+  place_hits(o, start);
+}
+
 constexpr unsigned few_threads = 1024;
 using few_sort = cub::BlockMergeSort<std::uint64_t, few_threads, most_of_few / few_threads>;
 __global__ void __launch_bounds__(few_threads) few_kernel(hit_order o) {
   cuda::begin();
   constexpr int each = most_of_few / few_threads;
+  constexpr unsigned fewest = 512;
   __shared__ few_sort::TempStorage space;
   const unsigned long long n = *o.count;
   if (n > most_of_few || n > o.capacity) {
@@ -116,10 +125,26 @@ __global__ void __launch_bounds__(few_threads) few_kernel(hit_order o) {
       *o.longest = n;
     return;
   }
+  const auto key = [&](unsigned i) {
+    return i < n ? key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32) : ~std::uint64_t{0};
+  };
+  if (n <= fewest) { // the place of each is the number of smaller ones
+    __shared__ std::uint64_t all[fewest];
+    const std::uint64_t mine = key(threadIdx.x);
+    if (threadIdx.x < fewest)
+      all[threadIdx.x] = mine;
+    __syncthreads();
+    unsigned at = 0;
+    for (unsigned i = 0; i < n; ++i)
+      at += all[i] < mine;
+    if (threadIdx.x < n)
+      o.sorted[at] = pair_of(mine, 32);
+    return;
+  }
   std::uint64_t keys[each];
   for (int k = 0; k < each; ++k) {
     const unsigned i = threadIdx.x * each + k;
-    keys[k] = i < n ? key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32) : ~std::uint64_t{0};
+    keys[k] = key(i);
   }
   few_sort(space).Sort(keys, [](std::uint64_t x, std::uint64_t y) { return x < y; });
   for (int k = 0; k < each; ++k)
@@ -154,7 +179,17 @@ __global__ void name_kernel(const std::uint32_t *slots, std::uint32_t n, const s
     named[order_a[i]] = slots[i] == cuda::no_slot ? cuda::no_slot : order_b[slots[i]];
 }
 
+__global__ void renumber_kernel(index_pair *pairs, std::size_t n, std::uint32_t by) {
+  cuda::begin();
+  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads})
+    pairs[i].a += by;
+}
+
 } // namespace
+
+cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream) {
+  return n == 0 || by == 0 ? cudaSuccess : cuda::launch<renumber_kernel>(blocks_for(n), threads, stream, pairs, n, by);
+}
 
 cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,
                        const std::uint32_t *order_b, std::uint32_t *named, cudaStream_t stream) {
@@ -169,17 +204,12 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
 }
 
 cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream) {
-  const auto items = static_cast<std::int64_t>(o.items_a) + 1;
+  bytes = order_threads * sizeof(std::uint32_t); // a total for each block
   if (!space)
-    return cub::DeviceScan::ExclusiveSum(space, bytes, o.starts, o.starts, items, stream);
-  cudaError_t e = cuda::launch<count_kernel>(order_blocks, threads, stream, o);
-  if (e != cudaSuccess)
-    return e;
-  e = cub::DeviceScan::ExclusiveSum(space, bytes, o.starts, o.starts, items, stream);
-  if (e != cudaSuccess)
-    return e;
-  e = cuda::launch<gather_kernel>(order_blocks, threads, stream, o);
-  return e == cudaSuccess ? cuda::launch<place_kernel>(order_blocks, threads, stream, o) : e;
+    return cudaSuccess;
+  // Few blocks meet sooner; many items mostly have many hits.
+  const unsigned blocks = std::max(128U, o.items_a / order_threads);
+  return cuda::launch_together<order_kernel, order_threads>(blocks, stream, o, static_cast<std::uint32_t *>(space));
 }
 
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream) {

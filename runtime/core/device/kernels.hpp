@@ -61,6 +61,9 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream);
 cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,
                        const std::uint32_t *order_b, std::uint32_t *named, cudaStream_t stream);
 
+// Adds `by` to the first element of n pairs.
+cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream);
+
 // Sorts keys below 2^bits into `to`. With space null, only sets the number of bytes that it needs.
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
                       int bits, cudaStream_t stream);

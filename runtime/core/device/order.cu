@@ -26,12 +26,20 @@ __global__ void crowded_kernel(const std::uint32_t *sorted, unsigned n, unsigned
     atomicAdd(crowded, static_cast<unsigned long long>(mine));
 }
 
-__global__ void gather_kernel(const float *rows, unsigned fields, const std::uint32_t *slots, std::size_t numbers,
+// A warp writes 32 rows in one piece.
+__global__ void gather_kernel(const float *rows, unsigned fields, const std::uint32_t *slots, std::uint32_t n,
                               float *to) {
-  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < numbers;
-       i += gridDim.x * std::size_t{threads}) {
-    const auto field = static_cast<unsigned>(i % fields);
-    to[i] = rows[std::size_t{slots[i / fields]} * fields + field];
+  const unsigned lane = threadIdx.x % 32;
+  for (std::size_t base = blockIdx.x * std::size_t{threads} + threadIdx.x - lane; base < n;
+       base += gridDim.x * std::size_t{threads}) {
+    const std::uint32_t from = base + lane < n ? slots[base + lane] : 0,
+                        here = n - base < 32 ? static_cast<std::uint32_t>(n - base) : 32;
+    for (unsigned first = 0; first < here * fields; first += 32) {
+      const unsigned k = first + lane, row = k / fields;
+      const std::uint32_t of = __shfl_sync(~0U, from, row % 32);
+      if (k < here * fields)
+        to[base * fields + k] = rows[std::size_t{of} * fields + (k - row * fields)];
+    }
   }
 }
 
@@ -66,8 +74,7 @@ cudaError_t gather_rows(const float *rows, unsigned fields, const std::uint32_t 
                         cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  const std::size_t numbers = std::size_t{n} * fields;
-  gather_kernel<<<blocks_for(numbers), threads, 0, stream>>>(rows, fields, slots, numbers, to);
+  gather_kernel<<<blocks_for(n), threads, 0, stream>>>(rows, fields, slots, n, to);
   return cudaGetLastError();
 }
 

@@ -18,7 +18,7 @@ search search_costs::least() const {
 search_costs expected_costs(const search_sizes &s) {
   constexpr double start = 54e-6, pair = 1 / 12e12, near_pair = 1 / 1e11;
   constexpr double start_groups = 65e-6, group_pair = 1 / 14e12, taken_apart = 2.1e-9;
-  constexpr double start_tree = 48e-6, start_boxes = 20e-6, enclosed = 0.011e-9;
+  constexpr double start_tree = 30e-6, start_boxes = 20e-6, enclosed = 0.011e-9;
   constexpr double walks = 0.066e-9, walked_over = 0.274e-9; // of the larger set, and of the other
   constexpr double walks_together = 0.022e-9,
                    together_from = 5.4e6; // in a set so large, neighbours go down together first
@@ -27,7 +27,11 @@ search_costs expected_costs(const search_sizes &s) {
                near = s.long_elements ? near_pair * a * b : 0;
   const double columns = column * ((s.made_a ? 0 : a) + (s.made_b ? 0 : b)), many = std::max(a, b);
   search_costs c;
-  c.of[static_cast<int>(search::every_pair)] = start + columns + pair * a * b + near;
+  const auto in_tiles = [](std::uint64_t n) { // the filter tests whole ones
+    const std::uint64_t tiles = (n + cuda::part_step - 1) / cuda::part_step;
+    return static_cast<double>(tiles * cuda::part_step);
+  };
+  c.of[static_cast<int>(search::every_pair)] = start + columns + pair * in_tiles(s.a) * in_tiles(s.b) + near;
   c.of[static_cast<int>(search::groups)] = start_groups + columns +
                                            group_pair * (a / cuda::group_size) * (b / cuda::group_size) +
                                            taken_apart * (a + b) / 2 + near;

@@ -6,9 +6,11 @@
 #include "core/device/order_kernels.hpp"
 #include "core/element_set.hpp"
 #include "core/two_points.hpp"
+#include "meetc/cuda_query.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -32,6 +34,10 @@ const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_
 void require_pose(const kind_info &kind, const pose &at) {
   if (const status s = movable(kind, at); s != status::ok)
     throw std::invalid_argument(text(s));
+}
+// Of a cell along an axis, where the device orders n elements.
+int bits_of_cell(std::uint32_t n) {
+  return n <= std::uint32_t{1} << 20 ? 8 : 10;
 }
 cuda::pose_matrix matrix_of(const pose &at) {
   cuda::pose_matrix out{{}, at.length_scale, at.identity(), at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
@@ -59,6 +65,13 @@ device_set::device_set(device &on, const prepared &set) : device_set(on, set.kin
   if (!set.whole())
     throw std::invalid_argument("a set on a device must not be prepared for collisions with one other set");
   upload(set);
+  take_room_for_tree();
+}
+
+// Most queries want the hierarchy, and to wait for memory takes longer than to make that of a small set.
+void device_set::take_room_for_tree() {
+  if (elements_ > 0)
+    tree_.take_room(elements_, on_->stream());
 }
 
 device_set::device_set(device &on, const view &elements, const kind_info &kind, const pose &at, int threads)
@@ -66,9 +79,11 @@ device_set::device_set(device &on, const view &elements, const kind_info &kind, 
   require_pose(kind, at);
   if (!make(elements, at))
     upload(prepare(elements, kind, at, threads));
+  take_room_for_tree();
 }
 
 void device_set::upload(const prepared &set) {
+  ordered_seconds_ = 0;
   const std::size_t floats = std::size_t{elements_} * static_cast<std::size_t>(kind_->fields);
   rows_.reserve(floats, "a set's elements");
   order_.reserve(elements_, "a set's order");
@@ -94,46 +109,99 @@ bool device_set::make(const view &elements, const pose &at) {
   // What lies between the elements is uploaded as well.
   if (bytes > 4 * (n * fields * sizeof(float)) + (std::size_t{1} << 20))
     return false;
-  struct findings {
-    unsigned long long bad, crowded;
-  };
-  device_memory<std::byte> data, space;
-  device_memory<std::uint32_t> index, places, sorted;
-  device_memory<float> rows;
-  device_memory<findings> found;
-  const int bits = n <= std::uint32_t{1} << 20 ? 8 : 10; // of a cell along an axis
-  std::size_t need = 0;
-  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits, stream), "planning to order");
+  device_memory<std::byte> data;
+  device_memory<std::uint32_t> index;
   const auto room = [stream](auto &memory, std::size_t count) { return memory.grow(count, 0, stream); };
-  if (!room(data, bytes) || !room(index, indices) || !room(rows, n * fields) || !room(rows_, n * fields) ||
-      !room(order_, n) || !room(places, n) || !room(sorted, n) || !room(found, 1) || !room(space, need))
+  if (!room(data, bytes) || !room(index, indices) || !room(rows_, n * fields) || !room(order_, n))
     return false; // a set that is ordered needs a third of it
   transfers &moving = on_->buffers().moving;
   moving.upload(data.data(), elements.data, bytes, stream, "uploading a set");
   moving.upload(index.data(), elements.index, indices * sizeof(std::uint32_t), stream, "uploading a set");
   const cuda::view there{reinterpret_cast<const float *>(data.data()), elements.stride_bytes,
                          elements.index ? index.data() : nullptr, static_cast<std::uint32_t>(elements.vertices), n};
-  device_buffers &buffers = on_->buffers();
-  check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
-  check(launchers_->pose(there, matrix_of(at), nullptr, rows.data(), &found.data()->bad, stream), "starting a kernel");
-  enclose(rows.data());
-  check(launchers_->places(rows.data(), n, around(), bits, places.data(), stream), "starting a kernel");
-  check(sort_places(space.data(), need, places.data(), sorted.data(), order_.data(), n, 3 * bits, stream),
-        "ordering a set");
-  check(count_crowded(sorted.data(), n, &found.data()->crowded, stream), "starting a kernel");
-  check(gather_rows(rows.data(), static_cast<unsigned>(fields), order_.data(), n, rows_.data(), stream),
-        "starting a kernel");
-  check(cudaEventRecord(buffers.events[1], stream), "stopping a clock");
-  findings seen{};
-  check(cudaMemcpyAsync(&seen, found.data(), sizeof seen, cudaMemcpyDeviceToHost, stream), "ordering a set");
-  check(cudaStreamSynchronize(stream), "ordering a set");
-  if (seen.bad == ~0ULL && seen.crowded <= n / 8)
-    return ordered_seconds_ = buffers.between(), true;
-  if (seen.bad == ~0ULL)
+  std::optional<cuda::order_findings> found = arrange(there, at);
+  if (!found || found->longest > 0)
+    found = sort(there, at);
+  if (!found)
+    return false;
+  if (found->bad == ~0ULL && found->crowded <= n / 8)
+    return true;
+  if (found->bad == ~0ULL)
     return false;
   if (const fault f = meetc::check(elements, *kind_, at))
     throw input_error(f, *kind_);
   return false;
+}
+
+// What the kernels that ordered a set have found.
+cuda::order_findings device_set::ordered(const cuda::order_findings *found) {
+  const cudaStream_t stream = on_->stream();
+  check(cudaEventRecord(on_->buffers().events[1], stream), "stopping a clock");
+  cuda::order_findings seen{};
+  check(cudaMemcpyAsync(&seen, found, sizeof seen, cudaMemcpyDeviceToHost, stream), "ordering a set");
+  check(cudaStreamSynchronize(stream), "ordering a set");
+  ordered_seconds_ += on_->buffers().between();
+  return seen;
+}
+
+// By one kernel. Empty where there is none for so many elements, or too little memory.
+std::optional<cuda::order_findings> device_set::arrange(const cuda::view &there, const pose &at) {
+  const std::uint32_t n = elements_;
+  if (!launchers_->arrange || n == 0 || n > cuda::most_to_arrange)
+    return {};
+  cuda::arrange_job job{};
+  job.from = there, job.at = matrix_of(at), job.bits = bits_of_cell(n);
+  job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)), 10, 20); // cells for one or two elements each
+  job.rows = rows_.data(), job.order = order_.data(), job.around = around_.data();
+  device_memory<std::byte> space;
+  for (const bool planned : {true, false}) {
+    cuda::cutter from(space.data(), space.capacity());
+    job.posed = from.take<float>(n * static_cast<std::size_t>(kind_->fields));
+    job.places = from.take<std::uint32_t>(n), job.ranks = from.take<std::uint32_t>(n);
+    job.cells = from.take<std::uint32_t>(std::size_t{1} << job.cell_bits);
+    job.by_cell = from.take<std::uint64_t>(n);
+    job.parts = from.take<std::byte>(cuda::arrange_bytes);
+    job.found = from.take<cuda::order_findings>(1);
+    if (planned && !space.grow(from.used(), 0, on_->stream()))
+      return {};
+  }
+  version_ = next_version();
+  check(cudaEventRecord(on_->buffers().events[0], on_->stream()), "starting a clock");
+  check(launchers_->arrange(job, on_->stream()), "starting a kernel");
+  return ordered(job.found);
+}
+
+// By a sort of all places. Empty where there is too little memory.
+std::optional<cuda::order_findings> device_set::sort(const cuda::view &there, const pose &at) {
+  const std::uint32_t n = elements_;
+  const auto fields = static_cast<std::size_t>(kind_->fields);
+  const cudaStream_t stream = on_->stream();
+  const int bits = bits_of_cell(n);
+  std::size_t need = 0;
+  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits, stream), "planning to order");
+  device_memory<std::byte> space;
+  float *rows = nullptr;
+  std::uint32_t *places = nullptr, *sorted = nullptr;
+  cuda::order_findings *found = nullptr;
+  void *sorting = nullptr;
+  for (const bool planned : {true, false}) {
+    cuda::cutter from(space.data(), space.capacity());
+    rows = from.take<float>(n * fields);
+    places = from.take<std::uint32_t>(n), sorted = from.take<std::uint32_t>(n);
+    found = from.take<cuda::order_findings>(1);
+    sorting = from.take<std::byte>(need);
+    if (planned && !space.grow(from.used(), 0, stream))
+      return {};
+  }
+  check(cudaEventRecord(on_->buffers().events[0], stream), "starting a clock");
+  check(cudaMemsetAsync(found, 0, sizeof *found, stream), "ordering a set");
+  check(launchers_->pose(there, matrix_of(at), nullptr, rows, &found->bad, stream), "starting a kernel");
+  enclose(rows);
+  check(launchers_->places(rows, n, around(), bits, places, stream), "starting a kernel");
+  check(sort_places(sorting, need, places, sorted, order_.data(), n, 3 * bits, stream), "ordering a set");
+  check(count_crowded(sorted, n, &found->crowded, stream), "starting a kernel");
+  check(gather_rows(rows, static_cast<unsigned>(fields), order_.data(), n, rows_.data(), stream), "starting a kernel");
+  return ordered(found);
 }
 
 device_set::device_set(const device_set &of, std::uint32_t n)

@@ -78,7 +78,11 @@ private:
   };
   device_set(device &on, const kind_info &kind, std::size_t elements, double grid);
   void upload(const prepared &set);
+  void take_room_for_tree();
   bool make(const view &elements, const pose &at);
+  std::optional<cuda::order_findings> arrange(const cuda::view &there, const pose &at);
+  std::optional<cuda::order_findings> sort(const cuda::view &there, const pose &at);
+  cuda::order_findings ordered(const cuda::order_findings *found);
   fault fault_of(const float *there, std::size_t element) const;
   void enclose(const float *rows);
 

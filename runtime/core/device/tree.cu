@@ -11,15 +11,14 @@ namespace {
 
 using namespace cuda;
 
-__global__ void __launch_bounds__(tree_threads) levels_kernel(tree_node *nodes, tree_shape shape, int level) {
+// Fills two levels above one.
+__global__ void __launch_bounds__(node_threads) levels_kernel(tree_node *nodes, tree_shape shape, int level) {
   begin();
-  const unsigned node = (blockIdx.x * tree_threads + threadIdx.x) / tree_width, lane = threadIdx.x % tree_width;
+  const unsigned node = (blockIdx.x * node_threads + threadIdx.x) / tree_width, lane = threadIdx.x % tree_width;
   tree_box b;
   if (node < shape.count[level])
     b = box_of(nodes[shape.first[level] + node], lane);
-  b = around_warp(b);
-  if (lane == 0)
-    put_box(nodes[shape.first[level + 1] + node / tree_width], node % tree_width, b);
+  put_above(nodes, shape, level + 1, around_warp(b));
 }
 
 // What is left at the end is appended by all warps of a block together.
@@ -56,9 +55,8 @@ template <bool ByPoints> cudaError_t start_walk(const tree_walk &w, cudaStream_t
 cudaError_t enclose_levels(tree_node *nodes, std::uint32_t elements, cudaStream_t stream) {
   const tree_shape shape(elements);
   cudaError_t e = cudaSuccess;
-  for (int level = 1; level + 1 < shape.depth && e == cudaSuccess; ++level)
-    e = launch<levels_kernel>(shape.count[level + 1] * (tree_width / walk_warps), tree_threads, stream, nodes, shape,
-                              level);
+  for (int level = levels_with_boxes(elements) - 1; level + 1 < shape.depth && e == cudaSuccess; level += 2)
+    e = launch<levels_kernel>(blocks_above(shape, level + 1), node_threads, stream, nodes, shape, level);
   return e;
 }
 

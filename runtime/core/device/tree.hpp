@@ -14,6 +14,9 @@ public:
   // The tree over n >= 1 rows on the device. Enqueues work, and throws device_error.
   void make(const cuda::kind_launchers &kind, const float *rows, std::uint32_t n, cudaStream_t stream);
 
+  // Takes the memory of the tree over n rows, if it is there.
+  void take_room(std::uint32_t n, cudaStream_t stream) { nodes_.grow(cuda::tree_shape(n).nodes(), 0, stream); }
+
   cuda::tree_view view(std::uint32_t n) const { return {nodes_.data(), n, cuda::tree_shape(n)}; }
 
 private:

@@ -8,7 +8,7 @@
 
 namespace meetc {
 
-// Fills the levels above level 1.
+// Fills the levels above those with the boxes.
 cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t stream);
 
 // A walk of all elements of one set down the tree of another.

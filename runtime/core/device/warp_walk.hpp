@@ -15,14 +15,17 @@ inline constexpr unsigned least_together = 4;
 inline constexpr unsigned waiting_size = 2 * tree_width, hits_size = 128;
 
 // A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
-// is a node of level `start`. Where that is too few, the long elements of the node, and the children of the chunk, are
-// dealt out to groups, whose number is a power of two. `batch` items are taken at once, at most 32: the first by the
-// warp's number, others by a counter, which warps can change only one after another.
+// is a node of level `start`. Where that is too few, the long elements of the node are dealt out to groups, whose number is a
+// power of two, and so are the children of nodes of the level `deal`: of the chunk, or, where few packets go down and each reaches
+// few of these, of the lowest nodes. `batch` items are taken at once, at most 32: the first by the
+// warp's number, others by a counter, which warps can change only one after another. So where there are few items for each
+// warp, and none of them is far longer than others, all are taken by its number.
 struct walk_plan {
-  int start;
+  int start, deal;
   std::uint32_t first_chunk, chunks, long_groups, child_groups, batch, items;
-  bool cut;   // not all of the tree is tested
-  bool whole; // an item is a node and goes down from the root
+  bool cut;       // not all of the tree is tested
+  bool whole;     // an item is a node and goes down from the root
+  bool by_number; // no counter says who takes an item
 };
 
 // Of one warp, in shared memory.
@@ -71,7 +74,8 @@ public:
     const tree_box all = around_warp(box_of(w_.tree.nodes[s.first[s.depth - 1]], lane_));
     // Longer than some nodes of level 0, if these were spread over a surface of the tree's extent.
     long_side_ = 4 * longest_side(all) * sqrtf(1.0F / static_cast<float>(s.count[0]));
-    for (unsigned long long at = warp; at * plan_.batch < plan_.items; at = next(warps)) {
+    for (unsigned long long at = warp; at * plan_.batch < plan_.items;
+         at = plan_.by_number ? at + warps : next(warps)) {
       const std::uint32_t first = static_cast<std::uint32_t>(at) * plan_.batch, items = plan_.items - first;
       unsigned left = ~0U >> (tree_width - (items < plan_.batch ? items : plan_.batch));
       if (plan_.whole)
@@ -206,7 +210,7 @@ private:
     int level = plan_.start;
     for (;;) {
       const tree_box b = box_of(w_.tree.nodes[w_.tree.shape.first[level] + node], lane_);
-      unsigned touching = __ballot_sync(~0U, touches<Single>(b) && (dealt_ || level != plan_.start) &&
+      unsigned touching = __ballot_sync(~0U, touches<Single>(b) && (dealt_ || level != plan_.deal) &&
                                                  (!plan_.cut || is_in_part(level, node * tree_width + lane_)));
       if (!Single && sparse_)
         touching = touched_by_some(touching, b);
@@ -371,7 +375,7 @@ private:
   two_points single_{};
   bool descends_ = true; // items that are whole nodes go down together first
   unsigned batches_ = 0;
-  bool dealt_ = true;   // of the children of a chunk this lane's is this item's
+  bool dealt_ = true;   // of the children of a node of the level `deal` this lane's is this item's
   bool sparse_ = false; // the packet's box is large beside those of its elements
   float long_side_ = 0;
   unsigned waiting_ = 0, hits_ = 0; // boxes that wait for the last test, and hits in the buffer
@@ -382,6 +386,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   // The nodes of a level that have a part of the tree below them.
   const auto nodes_of = [&w](int level) { return ((w.of.end_b - 1) >> 5 * level) - (w.of.first_b >> 5 * level) + 1; };
   walk_plan plan{w.tree.shape.depth - 1,
+                 1,
                  0,
                  1,
                  1,
@@ -389,11 +394,13 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
                  1,
                  w.of.end_a - w.of.first_a,
                  w.half || w.of.first_b > 0 || w.of.end_b < w.tree.shape.count[0],
+                 false,
                  false};
   // Twice as many, since some long elements pass many more boxes than others.
   for (; w.rows && plan.long_groups < tree_width && plan.items < 2 * enough; plan.items *= 2)
     plan.long_groups *= 2;
-  const unsigned cuts = (enough + plan.items - 1) / plan.items;
+  const bool few_packets = !w.rows && 4 * plan.items <= enough;
+  const unsigned cuts = ((few_packets ? 2 : 1) * enough + plan.items - 1) / plan.items;
   while (plan.start > 1 && nodes_of(plan.start - 1) < cuts)
     --plan.start;
   plan.first_chunk = w.of.first_b >> 5 * plan.start;
@@ -404,6 +411,8 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   while (plan.batch < 8 && plan.items > 16 * plan.batch * enough)
     plan.batch *= 2;
   plan.whole = plan.items == w.of.end_a - w.of.first_a;
+  plan.deal = few_packets ? 1 : plan.start;
+  plan.by_number = !w.rows && plan.items <= 4 * enough;
   return plan;
 }
 

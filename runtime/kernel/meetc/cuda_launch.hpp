@@ -69,6 +69,20 @@ cudaError_t launch(unsigned blocks, unsigned threads, cudaStream_t stream, const
   return cudaLaunchKernelEx(&how, Kernel, arguments...);
 }
 
+// Enqueues a kernel whose blocks may wait for each other: up to `blocks` of them, as many as the device runs at once and no
+// more than a block has threads.
+template <auto Kernel, unsigned Threads, class... Arguments>
+cudaError_t launch_together(unsigned blocks, cudaStream_t stream, const Arguments &...arguments) {
+  cudaLaunchAttribute together{};
+  together.id = cudaLaunchAttributeCooperative;
+  together.val.cooperative = 1;
+  cudaLaunchConfig_t how{};
+  const unsigned most = blocks_at_once<Kernel, Threads>() < Threads ? blocks_at_once<Kernel, Threads>() : Threads;
+  how.gridDim = {blocks < most ? blocks : most, 1, 1}, how.blockDim = {Threads, 1, 1}, how.stream = stream;
+  how.attrs = &together, how.numAttrs = 1;
+  return cudaLaunchKernelEx(&how, Kernel, arguments...);
+}
+
 } // namespace meetc::cuda
 
 #endif

@@ -92,19 +92,36 @@ public:
   __device__ void flush() {
     if (n_ == 0)
       return;
-    __syncwarp();
-    const unsigned lane = threadIdx.x % 32;
     unsigned long long at = 0;
-    if (lane == 0)
+    if (threadIdx.x % 32 == 0)
       at = atomicAdd(to_.count, static_cast<unsigned long long>(n_));
-    at = __shfl_sync(~0U, at, 0);
-    for (unsigned i = lane; i < n_ && at + i < to_.capacity; i += 32)
+    flush(__shfl_sync(~0U, at, 0));
+  }
+  // The last flush of all warps of a block, which all call it, with one addition.
+  template <unsigned Warps> __device__ void flush_block() {
+    __shared__ unsigned left[Warps];
+    __shared__ unsigned long long first;
+    const unsigned warp = threadIdx.x / 32;
+    if (threadIdx.x % 32 == 0)
+      left[warp] = n_;
+    __syncthreads();
+    unsigned all = 0, before = 0;
+    for (unsigned w = 0; w < Warps; ++w)
+      all += left[w], before += w < warp ? left[w] : 0;
+    if (threadIdx.x == 0)
+      first = all > 0 ? atomicAdd(to_.count, static_cast<unsigned long long>(all)) : 0;
+    __syncthreads();
+    flush(first + before);
+  }
+
+private:
+  __device__ void flush(unsigned long long at) {
+    __syncwarp();
+    for (unsigned i = threadIdx.x % 32; i < n_ && at + i < to_.capacity; i += 32)
       to_.pairs[at + i] = room_[i];
     n_ = 0;
     __syncwarp();
   }
-
-private:
   template <int Each> __device__ void put(unsigned marks, const index_pair (&pairs)[Each]) {
     static_assert(32 * Each <= Size);
     const unsigned lane = threadIdx.x % 32;

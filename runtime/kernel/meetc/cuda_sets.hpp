@@ -23,22 +23,51 @@ inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
   return cudaGetLastError();
 }
 
+__device__ inline extent joined_in_warp(extent mine) {
+  for (int d = 16; d > 0; d /= 2)
+    for (int k = 0; k < 3; ++k) {
+      mine.low[k] = min(mine.low[k], __shfl_xor_sync(~0U, mine.low[k], d));
+      mine.high[k] = max(mine.high[k], __shfl_xor_sync(~0U, mine.high[k], d));
+    }
+  return mine;
+}
+__device__ inline extent no_extent() {
+  extent e;
+  for (int k = 0; k < 3; ++k)
+    clear(e, k);
+  return e;
+}
+__device__ inline extent extent_of(const interval (&mine)[3]) {
+  extent e;
+  for (int k = 0; k < 3; ++k)
+    e.low[k] = ordered(mine[k].lo), e.high[k] = ordered(mine[k].hi);
+  return e;
+}
+// The extent of what a block's threads bring, which all call it; the first warp gets it.
+template <unsigned Threads> __device__ extent joined_in_block(const extent &mine) {
+  __shared__ extent of_warps[Threads / 32];
+  const unsigned lane = threadIdx.x % 32;
+  const extent warp = joined_in_warp(mine);
+  if (lane == 0)
+    of_warps[threadIdx.x / 32] = warp;
+  __syncthreads();
+  return threadIdx.x < 32 ? joined_in_warp(lane < Threads / 32 ? of_warps[lane] : no_extent()) : warp;
+}
+
 template <class Shape>
 __global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows, unsigned n, extent *around) {
   interval mine[3];
   for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads)
     widen<Shape>(mine, rows + i * std::size_t{Shape::fields});
-  for (int k = 0; k < 3; ++k) {
-    for (int d = 16; d > 0; d /= 2)
-      mine[k] = joined(mine[k], {__shfl_xor_sync(~0U, mine[k].lo, d), __shfl_xor_sync(~0U, mine[k].hi, d)});
-    if (threadIdx.x % 32 == 0 && mine[k].lo <= mine[k].hi)
-      atomicMin(&around->low[k], ordered(mine[k].lo)), atomicMax(&around->high[k], ordered(mine[k].hi));
-  }
+  const extent all = joined_in_block<set_threads>(extent_of(mine));
+  if (threadIdx.x == 0)
+    for (int k = 0; k < 3; ++k)
+      atomicMin(&around->low[k], all.low[k]), atomicMax(&around->high[k], all.high[k]);
 }
 template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  const unsigned blocks = std::min(blocks_for(n), 1024U);
+  const unsigned blocks = std::min(blocks_for(n), 1056U); // all change the same numbers
   enclose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, around);
   return cudaGetLastError();
 }
@@ -113,30 +142,52 @@ template <class Shape> __device__ bool posed_row(const pose_matrix &at, const fl
   return good;
 }
 
+// The same of element i of a view.
+template <class Shape>
+__device__ bool posed_element(const view &v, const pose_matrix &at, std::uint32_t i, float *out) {
+  float in[Shape::fields];
+  bool good = true;
+  const auto *bytes = reinterpret_cast<const char *>(v.data);
+  const bool aligned = ((reinterpret_cast<std::uintptr_t>(bytes) | v.stride_bytes) & 3) == 0;
+  for (int f = 0; f < Shape::fields; ++f) {
+    // Kinds that can be indexed consist of points, x y z each.
+    const std::size_t vertex =
+        v.index ? v.index[i * (std::size_t{Shape::fields} / 3) + static_cast<unsigned>(f / 3)] : i;
+    const bool there = !v.index || vertex < v.vertices;
+    const char *const at_field =
+        bytes + vertex * v.stride_bytes + sizeof(float) * static_cast<unsigned>(v.index ? f % 3 : f);
+    good &= there;
+    in[f] = 0;
+    if (there && aligned)
+      in[f] = *reinterpret_cast<const float *>(at_field);
+    else if (there)
+      memcpy(in + f, at_field, sizeof(float)); // byte by byte
+  }
+  good &= posed_row<Shape>(at, in, out);
+  return good;
+}
+
+// A warp writes the first rows, up to 32, from its shared memory, in one piece.
+template <int Fields> __device__ void write_rows(const float *from, std::uint32_t rows, float *to) {
+  __syncwarp();
+  for (unsigned k = threadIdx.x % 32; k < (rows < 32 ? rows : 32) * Fields; k += 32)
+    to[k] = from[k];
+  __syncwarp();
+}
+
 template <class Shape>
 __global__ void __launch_bounds__(set_threads)
     pose_kernel(view v, pose_matrix at, const std::uint32_t *order, float *rows, unsigned long long *bad) {
-  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < v.elements; i += gridDim.x * set_threads) {
-    float in[Shape::fields], out[Shape::fields];
-    bool good = true;
-    const auto *bytes = reinterpret_cast<const char *>(v.data);
-    for (int f = 0; f < Shape::fields; ++f) {
-      // Kinds that can be indexed consist of points, x y z each.
-      const std::size_t vertex =
-          v.index ? v.index[i * (std::size_t{Shape::fields} / 3) + static_cast<unsigned>(f / 3)] : i;
-      const bool there = !v.index || vertex < v.vertices;
-      good &= there;
-      if (there)
-        memcpy(in + f, bytes + vertex * v.stride_bytes + sizeof(float) * static_cast<unsigned>(v.index ? f % 3 : f),
-               sizeof(float));
-      else
-        in[f] = 0;
-    }
-    good &= posed_row<Shape>(at, in, out);
-    for (int f = 0; f < Shape::fields; ++f)
-      rows[i * std::size_t{Shape::fields} + f] = out[f];
-    if (!good)
+  constexpr unsigned fields = Shape::fields;
+  __shared__ float rows_of_warps[set_threads / 32][32 * fields];
+  const unsigned lane = threadIdx.x % 32;
+  float *const of_warp = rows_of_warps[threadIdx.x / 32];
+  for (std::size_t base = blockIdx.x * std::size_t{set_threads} + threadIdx.x - lane; base < v.elements;
+       base += gridDim.x * std::size_t{set_threads}) {
+    const auto i = static_cast<std::uint32_t>(base + lane);
+    if (i < v.elements && i >= base && !posed_element<Shape>(v, at, i, of_warp + lane * fields))
       atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : i) << 32 | i);
+    write_rows<Shape::fields>(of_warp, static_cast<std::uint32_t>(v.elements - base), rows + base * fields);
   }
 }
 template <class Shape>

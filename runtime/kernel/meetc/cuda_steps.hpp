@@ -76,7 +76,8 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, co
     hits.append(yes, p);
     append(unsure, p, to.unsure);
   }
-  hits.flush();
+  if (!to.answers)
+    hits.flush_block<step_warps>();
 }
 
 // Pair i of the pairs of slots in a list of pairs of objects; false if a group has no such slot.

@@ -104,6 +104,31 @@ struct query {
   unsigned long long list_capacity; // room for candidates between two stages
 };
 
+// What became of elements that were put into order.
+struct order_findings {
+  unsigned long long bad;     // as query_result::bad_a
+  unsigned long long crowded; // elements before which at least tree_width others have the same place
+  unsigned long long longest; // above most_in_cell: more elements than that share a cell, and there is no order
+};
+inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 256;
+// Elements that are moved and put into the order of their places, those with one place in that of their numbers. A cell is
+// what the first bits of a place name.
+struct arrange_job {
+  view from;
+  pose_matrix at;
+  int bits, cell_bits; // of a cell along an axis, as places() has them; and of those 3 bits the first, at most all
+  float *posed;        // room for the rows in the caller's order
+  std::uint32_t *places, *ranks; // room for a number each
+  std::uint32_t *cells;          // room for 2^cell_bits
+  std::uint64_t *by_cell;        // room for a number each
+  void *parts;                   // room for arrange_bytes
+  float *rows;                   // the rows become these,
+  std::uint32_t *order;          // of these elements
+  extent *around;                // as by enclose(), which is not emptied before
+  order_findings *found;
+};
+inline constexpr std::size_t arrange_bytes = std::size_t{64} << 10;
+
 // One kind of element.
 struct kind_launchers {
   const char *name;
@@ -125,8 +150,10 @@ struct kind_launchers {
   // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits).
   cudaError_t (*places)(const float *rows, std::uint32_t elements, const extent *around, int bits,
                         std::uint32_t *places, cudaStream_t stream);
-  // Fills levels 0 and 1 of the tree over the rows.
+  // Fills the first levels_with_boxes() levels of the tree over the rows, as far as there are such.
   cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, cudaStream_t stream);
+  // pose(), enclose() and places() at once, and the order, of 1 to most_to_arrange elements. Null: not generated.
+  cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;
 };
 
 inline constexpr std::uint32_t part_step = 64;

@@ -5,6 +5,9 @@
 #include "core/device/transfers.hpp"
 #include "core/element_set.hpp"
 
+#include "meetc/tree_order.hpp"
+
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -36,6 +39,31 @@ bool same_box(device_set &there, const prepared &set) {
   return set.elements() == 0 ? have[0][0] > have[1][0] : std::memcmp(have, want, sizeof want) == 0;
 }
 
+// Whether a set that was made on the device lies in the order of its places, those with one place in that of their numbers.
+bool is_in_order(const device_set &there, const prepared &set) {
+  const std::size_t n = there.elements(), fields = static_cast<std::size_t>(there.kind().fields);
+  std::vector<std::uint32_t> order(n);
+  std::vector<float> rows(n * fields), want(n * fields);
+  extent around{};
+  const auto download = [](auto &to, const auto *from) {
+    check(cudaMemcpy(to.data(), from, to.size() * sizeof to[0], cudaMemcpyDeviceToHost), "a test");
+  };
+  download(order, there.order()), download(rows, there.rows());
+  check(cudaMemcpy(&around, there.around(), sizeof around, cudaMemcpyDeviceToHost), "a test");
+  for (std::size_t i = 0; i < n; ++i)
+    std::memcpy(&want[set.set().order[i] * fields], set.set().rows + i * fields, fields * sizeof(float));
+  const cuda::hilbert_cells cells(around, 8);
+  std::vector<std::uint64_t> seen;
+  for (std::size_t i = 0; i < n; ++i) {
+    cuda::tree_box b;
+    there.kind().box(&rows[i * fields], b.low, b.high);
+    seen.push_back(cuda::in_order(cells.place_of(b), order[i]));
+    if (order[i] >= n || std::memcmp(&rows[i * fields], &want[order[i] * fields], fields * sizeof(float)) != 0)
+      return false;
+  }
+  return std::adjacent_find(seen.begin(), seen.end(), std::greater_equal<>()) == seen.end();
+}
+
 void made(comparison &with, const settings &s) {
   engine random(s.seed + 40);
   const std::size_t n = s.small ? 90 : 3000;
@@ -51,6 +79,8 @@ void made(comparison &with, const settings &s) {
       with.require(scene, same_box(da, a) && same_box(db, b), what + "another box around all elements");
       with.require(scene, da.reaches() == std::pair(a.set().reach, a.set().longest), what + "another reach");
       with.require(scene, da.grid() == at.grid, what + "another grid");
+      for (const auto &[there, set] : {std::pair(&da, &a), std::pair(&db, &b)})
+        with.require(scene, there->ordered_seconds() == 0 || is_in_order(*there, *set), what + "another order");
       options o;
       o.all_modes = true, o.all_filters = false;
       with.same(scene, p, a, da, b, db, certified, o);
@@ -71,6 +101,12 @@ void made(comparison &with, const settings &s) {
         x.rows[f] = p.a->roles[f] == role::length ? 1.0F : 1e15F;
       check("made there, one far away", view_of(x), view_of(y), at);
     }
+    // More than most_in_cell share a cell, and few of them a place: the places are sorted instead.
+    rows_of close = random_rows(*p.a, 900, {1, 0.05, 1, 0}, random);
+    for (std::size_t i = 0; i < 800 * static_cast<std::size_t>(p.a->fields); ++i)
+      close.rows[i] /= 16;
+    check("made there, many close together", view_of(close), view_of(random_rows(*p.b, 300, {1, 0.05, 1, 0}, random)),
+          {});
     const rows_of x = same_rows(*p.a, 200), y = same_rows(*p.b, 50), none{p.b, {}};
     // Too far apart in memory to be uploaded as they stand.
     const std::size_t stride = std::size_t{1} << 15, rows = 60;

@@ -27,7 +27,7 @@
 struct thread_index { // named, so that all files have one variable
   unsigned x;
 };
-inline thread_index threadIdx;
+inline thread_index threadIdx, blockIdx, blockDim{32}, gridDim{1};
 
 namespace host_warp {
 
@@ -176,6 +176,12 @@ inline int __any_sync(unsigned mask, bool holds) {
 inline void __syncwarp() {
   host_warp::the_warp.meet("syncwarp", 0);
 }
+// A block is one warp, and its shared memory that of the program.
+inline void __syncthreads() {
+  host_warp::the_warp.meet("syncthreads", 0);
+}
+#undef __shared__
+#define __shared__ static
 inline unsigned __popc(unsigned x) {
   return static_cast<unsigned>(std::popcount(x));
 }

@@ -61,6 +61,9 @@ fi
 for table in hard choice lbvh first; do
   ! does bench || step "bench_$table" timeout 150 "$meet" bench gpu --only $table -o "$out/$table" ${data:+--data "$data"}
 done
+if does bench && [ "$(nvidia-smi --list-gpus 2>/dev/null | wc -l)" -gt 1 ]; then
+  step bench_group timeout 150 "$meet" bench gpu --only group -o "$out/group" ${data:+--data "$data"}
+fi
 ! does paper || step bench_paper "$meet" bench paper --device cuda -o "$out/paper" ${data:+--data "$data"}
 
 # The use of the matrix units and the logic units in the filter of balls x balls.

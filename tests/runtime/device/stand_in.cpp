@@ -4,6 +4,7 @@
 // join results. Two of its filters are the extremes that the model of the matrix unit allows: one drops every pair that
 // it may drop, the other keeps every pair that it may keep.
 #include "core/device/kernels.hpp"
+#include "tests/runtime/device/stand_in_levels.hpp"
 
 #include <cga/ball_form.hpp>
 #include <cga/cga.hpp>
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -69,6 +71,11 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
   bytes = 1;
   if (space)
     *kept = static_cast<unsigned long long>(std::unique_copy(keys, keys + n, to) - to);
+  return cudaSuccess;
+}
+
+cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t) {
+  std::for_each_n(pairs, n, [by](index_pair &p) { p.a += by; });
   return cudaSuccess;
 }
 
@@ -241,20 +248,51 @@ cudaError_t places(const float *rows, std::uint32_t n, const extent *around, int
     places[i] = cells.place_of(cuda::box_of_row<Shape>(rows + i * std::size_t{Shape::fields}));
   return cudaSuccess;
 }
+// As on the device: by cells, in which elements lie in any order at first; here the last comes first.
+template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStream_t stream) {
+  const std::uint32_t n = job.from.elements, last = (1U << job.cell_bits) - 1;
+  if (n == 0 || n > cuda::most_to_arrange || job.cell_bits > 3 * job.bits)
+    return cudaErrorInvalidValue;
+  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, stream);
+  clear_extent(job.around, stream);
+  enclose<Shape>(job.posed, n, job.around, stream);
+  places<Shape>(job.posed, n, job.around, job.bits, job.places, stream);
+  const auto cell = [&](std::uint64_t element) { return cuda::cell_of(element, 3 * job.bits, job.cell_bits); };
+  std::fill_n(job.cells, last + 1, 0U);
+  for (std::uint32_t i = n; i-- > 0;)
+    job.ranks[i] = job.cells[cell(cuda::in_order(job.places[i], i))]++;
+  std::exclusive_scan(job.cells, job.cells + last + 1, job.cells, 0U);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint64_t element = cuda::in_order(job.places[i], i);
+    job.by_cell[job.cells[cell(element)] + job.ranks[i]] = element;
+  }
+  job.found->crowded = job.found->longest = 0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint64_t element = job.by_cell[i];
+    const std::uint32_t of = cell(element), begin = job.cells[of], end = of < last ? job.cells[of + 1] : n;
+    if (end - begin > cuda::most_in_cell) {
+      job.found->longest = std::max<unsigned long long>(job.found->longest, end - begin);
+      continue;
+    }
+    const cuda::before_in_cell before(job.by_cell, begin, end, element);
+    job.found->crowded += before.alike >= cuda::tree_width;
+    const auto from = static_cast<std::uint32_t>(element);
+    job.order[begin + before.all] = from;
+    std::copy_n(job.posed + from * std::size_t{Shape::fields}, Shape::fields,
+                job.rows + (begin + before.all) * std::size_t{Shape::fields});
+  }
+  return cudaSuccess;
+}
 template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, cuda::tree_node *nodes, cudaStream_t) {
   const cuda::tree_shape shape(n);
-  for (std::uint32_t node = 0; node < shape.count[1] * cuda::tree_width; ++node) {
-    cuda::tree_box around;
-    for (std::uint32_t lane = 0; node < shape.count[0] && lane < cuda::tree_width; ++lane) {
-      const std::size_t at = std::size_t{node} * cuda::tree_width + lane;
-      cuda::tree_box b;
-      if (at < n)
-        b = cuda::box_of_row<Shape>(rows + at * std::size_t{Shape::fields});
-      put_box(nodes[node], lane, b);
-      around.widen(b);
-    }
-    put_box(nodes[shape.first[1] + node / cuda::tree_width], node % cuda::tree_width, around);
+  for (std::uint32_t i = 0; i < shape.count[0] * cuda::tree_width; ++i) {
+    cuda::tree_box b;
+    if (i < n)
+      b = cuda::box_of_row<Shape>(rows + std::size_t{i} * Shape::fields);
+    put_box(nodes[i / cuda::tree_width], i % cuda::tree_width, b);
   }
+  for (int level = 0; level + 1 < std::min(cuda::levels_with_boxes(n), shape.depth); ++level)
+    cuda::enclose_level(nodes, shape, level);
   return cudaSuccess;
 }
 
@@ -425,8 +463,8 @@ cudaError_t no_faults(unsigned *faults, cudaStream_t) {
 }
 
 template <class Shape> constexpr cuda::kind_launchers launchers_of(const char *name) {
-  return {name,           Shape::fields,  pose_rows<Shape>, instances<Shape>,
-          enclose<Shape>, columns<Shape>, places<Shape>,    boxes<Shape>};
+  return {name,           Shape::fields, pose_rows<Shape>, instances<Shape>, enclose<Shape>,
+          columns<Shape>, places<Shape>, boxes<Shape>,     arrange<Shape>};
 }
 const cuda::kind_launchers kinds[] = {
     launchers_of<cga::point_shape>("point"), launchers_of<cga::sphere_shape>("sphere"),

@@ -124,7 +124,7 @@ cudaError_t cudaEventSynchronize(cudaEvent_t) {
   return cudaSuccess;
 }
 cudaError_t cudaEventElapsedTime(float *ms, cudaEvent_t, cudaEvent_t) {
-  *ms = 0;
+  *ms = 1;
   return cudaSuccess;
 }
 // Nothing is captured, so that each query enqueues its kernels.

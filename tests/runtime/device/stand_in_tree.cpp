@@ -1,6 +1,7 @@
 // The kernels of orders and hierarchies that depend on no kind of element, on the host: see stand_in.cpp.
 #include "core/device/order_kernels.hpp"
 #include "core/device/tree_kernels.hpp"
+#include "tests/runtime/device/stand_in_levels.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -32,13 +33,8 @@ cudaError_t gather_rows(const float *rows, unsigned fields, const std::uint32_t 
 }
 cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t) {
   const cuda::tree_shape shape(elements);
-  for (int level = 1; level + 1 < shape.depth; ++level)
-    for (std::uint32_t node = 0; node < shape.count[level + 1] * cuda::tree_width; ++node) {
-      cuda::tree_box b;
-      for (std::uint32_t lane = 0; node < shape.count[level] && lane < cuda::tree_width; ++lane)
-        b.widen(cuda::box_of(nodes[shape.first[level] + node], lane));
-      put_box(nodes[shape.first[level + 1] + node / cuda::tree_width], node % cuda::tree_width, b);
-    }
+  for (int level = cuda::levels_with_boxes(elements) - 1; level + 1 < shape.depth; ++level)
+    cuda::enclose_level(nodes, shape, level);
   return cudaSuccess;
 }
 

@@ -40,7 +40,7 @@ std::vector<marked_pairs> random_marks(std::mt19937_64 &random, unsigned of_16) 
 
 TEST_CASE("lists: every marked pair is appended once, or both ways, and no more than there is room for") {
   std::mt19937_64 random(3);
-  for (const bool waits : {false, true})
+  for (const auto &[waits, by_block] : {std::pair(false, false), std::pair(true, false), std::pair(true, true)})
     for (const bool both_ways : {false, true})
       for (const unsigned of_16 : {0U, 1U, 7U, 16U})
         for (const std::size_t capacity : {std::size_t{0}, std::size_t{50}, std::size_t{10'000}}) {
@@ -64,7 +64,7 @@ TEST_CASE("lists: every marked pair is appended once, or both ways, and no more 
               const marked_pairs &m = all[r * host_warp::width + threadIdx.x];
               waits ? waiting.append(m.marks, m.of) : append_hits(m.marks, m.of, to);
             }
-            waiting.flush();
+            by_block ? waiting.flush_block<1>() : waiting.flush();
           });
           INFO((waits ? "waiting" : "at once")
                << (both_ways ? ", both ways, " : ", ") << of_16 << " of 16, room for " << capacity);

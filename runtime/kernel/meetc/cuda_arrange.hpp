@@ -1,0 +1,145 @@
+// A set's elements are put into their spatial order by one kernel. Included by nvcc only.
+//
+// Problem: of some hundred thousand elements a sort by digits is a chain of a dozen kernels, each of which waits more than it
+// works. Method: one kernel whose blocks meet between its steps. Elements are counted by the first bits of their places, whose
+// cells are as many as they are; sums of the counts say where each cell begins; and an element's rank within its cell, where
+// few others are, is the number of those that come before it. The order is that of a stable sort by places.
+// Limits: up to most_to_arrange elements, and no more than most_in_cell in a cell.
+#ifndef MEETC_CUDA_ARRANGE_HPP
+#define MEETC_CUDA_ARRANGE_HPP
+
+#include <meetc/cuda_grid.hpp>
+#include <meetc/cuda_sets.hpp>
+#include <meetc/tree_order.hpp>
+
+namespace meetc::cuda {
+
+// Of a block, which keeps a row of each in shared memory.
+MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
+  unsigned n = 1024;
+  while (n > 32 && n * static_cast<unsigned>(fields) * sizeof(float) > 40000)
+    n /= 2;
+  return n;
+}
+
+// What a block finds in its elements. Behind the parts is room for a number of each block.
+struct arrange_part {
+  extent around;
+  unsigned long long bad;
+};
+static_assert(1024 * (sizeof(arrange_part) + sizeof(std::uint32_t)) <= arrange_bytes);
+
+template <class Shape>
+__global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
+    arrange_kernel(const __grid_constant__ arrange_job job) {
+  constexpr unsigned arrange_threads = threads_to_arrange(Shape::fields), fields = Shape::fields;
+  __shared__ float rows_of_warps[arrange_threads / 32][32 * fields];
+  __shared__ unsigned room[arrange_threads / 32], starts[arrange_threads];
+  __shared__ unsigned long long bad_of_block, crowded_of_block, longest_of_block;
+  __shared__ hilbert_cells cells;
+  const std::uint32_t n = job.from.elements, first = grid_thread(), step = grid_threads();
+  auto *const parts = static_cast<arrange_part *>(job.parts);
+  const running_sums counts{job.cells, 1U << job.cell_bits, reinterpret_cast<std::uint32_t *>(parts + arrange_threads)};
+  const int place_bits = 3 * job.bits;
+
+  // Rows, and what they cover.
+  if (threadIdx.x == 0)
+    bad_of_block = ~0ULL, crowded_of_block = 0, longest_of_block = 0;
+  __syncthreads();
+  const unsigned lane = threadIdx.x % 32;
+  float *const of_warp = rows_of_warps[threadIdx.x / 32];
+  interval mine[3];
+  for (std::uint32_t base = first - lane; base < n;
+       base += step) { // a warp stays whole, since it writes its rows together
+    const std::uint32_t i = base + lane;
+    float *const row = of_warp + lane * fields;
+    if (i < n) {
+      if (!posed_element<Shape>(job.from, job.at, i, row))
+        atomicMin(&bad_of_block, static_cast<unsigned long long>(i) << 32 | i);
+      widen<Shape>(mine, row);
+    }
+    write_rows<Shape::fields>(of_warp, n - base, job.posed + base * std::size_t{fields});
+  }
+  for (std::uint32_t c = first; c < counts.n; c += step)
+    job.cells[c] = 0;
+  const extent of_block = joined_in_block<arrange_threads>(extent_of(mine));
+  if (threadIdx.x == 0)
+    parts[blockIdx.x] = {of_block, bad_of_block};
+  meet_grid();
+
+  // Places, and how many elements each cell has.
+  extent around = no_extent();
+  if (threadIdx.x < gridDim.x) {
+    const arrange_part &of = parts[threadIdx.x];
+    around = of.around;
+    if (of.bad != ~0ULL)
+      atomicMin(&bad_of_block, of.bad);
+  }
+  const extent all = joined_in_block<arrange_threads>(around);
+  if (threadIdx.x == 0) {
+    cells = hilbert_cells(all, job.bits);
+    if (blockIdx.x == 0)
+      *job.around = all, *job.found = {bad_of_block, 0, 0};
+  }
+  __syncthreads();
+  for (std::uint32_t i = first; i < n; i += step) {
+    const std::uint32_t place = cells.place_of(box_of_row<Shape>(job.posed + i * std::size_t{fields}));
+    job.places[i] = place;
+    job.ranks[i] = atomicAdd(job.cells + cell_of(in_order(place, i), place_bits, job.cell_bits), 1U);
+  }
+  meet_grid();
+  counts.sum_chunk<arrange_threads>(room);
+  meet_grid();
+
+  // Elements by their cells.
+  counts.sum_totals<arrange_threads>(room, starts);
+  const unsigned shift = counts.shift();
+  for (std::uint32_t i = first; i < n; i += step) {
+    const std::uint64_t element = in_order(job.places[i], i);
+    job.by_cell[counts.at(starts, shift, cell_of(element, place_bits, job.cell_bits)) + job.ranks[i]] = element;
+  }
+  meet_grid();
+
+  // Elements in their order. A warp copies the rows of its elements together.
+  for (std::uint32_t base = first - lane; base < n; base += step) {
+    std::uint32_t from = 0, to = n; // n: there is none
+    if (base + lane < n) {
+      const std::uint64_t element = job.by_cell[base + lane];
+      const std::uint32_t cell = cell_of(element, place_bits, job.cell_bits), begin = counts.at(starts, shift, cell),
+                          end = cell + 1 < counts.n ? counts.at(starts, shift, cell + 1) : n;
+      if (end - begin > most_in_cell) {
+        atomicMax(&longest_of_block, static_cast<unsigned long long>(end - begin));
+      } else {
+        const before_in_cell before(job.by_cell, begin, end, element);
+        if (before.alike >= tree_width)
+          atomicAdd(&crowded_of_block, 1ULL);
+        from = static_cast<std::uint32_t>(element), to = begin + before.all;
+        job.order[to] = from;
+      }
+    }
+    for (unsigned k = lane; k < 32 * fields; k += 32) {
+      const std::uint32_t row_from = __shfl_sync(~0U, from, k / fields), row_to = __shfl_sync(~0U, to, k / fields);
+      if (row_to < n)
+        job.rows[row_to * std::size_t{fields} + k % fields] = job.posed[row_from * std::size_t{fields} + k % fields];
+    }
+  }
+  __syncthreads();
+  if (threadIdx.x == 0) {
+    if (crowded_of_block > 0)
+      atomicAdd(&job.found->crowded, crowded_of_block);
+    if (longest_of_block > 0)
+      atomicMax(&job.found->longest, longest_of_block);
+  }
+}
+
+template <class Shape> cudaError_t arrange(const arrange_job &job, cudaStream_t stream) {
+  if (job.from.elements == 0 || job.from.elements > most_to_arrange || job.cell_bits > 3 * job.bits ||
+      (job.from.index && (Shape::fields % 3 != 0 || Shape::pad >= 0)))
+    return cudaErrorInvalidValue;
+  constexpr unsigned threads = threads_to_arrange(Shape::fields);
+  return launch_together<arrange_kernel<Shape>, threads>((job.from.elements + threads - 1) / threads, stream, job);
+}
+
+} // namespace meetc::cuda
+
+#endif
