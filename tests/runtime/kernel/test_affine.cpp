@@ -209,9 +209,8 @@ TEST_CASE("errors of tracked coefficients hold the true ones") {
     for (int k = 0; k < 6; ++k)
       t[k] = tracked(static_cast<double>(x[k]));
     const tracked found = (t[0] - t[1]) * (t[2] - t[3]) - (t[4] + t[5]) * t[0];
-    const __int128 exact =
-        static_cast<__int128>(x[0] - x[1]) * (x[2] - x[3]) - static_cast<__int128>(x[4] + x[5]) * x[0];
-    const __int128 off = exact - static_cast<__int128>(found.v);
+    const int128 exact = static_cast<int128>(x[0] - x[1]) * (x[2] - x[3]) - static_cast<int128>(x[4] + x[5]) * x[0];
+    const int128 off = exact - static_cast<int128>(found.v);
     const auto error = static_cast<double>(off < 0 ? -off : off);
     REQUIRE(error <= found.e);
     largest = std::max(largest, error / found.e);
