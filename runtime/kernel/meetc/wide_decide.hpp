@@ -239,6 +239,9 @@ private:
 
   void load(const index_pair *pairs, int n) {
     settled_ = 0;
+    // Neighbours mostly are of one sort, so where no pair of a block is short, the next ones are not tried.
+    short_ = !How::is_exact || short_ || number_++ % 16 == 0;
+    lane_mask some = 0;
     for (int from = 0; from < n; from += lane_count) {
       std::uint32_t at_a[lane_count], at_b[lane_count];
       for (int k = 0; k < lane_count; ++k) { // lanes from n on repeat the last pair
@@ -255,10 +258,14 @@ private:
         wide_rows<P> &to = rows_[(from + half) / wide_count];
         take<P::inputs_a>(a, half, to.a);
         take<P::inputs_b>(b, half, to.b);
-        if constexpr (!How::is_exact) // there, integers serve only where values do not
-          integers_[(from + half) / wide_count].template take<short_span_of_all<P, Width>()>(to, extent_of(to));
+        if (short_) {
+          whole_rows<P> &integers = integers_[(from + half) / wide_count];
+          integers.template take<short_span_of_all<P, Width>()>(to, extent_of(to));
+          some |= integers.on_grid & all_bits >> (block - wide_count);
+        }
       }
     }
+    short_ = short_ && (!How::is_exact || some != 0);
   }
   template <int N> static MEETC_INLINE void take(const lanes *turned, int from, wide_lanes *to) {
     for (int i = 0; i < N; ++i) {
@@ -305,7 +312,7 @@ private:
       if (here == 0)
         continue;
       proved_lanes s[Stage::atoms];
-      if (!How::is_exact && (here & ~integers_[from / wide_count].on_grid) == 0)
+      if (short_ && (here & ~integers_[from / wide_count].on_grid) == 0)
         short_signs<P, Stage, Width>(integers_[from / wide_count], s);
       else
         wide_signs<P, Stage, Width, How>(rows_[from / wide_count]).get(here, s);
@@ -326,6 +333,8 @@ private:
   wide_rows<P> rows_[block / wide_count];
   whole_rows<P> integers_[block / wide_count];
   lane_mask settled_ = 0; // pairs that equal points settle
+  bool short_ = true;     // integers_ are those of this block
+  unsigned number_ = 0;   // of blocks
 };
 
 // Decides n pairs in lanes of doubles; open(i) decides pair i where these do not.
