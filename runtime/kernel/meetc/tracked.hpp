@@ -9,6 +9,8 @@
 
 #include <meetc/wide_lanes.hpp>
 
+#include <type_traits>
+
 MEETC_NAMESPACE(meetc) {
 
 // v is within e of the true value, while no NaN occurs. A rounding is counted twice over, so that neither contraction to fma
@@ -22,7 +24,10 @@ template <class V> struct tracked_number {
 
   tracked_number() = default;
   MEETC_INLINE explicit tracked_number(V exact) : v(exact) {}
-  MEETC_INLINE explicit tracked_number(int exact) : v(static_cast<double>(exact)) {}
+  // A constant of a program; none is beyond 2^53.
+  template <class Integer>
+  requires std::is_integral_v<Integer> MEETC_INLINE explicit tracked_number(Integer exact)
+      : v(static_cast<double>(exact)) {}
 };
 // a b + c, by one instruction where lanes have it; of doubles fma() may be a call.
 MEETC_INLINE double multiply_add(double a, double b, double c) {

@@ -216,6 +216,9 @@ TEST_CASE("errors of tracked coefficients hold the true ones") {
     largest = std::max(largest, error / found.e);
   }
   CHECK(largest > 0.05); // and are of their size
+  CHECK(tracked(5'000'000'029).v == 5'000'000'029.0);
+  const lane_mask same = tracked_number<wide_lanes>(5'000'000'029).v == wide_lanes(5'000'000'029.0);
+  CHECK((same & 1) != 0);
   tracked_form<1> y, z;
   y.c[0] = tracked(3.0), y.c[1] = tracked(1.0), z.c[0] = tracked(-2.0), z.c[1] = tracked(5.0);
   const tracked_form<1> p = y * z; // (3 y + 1) (5 - 2 y): the square of y is an error of at most 6
