@@ -28,6 +28,12 @@ std::size_t fields_of(const kind_info &kind) {
 
 } // namespace
 
+near_tile *every_tile(std::size_t count, near_tile *out) {
+  for (std::size_t t = 0; t < count; ++t)
+    *out++ = {static_cast<std::uint32_t>(t), (1U << filter_tile) - 1};
+  return out;
+}
+
 // Making the numbers of an element costs about as much as ruling out a thousand pairs.
 bool affine_pairs::pays(const predicate_info &predicate, std::size_t a, std::size_t b) {
   return predicate.affine && std::min(a, b) >= 1024;
@@ -61,9 +67,7 @@ near_tile *affine_pairs::near(std::size_t i, std::size_t first, std::size_t coun
                         static_cast<const float *>(tiles_.get()) +
                             first * filter_tile * static_cast<std::size_t>(filter_.of_b),
                         count, out);
-  for (std::size_t t = 0; t < count; ++t)
-    *out++ = {static_cast<std::uint32_t>(t), (1U << filter_tile) - 1};
-  return out;
+  return every_tile(count, out);
 }
 
 void affine_pairs::elements(std::size_t i, std::size_t first, std::size_t count, std::uint32_t *out) const {

@@ -12,6 +12,9 @@
 
 namespace meetc {
 
+// Tiles 0 to count - 1 with all their elements, as from a filter that rules nothing out. Returns the end.
+near_tile *every_tile(std::size_t count, near_tile *out);
+
 class affine_pairs {
 public:
   // Whether the predicate has such a filter, and the sets are so large that making the numbers costs less than it saves.

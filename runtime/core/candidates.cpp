@@ -11,12 +11,10 @@ namespace {
 constexpr std::size_t tile = 64; // blocks of b: 24 KiB of boxes, which stay in the first cache
 static_assert(tile % filter_tile == 0, "a filter's groups of blocks are not split");
 static_assert(tile <= affine_pairs::most_tiles);
+// The filter by signs looks at all blocks of a tile. It costs about as much a block as a test of boxes, and is asked where
+// the filter by balls leaves more than one block in this many.
+constexpr std::size_t much = 4;
 
-near_tile *every(std::size_t count, near_tile *out) {
-  for (std::size_t t = 0; t < count; ++t)
-    *out++ = {static_cast<std::uint32_t>(t), (1U << filter_tile) - 1};
-  return out;
-}
 std::size_t tiles(const element_set &b) {
   return (b.boxes.levels[0].count() + tile - 1) / tile;
 }
@@ -34,8 +32,8 @@ bool all_pairs::yield(std::size_t unit, pair_sink &sink) const {
   for (std::size_t lane = 0; lane < a.filled(block); ++lane) {
     const std::size_t slot = block * lanes + lane;
     near_tile near[tile];
-    const near_tile *const near_end = filter_ ? filter_->near(slot, first, count, near) : every(count, near);
-    const bool by_signs = signs_ && static_cast<std::size_t>(near_end - near) * 4 > count;
+    const near_tile *const near_end = filter_ ? filter_->near(slot, first, count, near) : every_tile(count, near);
+    const bool by_signs = signs_ && static_cast<std::size_t>(near_end - near) * much > count;
     std::uint32_t left[tile]; // by signs, the elements of each block
     if (by_signs)
       signs_->elements(slot, first, count, left);

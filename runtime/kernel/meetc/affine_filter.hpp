@@ -65,8 +65,8 @@ template <class P, operand Of> struct unit_ranges {
   }
 };
 
-// Bound: the power of two that bounds a sum's roundings. Tests use others.
-template <class P, int Bound = -18> struct affine_kernel {
+// Bound: the power of two that bounds a sum's roundings; Errors: how often the coefficients' errors count. Tests use others.
+template <class P, int Bound = -18, int Errors = 2> struct affine_kernel {
   template <operand Of> static constexpr affine_layout<P, Of> layout = affine_layout_of<P, Of>();
   static constexpr const affine_layout<P, operand::b> &in_b = layout<operand::b>; // their coefficients come from a
   static constexpr const affine_layout<P, operand::a> &in_a = layout<operand::a>;
@@ -79,7 +79,8 @@ template <class P, int Bound = -18> struct affine_kernel {
   // ---- the numbers of an object ----
 
   // The coefficients of the signs that are affine in the numbers of operand Of, from a row of the other operand.
-  template <operand Of> static void coefficients(const float *row, const unit_ranges<P, Of> &ranges, float *out) {
+  template <operand Of>
+  static MEETC_INLINE void coefficients(const float *row, const unit_ranges<P, Of> &ranges, float *out) {
     constexpr const affine_layout<P, Of> &l = layout<Of>;
     constexpr int n = l.numbers;
     using form = tracked_form<n>;
@@ -104,7 +105,7 @@ template <class P, int Bound = -18> struct affine_kernel {
         size += std::fabs(x.v);
         error += x.e + std::fabs(at < 0 ? x.v : x.v - c[at]);
       }
-      const double bound = std::ldexp(size, Bound) + 2 * error;
+      const double bound = std::ldexp(size, Bound) + Errors * error;
       unit = bound > unit || bound != bound ? bound : unit;
     }
     bool known = unit < HUGE_VAL;
@@ -113,33 +114,45 @@ template <class P, int Bound = -18> struct affine_kernel {
     for (int i = 0; i < l.coefficients; ++i)
       out[i] = known ? static_cast<float>(c[i] / unit) : 0.0F; // zeros rule nothing out
   }
-  // The numbers of operand Of that the signs affine in them read. Returns whether they are in their ranges.
-  template <operand Of> static bool columns(const float *row, const unit_ranges<P, Of> &ranges, float *out) {
+  // The numbers of operand Of that the signs affine in them read. Returns whether all its numbers are
+  // in their ranges.
+  template <operand Of>
+  static MEETC_INLINE bool columns(const float *row, const unit_ranges<P, Of> &ranges, float *out) {
     constexpr const affine_layout<P, Of> &l = layout<Of>;
+    const auto in_unit = [&](int k) {
+      return (static_cast<double>(row[k]) - ranges.of[k].middle) / ranges.of[k].width;
+    };
     bool in_range = true;
-    for (int i = 0; i < l.columns; ++i) {
-      const unit_range &r = ranges.of[l.column[i]];
-      const double x = (static_cast<double>(row[l.column[i]]) - r.middle) / r.width;
-      in_range &= x >= -1 && x <= 1;
-      out[i] = static_cast<float>(x);
-    }
+    for (int k = 0; k < l.numbers; ++k)
+      in_range &= in_unit(k) >= -1 && in_unit(k) <= 1;
+    for (int i = 0; i < l.columns; ++i)
+      out[i] = static_cast<float>(in_unit(l.column[i]));
     return in_range;
   }
 
   static bool singles(const field_ranges &a, const field_ranges &b, const float *rows, std::size_t n, float *out) {
     const unit_ranges<P, operand::a> of_a(a);
     const unit_ranges<P, operand::b> of_b(b);
-    bool in_range = standard_environment();
-    for (std::size_t i = 0; i < n && in_range; ++i, rows += P::inputs_a, out += single_floats) {
-      coefficients<operand::b>(rows, of_b, out);
-      in_range = columns<operand::a>(rows, of_a, out + in_b.coefficients);
+    if (!standard_environment())
+      return false;
+    rows = after_check(rows);
+    bool in_range = true;
+    for (std::size_t i = 0; i < n && in_range; ++i) {
+      const float *const row = rows + i * std::size_t{P::inputs_a};
+      float *const to = out + i * std::size_t{single_floats};
+      coefficients<operand::b>(row, of_b, to);
+      in_range = columns<operand::a>(row, of_a, to + in_b.coefficients);
     }
+    after_check(out);
     return in_range;
   }
   static bool tiles(const field_ranges &a, const field_ranges &b, const float *rows, std::size_t n, float *out) {
     const unit_ranges<P, operand::a> of_a(a);
     const unit_ranges<P, operand::b> of_b(b);
-    bool in_range = standard_environment();
+    if (!standard_environment())
+      return false;
+    rows = after_check(rows);
+    bool in_range = true;
     for (std::size_t i = 0; i < (n + filter_tile - 1) / filter_tile * filter_tile && in_range; ++i) {
       const float *const row = rows + (i < n ? i : n - 1) * std::size_t{P::inputs_b};
       float numbers[tile_floats + 1];
@@ -148,6 +161,7 @@ template <class P, int Bound = -18> struct affine_kernel {
       for (std::size_t k = 0; k < tile_floats; ++k)
         out[(i / filter_tile * tile_floats + k) * filter_tile + i % filter_tile] = numbers[k];
     }
+    after_check(out);
     return in_range;
   }
 
@@ -169,7 +183,7 @@ template <class P, int Bound = -18> struct affine_kernel {
   }
   template <operand Of> static MEETC_INLINE void put(const lanes *v, margin *s) {
     unrolled<layout<Of>.signs>([&](auto i) MEETC_INLINED_LAMBDA {
-      s[layout<Of>.sign[i]] = {v[i], true, layout<Of>.turned[i]};
+      s[P::reject_stage::first + layout<Of>.sign[i]] = {v[i], true, layout<Of>.turned[i]};
     });
   }
 
@@ -179,15 +193,16 @@ template <class P, int Bound = -18> struct affine_kernel {
     for (sign_set &x : s)
       x = sign_set::all();
     for (int i = 0; i < in_b.signs; ++i)
-      s[in_b.sign[i]] = sign_set::of(above != in_b.turned[i] ? sign::positive : sign::negative);
+      s[P::reject_stage::first + in_b.sign[i]] =
+          sign_set::of(above != in_b.turned[i] ? sign::positive : sign::negative);
     return in_b.signs > 0 && !can_be_false(P::rejected(s));
   }
   static constexpr bool by_sides = rejects_all(true) && rejects_all(false);
 };
 
 // Finds the elements of tiles that one object of a leaves.
-template <class P, int Bound = -18> class affine_finder {
-  using kernel = affine_kernel<P, Bound>;
+template <class P, class Kernel = affine_kernel<P>> class affine_finder {
+  using kernel = Kernel;
 
 public:
   MEETC_INLINE affine_finder(const float *single, const float *tiles, near_tile *out)

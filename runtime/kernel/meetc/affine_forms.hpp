@@ -124,8 +124,8 @@ template <int N> struct tracked_form {
 enum class operand : std::uint8_t { a, b };
 
 // Of the reject stage of P: the values of all signs as forms in the numbers of operand Of. `row` has the numbers of the
-// other operand, as constants, and `variables` those of Of. Signs to whose value Of's stored values contribute stay what
-// they are: not affine.
+// other operand, as constants, and `variables` those of Of. Where Of's stored values contribute to a
+// sign, it is not affine: over the field `beyond` says so, and over double its value means nothing and is not read.
 template <class P, operand Of, class Form, class Number>
 constexpr void reject_forms(const Number *row, const Form *variables, const Form &beyond, Form *v) {
   using stage = typename P::reject_stage;
@@ -161,7 +161,7 @@ template <class P, operand Of> struct affine_layout {
   static constexpr int atoms = P::reject_stage::atoms;
   int signs = 0, coefficients = 0, columns = 0;
   int sign[atoms + 1] = {}, place[atoms + 1][numbers + 1] = {}, column[numbers + 1] = {};
-  bool turned[atoms + 1] = {}, is_affine[atoms + 1] = {};
+  bool turned[atoms + 1] = {};
 };
 
 template <class P, operand Of> constexpr affine_layout<P, Of> affine_layout_of() {
@@ -189,8 +189,7 @@ template <class P, operand Of> constexpr affine_layout<P, Of> affine_layout_of()
     };
     bool used[n] = {};
     for (int i = 0; i < atoms; ++i) {
-      l.is_affine[i] = v[i].affine && !v[i].is_constant();
-      if (!l.is_affine[i])
+      if (!v[i].affine || v[i].is_constant())
         continue;
       const form turned = -v[i];
       int have = 0, have_turned = 0;

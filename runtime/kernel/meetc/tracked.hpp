@@ -7,18 +7,20 @@
 #ifndef MEETC_TRACKED_HPP
 #define MEETC_TRACKED_HPP
 
+#include <meetc/bounds.hpp>
 #include <meetc/wide_lanes.hpp>
 
 #include <type_traits>
 
 MEETC_NAMESPACE(meetc) {
 
-// v is within e of the true value, while no NaN occurs. A rounding is counted twice over, so that neither contraction to fma
+// v is within e of the true value, while no NaN occurs. A rounding counts as 2^-51 of the result, four times that to the
+// nearest, so that neither contraction to fma
 // nor the roundings of e itself matter, of which there are far fewer than 2^40. Of doubles, an underflow is counted as
 // 2^-1070. In lanes nothing underflows: they hold products of at most highest_degree differences of floats, each 0 or at
 // least 2^-149, so that no value but 0 is below 2^-894, no error but 0 below 2^-52 of it, and no product of two errors
 // below 2^-998.
-template <class V> struct tracked_number {
+template <class V, int Rounding = -51> struct tracked_number { // tests use other roundings
   static constexpr int highest_degree = 6;
   V v = V(0.0), e = V(0.0);
 
@@ -36,25 +38,26 @@ MEETC_INLINE double multiply_add(double a, double b, double c) {
 MEETC_INLINE wide_lanes multiply_add(wide_lanes a, wide_lanes b, wide_lanes c) {
   return fma(a, b, c);
 }
-template <class V> MEETC_INLINE tracked_number<V> rounded(V v, V e) {
-  tracked_number<V> r(v);
-  r.e = multiply_add(V(0x1p-51), magnitude_of(v), e);
+template <int Rounding, class V> MEETC_INLINE tracked_number<V, Rounding> rounded(V v, V e) {
+  constexpr double rounding = power_of_two(Rounding, 0.0);
+  tracked_number<V, Rounding> r(v);
+  r.e = multiply_add(V(rounding), magnitude_of(v), e);
   if constexpr (std::is_same_v<V, double>)
     r.e += 0x1p-1070;
   return r;
 }
-template <class V> MEETC_INLINE tracked_number<V> operator-(tracked_number<V> a) {
+template <class V, int R> MEETC_INLINE tracked_number<V, R> operator-(tracked_number<V, R> a) {
   a.v = -a.v;
   return a;
 }
-template <class V> MEETC_INLINE tracked_number<V> operator+(tracked_number<V> a, tracked_number<V> b) {
-  return rounded(a.v + b.v, a.e + b.e);
+template <class V, int R> MEETC_INLINE tracked_number<V, R> operator+(tracked_number<V, R> a, tracked_number<V, R> b) {
+  return rounded<R>(a.v + b.v, a.e + b.e);
 }
-template <class V> MEETC_INLINE tracked_number<V> operator-(tracked_number<V> a, tracked_number<V> b) {
-  return rounded(a.v - b.v, a.e + b.e);
+template <class V, int R> MEETC_INLINE tracked_number<V, R> operator-(tracked_number<V, R> a, tracked_number<V, R> b) {
+  return rounded<R>(a.v - b.v, a.e + b.e);
 }
-template <class V> MEETC_INLINE tracked_number<V> operator*(tracked_number<V> a, tracked_number<V> b) {
-  return rounded(a.v * b.v, multiply_add(magnitude_of(a.v) + a.e, b.e, a.e * magnitude_of(b.v)));
+template <class V, int R> MEETC_INLINE tracked_number<V, R> operator*(tracked_number<V, R> a, tracked_number<V, R> b) {
+  return rounded<R>(a.v * b.v, multiply_add(magnitude_of(a.v) + a.e, b.e, a.e * magnitude_of(b.v)));
 }
 
 } // MEETC_NAMESPACE(meetc)

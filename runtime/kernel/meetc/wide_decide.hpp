@@ -7,8 +7,8 @@
 // modulo 2^64: on a common grid the value is an integer n, and the bound says |n| < 2^62, so that the residue of n is n.
 // This needs neither wide products nor that the values in fp64 are exact. Where the differences of a pair are so short that
 // no value reaches 2^62, integers alone serve.
-// `exact` takes no bound from the compiler: its values carry the bound of their own error (tracked.hpp), so that it judges
-// the other rungs. It compares equal points first, and leaves the rare stage open.
+// `exact` takes no bound of an error from the compiler: its values carry their own (tracked.hpp), so that it judges the
+// bounds of the other rungs. It compares equal points first, and leaves the rare stage open.
 // What this leaves open is decided pair by pair by the caller's function. A pair's answer does not depend on those that
 // share the lanes with it.
 #ifndef MEETC_WIDE_DECIDE_HPP
