@@ -26,8 +26,8 @@ tile_filter filter_by_balls(const predicate_info &predicate, const float *rows_a
   const kind_filter &filter = *predicate.a->filter;
   const auto floats = static_cast<std::size_t>(filter.floats);
   const auto room = [floats](std::size_t elements) { return allocate(elements * floats * sizeof(float)); };
-  const auto of = std::make_shared<balls_of_sets>(room(count_a), room(count_b + filter_tile),
-                                                  room(count_b / filter_tile + 1 + filter_tile));
+  const auto of = std::make_shared<balls_of_sets>(
+      balls_of_sets{room(count_a), room(count_b + filter_tile), room(count_b / filter_tile + 1 + filter_tile)});
   filter_extent frame;
   predicate.b->filter->widen(rows_b, count_b, frame);
   filter.singles(frame, rows_a, count_a, static_cast<float *>(of->singles.get()));
