@@ -114,8 +114,7 @@ template <class P, int Bound = -18, int Errors = 2> struct affine_kernel {
     for (int i = 0; i < l.coefficients; ++i)
       out[i] = known ? static_cast<float>(c[i] / unit) : 0.0F; // zeros rule nothing out
   }
-  // The numbers of operand Of that the signs affine in them read. Returns whether all its numbers are
-  // in their ranges.
+  // The numbers of operand Of that the signs affine in them read. Returns whether all its numbers are in their ranges.
   template <operand Of>
   static MEETC_INLINE bool columns(const float *row, const unit_ranges<P, Of> &ranges, float *out) {
     constexpr const affine_layout<P, Of> &l = layout<Of>;
