@@ -97,6 +97,7 @@ meetc::wide_rows<P> rows_of(const corners &c, double scale) {
     rows.a[axis] = number(0), rows.a[3 + axis] = number(c.b[axis]), rows.a[6 + axis] = number(c.c[axis]);
     rows.b[axis] = number(c.d[axis]);
   }
+  rows.measure();
   return rows;
 }
 
@@ -159,29 +160,53 @@ TEST_CASE("volumes near the limit of residues: no sign is wrong, and a limit tha
   CHECK(too_high > 0);
 }
 
-TEST_CASE("the largest volumes of short integers: no sign is wrong, and a limit that is too high is seen") {
+// Signs of doubles where exact_lanes() says that they are exact, if those below 2^Limit are.
+template <int Limit> tally by_exact_doubles(const std::vector<std::pair<corners, int128>> &of, double scale) {
+  tally t;
+  for (const auto &[c, det] : of) {
+    const std::vector<meetc::wide_rows<P>> rows(meetc::vectors_of_eight, rows_of(c, scale));
+    if (!(meetc::exact_lanes<P, Limit>(rows[0]) & 1))
+      continue;
+    meetc::proved_lanes s{};
+    meetc::add_exact_signs<P, stage>(rows.data(), 0, &s);
+    s.negative &= ~s.zero, s.positive = ~(s.negative | s.zero);
+    t.wrong += wrong(s, det);
+    ++t.found;
+  }
+  return t;
+}
+
+TEST_CASE("volumes in exact doubles: no sign is wrong, and a limit that is too high is seen") {
+  int found = 0, too_high = 0;
+  for (const int bits : {16, 17, 18, 20, 22}) {
+    const auto some = volumes(bits);
+    for (const double scale : {0x1p-149, 1.0, 0x1p104}) {
+      INFO(bits << " bits times " << scale);
+      const tally t = by_exact_doubles<53>(some, scale);
+      CHECK(t.wrong == 0);
+      found += t.found;
+      too_high += by_exact_doubles<72>(some, scale).wrong;
+    }
+  }
+  CHECK(found > 0);
+  CHECK(too_high > 0);
+}
+
+TEST_CASE("the largest volumes of short integers in doubles: no sign is wrong") {
   random_numbers random(18);
-  int too_high = 0;
-  const auto wrong_by = [&]<class Width>(Width, const corners &c) {
-    meetc::whole_rows<P> whole;
-    const meetc::wide_rows<P> rows = rows_of(c, 1);
-    whole.template take<meetc::short_span<stage, Width>()>(rows, extent_of(rows));
-    if (!(whole.on_grid & 1))
-      return false;
-    meetc::proved_lanes s[1];
-    meetc::short_signs<P, stage, Width>(whole, s);
-    return wrong(s[0], dot(cross(c.b, c.c), c.d));
-  };
+  int found = 0;
   for (int i = 0; i < effort(20000); ++i) {
-    const int most = (1 << random.bits() % 7) - 1;
+    // Up to the most steps that differences may have.
+    const auto highest = static_cast<int>(meetc::exact_steps<P>()) / 2;
+    const int most = i % 2 == 0 ? highest : (1 << random.bits() % 16) - 1;
     corners c;
     for (vector *v : {&c.b, &c.c, &c.d})
       for (int128 &x : *v)
         x = random.bits() % 4 != 0 ? (random.bits() % 2 != 0 ? most : -most)
                                    : static_cast<int128>(random.bits() % (2U * static_cast<unsigned>(most) + 1)) - most;
-    CHECK_FALSE(wrong_by(meetc::residue_width<16>(), c));
-    CHECK_FALSE(wrong_by(meetc::residue_width<64>(), c));
-    too_high += wrong_by(meetc::residue_width<16, 26>(), c);
+    const tally t = by_exact_doubles<53>({{c, dot(cross(c.b, c.c), c.d)}}, 1);
+    CHECK(t.wrong == 0);
+    found += t.found;
   }
-  CHECK(too_high > 0);
+  CHECK(found == effort(20000));
 }

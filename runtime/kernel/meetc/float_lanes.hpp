@@ -110,6 +110,12 @@ MEETC_INLINE lanes magnitude_of(lanes a) {
   return lanes(reinterpret_cast<lanes::vector>(reinterpret_cast<bits>(a.v) & 0x7fffffff));
 }
 
+// The largest power of two that is not above a, for normal a > 0; 0 for smaller ones, and infinity for itself.
+MEETC_INLINE lanes power_below(lanes a) {
+  typedef std::int32_t bits __attribute__((vector_size(4 * lane_count)));
+  return lanes(reinterpret_cast<lanes::vector>(reinterpret_cast<bits>(a.v) & 0x7f800000));
+}
+
 // The larger one, or b where one of them is NaN.
 MEETC_INLINE lanes larger(lanes a, lanes b) {
 #if defined(__AVX512F__)

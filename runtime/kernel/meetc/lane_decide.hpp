@@ -8,10 +8,14 @@
 // cases, unsure signs) goes to the caller's function, pair by pair. Lanes never decide what one pair's functions
 // (decide.hpp) would not, and never otherwise: their arithmetic is the same, operation by operation, and they know no
 // more of a sign.
+// In fp32 one bound for all values of a degree serves most pairs (power_bound.hpp). Where it leaves a sign unsure, the
+// bound of one pair's functions decides, which is never larger.
 #ifndef MEETC_LANE_DECIDE_HPP
 #define MEETC_LANE_DECIDE_HPP
 
 #include <meetc/lanes.hpp>
+
+#include <meetc/power_bound.hpp>
 #include <meetc/stored.hpp>
 #include <meetc/table.hpp>
 #include <meetc/usual.hpp>
@@ -68,10 +72,11 @@ template <class P> struct lane_tile {
       gather_rows<P::inputs_a>(a.rows, at_a, row_a);
     gather_rows<P::inputs_b>(b.rows, at_b, row_b);
   }
+  // Where the sets do not store them, values alone are computed, and magnitudes by compute_magnitudes().
   MEETC_INLINE void load_stored(const row_array &a, const row_array &b) {
     if constexpr (floats_a > 0) {
       if (!a.stored)
-        store_a<P, lanes>::compute_from(row_a, stored_a);
+        store_a<P, lanes>::values_from(row_a, stored_a);
       else if (one_a)
         repeat<floats_a>(a.stored, at_a[0], stored_a);
       else
@@ -81,8 +86,16 @@ template <class P> struct lane_tile {
       if (b.stored)
         gather_rows<floats_b>(b.stored, at_b, stored_b);
       else
-        store_b<P, lanes>::compute_from(row_b, stored_b);
+        store_b<P, lanes>::values_from(row_b, stored_b);
     }
+  }
+  template <class Stage> MEETC_INLINE void compute_magnitudes(const row_array &a, const row_array &b) {
+    if constexpr (floats_a > 0)
+      if (!a.stored)
+        store_a<P, lanes>::template magnitudes_of<Stage>(row_a, stored_a);
+    if constexpr (floats_b > 0)
+      if (!b.stored)
+        store_b<P, lanes>::template magnitudes_of<Stage>(row_b, stored_b);
   }
 
 private:
@@ -95,14 +108,20 @@ private:
   }
 };
 
-// The signs of a stage before the rare one.
+// The values of a stage before the rare one.
+template <class P, class Stage> MEETC_INLINE void lane_values(const lane_tile<P> &t, lanes *v) {
+  using layout = stored_layout<P>;
+  Stage::template pair<lanes, lanes>(t.row_a, t.stored_a + layout::template first_a<Stage>, t.row_b,
+                                     t.stored_b + layout::template first_b<Stage>, v);
+}
+// Their signs.
 template <class P, class Stage, class How> MEETC_INLINE void lane_signs(const lane_tile<P> &t, sign_lanes *all) {
   using layout = stored_layout<P>;
-  const lanes *fa = t.stored_a + layout::template first_a<Stage>, *fb = t.stored_b + layout::template first_b<Stage>;
   lanes v[Stage::atoms], m[Stage::atoms];
-  Stage::template pair<lanes, lanes>(t.row_a, fa, t.row_b, fb, v);
+  lane_values<P, Stage>(t, v);
   if constexpr (How::bounded)
-    Stage::magnitudes(t.row_a, fa + stored_values_a<Stage>(), t.row_b, fb + stored_values_b<Stage>(),
+    Stage::magnitudes(t.row_a, t.stored_a + layout::template first_a<Stage> + stored_values_a<Stage>(), t.row_b,
+                      t.stored_b + layout::template first_b<Stage> + stored_values_b<Stage>(),
                       fp32_leaf<Stage, lanes>(), m);
   How::template sort_out<Stage>(v, m, all + Stage::first);
 }
@@ -143,12 +162,12 @@ private:
       }
       t.load_stored(a_, b_);
       sign_lanes s[P::atoms + 1];
-      lane_signs<P, typename P::reject_stage, How>(t, s);
-      const lane_mask left = to_truth_lanes(P::rejected(s)).can_be_false & first_lanes(n);
+      const lane_extent<lanes> extent = begin(t);
+      const lane_mask left = reject(t, extent, s, first_lanes(n));
       for (int k = 0; k < n; ++k)
         out_[number(k)] = answer::no;
       if (mostly(left))
-        usual(t, s, left, number);
+        usual(t, extent, s, left, number);
       else
         wait(number, pairs, left);
     }
@@ -176,18 +195,19 @@ private:
     t.load_rows(a_, b_, pairs, n);
     t.load_stored(a_, b_);
     sign_lanes s[P::atoms + 1];
+    const lane_extent<lanes> extent = begin(t);
     lane_mask left = first_lanes(n);
     if constexpr (P::reject_stage::atoms > 0) {
-      lane_signs<P, typename P::reject_stage, How>(t, s);
-      left &= to_truth_lanes(P::rejected(s)).can_be_false;
+      left = reject(t, extent, s, left);
       for (int k = 0; k < n; ++k)
         out_[number(k)] = answer::no;
     }
-    usual(t, s, left, number);
+    usual(t, extent, s, left, number);
   }
   // The stage of the usual case, for the lanes of `left`; the others are misses.
   template <class Number>
-  MEETC_INLINE void usual(const lane_tile<P> &t, sign_lanes *s, lane_mask left, const Number &number) {
+  MEETC_INLINE void usual(lane_tile<P> &t, lane_extent<lanes> extent, sign_lanes *s, lane_mask left,
+                          const Number &number) {
     if (const lane_mask hits = settled(t, s, left); hits != 0) {
       points_first_ = mostly(hits);
       for (lane_mask more = hits; more != 0; more &= more - 1)
@@ -197,19 +217,86 @@ private:
         return;
     }
     if constexpr (P::common_stage::atoms > 0)
-      lane_signs<P, typename P::common_stage, How>(t, s);
-    const truth_lanes hit = to_truth_lanes(P::usual(s));
-    lane_mask open = hit.can_be_true & hit.can_be_false, yes = hit.can_be_true;
-    if constexpr (has_rare_stage<P>)
-      open |= to_truth_lanes(P::needs_rare(s)).can_be_true;
-    if (left & open) {
-      const lane_mask hits = settled(t);
-      open &= ~hits, yes |= hits;
+      signs<typename P::common_stage>(t, extent, s);
+    lane_mask open, yes;
+    for (lane_mask hits = 0;;) {
+      const truth_lanes hit = to_truth_lanes(P::usual(s));
+      open = hit.can_be_true & hit.can_be_false, yes = hit.can_be_true | hits;
+      if constexpr (has_rare_stage<P>)
+        open |= to_truth_lanes(P::needs_rare(s)).can_be_true;
+      open &= left & ~hits;
+      if (open == 0)
+        break;
+      if (hits == 0) {
+        hits = settled(t);
+        open &= ~hits, yes |= hits;
+      }
+      if (open == 0 || !by_power_)
+        break;
+      signs_by_leaves<typename P::reject_stage>(t, s);
+      signs_by_leaves<typename P::common_stage>(t, s);
     }
     for (int k = 0; k < lane_count; ++k)
       if (left >> k & 1)
         out_[number(k)] = open >> k & 1 ? open_(number(k)) : to_answer((yes >> k & 1) != 0);
   }
+
+  // The lanes of `wanted` that the reject stage leaves.
+  MEETC_INLINE lane_mask reject(lane_tile<P> &t, lane_extent<lanes> extent, sign_lanes *s, lane_mask wanted) {
+    using stage = typename P::reject_stage;
+    signs<stage>(t, extent, s);
+    truth_lanes rejected = to_truth_lanes(P::rejected(s));
+    if (by_power_ && (rejected.can_be_false & rejected.can_be_true & wanted) != 0) {
+      signs_by_leaves<stage>(t, s);
+      rejected = to_truth_lanes(P::rejected(s));
+    }
+    return rejected.can_be_false & wanted;
+  }
+  // The signs of a stage.
+  template <class Stage> MEETC_INLINE void signs(lane_tile<P> &t, lane_extent<lanes> extent, sign_lanes *s) {
+    if constexpr (has_power) {
+      if (by_power_) {
+        lanes v[Stage::atoms];
+        lane_values<P, Stage>(t, v);
+        proved_lanes p[Stage::atoms];
+        signs_by_power<P, Stage, in_fp32>(v, extent, p);
+        for (int i = 0; i < Stage::atoms; ++i)
+          s[Stage::first + i] = possible(p[i]);
+        return;
+      }
+      signs_by_leaves<Stage>(t, s);
+    } else {
+      lane_signs<P, Stage, How>(t, s);
+    }
+  }
+  // The same by the magnitude of each value, where the bound by a power did not do.
+  template <class Stage> MEETC_NOINLINE void signs_by_leaves(lane_tile<P> &t, sign_lanes *s) {
+    if constexpr (Stage::atoms > 0) {
+      t.template compute_magnitudes<Stage>(a_, b_);
+      lane_signs<P, Stage, How>(t, s);
+    }
+    if (by_power_) {
+      by_power_ = false;
+      failures_ = failures_ < 15 ? 2 * failures_ + 1 : 15;
+      skips_ = failures_;
+    }
+  }
+  // Begins a tile. Neighbours mostly are of one sort, so where the bound by a power did not do, it is not tried for some
+  // tiles.
+  MEETC_INLINE lane_extent<lanes> begin(const lane_tile<P> &t) {
+    if constexpr (has_power) {
+      if (by_power_)
+        failures_ = 0;
+      by_power_ = skips_ == 0;
+      if (by_power_)
+        return extent_of<P>(t.row_a, t.row_b);
+      --skips_;
+    }
+    return {};
+  }
+
+  static constexpr bool has_power =
+      How::bounded && has_power_bound<P, typename P::reject_stage>() && has_power_bound<P, typename P::common_stage>();
 
   // The pairs that equal points settle. Plain rungs do not look at them.
   static constexpr bool compares_points = How::bounded && P::settled_by != 0;
@@ -231,7 +318,9 @@ private:
   const index_pair *pairs_;
   answer *out_;
   const Open &open_;
-  bool points_first_ = false; // most pairs share points, as far as the last tile tells
+  bool points_first_ = false;    // most pairs share points, as far as the last tile tells
+  bool by_power_ = false;        // how the signs of this tile are found
+  int skips_ = 0, failures_ = 0; // tiles for which the bound by a power is not tried; how often it has failed
   int waiting_ = 0;
   std::size_t waiting_numbers_[lane_count];
   index_pair waiting_pairs_[lane_count];

@@ -31,17 +31,18 @@ template <class P, class F> MEETC_HD constexpr void each_stage(F &&f) {
 }
 
 // The values of one object that a stage reads, computed from its row.
-template <class Stage, class T> MEETC_HD MEETC_INLINE void stage_fields_a(const T *row, T *f) {
+template <class Stage, class T> MEETC_HD MEETC_INLINE constexpr void stage_fields_a(const T *row, T *f) {
   if constexpr (Stage::fields_a > 0)
     Stage::object_a(row, f);
 }
-template <class Stage, class T> MEETC_HD MEETC_INLINE void stage_fields_b(const T *row, T *f) {
+template <class Stage, class T> MEETC_HD MEETC_INLINE constexpr void stage_fields_b(const T *row, T *f) {
   if constexpr (Stage::fields_b > 0)
     Stage::object_b(row, f);
 }
 
 // The stage's values for rows of T; those of degree 3 and more in W.
-template <class Stage, class T, class W> MEETC_HD MEETC_INLINE void stage_values(const T *a, const T *b, W *v) {
+template <class Stage, class T, class W>
+MEETC_HD MEETC_INLINE constexpr void stage_values(const T *a, const T *b, W *v) {
   T fields_a[Stage::fields_a + 1], fields_b[Stage::fields_b + 1];
   fields_a[Stage::fields_a] = fields_b[Stage::fields_b] = T(0); // the spare elements are for stages that store nothing
   stage_fields_a<Stage>(a, fields_a);

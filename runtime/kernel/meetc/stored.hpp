@@ -66,17 +66,26 @@ template <class P, class V = float> struct store_a {
     for (int i = 0; i < floats; ++i)
       out[i] = float(values[i]);
   }
-  MEETC_HD MEETC_INLINE static void compute_from(const V *numbers, V *values) {
-    stage<typename P::reject_stage>(numbers, values);
-    stage<typename P::common_stage>(numbers, values + stored_layout<P>::reject_a);
+  MEETC_HD MEETC_INLINE static void compute_from(const V *numbers, V *out) {
+    values_from(numbers, out);
+    magnitudes_of<typename P::reject_stage>(numbers, out);
+    magnitudes_of<typename P::common_stage>(numbers, out);
+  }
+  // Parts of them, at their places.
+  MEETC_HD MEETC_INLINE static void values_from(const V *numbers, V *out) {
+    values<typename P::reject_stage>(numbers, out);
+    values<typename P::common_stage>(numbers, out + stored_layout<P>::reject_a);
+  }
+  template <class Stage> MEETC_HD MEETC_INLINE static void magnitudes_of(const V *numbers, V *out) {
+    if constexpr (stored_magnitudes_a<Stage>() > 0)
+      Stage::magnitudes_a(numbers, fp32_leaf<Stage, V>(),
+                          out + stored_layout<P>::template first_a<Stage> + stored_values_a<Stage>());
   }
 
 private:
-  template <class Stage> MEETC_HD MEETC_INLINE static void stage(const V *row, V *out) {
+  template <class Stage> MEETC_HD MEETC_INLINE static void values(const V *row, V *out) {
     if constexpr (stored_values_a<Stage>() > 0)
       Stage::object_a(row, out);
-    if constexpr (stored_magnitudes_a<Stage>() > 0)
-      Stage::magnitudes_a(row, fp32_leaf<Stage, V>(), out + stored_values_a<Stage>());
   }
 };
 template <class P, class V = float> struct store_b {
@@ -89,17 +98,26 @@ template <class P, class V = float> struct store_b {
     for (int i = 0; i < floats; ++i)
       out[i] = float(values[i]);
   }
-  MEETC_HD MEETC_INLINE static void compute_from(const V *numbers, V *values) {
-    stage<typename P::reject_stage>(numbers, values);
-    stage<typename P::common_stage>(numbers, values + stored_layout<P>::reject_b);
+  MEETC_HD MEETC_INLINE static void compute_from(const V *numbers, V *out) {
+    values_from(numbers, out);
+    magnitudes_of<typename P::reject_stage>(numbers, out);
+    magnitudes_of<typename P::common_stage>(numbers, out);
+  }
+  // Parts of them, at their places.
+  MEETC_HD MEETC_INLINE static void values_from(const V *numbers, V *out) {
+    values<typename P::reject_stage>(numbers, out);
+    values<typename P::common_stage>(numbers, out + stored_layout<P>::reject_b);
+  }
+  template <class Stage> MEETC_HD MEETC_INLINE static void magnitudes_of(const V *numbers, V *out) {
+    if constexpr (stored_magnitudes_b<Stage>() > 0)
+      Stage::magnitudes_b(numbers, fp32_leaf<Stage, V>(),
+                          out + stored_layout<P>::template first_b<Stage> + stored_values_b<Stage>());
   }
 
 private:
-  template <class Stage> MEETC_HD MEETC_INLINE static void stage(const V *row, V *out) {
+  template <class Stage> MEETC_HD MEETC_INLINE static void values(const V *row, V *out) {
     if constexpr (stored_values_b<Stage>() > 0)
       Stage::object_b(row, out);
-    if constexpr (stored_magnitudes_b<Stage>() > 0)
-      Stage::magnitudes_b(row, fp32_leaf<Stage, V>(), out + stored_values_b<Stage>());
   }
 };
 

@@ -3,10 +3,10 @@
 //
 // Problem: pairs that fp32 leaves unsure are often degenerate: many of their signs are zero, which no bound can tell from
 // a small number.
-// Method: signs come from values in fp64 with their bound. Where these are unsure, the same program runs on integers
-// modulo 2^64: on a common grid the value is an integer n, and the bound says |n| < 2^62, so that the residue of n is n.
-// This needs neither wide products nor that the values in fp64 are exact. Where the differences of a pair are so short that
-// no value reaches 2^62, integers alone serve.
+// Method: where the numbers of a pair are multiples of a step, and differ by so few steps that every value is below 2^53,
+// doubles are exact, and signs those of values. Otherwise signs come from values in fp64 with their bound. Where these are
+// unsure, the same program runs on integers modulo 2^64: on a common grid the value is an integer n, and the bound says
+// |n| < 2^62, so that the residue of n is n. This needs neither wide products nor that the values in fp64 are exact.
 // `exact` takes no bound of an error from the compiler: its values carry their own (tracked.hpp), so that it judges the
 // bounds of the other rungs. It compares equal points first, and leaves the rare stage open.
 // What this leaves open is decided pair by pair by the caller's function. A pair's answer does not depend on those that
@@ -17,6 +17,7 @@
 #include <meetc/lanes.hpp>
 
 #include <meetc/lane_decide.hpp>
+#include <meetc/power_bound.hpp>
 #include <meetc/tracked.hpp>
 
 MEETC_NAMESPACE(meetc) {
@@ -29,6 +30,9 @@ template <> struct leaf_magnitude<wide_lanes> {
 // The numbers of wide_count pairs.
 template <class P> struct wide_rows {
   wide_lanes a[P::inputs_a], b[P::inputs_b];
+  lane_extent<wide_lanes> extent;
+
+  MEETC_INLINE void measure() { extent = extent_of<P>(a, b); }
 
   // Calls f(number, axis) for each number; axis -1: it belongs to none.
   template <class F> MEETC_INLINE void each(F &&f) const {
@@ -39,37 +43,17 @@ template <class P> struct wide_rows {
   }
 };
 
-// The least powers of two above the numbers, and above half of the differences on each axis.
-struct wide_extent {
-  wide_lanes numbers, differences;
-};
-template <class P> MEETC_INLINE wide_extent extent_of(const wide_rows<P> &r) {
-  wide_lanes number(0x1p-149), difference(0x1p-149), first[3];
-  bool seen[3] = {false, false, false};
-  r.each([&](wide_lanes x, int axis) {
-    number = larger(magnitude_of(x), number);
-    if (axis < 0 || axis > 2) {
-      difference = larger(magnitude_of(x), difference);
-      return;
-    }
-    if (!seen[axis])
-      first[axis] = x, seen[axis] = true;
-    difference = larger(magnitude_of(x - first[axis]), difference);
-  });
-  const auto above = [](wide_lanes x) { return wide_lanes(2.0) * with_bits(bits_of(x) & 0x7ff0000000000000); };
-  return {above(number), above(difference)};
-}
-
 // The pairs' numbers as integers, where they are multiples of a step of which differences are below 2^Span.
 template <class P> struct whole_rows {
   whole_lanes a[P::inputs_a], b[P::inputs_b];
   wide_lanes step;   // a power of two
   lane_mask on_grid; // where they are
 
-  template <int Span> MEETC_INLINE void take(const wide_rows<P> &r, const wide_extent &e) {
+  template <int Span> MEETC_INLINE void take(const wide_rows<P> &r) {
+    // With their middle as the origin, coordinates are below this power.
     constexpr double least_step = power_of_two(1 - Span, 0.0);
-    const wide_lanes by_difference = e.differences * wide_lanes(least_step);
-    step = larger(by_difference, e.numbers * wide_lanes(0x1p-50));
+    const wide_lanes by_difference = power_below(r.extent.largest) * wide_lanes(least_step);
+    step = larger(by_difference, power_below(r.extent.numbers) * wide_lanes(0x1p-49));
     // Where the numbers are much larger than their differences, the step is larger too, so the span is less.
     on_grid = compiled_as_written() ? all_bits : 0;
     // 1 / step, a power of two as well: the exponents of the two add up to twice the bias.
@@ -92,8 +76,9 @@ private:
 // Residues have `bits` bits, and are read as signed integers. One below 2^limit is that of one integer below it, namely
 // itself. A bound in fp64 is about 2^-spare of the largest value. Tests use fewer bits, so that they see what a wrong limit
 // does, and more to spare, so that bounds do exceed the limit.
-template <int Bits, int Limit = Bits - 2, int Spare = 48> struct residue_width {
+template <int Bits, int Limit = Bits - 2, int Spare = 48, int Exact = 53> struct residue_width {
   static constexpr int bits = Bits, limit = Limit, spare = Spare;
+  static constexpr int exact = Exact; // doubles below 2^exact are
   static MEETC_INLINE whole_lanes read(whole_lanes n) {
     if constexpr (bits == 64)
       return n;
@@ -102,23 +87,49 @@ template <int Bits, int Limit = Bits - 2, int Spare = 48> struct residue_width {
   }
 };
 
-// The span of differences for which a stage's values are below 2^limit steps to the power of its degree, and that for
-// which their bounds are. Where the latter are not, they say so, so that a longer span is no less safe.
+// The span of differences for which a stage's bounds are below 2^limit steps to the power of its degree. Where they are
+// not, they say so, so that a longer span is no less safe.
 inline constexpr int longest_span = 50;
-template <class Stage, class Width> constexpr int short_span() {
-  return (Width::limit - Stage::growth) / Stage::degree;
-}
 template <class Stage, class Width> constexpr int bounded_span() {
   const int span = (Width::limit + Width::spare - Stage::growth) / Stage::degree;
   return span < longest_span ? span : longest_span;
 }
-template <class P, class Width> constexpr int short_span_of_all() {
-  int span = longest_span;
-  each_stage<P>([&span](auto stage) {
-    constexpr int one = short_span<decltype(stage), Width>();
-    span = one < span ? one : span;
+
+// The most steps by which numbers can differ, if values below 2^Limit are exact; 0 where that is not known.
+template <class P, int Limit = 53> constexpr double exact_steps() {
+  double most = 0x1p50;
+  each_stage<P>([&most](auto stage) {
+    using S = decltype(stage);
+    // Products of floats are not subnormal.
+    const double here = S::degree > 6 ? 0 : unit_magnitudes<P, S>().highest(Limit);
+    most = here < most ? here : most;
   });
-  return span;
+  return most;
+}
+// The lanes in which doubles compute all stages without an error.
+template <class P, int Limit = 53> MEETC_INLINE lane_mask exact_lanes(const wide_rows<P> &r) {
+  constexpr double most = exact_steps<P, Limit>();
+  if (most < 1 || !compiled_as_written())
+    return 0;
+  const wide_lanes by_difference = wide_lanes(2.0) * power_below(r.extent.largest * wide_lanes((1 + 0x1p-50) / most)),
+                   step = larger(by_difference, power_below(r.extent.numbers) * wide_lanes(0x1p-49)),
+                   beyond = wide_lanes(0x1.8p52) * step; // a double from 2^52 steps to 2^53 is whole
+  wide_bits beside{};
+  r.each([&](wide_lanes x, int) { beside |= bits_of((x + beyond) - beyond - x); });
+  return zero(whole_lanes(reinterpret_cast<whole_lanes::vector>(beside)));
+}
+// Adds the signs of eight pairs from bit `from` on, where doubles are exact. Zeros may be marked as negative too, and
+// positive signs are not marked.
+template <class P, class Stage>
+MEETC_NOINLINE void add_exact_signs(const wide_rows<P> *rows, int from, proved_lanes *s) {
+  wide_lanes v[vectors_of_eight][Stage::atoms];
+  for (int k = 0; k < vectors_of_eight; ++k)
+    stage_values<Stage>(rows[k].a, rows[k].b, v[k]);
+  for (int i = 0; i < Stage::atoms; ++i) {
+    const eight_signs here = signs_of_eight(&v[0][i], Stage::atoms);
+    s[i].negative |= here.negative << from;
+    s[i].zero |= here.zero << from;
+  }
 }
 
 // How values get their errors: v[i] is within error[i] of the truth, and a magnitude of zero proves zero.
@@ -154,25 +165,39 @@ template <class P, class Stage, class Width, class How = emitted_bounds> class w
 public:
   MEETC_INLINE explicit wide_signs(const wide_rows<P> &rows) : rows_(rows) {}
 
-  // What is proved of the stage's signs. Of pairs outside `wanted` it may be less. It is out of line, as short_signs() is,
-  // since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two (unless -fno-tree-ter is
-  // given; tests/extremes sees it).
+  // What is proved of the stage's signs. Of pairs outside `wanted` it may be less. It is out of line, as add_exact_signs()
+  // is, since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two (unless -fno-tree-ter
+  // is given; tests/extremes sees it).
   MEETC_NOINLINE void get(lane_mask wanted, proved_lanes *s) const {
+    if constexpr (!How::is_exact && has_power_bound<P, Stage>()) {
+      wide_lanes v[Stage::atoms];
+      stage_values<Stage>(rows_.a, rows_.b, v);
+      signs_by_power<P, Stage, in_fp64>(v, rows_.extent, s);
+      if (known(s, wanted))
+        return;
+    }
+    by_errors(wanted, s);
+  }
+
+private:
+  static MEETC_INLINE bool known(const proved_lanes *s, lane_mask wanted) {
+    lane_mask all = wanted;
+    for (int i = 0; i < Stage::atoms; ++i)
+      all &= s[i].negative | s[i].zero | s[i].positive;
+    return all == wanted;
+  }
+  MEETC_NOINLINE void by_errors(lane_mask wanted, proved_lanes *s) const {
     wide_lanes v[Stage::atoms], error[Stage::atoms], m[Stage::atoms];
     How::template values<P, Stage>(rows_, v, error, m);
     const lane_mask finite = finite_lanes(v),
                     sound = computes_as_bounded() ? all_bits : 0; // elsewhere values prove nothing
-    lane_mask known = wanted;
     for (int i = 0; i < Stage::atoms; ++i) {
       const proved_lanes p = proved(v[i], error[i], m[i]);
       s[i] = {p.negative & finite & sound, p.zero & sound, p.positive & finite & sound};
-      known &= s[i].negative | s[i].zero | s[i].positive;
     }
-    if (known != wanted)
+    if (!known(s, wanted))
       by_residues(v, error, s);
   }
-
-private:
   // The lanes in which every value is finite. Numbers are below 2^128.
   static MEETC_INLINE lane_mask finite_lanes(const wide_lanes *v) {
     if constexpr (128 * Stage::degree + Stage::growth < 1024)
@@ -184,7 +209,7 @@ private:
   }
   MEETC_NOINLINE void by_residues(const wide_lanes *v, const wide_lanes *error, proved_lanes *s) const {
     whole_rows<P> r;
-    r.template take<bounded_span<Stage, Width>()>(rows_, extent_of(rows_));
+    r.template take<bounded_span<Stage, Width>()>(rows_);
     if (r.on_grid == 0) // not all integers have been computed
       return;
     whole_lanes n[Stage::atoms];
@@ -208,17 +233,6 @@ private:
   const wide_rows<P> &rows_;
 };
 
-// The signs of a stage where its values are below the limit.
-template <class P, class Stage, class Width> MEETC_NOINLINE void short_signs(const whole_rows<P> &r, proved_lanes *s) {
-  whole_lanes n[Stage::atoms];
-  stage_values<Stage>(r.a, r.b, n);
-  for (int i = 0; i < Stage::atoms; ++i) {
-    const whole_lanes value = Width::read(n[i]);
-    const lane_mask below = negative(value), none = zero(value);
-    s[i] = {below, none, ~(below | none)};
-  }
-}
-
 template <class P, class Width, class How, class Open> class wide_decider {
 public:
   // `open(i)` decides pair i alone.
@@ -239,10 +253,11 @@ private:
 
   void load(const index_pair *pairs, int n) {
     settled_ = 0;
-    // Neighbours mostly are of one sort, so where no pair of a block is short, the next ones are not tried.
-    short_ = !How::is_exact || short_ || number_++ % 16 == 0;
-    lane_mask some = 0;
-    for (int from = 0; from < n; from += lane_count) {
+    // Neighbours mostly are of one sort, so where no pair of a block is exact, the next ones are not tried.
+    const bool tries = exact_ != 0 || number_++ % 16 == 0;
+    exact_ = 0;
+    const int filled = (n + 7) / 8 * 8; // signs are found of eight at a time
+    for (int from = 0; from < filled; from += lane_count) {
       std::uint32_t at_a[lane_count], at_b[lane_count];
       for (int k = 0; k < lane_count; ++k) { // lanes from n on repeat the last pair
         const index_pair p = pairs[from + k < n ? from + k : n - 1];
@@ -258,14 +273,11 @@ private:
         wide_rows<P> &to = rows_[(from + half) / wide_count];
         take<P::inputs_a>(a, half, to.a);
         take<P::inputs_b>(b, half, to.b);
-        if (short_) {
-          whole_rows<P> &integers = integers_[(from + half) / wide_count];
-          integers.template take<short_span_of_all<P, Width>()>(to, extent_of(to));
-          some |= integers.on_grid & all_bits >> (block - wide_count);
-        }
+        to.measure();
+        if (tries)
+          exact_ |= (exact_lanes<P, Width::exact>(to) & all_bits >> (block - wide_count)) << (from + half);
       }
     }
-    short_ = short_ && (!How::is_exact || some != 0);
   }
   template <int N> static MEETC_INLINE void take(const lanes *turned, int from, wide_lanes *to) {
     for (int i = 0; i < N; ++i) {
@@ -303,27 +315,42 @@ private:
     }
   }
 
+  // Adds those of the pairs of one vector, from bit `from` on.
+  template <class Stage> MEETC_INLINE void add_signs(lane_mask wanted, int from, proved_lanes *to) const {
+    constexpr lane_mask every = all_bits >> (block - wide_count);
+    const lane_mask here = wanted >> from & every;
+    if (here == 0)
+      return;
+    proved_lanes s[Stage::atoms];
+    wide_signs<P, Stage, Width, How>(rows_[from / wide_count]).get(here, s);
+    for (int i = 0; i < Stage::atoms; ++i) {
+      to[i].negative |= (s[i].negative & every) << from;
+      to[i].zero |= (s[i].zero & every) << from;
+      to[i].positive |= (s[i].positive & every) << from;
+    }
+  }
   // The signs of a stage, of all rows with a pair in `wanted`.
   template <class Stage> MEETC_NOINLINE void signs(lane_mask wanted, sign_lanes *all) const {
     proved_lanes together[Stage::atoms] = {};
-    for (int from = 0; from < block; from += wide_count) {
-      constexpr lane_mask every = all_bits >> (block - wide_count);
-      const lane_mask here = wanted >> from & every;
-      if (here == 0)
+    lane_mask exact = 0;
+    for (int from = 0; from < block; from += 8) {
+      const lane_mask eight = lane_mask{0xff} << from;
+      if ((wanted & eight) == 0)
         continue;
-      proved_lanes s[Stage::atoms];
-      if (short_ && (here & ~integers_[from / wide_count].on_grid) == 0)
-        short_signs<P, Stage, Width>(integers_[from / wide_count], s);
-      else
-        wide_signs<P, Stage, Width, How>(rows_[from / wide_count]).get(here, s);
-      for (int i = 0; i < Stage::atoms; ++i) {
-        together[i].negative |= (s[i].negative & every) << from;
-        together[i].zero |= (s[i].zero & every) << from;
-        together[i].positive |= (s[i].positive & every) << from;
+      if ((wanted & eight & ~exact_) == 0) {
+        add_exact_signs<P, Stage>(rows_ + from / wide_count, from, together);
+        exact |= eight;
+      } else {
+        for (int k = from; k < from + 8; k += wide_count)
+          add_signs<Stage>(wanted, k, together);
       }
     }
-    for (int i = 0; i < Stage::atoms; ++i)
-      all[Stage::first + i] = possible(together[i]);
+    for (int i = 0; i < Stage::atoms; ++i) {
+      proved_lanes &p = together[i];
+      p.negative &= ~p.zero;
+      p.positive |= exact & ~(p.zero | p.negative);
+      all[Stage::first + i] = possible(p);
+    }
   }
 
   const row_array &a_, &b_;
@@ -331,9 +358,8 @@ private:
   answer *out_;
   const Open &open_;
   wide_rows<P> rows_[block / wide_count];
-  whole_rows<P> integers_[block / wide_count];
   lane_mask settled_ = 0; // pairs that equal points settle
-  bool short_ = true;     // integers_ are those of this block
+  lane_mask exact_ = 0;   // those of which doubles are exact
   unsigned number_ = 0;   // of blocks
 };
 

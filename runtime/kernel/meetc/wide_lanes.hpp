@@ -114,6 +114,51 @@ MEETC_INLINE wide_lanes larger(wide_lanes a, wide_lanes b) {
   return wide_lanes(a.v > b.v ? a.v : b.v);
 #endif
 }
+// The smaller one, likewise.
+MEETC_INLINE wide_lanes smaller(wide_lanes a, wide_lanes b) {
+#if defined(__AVX512F__)
+  return wide_lanes(_mm512_maskz_min_pd(0xff, a.v, b.v));
+#elif defined(__AVX2__)
+  return wide_lanes(_mm256_min_pd(a.v, b.v));
+#elif defined(__SSE2__)
+  return wide_lanes(_mm_min_pd(a.v, b.v));
+#else
+  return wide_lanes(a.v < b.v ? a.v : b.v);
+#endif
+}
+// The largest power of two that is not above a, for normal a > 0; 0 for smaller ones, and infinity for itself.
+MEETC_INLINE wide_lanes power_below(wide_lanes a) {
+  return with_bits(bits_of(a) & 0x7ff0000000000000);
+}
+
+// The signs of eight doubles, which lie in v[0], v[stride], … Each is zero or at least 2^-1022. A zero of either sign
+// counts as zero, and may count as negative too.
+inline constexpr int vectors_of_eight = 8 / wide_count;
+struct eight_signs {
+  lane_mask negative, zero;
+};
+MEETC_INLINE eight_signs signs_of_eight(const wide_lanes *v, int stride) {
+#if defined(__SSE2__) && !defined(__AVX2__)
+  // By the upper halves of the numbers, of which only zeros have no bits but the sign.
+  const auto upper = [&](int k) {
+    const auto a = reinterpret_cast<__m128>(v[k * stride].v), b = reinterpret_cast<__m128>(v[(k + 1) * stride].v);
+    return _mm_castps_si128(_mm_shuffle_ps(a, b, 0xdd));
+  };
+  const __m128i first = upper(0), second = upper(2);
+  const __m128i sizes = _mm_packs_epi32(_mm_add_epi32(first, first), _mm_add_epi32(second, second));
+  const int bits =
+      _mm_movemask_epi8(_mm_packs_epi16(_mm_packs_epi32(first, second), _mm_cmpeq_epi16(sizes, _mm_setzero_si128())));
+  return {static_cast<lane_mask>(bits & 0xff), static_cast<lane_mask>(bits >> 8)};
+#else
+  constexpr lane_mask every = all_bits >> (32 - wide_count);
+  eight_signs s{0, 0};
+  for (int k = 0; k < vectors_of_eight; ++k) {
+    s.negative |= (highest_bits(bits_of(v[k * stride])) & every) << k * wide_count;
+    s.zero |= ((v[k * stride] == wide_lanes(0.0)) & every) << k * wide_count;
+  }
+  return s;
+#endif
+}
 
 // ---- integers modulo 2^64 ----
 
