@@ -18,15 +18,40 @@ index_pair pair_of(const block_query &q, std::uint32_t theirs) {
   return q.swapped ? index_pair{theirs, q.slot} : index_pair{q.slot, theirs};
 }
 
+// Of a block that touches.
+struct leaf {
+  std::uint32_t number;
+  int lane; // of the box around it
+};
+leaf first_of(std::uint32_t mask, const leaf_query &q) {
+  const int lane = std::countr_zero(mask);
+  return {q.first + static_cast<std::uint32_t>(lane), lane};
+}
+// Those of the mask that are wanted.
+std::uint32_t wanted(std::uint32_t mask, const leaf_query &q) {
+  const std::uint32_t before = q.from > q.first ? q.from - q.first : 0;
+  return before < lanes ? mask >> before << before : 0;
+}
+
 std::uint32_t touching_baseline(const box_block &block, const box &q) {
   return touching(block, q);
 }
 index_pair *pairs_baseline(const block_query &q, index_pair *out) {
   for (std::size_t i = 0; i < q.count; ++i)
     for (std::uint32_t left = touching(q.blocks[q.numbers[i]], q.around); left != 0; left &= left - 1)
-      *out++ = pair_of(q, static_cast<std::uint32_t>(q.numbers[i] * lanes) +
-                              static_cast<std::uint32_t>(std::countr_zero(left)));
+      *out++ = pair_of(q, q.numbers[i] * lanes + static_cast<std::uint32_t>(std::countr_zero(left)));
   return out;
+}
+
+std::size_t leaves_baseline(const leaf_query &q, std::uint32_t *numbers, std::uint32_t *elements) {
+  std::size_t n = 0;
+  for (std::uint32_t left = wanted(touching(*q.around_leaves, q.around), q); left != 0; left &= left - 1) {
+    const leaf at = first_of(left, q);
+    numbers[n] = at.number;
+    elements[n] = touching(*q.walker, q.around_leaves->get(at.lane));
+    n += elements[n] != 0 && touching(q.leaves[at.number], q.around) != 0;
+  }
+  return n;
 }
 
 #if MEETC_TARGETS
@@ -62,9 +87,20 @@ __attribute__((target("avx2"))) index_pair *pairs_avx2(const block_query &q, ind
   const sides_8 sides = sides_avx2(q.around);
   for (std::size_t i = 0; i < q.count; ++i)
     for (std::uint32_t left = mask_avx2(q.blocks[q.numbers[i]], sides); left != 0; left &= left - 1)
-      *out++ = pair_of(q, static_cast<std::uint32_t>(q.numbers[i] * lanes) +
-                              static_cast<std::uint32_t>(std::countr_zero(left)));
+      *out++ = pair_of(q, q.numbers[i] * lanes + static_cast<std::uint32_t>(std::countr_zero(left)));
   return out;
+}
+__attribute__((target("avx2"))) std::size_t leaves_avx2(const leaf_query &q, std::uint32_t *numbers,
+                                                        std::uint32_t *elements) {
+  const sides_8 sides = sides_avx2(q.around);
+  std::size_t n = 0;
+  for (std::uint32_t left = wanted(mask_avx2(*q.around_leaves, sides), q); left != 0; left &= left - 1) {
+    const leaf at = first_of(left, q);
+    numbers[n] = at.number;
+    elements[n] = mask_avx2(*q.walker, sides_avx2(q.around_leaves->get(at.lane)));
+    n += elements[n] != 0 && mask_avx2(q.leaves[at.number], sides) != 0;
+  }
+  return n;
 }
 
 // ---- AVX-512 ----
@@ -79,11 +115,13 @@ MEETC_PART_FOR("avx512f") sides_16 sides_avx512(const box &q) {
   return s;
 }
 MEETC_PART_FOR("avx512f") __mmask16 mask_avx512(const box_block &block, const sides_16 &q) {
-  unsigned apart = 0;
-  for (int k = 0; k < 3; ++k)
-    apart |= static_cast<unsigned>(_mm512_cmp_ps_mask(q.hi[k], _mm512_load_ps(block.lo[k]), _CMP_LT_OQ)) |
-             static_cast<unsigned>(_mm512_cmp_ps_mask(_mm512_load_ps(block.hi[k]), q.lo[k], _CMP_LT_OQ));
-  return static_cast<__mmask16>(~apart);
+  // Two chains of comparisons, each of those lanes that the one before left. Not less: where one is NaN they touch.
+  __mmask16 below = 0xffff, above = 0xffff;
+  for (int k = 0; k < 3; ++k) {
+    below = _mm512_mask_cmp_ps_mask(below, q.hi[k], _mm512_load_ps(block.lo[k]), _CMP_NLT_UQ);
+    above = _mm512_mask_cmp_ps_mask(above, _mm512_load_ps(block.hi[k]), q.lo[k], _CMP_NLT_UQ);
+  }
+  return below & above;
 }
 __attribute__((target("avx512f"))) std::uint32_t touching_avx512(const box_block &block, const box &q) {
   return mask_avx512(block, sides_avx512(q));
@@ -112,13 +150,25 @@ __attribute__((target("avx512f"))) index_pair *pairs_avx512(const block_query &q
   }
   return out;
 }
+__attribute__((target("avx512f"))) std::size_t leaves_avx512(const leaf_query &q, std::uint32_t *numbers,
+                                                             std::uint32_t *elements) {
+  const sides_16 sides = sides_avx512(q.around);
+  std::size_t n = 0;
+  for (std::uint32_t left = wanted(mask_avx512(*q.around_leaves, sides), q); left != 0; left &= left - 1) {
+    const leaf at = first_of(left, q);
+    numbers[n] = at.number;
+    elements[n] = mask_avx512(*q.walker, sides_avx512(q.around_leaves->get(at.lane)));
+    n += elements[n] != 0 && mask_avx512(q.leaves[at.number], sides) != 0;
+  }
+  return n;
+}
 
 #endif
 
 } // namespace
 
 const box_tests *box_tests_for(instruction_set set) {
-  static constexpr box_tests baseline{instruction_set::baseline, touching_baseline, pairs_baseline};
+  static constexpr box_tests baseline{instruction_set::baseline, touching_baseline, pairs_baseline, leaves_baseline};
   if (!runs_here(set))
     return nullptr;
   switch (set) {
@@ -126,11 +176,11 @@ const box_tests *box_tests_for(instruction_set set) {
     return &baseline;
 #if MEETC_TARGETS
   case instruction_set::avx2: {
-    static constexpr box_tests avx2{instruction_set::avx2, touching_avx2, pairs_avx2};
+    static constexpr box_tests avx2{instruction_set::avx2, touching_avx2, pairs_avx2, leaves_avx2};
     return &avx2;
   }
   case instruction_set::avx512: {
-    static constexpr box_tests avx512{instruction_set::avx512, touching_avx512, pairs_avx512};
+    static constexpr box_tests avx512{instruction_set::avx512, touching_avx512, pairs_avx512, leaves_avx512};
     return &avx512;
   }
 #endif

@@ -14,12 +14,20 @@ namespace meetc {
 
 // The pairs of one element with the elements of some blocks.
 struct block_query {
-  const box_block *blocks;    // of the other set, in the order of its slots
-  const std::size_t *numbers; // of the blocks that are asked
+  const box_block *blocks;      // of the other set, in the order of its slots
+  const std::uint32_t *numbers; // of the blocks that are asked
   std::size_t count;
   box around; // the element's box
   std::uint32_t slot;
   bool swapped; // the element is the second of each pair
+};
+
+// A block of elements against sixteen blocks of the other set.
+struct leaf_query {
+  const box_block *walker, *leaves; // the elements, and all blocks of the other set
+  const box_block *around_leaves;   // the boxes around the sixteen
+  std::uint32_t first, from;        // the number of the first of them, and the first number that is wanted
+  box around;                       // the box around the elements
 };
 
 struct box_tests {
@@ -28,6 +36,9 @@ struct box_tests {
   std::uint32_t (*touching)(const box_block &block, const box &q);
   // Writes the pairs whose boxes may touch, block by block, and returns their end. There is room for count * lanes.
   index_pair *(*pairs)(const block_query &q, index_pair *out);
+  // Writes the numbers of the blocks that have an element which touches the box around the walkers, and with each the
+  // walkers that touch the box around it, if there are any. Returns how many blocks there are, at most sixteen.
+  std::size_t (*leaves)(const leaf_query &q, std::uint32_t *numbers, std::uint32_t *elements);
 };
 
 // Null where the processor does not run the set, or the compiler knows no such attribute.

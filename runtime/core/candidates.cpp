@@ -37,10 +37,11 @@ bool all_pairs::yield(std::size_t unit, pair_sink &sink) const {
     std::uint32_t left[tile]; // by signs, the elements of each block
     if (by_signs)
       signs_->elements(slot, first, count, left);
-    std::size_t chosen[tile], size = 0;
+    std::uint32_t chosen[tile];
+    std::size_t size = 0;
     for (const near_tile *at = near; at < near_end; ++at) // the boxes rule out what the filter by balls does
       if (!by_signs || left[at->index] != 0)
-        chosen[size++] = first + at->index;
+        chosen[size++] = static_cast<std::uint32_t>(first + at->index);
     if (size == 0)
       continue;
     const probe one(a_, slot, b_, false);

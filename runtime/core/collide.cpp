@@ -28,7 +28,7 @@ public:
   void take(int worker, const index_pair *hits, std::size_t n) override {
     list &mine = lists_[static_cast<std::size_t>(worker)];
     if (!owned_) {
-      mine.pairs.insert(mine.pairs.end(), hits, hits + n);
+      add_pairs(mine.pairs, hits, n);
       return;
     }
     for (std::size_t i = 0; i < n; ++i)

@@ -1,5 +1,6 @@
 #include "core/pair_sort.hpp"
 
+#include "core/memory.hpp"
 #include "core/radix_sort.hpp"
 #include "core/threads.hpp"
 
@@ -75,6 +76,22 @@ void sort_by_counting(index_pair *pairs, std::size_t n, int bits, sort_scratch &
 constexpr std::size_t buckets = 256;
 using counts = std::array<std::size_t, buckets>;
 
+// A vector's constructor writes zeros on one thread. The system clears pages when they are touched first, which takes
+// longer, so all threads do that before.
+std::vector<index_pair> room_for(std::size_t n, int threads) {
+  std::vector<index_pair> out;
+  out.reserve(n);
+  wish_for_large_pages(out.data(), n * sizeof(index_pair));
+  constexpr std::size_t page = 4096, chunk = std::size_t{1} << 21;
+  auto *const bytes = reinterpret_cast<volatile std::byte *>(out.data());
+  for_chunks(threads, n * sizeof(index_pair), chunk, [bytes](int, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; i += page)
+      bytes[i] = std::byte{0};
+  });
+  out.resize(n);
+  return out;
+}
+
 } // namespace
 
 void sort_pairs(index_pair *pairs, std::size_t n, sort_scratch &scratch) {
@@ -92,6 +109,17 @@ void sort_pairs(index_pair *pairs, std::size_t n, sort_scratch &scratch) {
     sort_by_comparison(pairs, n);
   else
     sort_by_digits(pairs, scratch.pairs.data(), n, vary);
+}
+
+void add_pairs(std::vector<index_pair> &to, const index_pair *pairs, std::size_t n) {
+  if (n > to.capacity() - to.size()) {
+    std::vector<index_pair> larger;
+    larger.reserve(2 * (to.size() + n));
+    wish_for_large_pages(larger.data(), larger.capacity() * sizeof(index_pair));
+    larger.insert(larger.end(), to.begin(), to.end());
+    to.swap(larger);
+  }
+  to.insert(to.end(), pairs, pairs + n);
 }
 
 void drop_repeats(std::vector<index_pair> &sorted) {
@@ -142,7 +170,7 @@ std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &list
     }
     ends[k] = sum;
   }
-  std::vector<index_pair> out(total);
+  std::vector<index_pair> out = room_for(total, threads);
   for_chunks(threads, from.size(), 1, [&](int, std::size_t i, std::size_t) {
     for (const index_pair p : from[i])
       out[starts[i][bucket(p)]++] = p;

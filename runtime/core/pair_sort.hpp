@@ -21,6 +21,9 @@ struct sort_scratch { // grows as needed
 // Sorts by a, then b.
 void sort_pairs(index_pair *pairs, std::size_t n, sort_scratch &scratch);
 
+// Adds pairs at the end of a list, which may become long.
+void add_pairs(std::vector<index_pair> &to, const index_pair *pairs, std::size_t n);
+
 // Drops the repeats in a sorted list.
 void drop_repeats(std::vector<index_pair> &sorted);
 

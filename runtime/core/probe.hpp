@@ -28,7 +28,7 @@ public:
   const two_points &points() const { return points_; }
 
   // Writes the pairs with the elements of some blocks, at most sixteen for each, and returns the end of what is written.
-  index_pair *pairs_with(const std::size_t *blocks, std::size_t count, index_pair *out) const {
+  index_pair *pairs_with(const std::uint32_t *blocks, std::size_t count, index_pair *out) const {
     const box_block *const all = other_.set.boxes.levels[0].blocks;
     const box_tests &tests = best_box_tests();
     if (!one_.by_points && !other_.by_points)

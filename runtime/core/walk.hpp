@@ -35,44 +35,50 @@ public:
 private:
   bool down(int at, std::size_t block) {
     const level &l = tree_.set.boxes.levels[at];
+    if (at == 1)
+      return collect(l.blocks[block], block);
     for (std::uint32_t mask = tests_.touching(l.blocks[block], around_); mask != 0; mask &= mask - 1) {
       const std::size_t child = block * lanes + static_cast<std::size_t>(std::countr_zero(mask));
       if (half_ && lies_before(child, at, block_))
         continue;
-      if (!(at == 1 ? collect(child, l.get(child)) : down(at - 1, child)))
+      if (!down(at - 1, child))
         return false;
     }
     return true;
   }
 
-  bool collect(std::size_t leaf, const box &b) {
-    const std::uint32_t mask = tests_.touching(walker_.set.boxes.levels[0].blocks[block_], b);
-    leaves_[size_] = leaf;
-    elements_[size_] = mask;
-    size_ += mask != 0 && tests_.touching(tree_.set.boxes.levels[0].blocks[leaf], around_) != 0;
-    return size_ < most || finish();
+  bool collect(const box_block &around_leaves, std::size_t block) {
+    if (size_ + lanes > most && !finish())
+      return false;
+    size_ += tests_.leaves({&mine(), tree_.set.boxes.levels[0].blocks, &around_leaves,
+                            static_cast<std::uint32_t>(block * lanes), half_ ? static_cast<std::uint32_t>(block_) : 0,
+                            around_},
+                           leaves_ + size_, elements_ + size_);
+    return true;
   }
 
   bool finish() {
-    const std::size_t n = size_;
-    size_ = 0;
-    for (std::size_t lane = 0; lane < walker_.set.boxes.levels[0].filled(block_); ++lane) {
-      std::size_t chosen[most], count = 0;
-      for (std::size_t i = 0; i < n; ++i) {
-        chosen[count] = leaves_[i];
-        count += elements_[i] >> lane & 1;
+    std::size_t counts[lanes] = {};
+    for (std::size_t i = 0; i < size_; ++i)
+      for (std::uint32_t left = elements_[i]; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        chosen_[lane][counts[lane]++] = leaves_[i];
       }
-      if (count == 0)
+    size_ = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      if (counts[lane] == 0)
         continue;
       const probe one(walker_, block_ * lanes + lane, tree_, swapped_);
-      index_pair *const begin = sink_.room(), *end = one.pairs_with(chosen, count, begin);
-      if (half_ && chosen[0] == block_) // blocks come in their order
+      index_pair *const begin = sink_.room(), *end = one.pairs_with(chosen_[lane], counts[lane], begin);
+      if (half_ && chosen_[lane][0] == block_) // blocks come in their order
         end = without_lower(block_ * lanes + lane, begin, end);
       if (!sink_.advance(static_cast<std::size_t>(end - begin)))
         return false;
     }
     return true;
   }
+
+  const box_block &mine() const { return walker_.set.boxes.levels[0].blocks[block_]; }
 
   static constexpr std::size_t most = pair_sink::longest_run / lanes;
   const box_tests &tests_ = best_box_tests();
@@ -82,8 +88,8 @@ private:
   bool swapped_, half_;
   pair_sink &sink_;
   std::size_t size_ = 0;
-  std::size_t leaves_[most];
-  std::uint32_t elements_[most]; // the elements of the block that the box around the leaf touches
+  std::uint32_t leaves_[most], elements_[most]; // blocks, and the elements that the box around each touches
+  std::uint32_t chosen_[lanes][most];           // the blocks of each element
 };
 
 // Tests the two points of one element of `walker` against the boxes of `tree`. A long element visits the boxes along

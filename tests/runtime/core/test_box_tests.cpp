@@ -78,18 +78,18 @@ TEST_CASE("box tests: the pairs of an element with chosen blocks, in order, eith
     std::mt19937 random(6);
     for (int i = 0; i < 500; ++i) {
       const blocks b(random, 8);
-      std::vector<std::size_t> chosen;
-      for (std::size_t k = 0; k < b.count; ++k)
+      std::vector<std::uint32_t> chosen;
+      for (std::uint32_t k = 0; k < b.count; ++k)
         if (random() % 2 != 0)
           chosen.push_back(k);
       const box q = any_box(random);
       for (const bool swapped : {false, true}) {
         const std::uint32_t slot = 0xfffffff0U - static_cast<std::uint32_t>(i);
         std::vector<index_pair> want;
-        for (const std::size_t block : chosen)
-          for (int lane = 0; lane < lanes; ++lane)
+        for (const std::uint32_t block : chosen)
+          for (std::uint32_t lane = 0; lane < lanes; ++lane)
             if (touching(b.of[block], q) >> lane & 1) {
-              const auto theirs = static_cast<std::uint32_t>(block * lanes) + static_cast<std::uint32_t>(lane);
+              const std::uint32_t theirs = block * lanes + lane;
               want.push_back(swapped ? index_pair{theirs, slot} : index_pair{slot, theirs});
             }
         // A sanitizer sees what is written beyond the room.
@@ -101,5 +101,41 @@ TEST_CASE("box tests: the pairs of an element with chosen blocks, in order, eith
           REQUIRE((room[k].a == want[k].a && room[k].b == want[k].b));
       }
     }
+  }
+}
+
+TEST_CASE("box tests: the leaves that a block of elements may touch, and which elements do") {
+  for (int set = 0; set < instruction_set_count; ++set) {
+    const box_tests *const tests = box_tests_for(static_cast<instruction_set>(set));
+    if (!tests)
+      continue;
+    INFO(name_of(tests->compiled_for));
+    std::mt19937 random(7);
+    std::size_t found = 0, before = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const blocks leaves(random, 3 * lanes), others(random, 2); // a walker, and the boxes around sixteen leaves
+      const std::uint32_t first = lanes * (random() % 3), from = random() % (4 * lanes);
+      const box around = any_box(random);
+      std::vector<std::uint32_t> numbers, elements;
+      for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+        if (!(touching(others.of[1], around) >> lane & 1) || touching(leaves.of[first + lane], around) == 0)
+          continue;
+        const std::uint32_t walkers = touching(others.of[0], others.of[1].get(static_cast<int>(lane)));
+        if (walkers == 0)
+          continue;
+        before += first + lane < from;
+        if (first + lane >= from)
+          numbers.push_back(first + lane), elements.push_back(walkers);
+      }
+      std::vector<std::uint32_t> got(lanes), got_elements(lanes);
+      const std::size_t n = tests->leaves({&others.of[0], leaves.of.get(), &others.of[1], first, from, around},
+                                          got.data(), got_elements.data());
+      got.resize(n), got_elements.resize(n);
+      REQUIRE(got == numbers);
+      REQUIRE(got_elements == elements);
+      found += n;
+    }
+    CHECK(found > 100);
+    CHECK(before > 100);
   }
 }
