@@ -200,8 +200,6 @@ void measure_self(const cpu_context &c, cpu_result &to) {
   t.notes.emplace_back(
       "A triangle with itself is not compared, since it is a convention whether such a pair is listed.");
   const std::string work = fmt::format("{} with itself", c.sets.large_name());
-  to.bars.push_back({work, "query, certified / plain fp32 of this build", bar::side::at_most, 0.4, "x",
-                     times[0].query / times[1].query});
   to.bars.push_back(against_embree(work, "query, certified / Embree's candidates", 1.3, times[0].query,
                                    least(methods, times, "Embree", query_of)));
   to.tables.push_back(std::move(t));
