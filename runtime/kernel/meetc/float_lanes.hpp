@@ -8,6 +8,7 @@
 
 #include <meetc/double_double.hpp>
 
+#include <cstddef>
 #include <utility>
 
 #if defined(__AVX512F__) || defined(__AVX2__) || defined(__SSE2__)

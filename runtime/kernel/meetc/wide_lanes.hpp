@@ -137,10 +137,10 @@ inline constexpr int vectors_of_eight = 8 / wide_count;
 struct eight_signs {
   lane_mask negative, zero;
 };
-MEETC_INLINE eight_signs signs_of_eight(const wide_lanes *v, int stride) {
+MEETC_INLINE eight_signs signs_of_eight(const wide_lanes *v, std::ptrdiff_t stride) {
 #if defined(__SSE2__) && !defined(__AVX2__)
   // By the upper halves of the numbers, of which only zeros have no bits but the sign.
-  const auto upper = [&](int k) {
+  const auto upper = [&](std::ptrdiff_t k) {
     const auto a = reinterpret_cast<__m128>(v[k * stride].v), b = reinterpret_cast<__m128>(v[(k + 1) * stride].v);
     return _mm_castps_si128(_mm_shuffle_ps(a, b, 0xdd));
   };
