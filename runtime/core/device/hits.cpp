@@ -32,12 +32,12 @@ void make_room(std::vector<index_pair> &pairs, std::size_t n) {
 hit_pairs::hit_pairs(device &on, const device_set &a, const device_set &b, std::span<const std::uint32_t> owner_a,
                      std::span<const std::uint32_t> owner_b)
     : on_(on), buffers_(on.buffers()), a_(a), b_(b), owner_a_(owner_a), owner_b_(owner_b),
-      bits_a_(bits_of_items(owner_a, a.elements())), bits_b_(bits_of_items(owner_b, b.elements())) {}
+      bits_a_(bits_of_items(owner_a, a.numbers())), bits_b_(bits_of_items(owner_b, b.numbers())) {}
 
 void hit_pairs::upload_owners() {
   const auto upload = [this](std::span<const std::uint32_t> from, const device_set &of,
                              device_memory<std::uint32_t> &to) {
-    if (!from.empty() && from.size() != of.elements())
+    if (!from.empty() && from.size() != of.numbers())
       throw std::invalid_argument("an owner map needs one item for each element");
     if (from.empty())
       return;
@@ -50,7 +50,7 @@ void hit_pairs::upload_owners() {
 }
 
 bool hit_pairs::countable() const {
-  return !owned() && a_.elements() <= most_to_count;
+  return !owned() && a_.numbers() <= most_to_count;
 }
 
 bool hit_pairs::can_order(std::size_t hits) {
@@ -59,7 +59,7 @@ bool hit_pairs::can_order(std::size_t hits) {
     return false;
   std::size_t bytes = 0;
   hit_order sizes{};
-  sizes.items_a = a_.elements();
+  sizes.items_a = a_.numbers();
   check(order_hits(nullptr, bytes, sizes, on_.stream()), "planning to sort");
   return buffers_.sort_space.grow(bytes, 0, on_.stream());
 }
@@ -71,7 +71,7 @@ void hit_pairs::order(const cuda::pair_list &hits, std::uint32_t *starts, unsign
                     hits.capacity,
                     a_.order(),
                     b_.order(),
-                    a_.elements(),
+                    a_.numbers(),
                     starts,
                     numbers,
                     numbers + hits.capacity,
@@ -164,7 +164,7 @@ void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> 
       drop_repeats(pairs);
     sorted();
   }
-  answer_from_list(want, items(owner_a_, a_.elements()), items(owner_b_, b_.elements()), r);
+  answer_from_list(want, items(owner_a_, a_.numbers()), items(owner_b_, b_.numbers()), r);
 }
 
 } // namespace meetc

@@ -164,26 +164,33 @@ template <class Shape> bool posed_row(const cuda::pose_matrix &at, const float *
     out[f] = nearest_multiple(out[f], at.grid_low);
   return std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }) && Shape::obeys(out);
 }
+std::uint32_t number_in(const cuda::view &v, std::uint32_t i) {
+  return v.only ? v.only[i] : i;
+}
+// The same of the element with this number among all of a view.
+template <class Shape>
+bool posed_element(const cuda::view &v, const cuda::pose_matrix &at, std::uint32_t number, float *out) {
+  constexpr int fields = Shape::fields;
+  float row[fields] = {};
+  bool there = true;
+  for (int f = 0; f < fields; ++f) {
+    const std::size_t at_row = v.index ? v.index[number * (fields / 3) + f / 3] : number;
+    const std::size_t at_field = static_cast<std::size_t>(v.index ? f % 3 : f);
+    there = there && (!v.index || at_row < v.vertices);
+    if (there)
+      std::memcpy(row + f, reinterpret_cast<const char *>(v.data) + at_row * v.stride_bytes + at_field * sizeof(float),
+                  sizeof(float));
+  }
+  return posed_row<Shape>(at, row, out) && there;
+}
 template <class Shape>
 cudaError_t pose_rows(const cuda::view &v, const cuda::pose_matrix &at, const std::uint32_t *order, float *to,
                       unsigned long long *bad, cudaStream_t) {
   constexpr int fields = Shape::fields;
   *bad = ~0ULL;
-  for (std::uint32_t i = 0; i < v.elements; ++i) {
-    float row[fields] = {};
-    bool there = true;
-    for (int f = 0; f < fields; ++f) {
-      const std::size_t at_row = v.index ? v.index[i * (fields / 3) + f / 3] : i;
-      const std::size_t at_field = static_cast<std::size_t>(v.index ? f % 3 : f);
-      there = there && (!v.index || at_row < v.vertices);
-      if (there)
-        std::memcpy(row + f,
-                    reinterpret_cast<const char *>(v.data) + at_row * v.stride_bytes + at_field * sizeof(float),
-                    sizeof(float));
-    }
-    if (!posed_row<Shape>(at, row, to + i * std::size_t{fields}) || !there)
-      *bad = std::min(*bad, static_cast<unsigned long long>(order ? order[i] : i) << 32 | i);
-  }
+  for (std::uint32_t i = 0; i < v.elements; ++i)
+    if (!posed_element<Shape>(v, at, number_in(v, i), to + i * std::size_t{fields}))
+      *bad = std::min(*bad, static_cast<unsigned long long>(order ? order[i] : number_in(v, i)) << 32 | i);
   return cudaSuccess;
 }
 template <class Shape>
@@ -270,16 +277,18 @@ template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStr
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint64_t element = job.by_cell[i];
     const std::uint32_t of = cell(element), begin = job.cells[of], end = of < last ? job.cells[of + 1] : n;
+    std::uint32_t to = i;
     if (end - begin > cuda::most_in_cell) {
       job.found->longest = std::max<unsigned long long>(job.found->longest, end - begin);
-      continue;
+    } else {
+      const cuda::before_in_cell before(job.by_cell, begin, end, element);
+      job.found->crowded += before.alike >= cuda::tree_width;
+      to = begin + before.all;
     }
-    const cuda::before_in_cell before(job.by_cell, begin, end, element);
-    job.found->crowded += before.alike >= cuda::tree_width;
     const auto from = static_cast<std::uint32_t>(element);
-    job.order[begin + before.all] = from;
+    job.order[to] = number_in(job.from, from);
     std::copy_n(job.posed + from * std::size_t{Shape::fields}, Shape::fields,
-                job.rows + (begin + before.all) * std::size_t{Shape::fields});
+                job.rows + to * std::size_t{Shape::fields});
   }
   return cudaSuccess;
 }
@@ -293,6 +302,50 @@ template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, cud
   }
   for (int level = 0; level + 1 < std::min(cuda::levels_with_boxes(n), shape.depth); ++level)
     cuda::enclose_level(nodes, shape, level);
+  return cudaSuccess;
+}
+
+template <class Shape>
+cudaError_t surround(const cuda::view &v, const cuda::pose_matrix &at, cuda::joined_box *around, cudaStream_t) {
+  for (std::uint32_t i = 0; i < v.elements; ++i) {
+    float row[Shape::fields];
+    posed_element<Shape>(v, at, i, row);
+    const cuda::tree_box b = cuda::box_of_row<Shape>(row);
+    for (int k = 0; k < 3; ++k) {
+      around->below[k] = std::max(around->below[k], cuda::below_of(b.low[k]));
+      around->above[k] = std::max(around->above[k], cuda::above_of(b.high[k]));
+    }
+  }
+  return cudaSuccess;
+}
+// The last element is kept first.
+template <class Shape> cudaError_t sift(const cuda::sift_job &job, cudaStream_t) {
+  const cuda::cull_grid grid(job.around[0], job.around[1], job.bits);
+  const cuda::cull_marks marked{job.marked, job.bits}, marks{job.marks, job.bits};
+  const auto set = [](std::uint32_t *word, std::uint32_t mask) { *word |= mask; };
+  for (std::uint32_t i = job.among ? *job.among_count : job.from.elements; i-- > 0;) {
+    const std::uint32_t number = job.among ? job.among[i] : i;
+    float row[Shape::fields];
+    if (!posed_element<Shape>(job.from, job.at, number, row))
+      *job.bad = std::max(*job.bad, ~(static_cast<unsigned long long>(number) << 32 | number));
+    const cuda::tree_box box = cuda::box_of_row<Shape>(row);
+    if (!box.touches(grid.common))
+      continue;
+    const cuda::cell_range cells = grid.range(box);
+    const int level = cuda::cull_grid::level_of(cells);
+    bool by_line = false;
+    if constexpr (Shape::hull == 2) {
+      const cuda::cull_line line(grid, cuda::ends_of_line<Shape>(row));
+      by_line = job.by_lines && level > 0 && line.is_thin();
+      for (std::uint32_t s = line.first_slab(grid); by_line && job.marks && s <= line.last_slab(grid); ++s)
+        marks.mark(line.in_slab(grid, s), 0, set);
+    }
+    if (job.marked && !by_line && !marked.meets(cells, level))
+      continue;
+    if (job.marks && !by_line)
+      marks.mark(cells, level, set);
+    job.kept[(*job.count)++] = number;
+  }
   return cudaSuccess;
 }
 
@@ -463,8 +516,8 @@ cudaError_t no_faults(unsigned *faults, cudaStream_t) {
 }
 
 template <class Shape> constexpr cuda::kind_launchers launchers_of(const char *name) {
-  return {name,           Shape::fields, pose_rows<Shape>, instances<Shape>, enclose<Shape>,
-          columns<Shape>, places<Shape>, boxes<Shape>,     arrange<Shape>};
+  return {name,          Shape::fields, pose_rows<Shape>, instances<Shape>, enclose<Shape>, columns<Shape>,
+          places<Shape>, boxes<Shape>,  arrange<Shape>,   surround<Shape>,  sift<Shape>};
 }
 const cuda::kind_launchers kinds[] = {
     launchers_of<cga::point_shape>("point"), launchers_of<cga::sphere_shape>("sphere"),
