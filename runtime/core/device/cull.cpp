@@ -4,6 +4,7 @@
 #include "core/device/given.hpp"
 #include "core/two_points.hpp"
 #include "meetc/cuda_query.hpp"
+#include "meetc/cull_grid.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -36,7 +37,7 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
   job.by_lines = by_lines;
   const std::size_t words = cuda::cull_marks::words_for(job.bits);
   cull_findings *found = nullptr;
-  std::uint32_t *marks[2] = {nullptr, nullptr}, *kept[3] = {nullptr, nullptr, nullptr};
+  std::uint32_t *marks[2] = {nullptr, nullptr}, *kept[3] = {nullptr, nullptr, nullptr}, *vertices[2] = {nullptr, nullptr};
   std::size_t zeroed = 0;
   for (const bool planned : {true, false}) {
     cuda::cutter from(buffers.cull_space.data(), buffers.cull_space.capacity());
@@ -45,6 +46,8 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
     zeroed = from.used();
     kept[0] = from.take<std::uint32_t>(sets[0]->elements()), kept[1] = from.take<std::uint32_t>(sets[1]->elements());
     kept[2] = from.take<std::uint32_t>(again ? sets[0]->elements() : 0);
+    for (int s = 0; s < 2; ++s)
+      vertices[s] = from.take<std::uint32_t>(sets[s]->there().index ? sets[s]->there().vertices : 0);
     if (planned && !buffers.cull_space.grow(from.used(), 0, stream))
       return false;
   }
@@ -56,7 +59,7 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
   job.around = found->around;
   const auto sift = [&](int set, int pass) {
     job.from = sets[set]->there(), job.at = cuda_pose(sets[set]->at());
-    job.kept = kept[pass], job.count = found->kept + pass, job.bad = found->bad + set;
+    job.vertices = vertices[set], job.kept = kept[pass], job.count = found->kept + pass, job.bad = found->bad + set;
     check(sets[set]->launchers().sift(job, stream), "starting a kernel");
   };
   job.marks = marks[0];

@@ -121,29 +121,36 @@ device_set &given_set::ordered() {
 namespace {
 
 // Puts the sets, or what is left of them, into order and makes their hierarchies, both at once. What the kernels find is
-// brought to the host behind them.
+// brought to the host on the stream beside, while the query goes on.
 void order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a, const cuda::view &left_b) {
   device_buffers &buffers = on.buffers();
   const bool both = &a != &b;
-  const auto order = [&](given_set &s, const cuda::view &left, cuda::order_findings &seen, cudaStream_t stream) {
-    device_set &set = s.ordered();
-    set.order(left, s.at(), s.elements(), both ? 2 : 1, stream);
+  const auto order = [&](given_set &s, const cuda::view &left, cudaStream_t stream) {
+    s.ordered().order(left, s.at(), s.elements(), both ? 2 : 1, stream);
+    if (left.elements > 0)
+      s.ordered().tree(stream);
+  };
+  const auto bring = [&](given_set &s, cuda::order_findings &seen) {
     seen = {~0ULL, 0, 0};
-    if (left.elements == 0)
-      return;
-    set.tree(stream);
-    check(cudaMemcpyAsync(&seen, set.findings(), sizeof seen, cudaMemcpyDeviceToHost, stream), "ordering a set");
+    if (s.ordered().findings())
+      check(cudaMemcpyAsync(&seen, s.ordered().findings(), sizeof seen, cudaMemcpyDeviceToHost, buffers.beside),
+            "ordering a set");
+  };
+  const auto follow = [](cudaStream_t from, cudaEvent_t mark, cudaStream_t to) {
+    check(cudaEventRecord(mark, from), "joining streams");
+    check(cudaStreamWaitEvent(to, mark, 0), "joining streams");
   };
   if (both) {
-    check(cudaEventRecord(buffers.forked, on.stream()), "starting a stream");
-    check(cudaStreamWaitEvent(buffers.beside, buffers.forked, 0), "starting a stream");
-    order(b, left_b, buffers.seen->found[1], buffers.beside);
+    follow(on.stream(), buffers.forked, buffers.beside);
+    order(b, left_b, buffers.beside);
   }
-  order(a, left_a, buffers.seen->found[0], on.stream());
-  if (both) {
-    check(cudaEventRecord(buffers.joined, buffers.beside), "joining a stream");
-    check(cudaStreamWaitEvent(on.stream(), buffers.joined, 0), "joining a stream");
-  }
+  order(a, left_a, on.stream());
+  if (both)
+    follow(buffers.beside, buffers.joined, on.stream());
+  follow(on.stream(), buffers.forked, buffers.beside);
+  bring(a, buffers.seen->found[0]);
+  if (both)
+    bring(b, buffers.seen->found[1]);
 }
 
 } // namespace
@@ -173,14 +180,12 @@ device_result collide(device &on, given_set &a, given_set &b, const predicate_in
   }
   order_both(on, a, b, left_a, left_b);
   const auto in_order = [&] {
+    check(cudaStreamSynchronize(buffers.beside), "ordering a set");
     return is_order(buffers.seen->found[0], left_a.elements) &&
            (&a == &b || is_order(buffers.seen->found[1], left_b.elements));
   };
-  const bool stops = by.by == search::tree; // a walk does, where there is no order
-  if (!stops)
-    check(cudaStreamSynchronize(on.stream()), "ordering a set");
   device_result r;
-  if (stops || in_order())
+  if (by.by == search::tree || in_order()) // a walk stops where there is no order
     r = query(on, a.ordered(), b.ordered(), predicate, precision, by, {}, left_there, true);
   if (!in_order()) { // what was found means nothing
     device_set in_order_a(on, a);

@@ -108,33 +108,50 @@ void hit_pairs::spill() {
   keys_ = 0;
 }
 
-// Sorts the keys and drops repeats where there are owners. Returns false where the device lacks the memory.
+// Sorts the keys, drops repeats where there are owners, and makes pairs of them. Returns false where the device lacks the memory.
 bool hit_pairs::sort_on_device() {
   if (owned() && keys_ > 0x7fffffff) // older versions of CUB take at most this many keys
     return false;
   const int bits = std::max(1, bits_a_ + bits_b_);
   std::size_t sort_bytes = 0, repeat_bytes = 0;
-  check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
+  check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, 0, bits, on_.stream()), "planning to sort");
   if (owned())
     check(drop_repeats(nullptr, repeat_bytes, nullptr, nullptr, nullptr, keys_, on_.stream()), "planning to sort");
   const std::size_t bytes = std::max(sort_bytes, repeat_bytes);
   if (!buffers_.more_keys.grow(keys_, 0, on_.stream()) || !buffers_.sort_space.grow(bytes, 0, on_.stream()))
     return false;
-  check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_, bits,
-                  on_.stream()),
-        "sorting pairs");
-  std::swap(buffers_.keys, buffers_.more_keys);
+  const auto sort = [&](int first_bit) {
+    check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_,
+                    first_bit, bits, on_.stream()),
+          "sorting pairs");
+    std::swap(buffers_.keys, buffers_.more_keys);
+  };
+  const auto counted = [&] {
+    unsigned long long n = 0;
+    check(cudaMemcpyAsync(&n, buffers_.counts.data(), sizeof n, cudaMemcpyDeviceToHost, on_.stream()), "sorting pairs");
+    check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
+    return n;
+  };
+  // Most items have few hits, which find their places among each other.
+  if (!owned() && bits_a_ > 0 && keys_ > 0) {
+    sort(bits_b_);
+    check(order_runs(buffers_.keys.data(), keys_, bits_b_, reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
+                     buffers_.counts.data(), on_.stream()),
+          "sorting pairs");
+    if (counted() == 0) {
+      std::swap(buffers_.keys, buffers_.more_keys);
+      return true;
+    }
+  }
+  sort(0);
   if (owned()) {
     check(drop_repeats(buffers_.sort_space.data(), repeat_bytes, buffers_.keys.data(), buffers_.more_keys.data(),
                        buffers_.counts.data(), keys_, on_.stream()),
           "dropping repeats");
-    unsigned long long kept = 0;
-    check(cudaMemcpyAsync(&kept, buffers_.counts.data(), sizeof kept, cudaMemcpyDeviceToHost, on_.stream()),
-          "dropping repeats");
-    check(cudaStreamSynchronize(on_.stream()), "dropping repeats");
-    keys_ = kept;
+    keys_ = counted();
     std::swap(buffers_.keys, buffers_.more_keys);
   }
+  check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel");
   return true;
 }
 
@@ -142,10 +159,8 @@ void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> 
   std::vector<index_pair> &pairs = r.pairs;
   if (spilled_.empty() && (keys_ == 0 || ordered_ || sort_on_device())) {
     std::uint64_t *const from = ordered_ ? buffers_.more_keys.data() : buffers_.keys.data();
-    if (!ordered_) {
-      check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel");
+    if (!ordered_)
       sorted();
-    }
     r.count = keys_;
     if (want == answer_kind::count)
       return;

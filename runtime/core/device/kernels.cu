@@ -30,6 +30,25 @@ __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n, int bits_b) {
     reinterpret_cast<index_pair *>(keys)[i] = pair_of(keys[i], bits_b);
 }
 
+// The place of a key among those of its item is the number of smaller ones.
+__global__ void runs_kernel(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
+                            unsigned long long *crowded) {
+  cuda::begin();
+  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads}) {
+    const std::uint64_t key = keys[i], item = key >> bits_b;
+    unsigned before = 0, length = 1; // of the keys of the item, the smaller ones, and all
+    for (std::size_t k = i; k > 0 && length <= most_in_run && keys[k - 1] >> bits_b == item; --k, ++length)
+      before += keys[k - 1] < key;
+    const std::size_t begin = i + 1 - length;
+    for (std::size_t k = i + 1; k < n && length <= most_in_run && keys[k] >> bits_b == item; ++k, ++length)
+      before += keys[k] < key;
+    if (length > most_in_run)
+      *crowded = length;
+    else
+      to[begin + before] = pair_of(key, bits_b);
+  }
+}
+
 __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned fields, std::uint64_t lengths,
                                unsigned *most) {
   unsigned of[2] = {0, 0}; // magnitudes, whose order is that of their bits
@@ -243,8 +262,16 @@ cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, int bits_b, cudaStream_
 }
 
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
-                      int bits, cudaStream_t stream) {
-  return cub::DeviceRadixSort::SortKeys(space, bytes, keys, to, n, 0, bits, stream);
+                      int first_bit, int bits, cudaStream_t stream) {
+  return cub::DeviceRadixSort::SortKeys(space, bytes, keys, to, n, first_bit, bits, stream);
+}
+
+cudaError_t order_runs(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
+                       unsigned long long *crowded, cudaStream_t stream) {
+  const cudaError_t e = cudaMemsetAsync(crowded, 0, sizeof *crowded, stream);
+  if (e != cudaSuccess || n == 0)
+    return e;
+  return cuda::launch<runs_kernel>(blocks_for(n), threads, stream, keys, n, bits_b, to, crowded);
 }
 
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,

@@ -25,10 +25,7 @@ std::uint64_t next_version() {
   return ++last;
 }
 
-// Of a cell along an axis, where the device orders n elements.
-int bits_of_cell(std::uint32_t n) {
-  return n <= std::uint32_t{1} << 20 ? 8 : 10;
-}
+constexpr int bits_of_cell = 10; // along an axis, where the device orders elements
 
 } // namespace
 
@@ -153,8 +150,9 @@ bool device_set::arrange(const cuda::view &there, const pose &at, unsigned share
   if (!launchers_->arrange || n == 0 || n > cuda::most_to_arrange)
     return false;
   cuda::arrange_job job{};
-  job.from = there, job.at = cuda_pose(at), job.bits = bits_of_cell(n), job.share = share;
-  job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)), 10, 20); // cells for one or two elements each
+  job.from = there, job.at = cuda_pose(at), job.bits = bits_of_cell, job.share = share;
+  // Cells for one or two elements each; what is left of two culled sets lies along a curve, in few of them.
+  job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)) + (there.only ? 3 : 0), 10, 20);
   job.rows = rows_.data(), job.order = order_.data(), job.around = around_.data(), job.found = found_.data();
   for (const bool planned : {true, false}) {
     cuda::cutter from(space_.data(), space_.capacity());
@@ -176,9 +174,8 @@ bool device_set::arrange(const cuda::view &there, const pose &at, unsigned share
 bool device_set::sort(const cuda::view &there, const pose &at, cudaStream_t stream) {
   const std::uint32_t n = elements_;
   const auto fields = static_cast<std::size_t>(kind_->fields);
-  const int bits = bits_of_cell(n);
   std::size_t need = 0;
-  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits, stream), "planning to order");
+  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits_of_cell, stream), "planning to order");
   float *rows = nullptr;
   std::uint32_t *places = nullptr, *sorted = nullptr;
   void *sorting = nullptr;
@@ -195,8 +192,8 @@ bool device_set::sort(const cuda::view &there, const pose &at, cudaStream_t stre
   check(cudaMemsetAsync(found, 0, sizeof *found, stream), "ordering a set");
   check(launchers_->pose(there, cuda_pose(at), nullptr, rows, &found->bad, stream), "starting a kernel");
   enclose(rows, stream);
-  check(launchers_->places(rows, n, around(), bits, places, stream), "starting a kernel");
-  check(sort_places(sorting, need, places, sorted, order_.data(), n, 3 * bits, stream), "ordering a set");
+  check(launchers_->places(rows, n, around(), bits_of_cell, places, stream), "starting a kernel");
+  check(sort_places(sorting, need, places, sorted, order_.data(), n, 3 * bits_of_cell, stream), "ordering a set");
   check(count_crowded(sorted, n, &found->crowded, stream), "starting a kernel");
   check(gather_rows(rows, static_cast<unsigned>(fields), order_.data(), n, there.only, rows_.data(), stream),
         "starting a kernel");

@@ -33,6 +33,7 @@ template <class Shape>
 __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
     arrange_kernel(const __grid_constant__ arrange_job job) {
   constexpr unsigned arrange_threads = threads_to_arrange(Shape::fields), fields = Shape::fields;
+  constexpr unsigned together = 4; // elements of a thread whose memory is on its way at once
   __shared__ float rows_of_warps[arrange_threads / 32][32 * fields];
   __shared__ unsigned room[arrange_threads / 32], starts[arrange_threads];
   __shared__ unsigned long long bad_of_block, crowded_of_block, longest_of_block;
@@ -82,10 +83,20 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
       *job.around = all, *job.found = {bad_of_block, 0, 0};
   }
   __syncthreads();
-  for (std::uint32_t i = first; i < n; i += step) {
-    const std::uint32_t place = cells.place_of(box_of_row<Shape>(job.posed + i * std::size_t{fields}));
-    job.places[i] = place;
-    job.ranks[i] = atomicAdd(job.cells + cell_of(in_order(place, i), place_bits, job.cell_bits), 1U);
+  for (std::size_t i = first; i < n; i += std::size_t{together} * step) {
+    std::uint32_t places[together], ranks[together];
+#pragma unroll
+    for (unsigned k = 0; k < together; ++k)
+      if (const std::size_t at = i + k * std::size_t{step}; at < n)
+        places[k] = cells.place_of(box_of_row<Shape>(job.posed + at * fields));
+#pragma unroll
+    for (unsigned k = 0; k < together; ++k)
+      if (i + k * std::size_t{step} < n)
+        ranks[k] = atomicAdd(job.cells + cell_of(in_order(places[k], 0), place_bits, job.cell_bits), 1U);
+#pragma unroll
+    for (unsigned k = 0; k < together; ++k)
+      if (const std::size_t at = i + k * std::size_t{step}; at < n)
+        job.places[at] = places[k], job.ranks[at] = ranks[k];
   }
   meet_grid();
   counts.sum_chunk<arrange_threads>(room);
@@ -94,9 +105,19 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
   // Elements by their cells.
   counts.sum_totals<arrange_threads>(room, starts);
   const unsigned shift = counts.shift();
-  for (std::uint32_t i = first; i < n; i += step) {
-    const std::uint64_t element = in_order(job.places[i], i);
-    job.by_cell[counts.at(starts, shift, cell_of(element, place_bits, job.cell_bits)) + job.ranks[i]] = element;
+  for (std::size_t i = first; i < n; i += std::size_t{together} * step) {
+    std::uint64_t elements[together];
+    std::uint32_t to[together];
+#pragma unroll
+    for (unsigned k = 0; k < together; ++k)
+      if (const std::size_t at = i + k * std::size_t{step}; at < n) {
+        elements[k] = in_order(job.places[at], static_cast<std::uint32_t>(at));
+        to[k] = counts.at(starts, shift, cell_of(elements[k], place_bits, job.cell_bits)) + job.ranks[at];
+      }
+#pragma unroll
+    for (unsigned k = 0; k < together; ++k)
+      if (i + k * std::size_t{step} < n)
+        job.by_cell[to[k]] = elements[k];
   }
   meet_grid();
 

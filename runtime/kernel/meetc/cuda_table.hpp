@@ -5,7 +5,6 @@
 #ifndef MEETC_CUDA_TABLE_HPP
 #define MEETC_CUDA_TABLE_HPP
 
-#include <meetc/cull_grid.hpp>
 #include <meetc/enclosing.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/table.hpp>
@@ -116,7 +115,7 @@ struct order_findings {
 MEETC_HD constexpr bool is_order(const order_findings &found, std::uint32_t n) {
   return found.bad == ~0ULL && found.crowded <= n / 8 && found.longest == 0;
 }
-inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 256;
+inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 4096;
 // Elements that are moved and put into the order of their places, those with one place in that of their numbers. A cell is
 // what the first bits of a place name.
 struct arrange_job {
@@ -136,14 +135,20 @@ struct arrange_job {
 };
 inline constexpr std::size_t arrange_bytes = std::size_t{64} << 10;
 
+// The box around some boxes, in numbers that are 0 where there are none and that maxima join.
+struct joined_box {
+  std::uint32_t below[3], above[3];
+};
 // One pass over the elements of one of two sets that are culled: those that the other's box and its marks do not rule out are
 // kept, and mark their own cells. Such passes follow one another, each with the marks of the one before.
+inline constexpr int least_cull_bits = 3, most_cull_bits = 9;
 struct sift_job {
   view from;
   pose_matrix at;
   const joined_box *around; // of both sets
   int bits;                 // of a cell along an axis, from least_cull_bits to most_cull_bits
   bool by_lines;            // long elements with two points are kept, and mark the cells along their line
+  std::uint32_t *vertices;  // room for a number of each vertex, where there is an index
   const std::uint32_t *among; // the elements that are looked at; null: all
   const unsigned *among_count;
   std::uint32_t *marked, *marks; // cull_marks::words_for(bits), all 0 at first; null: all is marked, nothing is to be

@@ -5,27 +5,19 @@
 // the other the elements that meet a marked cell are kept. A number's cell is a monotone function of it, so that boxes that
 // touch share a cell, whatever is rounded; no bound is needed.
 // An element of any size marks few cells: there are three levels of cells, each eight times as wide as the one before, and an
-// element marks those of the first level of which it meets at most eight along each axis. A long element with two points marks
-// the narrowest cells along its line instead, slab by slab.
+// element marks those of the first level of which it meets at most eight along each axis. Small elements, which are those of the
+// first level, are kept if they meet a mark of any level; larger ones always. A long element with two points marks the narrowest
+// cells along its line instead, slab by slab.
 // Limits: numbers are finite, as in box_of_row().
 #ifndef MEETC_CULL_GRID_HPP
 #define MEETC_CULL_GRID_HPP
 
-#include <meetc/tree.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <cstring>
+#include <meetc/cuda_table.hpp>
 
 namespace meetc::cuda {
 
 inline constexpr int cull_levels = 3, cull_shift = 3; // bits between two levels
-inline constexpr int least_cull_bits = 3, most_cull_bits = 9;
 
-// The box around some boxes, in numbers that are 0 where there are none and that maxima join.
-struct joined_box {
-  std::uint32_t below[3], above[3];
-};
 MEETC_HD inline std::uint32_t above_of(float x) {
   std::uint32_t b;
   std::memcpy(&b, &x, sizeof b);
@@ -47,6 +39,13 @@ MEETC_HD inline tree_box box_of(const joined_box &of) {
   return b;
 }
 
+// The cells of a number along the axes, 10 bits each: 0 before all cells, then these from 1 on, and one more behind them.
+struct packed_cells {
+  std::uint32_t bits;
+  MEETC_HD std::uint32_t at(int axis) const { return bits >> (10 * axis) & 1023; }
+};
+inline constexpr std::uint32_t no_cells = ~0U; // of what is no point
+
 // Cells from the first to the last, both included.
 struct cell_range {
   std::uint32_t first[3], last[3];
@@ -57,11 +56,19 @@ struct cell_range {
       r.first[k] >>= cull_shift * level, r.last[k] >>= cull_shift * level;
     return r;
   }
+  // Whether it has at most eight cells of this level along each axis.
+  MEETC_HD bool is_short(int level) const {
+    bool few = true;
+    for (int k = 0; k < 3; ++k)
+      few &= (last[k] >> cull_shift * level) - (first[k] >> cull_shift * level) < 8;
+    return few;
+  }
+  MEETC_HD int level() const { return is_short(0) ? 0 : is_short(1) ? 1 : 2; }
 };
 
-// 2^bits cells along each axis of the box that two sets have in common.
+// 2^bits cells along each axis of the box that two sets have in common, which may be empty.
 struct cull_grid {
-  tree_box common; // may be empty
+  float from[3], to[3];
   double low[3], scale[3];
   int bits;
 
@@ -69,42 +76,50 @@ struct cull_grid {
   MEETC_HD cull_grid(const joined_box &a, const joined_box &b, int bits_) : bits(bits_) {
     const tree_box x = box_of(a), y = box_of(b);
     for (int k = 0; k < 3; ++k) {
-      common.low[k] = x.low[k] > y.low[k] ? x.low[k] : y.low[k];
-      common.high[k] = x.high[k] < y.high[k] ? x.high[k] : y.high[k];
-      const double size = static_cast<double>(common.high[k]) - static_cast<double>(common.low[k]);
-      low[k] = size > 0 ? common.low[k] : 0;
+      from[k] = x.low[k] > y.low[k] ? x.low[k] : y.low[k];
+      to[k] = x.high[k] < y.high[k] ? x.high[k] : y.high[k];
+      const double size = static_cast<double>(to[k]) - static_cast<double>(from[k]);
+      low[k] = size > 0 ? from[k] : 0;
       scale[k] = size > 0 ? static_cast<double>(1U << bits) / size : 0;
     }
   }
 
   MEETC_HD double place(float x, int axis) const { return (static_cast<double>(x) - low[axis]) * scale[axis]; }
+  // Of a place, the nearest cell.
   MEETC_HD std::uint32_t cell(double place) const {
     const double last = static_cast<double>((1U << bits) - 1);
     return !(place > 0) ? 0 : static_cast<std::uint32_t>(place < last ? place : last);
   }
-  MEETC_HD cell_range range(const tree_box &b) const {
-    cell_range r{};
-    for (int k = 0; k < 3; ++k)
-      r.first[k] = cell(place(b.low[k], k)), r.last[k] = cell(place(b.high[k], k));
-    return r;
+  // Of packed_cells.
+  MEETC_HD std::uint32_t packed(float x, int axis) const {
+    return x < from[axis] ? 0 : x > to[axis] ? (1U << bits) + 1 : cell(place(x, axis)) + 1;
   }
-  // The level whose cells an element with these cells marks.
-  MEETC_HD static int level_of(const cell_range &r) {
-    int level = 0;
-    for (; level + 1 < cull_levels; ++level) {
-      const cell_range here = r.at(level);
-      bool few = true;
-      for (int k = 0; k < 3; ++k)
-        few &= here.last[k] - here.first[k] < 8;
-      if (few)
-        break;
+  MEETC_HD packed_cells cells_of(const float *point) const {
+    packed_cells c{0};
+    for (int k = 0; k < 3; ++k)
+      c.bits |= packed(point[k], k) << (10 * k);
+    return c;
+  }
+  // The cells that a box meets whose ends have these. Returns false where it lies beside all cells.
+  MEETC_HD bool range(const std::uint32_t (&least)[3], const std::uint32_t (&greatest)[3], cell_range &out) const {
+    const std::uint32_t last = 1U << bits;
+    bool meets = true;
+    for (int k = 0; k < 3; ++k) {
+      meets &= (greatest[k] >= 1) & (least[k] <= last);
+      out.first[k] = (least[k] > 1 ? least[k] : 1) - 1, out.last[k] = (greatest[k] < last ? greatest[k] : last) - 1;
     }
-    return level;
+    return meets;
+  }
+  MEETC_HD bool range(const tree_box &b, cell_range &out) const {
+    std::uint32_t least[3], greatest[3];
+    for (int k = 0; k < 3; ++k)
+      least[k] = packed(b.low[k], k), greatest[k] = packed(b.high[k], k);
+    return range(least, greatest, out);
   }
 };
 
-// The marks of one set. For each level, `any` has the cells that its elements of this level and of those before meet, and `own`
-// those that its elements of this level alone meet; of level 0 the two are one.
+// The marks of one set: for each level the cells that its elements of this level meet. Behind them is a word whose bits say which
+// levels have some.
 struct cull_marks {
   std::uint32_t *words;
   int bits; // of a cell along an axis, on level 0
@@ -117,21 +132,15 @@ struct cull_marks {
     return cells > 5 ? std::size_t{1} << (cells - 5) : 1;
   }
   MEETC_HD static constexpr std::size_t words_for(int bits) {
-    std::size_t all = words_at(bits, 0);
-    for (int level = 1; level < cull_levels; ++level)
-      all += 2 * words_at(bits, level);
-    return all;
+    return words_at(bits, 0) + words_at(bits, 1) + words_at(bits, 2) + 1;
   }
-  MEETC_HD std::uint32_t *any(int level) const {
-    std::uint32_t *at = words;
-    for (int before = 0; before < level; ++before)
-      at += (before == 0 ? 1 : 2) * words_at(bits, before);
-    return at;
+  MEETC_HD std::uint32_t *levels() const { return words + words_for(bits) - 1; }
+  MEETC_HD std::uint32_t *of(int level) const {
+    return words + (level > 0 ? words_at(bits, 0) : 0) + (level > 1 ? words_at(bits, 1) : 0);
   }
-  MEETC_HD std::uint32_t *own(int level) const { return any(level) + (level == 0 ? 0 : words_at(bits, level)); }
 
-  // Calls take(word, mask) for the cells of a range of this level, up to eight along x, until it returns true. Returns whether
-  // it has.
+  // Calls take(word, mask) for the cells of a range of this level, up to some twenty along x, until it returns true. Returns
+  // whether it has.
   template <class Take> MEETC_HD bool each(const cell_range &r, int level, Take &&take) const {
     const int width = bits_at(bits, level);
     const std::uint64_t row = (std::uint64_t{2} << (r.last[0] - r.first[0])) - 1;
@@ -145,27 +154,21 @@ struct cull_marks {
       }
     return false;
   }
-
-  // Marks what an element with these cells meets; set(word, mask) sets bits of a word.
+  // Marks what an element of this level meets; set(word, mask) sets bits of a word.
   template <class Set> MEETC_HD void mark(const cell_range &r, int level, Set &&set) const {
-    for (int l = level; l < cull_levels; ++l) {
-      const cell_range here = r.at(l);
-      const auto put = [&](std::uint32_t *marks) {
-        each(here, l, [&](std::uint32_t word, std::uint32_t mask) {
-          set(marks + word, mask);
-          return false;
-        });
-      };
-      put(any(l));
-      if (l == level && l > 0)
-        put(own(l));
-    }
+    std::uint32_t *const marks = of(level);
+    each(r.at(level), level, [&](std::uint32_t word, std::uint32_t mask) {
+      set(marks + word, mask);
+      return false;
+    });
+    set(levels(), 1U << level);
   }
-  // Whether an element with these cells may touch one that has marked its own.
-  MEETC_HD bool meets(const cell_range &r, int level) const {
-    for (int l = level; l < cull_levels; ++l) {
-      const std::uint32_t *const marks = l == level ? any(l) : own(l);
-      if (each(r.at(l), l, [&](std::uint32_t word, std::uint32_t mask) { return (marks[word] & mask) != 0; }))
+  // Whether an element of level 0 with these cells may touch one that has marked its own. `some` is *levels().
+  MEETC_HD bool meets(const cell_range &r, std::uint32_t some) const {
+    for (int level = 0; level < cull_levels; ++level) {
+      const std::uint32_t *const marks = of(level);
+      if ((some >> level & 1) != 0 && each(r.at(level), level,
+               [&](std::uint32_t word, std::uint32_t mask) { return (marks[word] & mask) != 0; }))
         return true;
     }
     return false;
@@ -192,19 +195,20 @@ template <class Shape> MEETC_HD inline line_ends ends_of_line(const float *row) 
 // with. A place is a difference of two float32 numbers times a factor, and all else here is some ten operations in double, so
 // that the error of each number is below 2^-48 of the largest one.
 struct cull_line {
-  double from[3], to[3], width[3];
-  int along; // the axis of its longest side
+  double from[3], way[3], width[3], per; // the way from the first point to the second; 1 / way[along], 0 if that is short
+  int along;                             // the axis of the longest way
 
   MEETC_HD cull_line(const cull_grid &g, const line_ends &of) : along(0) {
     double largest = 0, longest = -1;
     for (int k = 0; k < 3; ++k) {
-      from[k] = g.place(of.from[k], k), to[k] = g.place(of.to[k], k);
-      width[k] = static_cast<double>(of.radius) * g.scale[k];
-      const double all = std::fabs(from[k]) + std::fabs(to[k]) + width[k], side = std::fabs(to[k] - from[k]);
+      const double to = g.place(of.to[k], k);
+      from[k] = g.place(of.from[k], k), way[k] = to - from[k], width[k] = static_cast<double>(of.radius) * g.scale[k];
+      const double all = std::fabs(from[k]) + std::fabs(to) + width[k], side = std::fabs(way[k]);
       largest = all > largest ? all : largest;
       if (side > longest)
         longest = side, along = k;
     }
+    per = longest > 0x1p-20 ? 1 / way[along] : 0;
     for (double &w : width)
       w += 0x1p-20 + 0x1p-45 * largest;
   }
@@ -213,25 +217,23 @@ struct cull_line {
 
   // The first and the last slab, cells with one number on the axis `along`.
   MEETC_HD std::uint32_t first_slab(const cull_grid &g) const {
-    return g.cell((from[along] < to[along] ? from[along] : to[along]) - width[along]);
+    return g.cell((way[along] < 0 ? from[along] + way[along] : from[along]) - width[along]);
   }
   MEETC_HD std::uint32_t last_slab(const cull_grid &g) const {
-    return g.cell((from[along] < to[along] ? to[along] : from[along]) + width[along]);
+    return g.cell((way[along] < 0 ? from[along] : from[along] + way[along]) + width[along]);
   }
-  // The cells of a slab that it meets. Of the outermost slabs and cells all that lies beyond them is a part.
+  // The cells of a slab that it meets within the box of all cells, where all lies that it can touch.
   MEETC_HD cell_range in_slab(const cull_grid &g, std::uint32_t slab) const {
     double begin = 0, end = 1;
-    const double way = to[along] - from[along], all = way < 0 ? -way : way;
-    if (all > 0x1p-20) {
-      const double low = slab - width[along] - from[along], high = slab + 1 + width[along] - from[along];
-      const double enter = (way < 0 ? high : low) / way, leave = (way < 0 ? low : high) / way;
-      const bool outer_low = slab == 0, outer_high = slab == (1U << g.bits) - 1;
-      begin = enter > 0 && !(way < 0 ? outer_high : outer_low) ? (enter < 1 ? enter : 1) : 0;
-      end = leave < 1 && !(way < 0 ? outer_low : outer_high) ? (leave > 0 ? leave : 0) : 1;
+    if (per != 0) {
+      const double low = (slab - width[along] - from[along]) * per, high = (slab + 1 + width[along] - from[along]) * per,
+                   enter = per < 0 ? high : low, leave = per < 0 ? low : high;
+      begin = enter > 0 ? (enter < 1 ? enter : 1) : 0;
+      end = leave < 1 ? (leave > 0 ? leave : 0) : 1;
     }
     cell_range r{};
     for (int k = 0; k < 3; ++k) {
-      const double x = from[k] + begin * (to[k] - from[k]), y = from[k] + end * (to[k] - from[k]);
+      const double x = from[k] + begin * way[k], y = from[k] + end * way[k];
       r.first[k] = k == along ? slab : g.cell((x < y ? x : y) - width[k]);
       r.last[k] = k == along ? slab : g.cell((x < y ? y : x) + width[k]);
     }

@@ -52,7 +52,7 @@ bool is_in_order(const device_set &there, const prepared &set) {
   check(cudaMemcpy(&around, there.around(), sizeof around, cudaMemcpyDeviceToHost), "a test");
   for (std::size_t i = 0; i < n; ++i)
     std::memcpy(&want[set.set().order[i] * fields], set.set().rows + i * fields, fields * sizeof(float));
-  const cuda::hilbert_cells cells(around, 8);
+  const cuda::hilbert_cells cells(around, 10);
   std::vector<std::uint64_t> seen;
   for (std::size_t i = 0; i < n; ++i) {
     cuda::tree_box b;

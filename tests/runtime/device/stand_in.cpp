@@ -11,6 +11,7 @@
 #include <cga/cga_cuda.hpp>
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
+#include <meetc/cull_grid.hpp>
 #include <meetc/frame.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/near.hpp>
@@ -57,13 +58,31 @@ cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint
 }
 
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
-                      int bits, cudaStream_t) {
+                      int first_bit, int bits, cudaStream_t) {
   bytes = 1;
   if (!space)
     return cudaSuccess;
   std::copy_n(keys, n, to);
   const std::uint64_t mask = bits < 64 ? (std::uint64_t{1} << bits) - 1 : ~std::uint64_t{0}; // too few bits must show
-  std::stable_sort(to, to + n, [mask](std::uint64_t x, std::uint64_t y) { return (x & mask) < (y & mask); });
+  std::stable_sort(to, to + n, [mask, first_bit](std::uint64_t x, std::uint64_t y) {
+    return (x & mask) >> first_bit < (y & mask) >> first_bit;
+  });
+  return cudaSuccess;
+}
+cudaError_t order_runs(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
+                       unsigned long long *crowded, cudaStream_t) {
+  *crowded = 0;
+  std::vector<std::uint64_t> sorted(keys, keys + n);
+  const auto item = [bits_b](std::uint64_t key) { return key >> bits_b; };
+  for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+    while (end < n && item(sorted[end]) == item(sorted[begin]))
+      ++end;
+    if (end - begin > most_in_run)
+      *crowded = end - begin;
+    std::sort(sorted.data() + begin, sorted.data() + end);
+  }
+  for (std::size_t i = 0; i < n && *crowded == 0; ++i)
+    to[i] = pair_of(sorted[i], bits_b);
   return cudaSuccess;
 }
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,
@@ -328,23 +347,24 @@ template <class Shape> cudaError_t sift(const cuda::sift_job &job, cudaStream_t)
     float row[Shape::fields];
     if (!posed_element<Shape>(job.from, job.at, number, row))
       *job.bad = std::max(*job.bad, ~(static_cast<unsigned long long>(number) << 32 | number));
-    const cuda::tree_box box = cuda::box_of_row<Shape>(row);
-    if (!box.touches(grid.common))
+    cuda::cell_range cells;
+    if (!grid.range(cuda::box_of_row<Shape>(row), cells))
       continue;
-    const cuda::cell_range cells = grid.range(box);
-    const int level = cuda::cull_grid::level_of(cells);
+    const int level = cells.level();
+    if (job.marked && level == 0 && !marked.meets(cells, *marked.levels()))
+      continue;
+    job.kept[(*job.count)++] = number;
+    if (!job.marks)
+      continue;
     bool by_line = false;
     if constexpr (Shape::hull == 2) {
       const cuda::cull_line line(grid, cuda::ends_of_line<Shape>(row));
       by_line = job.by_lines && level > 0 && line.is_thin();
-      for (std::uint32_t s = line.first_slab(grid); by_line && job.marks && s <= line.last_slab(grid); ++s)
+      for (std::uint32_t s = line.first_slab(grid); by_line && s <= line.last_slab(grid); ++s)
         marks.mark(line.in_slab(grid, s), 0, set);
     }
-    if (job.marked && !by_line && !marked.meets(cells, level))
-      continue;
-    if (job.marks && !by_line)
+    if (!by_line)
       marks.mark(cells, level, set);
-    job.kept[(*job.count)++] = number;
   }
   return cudaSuccess;
 }
