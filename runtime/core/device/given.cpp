@@ -3,6 +3,7 @@
 #include "core/device/buffers.hpp"
 #include "core/device/query.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -123,10 +124,13 @@ namespace {
 // Puts the sets, or what is left of them, into order and makes their hierarchies, both at once. What the kernels find is
 // brought to the host on the stream beside, while the query goes on.
 void order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a, const cuda::view &left_b) {
+  constexpr float least_share = 0.125F; // of the device
   device_buffers &buffers = on.buffers();
   const bool both = &a != &b;
+  const float all = static_cast<float>(left_a.elements) + static_cast<float>(left_b.elements);
   const auto order = [&](given_set &s, const cuda::view &left, cudaStream_t stream) {
-    s.ordered().order(left, s.at(), s.elements(), both ? 2 : 1, stream);
+    const float share = std::clamp(static_cast<float>(left.elements) / all, least_share, 1 - least_share);
+    s.ordered().order(left, s.at(), s.elements(), both ? share : 1, stream);
     if (left.elements > 0)
       s.ordered().tree(stream);
   };

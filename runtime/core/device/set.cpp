@@ -135,7 +135,7 @@ cuda::order_findings device_set::ordered() {
   return seen;
 }
 
-void device_set::order(const cuda::view &elements, const pose &at, std::uint32_t numbers, unsigned share,
+void device_set::order(const cuda::view &elements, const pose &at, std::uint32_t numbers, float share,
                        cudaStream_t stream) {
   elements_ = elements.elements, numbers_ = numbers;
   grid_ = at.grid, moved_ = false, reaches_.reset(), pending_ = elements_ > 0;
@@ -145,7 +145,7 @@ void device_set::order(const cuda::view &elements, const pose &at, std::uint32_t
 }
 
 // By one kernel, where there is one for so many elements.
-bool device_set::arrange(const cuda::view &there, const pose &at, unsigned share, cudaStream_t stream) {
+bool device_set::arrange(const cuda::view &there, const pose &at, float share, cudaStream_t stream) {
   const std::uint32_t n = elements_;
   if (!launchers_->arrange || n == 0 || n > cuda::most_to_arrange)
     return false;

@@ -33,12 +33,13 @@ template <class Shape>
 __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
     arrange_kernel(const __grid_constant__ arrange_job job) {
   constexpr unsigned arrange_threads = threads_to_arrange(Shape::fields), fields = Shape::fields;
-  constexpr unsigned together = 4; // elements of a thread whose memory is on its way at once
   __shared__ float rows_of_warps[arrange_threads / 32][32 * fields];
   __shared__ unsigned room[arrange_threads / 32], starts[arrange_threads];
   __shared__ unsigned long long bad_of_block, crowded_of_block, longest_of_block;
   __shared__ hilbert_cells cells;
-  const std::uint32_t n = job.from.elements, first = grid_thread(), step = grid_threads();
+  // Warps that follow one another are in different blocks, so that few elements have many multiprocessors.
+  const std::uint32_t n = job.from.elements, step = grid_threads(),
+                      first = (threadIdx.x / 32 * gridDim.x + blockIdx.x) * 32 + threadIdx.x % 32;
   auto *const parts = static_cast<arrange_part *>(job.parts);
   const running_sums counts{job.cells, 1U << job.cell_bits, reinterpret_cast<std::uint32_t *>(parts + arrange_threads)};
   const int place_bits = 3 * job.bits;
@@ -83,20 +84,10 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
       *job.around = all, *job.found = {bad_of_block, 0, 0};
   }
   __syncthreads();
-  for (std::size_t i = first; i < n; i += std::size_t{together} * step) {
-    std::uint32_t places[together], ranks[together];
-#pragma unroll
-    for (unsigned k = 0; k < together; ++k)
-      if (const std::size_t at = i + k * std::size_t{step}; at < n)
-        places[k] = cells.place_of(box_of_row<Shape>(job.posed + at * fields));
-#pragma unroll
-    for (unsigned k = 0; k < together; ++k)
-      if (i + k * std::size_t{step} < n)
-        ranks[k] = atomicAdd(job.cells + cell_of(in_order(places[k], 0), place_bits, job.cell_bits), 1U);
-#pragma unroll
-    for (unsigned k = 0; k < together; ++k)
-      if (const std::size_t at = i + k * std::size_t{step}; at < n)
-        job.places[at] = places[k], job.ranks[at] = ranks[k];
+  for (std::uint32_t i = first; i < n; i += step) {
+    const std::uint32_t place = cells.place_of(box_of_row<Shape>(job.posed + i * std::size_t{fields}));
+    job.places[i] = place;
+    job.ranks[i] = atomicAdd(job.cells + cell_of(in_order(place, i), place_bits, job.cell_bits), 1U);
   }
   meet_grid();
   counts.sum_chunk<arrange_threads>(room);
@@ -105,19 +96,9 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
   // Elements by their cells.
   counts.sum_totals<arrange_threads>(room, starts);
   const unsigned shift = counts.shift();
-  for (std::size_t i = first; i < n; i += std::size_t{together} * step) {
-    std::uint64_t elements[together];
-    std::uint32_t to[together];
-#pragma unroll
-    for (unsigned k = 0; k < together; ++k)
-      if (const std::size_t at = i + k * std::size_t{step}; at < n) {
-        elements[k] = in_order(job.places[at], static_cast<std::uint32_t>(at));
-        to[k] = counts.at(starts, shift, cell_of(elements[k], place_bits, job.cell_bits)) + job.ranks[at];
-      }
-#pragma unroll
-    for (unsigned k = 0; k < together; ++k)
-      if (i + k * std::size_t{step} < n)
-        job.by_cell[to[k]] = elements[k];
+  for (std::uint32_t i = first; i < n; i += step) {
+    const std::uint64_t element = in_order(job.places[i], i);
+    job.by_cell[counts.at(starts, shift, cell_of(element, place_bits, job.cell_bits)) + job.ranks[i]] = element;
   }
   meet_grid();
 
@@ -156,11 +137,13 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
 
 template <class Shape> cudaError_t arrange(const arrange_job &job, cudaStream_t stream) {
   if (job.from.elements == 0 || job.from.elements > most_to_arrange || job.cell_bits > 3 * job.bits ||
-      job.share == 0 || !can_be_indexed<Shape>(job.from))
+      !(job.share > 0 && job.share <= 1) || !can_be_indexed<Shape>(job.from))
     return cudaErrorInvalidValue;
   constexpr unsigned threads = threads_to_arrange(Shape::fields);
-  const unsigned wanted = (job.from.elements + threads - 1) / threads,
-                 most = std::max(1U, blocks_at_once<arrange_kernel<Shape>, threads>() / job.share);
+  constexpr unsigned least_warps = 4; // of a block
+  const auto there = static_cast<float>(blocks_at_once<arrange_kernel<Shape>, threads>());
+  const unsigned most = std::max(1U, static_cast<unsigned>(there * job.share)),
+                 wanted = (job.from.elements - 1) / (32 * least_warps) + 1;
   return launch_together<arrange_kernel<Shape>, threads>(std::min(wanted, most), stream, job);
 }
 

@@ -100,7 +100,7 @@ static __global__ void __launch_bounds__(cull_threads) vertex_cells_kernel(const
 }
 
 // The cells of some elements of a thread, whose memory is on its way at once.
-inline constexpr unsigned cull_each = 4, cull_tile = cull_threads * cull_each;
+inline constexpr unsigned cull_each = 4;
 struct sifted {
   std::uint32_t number;
   cell_range cells;
@@ -183,12 +183,15 @@ __global__ void __launch_bounds__(cull_threads) sift_kernel(const __grid_constan
   const cull_marks marked{job.marked, job.bits}, marks{job.marks, job.bits};
   const std::uint32_t some = job.marked ? *marked.levels() : 0;
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32;
-  for (std::size_t tile = blockIdx.x * std::size_t{cull_tile}; tile < n; tile += gridDim.x * std::size_t{cull_tile}) {
+  // Of few elements a thread looks at one, and a tile is a part of what it could be.
+  const unsigned each = n > gridDim.x * std::size_t{cull_threads} ? cull_each : 1;
+  const std::size_t size = std::size_t{cull_threads} * each;
+  for (std::size_t tile = blockIdx.x * size; tile < n; tile += gridDim.x * size) {
     sifted all[cull_each];
 #pragma unroll
     for (unsigned i = 0; i < cull_each; ++i) {
       const std::size_t at = tile + i * cull_threads + threadIdx.x;
-      all[i].there = at < n, all[i].good = true, all[i].meets = false;
+      all[i].there = i < each && at < n, all[i].good = true, all[i].meets = false;
       all[i].number = job.among && all[i].there ? job.among[at] : static_cast<std::uint32_t>(at);
     }
     if constexpr (ByVertices)
@@ -259,7 +262,6 @@ template <class Shape> cudaError_t sift(const sift_job &job, cudaStream_t stream
     return cudaSuccess;
   if (!can_be_indexed<Shape>(job.from) || job.bits < least_cull_bits || job.bits > most_cull_bits)
     return cudaErrorInvalidValue;
-  const auto each_takes = [](std::size_t elements) { return (elements + cull_each - 1) / cull_each; };
   const auto start = [&]<auto Kernel>(std::size_t threads) {
     return launch<Kernel>(blocks_to_cull<Kernel>(threads), cull_threads, stream, job);
   };
@@ -268,9 +270,9 @@ template <class Shape> cudaError_t sift(const sift_job &job, cudaStream_t stream
       if (!job.among) // or they are there
         if (const cudaError_t e = start.template operator()<vertex_cells_kernel>(job.from.vertices); e != cudaSuccess)
           return e;
-      return start.template operator()<sift_kernel<Shape, true>>(each_takes(job.from.elements));
+      return start.template operator()<sift_kernel<Shape, true>>(job.from.elements);
     }
-  if (const cudaError_t e = start.template operator()<sift_kernel<Shape, false>>(each_takes(job.from.elements)); e != cudaSuccess)
+  if (const cudaError_t e = start.template operator()<sift_kernel<Shape, false>>(job.from.elements); e != cudaSuccess)
     return e;
   if constexpr (Shape::hull == 2)
     if (job.by_lines && job.marks)

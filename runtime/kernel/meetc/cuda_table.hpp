@@ -122,7 +122,7 @@ struct arrange_job {
   view from;
   pose_matrix at;
   int bits, cell_bits; // of a cell along an axis, as places() has them; and of those 3 bits the first, at most all
-  unsigned share;      // it takes this part of the device, so that as many such kernels run at once; at least 1
+  float share;         // it takes this part of the device, so that others run beside it; above 0, at most 1
   float *posed;        // room for the rows in the caller's order
   std::uint32_t *places, *ranks; // room for a number each
   std::uint32_t *cells;          // room for 2^cell_bits
