@@ -1,6 +1,7 @@
 #include "core/device/cull.hpp"
 
 #include "core/device/buffers.hpp"
+#include "core/device/cull_kernels.hpp"
 #include "core/device/given.hpp"
 #include "core/two_points.hpp"
 #include "meetc/cuda_query.hpp"
@@ -53,12 +54,20 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
   }
   check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
   check(cudaMemsetAsync(buffers.cull_space.data(), 0, zeroed, stream), "clearing marks");
-  for (int s = 0; s < 2; ++s)
-    check(sets[s]->launchers().surround(sets[s]->there(), cuda_pose(sets[s]->at()), found->around + s, stream),
-          "starting a kernel");
+  vertices_of_two corners{};
+  for (int s = 0; s < 2; ++s) {
+    corners.at[s] = cuda_pose(sets[s]->at());
+    if (sets[s]->there().index)
+      corners.of[s] = sets[s]->there();
+    else
+      check(sets[s]->launchers().surround(sets[s]->there(), corners.at[s], found->around + s, stream),
+            "starting a kernel");
+  }
+  check(surround_vertices(corners, found->around, stream), "starting a kernel");
+  check(find_cells(corners, found->around, job.bits, {{vertices[0], vertices[1]}}, stream), "starting a kernel");
   job.around = found->around;
   const auto sift = [&](int set, int pass) {
-    job.from = sets[set]->there(), job.at = cuda_pose(sets[set]->at());
+    job.from = sets[set]->there(), job.at = corners.at[set];
     job.vertices = vertices[set], job.kept = kept[pass], job.count = found->kept + pass, job.bad = found->bad + set;
     check(sets[set]->launchers().sift(job, stream), "starting a kernel");
   };

@@ -113,37 +113,13 @@ template <class Start> __device__ void place_hits(const hit_order &o, Start &&st
   }
 }
 
-// Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
-constexpr unsigned order_threads = 1024;
-__global__ void __launch_bounds__(order_threads, 2)
-    order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
-  __shared__ unsigned room[order_threads / 32], starts[order_threads];
-  const cuda::running_sums counts{o.starts, o.items_a + 1, totals};
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
-  cuda::meet_grid();
-  counts.sum_chunk<order_threads>(room);
-  cuda::meet_grid();
-  counts.sum_totals<order_threads>(room, starts);
-  const unsigned shift = counts.shift();
-  const auto start = [&](std::size_t item) { return counts.at(starts, shift, static_cast<std::uint32_t>(item)); };
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[start(a) + o.ranks[i]] = b; });
-  cuda::meet_grid();
-  place_hits(o, start);
-}
-
+// Few hits, by one block of few_threads.
 constexpr unsigned few_threads = 1024;
-using few_sort = cub::BlockMergeSort<std::uint64_t, few_threads, most_of_few / few_threads>;
-__global__ void __launch_bounds__(few_threads) few_kernel(hit_order o) {
-  cuda::begin();
-  constexpr int each = most_of_few / few_threads;
+constexpr int few_each = most_of_few / few_threads;
+using few_sort = cub::BlockMergeSort<std::uint64_t, few_threads, few_each>;
+__device__ void order_few(const hit_order &o, unsigned long long n) {
   constexpr unsigned fewest = 512;
   __shared__ few_sort::TempStorage space;
-  const unsigned long long n = *o.count;
-  if (n > most_of_few || n > o.capacity) {
-    if (threadIdx.x == 0)
-      *o.longest = n;
-    return;
-  }
   const auto key = [&](unsigned i) {
     return i < n ? key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32) : ~std::uint64_t{0};
   };
@@ -160,15 +136,45 @@ __global__ void __launch_bounds__(few_threads) few_kernel(hit_order o) {
       o.sorted[at] = pair_of(mine, 32);
     return;
   }
-  std::uint64_t keys[each];
-  for (int k = 0; k < each; ++k) {
-    const unsigned i = threadIdx.x * each + k;
-    keys[k] = key(i);
-  }
+  std::uint64_t keys[few_each];
+  for (int k = 0; k < few_each; ++k)
+    keys[k] = key(threadIdx.x * few_each + k);
   few_sort(space).Sort(keys, [](std::uint64_t x, std::uint64_t y) { return x < y; });
-  for (int k = 0; k < each; ++k)
-    if (const unsigned i = threadIdx.x * each + k; i < n)
+  for (int k = 0; k < few_each; ++k)
+    if (const unsigned i = threadIdx.x * few_each + k; i < n)
       o.sorted[i] = pair_of(keys[k], 32);
+}
+__global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant__ hit_order o) {
+  cuda::begin();
+  const unsigned long long n = *o.count;
+  if (n <= most_of_few && n <= o.capacity)
+    order_few(o, n);
+  else if (threadIdx.x == 0)
+    *o.longest = n;
+}
+
+// Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
+constexpr unsigned order_threads = 1024;
+__global__ void __launch_bounds__(order_threads, 2)
+    order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
+  static_assert(order_threads == few_threads);
+  if (const unsigned long long n = *o.count; n <= most_of_few && n <= o.capacity) {
+    if (blockIdx.x == 0)
+      order_few(o, n);
+    return;
+  }
+  __shared__ unsigned room[order_threads / 32], starts[order_threads];
+  const cuda::running_sums counts{o.starts, o.items_a + 1, totals};
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
+  cuda::meet_grid();
+  counts.sum_chunk<order_threads>(room);
+  cuda::meet_grid();
+  counts.sum_totals<order_threads>(room, starts);
+  const unsigned shift = counts.shift();
+  const auto start = [&](std::size_t item) { return counts.at(starts, shift, static_cast<std::uint32_t>(item)); };
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[start(a) + o.ranks[i]] = b; });
+  cuda::meet_grid();
+  place_hits(o, start);
 }
 
 // Adds 1 to the counter `at`, once for all lanes with the same one.

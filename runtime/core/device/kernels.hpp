@@ -42,7 +42,7 @@ inline constexpr unsigned most_of_one = 1024;
 cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream);
 // The same of few hits, in one step; `starts`, `ranks` and `others` are not used. Where there are more, *longest becomes their
 // number, and `sorted` means nothing.
-inline constexpr unsigned most_of_few = 2048;
+inline constexpr unsigned most_of_few = 4096;
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream);
 
 // Counts the hits of each item, or marks the items that have one. Null: of this set nothing is asked. Where of_instance > 0,

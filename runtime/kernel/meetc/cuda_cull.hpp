@@ -28,29 +28,10 @@ template <class Shape> constexpr bool is_hull_of_vertices() {
   return Shape::pad < 0 && Shape::hull > 2 && Shape::fields == 3 * Shape::hull;
 }
 
-// Of elements with an index all vertices are enclosed, in one pass; the box may be larger than that of the elements.
-template <class Shape>
-__global__ void __launch_bounds__(cull_threads) surround_kernel(view v, pose_matrix at, joined_box *around) {
-  begin();
-  __shared__ std::uint32_t below[3][cull_warps], above[3][cull_warps];
-  const view vertices{v.data, v.stride_bytes, nullptr, 0, v.vertices};
-  const std::uint32_t n = v.index ? v.vertices : v.elements;
-  tree_box all; // empty
-  for (std::size_t i = blockIdx.x * std::size_t{cull_threads} + threadIdx.x; i < n;
-       i += gridDim.x * std::size_t{cull_threads}) {
-    if (v.index) {
-      tree_box point;
-      if (posed_element<vertex_shape>(vertices, at, static_cast<std::uint32_t>(i), point.low)) {
-        for (int k = 0; k < 3; ++k)
-          point.high[k] = point.low[k];
-        all.widen(point);
-      }
-    } else {
-      float row[Shape::fields];
-      posed_element<Shape>(v, at, static_cast<std::uint32_t>(i), row);
-      all.widen(box_of_row<Shape>(row));
-    }
-  }
+// What a block has found. All of its threads call it.
+template <unsigned Threads> __device__ void join_boxes(tree_box all, joined_box *around) {
+  constexpr unsigned warps = Threads / 32;
+  __shared__ std::uint32_t below[3][warps], above[3][warps];
   all = around_warp(all);
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32;
   if (lane < 3) {
@@ -62,12 +43,25 @@ __global__ void __launch_bounds__(cull_threads) surround_kernel(view v, pose_mat
     return;
   const unsigned axis = threadIdx.x % 3;
   std::uint32_t most = 0;
-  for (unsigned w = 0; w < cull_warps; ++w) {
+  for (unsigned w = 0; w < warps; ++w) {
     const std::uint32_t of = threadIdx.x < 3 ? below[axis][w] : above[axis][w];
     most = of > most ? of : most;
   }
   if (most > 0)
     atomicMax(threadIdx.x < 3 ? around->below + axis : around->above + axis, most);
+}
+
+template <class Shape>
+__global__ void __launch_bounds__(cull_threads) surround_kernel(view v, pose_matrix at, joined_box *around) {
+  begin();
+  tree_box all; // empty
+  for (std::size_t i = blockIdx.x * std::size_t{cull_threads} + threadIdx.x; i < v.elements;
+       i += gridDim.x * std::size_t{cull_threads}) {
+    float row[Shape::fields];
+    posed_element<Shape>(v, at, static_cast<std::uint32_t>(i), row);
+    all.widen(box_of_row<Shape>(row));
+  }
+  join_boxes<cull_threads>(all, around);
 }
 template <class Shape>
 cudaError_t surround(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) {
@@ -75,32 +69,12 @@ cudaError_t surround(const view &v, const pose_matrix &at, joined_box *around, c
     return cudaSuccess;
   if (!can_be_indexed<Shape>(v))
     return cudaErrorInvalidValue;
-  return launch<surround_kernel<Shape>>(blocks_to_cull<surround_kernel<Shape>>(v.index ? v.vertices : v.elements),
-                                        cull_threads, stream, v, at, around);
-}
-
-// The grid, once the block has met.
-__device__ inline void make_grid(cull_grid &grid, const sift_job &job) {
-  if (threadIdx.x == 0)
-    grid = cull_grid(job.around[0], job.around[1], job.bits);
-  __syncthreads();
-}
-
-static __global__ void __launch_bounds__(cull_threads) vertex_cells_kernel(const __grid_constant__ sift_job job) {
-  begin();
-  __shared__ cull_grid grid;
-  make_grid(grid, job);
-  const view vertices{job.from.data, job.from.stride_bytes, nullptr, 0, job.from.vertices};
-  for (std::size_t i = blockIdx.x * std::size_t{cull_threads} + threadIdx.x; i < job.from.vertices;
-       i += gridDim.x * std::size_t{cull_threads}) {
-    float point[3];
-    const bool there = posed_element<vertex_shape>(vertices, job.at, static_cast<std::uint32_t>(i), point);
-    job.vertices[i] = there ? grid.cells_of(point).bits : no_cells;
-  }
+  return launch<surround_kernel<Shape>>(blocks_to_cull<surround_kernel<Shape>>(v.elements), cull_threads, stream, v, at,
+                                        around);
 }
 
 // The cells of some elements of a thread, whose memory is on its way at once.
-inline constexpr unsigned cull_each = 4;
+inline constexpr unsigned cull_each = 2;
 struct sifted {
   std::uint32_t number;
   cell_range cells;
@@ -174,12 +148,14 @@ __device__ inline void set_marks(std::uint32_t *word, std::uint32_t mask) {
 
 // A block adds what it keeps to the list with one addition.
 template <class Shape, bool ByVertices>
-__global__ void __launch_bounds__(cull_threads) sift_kernel(const __grid_constant__ sift_job job) {
+__global__ void __launch_bounds__(cull_threads, 6) sift_kernel(const __grid_constant__ sift_job job) {
   begin();
   __shared__ cull_grid grid;
   __shared__ unsigned of_warps[cull_warps], place;
   const std::size_t n = job.among ? *job.among_count : job.from.elements;
-  make_grid(grid, job);
+  if (threadIdx.x == 0)
+    grid = cull_grid(job.around[0], job.around[1], job.bits);
+  __syncthreads();
   const cull_marks marked{job.marked, job.bits}, marks{job.marks, job.bits};
   const std::uint32_t some = job.marked ? *marked.levels() : 0;
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32;
@@ -236,7 +212,9 @@ template <class Shape>
 __global__ void __launch_bounds__(cull_threads) lines_kernel(const __grid_constant__ sift_job job) {
   begin();
   __shared__ cull_grid grid;
-  make_grid(grid, job);
+  if (threadIdx.x == 0)
+    grid = cull_grid(job.around[0], job.around[1], job.bits);
+  __syncthreads();
   const cull_marks marks{job.marks, job.bits};
   const unsigned n = *job.count;
   for (unsigned i = blockIdx.x * cull_warps + threadIdx.x / 32; i < n; i += gridDim.x * cull_warps) {
@@ -266,12 +244,8 @@ template <class Shape> cudaError_t sift(const sift_job &job, cudaStream_t stream
     return launch<Kernel>(blocks_to_cull<Kernel>(threads), cull_threads, stream, job);
   };
   if constexpr (is_hull_of_vertices<Shape>())
-    if (job.from.index) {
-      if (!job.among) // or they are there
-        if (const cudaError_t e = start.template operator()<vertex_cells_kernel>(job.from.vertices); e != cudaSuccess)
-          return e;
+    if (job.from.index)
       return start.template operator()<sift_kernel<Shape, true>>(job.from.elements);
-    }
   if (const cudaError_t e = start.template operator()<sift_kernel<Shape, false>>(job.from.elements); e != cudaSuccess)
     return e;
   if constexpr (Shape::hull == 2)

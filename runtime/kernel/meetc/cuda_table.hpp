@@ -148,7 +148,7 @@ struct sift_job {
   const joined_box *around; // of both sets
   int bits;                 // of a cell along an axis, from least_cull_bits to most_cull_bits
   bool by_lines;            // long elements with two points are kept, and mark the cells along their line
-  std::uint32_t *vertices;  // room for a number of each vertex, where there is an index
+  const std::uint32_t *vertices; // cull_grid::cells_of() each vertex, where there is an index
   const std::uint32_t *among; // the elements that are looked at; null: all
   const unsigned *among_count;
   std::uint32_t *marked, *marks; // cull_marks::words_for(bits), all 0 at first; null: all is marked, nothing is to be
@@ -182,7 +182,7 @@ struct kind_launchers {
   cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, cudaStream_t stream);
   // pose(), enclose() and places() at once, and the order, of 1 to most_to_arrange elements. Null: not generated.
   cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;
-  // Widens *around by the boxes of the elements, or of all vertices that they may name. Null, as sift(): not generated.
+  // Widens *around by the boxes of the elements. Null, as sift(): not generated.
   cudaError_t (*surround)(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) = nullptr;
   cudaError_t (*sift)(const sift_job &job, cudaStream_t stream) = nullptr;
 };
