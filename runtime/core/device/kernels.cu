@@ -113,13 +113,19 @@ template <class Start> __device__ void place_hits(const hit_order &o, Start &&st
   }
 }
 
-// Few hits, by one block of few_threads.
 constexpr unsigned few_threads = 1024;
-constexpr int few_each = most_of_few / few_threads;
-using few_sort = cub::BlockMergeSort<std::uint64_t, few_threads, few_each>;
-__device__ void order_few(const hit_order &o, unsigned long long n) {
+using few_sort = cub::BlockMergeSort<std::uint64_t, few_threads, most_of_few / few_threads>;
+__global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant__ hit_order o) {
+  cuda::begin();
+  constexpr int each = most_of_few / few_threads;
   constexpr unsigned fewest = 512;
   __shared__ few_sort::TempStorage space;
+  const unsigned long long n = *o.count;
+  if (n > most_of_few || n > o.capacity) {
+    if (threadIdx.x == 0)
+      *o.longest = n;
+    return;
+  }
   const auto key = [&](unsigned i) {
     return i < n ? key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32) : ~std::uint64_t{0};
   };
@@ -136,31 +142,42 @@ __device__ void order_few(const hit_order &o, unsigned long long n) {
       o.sorted[at] = pair_of(mine, 32);
     return;
   }
-  std::uint64_t keys[few_each];
-  for (int k = 0; k < few_each; ++k)
-    keys[k] = key(threadIdx.x * few_each + k);
+  std::uint64_t keys[each];
+  for (int k = 0; k < each; ++k) {
+    const unsigned i = threadIdx.x * each + k;
+    keys[k] = key(i);
+  }
   few_sort(space).Sort(keys, [](std::uint64_t x, std::uint64_t y) { return x < y; });
-  for (int k = 0; k < few_each; ++k)
-    if (const unsigned i = threadIdx.x * few_each + k; i < n)
+  for (int k = 0; k < each; ++k)
+    if (const unsigned i = threadIdx.x * each + k; i < n)
       o.sorted[i] = pair_of(keys[k], 32);
 }
-__global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant__ hit_order o) {
-  cuda::begin();
-  const unsigned long long n = *o.count;
-  if (n <= most_of_few && n <= o.capacity)
-    order_few(o, n);
-  else if (threadIdx.x == 0)
-    *o.longest = n;
+
+// Some thousands of hits: a warp compares one with all others.
+__device__ void rank_hits(const hit_order &o, unsigned n) {
+  auto *const keys = reinterpret_cast<std::uint64_t *>(o.ranks); // whose room is followed by that of o.others
+  for (unsigned i = cuda::grid_thread(); i < n; i += cuda::grid_threads())
+    keys[i] = key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32);
+  cuda::meet_grid();
+  const unsigned lane = threadIdx.x % 32;
+  for (unsigned i = cuda::grid_thread() / 32; i < n; i += cuda::grid_threads() / 32) {
+    const std::uint64_t mine = keys[i];
+    unsigned before = 0;
+    for (unsigned k = lane; k < n; k += 32)
+      before += keys[k] < mine;
+    before = __reduce_add_sync(~0U, before);
+    if (lane == 0)
+      o.sorted[before] = pair_of(mine, 32);
+  }
 }
 
 // Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
 constexpr unsigned order_threads = 1024;
 __global__ void __launch_bounds__(order_threads, 2)
     order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
-  static_assert(order_threads == few_threads);
-  if (const unsigned long long n = *o.count; n <= most_of_few && n <= o.capacity) {
-    if (blockIdx.x == 0)
-      order_few(o, n);
+  constexpr unsigned most_to_rank = 8192;
+  if (const unsigned long long n = *o.count; n <= most_to_rank && n <= o.capacity) {
+    rank_hits(o, static_cast<unsigned>(n));
     return;
   }
   __shared__ unsigned room[order_threads / 32], starts[order_threads];

@@ -24,7 +24,7 @@ struct tree_walk {
   cuda::pair_list out;       // pairs of slots; once it is full the walk stops early, and the count may leave pairs out
   unsigned long long *taken; // 0 at first
   // Where one of these, of the walker and of the tree, says that a set is not in order, nothing is done. Null: it is.
-  const cuda::order_findings *found_walker, *found_tree;
+  const cuda::order_findings *found_walker = nullptr, *found_tree = nullptr;
 
   MEETC_HD bool is_to_be_done() const {
     return (!found_walker || is_order(*found_walker, walker.elements)) &&
