@@ -167,8 +167,8 @@ table gpu_bench::measure_tangent() {
   return t;
 }
 
-gpu_bench::given_times gpu_bench::time_given(const gpu_scene &scene, const io::element_set &a,
-                                             const io::element_set &b, const predicate_info &p) {
+gpu_bench::given_times gpu_bench::time_given(const gpu_scene &scene, const io::element_set &a, const io::element_set &b,
+                                             const predicate_info &p) {
   given_set given_a(on_, app::view_of(a), *a.kind);
   std::optional<given_set> its_own;
   given_set &given_b = scene.itself ? given_a : its_own.emplace(on_, app::view_of(b), *b.kind);

@@ -145,7 +145,8 @@ table gpu_bench::measure_searches(const std::string &name, const std::string &ti
                       of_others(groups, &search_times::first), of_others(groups, &search_times::again),
                       of_milliseconds(tree.first), of_milliseconds(tree.posed), of_milliseconds(tree.again),
                       of_milliseconds(tree.wall), of_milliseconds(median(ordered)), of_milliseconds(median(made)),
-                      of_milliseconds(given.device), of_milliseconds(given.wall), of_words(name_of(chosen)), of_ratio(taken / best)});
+                      of_milliseconds(given.device), of_milliseconds(given.wall), of_words(name_of(chosen)),
+                      of_ratio(taken / best)});
     if (scene.even)
       even = tree.first;
     if (compared)

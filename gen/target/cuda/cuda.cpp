@@ -119,7 +119,8 @@ std::string cuda_catalogue(const unit &u) {
   out += fmt::format(
       "#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
       "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_cull.hpp>\n#include <meetc/cuda_filter.hpp>\n"
-      "#include <meetc/cuda_probe.hpp>\n#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
+      "#include <meetc/cuda_probe.hpp>\n#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n#include "
+      "<meetc/cuda_tree.hpp>\n\n"
       "namespace {0} {{\nnamespace cuda {{\n\n",
       space);
   out += catalogue_text(u);

@@ -38,7 +38,8 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
   job.by_lines = by_lines;
   const std::size_t words = cuda::cull_marks::words_for(job.bits);
   cull_findings *found = nullptr;
-  std::uint32_t *marks[2] = {nullptr, nullptr}, *kept[3] = {nullptr, nullptr, nullptr}, *vertices[2] = {nullptr, nullptr};
+  std::uint32_t *marks[2] = {nullptr, nullptr}, *kept[3] = {nullptr, nullptr, nullptr},
+                *vertices[2] = {nullptr, nullptr};
   std::size_t zeroed = 0;
   for (const bool planned : {true, false}) {
     cuda::cutter from(buffers.cull_space.data(), buffers.cull_space.capacity());

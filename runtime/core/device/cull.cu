@@ -44,8 +44,8 @@ __global__ void __launch_bounds__(cull_threads)
 }
 
 __global__ void __launch_bounds__(cull_threads)
-    cells_kernel(const __grid_constant__ vertices_of_two v, unsigned blocks_of_first, const joined_box *around, int bits,
-                 vertex_cells cells) {
+    cells_kernel(const __grid_constant__ vertices_of_two v, unsigned blocks_of_first, const joined_box *around,
+                 int bits, vertex_cells cells) {
   begin();
   __shared__ cull_grid grid;
   if (threadIdx.x == 0)

@@ -96,8 +96,7 @@ given_set::given_set(device &on, const cuda::view &there, const kind_info &kind,
 given_set::copy given_set::download() const {
   copy c;
   const bool indexed = there_.index != nullptr;
-  c.data.resize(
-      bytes_of(*kind_, indexed ? there_.vertices : there_.elements, there_.stride_bytes, indexed));
+  c.data.resize(bytes_of(*kind_, indexed ? there_.vertices : there_.elements, there_.stride_bytes, indexed));
   c.index.resize(indexed ? there_.elements * static_cast<std::size_t>(kind_->points) : 0);
   transfers &moving = on_->buffers().moving;
   moving.download(c.data.data(), there_.data, c.data.size(), on_->stream(), "downloading a set");

@@ -153,30 +153,29 @@ __global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant_
       o.sorted[i] = pair_of(keys[k], 32);
 }
 
-// Some thousands of hits: a warp compares one with all others.
+// No more hits than warps: each compares one with all others.
 __device__ void rank_hits(const hit_order &o, unsigned n) {
   auto *const keys = reinterpret_cast<std::uint64_t *>(o.ranks); // whose room is followed by that of o.others
   for (unsigned i = cuda::grid_thread(); i < n; i += cuda::grid_threads())
     keys[i] = key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32);
   cuda::meet_grid();
-  const unsigned lane = threadIdx.x % 32;
-  for (unsigned i = cuda::grid_thread() / 32; i < n; i += cuda::grid_threads() / 32) {
-    const std::uint64_t mine = keys[i];
-    unsigned before = 0;
-    for (unsigned k = lane; k < n; k += 32)
-      before += keys[k] < mine;
-    before = __reduce_add_sync(~0U, before);
-    if (lane == 0)
-      o.sorted[before] = pair_of(mine, 32);
-  }
+  const unsigned lane = threadIdx.x % 32, of = cuda::grid_thread() / 32;
+  if (of >= n)
+    return;
+  const std::uint64_t mine = keys[of];
+  unsigned before = 0;
+  for (unsigned k = lane; k < n; k += 32)
+    before += keys[k] < mine;
+  before = __reduce_add_sync(~0U, before);
+  if (lane == 0)
+    o.sorted[before] = pair_of(mine, 32);
 }
 
 // Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
 constexpr unsigned order_threads = 1024;
 __global__ void __launch_bounds__(order_threads, 2)
     order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
-  constexpr unsigned most_to_rank = 8192;
-  if (const unsigned long long n = *o.count; n <= most_to_rank && n <= o.capacity) {
+  if (const unsigned long long n = *o.count; n <= cuda::grid_threads() / 32 && n <= o.capacity) {
     rank_hits(o, static_cast<unsigned>(n));
     return;
   }

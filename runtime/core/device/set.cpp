@@ -141,7 +141,8 @@ void device_set::order(const cuda::view &elements, const pose &at, std::uint32_t
   grid_ = at.grid, moved_ = false, reaches_.reset(), pending_ = elements_ > 0;
   id_ = version_ = next_version();
   if (elements_ > 0 && (!take_room() || (!arrange(elements, at, share, stream) && !sort(elements, at, stream))))
-    throw device_error("not enough device memory to put a set into order; the CPU decides the same pairs (--device cpu)");
+    throw device_error(
+        "not enough device memory to put a set into order; the CPU decides the same pairs (--device cpu)");
 }
 
 // By one kernel, where there is one for so many elements.

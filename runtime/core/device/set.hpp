@@ -117,7 +117,7 @@ private:
   device_memory<std::uint32_t> order_;
   device_memory<extent> around_;
   device_memory<cuda::order_findings> found_;
-  device_memory<std::byte> space_; // to put it into order
+  device_memory<std::byte> space_;      // to put it into order
   device_memory<std::byte> columns_[2]; // as Y, as X
   made have_[2];
   device_tree tree_;

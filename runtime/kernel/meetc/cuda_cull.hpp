@@ -129,7 +129,8 @@ __device__ void cells_by_rows(const sift_job &job, const cull_grid &grid, sifted
 }
 
 // Whether an element marks the cells along its line.
-template <class Shape> __device__ bool marks_its_line(const sift_job &job, const cull_grid &grid, std::uint32_t number) {
+template <class Shape>
+__device__ bool marks_its_line(const sift_job &job, const cull_grid &grid, std::uint32_t number) {
   if constexpr (Shape::hull == 2) {
     if (!job.by_lines)
       return false;

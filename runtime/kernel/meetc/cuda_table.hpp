@@ -145,11 +145,11 @@ inline constexpr int least_cull_bits = 3, most_cull_bits = 9;
 struct sift_job {
   view from;
   pose_matrix at;
-  const joined_box *around; // of both sets
-  int bits;                 // of a cell along an axis, from least_cull_bits to most_cull_bits
-  bool by_lines;            // long elements with two points are kept, and mark the cells along their line
+  const joined_box *around;      // of both sets
+  int bits;                      // of a cell along an axis, from least_cull_bits to most_cull_bits
+  bool by_lines;                 // long elements with two points are kept, and mark the cells along their line
   const std::uint32_t *vertices; // cull_grid::cells_of() each vertex, where there is an index
-  const std::uint32_t *among; // the elements that are looked at; null: all
+  const std::uint32_t *among;    // the elements that are looked at; null: all
   const unsigned *among_count;
   std::uint32_t *marked, *marks; // cull_marks::words_for(bits), all 0 at first; null: all is marked, nothing is to be
   std::uint32_t *kept;           // room for all that are looked at; in any order

@@ -167,8 +167,8 @@ struct cull_marks {
   MEETC_HD bool meets(const cell_range &r, std::uint32_t some) const {
     for (int level = 0; level < cull_levels; ++level) {
       const std::uint32_t *const marks = of(level);
-      if ((some >> level & 1) != 0 && each(r.at(level), level,
-               [&](std::uint32_t word, std::uint32_t mask) { return (marks[word] & mask) != 0; }))
+      if ((some >> level & 1) != 0 &&
+          each(r.at(level), level, [&](std::uint32_t word, std::uint32_t mask) { return (marks[word] & mask) != 0; }))
         return true;
     }
     return false;
@@ -195,8 +195,9 @@ template <class Shape> MEETC_HD inline line_ends ends_of_line(const float *row) 
 // with. A place is a difference of two float32 numbers times a factor, and all else here is some ten operations in double, so
 // that the error of each number is below 2^-48 of the largest one.
 struct cull_line {
-  double from[3], way[3], width[3], per; // the way from the first point to the second; 1 / way[along], 0 if that is short
-  int along;                             // the axis of the longest way
+  double from[3], way[3], width[3],
+      per;   // the way from the first point to the second; 1 / way[along], 0 if that is short
+  int along; // the axis of the longest way
 
   MEETC_HD cull_line(const cull_grid &g, const line_ends &of) : along(0) {
     double largest = 0, longest = -1;
@@ -226,8 +227,9 @@ struct cull_line {
   MEETC_HD cell_range in_slab(const cull_grid &g, std::uint32_t slab) const {
     double begin = 0, end = 1;
     if (per != 0) {
-      const double low = (slab - width[along] - from[along]) * per, high = (slab + 1 + width[along] - from[along]) * per,
-                   enter = per < 0 ? high : low, leave = per < 0 ? low : high;
+      const double low = (slab - width[along] - from[along]) * per,
+                   high = (slab + 1 + width[along] - from[along]) * per, enter = per < 0 ? high : low,
+                   leave = per < 0 ? low : high;
       begin = enter > 0 ? (enter < 1 ? enter : 1) : 0;
       end = leave < 1 ? (leave > 0 ? leave : 0) : 1;
     }

@@ -214,9 +214,8 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
 
 void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, device_set &da,
                       const prepared &b, device_set &db, std::span<const rung> rungs, const options &o) {
-  compare(scene, p, a, b, rungs, o, ways(o), [&](const way &, rung r, const device_options &with) {
-    return collide(on_, da, db, p, r, with);
-  });
+  compare(scene, p, a, b, rungs, o, ways(o),
+          [&](const way &, rung r, const device_options &with) { return collide(on_, da, db, p, r, with); });
 }
 
 void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, given_set &ga,

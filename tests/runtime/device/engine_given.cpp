@@ -180,8 +180,9 @@ void stay_there(comparison &with, const settings &s) {
   const device_result have = collide(with.on(), there, there, p, rung::certified, {}, &pairs);
   std::vector<index_pair> down(pairs.n);
   check(cudaMemcpy(down.data(), pairs.pairs, pairs.n * sizeof(index_pair), cudaMemcpyDeviceToHost), "a test");
-  with.require("given there", have.pairs.empty() && have.count == want.count && pairs.n == want.pairs.size() &&
-                                  std::memcmp(down.data(), want.pairs.data(), pairs.n * sizeof(index_pair)) == 0,
+  with.require("given there",
+               have.pairs.empty() && have.count == want.count && pairs.n == want.pairs.size() &&
+                   std::memcmp(down.data(), want.pairs.data(), pairs.n * sizeof(index_pair)) == 0,
                "another list");
 }
 

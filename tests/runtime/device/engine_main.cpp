@@ -28,8 +28,8 @@ bool read(int argc, char **argv, cuda_test::settings &s) {
     else
       return false;
   }
-  return s.part.empty() || s.part == "pairs" || s.part == "made" || s.part == "given" || s.part == "poses" || s.part == "ends" ||
-         s.part == "group";
+  return s.part.empty() || s.part == "pairs" || s.part == "made" || s.part == "given" || s.part == "poses" ||
+         s.part == "ends" || s.part == "group";
 }
 
 } // namespace
@@ -39,8 +39,9 @@ int main(int argc, char **argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12); // what was found is seen also where the run is cut off
   settings s;
   if (!read(argc, argv, s)) {
-    std::fputs("usage: test_cuda_pairs [--small] [--seed N] [--part pairs|made|given|poses|ends|group] [--data FOLDER]\n",
-               stderr);
+    std::fputs(
+        "usage: test_cuda_pairs [--small] [--seed N] [--part pairs|made|given|poses|ends|group] [--data FOLDER]\n",
+        stderr);
     return 2;
   }
   if (no_device())

@@ -83,9 +83,9 @@ TEST_CASE("cull: whatever touches a box that has marked its cells is kept") {
         for (int k = 0; k < 3; ++k)
           low[k] = first.at(k), high[k] = last.at(k);
         cell_range again;
-        lost = lost || (touch && (!grid.range(low, high, again) ||
-                                  !std::equal(again.first, again.first + 3, cells.first) ||
-                                  !std::equal(again.last, again.last + 3, cells.last)));
+        lost = lost ||
+               (touch && (!grid.range(low, high, again) || !std::equal(again.first, again.first + 3, cells.first) ||
+                          !std::equal(again.last, again.last + 3, cells.last)));
       }
       INFO(bits << " bits, numbers times " << factor << " at " << offset);
       CHECK(!lost);
@@ -114,9 +114,8 @@ TEST_CASE("cull: the cells along a line have all of its points") {
     const int bits = 3 + static_cast<int>(random() % 5);
     const float factor = std::ldexp(1.0F, static_cast<int>(random() % 240) - 120),
                 offset = random() % 4 == 0 ? 1000.0F : 0.0F;
-    const joined_box box =
-        around({{{offset * factor, offset * factor, offset * factor},
-                 {(offset + 1) * factor, (offset + 1) * factor, (offset + 1) * factor}}});
+    const joined_box box = around({{{offset * factor, offset * factor, offset * factor},
+                                    {(offset + 1) * factor, (offset + 1) * factor, (offset + 1) * factor}}});
     const cull_grid grid(box, box, bits);
     line_ends ends{};
     for (int k = 0; k < 3; ++k) {
