@@ -3,8 +3,8 @@
 // columns and the first step are computed by the functions that the kernels call, in the order in which the kernels
 // join results. Two of its filters are the extremes that the model of the matrix unit allows: one drops every pair that
 // it may drop, the other keeps every pair that it may keep.
-#include "core/device/cull_kernels.hpp"
 #include "core/device/kernels.hpp"
+#include "tests/runtime/device/stand_in_cull.hpp"
 #include "tests/runtime/device/stand_in_levels.hpp"
 
 #include <cga/ball_form.hpp>
@@ -12,7 +12,6 @@
 #include <cga/cga_cuda.hpp>
 #include <cga/cga_runtime.hpp>
 #include <cga/shapes.hpp>
-#include <meetc/cull_grid.hpp>
 #include <meetc/frame.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/near.hpp>
@@ -26,65 +25,6 @@
 #include <numeric>
 #include <type_traits>
 #include <vector>
-
-// ---- rows ----
-
-namespace {
-
-using namespace meetc;
-
-// Returns whether it is a row of its kind.
-template <class Shape> bool posed_row(const cuda::pose_matrix &at, const float *row, float *out) {
-  constexpr int fields = Shape::fields;
-  std::copy_n(row, fields, out);
-  for (int f = 0; f < fields && !at.identity; ++f)
-    if (Shape::role_of(f) == role::length)
-      out[f] = static_cast<float>(static_cast<double>(row[f]) * at.length_scale);
-    else if (Shape::role_of(f) == role::x)
-      for (int k = 0; k < 3; ++k) {
-        const double *m = at.m + 4 * k;
-        const double x = row[f], y = row[f + 1], z = row[f + 2];
-        out[f + k] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
-      }
-  for (int f = 0; f < fields && at.on_grid; ++f)
-    out[f] = nearest_multiple(out[f], at.grid_low);
-  return std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }) && Shape::obeys(out);
-}
-std::uint32_t number_in(const cuda::view &v, std::uint32_t i) {
-  return v.only ? v.only[i] : i;
-}
-// The same of the element with this number among all of a view.
-template <class Shape>
-bool posed_element(const cuda::view &v, const cuda::pose_matrix &at, std::uint32_t number, float *out) {
-  constexpr int fields = Shape::fields;
-  float row[fields] = {};
-  bool there = true;
-  for (int f = 0; f < fields; ++f) {
-    const std::size_t at_row = v.index ? v.index[number * (fields / 3) + f / 3] : number;
-    const std::size_t at_field = static_cast<std::size_t>(v.index ? f % 3 : f);
-    there = there && (!v.index || at_row < v.vertices);
-    if (there)
-      std::memcpy(row + f, reinterpret_cast<const char *>(v.data) + at_row * v.stride_bytes + at_field * sizeof(float),
-                  sizeof(float));
-  }
-  return posed_row<Shape>(at, row, out) && there;
-}
-struct vertex {
-  static constexpr int fields = 3;
-  static constexpr role role_of(int field) { return field == 0 ? role::x : field == 1 ? role::y : role::z; }
-  static bool obeys(const float *) { return true; }
-};
-template <class Take> void each_vertex(const vertices_of_two &v, int set, Take &&take) {
-  cuda::view vertices = v.of[set];
-  vertices.index = nullptr;
-  for (std::uint32_t i = 0; i < vertices.vertices; ++i) {
-    float point[3];
-    const bool there = posed_element<vertex>(vertices, v.at[set], i, point);
-    take(i, point, there);
-  }
-}
-
-} // namespace
 
 // ---- the engine's own kernels ----
 
@@ -153,26 +93,6 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
   return cudaSuccess;
 }
 
-cudaError_t surround_vertices(const vertices_of_two &v, cuda::joined_box *around, cudaStream_t) {
-  for (int set = 0; set < 2; ++set)
-    each_vertex(v, set, [&](std::size_t, const float *point, bool there) {
-      for (int k = 0; k < 3 && there; ++k) {
-        around[set].below[k] = std::max(around[set].below[k], cuda::below_of(point[k]));
-        around[set].above[k] = std::max(around[set].above[k], cuda::above_of(point[k]));
-      }
-    });
-  return cudaSuccess;
-}
-cudaError_t find_cells(const vertices_of_two &v, const cuda::joined_box *around, int bits, const vertex_cells &cells,
-                       cudaStream_t) {
-  const cuda::cull_grid grid(around[0], around[1], bits);
-  for (int set = 0; set < 2; ++set)
-    each_vertex(v, set, [&](std::size_t i, const float *point, bool there) {
-      cells.of[set][i] = there ? grid.cells_of(point).bits : cuda::no_cells;
-    });
-  return cudaSuccess;
-}
-
 cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t) {
   std::for_each_n(pairs, n, [by](index_pair &p) { p.a += by; });
   return cudaSuccess;
@@ -237,6 +157,7 @@ cudaError_t order_few_hits(const hit_order &o, cudaStream_t) {
 namespace {
 
 using namespace meetc;
+using namespace meetc::stand_in;
 using cuda::operand;
 using cuda::pair_list;
 using form = cga::ball_form;
@@ -365,62 +286,6 @@ template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, cud
   }
   for (int level = 0; level + 1 < std::min(cuda::levels_with_boxes(n), shape.depth); ++level)
     cuda::enclose_level(nodes, shape, level);
-  return cudaSuccess;
-}
-
-template <class Shape>
-cudaError_t surround(const cuda::view &v, const cuda::pose_matrix &at, cuda::joined_box *around, cudaStream_t) {
-  for (std::uint32_t i = 0; i < v.elements; ++i) {
-    float row[Shape::fields];
-    posed_element<Shape>(v, at, i, row);
-    const cuda::tree_box b = cuda::box_of_row<Shape>(row);
-    for (int k = 0; k < 3; ++k) {
-      around->below[k] = std::max(around->below[k], cuda::below_of(b.low[k]));
-      around->above[k] = std::max(around->above[k], cuda::above_of(b.high[k]));
-    }
-  }
-  return cudaSuccess;
-}
-// The last element is kept first.
-template <class Shape> cudaError_t sift(const cuda::sift_job &job, cudaStream_t) {
-  const cuda::cull_grid grid(job.around[0], job.around[1], job.bits);
-  const cuda::cull_marks marked{job.marked, job.bits}, marks{job.marks, job.bits};
-  const auto set = [](std::uint32_t *word, std::uint32_t mask) { *word |= mask; };
-  for (std::uint32_t i = job.among ? *job.among_count : job.from.elements; i-- > 0;) {
-    const std::uint32_t number = job.among ? job.among[i] : i;
-    float row[Shape::fields];
-    if (!posed_element<Shape>(job.from, job.at, number, row))
-      *job.bad = std::max(*job.bad, ~(static_cast<unsigned long long>(number) << 32 | number));
-    cuda::cell_range cells;
-    bool meets = grid.range(cuda::box_of_row<Shape>(row), cells);
-    if (job.from.index && Shape::pad < 0 && Shape::fields == 3 * Shape::hull) { // the same of the cells of its vertices
-      std::uint32_t least[3] = {1023, 1023, 1023}, greatest[3] = {0, 0, 0};
-      for (std::uint32_t p = 0; p < Shape::hull; ++p)
-        for (int k = 0; k < 3; ++k) {
-          const std::uint32_t vertex = job.from.index[number * std::size_t{Shape::hull} + p];
-          const cuda::packed_cells of{vertex < job.from.vertices ? job.vertices[vertex] : cuda::no_cells};
-          least[k] = std::min(least[k], of.at(k)), greatest[k] = std::max(greatest[k], of.at(k));
-        }
-      meets = grid.range(least, greatest, cells);
-    }
-    if (!meets)
-      continue;
-    const int level = cells.level();
-    if (job.marked && level == 0 && !marked.meets(cells, *marked.levels()))
-      continue;
-    job.kept[(*job.count)++] = number;
-    if (!job.marks)
-      continue;
-    bool by_line = false;
-    if constexpr (Shape::hull == 2) {
-      const cuda::cull_line line(grid, cuda::ends_of_line<Shape>(row));
-      by_line = job.by_lines && level > 0 && line.is_thin();
-      for (std::uint32_t s = line.first_slab(grid); by_line && s <= line.last_slab(grid); ++s)
-        marks.mark(line.in_slab(grid, s), 0, set);
-    }
-    if (!by_line)
-      marks.mark(cells, level, set);
-  }
   return cudaSuccess;
 }
 
