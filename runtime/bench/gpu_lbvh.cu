@@ -139,7 +139,7 @@ cudaError_t gpu_lbvh::build(const float *rows, const lbvh_box &within, cudaStrea
                                         baselines::morton_bits, stream);
       e != cudaSuccess)
     return e;
-  if (const cudaError_t e = gather_rows(rows, fields_, order_.data(), elements_, rows_.data(), stream);
+  if (const cudaError_t e = gather_rows(rows, fields_, order_.data(), elements_, nullptr, rows_.data(), stream);
       e != cudaSuccess)
     return e;
   link_kernel<<<blocks, threads, 0, stream>>>(sorted_.data(), elements_, nodes_.data(), of_nodes_.data(),

@@ -167,6 +167,23 @@ table gpu_bench::measure_tangent() {
   return t;
 }
 
+gpu_bench::given_times gpu_bench::time_given(const gpu_scene &scene, const io::element_set &a, const io::element_set &b,
+                                             const predicate_info &p) {
+  given_set given_a(on_, app::view_of(a), *a.kind);
+  std::optional<given_set> its_own;
+  given_set &given_b = scene.itself ? given_a : its_own.emplace(on_, app::view_of(b), *b.kind);
+  std::vector<double> seconds, wall;
+  std::uint64_t found = 0;
+  for (int i = 0; i <= runs; ++i) {
+    pairs_there pairs;
+    const device_result r = meetc::collide(on_, given_a, given_b, p, rung::certified, {}, &pairs);
+    found = r.count;
+    if (i > 0)
+      seconds.push_back(r.device_seconds), wall.push_back(r.seconds);
+  }
+  return {found, median(seconds), median(wall)};
+}
+
 gpu_bench::counted_pairs gpu_bench::count(baseline by, const device_set &a, const device_set &b) {
   counts_.reserve(1, "a counter");
   const double pairs = static_cast<double>(a.elements()) * b.elements(), share = std::min(1.0, 1e11 / pairs);

@@ -6,7 +6,7 @@
 #include "bench/gpu_scenes.hpp"
 #include "bench/gpu_timer.hpp"
 #include "bench/table.hpp"
-#include "core/device/collide.hpp"
+#include "core/device/given.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -49,6 +49,14 @@ private:
     double seconds, with_transfers;
   };
 
+  struct given_times {
+    std::uint64_t found;
+    double device, wall; // medians of seconds
+  };
+
+  // Certified, of the scene's sets as they are given, with the sorted pairs left on the device.
+  given_times time_given(const gpu_scene &scene, const io::element_set &a, const io::element_set &b,
+                         const predicate_info &p);
   counted_pairs count(baseline by, const device_set &a, const device_set &b);
   std::uint64_t counted_on_device();
   filtered filter_alone(cuda::filter f, device_set &a, device_set &b);

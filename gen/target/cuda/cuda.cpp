@@ -43,7 +43,8 @@ std::string catalogue_text(const unit &u) {
   for (const lower::lowered_kind *k : kinds)
     out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::instances<{1}>, "
                        "meetc::cuda::enclose<{1}>, meetc::cuda::columns<{1}, form>, meetc::cuda::places<{1}>, "
-                       "meetc::cuda::boxes<{1}>, meetc::cuda::arrange<{1}>}},\n",
+                       "meetc::cuda::boxes<{1}>, meetc::cuda::arrange<{1}>, meetc::cuda::surround<{1}>, "
+                       "meetc::cuda::sift<{1}>}},\n",
                        k->name, shape_of(k->name));
   out += "};\n\n"
          "// A query with the predicate at this index of the catalogue.\n"
@@ -117,8 +118,9 @@ std::string cuda_catalogue(const unit &u) {
   std::string out = banner(u.scene, "The catalogue of launchers on a CUDA device.");
   out += fmt::format(
       "#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
-      "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_filter.hpp>\n#include <meetc/cuda_probe.hpp>\n"
-      "#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
+      "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_cull.hpp>\n#include <meetc/cuda_filter.hpp>\n"
+      "#include <meetc/cuda_probe.hpp>\n#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n#include "
+      "<meetc/cuda_tree.hpp>\n\n"
       "namespace {0} {{\nnamespace cuda {{\n\n",
       space);
   out += catalogue_text(u);

@@ -2,6 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_BUFFERS_HPP
 #define MEETC_CORE_DEVICE_BUFFERS_HPP
 
+#include "core/device/cull.hpp"
 #include "core/device/memory.hpp"
 #include "core/device/repeated.hpp"
 #include "core/device/transfers.hpp"
@@ -25,6 +26,13 @@ enum class counter : std::uint8_t {
 };
 inline constexpr int counters = 9;
 
+// What a query reads of the device, in host memory that the device can write to.
+struct host_notes {
+  unsigned long long counts[counters];
+  cuda::order_findings found[2]; // of the sets that it has ordered
+  cull_findings culled;
+};
+
 struct device_buffers {
   device_memory<index_pair> first, second, hits; // first and second alternate for candidates and unsure pairs
   device_memory<unsigned long long> counts;      // and behind them where each item's hits start, 32 bits each
@@ -37,7 +45,8 @@ struct device_buffers {
   cudaStream_t beside = nullptr; // for work on one set while the query's stream works on the other
   cudaEvent_t forked = nullptr, joined = nullptr;
   cudaEvent_t events[2] = {nullptr, nullptr};
-  unsigned long long *seen = nullptr; // the counts, in host memory that the device can write to
+  host_notes *seen = nullptr;
+  device_memory<std::byte> cull_space;
 
   // Apart from the constructor, so that what was created is destroyed where the next cannot be. Throws device_error.
   void create() {
@@ -47,7 +56,7 @@ struct device_buffers {
     for (cudaEvent_t *const e : {&forked, &joined})
       check(cudaEventCreateWithFlags(e, cudaEventDisableTiming), "making an event");
     check(cudaStreamCreateWithFlags(&beside, cudaStreamNonBlocking), "making a stream");
-    check(cudaMallocHost(reinterpret_cast<void **>(&seen), counters * sizeof *seen), "allocating host memory");
+    check(cudaMallocHost(reinterpret_cast<void **>(&seen), sizeof *seen), "allocating host memory");
   }
   // Seconds between the two events, once the second is reached.
   double between() const {

@@ -60,14 +60,15 @@ rung tolerant_or_certified(const device_set &a, const device_set &b, const predi
 class device_query {
 public:
   device_query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
-               const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there)
+               const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there,
+               bool clock_runs)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
         symmetric_(p.symmetric), options_(options), of_instances_(of_instances),
         hits_(on, a, b, options.owner_a, options.owner_b),
         tallies_(!of_instances.empty() ||
                  (!hits_.owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
         keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())),
-        stores_(keep_ || options.first_met), left_there_(left_there), first_(on.buffers()) {}
+        stores_(keep_ || options.first_met), left_there_(left_there), clock_runs_(clock_runs), first_(on.buffers()) {}
 
   device_result run() {
     require(!options_.filter || on_.offers(*options_.filter),
@@ -81,11 +82,12 @@ public:
         &a_ == &b_ && result_.by == search::tree && symmetric_ && never_wrong(precision_) && !options_.first_met;
     require(!options_.first_met || predicate_.first_met, "no CUDA kernel was generated for the order of hits");
     hits_.upload_owners();
-    start_clock();
+    if (!clock_runs_)
+      check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock");
     if (options_.first_met)
       first_.start(a_, on_.stream());
     if (tallies_)
-      tallied_.start(options_.want, a_.elements(), b_.elements(), of_instances_, on_.stream());
+      tallied_.start(options_.want, a_.numbers(), b_.numbers(), of_instances_, on_.stream());
     if (a_.elements() > 0 && b_.elements() > 0) {
       result_.by == search::tree ? take_trees() : take_columns();
       take_room();
@@ -145,6 +147,7 @@ private:
     }
     walk_.tree = tree.tree(beside ? buffers_.beside : on_.stream());
     walk_.walker = walker.tree(on_.stream());
+    walk_.found_walker = walker.findings(), walk_.found_tree = tree.findings();
     if (beside) {
       check(cudaEventRecord(buffers_.joined, buffers_.beside), "joining a stream");
       check(cudaStreamWaitEvent(on_.stream(), buffers_.joined, 0), "joining a stream");
@@ -157,7 +160,6 @@ private:
     }
   }
 
-  void start_clock() { check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock"); }
   // The last mark counts.
   void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
 
@@ -201,7 +203,7 @@ private:
     return {pairs.data(), buffers_.counts.data() + static_cast<int>(c), std::min(pairs.capacity(), capacity_)};
   }
   cuda::pair_list count_only(counter c) const { return {nullptr, buffers_.counts.data() + static_cast<int>(c), 0}; }
-  unsigned long long seen(counter c) const { return buffers_.seen[static_cast<int>(c)]; }
+  unsigned long long seen(counter c) const { return buffers_.seen->counts[static_cast<int>(c)]; }
 
   bool overflowed() const {
     return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_ ||
@@ -280,7 +282,7 @@ private:
     else
       enqueue(p);
     mark_clock();
-    check(cudaMemcpyAsync(buffers_.seen, buffers_.counts.data(), counters * sizeof(unsigned long long),
+    check(cudaMemcpyAsync(buffers_.seen->counts, buffers_.counts.data(), counters * sizeof(unsigned long long),
                           cudaMemcpyDeviceToHost, stream),
           "reading counters");
     check(cudaStreamSynchronize(stream), "colliding");
@@ -324,7 +326,7 @@ private:
     for (const cuda::operand *const o : {&x_, &y_})
       k.add(o->rows, o->elements, o->by, o->columns);
     k.add(walk_.walker.nodes, walk_.walker.elements, walk_.tree.nodes, walk_.tree.elements, walk_.swapped, walk_.half,
-          walk_.rows, walk_.fields, walk_.points.pad);
+          walk_.rows, walk_.fields, walk_.points.pad, walk_.found_walker, walk_.found_tree);
     for (const int field : walk_.points.of)
       k.add(field);
     k.add(buffers_.counts.data());
@@ -395,6 +397,7 @@ private:
   bool tallies_, keep_; // hits are counted by item; they are kept until then, or for their list
   bool stores_;         // they are written to a list of the device, for either of these or for the first ones
   pairs_there *left_there_;
+  bool clock_runs_; // the caller has started it
   tallies tallied_;
   first_met_there first_;
   cuda::operand x_{}, y_{};
@@ -420,12 +423,13 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
 }
 
 device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
-                    const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there) {
+                    const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there,
+                    bool clock_runs) {
   const auto start = std::chrono::steady_clock::now();
   rung_report report;
   if (precision == rung::tolerant)
     precision = tolerant_or_certified(a, b, predicate, report);
-  device_result r = device_query(on, a, b, predicate, precision, options, of_instances, left_there).run();
+  device_result r = device_query(on, a, b, predicate, precision, options, of_instances, left_there, clock_runs).run();
   r.rungs.left_box_a = report.left_box_a, r.rungs.left_box_b = report.left_box_b;
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;

@@ -36,6 +36,9 @@ struct device_options {
   // The same query, asked again on sets at the same addresses, starts its kernels as one (repeated.hpp says what other threads
   // must not do meanwhile).
   bool as_graph = false;
+  // Of sets as they are given (given.hpp): elements that cannot touch are left out before the others are put into order. Empty:
+  // where this is expected to pay.
+  std::optional<bool> cull = {};
   std::optional<cover> balls = {}; // empty: around boxes for the plain rungs (see above), else around elements
   std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^18
   std::function<void(double fraction)> progress = {};
@@ -50,6 +53,12 @@ struct device_result : result {
   // From the first kernel to the last, with the allocations between them; without uploading sets, and without
   // downloading pairs where the device had the memory to sort them.
   double device_seconds = 0;
+};
+
+// A sorted list of pairs that lies on a device, until the next query there.
+struct pairs_there {
+  index_pair *pairs = nullptr;
+  std::size_t n = 0;
 };
 
 // Throws what collide() on the CPU throws, and device_error.

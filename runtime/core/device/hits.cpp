@@ -32,12 +32,12 @@ void make_room(std::vector<index_pair> &pairs, std::size_t n) {
 hit_pairs::hit_pairs(device &on, const device_set &a, const device_set &b, std::span<const std::uint32_t> owner_a,
                      std::span<const std::uint32_t> owner_b)
     : on_(on), buffers_(on.buffers()), a_(a), b_(b), owner_a_(owner_a), owner_b_(owner_b),
-      bits_a_(bits_of_items(owner_a, a.elements())), bits_b_(bits_of_items(owner_b, b.elements())) {}
+      bits_a_(bits_of_items(owner_a, a.numbers())), bits_b_(bits_of_items(owner_b, b.numbers())) {}
 
 void hit_pairs::upload_owners() {
   const auto upload = [this](std::span<const std::uint32_t> from, const device_set &of,
                              device_memory<std::uint32_t> &to) {
-    if (!from.empty() && from.size() != of.elements())
+    if (!from.empty() && from.size() != of.numbers())
       throw std::invalid_argument("an owner map needs one item for each element");
     if (from.empty())
       return;
@@ -50,7 +50,7 @@ void hit_pairs::upload_owners() {
 }
 
 bool hit_pairs::countable() const {
-  return !owned() && a_.elements() <= most_to_count;
+  return !owned() && a_.numbers() <= most_to_count;
 }
 
 bool hit_pairs::can_order(std::size_t hits) {
@@ -59,7 +59,7 @@ bool hit_pairs::can_order(std::size_t hits) {
     return false;
   std::size_t bytes = 0;
   hit_order sizes{};
-  sizes.items_a = a_.elements();
+  sizes.items_a = a_.numbers();
   check(order_hits(nullptr, bytes, sizes, on_.stream()), "planning to sort");
   return buffers_.sort_space.grow(bytes, 0, on_.stream());
 }
@@ -71,7 +71,7 @@ void hit_pairs::order(const cuda::pair_list &hits, std::uint32_t *starts, unsign
                     hits.capacity,
                     a_.order(),
                     b_.order(),
-                    a_.elements(),
+                    a_.numbers(),
                     starts,
                     numbers,
                     numbers + hits.capacity,
@@ -108,33 +108,50 @@ void hit_pairs::spill() {
   keys_ = 0;
 }
 
-// Sorts the keys and drops repeats where there are owners. Returns false where the device lacks the memory.
+// Sorts the keys, drops repeats where there are owners, and makes pairs of them. Returns false where the device lacks the memory.
 bool hit_pairs::sort_on_device() {
   if (owned() && keys_ > 0x7fffffff) // older versions of CUB take at most this many keys
     return false;
   const int bits = std::max(1, bits_a_ + bits_b_);
   std::size_t sort_bytes = 0, repeat_bytes = 0;
-  check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
+  check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, 0, bits, on_.stream()), "planning to sort");
   if (owned())
     check(drop_repeats(nullptr, repeat_bytes, nullptr, nullptr, nullptr, keys_, on_.stream()), "planning to sort");
   const std::size_t bytes = std::max(sort_bytes, repeat_bytes);
   if (!buffers_.more_keys.grow(keys_, 0, on_.stream()) || !buffers_.sort_space.grow(bytes, 0, on_.stream()))
     return false;
-  check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_, bits,
-                  on_.stream()),
-        "sorting pairs");
-  std::swap(buffers_.keys, buffers_.more_keys);
+  const auto sort = [&](int first_bit) {
+    check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_,
+                    first_bit, bits, on_.stream()),
+          "sorting pairs");
+    std::swap(buffers_.keys, buffers_.more_keys);
+  };
+  const auto counted = [&] {
+    unsigned long long n = 0;
+    check(cudaMemcpyAsync(&n, buffers_.counts.data(), sizeof n, cudaMemcpyDeviceToHost, on_.stream()), "sorting pairs");
+    check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
+    return n;
+  };
+  // Most items have few hits, which find their places among each other.
+  if (!owned() && bits_a_ > 0 && keys_ > 0) {
+    sort(bits_b_);
+    check(order_runs(buffers_.keys.data(), keys_, bits_b_, reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
+                     buffers_.counts.data(), on_.stream()),
+          "sorting pairs");
+    if (counted() == 0) {
+      std::swap(buffers_.keys, buffers_.more_keys);
+      return true;
+    }
+  }
+  sort(0);
   if (owned()) {
     check(drop_repeats(buffers_.sort_space.data(), repeat_bytes, buffers_.keys.data(), buffers_.more_keys.data(),
                        buffers_.counts.data(), keys_, on_.stream()),
           "dropping repeats");
-    unsigned long long kept = 0;
-    check(cudaMemcpyAsync(&kept, buffers_.counts.data(), sizeof kept, cudaMemcpyDeviceToHost, on_.stream()),
-          "dropping repeats");
-    check(cudaStreamSynchronize(on_.stream()), "dropping repeats");
-    keys_ = kept;
+    keys_ = counted();
     std::swap(buffers_.keys, buffers_.more_keys);
   }
+  check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel");
   return true;
 }
 
@@ -142,10 +159,8 @@ void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> 
   std::vector<index_pair> &pairs = r.pairs;
   if (spilled_.empty() && (keys_ == 0 || ordered_ || sort_on_device())) {
     std::uint64_t *const from = ordered_ ? buffers_.more_keys.data() : buffers_.keys.data();
-    if (!ordered_) {
-      check(to_pairs(buffers_.keys.data(), keys_, bits_b_, on_.stream()), "starting a kernel");
+    if (!ordered_)
       sorted();
-    }
     r.count = keys_;
     if (want == answer_kind::count)
       return;
@@ -164,7 +179,7 @@ void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> 
       drop_repeats(pairs);
     sorted();
   }
-  answer_from_list(want, items(owner_a_, a_.elements()), items(owner_b_, b_.elements()), r);
+  answer_from_list(want, items(owner_a_, a_.numbers()), items(owner_b_, b_.numbers()), r);
 }
 
 } // namespace meetc

@@ -38,7 +38,7 @@ public:
   // Where there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or an
   // item has too many hits, where `longest` is not 0 at the end; the hits are then to be added.
   void order(const cuda::pair_list &hits, std::uint32_t *starts, unsigned long long *longest, bool few);
-  std::size_t starts_for_order() const { return std::size_t{a_.elements()} + 1; }
+  std::size_t starts_for_order() const { return std::size_t{a_.numbers()} + 1; }
   // n hits were ordered.
   void take_ordered(std::size_t n) { keys_ = n, ordered_ = true; }
 

@@ -30,6 +30,25 @@ __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n, int bits_b) {
     reinterpret_cast<index_pair *>(keys)[i] = pair_of(keys[i], bits_b);
 }
 
+// The place of a key among those of its item is the number of smaller ones.
+__global__ void runs_kernel(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
+                            unsigned long long *crowded) {
+  cuda::begin();
+  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads}) {
+    const std::uint64_t key = keys[i], item = key >> bits_b;
+    unsigned before = 0, length = 1; // of the keys of the item, the smaller ones, and all
+    for (std::size_t k = i; k > 0 && length <= most_in_run && keys[k - 1] >> bits_b == item; --k, ++length)
+      before += keys[k - 1] < key;
+    const std::size_t begin = i + 1 - length;
+    for (std::size_t k = i + 1; k < n && length <= most_in_run && keys[k] >> bits_b == item; ++k, ++length)
+      before += keys[k] < key;
+    if (length > most_in_run)
+      *crowded = length;
+    else
+      to[begin + before] = pair_of(key, bits_b);
+  }
+}
+
 __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned fields, std::uint64_t lengths,
                                unsigned *most) {
   unsigned of[2] = {0, 0}; // magnitudes, whose order is that of their bits
@@ -94,27 +113,9 @@ template <class Start> __device__ void place_hits(const hit_order &o, Start &&st
   }
 }
 
-// Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
-constexpr unsigned order_threads = 1024;
-__global__ void __launch_bounds__(order_threads, 2)
-    order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
-  __shared__ unsigned room[order_threads / 32], starts[order_threads];
-  const cuda::running_sums counts{o.starts, o.items_a + 1, totals};
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
-  cuda::meet_grid();
-  counts.sum_chunk<order_threads>(room);
-  cuda::meet_grid();
-  counts.sum_totals<order_threads>(room, starts);
-  const unsigned shift = counts.shift();
-  const auto start = [&](std::size_t item) { return counts.at(starts, shift, static_cast<std::uint32_t>(item)); };
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[start(a) + o.ranks[i]] = b; });
-  cuda::meet_grid();
-  place_hits(o, start);
-}
-
 constexpr unsigned few_threads = 1024;
 using few_sort = cub::BlockMergeSort<std::uint64_t, few_threads, most_of_few / few_threads>;
-__global__ void __launch_bounds__(few_threads) few_kernel(hit_order o) {
+__global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant__ hit_order o) {
   cuda::begin();
   constexpr int each = most_of_few / few_threads;
   constexpr unsigned fewest = 512;
@@ -150,6 +151,46 @@ __global__ void __launch_bounds__(few_threads) few_kernel(hit_order o) {
   for (int k = 0; k < each; ++k)
     if (const unsigned i = threadIdx.x * each + k; i < n)
       o.sorted[i] = pair_of(keys[k], 32);
+}
+
+// No more hits than warps: each compares one with all others.
+__device__ void rank_hits(const hit_order &o, unsigned n) {
+  auto *const keys = reinterpret_cast<std::uint64_t *>(o.ranks); // whose room is followed by that of o.others
+  for (unsigned i = cuda::grid_thread(); i < n; i += cuda::grid_threads())
+    keys[i] = key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32);
+  cuda::meet_grid();
+  const unsigned lane = threadIdx.x % 32, of = cuda::grid_thread() / 32;
+  if (of >= n)
+    return;
+  const std::uint64_t mine = keys[of];
+  unsigned before = 0;
+  for (unsigned k = lane; k < n; k += 32)
+    before += keys[k] < mine;
+  before = __reduce_add_sync(~0U, before);
+  if (lane == 0)
+    o.sorted[before] = pair_of(mine, 32);
+}
+
+// Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
+constexpr unsigned order_threads = 1024;
+__global__ void __launch_bounds__(order_threads, 2)
+    order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
+  if (const unsigned long long n = *o.count; n <= cuda::grid_threads() / 32 && n <= o.capacity) {
+    rank_hits(o, static_cast<unsigned>(n));
+    return;
+  }
+  __shared__ unsigned room[order_threads / 32], starts[order_threads];
+  const cuda::running_sums counts{o.starts, o.items_a + 1, totals};
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
+  cuda::meet_grid();
+  counts.sum_chunk<order_threads>(room);
+  cuda::meet_grid();
+  counts.sum_totals<order_threads>(room, starts);
+  const unsigned shift = counts.shift();
+  const auto start = [&](std::size_t item) { return counts.at(starts, shift, static_cast<std::uint32_t>(item)); };
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[start(a) + o.ranks[i]] = b; });
+  cuda::meet_grid();
+  place_hits(o, start);
 }
 
 // Adds 1 to the counter `at`, once for all lanes with the same one.
@@ -243,8 +284,16 @@ cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, int bits_b, cudaStream_
 }
 
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
-                      int bits, cudaStream_t stream) {
-  return cub::DeviceRadixSort::SortKeys(space, bytes, keys, to, n, 0, bits, stream);
+                      int first_bit, int bits, cudaStream_t stream) {
+  return cub::DeviceRadixSort::SortKeys(space, bytes, keys, to, n, first_bit, bits, stream);
+}
+
+cudaError_t order_runs(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
+                       unsigned long long *crowded, cudaStream_t stream) {
+  const cudaError_t e = cudaMemsetAsync(crowded, 0, sizeof *crowded, stream);
+  if (e != cudaSuccess || n == 0)
+    return e;
+  return cuda::launch<runs_kernel>(blocks_for(n), threads, stream, keys, n, bits_b, to, crowded);
 }
 
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,

@@ -32,7 +32,7 @@ struct hit_order {
   const std::uint32_t *order_a, *order_b;
   std::uint32_t items_a;
   std::uint32_t *starts;         // items_a + 1 numbers, all 0 at first
-  std::uint32_t *ranks, *others; // room for `capacity` each
+  std::uint32_t *ranks, *others; // room for `capacity` each, one behind the other; ranks is a multiple of 8 bytes
   index_pair *sorted;            // likewise
   // 0 at first. Where an item of A has more than most_of_one hits, it becomes their number, and `sorted` means nothing.
   unsigned long long *longest;
@@ -64,9 +64,15 @@ cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::u
 // Adds `by` to the first element of n pairs.
 cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream);
 
-// Sorts keys below 2^bits into `to`. With space null, only sets the number of bytes that it needs.
+// Sorts keys below 2^bits into `to`, by their bits from the first on. With space null, only sets the number of bytes that it
+// needs, whatever the first is.
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
-                      int bits, cudaStream_t stream);
+                      int first_bit, int bits, cudaStream_t stream);
+// Keys that are sorted by their items of A become sorted pairs. Where an item has more than most_in_run of them, *crowded,
+// device memory, becomes other than 0, and `to` means nothing.
+inline constexpr unsigned most_in_run = 64;
+cudaError_t order_runs(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
+                       unsigned long long *crowded, cudaStream_t stream);
 // Drops repeats of sorted keys; *kept, device memory, becomes the number of keys left.
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,
                          unsigned long long *kept, std::size_t n, cudaStream_t stream);

@@ -27,13 +27,15 @@ __global__ void crowded_kernel(const std::uint32_t *sorted, unsigned n, unsigned
 }
 
 // A warp writes 32 rows in one piece.
-__global__ void gather_kernel(const float *rows, unsigned fields, const std::uint32_t *slots, std::uint32_t n,
-                              float *to) {
+__global__ void gather_kernel(const float *rows, unsigned fields, std::uint32_t *slots, std::uint32_t n,
+                              const std::uint32_t *names, float *to) {
   const unsigned lane = threadIdx.x % 32;
   for (std::size_t base = blockIdx.x * std::size_t{threads} + threadIdx.x - lane; base < n;
        base += gridDim.x * std::size_t{threads}) {
     const std::uint32_t from = base + lane < n ? slots[base + lane] : 0,
                         here = n - base < 32 ? static_cast<std::uint32_t>(n - base) : 32;
+    if (names && base + lane < n)
+      slots[base + lane] = names[from];
     for (unsigned first = 0; first < here * fields; first += 32) {
       const unsigned k = first + lane, row = k / fields;
       const std::uint32_t of = __shfl_sync(~0U, from, row % 32);
@@ -70,11 +72,11 @@ cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned
   return cudaGetLastError();
 }
 
-cudaError_t gather_rows(const float *rows, unsigned fields, const std::uint32_t *slots, std::uint32_t n, float *to,
-                        cudaStream_t stream) {
+cudaError_t gather_rows(const float *rows, unsigned fields, std::uint32_t *slots, std::uint32_t n,
+                        const std::uint32_t *names, float *to, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  gather_kernel<<<blocks_for(n), threads, 0, stream>>>(rows, fields, slots, n, to);
+  gather_kernel<<<blocks_for(n), threads, 0, stream>>>(rows, fields, slots, n, names, to);
   return cudaGetLastError();
 }
 

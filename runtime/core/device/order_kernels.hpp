@@ -17,9 +17,9 @@ cudaError_t sort_places(void *space, std::size_t &bytes, const std::uint32_t *pl
 // *crowded becomes the number of elements before which at least tree_width others have the same place.
 cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned long long *crowded,
                           cudaStream_t stream);
-// Row i is written from row slots[i].
-cudaError_t gather_rows(const float *rows, unsigned fields, const std::uint32_t *slots, std::uint32_t n, float *to,
-                        cudaStream_t stream);
+// Row i is written from row slots[i]. Then slots[i] becomes names[slots[i]], if there are names.
+cudaError_t gather_rows(const float *rows, unsigned fields, std::uint32_t *slots, std::uint32_t n,
+                        const std::uint32_t *names, float *to, cudaStream_t stream);
 
 } // namespace meetc
 

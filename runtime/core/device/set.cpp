@@ -2,6 +2,7 @@
 
 #include "core/control_word.hpp"
 #include "core/device/buffers.hpp"
+#include "core/device/given.hpp"
 #include "core/device/kernels.hpp"
 #include "core/device/order_kernels.hpp"
 #include "core/element_set.hpp"
@@ -24,26 +25,7 @@ std::uint64_t next_version() {
   return ++last;
 }
 
-const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_info &kind) {
-  for (int k = 0; k < all.kind_count; ++k)
-    if (std::strcmp(all.kinds[k].name, kind.name) == 0 && all.kinds[k].fields == kind.fields)
-      return all.kinds[k];
-  throw device_error(std::string("no CUDA kernels were generated for the kind ") + kind.name);
-}
-
-void require_pose(const kind_info &kind, const pose &at) {
-  if (const status s = movable(kind, at); s != status::ok)
-    throw std::invalid_argument(text(s));
-}
-// Of a cell along an axis, where the device orders n elements.
-int bits_of_cell(std::uint32_t n) {
-  return n <= std::uint32_t{1} << 20 ? 8 : 10;
-}
-cuda::pose_matrix matrix_of(const pose &at) {
-  cuda::pose_matrix out{{}, at.length_scale, at.identity(), at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
-  std::copy_n(at.m, 12, out.m);
-  return out;
-}
+constexpr int bits_of_cell = 10; // along an axis, where the device orders elements
 
 } // namespace
 
@@ -55,7 +37,7 @@ void require_movable(const kind_info &kind, const pose &at) {
 
 device_set::device_set(device &on, const kind_info &kind, std::size_t elements, double grid)
     : on_(&on), kind_(&kind), launchers_(&launchers_of(on.kernels(), kind)),
-      elements_(static_cast<std::uint32_t>(elements)), grid_(grid), id_(next_version()) {
+      elements_(static_cast<std::uint32_t>(elements)), numbers_(elements_), grid_(grid), id_(next_version()) {
   if (elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
   around_.reserve(1, "a set's extent");
@@ -68,6 +50,10 @@ device_set::device_set(device &on, const prepared &set) : device_set(on, set.kin
   take_room_for_tree();
 }
 
+device_set::device_set(device &on, const kind_info &kind) : device_set(on, kind, 0, 0) {
+  found_.reserve(1, "what a set's order is");
+}
+
 // Most queries want the hierarchy, and to wait for memory takes longer than to make that of a small set.
 void device_set::take_room_for_tree() {
   if (elements_ > 0)
@@ -77,8 +63,18 @@ void device_set::take_room_for_tree() {
 device_set::device_set(device &on, const view &elements, const kind_info &kind, const pose &at, int threads)
     : device_set(on, kind, elements.elements, at.grid) {
   require_pose(kind, at);
-  if (!make(elements, at))
+  const std::unique_ptr<given_set> given = given_set::if_it_fits(on, elements, kind, at);
+  if (!given || !make(*given))
     upload(prepare(elements, kind, at, threads));
+  take_room_for_tree();
+}
+
+device_set::device_set(device &on, const given_set &elements, int threads)
+    : device_set(on, elements.kind(), elements.elements(), elements.at().grid) {
+  if (!make(elements)) {
+    const given_set::copy here = elements.download();
+    upload(prepare(here.elements, elements.kind(), elements.at(), threads));
+  }
   take_room_for_tree();
 }
 
@@ -91,117 +87,118 @@ void device_set::upload(const prepared &set) {
   moving.upload(rows_.data(), set.set().rows, floats * sizeof(float), on_->stream(), "uploading a set");
   moving.upload(order_.data(), set.set().order, elements_ * sizeof(std::uint32_t), on_->stream(), "uploading a set");
   reaches_ = {set.set().reach, set.set().longest};
-  enclose(rows());
+  enclose(rows(), on_->stream());
   check(cudaStreamSynchronize(on_->stream()), "uploading a set"); // the caller may now change the memory
 }
 
 // Returns false where the set is for the host to order.
-bool device_set::make(const view &elements, const pose &at) {
-  const std::uint32_t n = elements_;
-  const auto fields = static_cast<std::size_t>(kind_->fields);
-  if (elements.index && (elements.vertices > 0xffffffff || fields != 3 * static_cast<std::size_t>(kind_->points)))
-    return false;
+bool device_set::make(const given_set &elements) {
   const cudaStream_t stream = on_->stream();
-  const std::size_t given = elements.index ? elements.vertices : n;
-  const std::size_t bytes =
-      given > 0 ? (given - 1) * elements.stride_bytes + (elements.index ? 3 : fields) * sizeof(float) : 0;
-  const std::size_t indices = elements.index ? n * (fields / 3) : 0;
-  // What lies between the elements is uploaded as well.
-  if (bytes > 4 * (n * fields * sizeof(float)) + (std::size_t{1} << 20))
-    return false;
-  device_memory<std::byte> data;
-  device_memory<std::uint32_t> index;
-  const auto room = [stream](auto &memory, std::size_t count) { return memory.grow(count, 0, stream); };
-  if (!room(data, bytes) || !room(index, indices) || !room(rows_, n * fields) || !room(order_, n))
+  if (!take_room())
     return false; // a set that is ordered needs a third of it
-  transfers &moving = on_->buffers().moving;
-  moving.upload(data.data(), elements.data, bytes, stream, "uploading a set");
-  moving.upload(index.data(), elements.index, indices * sizeof(std::uint32_t), stream, "uploading a set");
-  const cuda::view there{reinterpret_cast<const float *>(data.data()), elements.stride_bytes,
-                         elements.index ? index.data() : nullptr, static_cast<std::uint32_t>(elements.vertices), n};
-  std::optional<cuda::order_findings> found = arrange(there, at);
-  if (!found || found->longest > 0)
-    found = sort(there, at);
-  if (!found)
-    return false;
-  if (found->bad == ~0ULL && found->crowded <= n / 8)
-    return true;
-  if (found->bad == ~0ULL)
-    return false;
-  if (const fault f = meetc::check(elements, *kind_, at))
-    throw input_error(f, *kind_);
-  return false;
+  bool ran = arrange(elements.there(), elements.at(), 1, stream);
+  cuda::order_findings found{};
+  if (ran)
+    found = ordered();
+  if (!ran || found.longest > 0) {
+    ran = sort(elements.there(), elements.at(), stream);
+    if (ran)
+      found = ordered();
+  }
+  space_.release(), found_.release();
+  if (ran && found.bad != ~0ULL)
+    elements.refuse();
+  return ran && is_order(found, elements_);
+}
+
+// Returns false where there is too little memory, as the next two do.
+bool device_set::take_room() {
+  const cudaStream_t stream = on_->stream();
+  return rows_.grow(elements_ * static_cast<std::size_t>(kind_->fields), 0, stream) &&
+         order_.grow(elements_, 0, stream) && found_.grow(1, 0, stream);
+}
+
+// Where the set is ordered by itself; else a query has a clock.
+void device_set::start_clock() {
+  if (!pending_)
+    check(cudaEventRecord(on_->buffers().events[0], on_->stream()), "starting a clock");
 }
 
 // What the kernels that ordered a set have found.
-cuda::order_findings device_set::ordered(const cuda::order_findings *found) {
+cuda::order_findings device_set::ordered() {
   const cudaStream_t stream = on_->stream();
   check(cudaEventRecord(on_->buffers().events[1], stream), "stopping a clock");
   cuda::order_findings seen{};
-  check(cudaMemcpyAsync(&seen, found, sizeof seen, cudaMemcpyDeviceToHost, stream), "ordering a set");
+  check(cudaMemcpyAsync(&seen, found_.data(), sizeof seen, cudaMemcpyDeviceToHost, stream), "ordering a set");
   check(cudaStreamSynchronize(stream), "ordering a set");
   ordered_seconds_ += on_->buffers().between();
   return seen;
 }
 
-// By one kernel. Empty where there is none for so many elements, or too little memory.
-std::optional<cuda::order_findings> device_set::arrange(const cuda::view &there, const pose &at) {
+void device_set::order(const cuda::view &elements, const pose &at, std::uint32_t numbers, float share,
+                       cudaStream_t stream) {
+  elements_ = elements.elements, numbers_ = numbers;
+  grid_ = at.grid, moved_ = false, reaches_.reset(), pending_ = elements_ > 0;
+  id_ = version_ = next_version();
+  if (elements_ > 0 && (!take_room() || (!arrange(elements, at, share, stream) && !sort(elements, at, stream))))
+    throw device_error(
+        "not enough device memory to put a set into order; the CPU decides the same pairs (--device cpu)");
+}
+
+// By one kernel, where there is one for so many elements.
+bool device_set::arrange(const cuda::view &there, const pose &at, float share, cudaStream_t stream) {
   const std::uint32_t n = elements_;
   if (!launchers_->arrange || n == 0 || n > cuda::most_to_arrange)
-    return {};
+    return false;
   cuda::arrange_job job{};
-  job.from = there, job.at = matrix_of(at), job.bits = bits_of_cell(n);
-  job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)), 10, 20); // cells for one or two elements each
-  job.rows = rows_.data(), job.order = order_.data(), job.around = around_.data();
-  device_memory<std::byte> space;
+  job.from = there, job.at = cuda_pose(at), job.bits = bits_of_cell, job.share = share;
+  // Cells for one or two elements each; what is left of two culled sets lies along a curve, in few of them.
+  job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)) + (there.only ? 3 : 0), 10, 20);
+  job.rows = rows_.data(), job.order = order_.data(), job.around = around_.data(), job.found = found_.data();
   for (const bool planned : {true, false}) {
-    cuda::cutter from(space.data(), space.capacity());
+    cuda::cutter from(space_.data(), space_.capacity());
     job.posed = from.take<float>(n * static_cast<std::size_t>(kind_->fields));
     job.places = from.take<std::uint32_t>(n), job.ranks = from.take<std::uint32_t>(n);
     job.cells = from.take<std::uint32_t>(std::size_t{1} << job.cell_bits);
     job.by_cell = from.take<std::uint64_t>(n);
     job.parts = from.take<std::byte>(cuda::arrange_bytes);
-    job.found = from.take<cuda::order_findings>(1);
-    if (planned && !space.grow(from.used(), 0, on_->stream()))
-      return {};
+    if (planned && !space_.grow(from.used(), 0, on_->stream()))
+      return false;
   }
   version_ = next_version();
-  check(cudaEventRecord(on_->buffers().events[0], on_->stream()), "starting a clock");
-  check(launchers_->arrange(job, on_->stream()), "starting a kernel");
-  return ordered(job.found);
+  start_clock();
+  check(launchers_->arrange(job, stream), "starting a kernel");
+  return true;
 }
 
-// By a sort of all places. Empty where there is too little memory.
-std::optional<cuda::order_findings> device_set::sort(const cuda::view &there, const pose &at) {
+// By a sort of all places.
+bool device_set::sort(const cuda::view &there, const pose &at, cudaStream_t stream) {
   const std::uint32_t n = elements_;
   const auto fields = static_cast<std::size_t>(kind_->fields);
-  const cudaStream_t stream = on_->stream();
-  const int bits = bits_of_cell(n);
   std::size_t need = 0;
-  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits, stream), "planning to order");
-  device_memory<std::byte> space;
+  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits_of_cell, stream), "planning to order");
   float *rows = nullptr;
   std::uint32_t *places = nullptr, *sorted = nullptr;
-  cuda::order_findings *found = nullptr;
   void *sorting = nullptr;
   for (const bool planned : {true, false}) {
-    cuda::cutter from(space.data(), space.capacity());
+    cuda::cutter from(space_.data(), space_.capacity());
     rows = from.take<float>(n * fields);
     places = from.take<std::uint32_t>(n), sorted = from.take<std::uint32_t>(n);
-    found = from.take<cuda::order_findings>(1);
     sorting = from.take<std::byte>(need);
-    if (planned && !space.grow(from.used(), 0, stream))
-      return {};
+    if (planned && !space_.grow(from.used(), 0, on_->stream()))
+      return false;
   }
-  check(cudaEventRecord(on_->buffers().events[0], stream), "starting a clock");
+  cuda::order_findings *const found = found_.data();
+  start_clock();
   check(cudaMemsetAsync(found, 0, sizeof *found, stream), "ordering a set");
-  check(launchers_->pose(there, matrix_of(at), nullptr, rows, &found->bad, stream), "starting a kernel");
-  enclose(rows);
-  check(launchers_->places(rows, n, around(), bits, places, stream), "starting a kernel");
-  check(sort_places(sorting, need, places, sorted, order_.data(), n, 3 * bits, stream), "ordering a set");
+  check(launchers_->pose(there, cuda_pose(at), nullptr, rows, &found->bad, stream), "starting a kernel");
+  enclose(rows, stream);
+  check(launchers_->places(rows, n, around(), bits_of_cell, places, stream), "starting a kernel");
+  check(sort_places(sorting, need, places, sorted, order_.data(), n, 3 * bits_of_cell, stream), "ordering a set");
   check(count_crowded(sorted, n, &found->crowded, stream), "starting a kernel");
-  check(gather_rows(rows, static_cast<unsigned>(fields), order_.data(), n, rows_.data(), stream), "starting a kernel");
-  return ordered(found);
+  check(gather_rows(rows, static_cast<unsigned>(fields), order_.data(), n, there.only, rows_.data(), stream),
+        "starting a kernel");
+  return true;
 }
 
 device_set::device_set(const device_set &of, std::uint32_t n)
@@ -215,7 +212,7 @@ device_set::device_set(const device_set &of, std::uint32_t n)
   };
   strided(rows_, of.rows_, static_cast<std::size_t>(kind_->fields));
   strided(order_, of.order_, 1);
-  enclose(rows());
+  enclose(rows(), on_->stream());
 }
 
 device_set::device_set(const device_set &of, std::span<const pose> poses, std::span<const std::size_t> numbers)
@@ -225,7 +222,7 @@ device_set::device_set(const device_set &of, std::span<const pose> poses, std::s
   std::vector<cuda::pose_matrix> matrices;
   for (const pose &at : poses) {
     require_movable(*kind_, at);
-    matrices.push_back(matrix_of(at));
+    matrices.push_back(cuda_pose(at));
   }
   const auto grid_of = [&](const pose &at) { return at.identity() ? of.grid_ : at.grid; };
   if (!poses.empty() &&
@@ -242,7 +239,7 @@ device_set::device_set(const device_set &of, std::span<const pose> poses, std::s
   check(launchers_->instances(of.rows_.data(), of.elements_, there.data(), static_cast<std::uint32_t>(poses.size()),
                               rows_.data(), bad.data(), stream),
         "starting a kernel");
-  enclose(rows_.data());
+  enclose(rows_.data(), stream);
   unsigned long long first = 0;
   check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, stream), "moving a set");
   check(cudaStreamSynchronize(stream), "moving a set");
@@ -275,10 +272,10 @@ fault device_set::fault_of(const float *there, std::size_t element) const {
   return f;
 }
 
-void device_set::enclose(const float *rows) {
+void device_set::enclose(const float *rows, cudaStream_t stream) {
   version_ = next_version(); // first: if a launch fails, nothing that was made of other rows is taken for these
-  check(on_->kernels().clear_extent(around_.data(), on_->stream()), "starting a kernel");
-  check(launchers_->enclose(rows, elements_, around_.data(), on_->stream()), "starting a kernel");
+  check(on_->kernels().clear_extent(around_.data(), stream), "starting a kernel");
+  check(launchers_->enclose(rows, elements_, around_.data(), stream), "starting a kernel");
 }
 
 void device_set::move(const pose &at) {
@@ -286,7 +283,7 @@ void device_set::move(const pose &at) {
     throw std::invalid_argument("a set in several poses cannot be moved");
   if (at.identity()) {
     if (std::exchange(moved_, false))
-      enclose(rows());
+      enclose(rows(), on_->stream());
     return;
   }
   require_movable(*kind_, at);
@@ -295,7 +292,7 @@ void device_set::move(const pose &at) {
   device_memory<unsigned long long> bad;
   to.reserve(elements_ * fields, "a set under a pose");
   bad.reserve(1, "a set under a pose");
-  check(launchers_->pose({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, matrix_of(at), order_.data(),
+  check(launchers_->pose({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, cuda_pose(at), order_.data(),
                          to.data(), bad.data(), on_->stream()),
         "starting a kernel");
   unsigned long long first = 0;
@@ -308,7 +305,7 @@ void device_set::move(const pose &at) {
   moved_rows_ = std::move(to);
   moved_grid_ = at.grid;
   moved_ = true;
-  enclose(rows());
+  enclose(rows(), on_->stream());
 }
 
 std::pair<float, float> device_set::reaches() const {

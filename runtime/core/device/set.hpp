@@ -15,6 +15,8 @@
 
 namespace meetc {
 
+class given_set;
+
 // Throws std::invalid_argument where this pose does not go with this kind.
 void require_movable(const kind_info &kind, const pose &at);
 
@@ -28,6 +30,11 @@ public:
   // are those of a prepared set. Throws what prepare() throws, and device_error.
   device_set(device &on, const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0);
 
+  // The elements of a given set, ordered as by the constructor above.
+  device_set(device &on, const given_set &elements, int threads = 0);
+  // A set without elements, which order() gives some.
+  device_set(device &on, const kind_info &kind);
+
   // Every n-th element of `of`, as it was uploaded. They keep their numbers in `of`.
   device_set(const device_set &of, std::uint32_t n);
   // `of`, as it was uploaded, in each of these poses, one after another. Throws what move() throws, with the pose's number in
@@ -38,12 +45,21 @@ public:
   // Different from that of any other set, and the same under all poses.
   std::uint64_t id() const { return id_; }
   std::uint32_t elements() const { return elements_; }
+  // How many the caller has, of which these may be some; order() names them by the caller's numbers, which are below this.
+  std::uint32_t numbers() const { return numbers_; }
   bool is_on(const device &d) const { return on_ == &d; }
 
   // Moves the set to this pose, which replaces its last one. The arithmetic is that of core/pose.hpp, bit for bit.
   // Throws input_error where a number leaves float32, std::invalid_argument where the kind cannot be moved, and
   // device_error. After an exception other than device_error the set is as it was before.
   void move(const pose &at);
+
+  // Becomes these elements of the caller's `numbers`, in device memory, in the pose. It only enqueues, on the stream: they are in
+  // order, and may be used for more than a walk that findings() can stop, only if findings() says so in the end. It takes this
+  // share of the device, above 0 and at most 1. Throws device_error.
+  void order(const cuda::view &elements, const pose &at, std::uint32_t numbers, float share, cudaStream_t stream);
+  // What order() has found, in device memory; null after any other way to make a set.
+  const cuda::order_findings *findings() const { return pending_ ? found_.data() : nullptr; }
 
   // The grid of its pose, or of that with which it was prepared (pose::grid).
   double grid() const { return moved_ ? moved_grid_ : grid_; }
@@ -79,25 +95,29 @@ private:
   device_set(device &on, const kind_info &kind, std::size_t elements, double grid);
   void upload(const prepared &set);
   void take_room_for_tree();
-  bool make(const view &elements, const pose &at);
-  std::optional<cuda::order_findings> arrange(const cuda::view &there, const pose &at);
-  std::optional<cuda::order_findings> sort(const cuda::view &there, const pose &at);
-  cuda::order_findings ordered(const cuda::order_findings *found);
+  bool make(const given_set &elements);
+  bool take_room();
+  bool arrange(const cuda::view &there, const pose &at, float share, cudaStream_t stream);
+  bool sort(const cuda::view &there, const pose &at, cudaStream_t stream);
+  void start_clock();
+  cuda::order_findings ordered();
   fault fault_of(const float *there, std::size_t element) const;
-  void enclose(const float *rows);
+  void enclose(const float *rows, cudaStream_t stream);
 
   device *on_;
   const kind_info *kind_;
   const cuda::kind_launchers *launchers_;
-  std::uint32_t elements_ = 0;
+  std::uint32_t elements_ = 0, numbers_ = 0;
   std::optional<std::pair<float, float>> reaches_; // of rows_, where they are known
   double grid_ = 0, moved_grid_ = 0, ordered_seconds_ = 0;
-  bool moved_ = false;
+  bool moved_ = false, pending_ = false;
   std::uint64_t id_;
   std::uint64_t version_ = 0; // the version of rows(), different from that of any other set
   device_memory<float> rows_, moved_rows_;
   device_memory<std::uint32_t> order_;
   device_memory<extent> around_;
+  device_memory<cuda::order_findings> found_;
+  device_memory<std::byte> space_;      // to put it into order
   device_memory<std::byte> columns_[2]; // as Y, as X
   made have_[2];
   device_tree tree_;

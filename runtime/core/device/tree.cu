@@ -26,6 +26,8 @@ template <bool ByPoints>
 __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 10)
     walk_kernel(const __grid_constant__ tree_walk w, const __grid_constant__ walk_plan plan) {
   begin();
+  if (!w.is_to_be_done())
+    return;
   __shared__ warp_room rooms[walk_warps];
   __shared__ unsigned left[walk_warps];
   __shared__ unsigned long long at;

@@ -23,6 +23,13 @@ struct tree_walk {
   point_fields points;
   cuda::pair_list out;       // pairs of slots; once it is full the walk stops early, and the count may leave pairs out
   unsigned long long *taken; // 0 at first
+  // Where one of these, of the walker and of the tree, says that a set is not in order, nothing is done. Null: it is.
+  const cuda::order_findings *found_walker = nullptr, *found_tree = nullptr;
+
+  MEETC_HD bool is_to_be_done() const {
+    return (!found_walker || is_order(*found_walker, walker.elements)) &&
+           (!found_tree || is_order(*found_tree, tree.elements));
+  }
 };
 // Appends the pairs of slots whose boxes touch, except for long elements that by their two points are apart from the
 // other's box.

@@ -37,7 +37,9 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
   __shared__ unsigned room[arrange_threads / 32], starts[arrange_threads];
   __shared__ unsigned long long bad_of_block, crowded_of_block, longest_of_block;
   __shared__ hilbert_cells cells;
-  const std::uint32_t n = job.from.elements, first = grid_thread(), step = grid_threads();
+  // Warps that follow one another are in different blocks, so that few elements have many multiprocessors.
+  const std::uint32_t n = job.from.elements, step = grid_threads(),
+                      first = (threadIdx.x / 32 * gridDim.x + blockIdx.x) * 32 + threadIdx.x % 32;
   auto *const parts = static_cast<arrange_part *>(job.parts);
   const running_sums counts{job.cells, 1U << job.cell_bits, reinterpret_cast<std::uint32_t *>(parts + arrange_threads)};
   const int place_bits = 3 * job.bits;
@@ -55,7 +57,7 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
     float *const row = of_warp + lane * fields;
     if (i < n) {
       if (!posed_element<Shape>(job.from, job.at, i, row))
-        atomicMin(&bad_of_block, static_cast<unsigned long long>(i) << 32 | i);
+        atomicMin(&bad_of_block, static_cast<unsigned long long>(number_in(job.from, i)) << 32 | i);
       widen<Shape>(mine, row);
     }
     write_rows<Shape::fields>(of_warp, n - base, job.posed + base * std::size_t{fields});
@@ -107,15 +109,16 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
       const std::uint64_t element = job.by_cell[base + lane];
       const std::uint32_t cell = cell_of(element, place_bits, job.cell_bits), begin = counts.at(starts, shift, cell),
                           end = cell + 1 < counts.n ? counts.at(starts, shift, cell + 1) : n;
-      if (end - begin > most_in_cell) {
+      from = static_cast<std::uint32_t>(element), to = base + lane;
+      if (end - begin > most_in_cell) { // each has a slot all the same
         atomicMax(&longest_of_block, static_cast<unsigned long long>(end - begin));
       } else {
         const before_in_cell before(job.by_cell, begin, end, element);
         if (before.alike >= tree_width)
           atomicAdd(&crowded_of_block, 1ULL);
-        from = static_cast<std::uint32_t>(element), to = begin + before.all;
-        job.order[to] = from;
+        to = begin + before.all;
       }
+      job.order[to] = number_in(job.from, from);
     }
     for (unsigned k = lane; k < 32 * fields; k += 32) {
       const std::uint32_t row_from = __shfl_sync(~0U, from, k / fields), row_to = __shfl_sync(~0U, to, k / fields);
@@ -134,10 +137,14 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
 
 template <class Shape> cudaError_t arrange(const arrange_job &job, cudaStream_t stream) {
   if (job.from.elements == 0 || job.from.elements > most_to_arrange || job.cell_bits > 3 * job.bits ||
-      (job.from.index && (Shape::fields % 3 != 0 || Shape::pad >= 0)))
+      !(job.share > 0 && job.share <= 1) || !can_be_indexed<Shape>(job.from))
     return cudaErrorInvalidValue;
   constexpr unsigned threads = threads_to_arrange(Shape::fields);
-  return launch_together<arrange_kernel<Shape>, threads>((job.from.elements + threads - 1) / threads, stream, job);
+  constexpr unsigned least_warps = 4; // of a block
+  const auto there = static_cast<float>(blocks_at_once<arrange_kernel<Shape>, threads>());
+  const unsigned most = std::max(1U, static_cast<unsigned>(there * job.share)),
+                 wanted = (job.from.elements - 1) / (32 * least_warps) + 1;
+  return launch_together<arrange_kernel<Shape>, threads>(std::min(wanted, most), stream, job);
 }
 
 } // namespace meetc::cuda

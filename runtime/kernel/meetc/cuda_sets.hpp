@@ -142,9 +142,20 @@ template <class Shape> __device__ bool posed_row(const pose_matrix &at, const fl
   return good;
 }
 
+// Kinds that can be indexed consist of points, x y z each.
+template <class Shape> bool can_be_indexed(const view &v) {
+  return !v.index || (Shape::fields % 3 == 0 && Shape::pad < 0);
+}
+
+// The number of element i of a view among all.
+__device__ inline std::uint32_t number_in(const view &v, std::uint32_t i) {
+  return v.only ? v.only[i] : i;
+}
+
 // The same of element i of a view.
 template <class Shape>
 __device__ bool posed_element(const view &v, const pose_matrix &at, std::uint32_t i, float *out) {
+  i = number_in(v, i);
   float in[Shape::fields];
   bool good = true;
   const auto *bytes = reinterpret_cast<const char *>(v.data);
@@ -186,7 +197,7 @@ __global__ void __launch_bounds__(set_threads)
        base += gridDim.x * std::size_t{set_threads}) {
     const auto i = static_cast<std::uint32_t>(base + lane);
     if (i < v.elements && i >= base && !posed_element<Shape>(v, at, i, of_warp + lane * fields))
-      atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : i) << 32 | i);
+      atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : number_in(v, i)) << 32 | i);
     write_rows<Shape::fields>(of_warp, static_cast<std::uint32_t>(v.elements - base), rows + base * fields);
   }
 }
@@ -196,8 +207,8 @@ cudaError_t pose_rows(const view &v, const pose_matrix &at, const std::uint32_t 
   const cudaError_t e = cudaMemsetAsync(bad, 0xff, sizeof *bad, stream);
   if (e != cudaSuccess || v.elements == 0)
     return e;
-  if (v.index && (Shape::fields % 3 != 0 || Shape::pad >= 0))
-    return cudaErrorInvalidValue; // the kind does not consist of points
+  if (!can_be_indexed<Shape>(v))
+    return cudaErrorInvalidValue;
   const unsigned blocks = std::min(blocks_for(v.elements), 65536U);
   pose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad);
   return cudaGetLastError();

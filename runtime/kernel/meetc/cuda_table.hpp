@@ -67,6 +67,7 @@ struct view {
   std::size_t stride_bytes; // of a point or row; a multiple of 4 is not needed
   const std::uint32_t *index;
   std::uint32_t vertices, elements;
+  const std::uint32_t *only = nullptr; // element i is element only[i] of all; null: i
 };
 
 // Row-major 3x4: a point becomes ((m0*x + m1*y) + m2*z) + m3 in fp64, in this order, without fma, rounded once to
@@ -108,15 +109,20 @@ struct query {
 struct order_findings {
   unsigned long long bad;     // as query_result::bad_a
   unsigned long long crowded; // elements before which at least tree_width others have the same place
-  unsigned long long longest; // above most_in_cell: more elements than that share a cell, and there is no order
+  unsigned long long longest; // above most_in_cell: so many share a cell, in which they lie in any order
 };
-inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 256;
+// Whether n elements are in an order, so that neighbours along it are near each other: an eighth of them may be crowded.
+MEETC_HD constexpr bool is_order(const order_findings &found, std::uint32_t n) {
+  return found.bad == ~0ULL && found.crowded <= n / 8 && found.longest == 0;
+}
+inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 4096;
 // Elements that are moved and put into the order of their places, those with one place in that of their numbers. A cell is
 // what the first bits of a place name.
 struct arrange_job {
   view from;
   pose_matrix at;
   int bits, cell_bits; // of a cell along an axis, as places() has them; and of those 3 bits the first, at most all
+  float share;         // it takes this part of the device, so that others run beside it; above 0, at most 1
   float *posed;        // room for the rows in the caller's order
   std::uint32_t *places, *ranks; // room for a number each
   std::uint32_t *cells;          // room for 2^cell_bits
@@ -128,6 +134,28 @@ struct arrange_job {
   order_findings *found;
 };
 inline constexpr std::size_t arrange_bytes = std::size_t{64} << 10;
+
+// The box around some boxes, in numbers that are 0 where there are none and that maxima join.
+struct joined_box {
+  std::uint32_t below[3], above[3];
+};
+// One pass over the elements of one of two sets that are culled: those that the other's box and its marks do not rule out are
+// kept, and mark their own cells. Such passes follow one another, each with the marks of the one before.
+inline constexpr int least_cull_bits = 3, most_cull_bits = 9;
+struct sift_job {
+  view from;
+  pose_matrix at;
+  const joined_box *around;      // of both sets
+  int bits;                      // of a cell along an axis, from least_cull_bits to most_cull_bits
+  bool by_lines;                 // long elements with two points are kept, and mark the cells along their line
+  const std::uint32_t *vertices; // cull_grid::cells_of() each vertex, where there is an index
+  const std::uint32_t *among;    // the elements that are looked at; null: all
+  const unsigned *among_count;
+  std::uint32_t *marked, *marks; // cull_marks::words_for(bits), all 0 at first; null: all is marked, nothing is to be
+  std::uint32_t *kept;           // room for all that are looked at; in any order
+  unsigned *count;               // 0 at first
+  unsigned long long *bad;       // 0 at first; the greatest of what is ~ of query_result::bad_a
+};
 
 // One kind of element.
 struct kind_launchers {
@@ -154,6 +182,9 @@ struct kind_launchers {
   cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, cudaStream_t stream);
   // pose(), enclose() and places() at once, and the order, of 1 to most_to_arrange elements. Null: not generated.
   cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;
+  // Widens *around by the boxes of the elements. Null, as sift(): not generated.
+  cudaError_t (*surround)(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) = nullptr;
+  cudaError_t (*sift)(const sift_job &job, cudaStream_t stream) = nullptr;
 };
 
 inline constexpr std::uint32_t part_step = 64;

@@ -108,6 +108,14 @@ rows_of family_rows(const kind_info &kind, std::size_t n, int family, engine &ra
   return out;
 }
 
+rows_of rows_in(const prepared &set) {
+  const auto fields = static_cast<std::size_t>(set.kind().fields);
+  rows_of out{&set.kind(), std::vector<float>(set.elements() * fields)};
+  for (std::size_t i = 0; i < set.elements(); ++i)
+    std::copy_n(set.set().rows + i * fields, fields, out.rows.data() + set.set().order[i] * fields);
+  return out;
+}
+
 rows_of same_rows(const kind_info &kind, std::size_t n) {
   static constexpr float row[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}; // of any kind; all of them touch at 0, 0, 0 or at 1, 0, 0
   static constexpr float sphere[] = {0, 0, 0, 1};
@@ -169,6 +177,8 @@ void comparison::add(const std::string &scene, const predicate_info &p, const de
 }
 
 std::string comparison::way::name() const {
+  if (given)
+    return culled ? "given, culled" : "given";
   return by == search::tree ? meetc::name_of(by) : name_of(filter) + std::string(", ") + meetc::name_of(by);
 }
 
@@ -192,17 +202,44 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
                       std::span<const rung> rungs, const options &o) {
   device_set da(on_, a), db(on_, b);
   same(scene, p, a, da, b, db, rungs, o);
+  const auto grid = [](const prepared &set) {
+    pose at;
+    at.grid = set.set().grid;
+    return at;
+  };
+  const rows_of x = rows_in(a), y = rows_in(b);
+  given_set ga(on_, view_of(x), *x.kind, grid(a)), gb(on_, view_of(y), *y.kind, grid(b));
+  same(scene, p, a, ga, b, gb, rungs, o);
 }
 
 void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, device_set &da,
                       const prepared &b, device_set &db, std::span<const rung> rungs, const options &o) {
+  compare(scene, p, a, b, rungs, o, ways(o),
+          [&](const way &, rung r, const device_options &with) { return collide(on_, da, db, p, r, with); });
+}
+
+void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, given_set &ga,
+                      const prepared &b, given_set &gb, std::span<const rung> rungs, const options &o) {
+  const std::vector<way> by{{search::tree, on_.best_filter(), true, false},
+                            {search::tree, on_.best_filter(), true, true}};
+  compare(scene, p, a, b, rungs, o, by, [&](const way &w, rung r, device_options &with) {
+    with.cull = w.culled;
+    // What is met first is asked without culling.
+    with.first_met = with.first_met && !w.culled;
+    return collide(on_, ga, gb, p, r, with);
+  });
+}
+
+void comparison::compare(const std::string &scene, const predicate_info &p, const prepared &a, const prepared &b,
+                         std::span<const rung> rungs, const options &o, const std::vector<way> &ways,
+                         const query &ask) {
   const key of{scene, p.name};
   for (const rung r : rungs) {
     collide_options on_cpu;
     on_cpu.owner_a = o.owner_a, on_cpu.owner_b = o.owner_b;
     on_cpu.first_met = p.first_met && o.owner_a.empty();
     const result want = collide(a, b, p, r, on_cpu);
-    for (const way &by : ways(o)) {
+    for (const way &by : ways) {
       const auto fails = [&](const std::string &what) {
         fail(of, std::to_string(a.elements()) + " by " + std::to_string(b.elements()) + ", " + name_of(r) + ", " +
                      by.name() + ": " + what);
@@ -213,9 +250,9 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
       with.filter = by.filter;
       with.list_capacity = o.list_capacity;
       with.first_met = on_cpu.first_met;
-      const device_result have = collide(on_, da, db, p, r, with);
+      const device_result have = ask(by, r, with);
       add(scene, p, have);
-      if (have.first_met != want.first_met)
+      if (have.first_met != want.first_met && with.first_met)
         fails("other elements are met first");
       if (have.count != have.pairs.size())
         fails("the count is " + std::to_string(have.count) + " and the list has " + std::to_string(have.pairs.size()));
@@ -246,29 +283,29 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
       if (!o.all_modes)
         continue;
       with.want = answer_kind::count;
-      const device_result counted = collide(on_, da, db, p, r, with);
+      const device_result counted = ask(by, r, with);
       if (counted.count != have.count || !counted.pairs.empty())
         fails("counted " + std::to_string(counted.count) + ", listed " + std::to_string(have.count));
       if (counted.candidates != have.candidates || counted.near_balls != have.near_balls)
         fails("counting looks at other candidates than listing");
-      if (counted.first_met != want.first_met)
+      if (counted.first_met != want.first_met && with.first_met)
         fails("other elements are met first where pairs are only counted");
       with.first_met = false;
       with.want = answer_kind::any;
-      const device_result any = collide(on_, da, db, p, r, with);
+      const device_result any = ask(by, r, with);
       if (any.count != (have.count > 0) || !any.pairs.empty())
         fails("any says " + std::to_string(any.count) + " of " + std::to_string(have.count));
       const std::size_t items_a = items(o.owner_a, a.elements()), items_b = items(o.owner_b, b.elements());
       if (items_a + items_b > std::size_t{1} << 24) // an array of items would take gigabytes
         continue;
       with.want = answer_kind::flags;
-      const device_result flagged = collide(on_, da, db, p, r, with);
+      const device_result flagged = ask(by, r, with);
       const per_element<std::uint8_t> flags = flags_of(want.pairs, items_a, items_b);
       if (flagged.count != have.count || !flagged.pairs.empty() || flagged.flags.a != flags.a ||
           flagged.flags.b != flags.b)
         fails("the flags are not those of the pairs");
       with.want = answer_kind::counts;
-      const device_result each = collide(on_, da, db, p, r, with);
+      const device_result each = ask(by, r, with);
       const per_element<std::uint64_t> counts = counts_of(want.pairs, items_a, items_b);
       if (each.count != have.count || !each.pairs.empty() || each.counts.a != counts.a || each.counts.b != counts.b)
         fails("the counts of elements are not those of the pairs");

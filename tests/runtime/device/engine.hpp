@@ -1,6 +1,6 @@
 // Shared by the tests of whole queries on the device: sets, the CPU's answers next to the device's, and a table.
 #pragma once
-#include "core/device/collide.hpp"
+#include "core/device/given.hpp"
 
 #include <cga/cga_runtime.hpp>
 
@@ -37,6 +37,8 @@ struct rows_of {
   std::size_t size() const { return rows.size() / static_cast<std::size_t>(kind->fields); }
 };
 meetc::view view_of(const rows_of &r);
+// Those of a set that was prepared, in the caller's order.
+rows_of rows_in(const meetc::prepared &set);
 // Makes of a box's corners, which may be any two opposite ones, the least and the greatest. Other kinds stay as they are.
 void put_in_order(rows_of &r);
 // The pose; for a kind whose edges lie along the axes one that keeps them there, as large and at the same place.
@@ -95,17 +97,21 @@ public:
   struct way {
     meetc::search by;
     meetc::cuda::filter filter;
+    bool given = false, culled = false; // sets as they are given
     std::string name() const;
   };
   std::vector<way> ways(const options &o = {}) const;
 
-  // Compares every rung of `rungs` and every filter with the CPU. Differences are counted under the scene's name and
-  // printed.
+  // Compares every rung of `rungs` and every filter with the CPU, and sets as they are given, culled or not. Differences are
+  // counted under the scene's name and printed.
   void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
             const meetc::prepared &b, std::span<const meetc::rung> rungs, const options &o = {});
   // The same for sets that are on the device already, in the poses in which a and b were prepared.
   void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a, meetc::device_set &da,
             const meetc::prepared &b, meetc::device_set &db, std::span<const meetc::rung> rungs, const options &o = {});
+  // The same for sets as they are given, which need not have the poses of a and b.
+  void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a, meetc::given_set &ga,
+            const meetc::prepared &b, meetc::given_set &gb, std::span<const meetc::rung> rungs, const options &o = {});
   // Any other condition.
   void require(const std::string &scene, bool holds, const std::string &what);
   // The figures of one query, under the scene's name.
@@ -116,6 +122,10 @@ public:
 
 private:
   using key = std::pair<std::string, std::string>;
+  using query = std::function<meetc::device_result(const way &, meetc::rung, meetc::device_options &)>;
+  void compare(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
+               const meetc::prepared &b, std::span<const meetc::rung> rungs, const options &o,
+               const std::vector<way> &by, const query &ask);
   void fail(const key &of, const std::string &what);
   line &at(const key &of);
 
@@ -132,10 +142,11 @@ struct settings {
   bool small = false; // few and small sets, for tools that slow everything down
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
-  std::string part; // of the scenes: pairs, made, poses, ends or group; empty: all
+  std::string part; // of the scenes: pairs, made, given, poses, ends or group; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
 void made_scenes(comparison &with, const settings &s);
+void given_scenes(comparison &with, const settings &s);
 void pose_scenes(comparison &with, const settings &s);
 void end_scenes(comparison &with, const settings &s);
 void group_scenes(comparison &with, const settings &s);

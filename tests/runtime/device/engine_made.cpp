@@ -52,7 +52,7 @@ bool is_in_order(const device_set &there, const prepared &set) {
   check(cudaMemcpy(&around, there.around(), sizeof around, cudaMemcpyDeviceToHost), "a test");
   for (std::size_t i = 0; i < n; ++i)
     std::memcpy(&want[set.set().order[i] * fields], set.set().rows + i * fields, fields * sizeof(float));
-  const cuda::hilbert_cells cells(around, 8);
+  const cuda::hilbert_cells cells(around, 10);
   std::vector<std::uint64_t> seen;
   for (std::size_t i = 0; i < n; ++i) {
     cuda::tree_box b;
@@ -102,9 +102,9 @@ void made(comparison &with, const settings &s) {
       check("made there, one far away", view_of(x), view_of(y), at);
     }
     // More than most_in_cell share a cell, and few of them a place: the places are sorted instead.
-    rows_of close = random_rows(*p.a, 900, {1, 0.05, 1, 0}, random);
-    for (std::size_t i = 0; i < 800 * static_cast<std::size_t>(p.a->fields); ++i)
-      close.rows[i] /= 16;
+    rows_of close = random_rows(*p.a, 5200, {1, 0.05, 1, 0}, random);
+    for (std::size_t i = 0; i < 5000 * static_cast<std::size_t>(p.a->fields); ++i)
+      close.rows[i] /= 64;
     check("made there, many close together", view_of(close), view_of(random_rows(*p.b, 300, {1, 0.05, 1, 0}, random)),
           {});
     const rows_of x = same_rows(*p.a, 200), y = same_rows(*p.b, 50), none{p.b, {}};

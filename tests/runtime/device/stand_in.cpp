@@ -4,6 +4,7 @@
 // join results. Two of its filters are the extremes that the model of the matrix unit allows: one drops every pair that
 // it may drop, the other keeps every pair that it may keep.
 #include "core/device/kernels.hpp"
+#include "tests/runtime/device/stand_in_cull.hpp"
 #include "tests/runtime/device/stand_in_levels.hpp"
 
 #include <cga/ball_form.hpp>
@@ -57,13 +58,31 @@ cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint
 }
 
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
-                      int bits, cudaStream_t) {
+                      int first_bit, int bits, cudaStream_t) {
   bytes = 1;
   if (!space)
     return cudaSuccess;
   std::copy_n(keys, n, to);
   const std::uint64_t mask = bits < 64 ? (std::uint64_t{1} << bits) - 1 : ~std::uint64_t{0}; // too few bits must show
-  std::stable_sort(to, to + n, [mask](std::uint64_t x, std::uint64_t y) { return (x & mask) < (y & mask); });
+  std::stable_sort(to, to + n, [mask, first_bit](std::uint64_t x, std::uint64_t y) {
+    return (x & mask) >> first_bit < (y & mask) >> first_bit;
+  });
+  return cudaSuccess;
+}
+cudaError_t order_runs(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
+                       unsigned long long *crowded, cudaStream_t) {
+  *crowded = 0;
+  std::vector<std::uint64_t> sorted(keys, keys + n);
+  const auto item = [bits_b](std::uint64_t key) { return key >> bits_b; };
+  for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+    while (end < n && item(sorted[end]) == item(sorted[begin]))
+      ++end;
+    if (end - begin > most_in_run)
+      *crowded = end - begin;
+    std::sort(sorted.data() + begin, sorted.data() + end);
+  }
+  for (std::size_t i = 0; i < n && *crowded == 0; ++i)
+    to[i] = pair_of(sorted[i], bits_b);
   return cudaSuccess;
 }
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,
@@ -138,6 +157,7 @@ cudaError_t order_few_hits(const hit_order &o, cudaStream_t) {
 namespace {
 
 using namespace meetc;
+using namespace meetc::stand_in;
 using cuda::operand;
 using cuda::pair_list;
 using form = cga::ball_form;
@@ -147,43 +167,14 @@ cudaError_t clear_extent(extent *around, cudaStream_t) {
     clear(*around, k);
   return cudaSuccess;
 }
-// Returns whether it is a row of its kind.
-template <class Shape> bool posed_row(const cuda::pose_matrix &at, const float *row, float *out) {
-  constexpr int fields = Shape::fields;
-  std::copy_n(row, fields, out);
-  for (int f = 0; f < fields && !at.identity; ++f)
-    if (Shape::role_of(f) == role::length)
-      out[f] = static_cast<float>(static_cast<double>(row[f]) * at.length_scale);
-    else if (Shape::role_of(f) == role::x)
-      for (int k = 0; k < 3; ++k) {
-        const double *m = at.m + 4 * k;
-        const double x = row[f], y = row[f + 1], z = row[f + 2];
-        out[f + k] = static_cast<float>(((m[0] * x + m[1] * y) + m[2] * z) + m[3]);
-      }
-  for (int f = 0; f < fields && at.on_grid; ++f)
-    out[f] = nearest_multiple(out[f], at.grid_low);
-  return std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }) && Shape::obeys(out);
-}
 template <class Shape>
 cudaError_t pose_rows(const cuda::view &v, const cuda::pose_matrix &at, const std::uint32_t *order, float *to,
                       unsigned long long *bad, cudaStream_t) {
   constexpr int fields = Shape::fields;
   *bad = ~0ULL;
-  for (std::uint32_t i = 0; i < v.elements; ++i) {
-    float row[fields] = {};
-    bool there = true;
-    for (int f = 0; f < fields; ++f) {
-      const std::size_t at_row = v.index ? v.index[i * (fields / 3) + f / 3] : i;
-      const std::size_t at_field = static_cast<std::size_t>(v.index ? f % 3 : f);
-      there = there && (!v.index || at_row < v.vertices);
-      if (there)
-        std::memcpy(row + f,
-                    reinterpret_cast<const char *>(v.data) + at_row * v.stride_bytes + at_field * sizeof(float),
-                    sizeof(float));
-    }
-    if (!posed_row<Shape>(at, row, to + i * std::size_t{fields}) || !there)
-      *bad = std::min(*bad, static_cast<unsigned long long>(order ? order[i] : i) << 32 | i);
-  }
+  for (std::uint32_t i = 0; i < v.elements; ++i)
+    if (!posed_element<Shape>(v, at, number_in(v, i), to + i * std::size_t{fields}))
+      *bad = std::min(*bad, static_cast<unsigned long long>(order ? order[i] : number_in(v, i)) << 32 | i);
   return cudaSuccess;
 }
 template <class Shape>
@@ -270,16 +261,18 @@ template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStr
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint64_t element = job.by_cell[i];
     const std::uint32_t of = cell(element), begin = job.cells[of], end = of < last ? job.cells[of + 1] : n;
+    std::uint32_t to = i;
     if (end - begin > cuda::most_in_cell) {
       job.found->longest = std::max<unsigned long long>(job.found->longest, end - begin);
-      continue;
+    } else {
+      const cuda::before_in_cell before(job.by_cell, begin, end, element);
+      job.found->crowded += before.alike >= cuda::tree_width;
+      to = begin + before.all;
     }
-    const cuda::before_in_cell before(job.by_cell, begin, end, element);
-    job.found->crowded += before.alike >= cuda::tree_width;
     const auto from = static_cast<std::uint32_t>(element);
-    job.order[begin + before.all] = from;
+    job.order[to] = number_in(job.from, from);
     std::copy_n(job.posed + from * std::size_t{Shape::fields}, Shape::fields,
-                job.rows + (begin + before.all) * std::size_t{Shape::fields});
+                job.rows + to * std::size_t{Shape::fields});
   }
   return cudaSuccess;
 }
@@ -463,8 +456,8 @@ cudaError_t no_faults(unsigned *faults, cudaStream_t) {
 }
 
 template <class Shape> constexpr cuda::kind_launchers launchers_of(const char *name) {
-  return {name,           Shape::fields, pose_rows<Shape>, instances<Shape>, enclose<Shape>,
-          columns<Shape>, places<Shape>, boxes<Shape>,     arrange<Shape>};
+  return {name,          Shape::fields, pose_rows<Shape>, instances<Shape>, enclose<Shape>, columns<Shape>,
+          places<Shape>, boxes<Shape>,  arrange<Shape>,   surround<Shape>,  sift<Shape>};
 }
 const cuda::kind_launchers kinds[] = {
     launchers_of<cga::point_shape>("point"), launchers_of<cga::sphere_shape>("sphere"),

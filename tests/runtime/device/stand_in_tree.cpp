@@ -25,10 +25,12 @@ cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned
     *crowded += sorted[i] == sorted[i - cuda::tree_width];
   return cudaSuccess;
 }
-cudaError_t gather_rows(const float *rows, unsigned fields, const std::uint32_t *slots, std::uint32_t n, float *to,
-                        cudaStream_t) {
-  for (std::uint32_t i = 0; i < n; ++i)
+cudaError_t gather_rows(const float *rows, unsigned fields, std::uint32_t *slots, std::uint32_t n,
+                        const std::uint32_t *names, float *to, cudaStream_t) {
+  for (std::uint32_t i = 0; i < n; ++i) {
     std::copy_n(rows + std::size_t{slots[i]} * fields, fields, to + std::size_t{i} * fields);
+    slots[i] = names ? names[slots[i]] : slots[i];
+  }
   return cudaSuccess;
 }
 cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t) {
@@ -70,6 +72,8 @@ void go_down(const tree_walk &w, const cuda::tree_box &own, const two_points *po
 cudaError_t walk(const tree_walk &w, cudaStream_t) {
   if (*w.taken != 0)
     return cudaErrorInvalidValue;
+  if (!w.is_to_be_done())
+    return cudaSuccess;
   const std::uint32_t width = cuda::tree_width;
   for (std::uint32_t i = w.of.first_a * width; i < std::min(w.walker.elements, w.of.end_a * width); ++i) {
     two_points points{};

@@ -1,0 +1,93 @@
+#include "core/device/cull.hpp"
+
+#include "core/device/buffers.hpp"
+#include "core/device/cull_kernels.hpp"
+#include "core/device/given.hpp"
+#include "core/two_points.hpp"
+#include "meetc/cuda_query.hpp"
+#include "meetc/cull_grid.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace meetc {
+namespace {
+
+// A cell is a few times as wide as an element of a mesh that fills the box.
+int bits_for(std::uint32_t elements) {
+  return std::clamp(static_cast<int>(std::bit_width(elements)) / 2 - 2, cuda::least_cull_bits, cuda::most_cull_bits);
+}
+
+} // namespace
+
+bool cull_pays(const given_set &a, const given_set &b) {
+  constexpr std::uint64_t fewest = std::uint64_t{1} << 17; // fewer are in order sooner
+  const bool mesh = a.there().index || b.there().index;    // its elements leave most cells empty
+  return &a != &b && mesh && std::uint64_t{a.elements()} + b.elements() >= fewest;
+}
+
+bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, culled &out) {
+  const bool lines_a = by_lines && has_two_points(a.kind()), lines_b = by_lines && has_two_points(b.kind());
+  const bool b_first = lines_a == lines_b ? b.elements() < a.elements() : lines_b;
+  const given_set *const sets[2] = {b_first ? &b : &a, b_first ? &a : &b};
+  const bool again = !lines_a && !lines_b;
+  device_buffers &buffers = on.buffers();
+  const cudaStream_t stream = on.stream();
+  cuda::sift_job job{};
+  job.bits = bits_for(std::max(a.elements(), b.elements()));
+  job.by_lines = by_lines;
+  const std::size_t words = cuda::cull_marks::words_for(job.bits);
+  cull_findings *found = nullptr;
+  std::uint32_t *marks[2] = {nullptr, nullptr}, *kept[3] = {nullptr, nullptr, nullptr},
+                *vertices[2] = {nullptr, nullptr};
+  std::size_t zeroed = 0;
+  for (const bool planned : {true, false}) {
+    cuda::cutter from(buffers.cull_space.data(), buffers.cull_space.capacity());
+    found = from.take<cull_findings>(1);
+    marks[0] = from.take<std::uint32_t>(words), marks[1] = from.take<std::uint32_t>(again ? words : 0);
+    zeroed = from.used();
+    kept[0] = from.take<std::uint32_t>(sets[0]->elements()), kept[1] = from.take<std::uint32_t>(sets[1]->elements());
+    kept[2] = from.take<std::uint32_t>(again ? sets[0]->elements() : 0);
+    for (int s = 0; s < 2; ++s)
+      vertices[s] = from.take<std::uint32_t>(sets[s]->there().index ? sets[s]->there().vertices : 0);
+    if (planned && !buffers.cull_space.grow(from.used(), 0, stream))
+      return false;
+  }
+  check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
+  check(cudaMemsetAsync(buffers.cull_space.data(), 0, zeroed, stream), "clearing marks");
+  vertices_of_two corners{};
+  for (int s = 0; s < 2; ++s) {
+    corners.at[s] = cuda_pose(sets[s]->at());
+    if (sets[s]->there().index)
+      corners.of[s] = sets[s]->there();
+    else
+      check(sets[s]->launchers().surround(sets[s]->there(), corners.at[s], found->around + s, stream),
+            "starting a kernel");
+  }
+  check(surround_vertices(corners, found->around, stream), "starting a kernel");
+  check(find_cells(corners, found->around, job.bits, {{vertices[0], vertices[1]}}, stream), "starting a kernel");
+  job.around = found->around;
+  const auto sift = [&](int set, int pass) {
+    job.from = sets[set]->there(), job.at = corners.at[set];
+    job.vertices = vertices[set], job.kept = kept[pass], job.count = found->kept + pass, job.bad = found->bad + set;
+    check(sets[set]->launchers().sift(job, stream), "starting a kernel");
+  };
+  job.marks = marks[0];
+  sift(0, 0);
+  job.marked = marks[0], job.marks = again ? marks[1] : nullptr;
+  sift(1, 1);
+  if (again) {
+    job.marked = marks[1], job.marks = nullptr, job.among = kept[0], job.among_count = found->kept;
+    sift(0, 2);
+  }
+  cull_findings &seen = buffers.seen->culled;
+  check(cudaMemcpyAsync(&seen, found, sizeof seen, cudaMemcpyDeviceToHost, stream), "culling");
+  check(cudaStreamSynchronize(stream), "culling");
+  const int last = again ? 2 : 0;
+  out = {kept[last], kept[1], seen.kept[last], seen.kept[1], seen.bad[0] != 0, seen.bad[1] != 0};
+  if (b_first)
+    out = {out.b, out.a, out.elements_b, out.elements_a, out.bad_b, out.bad_a};
+  return true;
+}
+
+} // namespace meetc
