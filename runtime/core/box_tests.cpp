@@ -18,7 +18,7 @@ index_pair pair_of(const block_query &q, std::uint32_t theirs) {
   return q.swapped ? index_pair{theirs, q.slot} : index_pair{q.slot, theirs};
 }
 
-// Of a block that touches.
+// The first block that a mask names.
 struct leaf {
   std::uint32_t number;
   int lane; // of the box around it

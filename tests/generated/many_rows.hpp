@@ -23,6 +23,7 @@ struct many_rows {
   row a, b;
   std::vector<index_pair> pairs;
 
+  many_rows() = default;
   template <class P> many_rows(const P &p, std::uint32_t each) {
     random_numbers random(11);
     std::uint32_t n = 0;

@@ -51,13 +51,11 @@ template <class P, class A, class L> tally compare(const many_rows &r, double le
                                                                                    r.b.data() +
                                                                                    std::size_t{pair.b} * P::inputs_b;
     const in_lanes<P, L> rows = lanes_of<L, P>(row_a, row_b);
-    meetc::lane_extent<L> extent = meetc::extent_of<P>(rows.a, rows.b);
-    extent.largest = extent.largest * L(static_cast<real>(less));
+    const L extent = meetc::extent_of<P>(rows.a, rows.b) * L(static_cast<real>(less));
     meetc::each_stage<P>([&](auto stage) {
       using S = decltype(stage);
       L error[S::atoms];
-      if (!(meetc::power_errors<P, S, A>(extent, error) & 1))
-        return;
+      meetc::power_errors<P, S, A>(extent, error);
       const meetc::rows_in<P, real> numbers(row_a, row_b);
       real m[S::atoms];
       constexpr real floor = meetc::power_of_two(A::template floor<S>(), real(0));
@@ -65,7 +63,7 @@ template <class P, class A, class L> tally compare(const many_rows &r, double le
       for (int i = 0; i < S::atoms; ++i) {
         ++t.compared;
         t.rounds |= A::template factor<S>(i) > 0;
-        t.less += error[i].v[0] < A::template factor<S>(i) * m[i];
+        t.less += error[i].v[0] < A::template factor<S>(i) * m[i]; // not where one of them is NaN
       }
     });
   }
@@ -90,8 +88,6 @@ TEST_CASE("unit magnitudes are those of the emitted programs, and homogeneous") 
         most = std::fmax(most, one[i]);
       }
       const auto largest = [most](double leaf) { return most * std::pow(leaf, S::degree); };
-      CHECK(largest(std::ldexp(1.0, unit.highest_power(126))) <= 0x1p126);
-      CHECK(largest(std::ldexp(1.0, unit.highest_power(126) + 1)) > 0x1p126);
       CHECK(largest(unit.highest(53)) < 0x1p53);
       CHECK(largest(unit.highest(53) + 1) >= 0x1p53);
     });

@@ -192,7 +192,7 @@ TEST_CASE("volumes in exact doubles: no sign is wrong, and a limit that is too h
   CHECK(too_high > 0);
 }
 
-TEST_CASE("the largest volumes of short integers in doubles: no sign is wrong") {
+TEST_CASE("the largest volumes in exact doubles: no sign is wrong") {
   random_numbers random(18);
   int found = 0;
   for (int i = 0; i < effort(20000); ++i) {

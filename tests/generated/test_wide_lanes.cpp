@@ -6,6 +6,7 @@
 #include "tests/generated/effort.hpp"
 #include "tests/generated/many_rows.hpp"
 
+#include <algorithm>
 #include <cga/cga.hpp>
 #include <cga/cga_runtime.hpp>
 #include <cga/header_only.hpp>
@@ -78,9 +79,49 @@ TEST_CASE("wide lanes: residues are never wrong, and few pairs stay unsure") {
       alone += meetc::certify_here<P, meetc::in_fp64>(r.a.data() + std::size_t{x.a} * P::inputs_a,
                                                       r.b.data() + std::size_t{x.b} * P::inputs_b) == answer::unsure;
     CHECK(whole.unsure <= 2 * alone);
-    seen += run<P, meetc::residue_width<16, 48>>(r, truth).wrong > 0;
+    seen += run<P, meetc::residue_width<16, 48, 48, 0>>(r, truth).wrong > 0;
     too_high += run<P, meetc::residue_width<64, 62, 48, 1000>>(r, truth).wrong > 0;
   });
-  CHECK(seen > 0); // integers that are short enough are doubles
+  CHECK(seen > 0); // fp64 knows most signs before residues are asked, also without exact doubles
   CHECK(too_high > 0);
+}
+
+namespace {
+
+// Triangles with corners of a cube as long as differences can be where doubles below 2^Limit are exact, and segments that
+// begin between two of their corners, up to a rounding.
+template <int Limit> int wrong_by_midpoints() {
+  using P = cga::segment_triangle;
+  random_numbers random(19);
+  const auto side = static_cast<int>(meetc::exact_steps<P, Limit>()) - 1;
+  many_rows r;
+  for (std::uint32_t n = 0; n < static_cast<std::uint32_t>(effort(60000)); ++n) {
+    const auto corner = [&] {
+      const auto i = static_cast<int>(random.bits() % 8);
+      return i < 3 ? 0 : i < 6 ? side : static_cast<int>(random.bits() % static_cast<unsigned>(side));
+    };
+    int a[P::inputs_a], b[P::inputs_b];
+    std::generate(std::begin(a), std::end(a), corner);
+    std::generate(std::begin(b), std::end(b), corner);
+    for (int k = 0; k < 3; ++k)
+      a[k] = (b[k] + b[3 + k]) / 2;
+    for (const int x : a)
+      r.a.push_back(static_cast<float>(x));
+    for (const int x : b)
+      r.b.push_back(static_cast<float>(x));
+    r.pairs.push_back({n, n});
+  }
+  std::vector<answer> truth;
+  for (const meetc::index_pair x : r.pairs)
+    truth.push_back(meetc::to_answer(meetc::decide_exact<P>(r.a.data() + std::size_t{x.a} * P::inputs_a,
+                                                            r.b.data() + std::size_t{x.b} * P::inputs_b)));
+  return static_cast<int>(run<P, meetc::residue_width<64, 62, 48, Limit>>(r, truth).wrong);
+}
+
+} // namespace
+
+TEST_CASE("exact doubles at their limit: nothing is wrong, and sixteen times as much is seen") {
+  STATIC_REQUIRE(meetc::exact_steps<cga::triangle_triangle>() == 114'501); // as docs/numerics.md says
+  CHECK(wrong_by_midpoints<53>() == 0);
+  CHECK(wrong_by_midpoints<57>() > 0);
 }

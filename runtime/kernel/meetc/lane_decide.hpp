@@ -162,7 +162,7 @@ private:
       }
       t.load_stored(a_, b_);
       sign_lanes s[P::atoms + 1];
-      const lane_extent<lanes> extent = begin(t);
+      const lanes extent = begin(t);
       const lane_mask left = reject(t, extent, s, first_lanes(n));
       for (int k = 0; k < n; ++k)
         out_[number(k)] = answer::no;
@@ -195,7 +195,7 @@ private:
     t.load_rows(a_, b_, pairs, n);
     t.load_stored(a_, b_);
     sign_lanes s[P::atoms + 1];
-    const lane_extent<lanes> extent = begin(t);
+    const lanes extent = begin(t);
     lane_mask left = first_lanes(n);
     if constexpr (P::reject_stage::atoms > 0) {
       left = reject(t, extent, s, left);
@@ -206,8 +206,7 @@ private:
   }
   // The stage of the usual case, for the lanes of `left`; the others are misses.
   template <class Number>
-  MEETC_INLINE void usual(lane_tile<P> &t, lane_extent<lanes> extent, sign_lanes *s, lane_mask left,
-                          const Number &number) {
+  MEETC_INLINE void usual(lane_tile<P> &t, lanes extent, sign_lanes *s, lane_mask left, const Number &number) {
     if (const lane_mask hits = settled(t, s, left); hits != 0) {
       points_first_ = mostly(hits);
       for (lane_mask more = hits; more != 0; more &= more - 1)
@@ -242,7 +241,7 @@ private:
   }
 
   // The lanes of `wanted` that the reject stage leaves.
-  MEETC_INLINE lane_mask reject(lane_tile<P> &t, lane_extent<lanes> extent, sign_lanes *s, lane_mask wanted) {
+  MEETC_INLINE lane_mask reject(lane_tile<P> &t, lanes extent, sign_lanes *s, lane_mask wanted) {
     using stage = typename P::reject_stage;
     signs<stage>(t, extent, s);
     truth_lanes rejected = to_truth_lanes(P::rejected(s));
@@ -253,20 +252,21 @@ private:
     return rejected.can_be_false & wanted;
   }
   // The signs of a stage.
-  template <class Stage> MEETC_INLINE void signs(lane_tile<P> &t, lane_extent<lanes> extent, sign_lanes *s) {
-    if constexpr (has_power) {
-      if (by_power_) {
-        lanes v[Stage::atoms];
-        lane_values<P, Stage>(t, v);
-        proved_lanes p[Stage::atoms];
-        signs_by_power<P, Stage, in_fp32>(v, extent, p);
-        for (int i = 0; i < Stage::atoms; ++i)
-          s[Stage::first + i] = possible(p[i]);
-        return;
-      }
-      signs_by_leaves<Stage>(t, s);
-    } else {
+  template <class Stage> MEETC_INLINE void signs(lane_tile<P> &t, lanes extent, sign_lanes *s) {
+    if constexpr (!How::bounded) {
       lane_signs<P, Stage, How>(t, s);
+    } else {
+      if constexpr (has_power)
+        if (by_power_) {
+          lanes v[Stage::atoms];
+          lane_values<P, Stage>(t, v);
+          proved_lanes p[Stage::atoms];
+          signs_by_power<P, Stage, in_fp32>(v, extent, p);
+          for (int i = 0; i < Stage::atoms; ++i)
+            s[Stage::first + i] = possible(p[i]);
+          return;
+        }
+      signs_by_leaves<Stage>(t, s);
     }
   }
   // The same by the magnitude of each value, where the bound by a power did not do.
@@ -283,7 +283,7 @@ private:
   }
   // Begins a tile. Neighbours mostly are of one sort, so where the bound by a power did not do, it is not tried for some
   // tiles.
-  MEETC_INLINE lane_extent<lanes> begin(const lane_tile<P> &t) {
+  MEETC_INLINE lanes begin(const lane_tile<P> &t) {
     if constexpr (has_power) {
       if (by_power_)
         failures_ = 0;
@@ -292,7 +292,7 @@ private:
         return extent_of<P>(t.row_a, t.row_b);
       --skips_;
     }
-    return {};
+    return lanes(0.0F);
   }
 
   static constexpr bool has_power =

@@ -14,16 +14,14 @@
 
 MEETC_NAMESPACE(meetc) {
 
-// By lane, the largest difference of two coordinates on one axis and the largest magnitude of another number, but at least
-// 2^-149, and the largest magnitude of all numbers. The difference is rounded, as those are that a program computes.
-template <class L> struct lane_extent { L largest, numbers; };
-template <class P, class L> MEETC_INLINE lane_extent<L> extent_of(const L *a, const L *b) {
-  lane_extent<L> e{L(0x1p-149F), L(0x1p-149F)};
-  L low[3], high[3];
+// By lane, the largest difference of two coordinates on one axis, or the largest magnitude of another number where that is
+// more. The difference is rounded, as those are that a program computes.
+template <class P, class L> MEETC_INLINE L extent_of(const L *a, const L *b) {
+  L largest(0.0F), low[3], high[3];
   bool seen[3] = {false, false, false};
   const auto take = [&](L x, int axis) {
     if (axis < 0)
-      e.largest = larger(magnitude_of(x), e.largest);
+      largest = larger(magnitude_of(x), largest);
     else if (!seen[axis])
       low[axis] = high[axis] = x, seen[axis] = true;
     else
@@ -33,13 +31,10 @@ template <class P, class L> MEETC_INLINE lane_extent<L> extent_of(const L *a, co
     take(a[i], P::axis(i));
   for (int i = 0; i < P::inputs_b; ++i)
     take(b[i], P::axis(P::inputs_a + i));
-  e.numbers = e.largest;
   for (int k = 0; k < 3; ++k)
-    if (seen[k]) {
-      e.largest = larger(high[k] - low[k], e.largest);
-      e.numbers = larger(larger(magnitude_of(low[k]), magnitude_of(high[k])), e.numbers);
-    }
-  return e;
+    if (seen[k])
+      largest = larger(high[k] - low[k], largest);
+  return largest;
 }
 
 // Whether the bound is of use for a stage.
@@ -49,29 +44,25 @@ template <class P, class Stage> constexpr bool has_power_bound() {
   return true;
 }
 
-// The errors of a stage's values in arithmetic A. Returns the lanes in which they, and the values, are finite.
-template <class P, class Stage, class A, class L>
-MEETC_INLINE lane_mask power_errors(const lane_extent<L> &e, L *error) {
+// The errors of a stage's values in arithmetic A, from the extent of the pair. A value is no larger than the magnitude that
+// its error is a multiple of, so where a value can overflow, the error does.
+template <class P, class Stage, class A, class L> MEETC_INLINE void power_errors(L extent, L *error) {
   using real = typename A::real;
   static constexpr unit_magnitudes<P, Stage> unit;
   constexpr real floor = power_of_two(A::template floor<Stage>(), real(0));
   L powers[Stage::degree + 1];
-  powers[1] = larger(L(real(2)) * power_below(e.largest), L(floor));
+  powers[1] = larger(L(real(2)) * power_below(extent), L(floor));
   for (int k = 1; k < Stage::degree; ++k)
     powers[k + 1] = powers[k] * powers[1];
   for (int i = 0; i < Stage::atoms; ++i)
     error[i] = L(A::template factor<Stage>(i)) * (L(static_cast<real>(unit.of[i])) * powers[Stage::degree_of(i)]);
-  // Up to this power magnitudes are finite, and values are no larger.
-  constexpr int highest = unit.highest_power(std::numeric_limits<real>::max_exponent - 2);
-  if constexpr (highest < 129)
-    return ~greater(powers[1], L(1 / power_of_two(-highest, real(0))));
-  return all_bits;
 }
 // What they prove of the signs of the values v. Of zeros they prove nothing.
 template <class P, class Stage, class A, class L>
-MEETC_INLINE void signs_by_power(const L *v, const lane_extent<L> &e, proved_lanes *s) {
+MEETC_INLINE void signs_by_power(const L *v, L extent, proved_lanes *s) {
   L error[Stage::atoms];
-  const lane_mask finite = power_errors<P, Stage, A>(e, error), sound = computes_as_bounded() ? finite : 0;
+  power_errors<P, Stage, A>(extent, error);
+  const lane_mask sound = computes_as_bounded() ? all_bits : 0;
   for (int i = 0; i < Stage::atoms; ++i)
     s[i] = {greater(-v[i], error[i]) & sound, 0, greater(v[i], error[i]) & sound};
 }

@@ -8,7 +8,8 @@
 // unsure, the same program runs on integers modulo 2^64: on a common grid the value is an integer n, and the bound says
 // |n| < 2^62, so that the residue of n is n. This needs neither wide products nor that the values in fp64 are exact.
 // `exact` takes no bound of an error from the compiler: its values carry their own (tracked.hpp), so that it judges the
-// bounds of the other rungs. It compares equal points first, and leaves the rare stage open.
+// bounds of the other rungs. It compares equal points first, takes doubles that are exact too, and leaves the rare stage
+// open.
 // What this leaves open is decided pair by pair by the caller's function. A pair's answer does not depend on those that
 // share the lanes with it.
 #ifndef MEETC_WIDE_DECIDE_HPP
@@ -30,16 +31,15 @@ template <> struct leaf_magnitude<wide_lanes> {
 // The numbers of wide_count pairs.
 template <class P> struct wide_rows {
   wide_lanes a[P::inputs_a], b[P::inputs_b];
-  lane_extent<wide_lanes> extent;
+  wide_lanes extent; // extent_of() them
 
   MEETC_INLINE void measure() { extent = extent_of<P>(a, b); }
-
-  // Calls f(number, axis) for each number; axis -1: it belongs to none.
+  // Calls f(number) for each number.
   template <class F> MEETC_INLINE void each(F &&f) const {
-    for (int i = 0; i < P::inputs_a; ++i)
-      f(a[i], P::axis(i));
-    for (int i = 0; i < P::inputs_b; ++i)
-      f(b[i], P::axis(P::inputs_a + i));
+    for (const wide_lanes x : a)
+      f(x);
+    for (const wide_lanes x : b)
+      f(x);
   }
 };
 
@@ -50,10 +50,10 @@ template <class P> struct whole_rows {
   lane_mask on_grid; // where they are
 
   template <int Span> MEETC_INLINE void take(const wide_rows<P> &r) {
-    // With their middle as the origin, coordinates are below this power.
     constexpr double least_step = power_of_two(1 - Span, 0.0);
-    const wide_lanes by_difference = power_below(r.extent.largest) * wide_lanes(least_step);
-    step = larger(by_difference, power_below(r.extent.numbers) * wide_lanes(0x1p-49));
+    wide_lanes largest(0x1p-149);
+    r.each([&](wide_lanes x) { largest = larger(magnitude_of(x), largest); });
+    step = larger(power_below(r.extent) * wide_lanes(least_step), power_below(largest) * wide_lanes(0x1p-49));
     // Where the numbers are much larger than their differences, the step is larger too, so the span is less.
     on_grid = compiled_as_written() ? all_bits : 0;
     // 1 / step, a power of two as well: the exponents of the two add up to twice the bias.
@@ -111,11 +111,10 @@ template <class P, int Limit = 53> MEETC_INLINE lane_mask exact_lanes(const wide
   constexpr double most = exact_steps<P, Limit>();
   if (most < 1 || !compiled_as_written())
     return 0;
-  const wide_lanes by_difference = wide_lanes(2.0) * power_below(r.extent.largest * wide_lanes((1 + 0x1p-50) / most)),
-                   step = larger(by_difference, power_below(r.extent.numbers) * wide_lanes(0x1p-49)),
+  const wide_lanes step = wide_lanes(2.0) * power_below(r.extent * wide_lanes((1 + 0x1p-50) / most)),
                    beyond = wide_lanes(0x1.8p52) * step; // a double from 2^52 steps to 2^53 is whole
-  wide_bits beside{};
-  r.each([&](wide_lanes x, int) { beside |= bits_of((x + beyond) - beyond - x); });
+  wide_bits beside{};                                    // a float of 2^24 steps or more is whole too
+  r.each([&](wide_lanes x) { beside |= bits_of((x + beyond) - beyond - x); });
   return zero(whole_lanes(reinterpret_cast<whole_lanes::vector>(beside)));
 }
 // Adds the signs of eight pairs from bit `from` on, where doubles are exact. Zeros may be marked as negative too, and

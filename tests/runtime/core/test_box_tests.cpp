@@ -114,7 +114,8 @@ TEST_CASE("box tests: the leaves that a block of elements may touch, and which e
     std::size_t found = 0, before = 0;
     for (int i = 0; i < 2000; ++i) {
       const blocks leaves(random, 3 * lanes), others(random, 2); // a walker, and the boxes around sixteen leaves
-      const std::uint32_t first = lanes * (random() % 3), from = random() % (4 * lanes);
+      const auto first = static_cast<std::uint32_t>(lanes * (random() % 3)),
+                 from = static_cast<std::uint32_t>(random() % (4 * lanes));
       const box around = any_box(random);
       std::vector<std::uint32_t> numbers, elements;
       for (std::uint32_t lane = 0; lane < lanes; ++lane) {

@@ -72,6 +72,20 @@ TEST_CASE("a set against itself gives every ordered pair") {
   CHECK(std::count_if(r.pairs.begin(), r.pairs.end(), equal) == 600);
 }
 
+// More leaves than a walk keeps at once.
+TEST_CASE("a set whose elements all touch each other") {
+  constexpr std::size_t n = 4200;
+  rows a = some_balls(n, 1, 1, 11);
+  for (std::size_t i = 0; i < n; ++i)
+    a[4 * i + 3] += 2;
+  const prepared x = prepare(view_of(a, balls), balls), y = prepare(view_of(a, balls), balls);
+  collide_options o;
+  o.threads = 2;
+  o.want = answer_kind::count;
+  CHECK(collide(x, y, ball_ball_hit, rung::fp32, o).count == n * n);
+  CHECK(collide(x, x, ball_ball_hit, rung::fp32, o).count == n * n);
+}
+
 // The half that is tested has to give all that two copies of the set give, in every kind of answer.
 TEST_CASE("a set against itself, by a predicate that is symmetric, gives what two copies of it give") {
   predicate_info half = box_box_hit;
