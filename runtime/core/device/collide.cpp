@@ -333,8 +333,8 @@ private:
     for (const device_memory<index_pair> *const m : {&buffers_.first, &buffers_.second, &buffers_.hits})
       k.add(m->data(), m->capacity());
     if (orders_)
-      k.add(a_.order(), b_.order(), buffers_.keys.data(), buffers_.more_keys.data(), buffers_.sort_space.data(),
-            buffers_.sort_space.capacity());
+      k.add(a_.order(), b_.order(), a_.numbers(), b_.numbers(), buffers_.keys.data(), buffers_.more_keys.data(),
+            buffers_.sort_space.data(), buffers_.sort_space.capacity());
     return k;
   }
 

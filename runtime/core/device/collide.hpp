@@ -55,7 +55,8 @@ struct device_result : result {
   double device_seconds = 0;
 };
 
-// A sorted list of pairs that lies on a device, until the next query there.
+// A sorted list of pairs that lies on a device, until the next query there, and no longer than the device. Null where there is
+// none: the result has the pairs then, if they were asked for.
 struct pairs_there {
   index_pair *pairs = nullptr;
   std::size_t n = 0;

@@ -54,6 +54,7 @@ given_set::given_set(device &on, const view &elements, const kind_info &kind, co
     throw std::invalid_argument("elements of this kind have no index");
   if (!upload(elements))
     throw device_error("not enough device memory for a set; the CPU decides the same pairs (--device cpu)");
+  check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may change the elements now
 }
 
 std::unique_ptr<given_set> given_set::if_it_fits(device &on, const view &elements, const kind_info &kind,
@@ -156,15 +157,33 @@ void order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a
     bring(b, buffers.seen->found[1]);
 }
 
+// Also after an error no kernel works on a set, or on what culling left, when a query has ended.
+class wait_for {
+public:
+  explicit wait_for(cudaStream_t stream) : stream_(stream) {}
+  ~wait_for() { cudaStreamSynchronize(stream_); }
+  wait_for(const wait_for &) = delete;
+  wait_for &operator=(const wait_for &) = delete;
+
+private:
+  cudaStream_t stream_;
+};
+
 } // namespace
 
 device_result collide(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
                       const device_options &options, pairs_there *left_there) {
   const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   device_options by = options;
   by.by = options.by.value_or(search::tree);
   require_query(on, a.ordered(), b.ordered(), predicate, precision, by);
+  if (left_there)
+    *left_there = {};
   device_buffers &buffers = on.buffers();
+  const wait_for ended(buffers.beside);
   cuda::view left_a = a.there(), left_b = b.there();
   culled left;
   // Whether `tolerant` decides depends on all elements, and what is met first is said of all.
@@ -191,15 +210,21 @@ device_result collide(device &on, given_set &a, given_set &b, const predicate_in
   if (by.by == search::tree || in_order()) // a walk stops where there is no order
     r = query(on, a.ordered(), b.ordered(), predicate, precision, by, {}, left_there, true);
   if (!in_order()) { // what was found means nothing
+    double before = 0;
+    if (left_there)
+      *left_there = {};
     device_set in_order_a(on, a);
     if (&a == &b) {
+      before = elapsed();
       r = query(on, in_order_a, in_order_a, predicate, precision, by, {}, left_there);
     } else {
       device_set in_order_b(on, b);
+      before = elapsed();
       r = query(on, in_order_a, in_order_b, predicate, precision, by, {}, left_there);
     }
+    r.device_seconds += before;
   }
-  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  r.seconds = elapsed();
   return r;
 }
 

@@ -136,7 +136,7 @@ __device__ bool marks_its_line(const sift_job &job, const cull_grid &grid, std::
       return false;
     float row[Shape::fields];
     posed_element<Shape>(job.from, job.at, number, row);
-    return cull_line(grid, ends_of_line<Shape>(row)).is_thin();
+    return cull_line(grid, ends_of_line<Shape>(row)).is_thin(1.75); // less, since the other kernel may round otherwise
   }
   return false;
 }
@@ -180,7 +180,7 @@ __global__ void __launch_bounds__(cull_threads, 6) sift_kernel(const __grid_cons
     for (unsigned i = 0; i < cull_each; ++i) {
       if (all[i].there && !all[i].good)
         atomicMax(job.bad, ~(static_cast<unsigned long long>(all[i].number) << 32 | all[i].number));
-      if (!all[i].there || !all[i].meets)
+      if (!all[i].there || !all[i].good || !all[i].meets)
         continue;
       const int level = all[i].cells.level();
       if (job.marked && level == 0 && !marked.meets(all[i].cells, some))
@@ -217,8 +217,8 @@ __global__ void __launch_bounds__(cull_threads) lines_kernel(const __grid_consta
     grid = cull_grid(job.around[0], job.around[1], job.bits);
   __syncthreads();
   const cull_marks marks{job.marks, job.bits};
-  const unsigned n = *job.count;
-  for (unsigned i = blockIdx.x * cull_warps + threadIdx.x / 32; i < n; i += gridDim.x * cull_warps) {
+  const std::size_t n = *job.count;
+  for (std::size_t i = blockIdx.x * cull_warps + threadIdx.x / 32; i < n; i += gridDim.x * cull_warps) {
     float row[Shape::fields];
     posed_element<Shape>(job.from, job.at, job.kept[i], row);
     cell_range cells;

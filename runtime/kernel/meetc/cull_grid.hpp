@@ -193,7 +193,8 @@ template <class Shape> MEETC_HD inline line_ends ends_of_line(const float *row) 
 // A segment with a radius, in the units of the cells. Its cells are those of which it meets what lies less than `width` around
 // them. For each axis `width` is the radius and a margin: 2^-20 of a cell, and 2^-45 of the largest number that is computed
 // with. A place is a difference of two float32 numbers times a factor, and all else here is some ten operations in double, so
-// that the error of each number is below 2^-48 of the largest one.
+// that the error of each number is below 2^-48 of the largest one. That is the largest of the line, or the number of a cell or a
+// place of the other box, which is at most 2^9; the first term of the margin is for those.
 struct cull_line {
   double from[3], way[3], width[3],
       per;   // the way from the first point to the second; 1 / way[along], 0 if that is short
@@ -214,7 +215,7 @@ struct cull_line {
       w += 0x1p-20 + 0x1p-45 * largest;
   }
   // Whether its slabs have few cells each.
-  MEETC_HD bool is_thin() const { return width[0] < 2 && width[1] < 2 && width[2] < 2; }
+  MEETC_HD bool is_thin(double most = 2) const { return width[0] < most && width[1] < most && width[2] < most; }
 
   // The first and the last slab, cells with one number on the axis `along`.
   MEETC_HD std::uint32_t first_slab(const cull_grid &g) const {

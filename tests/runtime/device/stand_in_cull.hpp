@@ -27,8 +27,10 @@ template <class Shape> cudaError_t sift(const cuda::sift_job &job, cudaStream_t)
   for (std::uint32_t i = job.among ? *job.among_count : job.from.elements; i-- > 0;) {
     const std::uint32_t number = job.among ? job.among[i] : i;
     float row[Shape::fields];
-    if (!posed_element<Shape>(job.from, job.at, number, row))
+    if (!posed_element<Shape>(job.from, job.at, number, row)) {
       *job.bad = std::max(*job.bad, ~(static_cast<unsigned long long>(number) << 32 | number));
+      continue;
+    }
     cuda::cell_range cells;
     bool meets = grid.range(cuda::box_of_row<Shape>(row), cells);
     if (job.from.index && Shape::pad < 0 && Shape::fields == 3 * Shape::hull) { // the same of the cells of its vertices

@@ -165,3 +165,79 @@ TEST_CASE("cull: the cells along a line have all of its points") {
   CHECK(tried > 50000);
   CHECK(marked < cells_of_all / 4);
 }
+
+TEST_CASE("cull: a box meets what touches one of its corners, however many cells long it is") {
+  engine random(4);
+  std::uniform_real_distribution<float> unit(0.0F, 1.0F);
+  const joined_box box = around({{{0, 0, 0}, {1, 1, 1}}});
+  for (int i = 0; i < 4000; ++i) {
+    const int bits = 3 + static_cast<int>(random() % 5);
+    const cull_grid grid(box, box, bits);
+    tree_box one;
+    for (int k = 0; k < 3; ++k) {
+      one.low[k] = unit(random);
+      one.high[k] = std::fmin(1.0F, one.low[k] + std::ldexp(static_cast<float>(random() % 9), -bits) * unit(random));
+    }
+    std::vector<std::uint32_t> words(cull_marks::words_for(bits));
+    const cull_marks marks{words.data(), bits};
+    cell_range cells;
+    REQUIRE(grid.range(one, cells));
+    marks.mark(cells, cells.level(), set);
+    for (int corner = 0; corner < 8; ++corner) {
+      tree_box at;
+      for (int k = 0; k < 3; ++k)
+        at.low[k] = at.high[k] = corner >> k & 1 ? one.high[k] : one.low[k];
+      cell_range of_corner;
+      REQUIRE(grid.range(at, of_corner));
+      CHECK(marks.meets(of_corner, *marks.levels()));
+    }
+  }
+}
+
+// The origin is where eight cells meet, and the line passes through it exactly.
+TEST_CASE("cull: a line from far away meets the point that it passes through") {
+  engine random(5);
+  std::uniform_real_distribution<float> unit(-1.0F, 1.0F);
+  const joined_box box = around({{{-1, -1, -1}, {1, 1, 1}}});
+  const tree_box origin = [] {
+    tree_box b;
+    for (int k = 0; k < 3; ++k)
+      b.low[k] = b.high[k] = 0;
+    return b;
+  }();
+  int tried = 0, lost = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const int bits = 3 + static_cast<int>(random() % 6), far = static_cast<int>(random() % 37);
+    const cull_grid grid(box, box, bits);
+    line_ends ends{};
+    for (int k = 0; k < 3; ++k)
+      ends.to[k] = std::ldexp(unit(random), far), ends.from[k] = -ends.to[k];
+    const cull_line line(grid, ends);
+    if (!line.is_thin())
+      continue;
+    std::vector<std::uint32_t> words(cull_marks::words_for(bits));
+    const cull_marks marks{words.data(), bits};
+    for (std::uint32_t s = line.first_slab(grid); s <= line.last_slab(grid); ++s)
+      marks.mark(line.in_slab(grid, s), 0, set);
+    cell_range cells;
+    ++tried;
+    lost += !grid.range(origin, cells) || !marks.meets(cells, *marks.levels());
+  }
+  CHECK(lost == 0);
+  CHECK(tried > 20000);
+}
+
+TEST_CASE("cull: a line is thin only if it is so along every axis") {
+  for (int thick = 0; thick < 3; ++thick) {
+    float side[3] = {64, 64, 64};
+    side[thick] = 1; // its cells are a 64th as wide
+    const joined_box box = around({{{0, 0, 0}, {side[0], side[1], side[2]}}});
+    const cull_grid grid(box, box, 6);
+    line_ends ends{};
+    ends.to[(thick + 1) % 3] = 64;
+    ends.radius = 1;
+    CHECK(!cull_line(grid, ends).is_thin());
+    ends.radius = 0x1p-6F;
+    CHECK(cull_line(grid, ends).is_thin());
+  }
+}
