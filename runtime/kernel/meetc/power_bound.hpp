@@ -60,9 +60,14 @@ template <class P, class Stage, class A, class L> MEETC_INLINE void power_errors
 // What they prove of the signs of the values v. Of zeros they prove nothing.
 template <class P, class Stage, class A, class L>
 MEETC_INLINE void signs_by_power(const L *v, L extent, proved_lanes *s) {
+  using real = typename A::real;
   L error[Stage::atoms];
   power_errors<P, Stage, A>(extent, error);
-  const lane_mask sound = computes_as_bounded() ? all_bits : 0;
+  lane_mask sound = computes_as_bounded() ? all_bits : 0;
+  // Where some value of the stage can overflow, nothing is proved of the others either, as by the bound by leaves.
+  constexpr int highest = unit_magnitudes<P, Stage>().highest_power(std::numeric_limits<real>::max_exponent - 2);
+  if constexpr (highest < 129) // no float is beyond 2^128
+    sound &= ~greater(L(real(2)) * power_below(extent), L(1 / power_of_two(-highest, real(0))));
   for (int i = 0; i < Stage::atoms; ++i)
     s[i] = {greater(-v[i], error[i]) & sound, 0, greater(v[i], error[i]) & sound};
 }

@@ -64,6 +64,15 @@ template <class P, class Stage> struct unit_magnitudes {
   }
   // Whether they are known, and are numbers in float32.
   constexpr bool usable() const { return most <= 0x1p24; }
+  // The largest k for which all are at most 2^limit where D is 2^k.
+  constexpr int highest_power(int limit) const {
+    int k = 0;
+    for (double size = most; size > 1; size *= 0.5)
+      --limit;
+    while ((k + 1) * Stage::degree <= limit)
+      ++k;
+    return k;
+  }
   // The largest whole D for which all are below 2^limit, if one is.
   constexpr double highest(int limit) const {
     const auto fits = [&](double d) {
