@@ -88,6 +88,8 @@ TEST_CASE("unit magnitudes are those of the emitted programs, and homogeneous") 
         most = std::fmax(most, one[i]);
       }
       const auto largest = [most](double leaf) { return most * std::pow(leaf, S::degree); };
+      CHECK(largest(std::ldexp(1.0, unit.highest_power(126))) <= 0x1p126);
+      CHECK(largest(std::ldexp(1.0, unit.highest_power(126) + 1)) > 0x1p126);
       CHECK(largest(unit.highest(53)) < 0x1p53);
       CHECK(largest(unit.highest(53) + 1) >= 0x1p53);
     });

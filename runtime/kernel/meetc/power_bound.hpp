@@ -44,8 +44,7 @@ template <class P, class Stage> constexpr bool has_power_bound() {
   return true;
 }
 
-// The errors of a stage's values in arithmetic A, from the extent of the pair. A value is no larger than the magnitude that
-// its error is a multiple of, so where a value can overflow, the error does.
+// The errors of a stage's values in arithmetic A, from the extent of the pair.
 template <class P, class Stage, class A, class L> MEETC_INLINE void power_errors(L extent, L *error) {
   using real = typename A::real;
   static constexpr unit_magnitudes<P, Stage> unit;
@@ -64,7 +63,8 @@ MEETC_INLINE void signs_by_power(const L *v, L extent, proved_lanes *s) {
   L error[Stage::atoms];
   power_errors<P, Stage, A>(extent, error);
   lane_mask sound = computes_as_bounded() ? all_bits : 0;
-  // Where some value of the stage can overflow, nothing is proved of the others either, as by the bound by leaves.
+  // Values are no larger than magnitudes. Where one of the stage can overflow, nothing is proved of the others either, as by
+  // the bound by leaves.
   constexpr int highest = unit_magnitudes<P, Stage>().highest_power(std::numeric_limits<real>::max_exponent - 2);
   if constexpr (highest < 129) // no float is beyond 2^128
     sound &= ~greater(L(real(2)) * power_below(extent), L(1 / power_of_two(-highest, real(0))));

@@ -100,7 +100,7 @@ template <class P, int Limit = 53> constexpr double exact_steps() {
   double most = 0x1p50;
   each_stage<P>([&most](auto stage) {
     using S = decltype(stage);
-    // Products of floats are not subnormal.
+    // A product of more than six differences of floats may be subnormal.
     const double here = S::degree > 6 ? 0 : unit_magnitudes<P, S>().highest(Limit);
     most = here < most ? here : most;
   });
@@ -133,7 +133,7 @@ MEETC_NOINLINE void add_exact_signs(const wide_rows<P> *rows, int from, proved_l
 
 // How values get their errors: v[i] is within error[i] of the truth, and a magnitude of zero proves zero.
 struct emitted_bounds {
-  static constexpr bool is_exact = false;
+  static constexpr bool is_exact = false, by_power = true; // the power form comes first
   template <class P, class Stage>
   static MEETC_INLINE void values(const wide_rows<P> &rows, wide_lanes *v, wide_lanes *error, wide_lanes *magnitude) {
     stage_values<Stage>(rows.a, rows.b, v);
@@ -144,7 +144,7 @@ struct emitted_bounds {
   }
 };
 struct running_errors {
-  static constexpr bool is_exact = true;
+  static constexpr bool is_exact = true, by_power = false;
   template <class P, class Stage>
   static MEETC_INLINE void values(const wide_rows<P> &rows, wide_lanes *v, wide_lanes *error, wide_lanes *magnitude) {
     using number = tracked_number<wide_lanes>;
@@ -168,7 +168,7 @@ public:
   // is, since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two (unless -fno-tree-ter
   // is given; tests/extremes sees it).
   MEETC_NOINLINE void get(lane_mask wanted, proved_lanes *s) const {
-    if constexpr (!How::is_exact && has_power_bound<P, Stage>()) {
+    if constexpr (How::by_power && has_power_bound<P, Stage>()) {
       wide_lanes v[Stage::atoms];
       stage_values<Stage>(rows_.a, rows_.b, v);
       signs_by_power<P, Stage, in_fp64>(v, rows_.extent, s);

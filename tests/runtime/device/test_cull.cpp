@@ -105,6 +105,14 @@ TEST_CASE("cull: sets in boxes that do not touch keep nothing") {
     }
 }
 
+// The marks of the cells along a line.
+static cull_marks along(const cull_line &line, const cull_grid &grid, std::vector<std::uint32_t> &words) {
+  const cull_marks marks{words.data(), grid.bits};
+  for (std::uint32_t s = line.first_slab(grid); s <= line.last_slab(grid); ++s)
+    marks.mark(line.in_slab(grid, s), 0, set);
+  return marks;
+}
+
 // Points of a thick segment, and boxes that hold one each: all of them meet the cells along the line.
 TEST_CASE("cull: the cells along a line have all of its points") {
   engine random(3);
@@ -129,9 +137,7 @@ TEST_CASE("cull: the cells along a line have all of its points") {
     if (!line.is_thin())
       continue;
     std::vector<std::uint32_t> words(cull_marks::words_for(bits));
-    const cull_marks marks{words.data(), bits};
-    for (std::uint32_t s = line.first_slab(grid); s <= line.last_slab(grid); ++s)
-      marks.mark(line.in_slab(grid, s), 0, set);
+    const cull_marks marks = along(line, grid, words);
     for (std::size_t w = 0; w < cull_marks::words_at(bits, 0); ++w)
       marked += static_cast<std::size_t>(__builtin_popcount(words[w]));
     cells_of_all += std::size_t{1} << 3 * bits;
@@ -216,9 +222,7 @@ TEST_CASE("cull: a line from far away meets the point that it passes through") {
     if (!line.is_thin())
       continue;
     std::vector<std::uint32_t> words(cull_marks::words_for(bits));
-    const cull_marks marks{words.data(), bits};
-    for (std::uint32_t s = line.first_slab(grid); s <= line.last_slab(grid); ++s)
-      marks.mark(line.in_slab(grid, s), 0, set);
+    const cull_marks marks = along(line, grid, words);
     cell_range cells;
     ++tried;
     lost += !grid.range(origin, cells) || !marks.meets(cells, *marks.levels());
