@@ -216,7 +216,14 @@ private:
   }
 
   static std::uint64_t area(const cuda::part &p) { return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b); }
-  // The halves of the longer side, cut between whole blocks where it has several.
+  // Whether A is cut. A walk goes down from the root for every node of the walker, so that it is rather that side which is cut.
+  bool cuts_a(const cuda::part &p) const {
+    const std::uint64_t a = p.end_a - p.first_a, b = p.end_b - p.first_b;
+    if (result_.by != search::tree || a == 1 || b == 1)
+      return a > b;
+    return walk_.swapped ? a > 4 * b : 4 * a > b;
+  }
+  // The halves of one side, cut between whole blocks where it has several.
   std::pair<cuda::part, cuda::part> halves(const cuda::part &p) const {
     const auto middle = [this](std::uint32_t from, std::uint32_t to) {
       const std::uint32_t unit =
@@ -224,7 +231,7 @@ private:
       return from + (to - from + unit - 1) / unit / 2 * unit;
     };
     cuda::part x = p, y = p;
-    if (p.end_a - p.first_a > p.end_b - p.first_b)
+    if (cuts_a(p))
       x.end_a = y.first_a = middle(p.first_a, p.end_a);
     else
       x.end_b = y.first_b = middle(p.first_b, p.end_b);

@@ -23,7 +23,7 @@ __global__ void __launch_bounds__(node_threads) levels_kernel(tree_node *nodes, 
 
 // What is left at the end is appended by all warps of a block together.
 template <bool ByPoints>
-__global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 10)
+__global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
     walk_kernel(const __grid_constant__ tree_walk w, const __grid_constant__ walk_plan plan) {
   begin();
   if (!w.is_to_be_done())

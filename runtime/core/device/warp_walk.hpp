@@ -2,6 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_WARP_WALK_HPP
 #define MEETC_CORE_DEVICE_WARP_WALK_HPP
 
+#include "core/device/packet_cells.hpp"
 #include "core/device/tree_kernels.hpp"
 #include "meetc/cuda_lists.hpp"
 #include "meetc/cuda_warp.hpp"
@@ -12,7 +13,7 @@ inline constexpr unsigned walk_threads = 128, walk_warps = walk_threads / tree_w
 // The children of its nodes have boxes of 1024 elements. To it, so many packets at least go down together first.
 inline constexpr int coarse_level = 2;
 inline constexpr unsigned least_together = 4;
-inline constexpr unsigned waiting_size = 2 * tree_width, hits_size = 128;
+inline constexpr unsigned waiting_size = 3 * tree_width, hits_size = 128;
 
 // A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
 // is a node of level `start`. Where that is too few, the long elements of the node are dealt out to groups, whose number is a
@@ -31,9 +32,9 @@ struct walk_plan {
 // Of one warp, in shared memory.
 struct warp_room {
   float4 low[waiting_size], high[waiting_size]; // boxes of the tree's elements, and the bits of their slots in low.w
+  packet_cells in_packet;                       // of the packet that goes down
+  cell_box cells[tree_width];                   // of those that are tested
   index_pair hits[hits_size];
-  std::uint32_t nodes[tree_levels],
-      left[tree_levels]; // for each level the node, and its lanes that are still to be entered
 };
 
 __device__ inline float longest_side(const tree_box &b) {
@@ -66,7 +67,7 @@ __device__ inline two_points from_lane(const two_points &t, unsigned lane) {
 template <bool ByPoints> class warp_walk {
 public:
   __device__ warp_walk(const tree_walk &w, const walk_plan &plan, warp_room &room)
-      : w_(w), plan_(plan), room_(room), lane_(threadIdx.x % tree_width) {}
+      : w_(w), plan_(plan), room_(room), lane_(threadIdx.x % tree_width), below_((1U << lane_) - 1) {}
 
   // Does the items of this one of all warps, up to the pairs in the buffer.
   __device__ void run(std::uint32_t warp, std::uint32_t warps) {
@@ -157,7 +158,7 @@ private:
     const std::uint32_t before = plan_.chunks > 1 ? item / plan_.chunks : item;
     const std::uint32_t node = w_.of.first_a + before, chunk = plan_.first_chunk + (item - before * plan_.chunks);
     first_b_ = w_.half && node > w_.of.first_b ? node : w_.of.first_b;
-    dealt_ = (lane_ & (plan_.child_groups - 1)) == child_group;
+    dealt_ = __ballot_sync(~0U, (lane_ & (plan_.child_groups - 1)) == child_group);
     const tree_view &walker = w_.walker;
     const std::uint32_t at = node * tree_width + lane_;
     own_ = box_of(walker.nodes[node], lane_);
@@ -188,6 +189,11 @@ private:
     }
     if (!(around_.low[0] <= around_.high[0]))
       return;
+    const packet_cells in_packet(around_);
+    own_cells_ = in_packet.of(own_);
+    __syncwarp();
+    if (lane_ == 0)
+      room_.in_packet = in_packet;
     float areas = half_area(own_);
     for (int d = 16; d > 0; d /= 2)
       areas += __shfl_xor_sync(~0U, areas, d);
@@ -210,8 +216,11 @@ private:
     int level = plan_.start;
     for (;;) {
       const tree_box b = box_of(w_.tree.nodes[w_.tree.shape.first[level] + node], lane_);
-      unsigned touching = __ballot_sync(~0U, touches<Single>(b) && (dealt_ || level != plan_.deal) &&
-                                                 (!plan_.cut || is_in_part(level, node * tree_width + lane_)));
+      unsigned touching = __ballot_sync(~0U, touches<Single>(b));
+      if (level == plan_.deal)
+        touching &= dealt_;
+      if (plan_.cut)
+        touching &= __ballot_sync(~0U, is_in_part(level, node * tree_width + lane_));
       if (!Single && sparse_)
         touching = touched_by_some(touching, b);
       if (level == 1) {
@@ -228,23 +237,20 @@ private:
 
   // These children of a node of this level are still to be entered.
   __device__ void enter_later(int level, std::uint32_t node, unsigned children) {
-    __syncwarp();
-    if (lane_ == 0)
-      room_.nodes[level] = node, room_.left[level] = children;
-    __syncwarp();
+    if (static_cast<int>(lane_) == level)
+      node_of_level_ = node, left_of_level_ = children;
   }
   // The next child of the lowest level above this one, up to `top`, that has one left. Returns false where none has.
   __device__ bool next_child(int top, int &level, std::uint32_t &node) {
-    do {
-      if (++level > top)
-        return false;
-    } while (room_.left[level] == 0);
-    const unsigned left = room_.left[level];
-    node = room_.nodes[level] * tree_width + __ffs(left) - 1;
-    __syncwarp();
-    if (lane_ == 0)
-      room_.left[level] = left & (left - 1);
-    __syncwarp();
+    const unsigned levels = (2U << top) - (2U << level);
+    const unsigned have = __ballot_sync(~0U, left_of_level_ != 0) & levels;
+    if (have == 0)
+      return false;
+    level = __ffs(have) - 1;
+    const unsigned left = __shfl_sync(~0U, left_of_level_, level);
+    node = __shfl_sync(~0U, node_of_level_, level) * tree_width + __ffs(left) - 1;
+    if (static_cast<int>(lane_) == level)
+      left_of_level_ = left & (left - 1);
     --level;
     return true;
   }
@@ -266,86 +272,72 @@ private:
     return kept;
   }
 
-  // Visits some children of a node of level 1; the next is loaded while one is tested.
+  // Visits some children of a node of level 1, two at a time, so that the boxes of both are loaded together.
   template <bool Single> __device__ void leaves(std::uint32_t node, unsigned children) {
-    std::uint32_t at = node * tree_width + __ffs(children) - 1;
-    tree_box b = box_of(w_.tree.nodes[at], lane_);
-    while (children &= children - 1) {
-      const std::uint32_t next_at = node * tree_width + __ffs(children) - 1;
-      const tree_box next = box_of(w_.tree.nodes[next_at], lane_);
-      leaf<Single>(at, b);
-      at = next_at, b = next;
+    while (children) {
+      const std::uint32_t one = node * tree_width + __ffs(children) - 1;
+      children &= children - 1;
+      const bool two = children != 0;
+      const std::uint32_t other = two ? node * tree_width + __ffs(children) - 1 : one;
+      children &= children - 1;
+      const tree_box of_one = box_of(w_.tree.nodes[one], lane_), of_other = box_of(w_.tree.nodes[other], lane_);
+      leaf<Single>(one, of_one, true);
+      leaf<Single>(other, of_other, two);
+      if constexpr (!Single)
+        while (waiting_ >= tree_width)
+          test_waiting();
     }
-    leaf<Single>(at, b);
   }
-  template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b) {
+  // The boxes of a node of level 0 that the packet's box touches wait; so many are added at most.
+  template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b, bool there) {
     const std::uint32_t slot = node * tree_width + lane_;
-    const bool touch = touches<Single>(b) && !(Single && w_.half && slot < single_slot_);
-    const unsigned touching = __ballot_sync(~0U, touch);
-    if (touching == 0)
-      return;
-    const unsigned before = __popc(touching & ((1U << lane_) - 1)), all = __popc(touching);
+    const bool touch = there && touches<Single>(b) && !(Single && w_.half && slot < single_slot_);
+    const unsigned touching = __ballot_sync(~0U, touch), before = __popc(touching & below_);
     if constexpr (Single) {
-      make_room(all);
+      make_room(__popc(touching));
       if (touch)
         room_.hits[hits_ + before] = pair_of(single_slot_, slot);
-      hits_ += all;
+      hits_ += __popc(touching);
     } else {
       if (touch) {
-        const unsigned place = waiting_ + before;
-        room_.low[place] = {b.low[0], b.low[1], b.low[2], __uint_as_float(slot)};
-        room_.high[place] = {b.high[0], b.high[1], b.high[2], 0};
+        room_.low[waiting_ + before] = {b.low[0], b.low[1], b.low[2], __uint_as_float(slot)};
+        room_.high[waiting_ + before] = {b.high[0], b.high[1], b.high[2], 0};
       }
-      waiting_ += all;
-      if (waiting_ >= tree_width)
-        test_waiting();
+      waiting_ += __popc(touching);
     }
   }
 
-  // Tests up to 32 of the boxes that wait against all elements of the packet.
+  // Tests the last of the boxes that wait, up to 32, against all elements of the packet.
   __device__ void test_waiting() {
     __syncwarp();
     const unsigned n = waiting_ < tree_width ? waiting_ : tree_width;
+    waiting_ -= n;
+    const float4 *const lows = room_.low + waiting_, *const highs = room_.high + waiting_;
+    const auto waits = [&](unsigned i) {
+      const float4 low = lows[i], high = highs[i];
+      return tree_box{{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+    };
+    room_.cells[lane_] = room_.in_packet.of(waits(lane_)); // of what lies behind the last too
+    __syncwarp();
     unsigned mine = 0;
     for (unsigned first = 0; first < n; first += 8) {
       unsigned eight = 0;
 #pragma unroll
-      for (unsigned i = 0; i < 8; ++i) { // what lies behind the last is tested too
-        const float4 low = room_.low[first + i], high = room_.high[first + i];
-        eight |= static_cast<unsigned>(own_.touches({{low.x, low.y, low.z}, {high.x, high.y, high.z}})) << i;
-      }
+      for (unsigned i = 0; i < 8; ++i)
+        eight |= static_cast<unsigned>(packet_cells::touch(room_.cells[first + i], own_cells_)) << i;
       mine |= eight << first;
     }
     mine &= ~0U >> (tree_width - n);
-    if (w_.half)
-      for (unsigned left = mine; left; left &= left - 1) {
-        const unsigned i = __ffs(left) - 1;
-        mine &= ~(static_cast<unsigned>(__float_as_uint(room_.low[i].w) < slot_) << i);
-      }
-    unsigned before = __popc(mine);
-    for (unsigned d = 1; d < tree_width; d *= 2) {
-      const unsigned below = __shfl_up_sync(~0U, before, d);
-      before += lane_ >= d ? below : 0;
-    }
-    const unsigned all = __shfl_sync(~0U, before, tree_width - 1);
-    before -= __popc(mine);
-    const auto put = [&](auto &&take) {
-      for (; mine; mine &= mine - 1, ++before)
-        take(before, pair_of(slot_, __float_as_uint(room_.low[__ffs(mine) - 1].w)));
-    };
-    if (all > hits_size) { // more than the buffer holds
-      const unsigned long long at = reserve(all);
-      put([&](unsigned i, index_pair p) { write(w_.out, at + i, p.a, p.b); });
-    } else if (all > 0) {
-      make_room(all);
-      put([&](unsigned i, index_pair p) { room_.hits[hits_ + i] = p; });
-      hits_ += all;
-    }
-    __syncwarp();
-    waiting_ -= n;
-    if (lane_ < waiting_) {
-      room_.low[lane_] = room_.low[n + lane_];
-      room_.high[lane_] = room_.high[n + lane_];
+    while (__any_sync(~0U, mine != 0)) {
+      const unsigned i = mine ? __ffs(mine) - 1 : 0;
+      const std::uint32_t slot = __float_as_uint(lows[i].w);
+      const bool touch = mine != 0 && own_.touches(waits(i)) && !(w_.half && slot < slot_);
+      mine &= mine - 1;
+      const unsigned touching = __ballot_sync(~0U, touch);
+      make_room(__popc(touching));
+      if (touch)
+        room_.hits[hits_ + __popc(touching & below_)] = pair_of(slot_, slot);
+      hits_ += __popc(touching);
     }
     __syncwarp();
   }
@@ -359,7 +351,7 @@ private:
       at = atomicAdd(w_.out.count, static_cast<unsigned long long>(n));
     return __shfl_sync(~0U, at, 0);
   }
-  // n <= hits_size
+  // n <= tree_width
   __device__ void make_room(unsigned n) {
     if (hits_ + n > hits_size)
       flush();
@@ -368,14 +360,17 @@ private:
   const tree_walk &w_;
   const walk_plan &plan_;
   warp_room &room_;
-  unsigned lane_;
+  unsigned lane_, below_; // and the lanes below it
   tree_box own_, around_; // of this lane's element, and of the packet, or of the element that goes alone
+  cell_box own_cells_{};  // of this lane's element
+  std::uint32_t node_of_level_ = 0,
+                left_of_level_ = 0; // of this lane's level the node, and its lanes still to be entered
   std::uint32_t slot_ = 0, single_slot_ = 0;
   std::uint32_t first_b_ = 0; // of the tree's nodes of level 0 the first that is tested
   two_points single_{};
   bool descends_ = true; // items that are whole nodes go down together first
   unsigned batches_ = 0;
-  bool dealt_ = true;   // of the children of a node of the level `deal` this lane's is this item's
+  unsigned dealt_ = 0;  // the children of a node of the level `deal` that are this item's
   bool sparse_ = false; // the packet's box is large beside those of its elements
   float long_side_ = 0;
   unsigned waiting_ = 0, hits_ = 0; // boxes that wait for the last test, and hits in the buffer

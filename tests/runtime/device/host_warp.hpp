@@ -188,6 +188,9 @@ inline unsigned __popc(unsigned x) {
 inline unsigned __ffs(unsigned x) {
   return x == 0 ? 0 : static_cast<unsigned>(std::countr_zero(x)) + 1;
 }
+inline float __fdividef(float x, float y) {
+  return x / y;
+}
 inline unsigned __float_as_uint(float x) {
   return std::bit_cast<unsigned>(x);
 }

@@ -1,0 +1,56 @@
+// core/device/packet_cells.hpp: boxes in whole numbers, so that two are compared in four instructions.
+//
+// Problem: a warp compares some hundred boxes with each of a packet's elements, by six comparisons of floats, and the
+// device is bound by the instructions. Method: the packet's box is cut into 511 cells along each axis. The cell of a
+// number is a monotone function of it, whatever is rounded, so that boxes which touch have cells that do; three cells are
+// one word, whose differences are taken together. What touches by its cells is to be compared again.
+#ifndef MEETC_CORE_DEVICE_PACKET_CELLS_HPP
+#define MEETC_CORE_DEVICE_PACKET_CELLS_HPP
+
+#include "meetc/tree.hpp"
+
+namespace meetc::cuda {
+
+// The cells of a box's two ends, each in ten bits, of which the highest is 1 in `high` and 0 in `low`.
+struct cell_box {
+  std::uint32_t low, high;
+};
+
+class packet_cells {
+public:
+  packet_cells() = default;
+  // Of finite ends, low <= high; an axis along which they are equal, or too far apart for float32, tells little or nothing.
+  __device__ explicit packet_cells(const tree_box &around) {
+    for (int k = 0; k < 3; ++k)
+      from_[k] = around.low[k], per_[k] = __fdividef(last, around.high[k] - around.low[k]); // roughly
+  }
+
+  // The ends may be infinite, and not NaN.
+  __device__ cell_box of(const tree_box &b) const { return {word(b.low), word(b.high) | guards}; }
+
+  // Two boxes that touch do so by their cells.
+  __device__ static bool touch(const cell_box &x, const cell_box &y) {
+    return (~((x.high - y.low) & (y.high - x.low)) & guards) == 0; // a guard is lost where an end lies below the other
+  }
+
+private:
+  static constexpr float last = 511, whole = 8388608; // 2^23: its last bits are a number that is added to it
+  static constexpr std::uint32_t guards = 1U << 9 | 1U << 19 | 1U << 29;
+
+  __device__ std::uint32_t word(const float (&end)[3]) const {
+    std::uint32_t w = 0;
+    for (int k = 2; k >= 0; --k) {
+      // NaN, which is 0 times infinity, becomes 0: that is where `per` is 0, and 0 times what is finite too, or where the end
+      // is `from`.
+      const float cell = fminf(fmaxf((end[k] - from_[k]) * per_[k], 0.0F), last);
+      w = w << 10 | (__float_as_uint(cell + whole) & 511);
+    }
+    return w;
+  }
+
+  float from_[3], per_[3]; // of each axis, the first number, and how many cells a unit has
+};
+
+} // namespace meetc::cuda
+
+#endif
