@@ -13,10 +13,30 @@ using baselines::lbvh_node;
 constexpr unsigned query_threads = 128;
 
 template <int Fields>
-__global__ void code_kernel(const float *rows, std::uint32_t n, lbvh_box within, std::uint32_t *codes) {
+__global__ void code_kernel(const float *rows, std::uint32_t n, lbvh_box within, std::uint32_t *codes,
+                            std::uint32_t *numbers) {
   const std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x;
-  if (i < n)
+  if (i < n) {
     codes[i] = baselines::morton_code(baselines::box_of<Fields>(rows + i * Fields), within.lo, within.hi);
+    numbers[i] = static_cast<std::uint32_t>(i);
+  }
+}
+
+// A warp writes 32 rows in one piece.
+__global__ void gather_kernel(const float *rows, unsigned fields, const std::uint32_t *order, std::uint32_t n,
+                              float *to) {
+  const unsigned lane = threadIdx.x % 32;
+  for (std::size_t base = blockIdx.x * std::size_t{threads} + threadIdx.x - lane; base < n;
+       base += gridDim.x * std::size_t{threads}) {
+    const std::uint32_t from = base + lane < n ? order[base + lane] : 0,
+                        here = n - base < 32 ? static_cast<std::uint32_t>(n - base) : 32;
+    for (unsigned first = 0; first < here * fields; first += 32) {
+      const unsigned k = first + lane, row = k / fields;
+      const std::uint32_t of = __shfl_sync(~0U, from, row % 32);
+      if (k < here * fields)
+        to[base * fields + k] = rows[std::size_t{of} * fields + (k - row * fields)];
+    }
+  }
 }
 
 __global__ void link_kernel(const std::uint32_t *codes, std::uint32_t n, lbvh_node *nodes, std::uint32_t *of_nodes,
@@ -118,12 +138,13 @@ __global__ void __launch_bounds__(query_threads)
 
 gpu_lbvh::gpu_lbvh(std::uint32_t elements, unsigned fields) : elements_(elements), fields_(fields) {
   const char *what_for = "a baseline's hierarchy";
-  for (auto *m : {&codes_, &sorted_, &order_, &of_nodes_, &of_leaves_, &arrived_})
+  for (auto *m : {&codes_, &sorted_, &numbers_, &order_, &of_nodes_, &of_leaves_, &arrived_})
     m->reserve(elements, what_for);
   rows_.reserve(std::size_t{elements} * fields, what_for);
   nodes_.reserve(elements, what_for);
-  check(sort_places(nullptr, space_bytes_, nullptr, nullptr, nullptr, elements, baselines::morton_bits, nullptr),
-        "asking for the sort's memory");
+  check(
+      sort_places(nullptr, space_bytes_, nullptr, nullptr, nullptr, nullptr, elements, baselines::morton_bits, nullptr),
+      "asking for the sort's memory");
   space_.reserve(space_bytes_, what_for);
 }
 
@@ -133,15 +154,13 @@ cudaError_t gpu_lbvh::build(const float *rows, const lbvh_box &within, cudaStrea
   const unsigned blocks = (elements_ + threads - 1) / threads;
   const auto code = fields_ == 4 ? code_kernel<4> : fields_ == 6 ? code_kernel<6> : code_kernel<9>;
   const auto fit = fields_ == 4 ? fit_kernel<4> : fields_ == 6 ? fit_kernel<6> : fit_kernel<9>;
-  code<<<blocks, threads, 0, stream>>>(rows, elements_, within, codes_.data());
+  code<<<blocks, threads, 0, stream>>>(rows, elements_, within, codes_.data(), numbers_.data());
   std::size_t bytes = space_bytes_;
-  if (const cudaError_t e = sort_places(space_.data(), bytes, codes_.data(), sorted_.data(), order_.data(), elements_,
-                                        baselines::morton_bits, stream);
+  if (const cudaError_t e = sort_places(space_.data(), bytes, codes_.data(), sorted_.data(), numbers_.data(),
+                                        order_.data(), elements_, baselines::morton_bits, stream);
       e != cudaSuccess)
     return e;
-  if (const cudaError_t e = gather_rows(rows, fields_, order_.data(), elements_, nullptr, rows_.data(), stream);
-      e != cudaSuccess)
-    return e;
+  gather_kernel<<<blocks, threads, 0, stream>>>(rows, fields_, order_.data(), elements_, rows_.data());
   link_kernel<<<blocks, threads, 0, stream>>>(sorted_.data(), elements_, nodes_.data(), of_nodes_.data(),
                                               of_leaves_.data());
   if (const cudaError_t e = cudaMemsetAsync(arrived_.data(), 0, elements_ * sizeof(std::uint32_t), stream);

@@ -36,7 +36,7 @@ private:
   std::uint32_t elements_;
   unsigned fields_;
   std::size_t space_bytes_ = 0;
-  device_memory<std::uint32_t> codes_, sorted_, order_, of_nodes_, of_leaves_, arrived_;
+  device_memory<std::uint32_t> codes_, sorted_, numbers_, order_, of_nodes_, of_leaves_, arrived_;
   device_memory<float> rows_;
   device_memory<baselines::lbvh_node> nodes_;
   device_memory<std::byte> space_;

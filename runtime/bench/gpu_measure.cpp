@@ -205,7 +205,7 @@ std::uint64_t gpu_bench::counted_on_device() {
 }
 
 gpu_bench::filtered gpu_bench::filter_alone(cuda::filter f, device_set &a, device_set &b) {
-  const device_set &frame = b.elements() < a.elements() ? a : b;
+  device_set &frame = b.elements() < a.elements() ? a : b;
   const auto as = [&](device_set &s, bool first) {
     return s.as(f, cuda::grouping::single, cover::element, first, frame);
   };

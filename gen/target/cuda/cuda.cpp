@@ -43,6 +43,7 @@ std::string catalogue_text(const unit &u) {
   for (const lower::lowered_kind *k : kinds)
     out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::instances<{1}>, "
                        "meetc::cuda::enclose<{1}>, meetc::cuda::columns<{1}, form>, meetc::cuda::places<{1}>, "
+                       "meetc::cuda::gather<{1}>, "
                        "meetc::cuda::boxes<{1}>, meetc::cuda::arrange<{1}>, meetc::cuda::surround<{1}>, "
                        "meetc::cuda::sift<{1}>}},\n",
                        k->name, shape_of(k->name));

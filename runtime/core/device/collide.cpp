@@ -122,7 +122,7 @@ private:
   }
 
   void take_columns() {
-    const device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
+    device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
     const cover c = options_.balls.value_or(cuda::balls_for(precision_));
     const cuda::grouping by = result_.by == search::groups ? cuda::grouping::group : cuda::grouping::single;
     x_ = a_.as(result_.filter, by, c, true, frame);

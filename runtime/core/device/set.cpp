@@ -5,6 +5,7 @@
 #include "core/device/given.hpp"
 #include "core/device/kernels.hpp"
 #include "core/device/order_kernels.hpp"
+#include "core/device/tree_kernels.hpp"
 #include "core/element_set.hpp"
 #include "core/two_points.hpp"
 #include "meetc/cuda_query.hpp"
@@ -25,7 +26,20 @@ std::uint64_t next_version() {
   return ++last;
 }
 
-constexpr int bits_of_cell = 10; // along an axis, where the device orders elements
+// Of a cell along an axis, where the device orders elements: a sort by places takes a pass for every eight bits of all three,
+// so that it has coarse cells first, and finer ones if too many elements share these.
+constexpr int bits_of_cell = 10, coarse_bits_of_cell = 8;
+
+// Elements that lie on surfaces share coarse cells sooner.
+int first_bits(const cuda::view &v) {
+  return v.index || v.only ? bits_of_cell : coarse_bits_of_cell;
+}
+
+// Whether elements stand as packed rows in their pose, so that a kernel need not write these.
+bool are_packed_rows(const cuda::view &v, const pose &at, std::size_t row_bytes) {
+  return at.identity() && at.grid == 0 && !v.index && !v.only && v.stride_bytes == row_bytes &&
+         reinterpret_cast<std::uintptr_t>(v.data) % alignof(float) == 0;
+}
 
 } // namespace
 
@@ -87,7 +101,7 @@ void device_set::upload(const prepared &set) {
   moving.upload(rows_.data(), set.set().rows, floats * sizeof(float), on_->stream(), "uploading a set");
   moving.upload(order_.data(), set.set().order, elements_ * sizeof(std::uint32_t), on_->stream(), "uploading a set");
   reaches_ = {set.set().reach, set.set().longest};
-  enclose(rows(), on_->stream());
+  version_ = next_version();
   check(cudaStreamSynchronize(on_->stream()), "uploading a set"); // the caller may now change the memory
 }
 
@@ -100,11 +114,12 @@ bool device_set::make(const given_set &elements) {
   cuda::order_findings found{};
   if (ran)
     found = ordered();
-  if (!ran || found.longest > 0) {
-    ran = sort(elements.there(), elements.at(), stream);
-    if (ran)
-      found = ordered();
-  }
+  for (int bits = first_bits(elements.there()); bits <= bits_of_cell; bits += bits_of_cell - coarse_bits_of_cell)
+    if (!ran || found.longest > 0 || found.crowded > elements_ / 8) {
+      ran = sort(elements.there(), elements.at(), bits, stream);
+      if (ran)
+        found = ordered();
+    }
   space_.release(), found_.release();
   if (ran && found.bad != ~0ULL)
     elements.refuse();
@@ -140,7 +155,8 @@ void device_set::order(const cuda::view &elements, const pose &at, std::uint32_t
   elements_ = elements.elements, numbers_ = numbers;
   grid_ = at.grid, moved_ = false, reaches_.reset(), pending_ = elements_ > 0;
   id_ = version_ = next_version();
-  if (elements_ > 0 && (!take_room() || (!arrange(elements, at, share, stream) && !sort(elements, at, stream))))
+  if (elements_ > 0 &&
+      (!take_room() || (!arrange(elements, at, share, stream) && !sort(elements, at, first_bits(elements), stream))))
     throw device_error(
         "not enough device memory to put a set into order; the CPU decides the same pairs (--device cpu)");
 }
@@ -154,10 +170,12 @@ bool device_set::arrange(const cuda::view &there, const pose &at, float share, c
   job.from = there, job.at = cuda_pose(at), job.bits = bits_of_cell, job.share = share;
   // Cells for one or two elements each; what is left of two culled sets lies along a curve, in few of them.
   job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)) + (there.only ? 3 : 0), 10, 20);
-  job.rows = rows_.data(), job.order = order_.data(), job.around = around_.data(), job.found = found_.data();
+  job.rows = rows_.data(), job.order = order_.data(), job.found = found_.data();
+  const auto fields = static_cast<std::size_t>(kind_->fields);
+  const bool packed = are_packed_rows(there, at, fields * sizeof(float));
   for (const bool planned : {true, false}) {
     cuda::cutter from(space_.data(), space_.capacity());
-    job.posed = from.take<float>(n * static_cast<std::size_t>(kind_->fields));
+    job.posed = packed ? nullptr : from.take<float>(n * fields);
     job.places = from.take<std::uint32_t>(n), job.ranks = from.take<std::uint32_t>(n);
     job.cells = from.take<std::uint32_t>(std::size_t{1} << job.cell_bits);
     job.by_cell = from.take<std::uint64_t>(n);
@@ -172,32 +190,42 @@ bool device_set::arrange(const cuda::view &there, const pose &at, float share, c
 }
 
 // By a sort of all places.
-bool device_set::sort(const cuda::view &there, const pose &at, cudaStream_t stream) {
+bool device_set::sort(const cuda::view &there, const pose &at, int bits, cudaStream_t stream) {
   const std::uint32_t n = elements_;
   const auto fields = static_cast<std::size_t>(kind_->fields);
+  const bool packed = are_packed_rows(there, at, fields * sizeof(float));
   std::size_t need = 0;
-  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, n, 3 * bits_of_cell, stream), "planning to order");
-  float *rows = nullptr;
-  std::uint32_t *places = nullptr, *sorted = nullptr;
+  check(sort_places(nullptr, need, nullptr, nullptr, nullptr, nullptr, n, 3 * bits, stream), "planning to order");
+  float *posed = nullptr;
+  std::uint32_t *places = nullptr, *sorted = nullptr, *numbers = nullptr;
+  cuda::joined_box *around = nullptr;
   void *sorting = nullptr;
   for (const bool planned : {true, false}) {
     cuda::cutter from(space_.data(), space_.capacity());
-    rows = from.take<float>(n * fields);
-    places = from.take<std::uint32_t>(n), sorted = from.take<std::uint32_t>(n);
+    posed = packed ? nullptr : from.take<float>(n * fields);
+    places = from.take<std::uint32_t>(n), sorted = from.take<std::uint32_t>(n), numbers = from.take<std::uint32_t>(n);
+    around = from.take<cuda::joined_box>(1);
     sorting = from.take<std::byte>(need);
     if (planned && !space_.grow(from.used(), 0, on_->stream()))
       return false;
   }
+  version_ = next_version();
+  take_room_for_tree();
   cuda::order_findings *const found = found_.data();
   start_clock();
   check(cudaMemsetAsync(found, 0, sizeof *found, stream), "ordering a set");
-  check(launchers_->pose(there, cuda_pose(at), nullptr, rows, &found->bad, stream), "starting a kernel");
-  enclose(rows, stream);
-  check(launchers_->places(rows, n, around(), bits_of_cell, places, stream), "starting a kernel");
-  check(sort_places(sorting, need, places, sorted, order_.data(), n, 3 * bits_of_cell, stream), "ordering a set");
-  check(count_crowded(sorted, n, &found->crowded, stream), "starting a kernel");
-  check(gather_rows(rows, static_cast<unsigned>(fields), order_.data(), n, there.only, rows_.data(), stream),
+  check(cudaMemsetAsync(around, 0, sizeof *around, stream), "ordering a set");
+  check(launchers_->pose(there, cuda_pose(at), nullptr, posed, &found->bad, around, stream), "starting a kernel");
+  const float *const rows = packed ? there.data : posed;
+  check(launchers_->places(rows, n, around, bits, places, numbers, stream), "starting a kernel");
+  check(sort_places(sorting, need, places, sorted, numbers, order_.data(), n, 3 * bits, stream), "ordering a set");
+  cuda::tree_node *const nodes = tree_.room(n);
+  check(launchers_->gather({rows, n, sorted, order_.data(), there.only, rows_.data(), nodes, &found->crowded}, stream),
         "starting a kernel");
+  if (nodes) {
+    check(enclose_levels(nodes, n, 2, stream), "starting a kernel");
+    tree_of_ = version_;
+  }
   return true;
 }
 
@@ -212,7 +240,7 @@ device_set::device_set(const device_set &of, std::uint32_t n)
   };
   strided(rows_, of.rows_, static_cast<std::size_t>(kind_->fields));
   strided(order_, of.order_, 1);
-  enclose(rows(), on_->stream());
+  version_ = next_version();
 }
 
 device_set::device_set(const device_set &of, std::span<const pose> poses, std::span<const std::size_t> numbers)
@@ -239,7 +267,7 @@ device_set::device_set(const device_set &of, std::span<const pose> poses, std::s
   check(launchers_->instances(of.rows_.data(), of.elements_, there.data(), static_cast<std::uint32_t>(poses.size()),
                               rows_.data(), bad.data(), stream),
         "starting a kernel");
-  enclose(rows_.data(), stream);
+  version_ = next_version();
   unsigned long long first = 0;
   check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, stream), "moving a set");
   check(cudaStreamSynchronize(stream), "moving a set");
@@ -247,7 +275,7 @@ device_set::device_set(const device_set &of, std::span<const pose> poses, std::s
     // Again, in this pose alone: the first element that is named is then that of the caller.
     const std::size_t at = first / of.elements_;
     check(launchers_->pose({of.rows_.data(), fields * sizeof(float), nullptr, 0, of.elements_}, matrices[at],
-                           of.order_.data(), rows_.data(), bad.data(), stream),
+                           of.order_.data(), rows_.data(), bad.data(), nullptr, stream),
           "starting a kernel");
     check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, stream), "moving a set");
     check(cudaStreamSynchronize(stream), "moving a set");
@@ -272,10 +300,14 @@ fault device_set::fault_of(const float *there, std::size_t element) const {
   return f;
 }
 
-void device_set::enclose(const float *rows, cudaStream_t stream) {
-  version_ = next_version(); // first: if a launch fails, nothing that was made of other rows is taken for these
-  check(on_->kernels().clear_extent(around_.data(), stream), "starting a kernel");
-  check(launchers_->enclose(rows, elements_, around_.data(), stream), "starting a kernel");
+const extent *device_set::around() {
+  if (around_of_ != version_) {
+    around_of_ = 0;
+    check(on_->kernels().clear_extent(around_.data(), on_->stream()), "starting a kernel");
+    check(launchers_->enclose(rows(), elements_, around_.data(), on_->stream()), "starting a kernel");
+    around_of_ = version_;
+  }
+  return around_.data();
 }
 
 void device_set::move(const pose &at) {
@@ -283,7 +315,7 @@ void device_set::move(const pose &at) {
     throw std::invalid_argument("a set in several poses cannot be moved");
   if (at.identity()) {
     if (std::exchange(moved_, false))
-      enclose(rows(), on_->stream());
+      version_ = next_version();
     return;
   }
   require_movable(*kind_, at);
@@ -293,7 +325,7 @@ void device_set::move(const pose &at) {
   to.reserve(elements_ * fields, "a set under a pose");
   bad.reserve(1, "a set under a pose");
   check(launchers_->pose({rows_.data(), fields * sizeof(float), nullptr, 0, elements_}, cuda_pose(at), order_.data(),
-                         to.data(), bad.data(), on_->stream()),
+                         to.data(), bad.data(), nullptr, on_->stream()),
         "starting a kernel");
   unsigned long long first = 0;
   check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, on_->stream()), "moving a set");
@@ -305,7 +337,7 @@ void device_set::move(const pose &at) {
   moved_rows_ = std::move(to);
   moved_grid_ = at.grid;
   moved_ = true;
-  enclose(rows(), on_->stream());
+  version_ = next_version();
 }
 
 std::pair<float, float> device_set::reaches() const {
@@ -324,7 +356,7 @@ std::pair<float, float> device_set::reaches() const {
   return {seen[0], seen[1]};
 }
 
-cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame) {
+cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool first, device_set &frame) {
   const made want{by == cuda::filter::float32, g, c, frame.version_, version_};
   cuda::operand out{rows(), elements_, g, nullptr};
   device_memory<std::byte> &columns = columns_[first];

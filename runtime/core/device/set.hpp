@@ -73,11 +73,11 @@ public:
   const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }
   const std::uint32_t *order() const { return order_.data(); }
   // The extent of all elements whose boxes are finite, in device memory.
-  const extent *around() const { return around_.data(); }
+  const extent *around();
 
   // The columns that the filter reads, in the frame of `frame`, which is this set or the other. They are computed
   // unless they exist already.
-  cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, const device_set &frame);
+  cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, device_set &frame);
   // What this set, as A, and another say about a search.
   search_sizes for_search(const device_set &b) const;
   bool has_tree() const { return tree_of_ == version_; }
@@ -98,11 +98,10 @@ private:
   bool make(const given_set &elements);
   bool take_room();
   bool arrange(const cuda::view &there, const pose &at, float share, cudaStream_t stream);
-  bool sort(const cuda::view &there, const pose &at, cudaStream_t stream);
+  bool sort(const cuda::view &there, const pose &at, int bits, cudaStream_t stream);
   void start_clock();
   cuda::order_findings ordered();
   fault fault_of(const float *there, std::size_t element) const;
-  void enclose(const float *rows, cudaStream_t stream);
 
   device *on_;
   const kind_info *kind_;
@@ -112,7 +111,8 @@ private:
   double grid_ = 0, moved_grid_ = 0, ordered_seconds_ = 0;
   bool moved_ = false, pending_ = false;
   std::uint64_t id_;
-  std::uint64_t version_ = 0; // the version of rows(), different from that of any other set
+  std::uint64_t version_ = 0;   // the version of rows(), different from that of any other set
+  std::uint64_t around_of_ = 0; // of the version that around_ was made of
   device_memory<float> rows_, moved_rows_;
   device_memory<std::uint32_t> order_;
   device_memory<extent> around_;

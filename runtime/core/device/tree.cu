@@ -54,10 +54,10 @@ template <bool ByPoints> cudaError_t start_walk(const tree_walk &w, cudaStream_t
 
 } // namespace
 
-cudaError_t enclose_levels(tree_node *nodes, std::uint32_t elements, cudaStream_t stream) {
+cudaError_t enclose_levels(tree_node *nodes, std::uint32_t elements, int levels, cudaStream_t stream) {
   const tree_shape shape(elements);
   cudaError_t e = cudaSuccess;
-  for (int level = levels_with_boxes(elements) - 1; level + 1 < shape.depth && e == cudaSuccess; level += 2)
+  for (int level = levels - 1; level + 1 < shape.depth && e == cudaSuccess; level += 2)
     e = launch<levels_kernel>(blocks_above(shape, level + 1), node_threads, stream, nodes, shape, level);
   return e;
 }

@@ -16,6 +16,10 @@ public:
 
   // Takes the memory of the tree over n rows, if it is there.
   void take_room(std::uint32_t n, cudaStream_t stream) { nodes_.grow(cuda::tree_shape(n).nodes(), 0, stream); }
+  // That memory; null where it is not there.
+  cuda::tree_node *room(std::uint32_t n) {
+    return nodes_.capacity() >= cuda::tree_shape(n).nodes() ? nodes_.data() : nullptr;
+  }
 
   cuda::tree_view view(std::uint32_t n) const { return {nodes_.data(), n, cuda::tree_shape(n)}; }
 

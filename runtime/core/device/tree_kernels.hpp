@@ -8,8 +8,8 @@
 
 namespace meetc {
 
-// Fills the levels above those with the boxes.
-cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t stream);
+// Fills the levels above the first ones, of which `levels` are filled.
+cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, int levels, cudaStream_t stream);
 
 // A walk of all elements of one set down the tree of another.
 struct tree_walk {

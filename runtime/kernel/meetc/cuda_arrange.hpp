@@ -10,6 +10,7 @@
 
 #include <meetc/cuda_grid.hpp>
 #include <meetc/cuda_sets.hpp>
+#include <meetc/cuda_tree.hpp>
 #include <meetc/tree_order.hpp>
 
 namespace meetc::cuda {
@@ -24,7 +25,7 @@ MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
 
 // What a block finds in its elements. Behind the parts is room for a number of each block.
 struct arrange_part {
-  extent around;
+  tree_box around;
   unsigned long long bad;
 };
 static_assert(1024 * (sizeof(arrange_part) + sizeof(std::uint32_t)) <= arrange_bytes);
@@ -37,6 +38,7 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
   __shared__ unsigned room[arrange_threads / 32], starts[arrange_threads];
   __shared__ unsigned long long bad_of_block, crowded_of_block, longest_of_block;
   __shared__ hilbert_cells cells;
+  __shared__ shared_steps steps;
   // Warps that follow one another are in different blocks, so that few elements have many multiprocessors.
   const std::uint32_t n = job.from.elements, step = grid_threads(),
                       first = (threadIdx.x / 32 * gridDim.x + blockIdx.x) * 32 + threadIdx.x % 32;
@@ -45,47 +47,52 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
   const int place_bits = 3 * job.bits;
 
   // Rows, and what they cover.
+  steps.fill<arrange_threads>();
   if (threadIdx.x == 0)
     bad_of_block = ~0ULL, crowded_of_block = 0, longest_of_block = 0;
   __syncthreads();
   const unsigned lane = threadIdx.x % 32;
   float *const of_warp = rows_of_warps[threadIdx.x / 32];
-  interval mine[3];
+  const float *const posed = job.posed ? job.posed : job.from.data;
+  tree_box mine; // empty
   for (std::uint32_t base = first - lane; base < n;
        base += step) { // a warp stays whole, since it writes its rows together
     const std::uint32_t i = base + lane;
-    float *const row = of_warp + lane * fields;
+    float row[fields];
     if (i < n) {
       if (!posed_element<Shape>(job.from, job.at, i, row))
         atomicMin(&bad_of_block, static_cast<unsigned long long>(number_in(job.from, i)) << 32 | i);
-      widen<Shape>(mine, row);
+      mine.widen(box_of_row<Shape>(row));
+      for (unsigned f = 0; f < fields && job.posed; ++f)
+        of_warp[lane * fields + f] = row[f];
     }
-    write_rows<Shape::fields>(of_warp, n - base, job.posed + base * std::size_t{fields});
+    if (job.posed)
+      write_rows<Shape::fields>(of_warp, n - base, job.posed + base * std::size_t{fields});
   }
   for (std::uint32_t c = first; c < counts.n; c += step)
     job.cells[c] = 0;
-  const extent of_block = joined_in_block<arrange_threads>(extent_of(mine));
+  const tree_box of_block = around_block<arrange_threads>(mine);
   if (threadIdx.x == 0)
     parts[blockIdx.x] = {of_block, bad_of_block};
   meet_grid();
 
   // Places, and how many elements each cell has.
-  extent around = no_extent();
+  tree_box around; // empty
   if (threadIdx.x < gridDim.x) {
     const arrange_part &of = parts[threadIdx.x];
     around = of.around;
     if (of.bad != ~0ULL)
       atomicMin(&bad_of_block, of.bad);
   }
-  const extent all = joined_in_block<arrange_threads>(around);
+  const tree_box all = around_block<arrange_threads>(around);
   if (threadIdx.x == 0) {
     cells = hilbert_cells(all, job.bits);
     if (blockIdx.x == 0)
-      *job.around = all, *job.found = {bad_of_block, 0, 0};
+      *job.found = {bad_of_block, 0, 0};
   }
   __syncthreads();
   for (std::uint32_t i = first; i < n; i += step) {
-    const std::uint32_t place = cells.place_of(box_of_row<Shape>(job.posed + i * std::size_t{fields}));
+    const std::uint32_t place = cells.place_of(box_of_row<Shape>(posed + i * std::size_t{fields}), steps.table());
     job.places[i] = place;
     job.ranks[i] = atomicAdd(job.cells + cell_of(in_order(place, i), place_bits, job.cell_bits), 1U);
   }
@@ -123,7 +130,7 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
     for (unsigned k = lane; k < 32 * fields; k += 32) {
       const std::uint32_t row_from = __shfl_sync(~0U, from, k / fields), row_to = __shfl_sync(~0U, to, k / fields);
       if (row_to < n)
-        job.rows[row_to * std::size_t{fields} + k % fields] = job.posed[row_from * std::size_t{fields} + k % fields];
+        job.rows[row_to * std::size_t{fields} + k % fields] = posed[row_from * std::size_t{fields} + k % fields];
     }
   }
   __syncthreads();

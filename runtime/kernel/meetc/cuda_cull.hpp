@@ -28,29 +28,6 @@ template <class Shape> constexpr bool is_hull_of_vertices() {
   return Shape::pad < 0 && Shape::hull > 2 && Shape::fields == 3 * Shape::hull;
 }
 
-// What a block has found. All of its threads call it.
-template <unsigned Threads> __device__ void join_boxes(tree_box all, joined_box *around) {
-  constexpr unsigned warps = Threads / 32;
-  __shared__ std::uint32_t below[3][warps], above[3][warps];
-  all = around_warp(all);
-  const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32;
-  if (lane < 3) {
-    const bool some = all.low[lane] <= all.high[lane];
-    below[lane][warp] = some ? below_of(all.low[lane]) : 0, above[lane][warp] = some ? above_of(all.high[lane]) : 0;
-  }
-  __syncthreads();
-  if (threadIdx.x >= 6)
-    return;
-  const unsigned axis = threadIdx.x % 3;
-  std::uint32_t most = 0;
-  for (unsigned w = 0; w < warps; ++w) {
-    const std::uint32_t of = threadIdx.x < 3 ? below[axis][w] : above[axis][w];
-    most = of > most ? of : most;
-  }
-  if (most > 0)
-    atomicMax(threadIdx.x < 3 ? around->below + axis : around->above + axis, most);
-}
-
 template <class Shape>
 __global__ void __launch_bounds__(cull_threads) surround_kernel(view v, pose_matrix at, joined_box *around) {
   begin();

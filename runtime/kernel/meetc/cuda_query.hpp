@@ -69,8 +69,8 @@ inline cudaError_t pairs(const catalogue &all, const predicate_launchers &p, con
   cudaError_t e = cudaMemsetAsync(q.result, 0, sizeof *q.result, stream);
   const auto then = [&e](auto &&enqueue) { e = e == cudaSuccess ? enqueue() : e; };
   then([&] { return cudaMemsetAsync(m.counts, 0, 4 * sizeof *m.counts, stream); });
-  then([&] { return a.pose(q.a, q.at_a, nullptr, m.rows_a, &q.result->bad_a, stream); });
-  then([&] { return b.pose(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, stream); });
+  then([&] { return a.pose(q.a, q.at_a, nullptr, m.rows_a, &q.result->bad_a, nullptr, stream); });
+  then([&] { return b.pose(q.b, q.at_b, nullptr, m.rows_b, &q.result->bad_b, nullptr, stream); });
   if (q.a.elements == 0 || q.b.elements == 0)
     return e;
   // The steps below run even if elements are bad; their results then mean nothing.

@@ -2,7 +2,9 @@
 #ifndef MEETC_CUDA_SETS_HPP
 #define MEETC_CUDA_SETS_HPP
 
+#include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_table.hpp>
+#include <meetc/cuda_warp.hpp>
 #include <meetc/frame.hpp>
 #include <meetc/tolerant.hpp>
 
@@ -122,20 +124,21 @@ __device__ inline float moved(const double *m, double x, double y, double z) {
 template <class Shape> __device__ bool posed_row(const pose_matrix &at, const float *in, float *out) {
   for (int f = 0; f < Shape::fields; ++f)
     out[f] = in[f];
-  for (int f = 0; f < Shape::fields && !at.identity; ++f) {
-    if (Shape::role_of(f) == role::length) {
-      out[f] = __double2float_rn(__dmul_rn(in[f], at.length_scale));
-    } else if (Shape::role_of(f) == role::x) {
-      const bool has_z = f + 2 < Shape::fields && Shape::role_of(f + 2) == role::z;
-      const double x = in[f], y = in[f + 1], z = has_z ? in[f + 2] : 0.0F;
-      out[f] = moved(at.m, x, y, z);
-      out[f + 1] = moved(at.m + 4, x, y, z);
-      if (has_z)
-        out[f + 2] = moved(at.m + 8, x, y, z);
-    }
-  }
-  for (int f = 0; f < Shape::fields && at.on_grid; ++f)
-    out[f] = nearest_multiple(out[f], at.grid_low);
+  if (!at.identity)
+    for (int f = 0; f < Shape::fields; ++f)
+      if (Shape::role_of(f) == role::length) {
+        out[f] = __double2float_rn(__dmul_rn(in[f], at.length_scale));
+      } else if (Shape::role_of(f) == role::x) {
+        const bool has_z = f + 2 < Shape::fields && Shape::role_of(f + 2) == role::z;
+        const double x = in[f], y = in[f + 1], z = has_z ? in[f + 2] : 0.0F;
+        out[f] = moved(at.m, x, y, z);
+        out[f + 1] = moved(at.m + 4, x, y, z);
+        if (has_z)
+          out[f + 2] = moved(at.m + 8, x, y, z);
+      }
+  if (at.on_grid)
+    for (int f = 0; f < Shape::fields; ++f)
+      out[f] = nearest_multiple(out[f], at.grid_low);
   bool good = Shape::obeys(out);
   for (int f = 0; f < Shape::fields; ++f)
     good &= isfinite(out[f]);
@@ -152,30 +155,40 @@ __device__ inline std::uint32_t number_in(const view &v, std::uint32_t i) {
   return v.only ? v.only[i] : i;
 }
 
-// The same of element i of a view.
-template <class Shape>
-__device__ bool posed_element(const view &v, const pose_matrix &at, std::uint32_t i, float *out) {
-  i = number_in(v, i);
-  float in[Shape::fields];
+// Reads element i of all. Returns whether it has all of its points.
+template <class Shape> __device__ bool read_element(const view &v, std::uint32_t i, float (&in)[Shape::fields]) {
+  constexpr int fields = Shape::fields;
+  const auto *const bytes = reinterpret_cast<const char *>(v.data);
+  const std::uintptr_t low_bits = reinterpret_cast<std::uintptr_t>(bytes) | v.stride_bytes;
+  if (fields == 4 && !v.index && low_bits % 16 == 0) {
+    const float4 row = *reinterpret_cast<const float4 *>(bytes + i * v.stride_bytes);
+    const float all[4] = {row.x, row.y, row.z, row.w};
+    for (int f = 0; f < fields; ++f)
+      in[f] = all[f % 4];
+    return true;
+  }
   bool good = true;
-  const auto *bytes = reinterpret_cast<const char *>(v.data);
-  const bool aligned = ((reinterpret_cast<std::uintptr_t>(bytes) | v.stride_bytes) & 3) == 0;
-  for (int f = 0; f < Shape::fields; ++f) {
+  for (int f = 0; f < fields; ++f) {
     // Kinds that can be indexed consist of points, x y z each.
-    const std::size_t vertex =
-        v.index ? v.index[i * (std::size_t{Shape::fields} / 3) + static_cast<unsigned>(f / 3)] : i;
+    const std::size_t vertex = v.index ? v.index[i * (std::size_t{fields} / 3) + static_cast<unsigned>(f / 3)] : i;
     const bool there = !v.index || vertex < v.vertices;
     const char *const at_field =
         bytes + vertex * v.stride_bytes + sizeof(float) * static_cast<unsigned>(v.index ? f % 3 : f);
     good &= there;
     in[f] = 0;
-    if (there && aligned)
+    if (there && low_bits % 4 == 0)
       in[f] = *reinterpret_cast<const float *>(at_field);
     else if (there)
       memcpy(in + f, at_field, sizeof(float)); // byte by byte
   }
-  good &= posed_row<Shape>(at, in, out);
   return good;
+}
+// Element i of a view in the pose. Returns whether it is one.
+template <class Shape>
+__device__ bool posed_element(const view &v, const pose_matrix &at, std::uint32_t i, float *out) {
+  float in[Shape::fields];
+  const bool there = read_element<Shape>(v, number_in(v, i), in);
+  return posed_row<Shape>(at, in, out) && there;
 }
 
 // A warp writes the first rows, up to 32, from its shared memory, in one piece.
@@ -187,30 +200,42 @@ template <int Fields> __device__ void write_rows(const float *from, std::uint32_
 }
 
 template <class Shape>
-__global__ void __launch_bounds__(set_threads)
-    pose_kernel(view v, pose_matrix at, const std::uint32_t *order, float *rows, unsigned long long *bad) {
+__global__ void __launch_bounds__(set_threads) pose_kernel(view v, pose_matrix at, const std::uint32_t *order,
+                                                           float *rows, unsigned long long *bad, joined_box *around) {
   constexpr unsigned fields = Shape::fields;
   __shared__ float rows_of_warps[set_threads / 32][32 * fields];
   const unsigned lane = threadIdx.x % 32;
   float *const of_warp = rows_of_warps[threadIdx.x / 32];
+  tree_box all; // empty
   for (std::size_t base = blockIdx.x * std::size_t{set_threads} + threadIdx.x - lane; base < v.elements;
        base += gridDim.x * std::size_t{set_threads}) {
     const auto i = static_cast<std::uint32_t>(base + lane);
-    if (i < v.elements && i >= base && !posed_element<Shape>(v, at, i, of_warp + lane * fields))
-      atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : number_in(v, i)) << 32 | i);
-    write_rows<Shape::fields>(of_warp, static_cast<std::uint32_t>(v.elements - base), rows + base * fields);
+    float row[fields];
+    if (i < v.elements && i >= base) {
+      if (!posed_element<Shape>(v, at, i, row))
+        atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : number_in(v, i)) << 32 | i);
+      if (around)
+        all.widen(box_of_row<Shape>(row));
+      for (unsigned f = 0; f < fields && rows; ++f)
+        of_warp[lane * fields + f] = row[f];
+    }
+    if (rows)
+      write_rows<Shape::fields>(of_warp, static_cast<std::uint32_t>(v.elements - base), rows + base * fields);
   }
+  if (around)
+    join_boxes<set_threads>(all, around);
 }
 template <class Shape>
 cudaError_t pose_rows(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
-                      unsigned long long *bad, cudaStream_t stream) {
+                      unsigned long long *bad, joined_box *around, cudaStream_t stream) {
   const cudaError_t e = cudaMemsetAsync(bad, 0xff, sizeof *bad, stream);
   if (e != cudaSuccess || v.elements == 0)
     return e;
   if (!can_be_indexed<Shape>(v))
     return cudaErrorInvalidValue;
-  const unsigned blocks = std::min(blocks_for(v.elements), 65536U);
-  pose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad);
+  // No more than run at once, since all change the same box.
+  const unsigned blocks = std::min(blocks_for(v.elements), blocks_at_once<pose_kernel<Shape>, set_threads>());
+  pose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad, around);
   return cudaGetLastError();
 }
 

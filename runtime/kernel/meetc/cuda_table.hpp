@@ -115,7 +115,7 @@ struct order_findings {
 MEETC_HD constexpr bool is_order(const order_findings &found, std::uint32_t n) {
   return found.bad == ~0ULL && found.crowded <= n / 8 && found.longest == 0;
 }
-inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 4096;
+inline constexpr std::uint32_t most_to_arrange = 1U << 19, most_in_cell = 4096;
 // Elements that are moved and put into the order of their places, those with one place in that of their numbers. A cell is
 // what the first bits of a place name.
 struct arrange_job {
@@ -123,17 +123,28 @@ struct arrange_job {
   pose_matrix at;
   int bits, cell_bits; // of a cell along an axis, as places() has them; and of those 3 bits the first, at most all
   float share;         // it takes this part of the device, so that others run beside it; above 0, at most 1
-  float *posed;        // room for the rows in the caller's order
+  float *posed; // room for the rows in the caller's order; null: they stand so in `from`, packed and in this pose
   std::uint32_t *places, *ranks; // room for a number each
   std::uint32_t *cells;          // room for 2^cell_bits
   std::uint64_t *by_cell;        // room for a number each
   void *parts;                   // room for arrange_bytes
   float *rows;                   // the rows become these,
   std::uint32_t *order;          // of these elements
-  extent *around;                // as by enclose(), which is not emptied before
   order_findings *found;
 };
 inline constexpr std::size_t arrange_bytes = std::size_t{64} << 10;
+
+// Rows that are put into an order that is known, with the two lowest levels of their tree.
+struct gather_job {
+  const float *from; // packed rows
+  std::uint32_t elements;
+  const std::uint32_t *sorted; // their places, in order
+  std::uint32_t *slots; // row i becomes row slots[i] of `from`. Then that becomes names[slots[i]], if there are names
+  const std::uint32_t *names;
+  float *rows;
+  tree_node *nodes;            // null: no tree is made
+  unsigned long long *crowded; // 0 at first; of order_findings
+};
 
 // The box around some boxes, in numbers that are 0 where there are none and that maxima join.
 struct joined_box {
@@ -161,10 +172,10 @@ struct sift_job {
 struct kind_launchers {
   const char *name;
   int fields;
-  // Writes packed rows in the pose `at`, in the order of the view. *bad is as in query_result; there element i counts as
-  // element order[i] where order is not null.
+  // Writes packed rows in the pose `at`, in the order of the view; none where `rows` is null. *bad is as in query_result; there
+  // element i counts as element order[i] where order is not null. Widens *around, unless it is null, by the boxes of the rows.
   cudaError_t (*pose)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
-                      unsigned long long *bad, cudaStream_t stream);
+                      unsigned long long *bad, joined_box *around, cudaStream_t stream);
   // Writes n rows in each of `poses` poses, which lie in device memory, one pose after another: n * poses rows. *bad becomes
   // the first of these that is no row of its kind, or ~0.
   cudaError_t (*instances)(const float *rows, std::uint32_t n, const pose_matrix *at, std::uint32_t poses, float *to,
@@ -175,12 +186,13 @@ struct kind_launchers {
   // the filter passes every pair whose boxes touch.
   cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
                          const extent *around, void *columns, cudaStream_t stream);
-  // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits).
-  cudaError_t (*places)(const float *rows, std::uint32_t elements, const extent *around, int bits,
-                        std::uint32_t *places, cudaStream_t stream);
+  // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits), and its number.
+  cudaError_t (*places)(const float *rows, std::uint32_t elements, const joined_box *around, int bits,
+                        std::uint32_t *places, std::uint32_t *numbers, cudaStream_t stream);
+  cudaError_t (*gather)(const gather_job &job, cudaStream_t stream);
   // Fills the first levels_with_boxes() levels of the tree over the rows, as far as there are such.
   cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, cudaStream_t stream);
-  // pose(), enclose() and places() at once, and the order, of 1 to most_to_arrange elements. Null: not generated.
+  // pose() and places() at once, and the order, of 1 to most_to_arrange elements. Null: not generated.
   cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;
   // Widens *around by the boxes of the elements. Null, as sift(): not generated.
   cudaError_t (*surround)(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) = nullptr;

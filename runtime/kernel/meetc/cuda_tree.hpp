@@ -9,31 +9,104 @@
 
 namespace meetc::cuda {
 
-inline constexpr unsigned tree_threads = 128;
+inline constexpr unsigned tree_threads = 128, node_threads = tree_width * tree_width;
+
+static __device__ const hilbert_steps all_hilbert_steps;
+// A copy in shared memory, where lanes read different entries at once.
+struct shared_steps {
+  static constexpr unsigned words = sizeof(hilbert_steps) / sizeof(std::uint32_t);
+  std::uint32_t of[words];
+
+  template <unsigned Threads> __device__ void fill() {
+    for (unsigned i = threadIdx.x; i < words; i += Threads)
+      of[i] = reinterpret_cast<const std::uint32_t *>(&all_hilbert_steps)[i];
+  }
+  __device__ const hilbert_steps &table() const { return *reinterpret_cast<const hilbert_steps *>(of); }
+};
 
 template <class Shape>
-__global__ void __launch_bounds__(tree_threads)
-    places_kernel(const float *rows, unsigned n, const extent *around, int bits, std::uint32_t *places) {
+__global__ void __launch_bounds__(tree_threads) places_kernel(const float *rows, unsigned n, const joined_box *around,
+                                                              int bits, std::uint32_t *places, std::uint32_t *numbers) {
   begin();
   __shared__ hilbert_cells cells;
+  __shared__ shared_steps steps;
   if (threadIdx.x == 0)
-    cells = hilbert_cells(*around, bits);
+    cells = hilbert_cells(box_of(*around), bits);
+  steps.fill<tree_threads>();
   __syncthreads();
-  const unsigned i = blockIdx.x * tree_threads + threadIdx.x;
-  if (i < n)
-    places[i] = cells.place_of(box_of_row<Shape>(rows + i * std::size_t{Shape::fields}));
+  for (std::size_t i = blockIdx.x * std::size_t{tree_threads} + threadIdx.x; i < n;
+       i += gridDim.x * std::size_t{tree_threads}) {
+    places[i] = cells.place_of(box_of_row<Shape>(rows + i * Shape::fields), steps.table());
+    numbers[i] = static_cast<std::uint32_t>(i);
+  }
 }
 template <class Shape>
-cudaError_t places(const float *rows, std::uint32_t n, const extent *around, int bits, std::uint32_t *places,
-                   cudaStream_t stream) {
+cudaError_t places(const float *rows, std::uint32_t n, const joined_box *around, int bits, std::uint32_t *places,
+                   std::uint32_t *numbers, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
-  return launch<places_kernel<Shape>>((n - 1) / tree_threads + 1, tree_threads, stream, rows, n, around, bits, places);
+  const unsigned blocks = std::min((n - 1) / tree_threads + 1, blocks_at_once<places_kernel<Shape>, tree_threads>());
+  return launch<places_kernel<Shape>>(blocks, tree_threads, stream, rows, n, around, bits, places, numbers);
+}
+
+// A warp takes the rows of a node of level 0, and brings them to their places in one piece.
+template <class Shape>
+__global__ void __launch_bounds__(tree_threads)
+    gather_kernel(const __grid_constant__ gather_job job, const __grid_constant__ tree_shape shape) {
+  begin();
+  constexpr unsigned fields = Shape::fields, width = tree_width;
+  __shared__ float rows_of_warps[tree_threads / width][width * fields];
+  float *const of_warp = rows_of_warps[threadIdx.x / width];
+  const unsigned lane = threadIdx.x % width, n = job.elements;
+  const std::uint32_t node = static_cast<std::uint32_t>((blockIdx.x * std::size_t{tree_threads} + threadIdx.x) / width);
+  const std::size_t base = std::size_t{node} * width, at = base + lane;
+  const bool there = at < n;
+  const std::uint32_t from = there ? job.slots[at] : 0;
+  const unsigned crowded =
+      __ballot_sync(~0U, there && at >= width && job.sorted[at] == job.sorted[at >= width ? at - width : 0]);
+  if (lane == 0 && crowded != 0)
+    atomicAdd(job.crowded, static_cast<unsigned long long>(__popc(crowded)));
+  if (there && job.names)
+    job.slots[at] = job.names[from];
+  if (base < n) {
+    const unsigned here = n - base < width ? static_cast<unsigned>(n - base) : width;
+    if (fields == 4 && reinterpret_cast<std::uintptr_t>(job.from) % 16 == 0) {
+      const float4 row = reinterpret_cast<const float4 *>(job.from)[from];
+      reinterpret_cast<float4 *>(of_warp)[lane % (fields * width / 4)] = row;
+      if (there)
+        reinterpret_cast<float4 *>(job.rows)[at] = row;
+    } else {
+      for (unsigned first = 0; first < here * fields; first += width) {
+        const unsigned k = first + lane, row = k / fields;
+        const std::uint32_t of = __shfl_sync(~0U, from, row % width);
+        if (k < here * fields) {
+          const float x = job.from[std::size_t{of} * fields + (k - row * fields)];
+          of_warp[k] = x, job.rows[base * fields + k] = x;
+        }
+      }
+    }
+  }
+  if (!job.nodes)
+    return;
+  __syncwarp();
+  tree_box b;
+  if (there)
+    b = box_of_row<Shape>(of_warp + lane * fields);
+  if (node < shape.count[0])
+    put_box(job.nodes[node], lane, b);
+  b = around_warp(b);
+  if (lane == 0)
+    put_box(job.nodes[shape.first[1] + node / width], node % width, b);
+}
+template <class Shape> cudaError_t gather(const gather_job &job, cudaStream_t stream) {
+  if (job.elements == 0)
+    return cudaSuccess;
+  const tree_shape shape(job.elements);
+  return launch<gather_kernel<Shape>>(shape.count[1] * (node_threads / tree_threads), tree_threads, stream, job, shape);
 }
 
 // A block has a warp for each child of a node of `level`, its own, where there is one. Each brings the box around its child,
 // which goes there, and the box around all to the level above, if there is one. Its empty lanes are written too.
-inline constexpr unsigned node_threads = tree_width * tree_width;
 __device__ inline void put_above(tree_node *nodes, const tree_shape &shape, int level, const tree_box &child) {
   __shared__ tree_box children[tree_width];
   const unsigned node = blockIdx.x, warp = threadIdx.x / tree_width, lane = threadIdx.x % tree_width;

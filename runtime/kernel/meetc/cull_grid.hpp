@@ -12,32 +12,11 @@
 #ifndef MEETC_CULL_GRID_HPP
 #define MEETC_CULL_GRID_HPP
 
-#include <meetc/cuda_table.hpp>
+#include <meetc/joined_box.hpp>
 
 namespace meetc::cuda {
 
 inline constexpr int cull_levels = 3, cull_shift = 3; // bits between two levels
-
-MEETC_HD inline std::uint32_t above_of(float x) {
-  std::uint32_t b;
-  std::memcpy(&b, &x, sizeof b);
-  return b >> 31 ? ~b : b | 0x80000000U; // in the order of the numbers; no finite one is 0
-}
-MEETC_HD inline std::uint32_t below_of(float x) {
-  return above_of(-x);
-}
-MEETC_HD inline float from_above(std::uint32_t bits) {
-  const std::uint32_t b = bits >> 31 ? bits & 0x7fffffffU : ~bits;
-  float x;
-  std::memcpy(&x, &b, sizeof x);
-  return x;
-}
-MEETC_HD inline tree_box box_of(const joined_box &of) {
-  tree_box b; // empty
-  for (int k = 0; k < 3 && of.above[k] != 0; ++k)
-    b.low[k] = -from_above(of.below[k]), b.high[k] = from_above(of.above[k]);
-  return b;
-}
 
 // The cells of a number along the axes, 10 bits each: 0 before all cells, then these from 1 on, and one more behind them.
 struct packed_cells {

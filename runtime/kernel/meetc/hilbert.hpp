@@ -38,6 +38,59 @@ MEETC_HD constexpr std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y,
          every_third_bit(axis[2] ^ flips);
 }
 
+// The same by a table, a step for each bit, where many places are wanted. From the first bits on, the steps before have exchanged
+// and inverted the axes for all lower bits; that is the state of a step, and its digit has the cell's bits along x, y and z.
+class hilbert_steps {
+public:
+  constexpr hilbert_steps() {
+    for (std::uint32_t s = 0; s < states; ++s)
+      for (std::uint32_t digit = 0; digit < 8; ++digit)
+        steps_[s * 8 + digit] = step(s, digit);
+  }
+  // As hilbert_place().
+  MEETC_HD constexpr std::uint32_t place(std::uint32_t x, std::uint32_t y, std::uint32_t z, int bits) const {
+    const std::uint32_t digits = every_third_bit(x) << 2 | every_third_bit(y) << 1 | every_third_bit(z);
+    std::uint32_t at = 0, out = 0; // the state, times 8
+    for (int shift = 3 * (bits - 1); shift >= 0; shift -= 3) {
+      const std::uint32_t next = steps_[at | (digits >> shift & 7)];
+      out = out << 3 | (next & 7);
+      at = next & ~7U;
+    }
+    return out;
+  }
+
+private:
+  static constexpr std::uint32_t states = 96; // 6 exchanges, 8 inversions of axes, and whether the digits are inverted
+
+  // The next state, times 8, and the digit of the place.
+  static constexpr std::uint16_t step(std::uint32_t state, std::uint32_t digit) {
+    constexpr std::uint32_t orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    const std::uint32_t *const order = orders[state / 16];
+    std::uint32_t from[3] = {order[0], order[1], order[2]}, inverted[3] = {}, bit[3] = {};
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      inverted[k] = state >> (1 + k) & 1;
+      bit[k] = (digit >> (2 - from[k]) & 1) ^ inverted[k];
+    }
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (bit[k] != 0) {
+        inverted[0] ^= 1;
+      } else {
+        const std::uint32_t axis = from[0], inverse = inverted[0];
+        from[0] = from[k], inverted[0] = inverted[k];
+        from[k] = axis, inverted[k] = inverse;
+      }
+    const std::uint32_t first = bit[0], second = bit[1] ^ first, third = bit[2] ^ second, flips = state & 1;
+    std::uint32_t next = 0;
+    while (orders[next][0] != from[0] || orders[next][1] != from[1])
+      ++next;
+    next = next * 16 + inverted[2] * 8 + inverted[1] * 4 + inverted[0] * 2 + (flips ^ third);
+    const std::uint32_t out = (first ^ flips) << 2 | (second ^ flips) << 1 | (third ^ flips);
+    return static_cast<std::uint16_t>(next << 3 | out);
+  }
+
+  std::uint16_t steps_[states * 8] = {};
+};
+
 } // namespace meetc
 
 #endif

@@ -2,7 +2,6 @@
 #ifndef MEETC_TREE_ORDER_HPP
 #define MEETC_TREE_ORDER_HPP
 
-#include <meetc/frame.hpp>
 #include <meetc/hilbert.hpp>
 #include <meetc/tree.hpp>
 
@@ -10,29 +9,43 @@ namespace meetc::cuda {
 
 // 2^bits cells along each axis of a cube around a set. Any number is in some cell, so that outliers lie in the outermost.
 struct hilbert_cells {
-  double low[3], scale;
+  float low[3], unit, scale; // numbers are multiplied by the power of two `unit`, so that the cube's size is no extreme
   int bits;
 
   hilbert_cells() = default;
-  MEETC_HD hilbert_cells(const extent &around, int bits_) : bits(bits_) {
-    double size = 0;
+  // Of the box around the elements' boxes, whose ends are finite if there are elements.
+  MEETC_HD hilbert_cells(const tree_box &around, int bits_) : bits(bits_) {
+    float half = 0; // of the size
     for (int k = 0; k < 3; ++k) {
-      low[k] = from_ordered(around.low[k]);
-      const double side = from_ordered(around.high[k]) - low[k];
-      size = side > size ? side : size;
+      const float side = around.high[k] * 0.5F - around.low[k] * 0.5F;
+      half = side > half ? side : half;
     }
-    scale = size > 0 ? static_cast<double>(1U << bits) / size : 0;
+    unit = half > 0x1p60F ? 0x1p-64F : half < 0x1p-60F ? 0x1p64F : 1;
+    for (int k = 0; k < 3; ++k)
+      low[k] = around.low[k] * unit;
+    scale = half > 0 ? static_cast<float>(1U << bits) / (half * unit * 2) : 0;
   }
 
   // The place of the box's centre.
-  MEETC_HD std::uint32_t place_of(const tree_box &b) const {
-    const std::uint32_t last = (1U << bits) - 1;
+  MEETC_HD std::uint32_t place_of(const tree_box &b, const hilbert_steps &steps) const {
     std::uint32_t cell[3];
-    for (int k = 0; k < 3; ++k) {
-      const double at = (static_cast<double>(b.low[k]) / 2 + static_cast<double>(b.high[k]) / 2 - low[k]) * scale;
-      cell[k] = !(at > 0) ? 0 : at < static_cast<double>(last) ? static_cast<std::uint32_t>(at) : last;
-    }
+    cell_of(b, cell);
+    return steps.place(cell[0], cell[1], cell[2], bits);
+  }
+  MEETC_HD std::uint32_t place_of(const tree_box &b) const {
+    std::uint32_t cell[3];
+    cell_of(b, cell);
     return hilbert_place(cell[0], cell[1], cell[2], bits);
+  }
+
+private:
+  MEETC_HD void cell_of(const tree_box &b, std::uint32_t (&cell)[3]) const {
+    const auto last = static_cast<float>((1U << bits) - 1);
+    const float half = unit * 0.5F;
+    for (int k = 0; k < 3; ++k) {
+      const float at = ((b.low[k] * half + b.high[k] * half) - low[k]) * scale;
+      cell[k] = static_cast<std::uint32_t>(at > 0 ? at < last ? at : last : 0.0F);
+    }
   }
 };
 

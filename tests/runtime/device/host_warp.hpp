@@ -202,6 +202,11 @@ inline unsigned long long atomicAdd(unsigned long long *to, unsigned long long n
   *to += n;
   return before;
 }
+inline std::uint32_t atomicMax(std::uint32_t *to, std::uint32_t n) {
+  const std::uint32_t before = *to;
+  *to = std::max(before, n);
+  return before;
+}
 using std::min;
 
 #endif

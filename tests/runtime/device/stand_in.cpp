@@ -169,12 +169,18 @@ cudaError_t clear_extent(extent *around, cudaStream_t) {
 }
 template <class Shape>
 cudaError_t pose_rows(const cuda::view &v, const cuda::pose_matrix &at, const std::uint32_t *order, float *to,
-                      unsigned long long *bad, cudaStream_t) {
+                      unsigned long long *bad, cuda::joined_box *around, cudaStream_t) {
   constexpr int fields = Shape::fields;
   *bad = ~0ULL;
-  for (std::uint32_t i = 0; i < v.elements; ++i)
-    if (!posed_element<Shape>(v, at, number_in(v, i), to + i * std::size_t{fields}))
+  for (std::uint32_t i = 0; i < v.elements; ++i) {
+    float row[fields];
+    if (!posed_element<Shape>(v, at, number_in(v, i), row))
       *bad = std::min(*bad, static_cast<unsigned long long>(order ? order[i] : number_in(v, i)) << 32 | i);
+    if (to)
+      std::copy_n(row, fields, to + i * std::size_t{fields});
+    if (around)
+      join(*around, cuda::box_of_row<Shape>(row));
+  }
   return cudaSuccess;
 }
 template <class Shape>
@@ -231,12 +237,42 @@ cudaError_t columns(cuda::filter by, cuda::grouping g, cover c, bool first, cons
   return cudaSuccess;
 }
 
+// Fills the first levels of a tree.
+template <class Shape> void boxes_of_levels(const float *rows, std::uint32_t n, cuda::tree_node *nodes, int levels) {
+  const cuda::tree_shape shape(n);
+  for (std::uint32_t i = 0; i < shape.count[0] * cuda::tree_width; ++i) {
+    cuda::tree_box b;
+    if (i < n)
+      b = cuda::box_of_row<Shape>(rows + std::size_t{i} * Shape::fields);
+    put_box(nodes[i / cuda::tree_width], i % cuda::tree_width, b);
+  }
+  for (int level = 0; level + 1 < std::min(levels, shape.depth); ++level)
+    cuda::enclose_level(nodes, shape, level);
+}
+template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, cuda::tree_node *nodes, cudaStream_t) {
+  boxes_of_levels<Shape>(rows, n, nodes, cuda::levels_with_boxes(n));
+  return cudaSuccess;
+}
+
 template <class Shape>
-cudaError_t places(const float *rows, std::uint32_t n, const extent *around, int bits, std::uint32_t *places,
-                   cudaStream_t) {
-  const cuda::hilbert_cells cells(*around, bits);
-  for (std::uint32_t i = 0; i < n; ++i)
+cudaError_t places(const float *rows, std::uint32_t n, const cuda::joined_box *around, int bits, std::uint32_t *places,
+                   std::uint32_t *numbers, cudaStream_t) {
+  const cuda::hilbert_cells cells(cuda::box_of(*around), bits);
+  for (std::uint32_t i = 0; i < n; ++i) {
     places[i] = cells.place_of(cuda::box_of_row<Shape>(rows + i * std::size_t{Shape::fields}));
+    numbers[i] = i;
+  }
+  return cudaSuccess;
+}
+template <class Shape> cudaError_t gather(const cuda::gather_job &job, cudaStream_t) {
+  constexpr std::size_t fields = Shape::fields, width = cuda::tree_width;
+  for (std::size_t i = 0; i < job.elements; ++i) {
+    std::copy_n(job.from + job.slots[i] * fields, fields, job.rows + i * fields);
+    job.slots[i] = job.names ? job.names[job.slots[i]] : job.slots[i];
+    *job.crowded += i >= width && job.sorted[i] == job.sorted[i - width];
+  }
+  if (job.nodes)
+    boxes_of_levels<Shape>(job.rows, job.elements, job.nodes, 2);
   return cudaSuccess;
 }
 // As on the device: by cells, in which elements lie in any order at first; here the last comes first.
@@ -244,10 +280,10 @@ template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStr
   const std::uint32_t n = job.from.elements, last = (1U << job.cell_bits) - 1;
   if (n == 0 || n > cuda::most_to_arrange || job.cell_bits > 3 * job.bits)
     return cudaErrorInvalidValue;
-  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, stream);
-  clear_extent(job.around, stream);
-  enclose<Shape>(job.posed, n, job.around, stream);
-  places<Shape>(job.posed, n, job.around, job.bits, job.places, stream);
+  cuda::joined_box around{};
+  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, &around, stream);
+  const float *const posed = job.posed ? job.posed : job.from.data;
+  places<Shape>(posed, n, &around, job.bits, job.places, job.ranks, stream);
   const auto cell = [&](std::uint64_t element) { return cuda::cell_of(element, 3 * job.bits, job.cell_bits); };
   std::fill_n(job.cells, last + 1, 0U);
   for (std::uint32_t i = n; i-- > 0;)
@@ -271,24 +307,10 @@ template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStr
     }
     const auto from = static_cast<std::uint32_t>(element);
     job.order[to] = number_in(job.from, from);
-    std::copy_n(job.posed + from * std::size_t{Shape::fields}, Shape::fields,
-                job.rows + to * std::size_t{Shape::fields});
+    std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields, job.rows + to * std::size_t{Shape::fields});
   }
   return cudaSuccess;
 }
-template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, cuda::tree_node *nodes, cudaStream_t) {
-  const cuda::tree_shape shape(n);
-  for (std::uint32_t i = 0; i < shape.count[0] * cuda::tree_width; ++i) {
-    cuda::tree_box b;
-    if (i < n)
-      b = cuda::box_of_row<Shape>(rows + std::size_t{i} * Shape::fields);
-    put_box(nodes[i / cuda::tree_width], i % cuda::tree_width, b);
-  }
-  for (int level = 0; level + 1 < std::min(cuda::levels_with_boxes(n), shape.depth); ++level)
-    cuda::enclose_level(nodes, shape, level);
-  return cudaSuccess;
-}
-
 void append(const pair_list &to, index_pair p) {
   if (*to.count < to.capacity)
     to.pairs[*to.count] = p;
@@ -456,8 +478,8 @@ cudaError_t no_faults(unsigned *faults, cudaStream_t) {
 }
 
 template <class Shape> constexpr cuda::kind_launchers launchers_of(const char *name) {
-  return {name,          Shape::fields, pose_rows<Shape>, instances<Shape>, enclose<Shape>, columns<Shape>,
-          places<Shape>, boxes<Shape>,  arrange<Shape>,   surround<Shape>,  sift<Shape>};
+  return {name,          Shape::fields, pose_rows<Shape>, instances<Shape>, enclose<Shape>,  columns<Shape>,
+          places<Shape>, gather<Shape>, boxes<Shape>,     arrange<Shape>,   surround<Shape>, sift<Shape>};
 }
 const cuda::kind_launchers kinds[] = {
     launchers_of<cga::point_shape>("point"), launchers_of<cga::sphere_shape>("sphere"),

@@ -11,11 +11,7 @@ cudaError_t surround(const cuda::view &v, const cuda::pose_matrix &at, cuda::joi
   for (std::uint32_t i = 0; i < v.elements; ++i) {
     float row[Shape::fields];
     posed_element<Shape>(v, at, i, row);
-    const cuda::tree_box b = cuda::box_of_row<Shape>(row);
-    for (int k = 0; k < 3; ++k) {
-      around->below[k] = std::max(around->below[k], cuda::below_of(b.low[k]));
-      around->above[k] = std::max(around->above[k], cuda::above_of(b.high[k]));
-    }
+    join(*around, cuda::box_of_row<Shape>(row));
   }
   return cudaSuccess;
 }

@@ -1,6 +1,6 @@
 // Rows in a pose, on the host: see stand_in.cpp.
 #pragma once
-#include <meetc/cuda_table.hpp>
+#include <meetc/joined_box.hpp>
 #include <meetc/tolerant.hpp>
 
 #include <algorithm>
@@ -25,6 +25,12 @@ template <class Shape> bool posed_row(const cuda::pose_matrix &at, const float *
   for (int f = 0; f < fields && at.on_grid; ++f)
     out[f] = nearest_multiple(out[f], at.grid_low);
   return std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }) && Shape::obeys(out);
+}
+inline void join(cuda::joined_box &around, const cuda::tree_box &b) {
+  for (int k = 0; k < 3; ++k) {
+    around.below[k] = std::max(around.below[k], cuda::below_of(b.low[k]));
+    around.above[k] = std::max(around.above[k], cuda::above_of(b.high[k]));
+  }
 }
 inline std::uint32_t number_in(const cuda::view &v, std::uint32_t i) {
   return v.only ? v.only[i] : i;

@@ -4,38 +4,23 @@
 #include "tests/runtime/device/stand_in_levels.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace meetc {
 
 cudaError_t sort_places(void *space, std::size_t &bytes, const std::uint32_t *places, std::uint32_t *sorted,
-                        std::uint32_t *slots, std::uint32_t n, int, cudaStream_t) {
+                        const std::uint32_t *numbers, std::uint32_t *slots, std::uint32_t n, int, cudaStream_t) {
   bytes = 1;
   if (!space)
     return cudaSuccess;
-  std::iota(slots, slots + n, 0U);
+  std::copy_n(numbers, n, slots);
   std::stable_sort(slots, slots + n, [places](std::uint32_t i, std::uint32_t j) { return places[i] < places[j]; });
   for (std::uint32_t i = 0; i < n; ++i)
     sorted[i] = places[slots[i]];
   return cudaSuccess;
 }
-cudaError_t count_crowded(const std::uint32_t *sorted, std::uint32_t n, unsigned long long *crowded, cudaStream_t) {
-  *crowded = 0;
-  for (std::uint32_t i = cuda::tree_width; i < n; ++i)
-    *crowded += sorted[i] == sorted[i - cuda::tree_width];
-  return cudaSuccess;
-}
-cudaError_t gather_rows(const float *rows, unsigned fields, std::uint32_t *slots, std::uint32_t n,
-                        const std::uint32_t *names, float *to, cudaStream_t) {
-  for (std::uint32_t i = 0; i < n; ++i) {
-    std::copy_n(rows + std::size_t{slots[i]} * fields, fields, to + std::size_t{i} * fields);
-    slots[i] = names ? names[slots[i]] : slots[i];
-  }
-  return cudaSuccess;
-}
-cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, cudaStream_t) {
+cudaError_t enclose_levels(cuda::tree_node *nodes, std::uint32_t elements, int levels, cudaStream_t) {
   const cuda::tree_shape shape(elements);
-  for (int level = cuda::levels_with_boxes(elements) - 1; level + 1 < shape.depth; ++level)
+  for (int level = levels - 1; level + 1 < shape.depth; ++level)
     cuda::enclose_level(nodes, shape, level);
   return cudaSuccess;
 }

@@ -30,10 +30,22 @@ TEST_CASE("tree: Hilbert's curve goes through every cell once, from neighbour to
   }
 }
 
+TEST_CASE("tree: the table of steps along Hilbert's curve gives the same places") {
+  static constexpr hilbert_steps steps;
+  for (int bits = 1; bits <= 10; ++bits) {
+    const std::uint32_t side = 1U << bits, many = bits <= 5 ? side * side * side : 40000;
+    std::uint32_t random = 1;
+    for (std::uint32_t i = 0; i < many; ++i) {
+      random = random * 1664525U + 1013904223U;
+      const std::uint32_t cell = bits <= 5 ? i : random >> 2;
+      const std::uint32_t x = cell >> 2 * bits & (side - 1), y = cell >> bits & (side - 1), z = cell & (side - 1);
+      REQUIRE(steps.place(x, y, z, bits) == hilbert_place(x, y, z, bits));
+    }
+  }
+}
+
 TEST_CASE("tree: any centre has a place, and what lies apart keeps its side") {
-  extent around;
-  for (int k = 0; k < 3; ++k)
-    around.low[k] = ordered(-1), around.high[k] = ordered(1);
+  const tree_box around{{-1, -1, -1}, {1, 1, 1}};
   const auto place = [&](float x, float y, float z) {
     return hilbert_cells(around, 1).place_of({{x, y, z}, {x, y, z}});
   };
@@ -43,13 +55,20 @@ TEST_CASE("tree: any centre has a place, and what lies apart keeps its side") {
   CHECK(seen == std::vector<bool>(8, true));
   CHECK(place(-FLT_MAX, -FLT_MAX, -FLT_MAX) == place(-0.5F, -0.5F, -0.5F));
   CHECK(place(FLT_MAX, FLT_MAX, FLT_MAX) == place(0.5F, 0.5F, 0.5F));
-  extent point = around; // of one place, and of none
-  for (int k = 0; k < 3; ++k)
-    point.low[k] = point.high[k] = ordered(3);
-  CHECK(hilbert_cells(point, 10).place_of({{3, 3, 3}, {3, 3, 3}}) == 0);
-  for (int k = 0; k < 3; ++k)
-    clear(point, k);
-  CHECK(hilbert_cells(point, 10).place_of({{3, 3, 3}, {3, 3, 3}}) == 0);
+  // Of one place, and of none.
+  CHECK(hilbert_cells({{3, 3, 3}, {3, 3, 3}}, 10).place_of({{3, 3, 3}, {3, 3, 3}}) == 0);
+  CHECK(hilbert_cells(tree_box(), 10).place_of({{3, 3, 3}, {3, 3, 3}}) == 0);
+  // Of any size: the middle of each octant is in a cell of its own.
+  for (const float size : {0x1p-148F, 0x1p-126F, 0x1p-61F, 0x1p-59F, 1.0F, 0x1p59F, 0x1p62F, FLT_MAX}) {
+    const hilbert_cells cells({{-size, -size, -size}, {size, size, size}}, 1);
+    std::vector<bool> of_size(8);
+    for (int i = 0; i < 8; ++i) {
+      const float x = i & 1 ? size / 2 : -size / 2, y = i & 2 ? size / 2 : -size / 2, z = i & 4 ? size / 2 : -size / 2;
+      of_size[cells.place_of({{x, y, z}, {x, y, z}})] = true;
+    }
+    INFO(size);
+    CHECK(of_size == std::vector<bool>(8, true));
+  }
 }
 
 TEST_CASE("tree: every element has a lane, every node a lane above it, and there is one root") {
