@@ -87,6 +87,7 @@ struct predicate {
   std::vector<sign_value> taken; // every sign that the hit takes, in the order of the spec
   std::vector<sub_decision> calls;
   bool symmetric = false; // proved: the operands may be exchanged (gen/lower/symmetric.hpp)
+  bool by_boxes = false;  // proved: it holds where the operands' boxes touch (gen/lower/by_boxes.hpp)
 
   // The atoms in the order in which the stages compute them.
   std::vector<int> order() const;

@@ -1,4 +1,5 @@
 // Kernels that consist of signs: predicates with their stages, and single signs.
+#include "gen/lower/by_boxes.hpp"
 #include "gen/lower/calls.hpp"
 #include "gen/lower/compile.hpp"
 #include "gen/lower/symmetric.hpp"
@@ -91,6 +92,7 @@ predicate compile_predicate(const model &m, const request &r) {
   out.rare = compile_stage(*out.local, out.signs, rare, r);
   find_calls(m, expand.calls(), out);
   out.symmetric = is_symmetric(out, r.kinds);
+  out.by_boxes = is_by_boxes(m, out, r.kinds);
   return out;
 }
 

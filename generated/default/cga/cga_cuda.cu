@@ -56,18 +56,26 @@ std::size_t workspace(std::uint32_t a, std::uint32_t b, unsigned long long list_
 }
 
 const meetc::cuda::predicate_launchers all_predicates[] = {
-  {"segment_segment", 2, 2, segment_segment::near, segment_segment::run, pairs<0>, workspace<0>, false},
-  {"point_triangle", 0, 3, point_triangle::near, point_triangle::run, pairs<1>, workspace<1>, false},
+  {"segment_segment", 2, 2, segment_segment::near, segment_segment::run, pairs<0>, workspace<0>, false,
+      nullptr, false},
+  {"point_triangle", 0, 3, point_triangle::near, point_triangle::run, pairs<1>, workspace<1>, false, nullptr,
+      false},
   {"segment_triangle", 2, 3, segment_triangle::near, segment_triangle::run, pairs<2>, workspace<2>, true,
-      segment_triangle::first_met},
-  {"triangle_triangle", 3, 3, triangle_triangle::near, triangle_triangle::run, pairs<3>, workspace<3>, true},
-  {"sphere_sphere", 1, 1, sphere_sphere::near, sphere_sphere::run, pairs<4>, workspace<4>, false},
-  {"ball_ball", 1, 1, ball_ball::near, ball_ball::run, pairs<5>, workspace<5>, false},
-  {"ball_segment", 1, 2, ball_segment::near, ball_segment::run, pairs<6>, workspace<6>, false},
-  {"sphere_segment", 1, 2, sphere_segment::near, sphere_segment::run, pairs<7>, workspace<7>, false},
-  {"ball_triangle", 1, 3, ball_triangle::near, ball_triangle::run, pairs<8>, workspace<8>, false},
-  {"sphere_triangle", 1, 3, sphere_triangle::near, sphere_triangle::run, pairs<9>, workspace<9>, false},
-  {"box_box", 4, 4, box_box::near, box_box::run, pairs<10>, workspace<10>, false},
+      segment_triangle::first_met, false},
+  {"triangle_triangle", 3, 3, triangle_triangle::near, triangle_triangle::run, pairs<3>, workspace<3>, true,
+      nullptr, false},
+  {"sphere_sphere", 1, 1, sphere_sphere::near, sphere_sphere::run, pairs<4>, workspace<4>, false, nullptr,
+      false},
+  {"ball_ball", 1, 1, ball_ball::near, ball_ball::run, pairs<5>, workspace<5>, false, nullptr, false},
+  {"ball_segment", 1, 2, ball_segment::near, ball_segment::run, pairs<6>, workspace<6>, false, nullptr,
+      false},
+  {"sphere_segment", 1, 2, sphere_segment::near, sphere_segment::run, pairs<7>, workspace<7>, false, nullptr,
+      false},
+  {"ball_triangle", 1, 3, ball_triangle::near, ball_triangle::run, pairs<8>, workspace<8>, false, nullptr,
+      false},
+  {"sphere_triangle", 1, 3, sphere_triangle::near, sphere_triangle::run, pairs<9>, workspace<9>, false,
+      nullptr, false},
+  {"box_box", 4, 4, box_box::near, box_box::run, pairs<10>, workspace<10>, false, nullptr, true},
 };
 
 } // namespace

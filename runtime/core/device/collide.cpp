@@ -92,7 +92,7 @@ public:
       result_.by == search::tree ? take_trees() : take_columns();
       take_room();
       go_through({0, objects(a_), 0, objects(b_)});
-      if (both_ways_ && options_.want != answer_kind::any) // each element's box touches itself
+      if (both_ways_ && !walk_decides() && options_.want != answer_kind::any) // each element's box touches itself
         for (std::uint64_t *const pairs : {&result_.near_balls, &result_.candidates})
           *pairs = 2 * *pairs - a_.elements();
     } else {
@@ -207,7 +207,7 @@ private:
 
   bool overflowed() const {
     return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_ ||
-           (stores_ && seen(counter::hits) > capacity_);
+           ((stores_ || walk_decides()) && seen(counter::hits) > capacity_);
   }
   // This number of pairs of objects never overflows a list.
   std::uint64_t always_fits() const {
@@ -303,9 +303,24 @@ private:
     const cudaStream_t stream = on_.stream();
     const std::size_t zeroed = counters + (orders_ && !few_ ? hits_.starts_for_order() / 2 + 1 : 0);
     check(cudaMemsetAsync(buffers_.counts.data(), 0, zeroed * sizeof(unsigned long long), stream), "clearing counters");
-    find_candidates(p, list(buffers_.first, counter::candidates));
     cuda::pair_list hits = stores_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
     hits.both_ways = both_ways_;
+    if (walk_decides()) {
+      if (!stores_)
+        hits = list(buffers_.first, counter::hits), hits.both_ways = both_ways_;
+      find_candidates(p, hits);
+    } else {
+      find_candidates(p, list(buffers_.first, counter::candidates));
+      decide_candidates(hits);
+    }
+    if (orders_)
+      hits_.order(hits, reinterpret_cast<std::uint32_t *>(buffers_.counts.data() + counters),
+                  count_only(counter::longest).count, few_);
+  }
+
+  // The steps that make hits of candidates.
+  void decide_candidates(const cuda::pair_list &hits) {
+    const cudaStream_t stream = on_.stream();
     cuda::pair_list in = list(buffers_.first, counter::candidates), out = list(buffers_.second, counter::kept);
     if (!boxes_suffice()) {
       const cuda::step first =
@@ -320,9 +335,6 @@ private:
       check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
       std::swap(in, out);
     }
-    if (orders_)
-      hits_.order(hits, reinterpret_cast<std::uint32_t *>(buffers_.counts.data() + counters),
-                  count_only(counter::longest).count, few_);
   }
 
   // All that enqueue() makes the arguments of its launches of.
@@ -345,6 +357,9 @@ private:
     return k;
   }
 
+  // Boxes that touch are hits of such a predicate, and a walk compares boxes.
+  bool walk_decides() const { return result_.by == search::tree && predicate_.by_boxes && never_wrong(precision_); }
+
   // A walk's candidates are the pairs whose boxes touch, so that the step that tests boxes has nothing to do but to reject.
   bool boxes_suffice() const {
     return result_.by == search::tree &&
@@ -364,8 +379,10 @@ private:
 
   // Takes the results of a part whose lists did not overflow.
   void take_part() {
-    result_.near_balls += seen(counter::candidates);
-    result_.candidates += seen(boxes_suffice() ? counter::candidates : counter::touching);
+    result_.near_balls += seen(walk_decides() ? counter::hits : counter::candidates);
+    result_.candidates += seen(walk_decides()    ? counter::hits
+                               : boxes_suffice() ? counter::candidates
+                                                 : counter::touching);
     result_.count += seen(counter::hits);
     result_.rungs.unsure[0] += seen(counter::unsure_fp32);
     result_.rungs.unsure[1] += seen(counter::unsure_fp64);

@@ -25,6 +25,7 @@ public:
 
 private:
   device_memory<cuda::tree_node> nodes_;
+  device_memory<unsigned> arrived_; // for the kernel that makes a small tree
 };
 
 } // namespace meetc

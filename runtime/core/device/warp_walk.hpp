@@ -291,17 +291,18 @@ private:
   // The boxes of a node of level 0 that the packet's box touches wait; so many are added at most.
   template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b, bool there) {
     const std::uint32_t slot = node * tree_width + lane_;
-    const bool touch = there && touches<Single>(b) && !(Single && w_.half && slot < single_slot_);
-    const unsigned touching = __ballot_sync(~0U, touch), before = __popc(touching & below_);
+    unsigned touching = __ballot_sync(~0U, touches<Single>(b) && !(Single && w_.half && slot < single_slot_));
+    touching = there ? touching : 0;
+    const bool touch = touching >> lane_ & 1;
     if constexpr (Single) {
-      make_room(__popc(touching));
-      if (touch)
-        room_.hits[hits_ + before] = pair_of(single_slot_, slot);
-      hits_ += __popc(touching);
+      put(touch, pair_of(single_slot_, slot));
+      if (w_.out.both_ways)
+        put(touch && slot != single_slot_, pair_of(slot, single_slot_));
     } else {
       if (touch) {
-        room_.low[waiting_ + before] = {b.low[0], b.low[1], b.low[2], __uint_as_float(slot)};
-        room_.high[waiting_ + before] = {b.high[0], b.high[1], b.high[2], 0};
+        const unsigned place = waiting_ + __popc(touching & below_);
+        room_.low[place] = {b.low[0], b.low[1], b.low[2], __uint_as_float(slot)};
+        room_.high[place] = {b.high[0], b.high[1], b.high[2], 0};
       }
       waiting_ += __popc(touching);
     }
@@ -320,24 +321,19 @@ private:
     room_.cells[lane_] = room_.in_packet.of(waits(lane_)); // of what lies behind the last too
     __syncwarp();
     unsigned mine = 0;
-    for (unsigned first = 0; first < n; first += 8) {
-      unsigned eight = 0;
+    for (unsigned first = (n - 1) & ~7U; first < tree_width; first -= 8) // from the last eight to the first
 #pragma unroll
-      for (unsigned i = 0; i < 8; ++i)
-        eight |= static_cast<unsigned>(packet_cells::touch(room_.cells[first + i], own_cells_)) << i;
-      mine |= eight << first;
-    }
+      for (unsigned i = 8; i-- > 0;)
+        packet_cells::push(mine, room_.cells[first + i], own_cells_);
     mine &= ~0U >> (tree_width - n);
     while (__any_sync(~0U, mine != 0)) {
       const unsigned i = mine ? __ffs(mine) - 1 : 0;
       const std::uint32_t slot = __float_as_uint(lows[i].w);
       const bool touch = mine != 0 && own_.touches(waits(i)) && !(w_.half && slot < slot_);
       mine &= mine - 1;
-      const unsigned touching = __ballot_sync(~0U, touch);
-      make_room(__popc(touching));
-      if (touch)
-        room_.hits[hits_ + __popc(touching & below_)] = pair_of(slot_, slot);
-      hits_ += __popc(touching);
+      put(touch, pair_of(slot_, slot));
+      if (w_.out.both_ways)
+        put(touch && slot != slot_, pair_of(slot, slot_));
     }
     __syncwarp();
   }
@@ -351,10 +347,14 @@ private:
       at = atomicAdd(w_.out.count, static_cast<unsigned long long>(n));
     return __shfl_sync(~0U, at, 0);
   }
-  // n <= tree_width
-  __device__ void make_room(unsigned n) {
-    if (hits_ + n > hits_size)
+  // Puts the pairs of these lanes into the buffer.
+  __device__ void put(bool hit, const index_pair &p) {
+    const unsigned hits = __ballot_sync(~0U, hit);
+    if (hits_ + __popc(hits) > hits_size)
       flush();
+    if (hit)
+      room_.hits[hits_ + __popc(hits & below_)] = p;
+    hits_ += __popc(hits);
   }
 
   const tree_walk &w_;

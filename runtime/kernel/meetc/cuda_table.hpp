@@ -190,8 +190,10 @@ struct kind_launchers {
   cudaError_t (*places)(const float *rows, std::uint32_t elements, const joined_box *around, int bits,
                         std::uint32_t *places, std::uint32_t *numbers, cudaStream_t stream);
   cudaError_t (*gather)(const gather_job &job, cudaStream_t stream);
-  // Fills the first levels_with_boxes() levels of the tree over the rows, as far as there are such.
-  cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, cudaStream_t stream);
+  // Fills the first levels_with_boxes() levels of the tree over the rows, as far as there are such. *arrived is 0 before and
+  // after.
+  cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, unsigned *arrived,
+                       cudaStream_t stream);
   // pose() and places() at once, and the order, of 1 to most_to_arrange elements. Null: not generated.
   cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;
   // Widens *around by the boxes of the elements. Null, as sift(): not generated.
@@ -287,6 +289,7 @@ struct predicate_launchers {
   bool rejects = true; // near_reject drops more than near_boxes
   // Looks at further hits. Null: not generated.
   cudaError_t (*first_met)(const first_met_job &job, cudaStream_t stream) = nullptr;
+  bool by_boxes = false; // proved: it holds where the finite boxes of valid rows touch, and nowhere else
 };
 
 struct catalogue {

@@ -128,10 +128,29 @@ inline unsigned blocks_above(const tree_shape &shape, int level) {
   return level + 1 == shape.depth ? shape.count[level] : shape.count[level + 1] * tree_width;
 }
 
-// A warp makes a node of level 0, and its box in level 1; and large blocks those of level 2.
+// A warp of the block that comes last makes the box of a node of the level below the root, and brings it there.
+__device__ inline void put_root(tree_node *nodes, const tree_shape &shape, unsigned *arrived) {
+  __shared__ bool is_last;
+  if (threadIdx.x == 0) { // which has written what put_above() wrote to that level
+    __threadfence();
+    is_last = atomicInc(arrived, gridDim.x - 1) == gridDim.x - 1;
+    __threadfence();
+  }
+  __syncthreads();
+  if (!is_last)
+    return;
+  const unsigned node = threadIdx.x / tree_width, lane = threadIdx.x % tree_width;
+  const int below = shape.depth - 2;
+  const tree_box all =
+      around_warp(node < shape.count[below] ? box_of(nodes[shape.first[below] + node], lane) : tree_box());
+  if (lane == 0)
+    put_box(nodes[shape.first[below + 1]], node, all);
+}
+
+// A warp makes a node of level 0, and its box in level 1; and large blocks those of level 2, and a root above that.
 template <class Shape, unsigned Threads>
-__global__ void __launch_bounds__(Threads)
-    boxes_kernel(const float *rows, unsigned n, tree_node *nodes, tree_shape shape) {
+__global__ void __launch_bounds__(Threads) boxes_kernel(const float *rows, unsigned n, tree_node *nodes,
+                                                        const __grid_constant__ tree_shape shape, unsigned *arrived) {
   begin();
   const unsigned node = (blockIdx.x * Threads + threadIdx.x) / tree_width, lane = threadIdx.x % tree_width;
   const std::size_t at = std::size_t{node} * tree_width + lane;
@@ -141,20 +160,24 @@ __global__ void __launch_bounds__(Threads)
   if (node < shape.count[0])
     put_box(nodes[node], lane, b);
   b = around_warp(b);
-  if constexpr (Threads == node_threads)
+  if constexpr (Threads == node_threads) {
     put_above(nodes, shape, 1, b);
-  else if (lane == 0)
+    if (shape.depth == 4)
+      put_root(nodes, shape, arrived);
+  } else if (lane == 0) {
     put_box(nodes[shape.first[1] + node / tree_width], node % tree_width, b);
+  }
 }
-template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, tree_node *nodes, cudaStream_t stream) {
+template <class Shape>
+cudaError_t boxes(const float *rows, std::uint32_t n, tree_node *nodes, unsigned *arrived, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
   const tree_shape shape(n);
-  if (levels_with_boxes(n) == 3)
+  if (levels_with_boxes(n) >= shape.depth)
     return launch<boxes_kernel<Shape, node_threads>>(blocks_above(shape, 1), node_threads, stream, rows, n, nodes,
-                                                     shape);
+                                                     shape, arrived);
   return launch<boxes_kernel<Shape, tree_threads>>(shape.count[1] * (node_threads / tree_threads), tree_threads, stream,
-                                                   rows, n, nodes, shape);
+                                                   rows, n, nodes, shape, arrived);
 }
 
 } // namespace meetc::cuda

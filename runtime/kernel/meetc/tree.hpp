@@ -42,9 +42,10 @@ struct tree_shape {
   MEETC_HD constexpr std::uint32_t nodes() const { return depth == 0 ? 0 : first[depth - 1] + 1; }
 };
 
-// How many levels are filled with the elements' boxes: of small sets more, since each kernel for the others costs a start.
+// How many levels are filled with the elements' boxes: all of those of a small set, since each kernel for the others costs a
+// start.
 MEETC_HD constexpr int levels_with_boxes(std::uint32_t elements) {
-  return elements <= std::uint32_t{1} << 20 ? 3 : 2;
+  return elements <= std::uint32_t{1} << 20 ? 4 : 2;
 }
 
 // A tree in device memory. Lane i of node n of level 0 is element 32 n + i of the rows.

@@ -249,7 +249,10 @@ template <class Shape> void boxes_of_levels(const float *rows, std::uint32_t n, 
   for (int level = 0; level + 1 < std::min(levels, shape.depth); ++level)
     cuda::enclose_level(nodes, shape, level);
 }
-template <class Shape> cudaError_t boxes(const float *rows, std::uint32_t n, cuda::tree_node *nodes, cudaStream_t) {
+template <class Shape>
+cudaError_t boxes(const float *rows, std::uint32_t n, cuda::tree_node *nodes, unsigned *arrived, cudaStream_t) {
+  if (*arrived != 0)
+    return cudaErrorInvalidValue;
   boxes_of_levels<Shape>(rows, n, nodes, cuda::levels_with_boxes(n));
   return cudaSuccess;
 }
@@ -498,7 +501,8 @@ const ::meetc::cuda::catalogue &catalogue() {
                                                              std::integral_constant<int, Which>) {
     const predicate_info &p = all.predicates[Which];
     predicates.push_back({p.name, place_of(p.a), place_of(p.b), near<P, A, B>, run<Which>, nullptr, nullptr,
-                          P::reject_stage::atoms > 0, p.first_met ? order_hits_of<Which> : nullptr});
+                          P::reject_stage::atoms > 0, p.first_met ? order_hits_of<Which> : nullptr,
+                          std::is_same_v<P, ::cga::box_box>});
   };
   if (predicates.empty()) {
     add(std::type_identity<::cga::segment_segment>(), segment_shape(), segment_shape(),

@@ -45,10 +45,14 @@ void go_down(const tree_walk &w, const cuda::tree_box &own, const two_points *po
       continue;
     if (w.half && child < slot)
       continue;
-    const index_pair p = w.swapped ? index_pair{child, slot} : index_pair{slot, child};
-    if (*w.out.count < w.out.capacity)
-      w.out.pairs[*w.out.count] = p;
-    ++*w.out.count;
+    const auto append = [&w](index_pair p) {
+      if (*w.out.count < w.out.capacity)
+        w.out.pairs[*w.out.count] = p;
+      ++*w.out.count;
+    };
+    append(w.swapped ? index_pair{child, slot} : index_pair{slot, child});
+    if (w.out.both_ways && child != slot)
+      append({child, slot});
   }
 }
 
