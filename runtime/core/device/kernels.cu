@@ -30,18 +30,23 @@ __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n, int bits_b) {
     reinterpret_cast<index_pair *>(keys)[i] = pair_of(keys[i], bits_b);
 }
 
-// The place of a key among those of its item is the number of smaller ones.
+// The place of a key among those of its item is the number of smaller ones. Most items have one.
 __global__ void runs_kernel(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
                             unsigned long long *crowded) {
   cuda::begin();
+  const std::uint64_t of_item = ~std::uint64_t{0} << bits_b; // the bits of a key that name its item
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads}) {
-    const std::uint64_t key = keys[i], item = key >> bits_b;
+    const std::uint64_t key = keys[i];
+    const auto alike = [&](std::size_t k) { return ((keys[k] ^ key) & of_item) == 0; };
+    const bool follows = i > 0 && alike(i - 1), leads = i + 1 < n && alike(i + 1);
     unsigned before = 0, length = 1; // of the keys of the item, the smaller ones, and all
-    for (std::size_t k = i; k > 0 && length <= most_in_run && keys[k - 1] >> bits_b == item; --k, ++length)
-      before += keys[k - 1] < key;
+    if (follows)
+      for (std::size_t k = i; k > 0 && length <= most_in_run && alike(k - 1); --k, ++length)
+        before += keys[k - 1] < key;
     const std::size_t begin = i + 1 - length;
-    for (std::size_t k = i + 1; k < n && length <= most_in_run && keys[k] >> bits_b == item; ++k, ++length)
-      before += keys[k] < key;
+    if (leads)
+      for (std::size_t k = i + 1; k < n && length <= most_in_run && alike(k); ++k, ++length)
+        before += keys[k] < key;
     if (length > most_in_run)
       *crowded = length;
     else

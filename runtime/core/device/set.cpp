@@ -9,6 +9,7 @@
 #include "core/element_set.hpp"
 #include "core/two_points.hpp"
 #include "meetc/cuda_query.hpp"
+#include "meetc/tree_order.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -199,12 +200,13 @@ bool device_set::sort(const cuda::view &there, const pose &at, int bits, cudaStr
   float *posed = nullptr;
   std::uint32_t *places = nullptr, *sorted = nullptr, *numbers = nullptr;
   cuda::joined_box *around = nullptr;
+  unsigned long long *bad_of_some = nullptr;
   void *sorting = nullptr;
   for (const bool planned : {true, false}) {
     cuda::cutter from(space_.data(), space_.capacity());
     posed = packed ? nullptr : from.take<float>(n * fields);
     places = from.take<std::uint32_t>(n), sorted = from.take<std::uint32_t>(n), numbers = from.take<std::uint32_t>(n);
-    around = from.take<cuda::joined_box>(1);
+    around = from.take<cuda::joined_box>(1), bad_of_some = from.take<unsigned long long>(1);
     sorting = from.take<std::byte>(need);
     if (planned && !space_.grow(from.used(), 0, on_->stream()))
       return false;
@@ -215,9 +217,18 @@ bool device_set::sort(const cuda::view &there, const pose &at, int bits, cudaStr
   start_clock();
   check(cudaMemsetAsync(found, 0, sizeof *found, stream), "ordering a set");
   check(cudaMemsetAsync(around, 0, sizeof *around, stream), "ordering a set");
-  check(launchers_->pose(there, cuda_pose(at), nullptr, posed, &found->bad, around, stream), "starting a kernel");
+  if (packed) { // the places are by a box around some, and their kernel checks all
+    const std::uint32_t step = cuda::sample_step(n);
+    cuda::view some = there;
+    some.elements = n / step + (n % step != 0), some.stride_bytes *= step;
+    check(cudaMemsetAsync(&found->bad, 0xff, sizeof found->bad, stream), "ordering a set");
+    check(launchers_->pose(some, cuda_pose(at), nullptr, nullptr, bad_of_some, around, stream), "starting a kernel");
+  } else {
+    check(launchers_->pose(there, cuda_pose(at), nullptr, posed, &found->bad, around, stream), "starting a kernel");
+  }
   const float *const rows = packed ? there.data : posed;
-  check(launchers_->places(rows, n, around, bits, places, numbers, stream), "starting a kernel");
+  check(launchers_->places(rows, n, around, bits, places, numbers, packed ? &found->bad : nullptr, stream),
+        "starting a kernel");
   check(sort_places(sorting, need, places, sorted, numbers, order_.data(), n, 3 * bits, stream), "ordering a set");
   cuda::tree_node *const nodes = tree_.room(n);
   check(launchers_->gather({rows, n, sorted, order_.data(), there.only, rows_.data(), nodes, &found->crowded}, stream),

@@ -23,12 +23,8 @@ MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
   return n;
 }
 
-// What a block finds in its elements. Behind the parts is room for a number of each block.
-struct arrange_part {
-  tree_box around;
-  unsigned long long bad;
-};
-static_assert(1024 * (sizeof(arrange_part) + sizeof(std::uint32_t)) <= arrange_bytes);
+// A box and a number for each block.
+static_assert(1024 * (sizeof(tree_box) + sizeof(std::uint32_t)) <= arrange_bytes);
 
 template <class Shape>
 __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
@@ -42,11 +38,11 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
   // Warps that follow one another are in different blocks, so that few elements have many multiprocessors.
   const std::uint32_t n = job.from.elements, step = grid_threads(),
                       first = (threadIdx.x / 32 * gridDim.x + blockIdx.x) * 32 + threadIdx.x % 32;
-  auto *const parts = static_cast<arrange_part *>(job.parts);
+  auto *const parts = static_cast<tree_box *>(job.parts);
   const running_sums counts{job.cells, 1U << job.cell_bits, reinterpret_cast<std::uint32_t *>(parts + arrange_threads)};
   const int place_bits = 3 * job.bits;
 
-  // Rows, and what they cover.
+  // The box by which elements get places: around all rows, which are written, or around some of them.
   steps.fill<arrange_threads>();
   if (threadIdx.x == 0)
     bad_of_block = ~0ULL, crowded_of_block = 0, longest_of_block = 0;
@@ -55,44 +51,49 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
   float *const of_warp = rows_of_warps[threadIdx.x / 32];
   const float *const posed = job.posed ? job.posed : job.from.data;
   tree_box mine; // empty
-  for (std::uint32_t base = first - lane; base < n;
-       base += step) { // a warp stays whole, since it writes its rows together
+  const auto check_row = [&](std::uint32_t i, float(&row)[fields]) {
+    if (!posed_element<Shape>(job.from, job.at, i, row))
+      atomicMin(&bad_of_block, static_cast<unsigned long long>(number_in(job.from, i)) << 32 | i);
+  };
+  // A warp stays whole, since it writes its rows together.
+  for (std::uint32_t base = first - lane; job.posed && base < n; base += step) {
     const std::uint32_t i = base + lane;
     float row[fields];
     if (i < n) {
-      if (!posed_element<Shape>(job.from, job.at, i, row))
-        atomicMin(&bad_of_block, static_cast<unsigned long long>(number_in(job.from, i)) << 32 | i);
+      check_row(i, row);
       mine.widen(box_of_row<Shape>(row));
-      for (unsigned f = 0; f < fields && job.posed; ++f)
+      for (unsigned f = 0; f < fields; ++f)
         of_warp[lane * fields + f] = row[f];
     }
-    if (job.posed)
-      write_rows<Shape::fields>(of_warp, n - base, job.posed + base * std::size_t{fields});
+    write_rows<Shape::fields>(of_warp, n - base, job.posed + base * std::size_t{fields});
   }
+  const std::uint32_t each = sample_step(n);
+  for (std::uint32_t i = threadIdx.x * each; !job.posed && i < n; i += arrange_threads * each)
+    mine.widen(box_of_row<Shape>(posed + i * std::size_t{fields}));
   for (std::uint32_t c = first; c < counts.n; c += step)
     job.cells[c] = 0;
-  const tree_box of_block = around_block<arrange_threads>(mine);
-  if (threadIdx.x == 0)
-    parts[blockIdx.x] = {of_block, bad_of_block};
+  tree_box around = around_block<arrange_threads>(mine);
+  if (threadIdx.x == 0) {
+    parts[blockIdx.x] = around;
+    if (blockIdx.x == 0)
+      *job.found = {~0ULL, 0, 0};
+  }
   meet_grid();
+  if (job.posed)
+    around = around_block<arrange_threads>(threadIdx.x < gridDim.x ? parts[threadIdx.x] : tree_box());
+  if (threadIdx.x == 0)
+    cells = hilbert_cells(around, job.bits);
+  __syncthreads();
 
   // Places, and how many elements each cell has.
-  tree_box around; // empty
-  if (threadIdx.x < gridDim.x) {
-    const arrange_part &of = parts[threadIdx.x];
-    around = of.around;
-    if (of.bad != ~0ULL)
-      atomicMin(&bad_of_block, of.bad);
-  }
-  const tree_box all = around_block<arrange_threads>(around);
-  if (threadIdx.x == 0) {
-    cells = hilbert_cells(all, job.bits);
-    if (blockIdx.x == 0)
-      *job.found = {bad_of_block, 0, 0};
-  }
-  __syncthreads();
   for (std::uint32_t i = first; i < n; i += step) {
-    const std::uint32_t place = cells.place_of(box_of_row<Shape>(posed + i * std::size_t{fields}), steps.table());
+    float row[fields];
+    if (job.posed)
+      for (unsigned f = 0; f < fields; ++f)
+        row[f] = posed[i * std::size_t{fields} + f];
+    else
+      check_row(i, row);
+    const std::uint32_t place = cells.place_of(box_of_row<Shape>(row), steps.table());
     job.places[i] = place;
     job.ranks[i] = atomicAdd(job.cells + cell_of(in_order(place, i), place_bits, job.cell_bits), 1U);
   }
@@ -135,6 +136,8 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
   }
   __syncthreads();
   if (threadIdx.x == 0) {
+    if (bad_of_block != ~0ULL)
+      atomicMin(&job.found->bad, bad_of_block);
     if (crowded_of_block > 0)
       atomicAdd(&job.found->crowded, crowded_of_block);
     if (longest_of_block > 0)

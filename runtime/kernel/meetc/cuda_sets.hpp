@@ -120,7 +120,14 @@ __device__ inline float moved(const double *m, double x, double y, double z) {
       __dadd_rn(__dadd_rn(__dadd_rn(__dmul_rn(m[0], x), __dmul_rn(m[1], y)), __dmul_rn(m[2], z)), m[3]));
 }
 
-// A row in the pose. Returns whether it is one: finite, and as the kind's rule says.
+// Whether a row is finite, and as the kind's rule says.
+template <class Shape> __device__ bool is_good(const float *row) {
+  bool good = Shape::obeys(row);
+  for (int f = 0; f < Shape::fields; ++f)
+    good &= isfinite(row[f]);
+  return good;
+}
+// A row in the pose. Returns whether it is good.
 template <class Shape> __device__ bool posed_row(const pose_matrix &at, const float *in, float *out) {
   for (int f = 0; f < Shape::fields; ++f)
     out[f] = in[f];
@@ -139,10 +146,7 @@ template <class Shape> __device__ bool posed_row(const pose_matrix &at, const fl
   if (at.on_grid)
     for (int f = 0; f < Shape::fields; ++f)
       out[f] = nearest_multiple(out[f], at.grid_low);
-  bool good = Shape::obeys(out);
-  for (int f = 0; f < Shape::fields; ++f)
-    good &= isfinite(out[f]);
-  return good;
+  return is_good<Shape>(out);
 }
 
 // Kinds that can be indexed consist of points, x y z each.

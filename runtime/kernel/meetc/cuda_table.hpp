@@ -186,9 +186,10 @@ struct kind_launchers {
   // the filter passes every pair whose boxes touch.
   cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
                          const extent *around, void *columns, cudaStream_t stream);
-  // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits), and its number.
+  // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits), and its number. *bad, unless
+  // it is null, becomes less where a row is not good, as in query_result.
   cudaError_t (*places)(const float *rows, std::uint32_t elements, const joined_box *around, int bits,
-                        std::uint32_t *places, std::uint32_t *numbers, cudaStream_t stream);
+                        std::uint32_t *places, std::uint32_t *numbers, unsigned long long *bad, cudaStream_t stream);
   cudaError_t (*gather)(const gather_job &job, cudaStream_t stream);
   // Fills the first levels_with_boxes() levels of the tree over the rows, as far as there are such. *arrived is 0 before and
   // after.

@@ -3,6 +3,7 @@
 #define MEETC_CUDA_TREE_HPP
 
 #include <meetc/cuda_launch.hpp>
+#include <meetc/cuda_sets.hpp>
 #include <meetc/cuda_table.hpp>
 #include <meetc/cuda_warp.hpp>
 #include <meetc/tree_order.hpp>
@@ -25,8 +26,9 @@ struct shared_steps {
 };
 
 template <class Shape>
-__global__ void __launch_bounds__(tree_threads) places_kernel(const float *rows, unsigned n, const joined_box *around,
-                                                              int bits, std::uint32_t *places, std::uint32_t *numbers) {
+__global__ void __launch_bounds__(tree_threads)
+    places_kernel(const float *rows, unsigned n, const joined_box *around, int bits, std::uint32_t *places,
+                  std::uint32_t *numbers, unsigned long long *bad) {
   begin();
   __shared__ hilbert_cells cells;
   __shared__ shared_steps steps;
@@ -34,19 +36,24 @@ __global__ void __launch_bounds__(tree_threads) places_kernel(const float *rows,
     cells = hilbert_cells(box_of(*around), bits);
   steps.fill<tree_threads>();
   __syncthreads();
+  const view packed{rows, Shape::fields * sizeof(float), nullptr, 0, n};
   for (std::size_t i = blockIdx.x * std::size_t{tree_threads} + threadIdx.x; i < n;
        i += gridDim.x * std::size_t{tree_threads}) {
-    places[i] = cells.place_of(box_of_row<Shape>(rows + i * Shape::fields), steps.table());
+    float row[Shape::fields];
+    const bool there = read_element<Shape>(packed, static_cast<std::uint32_t>(i), row);
+    if (bad && !(is_good<Shape>(row) && there))
+      atomicMin(bad, static_cast<unsigned long long>(i) << 32 | i);
+    places[i] = cells.place_of(box_of_row<Shape>(row), steps.table());
     numbers[i] = static_cast<std::uint32_t>(i);
   }
 }
 template <class Shape>
 cudaError_t places(const float *rows, std::uint32_t n, const joined_box *around, int bits, std::uint32_t *places,
-                   std::uint32_t *numbers, cudaStream_t stream) {
+                   std::uint32_t *numbers, unsigned long long *bad, cudaStream_t stream) {
   if (n == 0)
     return cudaSuccess;
   const unsigned blocks = std::min((n - 1) / tree_threads + 1, blocks_at_once<places_kernel<Shape>, tree_threads>());
-  return launch<places_kernel<Shape>>(blocks, tree_threads, stream, rows, n, around, bits, places, numbers);
+  return launch<places_kernel<Shape>>(blocks, tree_threads, stream, rows, n, around, bits, places, numbers, bad);
 }
 
 // A warp takes the rows of a node of level 0, and brings them to their places in one piece.

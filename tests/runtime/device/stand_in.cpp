@@ -259,10 +259,13 @@ cudaError_t boxes(const float *rows, std::uint32_t n, cuda::tree_node *nodes, un
 
 template <class Shape>
 cudaError_t places(const float *rows, std::uint32_t n, const cuda::joined_box *around, int bits, std::uint32_t *places,
-                   std::uint32_t *numbers, cudaStream_t) {
+                   std::uint32_t *numbers, unsigned long long *bad, cudaStream_t) {
   const cuda::hilbert_cells cells(cuda::box_of(*around), bits);
   for (std::uint32_t i = 0; i < n; ++i) {
-    places[i] = cells.place_of(cuda::box_of_row<Shape>(rows + i * std::size_t{Shape::fields}));
+    const float *const row = rows + i * std::size_t{Shape::fields};
+    if (bad && !is_good<Shape>(row))
+      *bad = std::min(*bad, static_cast<unsigned long long>(i) << 32 | i);
+    places[i] = cells.place_of(cuda::box_of_row<Shape>(row));
     numbers[i] = i;
   }
   return cudaSuccess;
@@ -284,9 +287,11 @@ template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStr
   if (n == 0 || n > cuda::most_to_arrange || job.cell_bits > 3 * job.bits)
     return cudaErrorInvalidValue;
   cuda::joined_box around{};
-  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, &around, stream);
+  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, job.posed ? &around : nullptr, stream);
   const float *const posed = job.posed ? job.posed : job.from.data;
-  places<Shape>(posed, n, &around, job.bits, job.places, job.ranks, stream);
+  for (std::uint32_t i = 0; !job.posed && i < n; i += cuda::sample_step(n))
+    join(around, cuda::box_of_row<Shape>(posed + i * std::size_t{Shape::fields}));
+  places<Shape>(posed, n, &around, job.bits, job.places, job.ranks, nullptr, stream);
   const auto cell = [&](std::uint64_t element) { return cuda::cell_of(element, 3 * job.bits, job.cell_bits); };
   std::fill_n(job.cells, last + 1, 0U);
   for (std::uint32_t i = n; i-- > 0;)

@@ -9,7 +9,11 @@
 
 namespace meetc::stand_in {
 
-// Returns whether it is a row of its kind.
+// Whether it is a row of its kind.
+template <class Shape> bool is_good(const float *row) {
+  return std::all_of(row, row + Shape::fields, [](float x) { return std::isfinite(x); }) && Shape::obeys(row);
+}
+// Returns whether the row in the pose is one.
 template <class Shape> bool posed_row(const cuda::pose_matrix &at, const float *row, float *out) {
   constexpr int fields = Shape::fields;
   std::copy_n(row, fields, out);
@@ -24,7 +28,7 @@ template <class Shape> bool posed_row(const cuda::pose_matrix &at, const float *
       }
   for (int f = 0; f < fields && at.on_grid; ++f)
     out[f] = nearest_multiple(out[f], at.grid_low);
-  return std::all_of(out, out + fields, [](float x) { return std::isfinite(x); }) && Shape::obeys(out);
+  return is_good<Shape>(out);
 }
 inline void join(cuda::joined_box &around, const cuda::tree_box &b) {
   for (int k = 0; k < 3; ++k) {
