@@ -3,6 +3,7 @@
 #include "core/pair_sort.hpp"
 #include "core/threads.hpp"
 
+#include <array>
 #include <bit>
 
 namespace meetc {
@@ -78,11 +79,13 @@ public:
   }
   // The calling thread calls it after that.
   void grow() {
-    constexpr std::size_t step = std::size_t{1} << 15;
+    // Copied, since a long copy does not first read the lines that it writes, which lie in the caches of other cores.
+    static constexpr std::array<index_pair, std::size_t{1} << 12> zeros{};
     for (std::size_t n; (n = touched_.load(std::memory_order_acquire)) < size_ * sizeof(index_pair);)
       touched_.wait(n, std::memory_order_acquire);
     while (list.size() < size_) {
-      list.resize(std::min(list.size() + step, size_));
+      for (const std::size_t next = std::min(list.size() + 8 * zeros.size(), size_); list.size() < next;)
+        list.insert(list.end(), zeros.data(), zeros.data() + std::min(zeros.size(), next - list.size()));
       ready_.store(list.size(), std::memory_order_release);
       ready_.notify_all();
     }
