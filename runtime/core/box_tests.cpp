@@ -18,23 +18,38 @@ index_pair pair_of(const block_query &q, std::uint32_t theirs) {
   return q.swapped ? index_pair{theirs, q.slot} : index_pair{q.slot, theirs};
 }
 
-// The first block that a mask names.
-struct leaf {
-  std::uint32_t number;
-  int lane; // of the box around it
-};
-leaf first_of(std::uint32_t mask, const leaf_query &q) {
-  const int lane = std::countr_zero(mask);
-  return {q.first + static_cast<std::uint32_t>(lane), lane};
+// The first element that a mask names, in a block with this number.
+std::uint32_t first_of(std::uint32_t mask, std::uint32_t block) {
+  return block * lanes + static_cast<std::uint32_t>(std::countr_zero(mask));
 }
-// Those of the mask that are wanted.
-std::uint32_t wanted(std::uint32_t mask, const leaf_query &q) {
-  const std::uint32_t before = q.from > q.first ? q.from - q.first : 0;
-  return before < lanes ? mask >> before << before : 0;
+// The box around a block, from the blocks of the level above.
+box around(std::uint32_t number, const box_block *above) {
+  return above[number / lanes].get(number % lanes);
+}
+
+// What is to be tested, element by element: the number of a block times lanes, plus the lane of an element that touches the
+// box around it. elements[i] are those of numbers[i]. There is room for most_meetings.
+std::size_t by_element(const std::uint32_t *numbers, const std::uint32_t *elements, std::size_t count,
+                       std::uint32_t *tests) {
+  std::size_t n = 0;
+  for (std::uint32_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t i = 0; i < count; ++i) {
+      tests[n] = numbers[i] * lanes + lane;
+      n += elements[i] >> lane & 1;
+    }
+  return n;
 }
 
 std::uint32_t touching_baseline(const box_block &block, const box &q) {
   return touching(block, q);
+}
+std::size_t touched_baseline(const box_block *blocks, const std::uint32_t *numbers, std::size_t count, const box &q,
+                             std::uint32_t *out) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::uint32_t left = touching(blocks[numbers[i]], q); left != 0; left &= left - 1)
+      out[n++] = first_of(left, numbers[i]);
+  return n;
 }
 index_pair *pairs_baseline(const block_query &q, index_pair *out) {
   for (std::size_t i = 0; i < q.count; ++i)
@@ -43,15 +58,36 @@ index_pair *pairs_baseline(const block_query &q, index_pair *out) {
   return out;
 }
 
-std::size_t leaves_baseline(const leaf_query &q, std::uint32_t *numbers, std::uint32_t *elements) {
+std::size_t meetings_baseline(const meeting_query &q, meeting *out) {
+  std::uint32_t numbers[lanes], elements[lanes]; // blocks, and the elements that touch the box around each
+  std::size_t blocks = 0;
+  for (std::size_t i = 0; i < q.count; ++i) {
+    const std::uint32_t number = numbers[blocks] = q.numbers[i];
+    const std::uint32_t touches = touching(q.others[number], q.around) != 0;
+    elements[blocks] = touching(*q.walker, around(number, q.around_others)) * touches;
+    blocks += elements[blocks] != 0;
+  }
+  std::uint32_t tests[most_meetings];
+  const std::size_t count = by_element(numbers, elements, blocks, tests);
   std::size_t n = 0;
-  for (std::uint32_t left = wanted(touching(*q.around_leaves, q.around), q); left != 0; left &= left - 1) {
-    const leaf at = first_of(left, q);
-    numbers[n] = at.number;
-    elements[n] = touching(*q.walker, q.around_leaves->get(at.lane));
-    n += elements[n] != 0 && touching(q.leaves[at.number], q.around) != 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t mask = touching(q.others[tests[i] / lanes], q.walker->get(tests[i] % lanes));
+    out[n] = {tests[i], mask};
+    n += mask != 0;
   }
   return n;
+}
+
+index_pair *pairs_of_baseline(const meeting *meetings, std::size_t n, std::uint32_t first, bool swapped,
+                              index_pair *out) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t mine = first + meetings[i].lane();
+    for (std::uint32_t left = meetings[i].mask; left != 0; left &= left - 1) {
+      const std::uint32_t theirs = first_of(left, meetings[i].block());
+      *out++ = swapped ? index_pair{theirs, mine} : index_pair{mine, theirs};
+    }
+  }
+  return out;
 }
 
 #if MEETC_TARGETS
@@ -83,6 +119,15 @@ MEETC_PART_FOR("avx2") std::uint32_t mask_avx2(const box_block &block, const sid
 __attribute__((target("avx2"))) std::uint32_t touching_avx2(const box_block &block, const box &q) {
   return mask_avx2(block, sides_avx2(q));
 }
+__attribute__((target("avx2"))) std::size_t touched_avx2(const box_block *blocks, const std::uint32_t *numbers,
+                                                         std::size_t count, const box &q, std::uint32_t *out) {
+  const sides_8 sides = sides_avx2(q);
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::uint32_t left = mask_avx2(blocks[numbers[i]], sides); left != 0; left &= left - 1)
+      out[n++] = first_of(left, numbers[i]);
+  return n;
+}
 __attribute__((target("avx2"))) index_pair *pairs_avx2(const block_query &q, index_pair *out) {
   const sides_8 sides = sides_avx2(q.around);
   for (std::size_t i = 0; i < q.count; ++i)
@@ -90,15 +135,23 @@ __attribute__((target("avx2"))) index_pair *pairs_avx2(const block_query &q, ind
       *out++ = pair_of(q, q.numbers[i] * lanes + static_cast<std::uint32_t>(std::countr_zero(left)));
   return out;
 }
-__attribute__((target("avx2"))) std::size_t leaves_avx2(const leaf_query &q, std::uint32_t *numbers,
-                                                        std::uint32_t *elements) {
+__attribute__((target("avx2"))) std::size_t meetings_avx2(const meeting_query &q, meeting *out) {
   const sides_8 sides = sides_avx2(q.around);
+  std::uint32_t numbers[lanes], elements[lanes]; // blocks, and the elements that touch the box around each
+  std::size_t blocks = 0;
+  for (std::size_t i = 0; i < q.count; ++i) {
+    const std::uint32_t number = numbers[blocks] = q.numbers[i];
+    const std::uint32_t touches = mask_avx2(q.others[number], sides) != 0;
+    elements[blocks] = mask_avx2(*q.walker, sides_avx2(around(number, q.around_others))) * touches;
+    blocks += elements[blocks] != 0;
+  }
+  std::uint32_t tests[most_meetings];
+  const std::size_t count = by_element(numbers, elements, blocks, tests);
   std::size_t n = 0;
-  for (std::uint32_t left = wanted(mask_avx2(*q.around_leaves, sides), q); left != 0; left &= left - 1) {
-    const leaf at = first_of(left, q);
-    numbers[n] = at.number;
-    elements[n] = mask_avx2(*q.walker, sides_avx2(q.around_leaves->get(at.lane)));
-    n += elements[n] != 0 && mask_avx2(q.leaves[at.number], sides) != 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t mask = mask_avx2(q.others[tests[i] / lanes], sides_avx2(q.walker->get(tests[i] % lanes)));
+    out[n] = {tests[i], mask};
+    n += mask != 0;
   }
   return n;
 }
@@ -126,41 +179,89 @@ MEETC_PART_FOR("avx512f") __mmask16 mask_avx512(const box_block &block, const si
 __attribute__((target("avx512f"))) std::uint32_t touching_avx512(const box_block &block, const box &q) {
   return mask_avx512(block, sides_avx512(q));
 }
-// A pair is a number of 64 bits, so sixteen of them are two registers. All are stored, and those behind the end are
-// written over.
-__attribute__((target("avx512f"))) index_pair *pairs_avx512(const block_query &q, index_pair *out) {
-  static_assert(sizeof(index_pair) == 8 && std::endian::native == std::endian::little);
-  const sides_16 sides = sides_avx512(q.around);
+// The numbers block * lanes + lane of the lanes in a mask, at the front.
+MEETC_PART_FOR("avx512f") __m512i numbers_avx512(__mmask16 mask, std::uint32_t block) {
   const __m512i each = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  const unsigned my_shift = q.swapped ? 32 : 0, shift = 32 - my_shift;
-  const __m512i mine = _mm512_maskz_slli_epi64(0xff, _mm512_set1_epi64(q.slot), my_shift);
-  for (std::size_t i = 0; i < q.count; ++i) {
-    const __mmask16 mask = mask_avx512(q.blocks[q.numbers[i]], sides);
-    if (mask == 0)
-      continue;
-    const __m512i first = _mm512_set1_epi32(static_cast<int>(q.numbers[i] * lanes));
-    const __m512i theirs = _mm512_maskz_compress_epi32(mask, _mm512_add_epi32(each, first));
-    for (int half = 0; half < 2; ++half) {
-      const __m256i eight =
-          half == 0 ? _mm512_maskz_extracti64x4_epi64(0xf, theirs, 0) : _mm512_maskz_extracti64x4_epi64(0xf, theirs, 1);
-      const __m512i wide = _mm512_maskz_slli_epi64(0xff, _mm512_maskz_cvtepu32_epi64(0xff, eight), shift);
-      _mm512_storeu_si512(half == 0 ? out : out + lanes / 2, _mm512_or_si512(wide, mine));
-    }
-    out += std::popcount(static_cast<unsigned>(mask));
-  }
-  return out;
+  const __m512i first = _mm512_set1_epi32(static_cast<int>(block * lanes));
+  return _mm512_maskz_compress_epi32(mask, _mm512_add_epi32(each, first));
 }
-__attribute__((target("avx512f"))) std::size_t leaves_avx512(const leaf_query &q, std::uint32_t *numbers,
-                                                             std::uint32_t *elements) {
-  const sides_16 sides = sides_avx512(q.around);
+// All sixteen numbers are stored, and those behind the end are written over.
+__attribute__((target("avx512f"))) std::size_t touched_avx512(const box_block *blocks, const std::uint32_t *numbers,
+                                                              std::size_t count, const box &q, std::uint32_t *out) {
+  const sides_16 sides = sides_avx512(q);
   std::size_t n = 0;
-  for (std::uint32_t left = wanted(mask_avx512(*q.around_leaves, sides), q); left != 0; left &= left - 1) {
-    const leaf at = first_of(left, q);
-    numbers[n] = at.number;
-    elements[n] = mask_avx512(*q.walker, sides_avx512(q.around_leaves->get(at.lane)));
-    n += elements[n] != 0 && mask_avx512(q.leaves[at.number], sides) != 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const __mmask16 mask = mask_avx512(blocks[numbers[i]], sides);
+    _mm512_storeu_si512(out + n, numbers_avx512(mask, numbers[i]));
+    n += static_cast<std::size_t>(std::popcount(static_cast<unsigned>(mask)));
   }
   return n;
+}
+// A pair is a number of 64 bits, so sixteen of them are two registers. All are stored, and those behind the end are
+// written over.
+struct pairs_of_slot {
+  __m512i mine;
+  unsigned shift; // of the other element
+};
+MEETC_PART_FOR("avx512f") pairs_of_slot slot_avx512(std::uint32_t slot, bool swapped) {
+  static_assert(sizeof(index_pair) == 8 && std::endian::native == std::endian::little);
+  const unsigned my_shift = swapped ? 32 : 0;
+  return {_mm512_maskz_slli_epi64(0xff, _mm512_set1_epi64(slot), my_shift), 32 - my_shift};
+}
+MEETC_PART_FOR("avx512f")
+index_pair *store_avx512(__mmask16 mask, std::uint32_t block, const pairs_of_slot &of, index_pair *out) {
+  const __m512i theirs = numbers_avx512(mask, block);
+  for (int half = 0; half < 2; ++half) {
+    const __m256i eight =
+        half == 0 ? _mm512_maskz_extracti64x4_epi64(0xf, theirs, 0) : _mm512_maskz_extracti64x4_epi64(0xf, theirs, 1);
+    const __m512i wide = _mm512_maskz_slli_epi64(0xff, _mm512_maskz_cvtepu32_epi64(0xff, eight), of.shift);
+    _mm512_storeu_si512(half == 0 ? out : out + lanes / 2, _mm512_or_si512(wide, of.mine));
+  }
+  return out + std::popcount(static_cast<unsigned>(mask));
+}
+__attribute__((target("avx512f"))) index_pair *pairs_avx512(const block_query &q, index_pair *out) {
+  const sides_16 sides = sides_avx512(q.around);
+  const pairs_of_slot of = slot_avx512(q.slot, q.swapped);
+  for (std::size_t i = 0; i < q.count; ++i)
+    if (const __mmask16 mask = mask_avx512(q.blocks[q.numbers[i]], sides); mask != 0)
+      out = store_avx512(mask, q.numbers[i], of, out);
+  return out;
+}
+__attribute__((target("avx512f"))) std::size_t meetings_avx512(const meeting_query &q, meeting *out) {
+  const sides_16 sides = sides_avx512(q.around);
+  alignas(64) std::uint32_t elements[lanes] = {}; // that touch the box around each block
+  for (std::size_t i = 0; i < q.count; ++i) {
+    const std::uint32_t number = q.numbers[i];
+    const std::uint32_t touches = mask_avx512(q.others[number], sides) != 0;
+    elements[i] = mask_avx512(*q.walker, sides_avx512(around(number, q.around_others))) * touches;
+  }
+  // What is to be tested, by element.
+  const __m512i of_blocks = _mm512_load_si512(elements);
+  const auto asked = static_cast<__mmask16>((std::uint32_t{1} << q.count) - 1);
+  const __m512i first = _mm512_maskz_slli_epi32(0xffff, _mm512_maskz_loadu_epi32(asked, q.numbers), 4);
+  std::uint32_t tests[most_meetings];
+  std::size_t count = 0;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const __mmask16 blocks = _mm512_test_epi32_mask(of_blocks, _mm512_set1_epi32(1 << lane));
+    const __m512i all = _mm512_or_si512(first, _mm512_set1_epi32(lane));
+    _mm512_storeu_si512(tests + count, _mm512_maskz_compress_epi32(blocks, all));
+    count += static_cast<std::size_t>(std::popcount(static_cast<unsigned>(blocks)));
+  }
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t mask = mask_avx512(q.others[tests[i] / lanes], sides_avx512(q.walker->get(tests[i] % lanes)));
+    out[n].block_and_lane = tests[i];
+    out[n].mask = mask;
+    n += mask != 0;
+  }
+  return n;
+}
+__attribute__((target("avx512f"))) index_pair *pairs_of_avx512(const meeting *meetings, std::size_t n,
+                                                               std::uint32_t first, bool swapped, index_pair *out) {
+  for (std::size_t i = 0; i < n; ++i)
+    out = store_avx512(static_cast<__mmask16>(meetings[i].mask), meetings[i].block(),
+                       slot_avx512(first + meetings[i].lane(), swapped), out);
+  return out;
 }
 
 #endif
@@ -168,7 +269,8 @@ __attribute__((target("avx512f"))) std::size_t leaves_avx512(const leaf_query &q
 } // namespace
 
 const box_tests *box_tests_for(instruction_set set) {
-  static constexpr box_tests baseline{instruction_set::baseline, touching_baseline, pairs_baseline, leaves_baseline};
+  static constexpr box_tests baseline{instruction_set::baseline, touching_baseline, touched_baseline, pairs_baseline,
+                                      meetings_baseline,         pairs_of_baseline};
   if (!runs_here(set))
     return nullptr;
   switch (set) {
@@ -176,11 +278,13 @@ const box_tests *box_tests_for(instruction_set set) {
     return &baseline;
 #if MEETC_TARGETS
   case instruction_set::avx2: {
-    static constexpr box_tests avx2{instruction_set::avx2, touching_avx2, pairs_avx2, leaves_avx2};
+    static constexpr box_tests avx2{instruction_set::avx2, touching_avx2,    touched_avx2, pairs_avx2,
+                                    meetings_avx2,         pairs_of_baseline};
     return &avx2;
   }
   case instruction_set::avx512: {
-    static constexpr box_tests avx512{instruction_set::avx512, touching_avx512, pairs_avx512, leaves_avx512};
+    static constexpr box_tests avx512{instruction_set::avx512, touching_avx512, touched_avx512, pairs_avx512,
+                                      meetings_avx512,         pairs_of_avx512};
     return &avx512;
   }
 #endif

@@ -5,6 +5,7 @@
 #include "core/first_met.hpp"
 #include "core/marks.hpp"
 #include "core/normalised.hpp"
+#include "core/pair_buckets.hpp"
 #include "core/pair_sort.hpp"
 #include "core/threads.hpp"
 
@@ -15,22 +16,29 @@
 namespace meetc {
 namespace {
 
-// A list for each worker. With owners it is compacted whenever it has doubled, so that it grows with the number of
-// distinct pairs.
+// What each worker finds. With owners it is a list that is compacted whenever it has doubled, so that it grows with the
+// number of distinct pairs.
 class collect final : public hit_taker {
 public:
-  collect(int workers, std::span<const std::uint32_t> owner_a, std::span<const std::uint32_t> owner_b)
-      : lists_(static_cast<std::size_t>(workers)), owner_a_(owner_a), owner_b_(owner_b),
-        owned_(!owner_a.empty() || !owner_b.empty()) {}
+  // No element of a has a number above most_a.
+  collect(int workers, std::uint32_t most_a, std::span<const std::uint32_t> owner_a,
+          std::span<const std::uint32_t> owner_b)
+      : owner_a_(owner_a), owner_b_(owner_b) {
+    if (owned())
+      lists_.resize(static_cast<std::size_t>(workers));
+    else
+      for (int w = 0; w < workers; ++w)
+        buckets_.emplace_back(most_a);
+  }
 
-  bool owned() const { return owned_; }
+  bool owned() const { return !owner_a_.empty() || !owner_b_.empty(); }
 
   void take(int worker, const index_pair *hits, std::size_t n) override {
-    list &mine = lists_[static_cast<std::size_t>(worker)];
-    if (!owned_) {
-      add_pairs(mine.pairs, hits, n);
+    if (!owned()) {
+      buckets_[static_cast<std::size_t>(worker)].add(hits, n);
       return;
     }
+    list &mine = lists_[static_cast<std::size_t>(worker)];
     for (std::size_t i = 0; i < n; ++i)
       mine.pairs.push_back(
           {owner_a_.empty() ? hits[i].a : owner_a_[hits[i].a], owner_b_.empty() ? hits[i].b : owner_b_[hits[i].b]});
@@ -42,14 +50,15 @@ public:
   }
 
   std::vector<index_pair> all(int threads) {
+    if (!owned())
+      return sort_together(std::move(buckets_), threads);
     std::vector<std::vector<index_pair>> lists;
     for (list &l : lists_) {
       lists.push_back(std::move(l.pairs));
       l.scratch = {};
     }
     std::vector<index_pair> pairs = sort_together(lists, threads);
-    if (owned_)
-      drop_repeats(pairs);
+    drop_repeats(pairs);
     return pairs;
   }
 
@@ -61,8 +70,8 @@ private:
     std::size_t compact_at = first_compaction;
   };
   std::vector<list> lists_;
+  std::vector<pair_buckets> buckets_;
   std::span<const std::uint32_t> owner_a_, owner_b_;
-  bool owned_;
 };
 
 bool same_kind(const kind_info &x, const kind_info &y) {
@@ -167,7 +176,7 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
       &a == &b && predicate.symmetric && never_wrong(precision) && !options.all_pairs && !options.first_met;
   const tree_pairs tree(a.set(), b.set(), what_rules_out(precision), half);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
-  collect list(threads, options.owner_a, options.owner_b);
+  collect list(threads, static_cast<std::uint32_t>(a.elements()), options.owner_a, options.owner_b);
   const answer_kind want = options.want;
   const bool listed = want == answer_kind::pairs || (list.owned() && want != answer_kind::any);
   result r;

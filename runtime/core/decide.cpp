@@ -93,18 +93,25 @@ private:
     return hits;
   }
 
-  // Sorts the pairs from `hits` on by their answers, hits before unsure ones, in place and without a branch. Moves
-  // `hits` behind the hits and returns the end of the unsure ones.
+  // Sorts the pairs from `hits` on by their answers, hits before unsure ones, in place. Moves `hits` behind the hits and
+  // returns the end of the unsure ones. Whether a pair is kept is as good as random, so that is stored without a branch;
+  // few are unsure.
   std::size_t sort_out(std::size_t &hits, std::size_t end) {
-    std::size_t kept = hits;
-    for (std::size_t i = hits, k = 0; i < end; ++i, ++k) {
-      const bool yes = answers_[k] == answer::yes;
-      const index_pair p = pairs_[i], first_unsure = pairs_[hits];
-      pairs_[yes ? kept : hits] = first_unsure;
-      pairs_[yes ? hits : kept] = p;
-      hits += yes;
-      kept += answers_[k] != answer::no;
+    const std::size_t first = hits;
+    std::size_t kept = first;
+    bool any_unsure = false;
+    for (std::size_t i = first; i < end; ++i) {
+      const answer now = answers_[i - first];
+      pairs_[kept] = pairs_[i];
+      answers_[kept - first] = now;
+      kept += now != answer::no;
+      any_unsure |= now == answer::unsure;
     }
+    if (!any_unsure)
+      return hits = kept;
+    for (std::size_t i = first; i < kept; ++i)
+      if (answers_[i - first] == answer::yes)
+        std::swap(pairs_[hits++], pairs_[i]);
     return kept;
   }
 

@@ -1,8 +1,6 @@
 #include "core/pair_sort.hpp"
 
-#include "core/memory.hpp"
 #include "core/radix_sort.hpp"
-#include "core/threads.hpp"
 
 #include <bit>
 
@@ -41,55 +39,10 @@ void sort_by_digits(index_pair *pairs, index_pair *scratch, std::size_t n, varyi
              [=](index_pair p) { return low_bits(p.a, vary.a) << vary.b | low_bits(p.b, vary.b); });
 }
 
-// Sorts pairs of one a from `from` to `to`.
-void sort_run(const index_pair *from, index_pair *to, std::size_t n) {
-  constexpr std::size_t few = 24;
-  if (n > few) {
-    std::copy(from, from + n, to);
-    std::sort(to, to + n, [](index_pair x, index_pair y) { return x.b < y.b; });
-    return;
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t at = i;
-    for (; at > 0 && from[i].b < to[at - 1].b; --at)
-      to[at] = to[at - 1];
-    to[at] = from[i];
-  }
-}
-
 // The a of all pairs differ in their low `bits` bits alone.
 void sort_by_counting(index_pair *pairs, std::size_t n, int bits, sort_scratch &scratch) {
-  const std::size_t values = std::size_t{1} << bits;
-  scratch.ends.assign(values + 1, 0);
-  std::uint32_t *const ends = scratch.ends.data();
-  for (std::size_t i = 0; i < n; ++i)
-    ++ends[low_bits(pairs[i].a, bits) + 1];
-  for (std::size_t v = 1; v <= values; ++v)
-    ends[v] += ends[v - 1];
-  index_pair *const dealt = scratch.pairs.data();
-  for (std::size_t i = 0; i < n; ++i)
-    dealt[ends[low_bits(pairs[i].a, bits)]++] = pairs[i];
-  for (std::size_t v = 0, begin = 0; v < values; begin = ends[v++])
-    sort_run(dealt + begin, pairs + begin, ends[v] - begin);
-}
-
-constexpr std::size_t buckets = 256;
-using counts = std::array<std::size_t, buckets>;
-
-// A vector's constructor writes zeros on one thread. The system clears pages when they are touched first, which takes
-// longer, so all threads do that before.
-std::vector<index_pair> room_for(std::size_t n, int threads) {
-  std::vector<index_pair> out;
-  out.reserve(n);
-  wish_for_large_pages(out.data(), n * sizeof(index_pair));
-  constexpr std::size_t page = 4096, chunk = std::size_t{1} << 21;
-  auto *const bytes = reinterpret_cast<volatile std::byte *>(out.data());
-  for_chunks(threads, n * sizeof(index_pair), chunk, [bytes](int, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; i += page)
-      bytes[i] = std::byte{0};
-  });
-  out.resize(n);
-  return out;
+  std::copy(pairs, pairs + n, scratch.pairs.data());
+  deal_out([&](const auto &visit) { visit(scratch.pairs.data(), n); }, pairs, bits, scratch.ends);
 }
 
 } // namespace
@@ -103,7 +56,7 @@ void sort_pairs(index_pair *pairs, std::size_t n, sort_scratch &scratch) {
     scratch.pairs.resize(n);
   const varying_bits vary(pairs, n);
   constexpr std::size_t small = 2048; // from here on digits are faster, whose loops have no branches
-  if (n < small && std::size_t{1} << vary.a <= 4 * n)
+  if (n < small && may_be_dealt_out(n, vary.a))
     sort_by_counting(pairs, n, vary.a, scratch);
   else if (n < small)
     sort_by_comparison(pairs, n);
@@ -111,15 +64,23 @@ void sort_pairs(index_pair *pairs, std::size_t n, sort_scratch &scratch) {
     sort_by_digits(pairs, scratch.pairs.data(), n, vary);
 }
 
-void add_pairs(std::vector<index_pair> &to, const index_pair *pairs, std::size_t n) {
-  if (n > to.capacity() - to.size()) {
-    std::vector<index_pair> larger;
-    larger.reserve(2 * (to.size() + n));
-    wish_for_large_pages(larger.data(), larger.capacity() * sizeof(index_pair));
-    larger.insert(larger.end(), to.begin(), to.end());
-    to.swap(larger);
+void sort_each(index_pair *pairs, std::span<const std::uint32_t> ends, std::uint32_t most) {
+  constexpr std::uint32_t few = 24;
+  std::uint32_t begin = 0;
+  if (most > few)
+    for (const std::uint32_t end : ends) {
+      if (end - begin > few)
+        std::sort(pairs + begin, pairs + end, [](index_pair x, index_pair y) { return x.b < y.b; });
+      begin = end;
+    }
+  // By insertion, which leaves what is sorted as it is.
+  for (std::size_t i = 1; i < (ends.empty() ? 0 : ends.back()); ++i) {
+    const index_pair p = pairs[i];
+    std::size_t at = i;
+    for (; at > 0 && key(p) < key(pairs[at - 1]); --at)
+      pairs[at] = pairs[at - 1];
+    pairs[at] = p;
   }
-  to.insert(to.end(), pairs, pairs + n);
 }
 
 void drop_repeats(std::vector<index_pair> &sorted) {
@@ -133,55 +94,6 @@ std::vector<index_pair> transposed(std::vector<index_pair> pairs) {
   sort_scratch scratch;
   sort_pairs(pairs.data(), pairs.size(), scratch);
   return pairs;
-}
-
-std::vector<index_pair> sort_together(std::vector<std::vector<index_pair>> &lists, int threads) {
-  std::vector<std::vector<index_pair>> from(std::move(lists));
-  lists.clear();
-  std::size_t total = 0;
-  for (const auto &list : from)
-    total += list.size();
-  if (total < 1 << 14) // starting threads would take longer than sorting
-    threads = 1;
-  std::vector<std::uint32_t> any_of(from.size(), 0);
-  for_chunks(threads, from.size(), 1, [&](int, std::size_t i, std::size_t) {
-    std::uint32_t any = 0;
-    for (const index_pair p : from[i])
-      any |= p.a;
-    any_of[i] = any;
-  });
-  std::uint32_t any_a = 0;
-  for (const std::uint32_t any : any_of)
-    any_a |= any;
-  const int shift = std::max(width(any_a) - width(buckets - 1), 0);
-  const auto bucket = [shift](index_pair p) { return p.a >> shift; };
-
-  std::vector<counts> starts(from.size(), counts{});
-  for_chunks(threads, from.size(), 1, [&](int, std::size_t i, std::size_t) {
-    for (const index_pair p : from[i])
-      ++starts[i][bucket(p)];
-  });
-  std::size_t ends[buckets], sum = 0;
-  for (std::size_t k = 0; k < buckets; ++k) {
-    for (counts &c : starts) {
-      const std::size_t n = c[k];
-      c[k] = sum;
-      sum += n;
-    }
-    ends[k] = sum;
-  }
-  std::vector<index_pair> out = room_for(total, threads);
-  for_chunks(threads, from.size(), 1, [&](int, std::size_t i, std::size_t) {
-    for (const index_pair p : from[i])
-      out[starts[i][bucket(p)]++] = p;
-    std::vector<index_pair>().swap(from[i]);
-  });
-  std::vector<sort_scratch> scratch(static_cast<std::size_t>(threads));
-  for_chunks(threads, buckets, 1, [&](int worker, std::size_t k, std::size_t) {
-    const std::size_t begin = k ? ends[k - 1] : 0;
-    sort_pairs(out.data() + begin, ends[k] - begin, scratch[static_cast<std::size_t>(worker)]);
-  });
-  return out;
 }
 
 } // namespace meetc

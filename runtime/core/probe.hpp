@@ -33,15 +33,17 @@ public:
     const box_tests &tests = best_box_tests();
     if (!one_.by_points && !other_.by_points)
       return tests.pairs({all, blocks, count, box_, static_cast<std::uint32_t>(slot_), swapped_}, out);
-    for (std::size_t i = 0; i < count; ++i) {
-      std::uint32_t mask = tests.touching(all[blocks[i]], box_);
-      if (one_.by_points && mask != 0)
-        mask &= touching(all[blocks[i]], points_);
-      out = pairs_of(blocks[i], mask, out);
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      out = pairs_among(blocks[i], tests.touching(all[blocks[i]], box_), out);
     return out;
   }
-  // The same for an element with points whose box holds most of the others: the points are tested first.
+  // Writes the pairs with those elements of a block whose boxes it touches.
+  index_pair *pairs_among(std::size_t block, std::uint32_t mask, index_pair *out) const {
+    if (one_.by_points && mask != 0)
+      mask &= touching(other_.set.boxes.levels[0].blocks[block], points_);
+    return pairs_of(block, mask, out);
+  }
+  // The same as pairs_with() for an element with points whose box holds most of the others: the points are tested first.
   index_pair *pairs_by_points(std::size_t block, index_pair *out) const {
     const box_block &boxes = other_.set.boxes.levels[0].blocks[block];
     std::uint32_t mask = touching(boxes, points_);

@@ -5,6 +5,7 @@
 #include "core/probe.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace meetc {
 
@@ -20,8 +21,8 @@ inline index_pair *without_lower(std::size_t slot, index_pair *begin, index_pair
   return std::remove_if(begin, end, [slot](const index_pair &p) { return p.b < slot; });
 }
 
-// Tests the box around a block of `walker` against the boxes of `tree`, and yields the candidates of its elements. It
-// collects the leaf blocks first, so that runs of one element are long.
+// Tests the box around a block of `walker` against the boxes of `tree`, sixteen blocks of a level at a time, and yields the
+// candidates of its elements, which come in long runs of one element.
 class block_walk {
 public:
   block_walk(const candidate_operand &walker, std::size_t block, const candidate_operand &tree, bool swapped, bool half,
@@ -30,66 +31,65 @@ public:
         half_(half), sink_(sink) {}
 
   // Walks down from one block of level `at` >= 1. Returns false when the sink asks to stop.
-  bool from(int at, std::size_t block) { return down(at, block) && finish(); }
+  bool from(int at, std::size_t block) {
+    const auto number = static_cast<std::uint32_t>(block);
+    return down(at, &number, 1);
+  }
 
 private:
-  bool down(int at, std::size_t block) {
-    const level &l = tree_.set.boxes.levels[at];
-    if (at == 1)
-      return collect(l.blocks[block], block);
-    for (std::uint32_t mask = tests_.touching(l.blocks[block], around_); mask != 0; mask &= mask - 1) {
-      const std::size_t child = block * lanes + static_cast<std::size_t>(std::countr_zero(mask));
-      if (half_ && lies_before(child, at, block_))
-        continue;
-      if (!down(at - 1, child))
+  // From at most sixteen blocks, in their order.
+  bool down(int at, const std::uint32_t *blocks, std::size_t n) {
+    std::uint32_t *child = children_[at - 1];
+    const std::uint32_t *const end =
+        child + tests_.touched(tree_.set.boxes.levels[at].blocks, blocks, n, around_, child);
+    while (half_ && child < end && lies_before(*child, at, block_)) // they rise
+      ++child;
+    for (; child < end; child += lanes) {
+      const std::size_t some = std::min<std::size_t>(static_cast<std::size_t>(end - child), lanes);
+      if (!(at == 1 ? meet(child, some) : down(at - 1, child, some)))
         return false;
     }
     return true;
   }
 
-  bool collect(const box_block &around_leaves, std::size_t block) {
-    if (size_ + lanes > most && !finish())
-      return false;
-    size_ += tests_.leaves({&mine(), tree_.set.boxes.levels[0].blocks, &around_leaves,
-                            static_cast<std::uint32_t>(block * lanes), half_ ? static_cast<std::uint32_t>(block_) : 0,
-                            around_},
-                           leaves_ + size_, elements_ + size_);
-    return true;
+  // Yields the candidates of at most sixteen leaf blocks.
+  bool meet(const std::uint32_t *leaves, std::size_t n) {
+    static_assert(most_meetings * lanes <= pair_sink::longest_run);
+    const level *const levels = tree_.set.boxes.levels;
+    meeting found[most_meetings];
+    const std::span meetings(found, tests_.meetings({&walker_.set.boxes.levels[0].blocks[block_], levels[0].blocks,
+                                                     levels[1].blocks, leaves, n, around_},
+                                                    found));
+    if (half_ && leaves[0] == block_) // no block before it is visited
+      for (meeting &m : meetings)
+        if (m.block() == block_)
+          m.mask &= ~((std::uint32_t{1} << m.lane()) - 1);
+    index_pair *const begin = sink_.room();
+    const index_pair *const end = walker_.by_points || tree_.by_points
+                                      ? pairs_by_points(meetings, begin)
+                                      : tests_.pairs_of(found, meetings.size(), first(), swapped_, begin);
+    return sink_.advance(static_cast<std::size_t>(end - begin));
   }
 
-  bool finish() {
-    std::size_t counts[lanes] = {};
-    for (std::size_t i = 0; i < size_; ++i)
-      for (std::uint32_t left = elements_[i]; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        chosen_[lane][counts[lane]++] = leaves_[i];
-      }
-    size_ = 0;
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (counts[lane] == 0)
-        continue;
-      const probe one(walker_, block_ * lanes + lane, tree_, swapped_);
-      index_pair *const begin = sink_.room(), *end = one.pairs_with(chosen_[lane], counts[lane], begin);
-      if (half_ && chosen_[lane][0] == block_) // blocks come in their order
-        end = without_lower(block_ * lanes + lane, begin, end);
-      if (!sink_.advance(static_cast<std::size_t>(end - begin)))
-        return false;
+  index_pair *pairs_by_points(std::span<const meeting> meetings, index_pair *end) const {
+    for (std::size_t i = 0; i < meetings.size();) {
+      const std::uint32_t lane = meetings[i].lane();
+      const probe one(walker_, first() + lane, tree_, swapped_);
+      for (; i < meetings.size() && meetings[i].lane() == lane; ++i)
+        end = one.pairs_among(meetings[i].block(), meetings[i].mask, end);
     }
-    return true;
+    return end;
   }
 
-  const box_block &mine() const { return walker_.set.boxes.levels[0].blocks[block_]; }
+  std::uint32_t first() const { return static_cast<std::uint32_t>(block_ * lanes); } // the slot of lane 0
 
-  static constexpr std::size_t most = pair_sink::longest_run / lanes;
   const box_tests &tests_ = best_box_tests();
   const candidate_operand &walker_, &tree_;
   std::size_t block_;
   box around_;
   bool swapped_, half_;
   pair_sink &sink_;
-  std::size_t size_ = 0;
-  std::uint32_t leaves_[most], elements_[most]; // blocks, and the elements that the box around each touches
-  std::uint32_t chosen_[lanes][most];           // the blocks of each element
+  std::uint32_t children_[8][std::size_t{lanes} * lanes]; // the blocks of each level that are to be visited
 };
 
 // Tests the two points of one element of `walker` against the boxes of `tree`. A long element visits the boxes along

@@ -3,7 +3,7 @@
 #include "toy.hpp"
 
 #include "core/element_set.hpp"
-#include "core/pair_sort.hpp"
+#include "core/pair_buckets.hpp"
 #include "core/radix_sort.hpp"
 #include "core/spatial_order.hpp"
 #include "meetc/hilbert.hpp"
@@ -76,6 +76,46 @@ TEST_CASE("lists of pairs become one sorted list") {
       std::sort(want.begin(), want.end(),
                 [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
       CHECK(same(sort_together(lists, 2), want));
+    }
+}
+
+TEST_CASE(
+    "what workers put into buckets becomes one sorted list, whoever found it and however close together it lies") {
+  std::mt19937 g(64);
+  struct found {
+    std::size_t n;
+    std::uint32_t most_a, most_b, popular; // one pair in this many has the first a; 0: none
+  };
+  // None, few, as many as make buckets for one worker; then dealt out by a, with some of very many pairs; by digits, since a
+  // has many pairs or lies far from others; and where buckets are of one a.
+  for (const found f : {found{0, 9, 9, 0},
+                        {100, 9, 9, 0},
+                        {13'000, 1000, 1000, 0},
+                        {200'000, 300'000, 1u << 30, 0},
+                        {200'000, 300'000, 1u << 30, 9},
+                        {200'000, 3000, 70'000, 0},
+                        {50'000, 0xffffffff, 99, 0},
+                        {50'000, 255, 0xffffffff, 0},
+                        {20'000, 0, 0, 0}})
+    for (const int threads : {1, 2, 8}) {
+      std::vector<pair_buckets> workers;
+      for (int w = 0; w < threads; ++w)
+        workers.emplace_back(f.most_a);
+      std::vector<index_pair> want(f.n);
+      for (index_pair &p : want) {
+        p.a = static_cast<std::uint32_t>(g() % (std::uint64_t{f.most_a} + 1));
+        p.b = static_cast<std::uint32_t>(g() % (std::uint64_t{f.most_b} + 1));
+        if (f.popular != 0 && g() % f.popular == 0)
+          p.a = 0;
+      }
+      for (std::size_t at = 0, some; at < f.n; at += some) {
+        some = std::min<std::size_t>(g() % 3000, f.n - at);
+        const std::size_t w = g() % 4 == 0 ? g() % workers.size() : 0; // most are the first one's
+        workers[w].add(want.data() + at, some);
+      }
+      std::sort(want.begin(), want.end(),
+                [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+      CHECK(same(sort_together(std::move(workers), threads), want));
     }
 }
 
