@@ -134,7 +134,7 @@ private:
   void take_trees() {
     x_ = {a_.rows(), a_.elements(), cuda::grouping::single, nullptr};
     y_ = {b_.rows(), b_.elements(), cuda::grouping::single, nullptr};
-    const bool points = never_wrong(precision_), by_points_a = points && has_two_points(a_.kind()),
+    const bool points = never_wrong(precision_) && !walk_decides(), by_points_a = points && has_two_points(a_.kind()),
                by_points_b = points && has_two_points(b_.kind());
     walk_.half = both_ways_;
     walk_.swapped = by_points_a == by_points_b ? a_.elements() < b_.elements() : by_points_b;

@@ -185,8 +185,14 @@ bool device_set::arrange(const cuda::view &there, const pose &at, float share, c
       return false;
   }
   version_ = next_version();
+  take_room_for_tree();
+  if (cuda::can_arrange_tree(kind_->fields))
+    job.nodes = tree_.room(n);
+  job.arrived = job.nodes ? tree_.arrived(stream) : nullptr;
   start_clock();
   check(launchers_->arrange(job, stream), "starting a kernel");
+  if (job.nodes)
+    tree_of_ = version_;
   return true;
 }
 

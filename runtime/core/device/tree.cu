@@ -18,11 +18,11 @@ __global__ void __launch_bounds__(node_threads) levels_kernel(tree_node *nodes, 
   tree_box b;
   if (node < shape.count[level])
     b = box_of(nodes[shape.first[level] + node], lane);
-  put_above(nodes, shape, level + 1, around_warp(b));
+  put_above(nodes, shape, level + 1, blockIdx.x, around_warp(b));
 }
 
 // What is left at the end is appended by all warps of a block together.
-template <bool ByPoints>
+template <bool ByPoints, bool BothWays>
 __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
     walk_kernel(const __grid_constant__ tree_walk w, const __grid_constant__ walk_plan plan) {
   begin();
@@ -32,7 +32,7 @@ __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
   __shared__ unsigned left[walk_warps];
   __shared__ unsigned long long at;
   const unsigned warp = threadIdx.x / tree_width;
-  warp_walk<ByPoints> mine(w, plan, rooms[warp]);
+  warp_walk<ByPoints, BothWays> mine(w, plan, rooms[warp]);
   mine.run(blockIdx.x * walk_warps + warp, gridDim.x * walk_warps);
   left[warp] = mine.unwritten();
   __syncthreads();
@@ -45,11 +45,11 @@ __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
   mine.flush(at + before);
 }
 
-template <bool ByPoints> cudaError_t start_walk(const tree_walk &w, cudaStream_t stream) {
-  const unsigned most = blocks_at_once<walk_kernel<ByPoints>, walk_threads>();
+template <bool ByPoints, bool BothWays = false> cudaError_t start_walk(const tree_walk &w, cudaStream_t stream) {
+  const unsigned most = blocks_at_once<walk_kernel<ByPoints, BothWays>, walk_threads>();
   const walk_plan plan = plan_of(w, most * walk_warps);
   const unsigned blocks = std::min((plan.items + walk_warps - 1) / walk_warps, most);
-  return launch<walk_kernel<ByPoints>>(blocks, walk_threads, stream, w, plan);
+  return launch<walk_kernel<ByPoints, BothWays>>(blocks, walk_threads, stream, w, plan);
 }
 
 } // namespace
@@ -58,13 +58,15 @@ cudaError_t enclose_levels(tree_node *nodes, std::uint32_t elements, int levels,
   const tree_shape shape(elements);
   cudaError_t e = cudaSuccess;
   for (int level = levels - 1; level + 1 < shape.depth && e == cudaSuccess; level += 2)
-    e = launch<levels_kernel>(blocks_above(shape, level + 1), node_threads, stream, nodes, shape, level);
+    e = launch<levels_kernel>(nodes_above(shape, level + 1), node_threads, stream, nodes, shape, level);
   return e;
 }
 
 cudaError_t walk(const tree_walk &w, cudaStream_t stream) {
   if (w.of.first_a >= w.of.end_a || w.of.first_b >= w.of.end_b)
     return cudaSuccess;
+  if (w.out.both_ways)
+    return w.rows ? cudaErrorInvalidValue : start_walk<false, true>(w, stream);
   return w.rows ? start_walk<true>(w, stream) : start_walk<false>(w, stream);
 }
 

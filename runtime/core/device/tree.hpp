@@ -20,6 +20,8 @@ public:
   cuda::tree_node *room(std::uint32_t n) {
     return nodes_.capacity() >= cuda::tree_shape(n).nodes() ? nodes_.data() : nullptr;
   }
+  // A number that the kernels which make a small tree leave as it is, 0. Throws device_error.
+  unsigned *arrived(cudaStream_t stream);
 
   cuda::tree_view view(std::uint32_t n) const { return {nodes_.data(), n, cuda::tree_shape(n)}; }
 

@@ -22,7 +22,7 @@ struct tree_walk {
   int fields;
   point_fields points;
   cuda::pair_list out; // pairs of slots; once it is full the walk stops early, and the count may leave pairs out. If
-                       // they go there both ways, the walker is the tree
+                       // they go there both ways, `rows` is null and the walker is the tree
   unsigned long long *taken; // 0 at first
   // Where one of these, of the walker and of the tree, says that a set is not in order, nothing is done. Null: it is.
   const cuda::order_findings *found_walker = nullptr, *found_tree = nullptr;

@@ -64,7 +64,9 @@ __device__ inline two_points from_lane(const two_points &t, unsigned lane) {
 // One warp. A packet of 32 neighbours goes down together, its box against the 32 boxes of a node, one lane a box. What is
 // left at the bottom waits until there are 32, so that the last test, of each element's own box, runs full. Elements that are
 // long beside the nodes of the tree go down alone, by their two points.
-template <bool ByPoints> class warp_walk {
+// BothWays: a pair is put into the list in both orders, unless an element is paired with itself.
+template <bool ByPoints, bool BothWays = false> class warp_walk {
+  static_assert(!(ByPoints && BothWays)); // a long element puts its pairs one way
 public:
   __device__ warp_walk(const tree_walk &w, const walk_plan &plan, warp_room &room)
       : w_(w), plan_(plan), room_(room), lane_(threadIdx.x % tree_width), below_((1U << lane_) - 1) {}
@@ -291,18 +293,17 @@ private:
   // The boxes of a node of level 0 that the packet's box touches wait; so many are added at most.
   template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b, bool there) {
     const std::uint32_t slot = node * tree_width + lane_;
-    unsigned touching = __ballot_sync(~0U, touches<Single>(b) && !(Single && w_.half && slot < single_slot_));
-    touching = there ? touching : 0;
-    const bool touch = touching >> lane_ & 1;
+    const bool touch = there && touches<Single>(b) && !(Single && w_.half && slot < single_slot_);
+    const unsigned touching = __ballot_sync(~0U, touch), before = __popc(touching & below_);
     if constexpr (Single) {
-      put(touch, pair_of(single_slot_, slot));
-      if (w_.out.both_ways)
-        put(touch && slot != single_slot_, pair_of(slot, single_slot_));
+      make_room(__popc(touching));
+      if (touch)
+        room_.hits[hits_ + before] = pair_of(single_slot_, slot);
+      hits_ += __popc(touching);
     } else {
       if (touch) {
-        const unsigned place = waiting_ + __popc(touching & below_);
-        room_.low[place] = {b.low[0], b.low[1], b.low[2], __uint_as_float(slot)};
-        room_.high[place] = {b.high[0], b.high[1], b.high[2], 0};
+        room_.low[waiting_ + before] = {b.low[0], b.low[1], b.low[2], __uint_as_float(slot)};
+        room_.high[waiting_ + before] = {b.high[0], b.high[1], b.high[2], 0};
       }
       waiting_ += __popc(touching);
     }
@@ -334,9 +335,18 @@ private:
       const std::uint32_t slot = __float_as_uint(lows[i].w);
       const bool touch = mine != 0 && own_.touches(waits(i)) && !(w_.half && slot < slot_);
       mine &= mine - 1;
-      put(touch, pair_of(slot_, slot));
-      if (w_.out.both_ways)
-        put(touch && slot != slot_, pair_of(slot, slot_));
+      const unsigned touching = __ballot_sync(~0U, touch);
+      make_room(__popc(touching));
+      if (touch)
+        room_.hits[hits_ + __popc(touching & below_)] = pair_of(slot_, slot);
+      hits_ += __popc(touching);
+      if constexpr (BothWays) {
+        const unsigned turned = __ballot_sync(~0U, touch && slot != slot_);
+        make_room(__popc(turned));
+        if (turned >> lane_ & 1)
+          room_.hits[hits_ + __popc(turned & below_)] = pair_of(slot, slot_);
+        hits_ += __popc(turned);
+      }
     }
     __syncwarp();
   }
@@ -350,14 +360,10 @@ private:
       at = atomicAdd(w_.out.count, static_cast<unsigned long long>(n));
     return __shfl_sync(~0U, at, 0);
   }
-  // Puts the pairs of these lanes into the buffer.
-  __device__ void put(bool hit, const index_pair &p) {
-    const unsigned hits = __ballot_sync(~0U, hit);
-    if (hits_ + __popc(hits) > hits_size)
+  // n <= tree_width
+  __device__ void make_room(unsigned n) {
+    if (hits_ + n > hits_size)
       flush();
-    if (hit)
-      room_.hits[hits_ + __popc(hits & below_)] = p;
-    hits_ += __popc(hits);
   }
 
   const tree_walk &w_;

@@ -15,20 +15,12 @@
 
 namespace meetc::cuda {
 
-// Of a block, which keeps a row of each in shared memory.
-MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
-  unsigned n = 1024;
-  while (n > 32 && n * static_cast<unsigned>(fields) * sizeof(float) > 40000)
-    n /= 2;
-  return n;
-}
-
 // A box and a number for each block.
 static_assert(1024 * (sizeof(tree_box) + sizeof(std::uint32_t)) <= arrange_bytes);
 
 template <class Shape>
 __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
-    arrange_kernel(const __grid_constant__ arrange_job job) {
+    arrange_kernel(const __grid_constant__ arrange_job job, const __grid_constant__ tree_shape shape) {
   constexpr unsigned arrange_threads = threads_to_arrange(Shape::fields), fields = Shape::fields;
   __shared__ float rows_of_warps[arrange_threads / 32][32 * fields];
   __shared__ unsigned room[arrange_threads / 32], starts[arrange_threads];
@@ -143,6 +135,11 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
     if (longest_of_block > 0)
       atomicMax(&job.found->longest, longest_of_block);
   }
+  if constexpr (can_arrange_tree(Shape::fields))
+    if (job.nodes) {
+      meet_grid();
+      put_tree<Shape>(job.rows, n, job.nodes, shape, job.arrived);
+    }
 }
 
 template <class Shape> cudaError_t arrange(const arrange_job &job, cudaStream_t stream) {
@@ -154,7 +151,8 @@ template <class Shape> cudaError_t arrange(const arrange_job &job, cudaStream_t 
   const auto there = static_cast<float>(blocks_at_once<arrange_kernel<Shape>, threads>());
   const unsigned most = std::max(1U, static_cast<unsigned>(there * job.share)),
                  wanted = (job.from.elements - 1) / (32 * least_warps) + 1;
-  return launch_together<arrange_kernel<Shape>, threads>(std::min(wanted, most), stream, job);
+  return launch_together<arrange_kernel<Shape>, threads>(std::min(wanted, most), stream, job,
+                                                         tree_shape(job.from.elements));
 }
 
 } // namespace meetc::cuda

@@ -115,6 +115,17 @@ struct order_findings {
 MEETC_HD constexpr bool is_order(const order_findings &found, std::uint32_t n) {
   return found.bad == ~0ULL && found.crowded <= n / 8 && found.longest == 0;
 }
+// Threads of a block of arrange(), which keeps a row of each in shared memory.
+MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
+  unsigned n = 1024;
+  while (n > 32 && n * static_cast<unsigned>(fields) * sizeof(float) > 40000)
+    n /= 2;
+  return n;
+}
+// Whether arrange() makes the tree too, whose nodes a block of so many threads makes.
+MEETC_HD constexpr bool can_arrange_tree(int fields) {
+  return threads_to_arrange(fields) == tree_width * tree_width;
+}
 inline constexpr std::uint32_t most_to_arrange = 1U << 19, most_in_cell = 4096;
 // Elements that are moved and put into the order of their places, those with one place in that of their numbers. A cell is
 // what the first bits of a place name.
@@ -131,6 +142,8 @@ struct arrange_job {
   float *rows;                   // the rows become these,
   std::uint32_t *order;          // of these elements
   order_findings *found;
+  tree_node *nodes; // as by boxes(); null: no tree is made
+  unsigned *arrived;
 };
 inline constexpr std::size_t arrange_bytes = std::size_t{64} << 10;
 
@@ -195,7 +208,7 @@ struct kind_launchers {
   // after.
   cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, unsigned *arrived,
                        cudaStream_t stream);
-  // pose() and places() at once, and the order, of 1 to most_to_arrange elements. Null: not generated.
+  // pose() and places() at once, the order, and the tree if can_arrange_tree(), of 1 to most_to_arrange elements. Null: not generated.
   cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;
   // Widens *around by the boxes of the elements. Null, as sift(): not generated.
   cudaError_t (*surround)(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) = nullptr;

@@ -112,15 +112,17 @@ template <class Shape> cudaError_t gather(const gather_job &job, cudaStream_t st
   return launch<gather_kernel<Shape>>(shape.count[1] * (node_threads / tree_threads), tree_threads, stream, job, shape);
 }
 
-// A block has a warp for each child of a node of `level`, its own, where there is one. Each brings the box around its child,
-// which goes there, and the box around all to the level above, if there is one. Its empty lanes are written too.
-__device__ inline void put_above(tree_node *nodes, const tree_shape &shape, int level, const tree_box &child) {
+// A block has a warp for each child of a node of `level`. Each brings the box around its child, which goes there, and the box
+// around all to the level above, if there is one. Its empty lanes are written too. All of the block's threads call it.
+__device__ inline void put_above(tree_node *nodes, const tree_shape &shape, int level, unsigned node,
+                                 const tree_box &child) {
   __shared__ tree_box children[tree_width];
-  const unsigned node = blockIdx.x, warp = threadIdx.x / tree_width, lane = threadIdx.x % tree_width;
+  const unsigned warp = threadIdx.x / tree_width, lane = threadIdx.x % tree_width;
   if (lane == 0 && node < shape.count[level])
     put_box(nodes[shape.first[level] + node], warp, child);
   if (level + 1 == shape.depth)
     return;
+  __syncthreads(); // of an earlier call nobody reads any more
   if (lane == 0)
     children[warp] = child;
   __syncthreads();
@@ -130,17 +132,18 @@ __device__ inline void put_above(tree_node *nodes, const tree_shape &shape, int 
   if (lane == 0)
     put_box(nodes[shape.first[level + 1] + node / tree_width], node % tree_width, all);
 }
-// As many blocks as that takes.
-inline unsigned blocks_above(const tree_shape &shape, int level) {
+// As many nodes as that takes.
+MEETC_HD inline unsigned nodes_above(const tree_shape &shape, int level) {
   return level + 1 == shape.depth ? shape.count[level] : shape.count[level + 1] * tree_width;
 }
 
-// A warp of the block that comes last makes the box of a node of the level below the root, and brings it there.
-__device__ inline void put_root(tree_node *nodes, const tree_shape &shape, unsigned *arrived) {
+// A warp of the block that comes last, of so many, makes the box of a node of the level below the root, and brings it there.
+__device__ inline void put_root(tree_node *nodes, const tree_shape &shape, unsigned blocks, unsigned *arrived) {
   __shared__ bool is_last;
+  __syncthreads();
   if (threadIdx.x == 0) { // which has written what put_above() wrote to that level
     __threadfence();
-    is_last = atomicInc(arrived, gridDim.x - 1) == gridDim.x - 1;
+    is_last = atomicInc(arrived, blocks - 1) == blocks - 1;
     __threadfence();
   }
   __syncthreads();
@@ -154,26 +157,46 @@ __device__ inline void put_root(tree_node *nodes, const tree_shape &shape, unsig
     put_box(nodes[shape.first[below + 1]], node, all);
 }
 
-// A warp makes a node of level 0, and its box in level 1; and large blocks those of level 2, and a root above that.
-template <class Shape, unsigned Threads>
-__global__ void __launch_bounds__(Threads) boxes_kernel(const float *rows, unsigned n, tree_node *nodes,
-                                                        const __grid_constant__ tree_shape shape, unsigned *arrived) {
-  begin();
-  const unsigned node = (blockIdx.x * Threads + threadIdx.x) / tree_width, lane = threadIdx.x % tree_width;
+// A warp makes a node of level 0, and returns the box around it.
+template <class Shape>
+__device__ tree_box put_elements(const float *rows, unsigned n, tree_node *nodes, const tree_shape &shape,
+                                 unsigned node) {
+  const unsigned lane = threadIdx.x % tree_width;
   const std::size_t at = std::size_t{node} * tree_width + lane;
   tree_box b;
   if (at < n)
     b = box_of_row<Shape>(rows + at * std::size_t{Shape::fields});
   if (node < shape.count[0])
     put_box(nodes[node], lane, b);
-  b = around_warp(b);
-  if constexpr (Threads == node_threads) {
-    put_above(nodes, shape, 1, b);
-    if (shape.depth == 4)
-      put_root(nodes, shape, arrived);
-  } else if (lane == 0) {
+  return around_warp(b);
+}
+// A small tree, by blocks of node_threads.
+template <class Shape>
+__device__ void put_tree(const float *rows, unsigned n, tree_node *nodes, const tree_shape &shape, unsigned *arrived) {
+  const unsigned all = nodes_above(shape, 1);
+  for (unsigned node = blockIdx.x; node < all; node += gridDim.x)
+    put_above(nodes, shape, 1, node,
+              put_elements<Shape>(rows, n, nodes, shape, node * tree_width + threadIdx.x / tree_width));
+  if (shape.depth == 4)
+    put_root(nodes, shape, gridDim.x, arrived);
+}
+
+template <class Shape>
+__global__ void __launch_bounds__(node_threads)
+    small_tree_kernel(const float *rows, unsigned n, tree_node *nodes, const __grid_constant__ tree_shape shape,
+                      unsigned *arrived) {
+  begin();
+  put_tree<Shape>(rows, n, nodes, shape, arrived);
+}
+// A warp makes a node of level 0, and its box in level 1.
+template <class Shape>
+__global__ void __launch_bounds__(tree_threads)
+    boxes_kernel(const float *rows, unsigned n, tree_node *nodes, const __grid_constant__ tree_shape shape) {
+  begin();
+  const unsigned node = (blockIdx.x * tree_threads + threadIdx.x) / tree_width;
+  const tree_box b = put_elements<Shape>(rows, n, nodes, shape, node);
+  if (threadIdx.x % tree_width == 0)
     put_box(nodes[shape.first[1] + node / tree_width], node % tree_width, b);
-  }
 }
 template <class Shape>
 cudaError_t boxes(const float *rows, std::uint32_t n, tree_node *nodes, unsigned *arrived, cudaStream_t stream) {
@@ -181,10 +204,10 @@ cudaError_t boxes(const float *rows, std::uint32_t n, tree_node *nodes, unsigned
     return cudaSuccess;
   const tree_shape shape(n);
   if (levels_with_boxes(n) >= shape.depth)
-    return launch<boxes_kernel<Shape, node_threads>>(blocks_above(shape, 1), node_threads, stream, rows, n, nodes,
-                                                     shape, arrived);
-  return launch<boxes_kernel<Shape, tree_threads>>(shape.count[1] * (node_threads / tree_threads), tree_threads, stream,
-                                                   rows, n, nodes, shape, arrived);
+    return launch<small_tree_kernel<Shape>>(nodes_above(shape, 1), node_threads, stream, rows, n, nodes, shape,
+                                            arrived);
+  return launch<boxes_kernel<Shape>>(shape.count[1] * (node_threads / tree_threads), tree_threads, stream, rows, n,
+                                     nodes, shape);
 }
 
 } // namespace meetc::cuda

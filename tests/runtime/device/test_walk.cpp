@@ -78,7 +78,7 @@ found walked(const tree_walk &from, std::size_t capacity, unsigned enough, std::
   std::vector<index_pair> list(capacity + 64, untouched);
   unsigned long long count = 0, taken = 0;
   tree_walk w = from;
-  w.out = {list.data(), &count, capacity};
+  w.out = {list.data(), &count, capacity, from.out.both_ways};
   w.taken = &taken;
   const walk_plan plan = plan_of(w, enough);
   static warp_room room;
@@ -95,7 +95,9 @@ found walked(const tree_walk &from, std::size_t capacity, unsigned enough, std::
   };
   for (std::uint32_t warp = 0; warp < warps; ++warp)
     host_warp::the_warp.run([&] {
-      if (w.rows)
+      if (w.out.both_ways)
+        go(warp_walk<false, true>(w, plan, room), warp);
+      else if (w.rows)
         go(warp_walk<true>(w, plan, room), warp);
       else
         go(warp_walk<false>(w, plan, room), warp);
@@ -148,9 +150,15 @@ TEST_CASE("walk: a warp finds every pair of boxes that touch, once") {
     const bool swapped = !half && random() % 2, by_points = random() % 2;
     const unsigned enough = 1U << random() % 14;
     const auto warps = static_cast<std::uint32_t>(1 + random() % 3);
-    const tree_walk w{x,           y,           of, swapped, half, by_points ? a.rows.data() : nullptr,
-                      set::fields, set::points, {}, nullptr};
-    const auto [touching, near] = looked_at(a, b, of, swapped, half);
+    tree_walk w{x, y, of, swapped, half, by_points ? a.rows.data() : nullptr, set::fields, set::points, {}, nullptr};
+    w.out.both_ways = half && !by_points && round % 8 == 1;
+    auto [touching, near] = looked_at(a, b, of, swapped, half);
+    if (w.out.both_ways) {
+      for (std::size_t i = 0, n = touching.size(); i < n; ++i)
+        if (const auto [first, second] = touching[i]; first != second)
+          touching.emplace_back(second, first);
+      std::sort(touching.begin(), touching.end());
+    }
     const found f = walked(w, touching.size() + 1, enough, warps, random() % 2 == 0);
     INFO("round " << round << ": " << a.size() << " x " << b.size() << (by_points ? ", by points" : "") << ", cut into "
                   << enough);
