@@ -322,13 +322,10 @@ private:
     room_.cells[lane_] = room_.in_packet.of(waits(lane_)); // of what lies behind the last too
     __syncwarp();
     unsigned mine = 0;
-    for (unsigned first = 0; first < n; first += 8) {
-      unsigned eight = 0;
+    for (unsigned first = (n - 1) & ~7U; first < tree_width; first -= 8) // from the last eight to the first
 #pragma unroll
-      for (unsigned i = 0; i < 8; ++i)
-        eight |= static_cast<unsigned>(packet_cells::touch(room_.cells[first + i], own_cells_)) << i;
-      mine |= eight << first;
-    }
+      for (unsigned i = 8; i-- > 0;)
+        packet_cells::push(mine, room_.cells[first + i], own_cells_);
     mine &= ~0U >> (tree_width - n);
     while (__any_sync(~0U, mine != 0)) {
       const unsigned i = mine ? __ffs(mine) - 1 : 0;
