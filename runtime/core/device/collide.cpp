@@ -301,8 +301,17 @@ private:
   // The kernels from the candidates to the last decision and, if all hits are ordered at once, to sorted pairs.
   void enqueue(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
-    const std::size_t zeroed = counters + (orders_ && !few_ ? hits_.starts_for_order() / 2 + 1 : 0);
-    check(cudaMemsetAsync(buffers_.counts.data(), 0, zeroed * sizeof(unsigned long long), stream), "clearing counters");
+    check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream),
+          "clearing counters");
+    const bool counted = orders_ && !few_; // by numbers that are cleared while the hits are found
+    if (counted) {
+      check(cudaEventRecord(buffers_.forked, stream), "starting a stream");
+      check(cudaStreamWaitEvent(buffers_.beside, buffers_.forked, 0), "starting a stream");
+      check(cudaMemsetAsync(buffers_.counts.data() + counters, 0,
+                            (hits_.starts_for_order() / 2 + 1) * sizeof(unsigned long long), buffers_.beside),
+            "clearing counters");
+      check(cudaEventRecord(buffers_.joined, buffers_.beside), "joining a stream");
+    }
     cuda::pair_list hits = stores_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
     hits.both_ways = both_ways_;
     if (walk_decides()) {
@@ -313,6 +322,8 @@ private:
       find_candidates(p, list(buffers_.first, counter::candidates));
       decide_candidates(hits);
     }
+    if (counted)
+      check(cudaStreamWaitEvent(stream, buffers_.joined, 0), "joining a stream");
     if (orders_)
       hits_.order(hits, reinterpret_cast<std::uint32_t *>(buffers_.counts.data() + counters),
                   count_only(counter::longest).count, few_);

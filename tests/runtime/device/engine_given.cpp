@@ -186,6 +186,82 @@ void stay_there(comparison &with, const settings &s) {
                "another list");
 }
 
+bool same_list(const std::vector<index_pair> &x, const std::vector<index_pair> &y) {
+  return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(index_pair)) == 0;
+}
+
+// Kernels that start as one graph, of given sets whose numbers of elements change between queries.
+void as_graphs(comparison &with, const settings &s) {
+  engine random(s.seed + 53);
+  for (const char *const name : {"ball_ball", "box_box", "triangle_triangle"}) {
+    const predicate_info &p = predicate_named(name);
+    for (const std::size_t n : {400U, 401U, 90U}) {
+      const rows_of x = random_rows(*p.a, n, {1, 0.1, 1, 0}, random),
+                    y = random_rows(*p.b, n / 2, {1, 0.1, 1, 0}, random);
+      given_set a(with.on(), view_of(x), *p.a), b(with.on(), view_of(y), *p.b);
+      const result want = collide(prepare(view_of(x), *p.a), prepare(view_of(y), *p.b), p, rung::certified);
+      for (int times = 0; times < 5; ++times) {
+        device_options o;
+        o.as_graph = true;
+        const device_result have = collide(with.on(), a, b, p, rung::certified, o);
+        with.require("given, as a graph", same_list(have.pairs, want.pairs), std::string(name) + ": another list");
+      }
+    }
+  }
+}
+
+// More elements than one kernel arranges, of which culling leaves nearly all; rows that are packed, in order or not aligned.
+void large(comparison &with, const settings &s) {
+  if (s.small)
+    return;
+  const predicate_info &p = predicate_named("triangle_triangle");
+  const sheet x = waves(900, 1, 0, 0, 0.1F), y = waves(907, 1, 0, 2e-7F, 0.1F);
+  given_set a(with.on(), x.of(), *p.a), b(with.on(), y.of(), *p.b);
+  device_options o;
+  o.cull = true;
+  const device_result culled = collide(with.on(), a, b, p, rung::certified, o);
+  o.cull = false;
+  const device_result whole = collide(with.on(), a, b, p, rung::certified, o);
+  const result here = collide(prepare(x.of(), *p.a), prepare(y.of(), *p.b), p, rung::certified);
+  with.add("given, two large sheets", p, culled);
+  with.require("given, two large sheets", culled.count > 0 && same_list(culled.pairs, here.pairs),
+               "culled: another list");
+  with.require("given, two large sheets", same_list(whole.pairs, here.pairs), "another list");
+
+  engine random(s.seed + 54);
+  const predicate_info &q = predicate_named("ball_ball");
+  constexpr std::size_t n = 700'000;
+  rows_of balls = random_rows(*q.a, n, {1, 0.01, 1, 0}, random);
+  const rows_of others = random_rows(*q.b, 3000, {1, 0.01, 1, 0}, random);
+  const result want = collide(prepare(view_of(balls), *q.a), prepare(view_of(others), *q.b), q, rung::certified);
+  given_set of_others(with.on(), view_of(others), *q.b);
+  device_memory<float> rows;
+  rows.reserve(5 * n + 4, "a test");
+  const auto upload = [&](std::size_t first, std::size_t stride) {
+    std::vector<float> spread(n * stride);
+    for (std::size_t i = 0; i < n; ++i)
+      std::copy_n(&balls.rows[4 * i], 4, &spread[stride * i]);
+    check(cudaMemcpy(rows.data() + first, spread.data(), spread.size() * sizeof(float), cudaMemcpyHostToDevice),
+          "a test");
+    return cuda::view{rows.data() + first, stride * sizeof(float), nullptr, 0, static_cast<std::uint32_t>(n)};
+  };
+  for (const auto &[first, stride] : {std::pair<std::size_t, std::size_t>{0, 4}, {1, 4}, {0, 5}}) {
+    given_set there(with.on(), upload(first, stride), *q.a);
+    const device_result have = collide(with.on(), there, of_others, q, rung::certified);
+    with.add("given, many balls", q, have);
+    with.require("given, many balls", have.count > 0 && same_list(have.pairs, want.pairs), "another list");
+  }
+  balls.rows[4 * 123'457] = std::numeric_limits<float>::quiet_NaN(); // not among those that the box is made of
+  given_set bad(with.on(), upload(0, 4), *q.a);
+  std::string said;
+  try {
+    collide(with.on(), bad, of_others, q, rung::certified);
+  } catch (const input_error &e) {
+    said = e.what();
+  }
+  with.require("given, many balls", said == describe(check(view_of(balls), *q.a), *q.a), said);
+}
+
 } // namespace
 
 void given_scenes(comparison &with, const settings &s) {
@@ -194,6 +270,8 @@ void given_scenes(comparison &with, const settings &s) {
   sizes_of_elements(with, s);
   refused(with, s);
   stay_there(with, s);
+  as_graphs(with, s);
+  large(with, s);
 }
 
 } // namespace cuda_test
