@@ -224,9 +224,9 @@ bool device_set::sort(const cuda::view &there, const pose &at, int bits, cudaStr
   check(cudaMemsetAsync(found, 0, sizeof *found, stream), "ordering a set");
   check(cudaMemsetAsync(around, 0, sizeof *around, stream), "ordering a set");
   if (packed) { // the places are by a box around some, and their kernel checks all
-    const std::uint32_t step = cuda::sample_step(n);
+    const cuda::sample taken(n);
     cuda::view some = there;
-    some.elements = n / step + (n % step != 0), some.stride_bytes *= step;
+    some.data += taken.first * fields, some.elements = taken.of(n), some.stride_bytes *= taken.step;
     check(cudaMemsetAsync(&found->bad, 0xff, sizeof found->bad, stream), "ordering a set");
     check(launchers_->pose(some, cuda_pose(at), nullptr, nullptr, bad_of_some, around, stream), "starting a kernel");
   } else {

@@ -59,8 +59,8 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
     }
     write_rows<Shape::fields>(of_warp, n - base, job.posed + base * std::size_t{fields});
   }
-  const std::uint32_t each = sample_step(n);
-  for (std::uint32_t i = threadIdx.x * each; !job.posed && i < n; i += arrange_threads * each)
+  const sample some(n);
+  for (std::uint32_t i = some.first + threadIdx.x * some.step; !job.posed && i < n; i += arrange_threads * some.step)
     mine.widen(box_of_row<Shape>(posed + i * std::size_t{fields}));
   for (std::uint32_t c = first; c < counts.n; c += step)
     job.cells[c] = 0;

@@ -49,12 +49,21 @@ private:
   }
 };
 
-// Packed rows get their places by a box around every so many of them, which need not be that around all: a pass over all of them
-// would take as long as the places do.
-MEETC_HD constexpr std::uint32_t sample_step(std::uint32_t elements) {
-  constexpr std::uint32_t most = 2048;
-  return elements / most + (elements % most != 0 || elements == 0);
-}
+// Packed rows get their places by a box around every so many of them, from the first of these on. It need not be that around all:
+// a pass over all of them would take as long as the places do, and few that lie far away are then seldom among them.
+struct sample {
+  std::uint32_t step, first;
+
+  MEETC_HD constexpr explicit sample(std::uint32_t elements) {
+    constexpr std::uint32_t most = 2048;
+    step = elements / most + (elements % most != 0 || elements == 0);
+    first = step / 2;
+  }
+  // How many there are of so many elements.
+  MEETC_HD constexpr std::uint32_t of(std::uint32_t elements) const {
+    return elements > first ? (elements - first - 1) / step + 1 : 0;
+  }
+};
 
 // An element as it is ordered: by its place, and then by its number.
 MEETC_HD constexpr std::uint64_t in_order(std::uint32_t place, std::uint32_t element) {

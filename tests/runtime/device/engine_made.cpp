@@ -68,7 +68,8 @@ bool is_in_order(device_set &there, const prepared &set) {
   cuda::tree_box all, some; // around all, and around some, by which packed rows have their places
   for (std::size_t i = 0; i < n; ++i)
     all.widen(box_of(&want[i * fields]));
-  for (std::size_t i = 0; i < n; i += cuda::sample_step(static_cast<std::uint32_t>(n)))
+  const cuda::sample taken(static_cast<std::uint32_t>(n));
+  for (std::size_t i = taken.first; i < n; i += taken.step)
     some.widen(box_of(&want[i * fields]));
   const bool by_all = by_cells_of(10, all) || by_cells_of(8, all); // fine cells, or coarse ones
   return by_all || by_cells_of(10, some) || by_cells_of(8, some);

@@ -289,7 +289,8 @@ template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStr
   cuda::joined_box around{};
   pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, job.posed ? &around : nullptr, stream);
   const float *const posed = job.posed ? job.posed : job.from.data;
-  for (std::uint32_t i = 0; !job.posed && i < n; i += cuda::sample_step(n))
+  const cuda::sample some(n);
+  for (std::uint32_t i = some.first; !job.posed && i < n; i += some.step)
     join(around, cuda::box_of_row<Shape>(posed + i * std::size_t{Shape::fields}));
   places<Shape>(posed, n, &around, job.bits, job.places, job.ranks, nullptr, stream);
   const auto cell = [&](std::uint64_t element) { return cuda::cell_of(element, 3 * job.bits, job.cell_bits); };
