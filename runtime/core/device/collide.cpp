@@ -61,14 +61,15 @@ class device_query {
 public:
   device_query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
                const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there,
-               bool clock_runs)
+               bool begun)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
         symmetric_(p.symmetric), options_(options), of_instances_(of_instances),
         hits_(on, a, b, options.owner_a, options.owner_b),
         tallies_(!of_instances.empty() ||
                  (!hits_.owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
         keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())),
-        stores_(keep_ || options.first_met), left_there_(left_there), clock_runs_(clock_runs), first_(on.buffers()) {}
+        stores_(keep_ || options.first_met), left_there_(left_there), clock_runs_(begun),
+        cleared_(begun && !options.as_graph), first_(on.buffers()) {}
 
   device_result run() {
     require(!options_.filter || on_.offers(*options_.filter),
@@ -178,8 +179,9 @@ private:
     capacity_ = within_options(wanted);
     if (!enlarge_lists(capacity_))
       capacity_ = within_options(first_capacity);
-    buffers_.counts.reserve(counters + (keep_ && !tallies_ && hits_.countable() ? hits_.starts_for_order() / 2 + 1 : 0),
-                            "counters");
+    buffers_.counts.reserve(
+        counters + (keep_ && !tallies_ && hits_.countable() ? hit_pairs::room_for_starts(a_.numbers()) : 0),
+        "counters");
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
     if (stores_)
@@ -301,14 +303,15 @@ private:
   // The kernels from the candidates to the last decision and, if all hits are ordered at once, to sorted pairs.
   void enqueue(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
-    check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream),
-          "clearing counters");
+    if (!std::exchange(cleared_, false))
+      check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream),
+            "clearing counters");
     const bool counted = orders_ && !few_; // by numbers that are cleared while the hits are found
     if (counted) {
       check(cudaEventRecord(buffers_.forked, stream), "starting a stream");
       check(cudaStreamWaitEvent(buffers_.beside, buffers_.forked, 0), "starting a stream");
       check(cudaMemsetAsync(buffers_.counts.data() + counters, 0,
-                            (hits_.starts_for_order() / 2 + 1) * sizeof(unsigned long long), buffers_.beside),
+                            hit_pairs::room_for_starts(a_.numbers()) * sizeof(unsigned long long), buffers_.beside),
             "clearing counters");
       check(cudaEventRecord(buffers_.joined, buffers_.beside), "joining a stream");
     }
@@ -433,6 +436,8 @@ private:
   bool stores_;         // they are written to a list of the device, for either of these or for the first ones
   pairs_there *left_there_;
   bool clock_runs_; // the caller has started it
+  bool
+      cleared_; // the caller has cleared the counters for the first part; a graph does so itself, each time that it starts
   tallies tallied_;
   first_met_there first_;
   cuda::operand x_{}, y_{};
@@ -459,12 +464,12 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
 
 device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                     const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there,
-                    bool clock_runs) {
+                    bool begun) {
   const auto start = std::chrono::steady_clock::now();
   rung_report report;
   if (precision == rung::tolerant)
     precision = tolerant_or_certified(a, b, predicate, report);
-  device_result r = device_query(on, a, b, predicate, precision, options, of_instances, left_there, clock_runs).run();
+  device_result r = device_query(on, a, b, predicate, precision, options, of_instances, left_there, begun).run();
   r.rungs.left_box_a = report.left_box_a, r.rungs.left_box_b = report.left_box_b;
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;

@@ -1,6 +1,7 @@
 #include "core/device/given.hpp"
 
 #include "core/device/buffers.hpp"
+#include "core/device/hits.hpp"
 #include "core/device/query.hpp"
 
 #include <algorithm>
@@ -128,9 +129,11 @@ void order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a
   device_buffers &buffers = on.buffers();
   const bool both = &a != &b;
   const float all = static_cast<float>(left_a.elements) + static_cast<float>(left_b.elements);
+  buffers.counts.reserve(counters + hit_pairs::room_for_starts(a.elements()), "counters");
   const auto order = [&](given_set &s, const cuda::view &left, cudaStream_t stream) {
     const float share = std::clamp(static_cast<float>(left.elements) / all, least_share, 1 - least_share);
-    s.ordered().order(left, s.at(), s.elements(), both ? share : 1, stream);
+    const std::span<unsigned long long> cleared(buffers.counts.data(), &s == &a ? counters : 0);
+    s.ordered().order(left, s.at(), s.elements(), both ? share : 1, cleared, stream);
     if (left.elements > 0)
       s.ordered().tree(stream);
   };

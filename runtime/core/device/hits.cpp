@@ -52,6 +52,9 @@ void hit_pairs::upload_owners() {
 bool hit_pairs::countable() const {
   return !owned() && a_.numbers() <= most_to_count;
 }
+std::size_t hit_pairs::room_for_starts(std::uint32_t elements_a) {
+  return elements_a <= most_to_count ? (std::size_t{elements_a} + 1) / 2 + 1 : 0;
+}
 
 bool hit_pairs::can_order(std::size_t hits) {
   if (!countable() || hits > most_counted || !buffers_.keys.grow(hits, 0, on_.stream()) ||

@@ -34,11 +34,12 @@ public:
   bool countable() const;
   // Whether all hits of a query can be, of which there is room for this many.
   bool can_order(std::size_t hits);
-  // Enqueues that, after can_order(). `starts` has room for starts_for_order(), and `longest` is one number; all are 0 at first.
+  // Enqueues that, after can_order(). `starts` has room_for_starts(), and `longest` is one number; all are 0 at first.
   // Where there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or an
   // item has too many hits, where `longest` is not 0 at the end; the hits are then to be added.
   void order(const cuda::pair_list &hits, std::uint32_t *starts, unsigned long long *longest, bool few);
-  std::size_t starts_for_order() const { return std::size_t{a_.numbers()} + 1; }
+  // How many numbers of 64 bits have room for the starts of so many elements of A; 0: there are too many to order by counting.
+  static std::size_t room_for_starts(std::uint32_t elements_a);
   // n hits were ordered.
   void take_ordered(std::size_t n) { keys_ = n, ordered_ = true; }
 

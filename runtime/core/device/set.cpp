@@ -111,7 +111,7 @@ bool device_set::make(const given_set &elements) {
   const cudaStream_t stream = on_->stream();
   if (!take_room())
     return false; // a set that is ordered needs a third of it
-  bool ran = arrange(elements.there(), elements.at(), 1, stream);
+  bool ran = arrange(elements.there(), elements.at(), 1, {}, stream);
   cuda::order_findings found{};
   if (ran)
     found = ordered();
@@ -152,23 +152,28 @@ cuda::order_findings device_set::ordered() {
 }
 
 void device_set::order(const cuda::view &elements, const pose &at, std::uint32_t numbers, float share,
-                       cudaStream_t stream) {
+                       std::span<unsigned long long> cleared, cudaStream_t stream) {
   elements_ = elements.elements, numbers_ = numbers;
   grid_ = at.grid, moved_ = false, reaches_.reset(), pending_ = elements_ > 0;
   id_ = version_ = next_version();
-  if (elements_ > 0 &&
-      (!take_room() || (!arrange(elements, at, share, stream) && !sort(elements, at, first_bits(elements), stream))))
+  if (elements_ > 0 && take_room() && arrange(elements, at, share, cleared, stream))
+    return;
+  if (!cleared.empty())
+    check(cudaMemsetAsync(cleared.data(), 0, cleared.size_bytes(), stream), "clearing counters");
+  if (elements_ > 0 && (!take_room() || !sort(elements, at, first_bits(elements), stream)))
     throw device_error(
         "not enough device memory to put a set into order; the CPU decides the same pairs (--device cpu)");
 }
 
 // By one kernel, where there is one for so many elements.
-bool device_set::arrange(const cuda::view &there, const pose &at, float share, cudaStream_t stream) {
+bool device_set::arrange(const cuda::view &there, const pose &at, float share, std::span<unsigned long long> cleared,
+                         cudaStream_t stream) {
   const std::uint32_t n = elements_;
   if (!launchers_->arrange || n == 0 || n > cuda::most_to_arrange)
     return false;
   cuda::arrange_job job{};
   job.from = there, job.at = cuda_pose(at), job.bits = bits_of_cell, job.share = share;
+  job.cleared = cleared.data(), job.clears = static_cast<unsigned>(cleared.size());
   // Cells for one or two elements each; what is left of two culled sets lies along a curve, in few of them.
   job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)) + (there.only ? 3 : 0), 10, 20);
   job.rows = rows_.data(), job.order = order_.data(), job.found = found_.data();

@@ -56,8 +56,9 @@ public:
 
   // Becomes these elements of the caller's `numbers`, in device memory, in the pose. It only enqueues, on the stream: they are in
   // order, and may be used for more than a walk that findings() can stop, only if findings() says so in the end. It takes this
-  // share of the device, above 0 and at most 1. Throws device_error.
-  void order(const cuda::view &elements, const pose &at, std::uint32_t numbers, float share, cudaStream_t stream);
+  // share of the device, above 0 and at most 1. Some numbers on the device become 0 on the way. Throws device_error.
+  void order(const cuda::view &elements, const pose &at, std::uint32_t numbers, float share,
+             std::span<unsigned long long> cleared, cudaStream_t stream);
   // What order() has found, in device memory; null after any other way to make a set.
   const cuda::order_findings *findings() const { return pending_ ? found_.data() : nullptr; }
 
@@ -97,7 +98,8 @@ private:
   void take_room_for_tree();
   bool make(const given_set &elements);
   bool take_room();
-  bool arrange(const cuda::view &there, const pose &at, float share, cudaStream_t stream);
+  bool arrange(const cuda::view &there, const pose &at, float share, std::span<unsigned long long> cleared,
+               cudaStream_t stream);
   bool sort(const cuda::view &there, const pose &at, int bits, cudaStream_t stream);
   void start_clock();
   cuda::order_findings ordered();

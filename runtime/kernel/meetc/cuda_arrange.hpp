@@ -70,6 +70,8 @@ __global__ void __launch_bounds__(threads_to_arrange(Shape::fields))
     if (blockIdx.x == 0)
       *job.found = {~0ULL, 0, 0};
   }
+  if (blockIdx.x == 0 && threadIdx.x < job.clears)
+    job.cleared[threadIdx.x] = 0;
   meet_grid();
   if (job.posed)
     around = around_block<arrange_threads>(threadIdx.x < gridDim.x ? parts[threadIdx.x] : tree_box());

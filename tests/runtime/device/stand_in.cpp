@@ -318,6 +318,7 @@ template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStr
     job.order[to] = number_in(job.from, from);
     std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields, job.rows + to * std::size_t{Shape::fields});
   }
+  std::fill_n(job.cleared, job.clears, 0ULL);
   return job.nodes ? boxes<Shape>(job.rows, n, job.nodes, job.arrived, stream) : cudaSuccess;
 }
 void append(const pair_list &to, index_pair p) {
