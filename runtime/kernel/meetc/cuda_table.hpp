@@ -118,7 +118,7 @@ MEETC_HD constexpr bool is_order(const order_findings &found, std::uint32_t n) {
 // Threads of a block of arrange(), which keeps a row of each in shared memory.
 MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
   unsigned n = 1024;
-  while (n > 32 && n * static_cast<unsigned>(fields) * sizeof(float) > 40000)
+  while (n > 32 && sizeof(float) * n * static_cast<unsigned>(fields) > 40000)
     n /= 2;
   return n;
 }
