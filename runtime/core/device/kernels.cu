@@ -91,30 +91,6 @@ __device__ void place_each(const hit_order &o, std::size_t item, std::uint32_t b
     o.sorted[at] = {static_cast<std::uint32_t>(item), b};
   }
 }
-// The same of up to 32 hits of an item, by eight lanes of which each keeps four; a lane of another eight has another item.
-__device__ void place_by_eight(const hit_order &o, std::size_t item, std::uint32_t begin, std::uint32_t hits) {
-  constexpr unsigned each = 4, eight = 8;
-  constexpr std::uint32_t none = ~std::uint32_t{0}; // above any element's number
-  const unsigned lane = threadIdx.x % 32, within = lane % eight;
-  std::uint32_t mine[each], before[each] = {0, 0, 0, 0};
-#pragma unroll
-  for (unsigned k = 0; k < each; ++k)
-    mine[k] = within + k * eight < hits ? o.others[begin + within + k * eight] : none;
-#pragma unroll
-  for (unsigned k = 0; k < each; ++k)
-    if (__any_sync(~0U, k * eight < hits))
-#pragma unroll
-      for (unsigned l = 0; l < eight; ++l) {
-        const std::uint32_t other = __shfl_sync(~0U, mine[k], lane - within + l);
-#pragma unroll
-        for (unsigned m = 0; m < each; ++m)
-          before[m] += other < mine[m];
-      }
-#pragma unroll
-  for (unsigned k = 0; k < each; ++k)
-    if (within + k * eight < hits)
-      o.sorted[begin + before[k]] = {static_cast<std::uint32_t>(item), mine[k]};
-}
 template <class Start> __device__ void place_hits(const hit_order &o, Start &&start) {
   constexpr std::uint32_t few = 4, many = 32;
   constexpr unsigned together = 8;
@@ -129,10 +105,11 @@ template <class Start> __device__ void place_hits(const hit_order &o, Start &&st
     else if (end - begin <= few)
       place_each(o, item, begin, end, 0, 1);
     const unsigned more = __ballot_sync(~0U, end - begin > few && end - begin <= many);
-    for (unsigned round = 0; round < together && more >> round * (32 / together) != 0; ++round) {
+    for (unsigned round = 0; more && round < together; ++round) {
       const unsigned of = round * (32 / together) + lane / together;
       const std::uint32_t from = __shfl_sync(~0U, begin, of), to = __shfl_sync(~0U, end, of);
-      place_by_eight(o, first + of, from, more >> of & 1 ? to - from : 0);
+      if (more >> of & 1)
+        place_each(o, first + of, from, to, lane % together, together);
     }
     for (unsigned left = __ballot_sync(~0U, !crowded && end - begin > many); left; left &= left - 1) {
       const unsigned of = __ffs(left) - 1;
