@@ -7,8 +7,9 @@
 // doubles are exact, and signs those of values. Otherwise signs come from values in fp64 with their bound. Where these are
 // unsure, the same program runs on integers modulo 2^64: on a common grid the value is an integer n, and the bound says
 // |n| < 2^62, so that the residue of n is n. This needs neither wide products nor that the values in fp64 are exact.
-// `exact` takes no bound of an error from the compiler: its values carry their own (tracked.hpp), so that it judges the
-// bounds of the other rungs. It compares equal points first, takes doubles that are exact too, and leaves the rare stage
+// `exact` takes no bound of an error from the compiler, so that it judges the bounds of the other rungs: roundings are counted
+// (counted_roundings.hpp), and where that does not suffice its values carry their own errors (tracked.hpp). It compares equal
+// points first, takes doubles that are exact too, and leaves the rare stage
 // open.
 // What this leaves open is decided pair by pair by the caller's function. A pair's answer does not depend on those that
 // share the lanes with it.
@@ -17,6 +18,7 @@
 
 #include <meetc/lanes.hpp>
 
+#include <meetc/counted_roundings.hpp>
 #include <meetc/lane_decide.hpp>
 #include <meetc/power_bound.hpp>
 #include <meetc/tracked.hpp>
@@ -133,7 +135,8 @@ MEETC_NOINLINE void add_exact_signs(const wide_rows<P> *rows, int from, proved_l
 
 // How values get their errors: v[i] is within error[i] of the truth, and a magnitude of zero proves zero.
 struct emitted_bounds {
-  static constexpr bool is_exact = false, by_power = true; // the power form comes first
+  static constexpr bool is_exact = false;
+  template <class P> using power = in_fp64; // of the bound that comes first, by powers
   template <class P, class Stage>
   static MEETC_INLINE void values(const wide_rows<P> &rows, wide_lanes *v, wide_lanes *error, wide_lanes *magnitude) {
     stage_values<Stage>(rows.a, rows.b, v);
@@ -144,7 +147,8 @@ struct emitted_bounds {
   }
 };
 struct running_errors {
-  static constexpr bool is_exact = true, by_power = false;
+  static constexpr bool is_exact = true;
+  template <class P> using power = counted_roundings<P>;
   template <class P, class Stage>
   static MEETC_INLINE void values(const wide_rows<P> &rows, wide_lanes *v, wide_lanes *error, wide_lanes *magnitude) {
     using number = tracked_number<wide_lanes>;
@@ -168,10 +172,10 @@ public:
   // is, since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two (unless -fno-tree-ter
   // is given; tests/extremes sees it).
   MEETC_NOINLINE void get(lane_mask wanted, proved_lanes *s) const {
-    if constexpr (How::by_power && has_power_bound<P, Stage>()) {
+    if constexpr (has_power_bound<P, Stage>()) {
       wide_lanes v[Stage::atoms];
       stage_values<Stage>(rows_.a, rows_.b, v);
-      signs_by_power<P, Stage, in_fp64>(v, rows_.extent, s);
+      signs_by_power<P, Stage, typename How::template power<P>>(v, rows_.extent, s);
       if (known(s, wanted))
         return;
     }

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <string>
@@ -260,6 +261,51 @@ TEST_CASE("errors of tracked coefficients hold the true ones") {
   CHECK(p.c[0].v == 13);
   CHECK(p.c[1].v == 5);
   CHECK(p.c[1].e >= 6);
+}
+
+// Triangles of whole numbers, so large that doubles round, of which the second's corners lie near the first's plane.
+TEST_CASE("errors of counted roundings hold the true ones, and a 1024th of them does not") {
+  using P = cga::triangle_triangle;
+  using stage = P::reject_stage;
+  std::mt19937_64 g(6);
+  double largest = 0;
+  int too_little = 0;
+  for (int n = 0; n < 20'000; ++n) {
+    std::int64_t x[18];
+    for (std::int64_t &v : x)
+      v = static_cast<std::int64_t>(g() >> 25) - (std::int64_t{1} << 38);
+    for (std::size_t k = 9; k < 18; ++k) { // a point of the plane, rounded to whole numbers
+      const std::int64_t i = static_cast<std::int64_t>(g() % 8), j = static_cast<std::int64_t>(g() % 8);
+      x[k] = x[k % 3] + (x[3 + k % 3] - x[k % 3]) * i / 8 + (x[6 + k % 3] - x[k % 3]) * j / 8;
+    }
+    int128 whole_a[9], whole_b[9], truth[stage::atoms];
+    wide_lanes a[9], b[9], v[stage::atoms], error[stage::atoms], less[stage::atoms];
+    for (std::size_t k = 0; k < 9; ++k) {
+      whole_a[k] = x[k], whole_b[k] = x[9 + k];
+      a[k] = wide_lanes(static_cast<double>(x[k])), b[k] = wide_lanes(static_cast<double>(x[9 + k]));
+    }
+    stage_values<stage>(whole_a, whole_b, truth);
+    stage_values<stage>(a, b, v);
+    const wide_lanes extent = extent_of<P>(a, b);
+    power_errors<P, stage, counted_roundings<P>>(extent, error);
+    power_errors<P, stage, counted_roundings<P, -61>>(extent, less);
+    for (int i = 0; i < stage::atoms; ++i) {
+      double found = 0, bound = 0, small = 0;
+      std::memcpy(&found, &v[i], sizeof found);
+      std::memcpy(&bound, &error[i], sizeof bound);
+      std::memcpy(&small, &less[i], sizeof small);
+      const int128 off = truth[i] - static_cast<int128>(found);
+      const auto is_off = static_cast<double>(off < 0 ? -off : off);
+      REQUIRE(is_off <= bound);
+      too_little += is_off > small;
+      largest = std::max(largest, is_off / bound);
+    }
+  }
+  INFO(largest);
+  CHECK(too_little > 0);
+  constexpr rounding_counts<P, stage> counts; // a product of three differences, and two sums of such
+  CHECK(counts.of[0] >= 5);
+  CHECK(counts.of[0] < 20);
 }
 
 TEST_CASE("margins prove what sets of signs prove") {
