@@ -10,6 +10,7 @@
 #ifndef MEETC_COUNTED_ROUNDINGS_HPP
 #define MEETC_COUNTED_ROUNDINGS_HPP
 
+#include <meetc/bounds.hpp>
 #include <meetc/stages.hpp>
 
 #include <cstdint>

@@ -135,8 +135,8 @@ MEETC_NOINLINE void add_exact_signs(const wide_rows<P> *rows, int from, proved_l
 
 // How values get their errors: v[i] is within error[i] of the truth, and a magnitude of zero proves zero.
 struct emitted_bounds {
-  static constexpr bool is_exact = false;
-  template <class P> using power = in_fp64; // of the bound that comes first, by powers
+  static constexpr bool is_exact = false, by_power = true; // the power form comes first, in this arithmetic
+  template <class P> using power = in_fp64;
   template <class P, class Stage>
   static MEETC_INLINE void values(const wide_rows<P> &rows, wide_lanes *v, wide_lanes *error, wide_lanes *magnitude) {
     stage_values<Stage>(rows.a, rows.b, v);
@@ -147,7 +147,7 @@ struct emitted_bounds {
   }
 };
 struct running_errors {
-  static constexpr bool is_exact = true;
+  static constexpr bool is_exact = true, by_power = true;
   template <class P> using power = counted_roundings<P>;
   template <class P, class Stage>
   static MEETC_INLINE void values(const wide_rows<P> &rows, wide_lanes *v, wide_lanes *error, wide_lanes *magnitude) {
@@ -172,7 +172,7 @@ public:
   // is, since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two (unless -fno-tree-ter
   // is given; tests/extremes sees it).
   MEETC_NOINLINE void get(lane_mask wanted, proved_lanes *s) const {
-    if constexpr (has_power_bound<P, Stage>()) {
+    if constexpr (How::by_power && has_power_bound<P, Stage>()) {
       wide_lanes v[Stage::atoms];
       stage_values<Stage>(rows_.a, rows_.b, v);
       signs_by_power<P, Stage, typename How::template power<P>>(v, rows_.extent, s);
