@@ -21,8 +21,11 @@ public:
   packet_cells() = default;
   // Of finite ends, low <= high; an axis along which they are equal, or too far apart for float32, tells little or nothing.
   __device__ explicit packet_cells(const tree_box &around) {
-    for (int k = 0; k < 3; ++k)
-      from_[k] = around.low[k], per_[k] = __fdividef(last, around.high[k] - around.low[k]); // roughly
+    for (int k = 0; k < 3; ++k) {
+      // The difference of -0 and 0 is -0, by which `per` would be negative.
+      const float size = fabsf(around.high[k] - around.low[k]);
+      from_[k] = around.low[k], per_[k] = __fdividef(last, size); // roughly
+    }
   }
 
   // The ends may be infinite, and not NaN.

@@ -115,19 +115,22 @@ bool device_set::make(const given_set &elements) {
   cuda::order_findings found{};
   if (ran)
     found = ordered();
-  for (int bits = first_bits(elements.there()); bits <= bits_of_cell; bits += bits_of_cell - coarse_bits_of_cell)
-    if (!ran || found.longest > 0 || found.crowded > elements_ / 8) {
-      ran = sort(elements.there(), elements.at(), bits, stream);
-      if (ran)
-        found = ordered();
-    }
+  // What arrange() has found crowded is so for a sort by the same cells.
+  bool sorts = !ran || found.longest > 0;
+  for (int bits = first_bits(elements.there()); sorts && bits <= bits_of_cell;
+       bits += bits_of_cell - coarse_bits_of_cell) {
+    ran = sort(elements.there(), elements.at(), bits, stream);
+    if (ran)
+      found = ordered();
+    sorts = ran && found.crowded > elements_ / 8;
+  }
   space_.release(), found_.release();
   if (ran && found.bad != ~0ULL)
     elements.refuse();
   return ran && is_order(found, elements_);
 }
 
-// Returns false where there is too little memory, as the next two do.
+// Returns false where there is too little memory, as arrange() and sort() do.
 bool device_set::take_room() {
   const cudaStream_t stream = on_->stream();
   return rows_.grow(elements_ * static_cast<std::size_t>(kind_->fields), 0, stream) &&

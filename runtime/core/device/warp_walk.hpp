@@ -13,6 +13,7 @@ inline constexpr unsigned walk_threads = 128, walk_warps = walk_threads / tree_w
 // The children of its nodes have boxes of 1024 elements. To it, so many packets at least go down together first.
 inline constexpr int coarse_level = 2;
 inline constexpr unsigned least_together = 4;
+// Fewer than 32 boxes wait before two leaves are looked at, each of which adds 32 at most.
 inline constexpr unsigned waiting_size = 3 * tree_width, hits_size = 128;
 
 // A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
@@ -290,7 +291,7 @@ private:
           test_waiting();
     }
   }
-  // The boxes of a node of level 0 that the packet's box touches wait; so many are added at most.
+  // The boxes of a node of level 0 that the packet's box touches wait, or are hits of the element that goes alone.
   template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b, bool there) {
     const std::uint32_t slot = node * tree_width + lane_;
     const bool touch = there && touches<Single>(b) && !(Single && w_.half && slot < single_slot_);

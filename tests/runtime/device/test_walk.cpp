@@ -5,6 +5,10 @@
 #include "tests/catch.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cfloat>
+#include <cmath>
+#include <iterator>
 #include <random>
 #include <utility>
 #include <vector>
@@ -129,7 +133,49 @@ std::pair<pairs, pairs> looked_at(const set &walker, const set &tree, const part
   return {touching, near};
 }
 
+// Of the ends of float32, of numbers around 0, and of any bits.
+float extreme(std::mt19937_64 &random) {
+  constexpr float some[] = {0, 0x1p-149F, 0x1p-148F, FLT_MIN, 0x1p-40F, 1, 0x1.000002p0F, 0x1p23F, 0x1p126F, FLT_MAX};
+  const auto bits = static_cast<std::uint32_t>(random());
+  const float any = std::bit_cast<float>(bits), x = some[random() % std::size(some)];
+  return random() % 3 == 0 && std::isfinite(any) ? any : random() % 2 ? x : -x;
+}
+tree_box extreme_box(std::mt19937_64 &random) {
+  tree_box b;
+  for (int k = 0; k < 3; ++k) {
+    const float x = extreme(random), y = random() % 4 == 0 ? x : extreme(random);
+    b.low[k] = y < x ? y : x, b.high[k] = y < x ? x : y;
+  }
+  return b;
+}
+
 } // namespace
+
+TEST_CASE("walk: boxes that touch have cells that do, at the ends of float32 too") {
+  std::mt19937_64 random(4);
+  int touching = 0, told_apart = 0, lost = 0;
+  for (int round = 0; round < 100000; ++round) {
+    tree_box own[4], around;
+    const auto n = static_cast<int>(1 + random() % 4);
+    for (int i = 0; i < n; ++i) {
+      own[i] = i > 0 && random() % 16 == 0 ? tree_box() : extreme_box(random);
+      around.widen(own[i]);
+    }
+    const packet_cells in_packet(around);
+    for (int other = 0; other < 4; ++other) {
+      const tree_box b = random() % 32 == 0 ? tree_box() : extreme_box(random);
+      for (int i = 0; i < n; ++i) {
+        std::uint32_t bits = 0;
+        packet_cells::push(bits, in_packet.of(b), in_packet.of(own[i]));
+        touching += own[i].touches(b), told_apart += bits == 0;
+        lost += own[i].touches(b) && bits == 0;
+      }
+    }
+  }
+  CHECK(lost == 0);
+  CHECK(touching > 100000);
+  CHECK(told_apart > 100000);
+}
 
 TEST_CASE("walk: a warp finds every pair of boxes that touch, once") {
   std::mt19937_64 random(1);
