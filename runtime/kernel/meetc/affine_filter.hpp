@@ -41,8 +41,8 @@ struct unit_range {
   unit_range() = default;
   unit_range(double lo, double hi) : middle(lo / 2 + hi / 2) {
     const double half = hi - middle > middle - lo ? hi - middle : middle - lo;
-    if (half > 0)
-      width = std::ldexp(1.0, std::ilogb(half) + 1);
+    if (half > 0) // a range without an end has no width, and nothing is proved of it
+      width = half <= std::numeric_limits<double>::max() ? std::ldexp(1.0, std::ilogb(half) + 1) : 0;
   }
 };
 // The ranges of an operand's numbers. Coordinates of one axis have one range, so that a coefficient that they share in the
