@@ -1,6 +1,5 @@
 #include "gen/lower/by_boxes.hpp"
 
-#include <algorithm>
 #include <set>
 
 namespace meetc::lower {

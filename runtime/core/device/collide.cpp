@@ -264,6 +264,7 @@ private:
           most = area(p) / 4;
         continue;
       }
+      // Where a walk decides, both are 0, and parts grow until one overflows.
       if (most != ~std::uint64_t{0} && seen(counter::candidates) < capacity_ / 8 && seen(counter::kept) < capacity_ / 8)
         most = most < ~std::uint64_t{0} / 2 ? most * 2 : ~std::uint64_t{0};
       take_part();

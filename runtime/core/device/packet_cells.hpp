@@ -33,11 +33,11 @@ public:
 
   // Shifts a bit into `bits`: whether two boxes touch by their cells, as they do if they touch.
   __device__ static void push(std::uint32_t &bits, const cell_box &x, const cell_box &y) {
-    const std::uint32_t kept =
-        (x.high - y.low) & (y.high - x.low) & guards; // one is lost where an end lies below the other
+    // A guard is lost where an end lies below the other.
+    const std::uint32_t kept = (x.high - y.low) & (y.high - x.low) & guards;
 #if defined(__CUDA_ARCH__)
-    std::uint32_t unused; // the carry says whether all are kept
-    asm("add.cc.u32 %0, %2, %3;\n\taddc.u32 %1, %1, %1;" : "=r"(unused), "+r"(bits) : "r"(kept), "r"(0U - guards));
+    [[maybe_unused]] std::uint32_t sum; // the carry says whether all are kept
+    asm("add.cc.u32 %0, %2, %3;\n\taddc.u32 %1, %1, %1;" : "=r"(sum), "+r"(bits) : "r"(kept), "r"(0U - guards));
 #else
     bits = 2 * bits + (kept == guards);
 #endif

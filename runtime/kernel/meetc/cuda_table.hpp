@@ -205,12 +205,14 @@ struct kind_launchers {
   // it is null, becomes less where a row is not good, as in query_result.
   cudaError_t (*places)(const float *rows, std::uint32_t elements, const joined_box *around, int bits,
                         std::uint32_t *places, std::uint32_t *numbers, unsigned long long *bad, cudaStream_t stream);
+  // Brings rows into an order, and makes the two lowest levels of their tree.
   cudaError_t (*gather)(const gather_job &job, cudaStream_t stream);
   // Fills the first levels_with_boxes() levels of the tree over the rows, as far as there are such. *arrived is 0 before and
   // after.
   cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, unsigned *arrived,
                        cudaStream_t stream);
-  // pose() and places() at once, the order, and the tree if can_arrange_tree(), of 1 to most_to_arrange elements. Null: not generated.
+  // pose() and places() at once, the order, and where can_arrange_tree() the tree as well, of 1 to most_to_arrange elements. Null:
+  // not generated.
   cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;
   // Widens *around by the boxes of the elements. Null, as sift(): not generated.
   cudaError_t (*surround)(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) = nullptr;

@@ -9,8 +9,7 @@
 // |n| < 2^62, so that the residue of n is n. This needs neither wide products nor that the values in fp64 are exact.
 // `exact` takes no bound of an error from the compiler, so that it judges the bounds of the other rungs: roundings are counted
 // (counted_roundings.hpp), and where that does not suffice its values carry their own errors (tracked.hpp). It compares equal
-// points first, takes doubles that are exact too, and leaves the rare stage
-// open.
+// points first, takes doubles that are exact too, and leaves the rare stage open.
 // What this leaves open is decided pair by pair by the caller's function. A pair's answer does not depend on those that
 // share the lanes with it.
 #ifndef MEETC_WIDE_DECIDE_HPP
