@@ -26,16 +26,21 @@ enum class counter : std::uint8_t {
 };
 inline constexpr int counters = 9;
 
-// What a query reads of the device, in host memory that the device can write to.
-struct host_notes {
-  unsigned long long counts[counters];
+// What a query notes on the device: one piece, which the host reads at once.
+struct query_notes {
   cuda::order_findings found[2]; // of the sets that it has ordered
+  unsigned long long counts[counters];
+};
+
+// What it reads of the device, in host memory that the device can write to.
+struct host_notes {
+  query_notes of_query;
   cull_findings culled;
 };
 
 struct device_buffers {
   device_memory<index_pair> first, second, hits; // first and second alternate for candidates and unsure pairs
-  device_memory<unsigned long long> counts;      // and behind them where each item's hits start, 32 bits each
+  device_memory<unsigned long long> notes;       // query_notes, and behind them what it takes to order hits
   device_memory<std::uint64_t> keys, more_keys;  // hits as sortable numbers
   device_memory<std::byte> sort_space;
   device_memory<std::uint32_t> first_slots, first_numbers; // what is met first
@@ -47,6 +52,18 @@ struct device_buffers {
   cudaEvent_t events[2] = {nullptr, nullptr};
   host_notes *seen = nullptr;
   device_memory<std::byte> cull_space;
+
+  cuda::order_findings *found() const { return reinterpret_cast<query_notes *>(notes.data())->found; }
+  unsigned long long *counts() const { return reinterpret_cast<query_notes *>(notes.data())->counts; }
+  unsigned long long *starts() const { return counts() + counters; }
+  // Room for the notes and so many numbers at starts(). Throws device_error.
+  void take_notes(std::size_t numbers) {
+    const std::size_t all = sizeof(query_notes) / sizeof(unsigned long long) + numbers;
+    if (all <= notes.capacity())
+      return;
+    notes.reserve(all, "counters");
+    check(cudaMemsetAsync(notes.data(), 0, sizeof(query_notes), stream), "clearing counters"); // all are read, always
+  }
 
   // Apart from the constructor, so that what was created is destroyed where the next cannot be. Throws device_error.
   void create() {

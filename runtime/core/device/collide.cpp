@@ -61,15 +61,15 @@ class device_query {
 public:
   device_query(device &on, device_set &a, device_set &b, const predicate_info &p, rung precision,
                const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there,
-               bool begun)
+               std::optional<std::size_t> cleared)
       : on_(on), buffers_(on.buffers()), a_(a), b_(b), predicate_(launchers_of(on.kernels(), p)), precision_(precision),
         symmetric_(p.symmetric), options_(options), of_instances_(of_instances),
         hits_(on, a, b, options.owner_a, options.owner_b),
         tallies_(!of_instances.empty() ||
                  (!hits_.owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
         keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())),
-        stores_(keep_ || options.first_met), left_there_(left_there), clock_runs_(begun),
-        cleared_(begun && !options.as_graph), first_(on.buffers()) {}
+        stores_(keep_ || options.first_met), left_there_(left_there), clock_runs_(cleared),
+        cleared_(options.as_graph ? 0 : cleared.value_or(0)), first_(on.buffers()) {}
 
   device_result run() {
     require(!options_.filter || on_.offers(*options_.filter),
@@ -179,9 +179,7 @@ private:
     capacity_ = within_options(wanted);
     if (!enlarge_lists(capacity_))
       capacity_ = within_options(first_capacity);
-    buffers_.counts.reserve(
-        counters + (keep_ && !tallies_ && hits_.countable() ? hit_pairs::room_for_starts(a_.numbers()) : 0),
-        "counters");
+    buffers_.take_notes(keep_ && !tallies_ && hits_.countable() ? hit_pairs::room_for_starts(a_.numbers()) : 0);
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
     if (stores_)
@@ -202,10 +200,10 @@ private:
   }
 
   cuda::pair_list list(const device_memory<index_pair> &pairs, counter c) const {
-    return {pairs.data(), buffers_.counts.data() + static_cast<int>(c), std::min(pairs.capacity(), capacity_)};
+    return {pairs.data(), buffers_.counts() + static_cast<int>(c), std::min(pairs.capacity(), capacity_)};
   }
-  cuda::pair_list count_only(counter c) const { return {nullptr, buffers_.counts.data() + static_cast<int>(c), 0}; }
-  unsigned long long seen(counter c) const { return buffers_.seen->counts[static_cast<int>(c)]; }
+  cuda::pair_list count_only(counter c) const { return {nullptr, buffers_.counts() + static_cast<int>(c), 0}; }
+  unsigned long long seen(counter c) const { return buffers_.seen->of_query.counts[static_cast<int>(c)]; }
 
   bool overflowed() const {
     return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_ ||
@@ -292,8 +290,8 @@ private:
     else
       enqueue(p);
     mark_clock();
-    check(cudaMemcpyAsync(buffers_.seen->counts, buffers_.counts.data(), counters * sizeof(unsigned long long),
-                          cudaMemcpyDeviceToHost, stream),
+    check(cudaMemcpyAsync(&buffers_.seen->of_query, buffers_.notes.data(), sizeof(query_notes), cudaMemcpyDeviceToHost,
+                          stream),
           "reading counters");
     check(cudaStreamSynchronize(stream), "colliding");
     if (hits_before)
@@ -304,18 +302,10 @@ private:
   // The kernels from the candidates to the last decision and, if all hits are ordered at once, to sorted pairs.
   void enqueue(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
-    if (!std::exchange(cleared_, false))
-      check(cudaMemsetAsync(buffers_.counts.data(), 0, counters * sizeof(unsigned long long), stream),
-            "clearing counters");
-    const bool counted = orders_ && !few_; // by numbers that are cleared while the hits are found
-    if (counted) {
-      check(cudaEventRecord(buffers_.forked, stream), "starting a stream");
-      check(cudaStreamWaitEvent(buffers_.beside, buffers_.forked, 0), "starting a stream");
-      check(cudaMemsetAsync(buffers_.counts.data() + counters, 0,
-                            hit_pairs::room_for_starts(a_.numbers()) * sizeof(unsigned long long), buffers_.beside),
-            "clearing counters");
-      check(cudaEventRecord(buffers_.joined, buffers_.beside), "joining a stream");
-    }
+    const bool counted = orders_ && !few_;
+    const std::size_t cleared = counters + (counted ? hit_pairs::room_for_starts(a_.numbers()) : 0);
+    if (std::exchange(cleared_, 0) < cleared)
+      check(cudaMemsetAsync(buffers_.counts(), 0, cleared * sizeof(unsigned long long), stream), "clearing counters");
     cuda::pair_list hits = stores_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
     hits.both_ways = both_ways_;
     if (walk_decides()) {
@@ -326,11 +316,8 @@ private:
       find_candidates(p, list(buffers_.first, counter::candidates));
       decide_candidates(hits);
     }
-    if (counted)
-      check(cudaStreamWaitEvent(stream, buffers_.joined, 0), "joining a stream");
     if (orders_)
-      hits_.order(hits, reinterpret_cast<std::uint32_t *>(buffers_.counts.data() + counters),
-                  count_only(counter::longest).count, few_);
+      hits_.order(hits, buffers_.starts(), count_only(counter::longest).count, few_);
   }
 
   // The steps that make hits of candidates.
@@ -363,12 +350,12 @@ private:
           walk_.rows, walk_.fields, walk_.points.pad, walk_.found_walker, walk_.found_tree);
     for (const int field : walk_.points.of)
       k.add(field);
-    k.add(buffers_.counts.data());
+    k.add(buffers_.notes.data());
     for (const device_memory<index_pair> *const m : {&buffers_.first, &buffers_.second, &buffers_.hits})
       k.add(m->data(), m->capacity());
     if (orders_)
       k.add(a_.order(), b_.order(), a_.numbers(), b_.numbers(), buffers_.keys.data(), buffers_.more_keys.data(),
-            buffers_.sort_space.data(), buffers_.sort_space.capacity());
+            buffers_.starts());
     return k;
   }
 
@@ -388,7 +375,7 @@ private:
     }
     walk_.of = walk_.swapped ? cuda::part{p.first_b, p.end_b, p.first_a, p.end_a} : p;
     walk_.out = out;
-    walk_.taken = buffers_.counts.data() + static_cast<int>(counter::taken);
+    walk_.taken = buffers_.counts() + static_cast<int>(counter::taken);
     check(walk(walk_, on_.stream()), "starting the walk");
   }
 
@@ -437,8 +424,8 @@ private:
   bool stores_;         // they are written to a list of the device, for either of these or for the first ones
   pairs_there *left_there_;
   bool clock_runs_; // the caller has started it
-  bool
-      cleared_; // the caller has cleared the counters for the first part; a graph does so itself, each time that it starts
+  // So many numbers the caller has cleared for the first part. A graph does so itself, each time that it starts.
+  std::size_t cleared_;
   tallies tallied_;
   first_met_there first_;
   cuda::operand x_{}, y_{};
@@ -465,12 +452,12 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
 
 device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                     const device_options &options, std::span<std::uint64_t> of_instances, pairs_there *left_there,
-                    bool begun) {
+                    std::optional<std::size_t> cleared) {
   const auto start = std::chrono::steady_clock::now();
   rung_report report;
   if (precision == rung::tolerant)
     precision = tolerant_or_certified(a, b, predicate, report);
-  device_result r = device_query(on, a, b, predicate, precision, options, of_instances, left_there, begun).run();
+  device_result r = device_query(on, a, b, predicate, precision, options, of_instances, left_there, cleared).run();
   r.rungs.left_box_a = report.left_box_a, r.rungs.left_box_b = report.left_box_b;
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 namespace meetc {
@@ -122,42 +123,65 @@ device_set &given_set::ordered() {
 
 namespace {
 
-// Puts the sets, or what is left of them, into order and makes their hierarchies, both at once. What the kernels find is
-// brought to the host on the stream beside, while the query goes on.
-void order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a, const cuda::view &left_b) {
+// Puts the sets, or what is left of them, into order and makes their hierarchies, both at once. Starts the clock unless it runs.
+// Returns how many numbers are cleared for the query.
+std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a, const cuda::view &left_b,
+                       bool clock_runs) {
   constexpr float least_share = 0.125F; // of the device
   device_buffers &buffers = on.buffers();
-  const bool both = &a != &b;
+  const cudaStream_t stream = on.stream();
+  const bool both = &a != &b, alike = both && &a.launchers() == &b.launchers() &&
+                                      can_arrange(a.launchers(), left_a.elements) &&
+                                      can_arrange(b.launchers(), left_b.elements);
   const float all = static_cast<float>(left_a.elements) + static_cast<float>(left_b.elements);
-  buffers.counts.reserve(counters + hit_pairs::room_for_starts(a.elements()), "counters");
-  const auto order = [&](given_set &s, const cuda::view &left, cudaStream_t stream) {
+  const std::size_t cleared = counters + hit_pairs::room_for_starts(a.elements());
+  buffers.take_notes(cleared - counters);
+  const auto request = [&](given_set &s, const cuda::view &left) {
     const float share = std::clamp(static_cast<float>(left.elements) / all, least_share, 1 - least_share);
-    const std::span<unsigned long long> cleared(buffers.counts.data(), &s == &a ? counters : 0);
-    s.ordered().order(left, s.at(), s.elements(), both ? share : 1, cleared, stream);
-    if (left.elements > 0)
-      s.ordered().tree(stream);
+    const bool first = &s == &a;
+    return device_set::order_request{left,
+                                     s.at(),
+                                     s.elements(),
+                                     both ? share : 1,
+                                     buffers.found() + (first ? 0 : 1),
+                                     {buffers.counts(), first ? cleared : 0}};
   };
-  const auto bring = [&](given_set &s, cuda::order_findings &seen) {
-    seen = {~0ULL, 0, 0};
-    if (s.ordered().findings())
-      check(cudaMemcpyAsync(&seen, s.ordered().findings(), sizeof seen, cudaMemcpyDeviceToHost, buffers.beside),
-            "ordering a set");
+  const auto start_clock = [&] {
+    if (!clock_runs)
+      check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
+  };
+  if (alike) { // by one kernel
+    const std::optional<cuda::arrange_job> job_a = a.ordered().plan_order(request(a, left_a), stream),
+                                           job_b = b.ordered().plan_order(request(b, left_b), stream);
+    start_clock();
+    if (job_a && job_b) {
+      const cuda::arrange_job jobs[2] = {*job_a, *job_b};
+      check(a.launchers().arrange(jobs, 2, stream), "starting a kernel");
+    } else if (job_a || job_b) {
+      check(a.launchers().arrange(job_a ? &*job_a : &*job_b, 1, stream), "starting a kernel");
+    }
+    for (given_set *const s : {&a, &b})
+      s->ordered().tree(stream);
+    return cleared;
+  }
+  const auto order = [&](given_set &s, const cuda::view &left, cudaStream_t on_stream) {
+    s.ordered().order(request(s, left), on_stream);
+    if (left.elements > 0)
+      s.ordered().tree(on_stream);
   };
   const auto follow = [](cudaStream_t from, cudaEvent_t mark, cudaStream_t to) {
     check(cudaEventRecord(mark, from), "joining streams");
     check(cudaStreamWaitEvent(to, mark, 0), "joining streams");
   };
+  start_clock();
   if (both) {
-    follow(on.stream(), buffers.forked, buffers.beside);
+    follow(stream, buffers.forked, buffers.beside);
     order(b, left_b, buffers.beside);
   }
-  order(a, left_a, on.stream());
+  order(a, left_a, stream);
   if (both)
-    follow(buffers.beside, buffers.joined, on.stream());
-  follow(on.stream(), buffers.forked, buffers.beside);
-  bring(a, buffers.seen->found[0]);
-  if (both)
-    bring(b, buffers.seen->found[1]);
+    follow(buffers.beside, buffers.joined, stream);
+  return cleared;
 }
 
 // Also after an error no kernel works on a set, or on what culling left, when a query has ended.
@@ -200,18 +224,23 @@ device_result collide(device &on, given_set &a, given_set &b, const predicate_in
     const bool some = left.elements_a > 0 && left.elements_b > 0;
     left_a.only = left.a, left_a.elements = some ? left.elements_a : 0;
     left_b.only = left.b, left_b.elements = some ? left.elements_b : 0;
-  } else {
-    check(cudaEventRecord(buffers.events[0], on.stream()), "starting a clock");
   }
-  order_both(on, a, b, left_a, left_b);
+  const std::size_t cleared = order_both(on, a, b, left_a, left_b, culls);
+  query_notes &seen = buffers.seen->of_query;
   const auto in_order = [&] {
-    check(cudaStreamSynchronize(buffers.beside), "ordering a set");
-    return is_order(buffers.seen->found[0], left_a.elements) &&
-           (&a == &b || is_order(buffers.seen->found[1], left_b.elements));
+    return (left_a.elements == 0 || is_order(seen.found[0], left_a.elements)) &&
+           (&a == &b || left_b.elements == 0 || is_order(seen.found[1], left_b.elements));
   };
+  // A walk stops where there is no order, and its query reads what was found; others are asked afterwards, and so are none.
+  const bool walks = by.by == search::tree && left_a.elements > 0 && left_b.elements > 0;
+  if (!walks) {
+    check(cudaMemcpyAsync(&seen, buffers.notes.data(), sizeof seen, cudaMemcpyDeviceToHost, on.stream()),
+          "ordering a set");
+    check(cudaStreamSynchronize(on.stream()), "ordering a set");
+  }
   device_result r;
-  if (by.by == search::tree || in_order()) // a walk stops where there is no order
-    r = query(on, a.ordered(), b.ordered(), predicate, precision, by, {}, left_there, true);
+  if (walks || in_order())
+    r = query(on, a.ordered(), b.ordered(), predicate, precision, by, {}, left_there, cleared);
   if (!in_order()) { // what was found means nothing
     double before = 0;
     if (left_there)

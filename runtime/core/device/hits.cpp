@@ -53,21 +53,15 @@ bool hit_pairs::countable() const {
   return !owned() && a_.numbers() <= most_to_count;
 }
 std::size_t hit_pairs::room_for_starts(std::uint32_t elements_a) {
-  return elements_a <= most_to_count ? (std::size_t{elements_a} + 1) / 2 + 1 : 0;
+  return elements_a <= most_to_count ? most_order_blocks + (std::size_t{elements_a} + 1) / 2 + 1 : 0;
 }
 
 bool hit_pairs::can_order(std::size_t hits) {
-  if (!countable() || hits > most_counted || !buffers_.keys.grow(hits, 0, on_.stream()) ||
-      !buffers_.more_keys.grow(hits, 0, on_.stream()))
-    return false;
-  std::size_t bytes = 0;
-  hit_order sizes{};
-  sizes.items_a = a_.numbers();
-  check(order_hits(nullptr, bytes, sizes, on_.stream()), "planning to sort");
-  return buffers_.sort_space.grow(bytes, 0, on_.stream());
+  return countable() && hits <= most_counted && buffers_.keys.grow(hits, 0, on_.stream()) &&
+         buffers_.more_keys.grow(hits, 0, on_.stream());
 }
 
-void hit_pairs::order(const cuda::pair_list &hits, std::uint32_t *starts, unsigned long long *longest, bool few) {
+void hit_pairs::order(const cuda::pair_list &hits, unsigned long long *starts, unsigned long long *longest, bool few) {
   auto *const numbers = reinterpret_cast<std::uint32_t *>(buffers_.keys.data());
   const hit_order o{hits.pairs,
                     hits.count,
@@ -75,17 +69,13 @@ void hit_pairs::order(const cuda::pair_list &hits, std::uint32_t *starts, unsign
                     a_.order(),
                     b_.order(),
                     a_.numbers(),
+                    reinterpret_cast<std::uint32_t *>(starts + most_order_blocks),
                     starts,
                     numbers,
                     numbers + hits.capacity,
                     reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
                     longest};
-  if (few) {
-    check(order_few_hits(o, on_.stream()), "sorting pairs");
-    return;
-  }
-  std::size_t bytes = buffers_.sort_space.capacity();
-  check(order_hits(buffers_.sort_space.data(), bytes, o, on_.stream()), "sorting pairs");
+  check(few ? order_few_hits(o, on_.stream()) : order_hits(o, on_.stream()), "sorting pairs");
 }
 
 void hit_pairs::add(const index_pair *hits, std::size_t n) {
@@ -131,7 +121,7 @@ bool hit_pairs::sort_on_device() {
   };
   const auto counted = [&] {
     unsigned long long n = 0;
-    check(cudaMemcpyAsync(&n, buffers_.counts.data(), sizeof n, cudaMemcpyDeviceToHost, on_.stream()), "sorting pairs");
+    check(cudaMemcpyAsync(&n, buffers_.counts(), sizeof n, cudaMemcpyDeviceToHost, on_.stream()), "sorting pairs");
     check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
     return n;
   };
@@ -139,7 +129,7 @@ bool hit_pairs::sort_on_device() {
   if (!owned() && bits_a_ > 0 && keys_ > 0) {
     sort(bits_b_);
     check(order_runs(buffers_.keys.data(), keys_, bits_b_, reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
-                     buffers_.counts.data(), on_.stream()),
+                     buffers_.counts(), on_.stream()),
           "sorting pairs");
     if (counted() == 0) {
       std::swap(buffers_.keys, buffers_.more_keys);
@@ -149,7 +139,7 @@ bool hit_pairs::sort_on_device() {
   sort(0);
   if (owned()) {
     check(drop_repeats(buffers_.sort_space.data(), repeat_bytes, buffers_.keys.data(), buffers_.more_keys.data(),
-                       buffers_.counts.data(), keys_, on_.stream()),
+                       buffers_.counts(), keys_, on_.stream()),
           "dropping repeats");
     keys_ = counted();
     std::swap(buffers_.keys, buffers_.more_keys);

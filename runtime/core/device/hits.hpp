@@ -37,8 +37,8 @@ public:
   // Enqueues that, after can_order(). `starts` has room_for_starts(), and `longest` is one number; all are 0 at first.
   // Where there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or an
   // item has too many hits, where `longest` is not 0 at the end; the hits are then to be added.
-  void order(const cuda::pair_list &hits, std::uint32_t *starts, unsigned long long *longest, bool few);
-  // How many numbers of 64 bits have room for the starts of so many elements of A; 0: there are too many to order by counting.
+  void order(const cuda::pair_list &hits, unsigned long long *starts, unsigned long long *longest, bool few);
+  // How many numbers it takes to order the hits of so many elements of A; 0: there are too many to order by counting.
   static std::size_t room_for_starts(std::uint32_t elements_a);
   // n hits were ordered.
   void take_ordered(std::size_t n) { keys_ = n, ordered_ = true; }

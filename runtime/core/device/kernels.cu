@@ -77,10 +77,10 @@ __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned 
 template <class Each> __device__ void each_hit(const hit_order &o, Each &&each) {
   const unsigned long long n = *o.count < o.capacity ? *o.count : o.capacity;
   for (unsigned long long i = cuda::grid_thread(); i < n; i += cuda::grid_threads())
-    each(i, o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]);
+    each(i);
 }
 // The place of a hit among those of its item is the number of smaller ones. A lane takes an item with few hits, eight lanes one
-// with more, and the warp together one with many.
+// with more, and the warp one with many.
 __device__ void place_each(const hit_order &o, std::size_t item, std::uint32_t begin, std::uint32_t end, unsigned first,
                            unsigned step) {
   for (std::uint32_t i = begin + first; i < end; i += step) {
@@ -91,25 +91,48 @@ __device__ void place_each(const hit_order &o, std::size_t item, std::uint32_t b
     o.sorted[at] = {static_cast<std::uint32_t>(item), b};
   }
 }
-template <class Start> __device__ void place_hits(const hit_order &o, Start &&start) {
+// The same of up to 32 hits of an item, by eight lanes of which each keeps four; a lane of another eight has another item.
+__device__ void place_by_eight(const hit_order &o, std::size_t item, std::uint32_t begin, std::uint32_t hits) {
+  constexpr unsigned each = 4, eight = 8;
+  constexpr std::uint32_t none = ~std::uint32_t{0}; // above any element's number
+  const unsigned lane = threadIdx.x % 32, within = lane % eight;
+  std::uint32_t mine[each], before[each] = {0, 0, 0, 0};
+#pragma unroll
+  for (unsigned k = 0; k < each; ++k)
+    mine[k] = within + k * eight < hits ? o.others[begin + within + k * eight] : none;
+#pragma unroll
+  for (unsigned k = 0; k < each; ++k)
+    if (__any_sync(~0U, k * eight < hits))
+#pragma unroll
+      for (unsigned l = 0; l < eight; ++l) {
+        const std::uint32_t other = __shfl_sync(~0U, mine[k], lane - within + l);
+#pragma unroll
+        for (unsigned m = 0; m < each; ++m)
+          before[m] += other < mine[m];
+      }
+#pragma unroll
+  for (unsigned k = 0; k < each; ++k)
+    if (within + k * eight < hits)
+      o.sorted[begin + before[k]] = {static_cast<std::uint32_t>(item), mine[k]};
+}
+__device__ void place_hits(const hit_order &o) {
   constexpr std::uint32_t few = 4, many = 32;
   constexpr unsigned together = 8;
   const unsigned lane = threadIdx.x % 32;
   for (std::size_t first = cuda::grid_thread() - lane; first < o.items_a; first += cuda::grid_threads()) {
     const std::size_t item = first + lane;
     const bool there = item < o.items_a;
-    const std::uint32_t begin = there ? start(item) : 0, end = there ? start(item + 1) : 0;
+    const std::uint32_t begin = there ? o.starts[item] : 0, end = there ? o.starts[item + 1] : 0;
     const bool crowded = end - begin > most_of_one;
     if (crowded)
       atomicMax(o.longest, static_cast<unsigned long long>(end - begin));
     else if (end - begin <= few)
       place_each(o, item, begin, end, 0, 1);
     const unsigned more = __ballot_sync(~0U, end - begin > few && end - begin <= many);
-    for (unsigned round = 0; more && round < together; ++round) {
+    for (unsigned round = 0; round < together && more >> round * (32 / together) != 0; ++round) {
       const unsigned of = round * (32 / together) + lane / together;
       const std::uint32_t from = __shfl_sync(~0U, begin, of), to = __shfl_sync(~0U, end, of);
-      if (more >> of & 1)
-        place_each(o, first + of, from, to, lane % together, together);
+      place_by_eight(o, first + of, from, more >> of & 1 ? to - from : 0);
     }
     for (unsigned left = __ballot_sync(~0U, !crowded && end - begin > many); left; left &= left - 1) {
       const unsigned of = __ffs(left) - 1;
@@ -177,25 +200,29 @@ __device__ void rank_hits(const hit_order &o, unsigned n) {
 }
 
 // Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
+// `sorted` holds what they are hits of until then.
 constexpr unsigned order_threads = 1024;
-__global__ void __launch_bounds__(order_threads, 2)
-    order_kernel(const __grid_constant__ hit_order o, std::uint32_t *totals) {
+static_assert(order_threads <= most_order_blocks);
+__global__ void __launch_bounds__(order_threads, 2) order_kernel(const __grid_constant__ hit_order o) {
   if (const unsigned long long n = *o.count; n <= cuda::grid_threads() / 32 && n <= o.capacity) {
     rank_hits(o, static_cast<unsigned>(n));
     return;
   }
-  __shared__ unsigned room[order_threads / 32], starts[order_threads];
-  const cuda::running_sums counts{o.starts, o.items_a + 1, totals};
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
+  __shared__ unsigned room[order_threads / 32];
+  each_hit(o, [&](unsigned long long i) {
+    const index_pair hit{o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
+    o.sorted[i] = hit;
+    o.ranks[i] = atomicAdd(o.starts + hit.a, 1);
+  });
   cuda::meet_grid();
-  counts.sum_chunk<order_threads>(room);
+  cuda::running_sums{o.starts, o.items_a + 1, o.totals, blockIdx.x, gridDim.x}.sum<order_threads>(room);
   cuda::meet_grid();
-  counts.sum_totals<order_threads>(room, starts);
-  const unsigned shift = counts.shift();
-  const auto start = [&](std::size_t item) { return counts.at(starts, shift, static_cast<std::uint32_t>(item)); };
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[start(a) + o.ranks[i]] = b; });
+  each_hit(o, [&](unsigned long long i) {
+    const index_pair hit = o.sorted[i];
+    o.others[o.starts[hit.a] + o.ranks[i]] = hit.b;
+  });
   cuda::meet_grid();
-  place_hits(o, start);
+  place_hits(o);
 }
 
 // Adds 1 to the counter `at`, once for all lanes with the same one.
@@ -249,13 +276,10 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
   return cuda::launch<tally_kernel>(blocks_for(t.n), threads, stream, t);
 }
 
-cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream) {
-  bytes = order_threads * sizeof(std::uint32_t); // a total for each block
-  if (!space)
-    return cudaSuccess;
+cudaError_t order_hits(const hit_order &o, cudaStream_t stream) {
   // Few blocks meet sooner; many items mostly have many hits.
   const unsigned blocks = std::max(128U, o.items_a / order_threads);
-  return cuda::launch_together<order_kernel, order_threads>(blocks, stream, o, static_cast<std::uint32_t *>(space));
+  return cuda::launch_together<order_kernel, order_threads>(blocks, stream, o);
 }
 
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream) {

@@ -32,15 +32,15 @@ struct hit_order {
   const std::uint32_t *order_a, *order_b;
   std::uint32_t items_a;
   std::uint32_t *starts;         // items_a + 1 numbers, all 0 at first
+  unsigned long long *totals;    // most_order_blocks, likewise
   std::uint32_t *ranks, *others; // room for `capacity` each, one behind the other; ranks is a multiple of 8 bytes
   index_pair *sorted;            // likewise
   // 0 at first. Where an item of A has more than most_of_one hits, it becomes their number, and `sorted` means nothing.
   unsigned long long *longest;
 };
-inline constexpr unsigned most_of_one = 1024;
-// With `space` null it only sets `bytes`.
-cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t stream);
-// The same of few hits, in one step; `starts`, `ranks` and `others` are not used. Where there are more, *longest becomes their
+inline constexpr unsigned most_of_one = 1024, most_order_blocks = 1024;
+cudaError_t order_hits(const hit_order &o, cudaStream_t stream);
+// The same of few hits, in one step; `starts`, `totals`, `ranks` and `others` are not used. Where there are more, *longest becomes their
 // number, and `sorted` means nothing.
 inline constexpr unsigned most_of_few = 2048;
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream);

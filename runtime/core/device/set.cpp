@@ -44,6 +44,10 @@ bool are_packed_rows(const cuda::view &v, const pose &at, std::size_t row_bytes)
 
 } // namespace
 
+bool can_arrange(const cuda::kind_launchers &kind, std::uint32_t elements) {
+  return kind.arrange && elements > 0 && elements <= cuda::most_to_arrange;
+}
+
 void require_movable(const kind_info &kind, const pose &at) {
   require_pose(kind, at);
   if (!(at.length_scale >= 0))
@@ -65,9 +69,7 @@ device_set::device_set(device &on, const prepared &set) : device_set(on, set.kin
   take_room_for_tree();
 }
 
-device_set::device_set(device &on, const kind_info &kind) : device_set(on, kind, 0, 0) {
-  found_.reserve(1, "what a set's order is");
-}
+device_set::device_set(device &on, const kind_info &kind) : device_set(on, kind, 0, 0) {}
 
 // Most queries want the hierarchy, and to wait for memory takes longer than to make that of a small set.
 void device_set::take_room_for_tree() {
@@ -109,103 +111,109 @@ void device_set::upload(const prepared &set) {
 // Returns false where the set is for the host to order.
 bool device_set::make(const given_set &elements) {
   const cudaStream_t stream = on_->stream();
+  device_buffers &buffers = on_->buffers();
   if (!take_room())
     return false; // a set that is ordered needs a third of it
-  bool ran = arrange(elements.there(), elements.at(), 1, {}, stream);
+  device_memory<cuda::order_findings> there;
+  there.reserve(1, "what a set's order is");
   cuda::order_findings found{};
-  if (ran)
-    found = ordered();
+  const auto timed = [&](auto &&enqueue) {
+    check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
+    if (!enqueue())
+      return false;
+    check(cudaEventRecord(buffers.events[1], stream), "stopping a clock");
+    check(cudaMemcpyAsync(&found, there.data(), sizeof found, cudaMemcpyDeviceToHost, stream), "ordering a set");
+    check(cudaStreamSynchronize(stream), "ordering a set");
+    ordered_seconds_ += buffers.between();
+    return true;
+  };
+  const std::optional<cuda::arrange_job> job =
+      plan({elements.there(), elements.at(), elements_, 1, there.data(), {}}, stream);
+  bool ran = job && timed([&] {
+               check(launchers_->arrange(&*job, 1, stream), "starting a kernel");
+               return true;
+             });
   // What arrange() has found crowded is so for a sort by the same cells.
   bool sorts = !ran || found.longest > 0;
   for (int bits = first_bits(elements.there()); sorts && bits <= bits_of_cell;
        bits += bits_of_cell - coarse_bits_of_cell) {
-    ran = sort(elements.there(), elements.at(), bits, stream);
-    if (ran)
-      found = ordered();
+    ran = timed([&] { return sort(elements.there(), elements.at(), bits, there.data(), stream); });
     sorts = ran && found.crowded > elements_ / 8;
   }
-  space_.release(), found_.release();
+  space_.release(), counted_.release();
   if (ran && found.bad != ~0ULL)
     elements.refuse();
   return ran && is_order(found, elements_);
 }
 
-// Returns false where there is too little memory, as arrange() and sort() do.
+// Returns false where there is too little memory, as sort() does.
 bool device_set::take_room() {
   const cudaStream_t stream = on_->stream();
   return rows_.grow(elements_ * static_cast<std::size_t>(kind_->fields), 0, stream) &&
-         order_.grow(elements_, 0, stream) && found_.grow(1, 0, stream);
+         order_.grow(elements_, 0, stream);
 }
 
-// Where the set is ordered by itself; else a query has a clock.
-void device_set::start_clock() {
-  if (!pending_)
-    check(cudaEventRecord(on_->buffers().events[0], on_->stream()), "starting a clock");
+void device_set::order(const order_request &r, cudaStream_t stream) {
+  if (const std::optional<cuda::arrange_job> job = plan_order(r, stream))
+    check(launchers_->arrange(&*job, 1, stream), "starting a kernel");
 }
 
-// What the kernels that ordered a set have found.
-cuda::order_findings device_set::ordered() {
-  const cudaStream_t stream = on_->stream();
-  check(cudaEventRecord(on_->buffers().events[1], stream), "stopping a clock");
-  cuda::order_findings seen{};
-  check(cudaMemcpyAsync(&seen, found_.data(), sizeof seen, cudaMemcpyDeviceToHost, stream), "ordering a set");
-  check(cudaStreamSynchronize(stream), "ordering a set");
-  ordered_seconds_ += on_->buffers().between();
-  return seen;
-}
-
-void device_set::order(const cuda::view &elements, const pose &at, std::uint32_t numbers, float share,
-                       std::span<unsigned long long> cleared, cudaStream_t stream) {
-  elements_ = elements.elements, numbers_ = numbers;
-  grid_ = at.grid, moved_ = false, reaches_.reset(), pending_ = elements_ > 0;
+std::optional<cuda::arrange_job> device_set::plan_order(const order_request &r, cudaStream_t stream) {
+  elements_ = r.elements.elements, numbers_ = r.numbers;
+  grid_ = r.at.grid, moved_ = false, reaches_.reset(), found_ = elements_ > 0 ? r.found : nullptr;
   id_ = version_ = next_version();
-  if (elements_ > 0 && take_room() && arrange(elements, at, share, cleared, stream))
-    return;
-  if (!cleared.empty())
-    check(cudaMemsetAsync(cleared.data(), 0, cleared.size_bytes(), stream), "clearing counters");
-  if (elements_ > 0 && (!take_room() || !sort(elements, at, first_bits(elements), stream)))
+  const bool room = elements_ > 0 && take_room();
+  if (std::optional<cuda::arrange_job> job = room ? plan(r, stream) : std::nullopt)
+    return job;
+  if (!r.cleared.empty())
+    check(cudaMemsetAsync(r.cleared.data(), 0, r.cleared.size_bytes(), stream), "clearing counters");
+  if (elements_ > 0 && (!room || !sort(r.elements, r.at, first_bits(r.elements), r.found, stream)))
     throw device_error(
         "not enough device memory to put a set into order; the CPU decides the same pairs (--device cpu)");
+  return {};
 }
 
-// By one kernel, where there is one for so many elements.
-bool device_set::arrange(const cuda::view &there, const pose &at, float share, std::span<unsigned long long> cleared,
-                         cudaStream_t stream) {
+// The job of one kernel, where there is one for so many elements, and memory for it. Once it has run the set is in order.
+std::optional<cuda::arrange_job> device_set::plan(const order_request &r, cudaStream_t stream) {
   const std::uint32_t n = elements_;
-  if (!launchers_->arrange || n == 0 || n > cuda::most_to_arrange)
-    return false;
+  if (!can_arrange(*launchers_, n))
+    return {};
   cuda::arrange_job job{};
-  job.from = there, job.at = cuda_pose(at), job.bits = bits_of_cell, job.share = share;
-  job.cleared = cleared.data(), job.clears = static_cast<unsigned>(cleared.size());
+  job.from = r.elements, job.at = cuda_pose(r.at), job.bits = bits_of_cell, job.share = r.share;
+  job.found = r.found, job.cleared = r.cleared.data(), job.clears = r.cleared.size();
   // Cells for one or two elements each; what is left of two culled sets lies along a curve, in few of them.
-  job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)) + (there.only ? 3 : 0), 10, 20);
-  job.rows = rows_.data(), job.order = order_.data(), job.found = found_.data();
+  job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)) + (r.elements.only ? 3 : 0), 10, 20);
+  job.rows = rows_.data(), job.order = order_.data();
   const auto fields = static_cast<std::size_t>(kind_->fields);
-  const bool packed = are_packed_rows(there, at, fields * sizeof(float));
+  const bool packed = are_packed_rows(r.elements, r.at, fields * sizeof(float));
   for (const bool planned : {true, false}) {
     cuda::cutter from(space_.data(), space_.capacity());
     job.posed = packed ? nullptr : from.take<float>(n * fields);
-    job.places = from.take<std::uint32_t>(n), job.ranks = from.take<std::uint32_t>(n);
-    job.cells = from.take<std::uint32_t>(std::size_t{1} << job.cell_bits);
-    job.by_cell = from.take<std::uint64_t>(n);
-    job.parts = from.take<std::byte>(cuda::arrange_bytes);
+    job.ranks = from.take<std::uint64_t>(n), job.by_cell = from.take<std::uint64_t>(n);
     if (planned && !space_.grow(from.used(), 0, on_->stream()))
-      return false;
+      return {};
   }
+  if (const std::size_t numbers = cuda::most_blocks_to_arrange + (std::size_t{1} << job.cell_bits) / 2;
+      counted_.capacity() < numbers) {
+    if (!counted_.grow(numbers, 0, on_->stream()))
+      return {};
+    check(cudaMemsetAsync(counted_.data(), 0, numbers * sizeof(unsigned long long), stream), "ordering a set");
+  }
+  job.totals = counted_.data();
+  job.cells = reinterpret_cast<std::uint32_t *>(counted_.data() + cuda::most_blocks_to_arrange);
   version_ = next_version();
   take_room_for_tree();
   if (cuda::can_arrange_tree(kind_->fields))
     job.nodes = tree_.room(n);
   job.arrived = job.nodes ? tree_.arrived(stream) : nullptr;
-  start_clock();
-  check(launchers_->arrange(job, stream), "starting a kernel");
   if (job.nodes)
     tree_of_ = version_;
-  return true;
+  return job;
 }
 
 // By a sort of all places.
-bool device_set::sort(const cuda::view &there, const pose &at, int bits, cudaStream_t stream) {
+bool device_set::sort(const cuda::view &there, const pose &at, int bits, cuda::order_findings *found,
+                      cudaStream_t stream) {
   const std::uint32_t n = elements_;
   const auto fields = static_cast<std::size_t>(kind_->fields);
   const bool packed = are_packed_rows(there, at, fields * sizeof(float));
@@ -227,8 +235,6 @@ bool device_set::sort(const cuda::view &there, const pose &at, int bits, cudaStr
   }
   version_ = next_version();
   take_room_for_tree();
-  cuda::order_findings *const found = found_.data();
-  start_clock();
   check(cudaMemsetAsync(found, 0, sizeof *found, stream), "ordering a set");
   check(cudaMemsetAsync(around, 0, sizeof *around, stream), "ordering a set");
   if (packed) { // the places are by a box around some, and their kernel checks all

@@ -20,6 +20,9 @@ class given_set;
 // Throws std::invalid_argument where this pose does not go with this kind.
 void require_movable(const kind_info &kind, const pose &at);
 
+// Whether one kernel puts so many elements into order.
+bool can_arrange(const cuda::kind_launchers &kind, std::uint32_t elements);
+
 class device_set {
 public:
   // Throws device_error, also if the catalogue lacks the kind.
@@ -55,12 +58,21 @@ public:
   void move(const pose &at);
 
   // Becomes these elements of the caller's `numbers`, in device memory, in the pose. It only enqueues, on the stream: they are in
-  // order, and may be used for more than a walk that findings() can stop, only if findings() says so in the end. It takes this
-  // share of the device, above 0 and at most 1. Some numbers on the device become 0 on the way. Throws device_error.
-  void order(const cuda::view &elements, const pose &at, std::uint32_t numbers, float share,
-             std::span<unsigned long long> cleared, cudaStream_t stream);
-  // What order() has found, in device memory; null after any other way to make a set.
-  const cuda::order_findings *findings() const { return pending_ ? found_.data() : nullptr; }
+  // order, and may be used for more than a walk that findings() can stop, only if what it finds says so in the end. It takes this
+  // share of the device, above 0 and at most 1. `cleared` becomes 0 on the way. Throws device_error.
+  struct order_request {
+    cuda::view elements;
+    const pose &at;
+    std::uint32_t numbers;
+    float share;
+    cuda::order_findings *found; // device memory
+    std::span<unsigned long long> cleared;
+  };
+  void order(const order_request &r, cudaStream_t stream);
+  // The same, but for the last step where one kernel does it all: its job is then returned, and is for the caller to start.
+  std::optional<cuda::arrange_job> plan_order(const order_request &r, cudaStream_t stream);
+  // What order() finds, in device memory; null after any other way to make a set.
+  const cuda::order_findings *findings() const { return found_; }
 
   // The grid of its pose, or of that with which it was prepared (pose::grid).
   double grid() const { return moved_ ? moved_grid_ : grid_; }
@@ -98,11 +110,8 @@ private:
   void take_room_for_tree();
   bool make(const given_set &elements);
   bool take_room();
-  bool arrange(const cuda::view &there, const pose &at, float share, std::span<unsigned long long> cleared,
-               cudaStream_t stream);
-  bool sort(const cuda::view &there, const pose &at, int bits, cudaStream_t stream);
-  void start_clock();
-  cuda::order_findings ordered();
+  std::optional<cuda::arrange_job> plan(const order_request &r, cudaStream_t stream);
+  bool sort(const cuda::view &there, const pose &at, int bits, cuda::order_findings *found, cudaStream_t stream);
   fault fault_of(const float *there, std::size_t element) const;
 
   device *on_;
@@ -111,16 +120,17 @@ private:
   std::uint32_t elements_ = 0, numbers_ = 0;
   std::optional<std::pair<float, float>> reaches_; // of rows_, where they are known
   double grid_ = 0, moved_grid_ = 0, ordered_seconds_ = 0;
-  bool moved_ = false, pending_ = false;
+  bool moved_ = false;
   std::uint64_t id_;
   std::uint64_t version_ = 0;   // the version of rows(), different from that of any other set
   std::uint64_t around_of_ = 0; // of the version that around_ was made of
   device_memory<float> rows_, moved_rows_;
   device_memory<std::uint32_t> order_;
   device_memory<extent> around_;
-  device_memory<cuda::order_findings> found_;
-  device_memory<std::byte> space_;      // to put it into order
-  device_memory<std::byte> columns_[2]; // as Y, as X
+  const cuda::order_findings *found_ = nullptr;
+  device_memory<std::byte> space_;            // to put it into order
+  device_memory<unsigned long long> counted_; // for that too; what uses it leaves it 0
+  device_memory<std::byte> columns_[2];       // as Y, as X
   made have_[2];
   device_tree tree_;
   std::uint64_t tree_of_ = 0; // version

@@ -52,50 +52,48 @@ __device__ unsigned sum_before(unsigned mine, unsigned (&room)[Threads / 32], un
   return (warp > 0 ? warps_before : 0) + up_to - mine;
 }
 
-// n numbers that become the sums of those before each, chunk by chunk: a block a chunk, whose length is a power of two. Then
-// starts() is made, in each block, and at() gives the sums over all.
+// n numbers that become the sums of those before each, below 2^32 in all. Each of some blocks, which run at once, sums a chunk, and
+// tells the others its total. (Merrill and Garland, Single-pass parallel prefix scan with decoupled look-back, 2016; no block
+// waits for a sum that waits for another.)
 struct running_sums {
   std::uint32_t *numbers, n;
-  std::uint32_t *totals; // for each block
+  unsigned long long *totals; // for each block, all 0 at first; clear() is called once all blocks have met
+  unsigned block, blocks;     // this one, of so many, at most as many as the threads of one
 
-  // A function of the grid; the blocks are at most as many as the threads of one.
-  __device__ unsigned shift() const {
-    unsigned s = 0;
-    while ((static_cast<unsigned long long>(gridDim.x) << s) < n)
-      ++s;
-    return s;
-  }
-  template <unsigned Threads> __device__ void sum_chunk(unsigned (&room)[Threads / 32]) const {
-    const unsigned size = 1U << shift(), each = (size + Threads - 1) / Threads;
-    const unsigned long long first = static_cast<unsigned long long>(blockIdx.x) * size;
-    const auto within = [&](unsigned long long i) {
-      return static_cast<unsigned>(
-          min(first + min(i, static_cast<unsigned long long>(size)), static_cast<unsigned long long>(n)));
+  template <unsigned Threads> __device__ void sum(unsigned (&room)[Threads / 32]) const {
+    const unsigned long long chunk = (n + blocks - 1ULL) / blocks, each = (chunk + Threads - 1) / Threads;
+    const auto within = [&](unsigned long long i) { // of all numbers, the one at this place of the chunk
+      return static_cast<unsigned>(min(block * chunk + min(i, chunk), static_cast<unsigned long long>(n)));
     };
-    const unsigned from = within(static_cast<unsigned long long>(threadIdx.x) * each),
-                   to = within((threadIdx.x + 1ULL) * each);
+    const unsigned from = within(threadIdx.x * each), to = within((threadIdx.x + 1) * each);
     unsigned mine = 0;
     for (unsigned i = from; i < to; ++i)
       mine += numbers[i];
-    unsigned all = 0;
+    unsigned all = 0, start = 0;
     unsigned before = sum_before<Threads>(mine, room, all);
+    if (threadIdx.x == 0)
+      static_cast<volatile unsigned long long *>(totals)[block] = is_there | all;
+    sum_before<Threads>(threadIdx.x < block ? total_of(threadIdx.x) : 0, room, start);
+    before += start;
     for (unsigned i = from; i < to; ++i) {
       const unsigned x = numbers[i];
       numbers[i] = before;
       before += x;
     }
+  }
+  __device__ void clear() const {
     if (threadIdx.x == 0)
-      totals[blockIdx.x] = all;
+      totals[block] = 0;
   }
-  // Once the grid has met: starts[b] becomes the sum of all chunks before that of block b.
-  template <unsigned Threads>
-  __device__ void sum_totals(unsigned (&room)[Threads / 32], unsigned (&starts)[Threads]) const {
-    unsigned all = 0;
-    starts[threadIdx.x] = sum_before<Threads>(threadIdx.x < gridDim.x ? totals[threadIdx.x] : 0, room, all);
-    __syncthreads();
-  }
-  __device__ std::uint32_t at(const unsigned *starts, unsigned shift, std::uint32_t i) const {
-    return numbers[i] + starts[i >> shift];
+
+private:
+  static constexpr unsigned long long is_there = 1ULL << 63;
+
+  __device__ unsigned total_of(unsigned other) const {
+    unsigned long long total = 0;
+    while (total == 0) // the number and that it is there arrive together
+      total = static_cast<const volatile unsigned long long *>(totals)[other];
+    return static_cast<unsigned>(total);
   }
 };
 

@@ -109,7 +109,7 @@ struct query {
 struct order_findings {
   unsigned long long bad;     // as query_result::bad_a
   unsigned long long crowded; // elements before which at least tree_width others have the same place
-  unsigned long long longest; // above most_in_cell: so many share a cell, in which they lie in any order
+  unsigned long long longest; // above most_in_cell: more than that share a cell, in which they lie in any order
 };
 // Whether n elements are in an order, so that neighbours along it are near each other: an eighth of them may be crowded.
 MEETC_HD constexpr bool is_order(const order_findings &found, std::uint32_t n) {
@@ -126,7 +126,7 @@ MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
 MEETC_HD constexpr bool can_arrange_tree(int fields) {
   return threads_to_arrange(fields) == tree_width * tree_width;
 }
-inline constexpr std::uint32_t most_to_arrange = 1U << 19, most_in_cell = 4096;
+inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 4096;
 // Elements that are moved and put into the order of their places, those with one place in that of their numbers. A cell is
 // what the first bits of a place name.
 struct arrange_job {
@@ -135,19 +135,18 @@ struct arrange_job {
   int bits, cell_bits; // of a cell along an axis, as places() has them; and of those 3 bits the first, at most all
   float share;         // it takes this part of the device, so that others run beside it; above 0, at most 1
   float *posed; // room for the rows in the caller's order; null: they stand so in `from`, packed and in this pose
-  std::uint32_t *places, *ranks; // room for a number each
-  std::uint32_t *cells;          // room for 2^cell_bits
-  std::uint64_t *by_cell;        // room for a number each
-  void *parts;                   // room for arrange_bytes
-  float *rows;                   // the rows become these,
-  std::uint32_t *order;          // of these elements
+  std::uint64_t *ranks, *by_cell; // room for a number each
+  unsigned long long *totals;     // most_blocks_to_arrange, all 0 before and after
+  std::uint32_t *cells;           // 2^cell_bits, likewise
+  float *rows;                    // the rows become these,
+  std::uint32_t *order;           // of these elements
   order_findings *found;
   tree_node *nodes; // as by boxes(); null: no tree is made
   unsigned *arrived;
   unsigned long long *cleared = nullptr; // so many numbers become 0, which saves a step of its own
-  unsigned clears = 0;
+  std::size_t clears = 0;
 };
-inline constexpr std::size_t arrange_bytes = std::size_t{64} << 10;
+inline constexpr unsigned most_blocks_to_arrange = 1024;
 
 // Rows that are put into an order that is known, with the two lowest levels of their tree.
 struct gather_job {
@@ -211,9 +210,9 @@ struct kind_launchers {
   // after.
   cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, unsigned *arrived,
                        cudaStream_t stream);
-  // pose() and places() at once, the order, and where can_arrange_tree() the tree as well, of 1 to most_to_arrange elements. Null:
-  // not generated.
-  cudaError_t (*arrange)(const arrange_job &job, cudaStream_t stream) = nullptr;
+  // pose() and places() at once, the order, and where can_arrange_tree() the tree as well, of 1 to most_to_arrange elements; of one
+  // set, or of two beside each other. `jobs` is host memory. Null: not generated.
+  cudaError_t (*arrange)(const arrange_job *jobs, int count, cudaStream_t stream) = nullptr;
   // Widens *around by the boxes of the elements. Null, as sift(): not generated.
   cudaError_t (*surround)(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) = nullptr;
   cudaError_t (*sift)(const sift_job &job, cudaStream_t stream) = nullptr;

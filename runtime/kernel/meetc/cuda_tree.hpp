@@ -56,6 +56,38 @@ cudaError_t places(const float *rows, std::uint32_t n, const joined_box *around,
   return launch<places_kernel<Shape>>(blocks, tree_threads, stream, rows, n, around, bits, places, numbers, bad);
 }
 
+// A warp makes a node of level 0, to which each lane brings a box, and returns the box around it.
+__device__ inline tree_box put_leaf(tree_node *nodes, const tree_shape &shape, std::uint32_t node, const tree_box &b) {
+  if (node < shape.count[0])
+    put_box(nodes[node], threadIdx.x % tree_width, b);
+  return around_warp(b);
+}
+
+// A warp brings the first rows, of which each lane names one, up to 32, to where they belong, one after another, and to its
+// shared memory `of_warp`, which rows of four have aligned.
+template <unsigned Fields>
+__device__ void bring_rows(const float *rows, std::uint32_t from, unsigned here, float *of_warp, float *to) {
+  const unsigned lane = threadIdx.x % 32;
+  const auto in_fours = [](const float *p) { return reinterpret_cast<std::uintptr_t>(p) % 16 == 0; };
+  if (Fields == 4 && in_fours(rows) && in_fours(to)) {
+    if (lane < here) {
+      const float4 row = reinterpret_cast<const float4 *>(rows)[from];
+      reinterpret_cast<float4 *>(of_warp)[lane] = row;
+      reinterpret_cast<float4 *>(to)[lane] = row;
+    }
+  } else {
+    for (unsigned first = 0; first < here * Fields; first += 32) {
+      const unsigned k = first + lane, row = k / Fields;
+      const std::uint32_t of = __shfl_sync(~0U, from, row % 32);
+      if (k < here * Fields) {
+        const float x = rows[std::size_t{of} * Fields + (k - row * Fields)];
+        of_warp[k] = x, to[k] = x;
+      }
+    }
+  }
+  __syncwarp();
+}
+
 // A warp takes the rows of a node of level 0, and brings them to their places in one piece.
 template <class Shape>
 __global__ void __launch_bounds__(tree_threads)
@@ -75,33 +107,15 @@ __global__ void __launch_bounds__(tree_threads)
     atomicAdd(job.crowded, static_cast<unsigned long long>(__popc(crowded)));
   if (there && job.names)
     job.slots[at] = job.names[from];
-  if (base < n) {
-    const unsigned here = n - base < width ? static_cast<unsigned>(n - base) : width;
-    if (fields == 4 && reinterpret_cast<std::uintptr_t>(job.from) % 16 == 0) {
-      const float4 row = reinterpret_cast<const float4 *>(job.from)[from];
-      reinterpret_cast<float4 *>(of_warp)[lane % (fields * width / 4)] = row;
-      if (there)
-        reinterpret_cast<float4 *>(job.rows)[at] = row;
-    } else {
-      for (unsigned first = 0; first < here * fields; first += width) {
-        const unsigned k = first + lane, row = k / fields;
-        const std::uint32_t of = __shfl_sync(~0U, from, row % width);
-        if (k < here * fields) {
-          const float x = job.from[std::size_t{of} * fields + (k - row * fields)];
-          of_warp[k] = x, job.rows[base * fields + k] = x;
-        }
-      }
-    }
-  }
+  if (base < n)
+    bring_rows<fields>(job.from, from, n - base < width ? static_cast<unsigned>(n - base) : width, of_warp,
+                       job.rows + base * fields);
   if (!job.nodes)
     return;
-  __syncwarp();
   tree_box b;
   if (there)
     b = box_of_row<Shape>(of_warp + lane * fields);
-  if (node < shape.count[0])
-    put_box(job.nodes[node], lane, b);
-  b = around_warp(b);
+  b = put_leaf(job.nodes, shape, node, b);
   if (lane == 0)
     put_box(job.nodes[shape.first[1] + node / width], node % width, b);
 }
@@ -157,28 +171,15 @@ __device__ inline void put_root(tree_node *nodes, const tree_shape &shape, unsig
     put_box(nodes[shape.first[below + 1]], node, all);
 }
 
-// A warp makes a node of level 0, and returns the box around it.
+// A warp makes a node of level 0 of rows, and returns the box around it.
 template <class Shape>
 __device__ tree_box put_elements(const float *rows, unsigned n, tree_node *nodes, const tree_shape &shape,
                                  unsigned node) {
-  const unsigned lane = threadIdx.x % tree_width;
-  const std::size_t at = std::size_t{node} * tree_width + lane;
+  const std::size_t at = std::size_t{node} * tree_width + threadIdx.x % tree_width;
   tree_box b;
   if (at < n)
     b = box_of_row<Shape>(rows + at * std::size_t{Shape::fields});
-  if (node < shape.count[0])
-    put_box(nodes[node], lane, b);
-  return around_warp(b);
-}
-// A small tree, by blocks of node_threads.
-template <class Shape>
-__device__ void put_tree(const float *rows, unsigned n, tree_node *nodes, const tree_shape &shape, unsigned *arrived) {
-  const unsigned all = nodes_above(shape, 1);
-  for (unsigned node = blockIdx.x; node < all; node += gridDim.x)
-    put_above(nodes, shape, 1, node,
-              put_elements<Shape>(rows, n, nodes, shape, node * tree_width + threadIdx.x / tree_width));
-  if (shape.depth == 4)
-    put_root(nodes, shape, gridDim.x, arrived);
+  return put_leaf(nodes, shape, node, b);
 }
 
 template <class Shape>
@@ -186,7 +187,11 @@ __global__ void __launch_bounds__(node_threads)
     small_tree_kernel(const float *rows, unsigned n, tree_node *nodes, const __grid_constant__ tree_shape shape,
                       unsigned *arrived) {
   begin();
-  put_tree<Shape>(rows, n, nodes, shape, arrived);
+  const unsigned node = blockIdx.x;
+  put_above(nodes, shape, 1, node,
+            put_elements<Shape>(rows, n, nodes, shape, node * tree_width + threadIdx.x / tree_width));
+  if (shape.depth == 4)
+    put_root(nodes, shape, gridDim.x, arrived);
 }
 // A warp makes a node of level 0, and its box in level 1.
 template <class Shape>

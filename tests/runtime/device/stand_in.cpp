@@ -154,45 +154,54 @@ template <class Shape> cudaError_t gather(const cuda::gather_job &job, cudaStrea
   return cudaSuccess;
 }
 // As on the device: by cells, in which elements lie in any order at first; here the last comes first.
-template <class Shape> cudaError_t arrange(const cuda::arrange_job &job, cudaStream_t stream) {
-  const std::uint32_t n = job.from.elements, last = (1U << job.cell_bits) - 1;
-  if (n == 0 || n > cuda::most_to_arrange || job.cell_bits > 3 * job.bits)
+template <class Shape> cudaError_t arrange_one(const cuda::arrange_job &job, cudaStream_t stream) {
+  const std::uint32_t n = job.from.elements, all = 1U << job.cell_bits;
+  const auto is_set = [](auto number) { return number != 0; };
+  if (n == 0 || n > cuda::most_to_arrange || job.cell_bits > 3 * job.bits ||
+      std::any_of(job.cells, job.cells + all, is_set) ||
+      std::any_of(job.totals, job.totals + cuda::most_blocks_to_arrange, is_set))
     return cudaErrorInvalidValue;
   cuda::joined_box around{};
-  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, job.posed ? &around : nullptr, stream);
-  const float *const posed = job.posed ? job.posed : job.from.data;
   const cuda::sample some(n);
-  for (std::uint32_t i = some.first; !job.posed && i < n; i += some.step)
-    join(around, cuda::box_of_row<Shape>(posed + i * std::size_t{Shape::fields}));
-  places<Shape>(posed, n, &around, job.bits, job.places, job.ranks, nullptr, stream);
+  for (std::uint32_t i = some.first; i < n; i += some.step) {
+    float row[Shape::fields];
+    posed_element<Shape>(job.from, job.at, number_in(job.from, i), row);
+    join(around, cuda::box_of_row<Shape>(row));
+  }
+  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, nullptr, stream);
+  const float *const posed = job.posed ? job.posed : job.from.data;
+  std::vector<std::uint32_t> places_of(n), numbers(n);
+  places<Shape>(posed, n, &around, job.bits, places_of.data(), numbers.data(), nullptr, stream);
   const auto cell = [&](std::uint64_t element) { return cuda::cell_of(element, 3 * job.bits, job.cell_bits); };
-  std::fill_n(job.cells, last + 1, 0U);
   for (std::uint32_t i = n; i-- > 0;)
-    job.ranks[i] = job.cells[cell(cuda::in_order(job.places[i], i))]++;
-  std::exclusive_scan(job.cells, job.cells + last + 1, job.cells, 0U);
+    job.ranks[i] = job.cells[cell(cuda::in_order(places_of[i], i))]++;
+  std::exclusive_scan(job.cells, job.cells + all, job.cells, 0U);
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint64_t element = cuda::in_order(job.places[i], i);
+    const std::uint64_t element = cuda::in_order(places_of[i], i);
     job.by_cell[job.cells[cell(element)] + job.ranks[i]] = element;
   }
+  std::fill_n(job.cells, all, 0U);
   job.found->crowded = job.found->longest = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint64_t element = job.by_cell[i];
-    const std::uint32_t of = cell(element), begin = job.cells[of], end = of < last ? job.cells[of + 1] : n;
-    std::uint32_t to = i;
-    if (end - begin > cuda::most_in_cell) {
-      job.found->longest = std::max<unsigned long long>(job.found->longest, end - begin);
-    } else {
-      const cuda::before_in_cell before(job.by_cell, begin, end, element);
-      job.found->crowded += before.alike >= cuda::tree_width;
-      to = begin + before.all;
-    }
-    const auto from = static_cast<std::uint32_t>(element);
-    job.order[to] = number_in(job.from, from);
-    std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields, job.rows + to * std::size_t{Shape::fields});
+    const cuda::place_in_order to([&](std::uint32_t k) { return job.by_cell[k]; }, cell, n, i, cuda::most_in_cell);
+    if (to.end - to.begin > cuda::most_in_cell)
+      job.found->longest = std::max<unsigned long long>(job.found->longest, to.end - to.begin);
+    job.found->crowded += to.crowded;
+    const auto from = static_cast<std::uint32_t>(job.by_cell[i]);
+    job.order[to.slot] = number_in(job.from, from);
+    std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields,
+                job.rows + to.slot * std::size_t{Shape::fields});
   }
   std::fill_n(job.cleared, job.clears, 0ULL);
   return job.nodes ? boxes<Shape>(job.rows, n, job.nodes, job.arrived, stream) : cudaSuccess;
 }
+template <class Shape> cudaError_t arrange(const cuda::arrange_job *jobs, int count, cudaStream_t stream) {
+  cudaError_t e = count == 1 || count == 2 ? cudaSuccess : cudaErrorInvalidValue;
+  for (int k = 0; k < count && e == cudaSuccess; ++k)
+    e = arrange_one<Shape>(jobs[k], stream);
+  return e;
+}
+
 void append(const pair_list &to, index_pair p) {
   if (*to.count < to.capacity)
     to.pairs[*to.count] = p;

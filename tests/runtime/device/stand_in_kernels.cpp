@@ -97,12 +97,13 @@ cudaError_t tally(const hit_tally &t, cudaStream_t) {
   return cudaSuccess;
 }
 
-cudaError_t order_hits(void *space, std::size_t &bytes, const hit_order &o, cudaStream_t) {
-  bytes = 1;
-  if (!space)
-    return cudaSuccess;
-  if (std::any_of(o.starts, o.starts + o.items_a + 1, [](std::uint32_t start) { return start != 0; }))
+cudaError_t order_hits(const hit_order &o, cudaStream_t) {
+  const auto is_set = [](auto number) { return number != 0; };
+  if (std::any_of(o.starts, o.starts + o.items_a + 1, is_set) ||
+      std::any_of(o.totals, o.totals + most_order_blocks, is_set))
     return cudaErrorInvalidValue;
+  std::fill_n(o.starts, o.items_a + 1, 1U); // they are used up
+  std::fill_n(o.totals, most_order_blocks, 1ULL);
   const std::size_t n = std::min(*o.count, o.capacity);
   for (std::size_t i = 0; i < n; ++i)
     o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
