@@ -77,7 +77,7 @@ __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned 
 template <class Each> __device__ void each_hit(const hit_order &o, Each &&each) {
   const unsigned long long n = *o.count < o.capacity ? *o.count : o.capacity;
   for (unsigned long long i = cuda::grid_thread(); i < n; i += cuda::grid_threads())
-    each(i);
+    each(i, o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]);
 }
 // The place of a hit among those of its item is the number of smaller ones. A lane takes an item with few hits, eight lanes one
 // with more, and the warp one with many.
@@ -200,7 +200,6 @@ __device__ void rank_hits(const hit_order &o, unsigned n) {
 }
 
 // Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
-// `sorted` holds what they are hits of until then.
 constexpr unsigned order_threads = 1024;
 static_assert(order_threads <= most_order_blocks);
 __global__ void __launch_bounds__(order_threads, 2) order_kernel(const __grid_constant__ hit_order o) {
@@ -209,18 +208,11 @@ __global__ void __launch_bounds__(order_threads, 2) order_kernel(const __grid_co
     return;
   }
   __shared__ unsigned room[order_threads / 32];
-  each_hit(o, [&](unsigned long long i) {
-    const index_pair hit{o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
-    o.sorted[i] = hit;
-    o.ranks[i] = atomicAdd(o.starts + hit.a, 1);
-  });
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
   cuda::meet_grid();
   cuda::running_sums{o.starts, o.items_a + 1, o.totals, blockIdx.x, gridDim.x}.sum<order_threads>(room);
   cuda::meet_grid();
-  each_hit(o, [&](unsigned long long i) {
-    const index_pair hit = o.sorted[i];
-    o.others[o.starts[hit.a] + o.ranks[i]] = hit.b;
-  });
+  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[o.starts[a] + o.ranks[i]] = b; });
   cuda::meet_grid();
   place_hits(o);
 }

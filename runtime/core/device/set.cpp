@@ -189,6 +189,7 @@ std::optional<cuda::arrange_job> device_set::plan(const order_request &r, cudaSt
   for (const bool planned : {true, false}) {
     cuda::cutter from(space_.data(), space_.capacity());
     job.posed = packed ? nullptr : from.take<float>(n * fields);
+    job.boxes = packed ? nullptr : from.take<cuda::tree_box>(cuda::most_blocks_to_arrange);
     job.ranks = from.take<std::uint64_t>(n), job.by_cell = from.take<std::uint64_t>(n);
     if (planned && !space_.grow(from.used(), 0, on_->stream()))
       return {};

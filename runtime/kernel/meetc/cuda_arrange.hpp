@@ -23,16 +23,11 @@ struct arrange_jobs {
   unsigned first_blocks;
 };
 
-// Of a block. Elements are no longer looked at when rows are.
+// Of a block.
 template <unsigned Threads, unsigned Fields> struct arrange_room {
-  union {
-    alignas(16) float rows[Threads / 32][32 * Fields];
-    std::uint64_t elements[Threads];
-  };
-  std::uint32_t slots[Threads];
+  float rows[Threads / 32][32 * Fields];
   unsigned sums[Threads / 32];
   unsigned long long bad, crowded, longest;
-  std::uint32_t begin, end; // of the cells that reach into a tile
   hilbert_cells cells;
   shared_steps steps;
 };
@@ -44,28 +39,66 @@ public:
   using room = arrange_room<threads, fields>;
 
   __device__ arranging(const arrange_job &job, const tree_shape &shape, unsigned block, unsigned blocks, room &r)
-      : job_(job), shape_(shape), room_(r), n_(job.from.elements), block_(block), blocks_(blocks),
-        step_(blocks * threads),
+      : job_(job), shape_(shape), room_(r), posed_(job.posed ? job.posed : job.from.data), n_(job.from.elements),
+        block_(block), blocks_(blocks), step_(blocks * threads),
         // Warps that follow one another are in different blocks, so that few elements have many multiprocessors.
         first_((threadIdx.x / 32 * blocks + block) * 32) {}
 
-  // Places, and how many elements each cell has.
-  __device__ void count() {
-    start();
+  // Makes ready, and writes the rows unless they stand so already. Then its box is around all rows of the block.
+  __device__ void start() {
+    room_.steps.template fill<threads>();
+    for (std::size_t i = block_ * threads + threadIdx.x; i < job_.clears; i += step_)
+      job_.cleared[i] = 0;
+    if (threadIdx.x == 0) {
+      room_.bad = ~0ULL, room_.crowded = 0, room_.longest = 0;
+      if (block_ == 0)
+        *job_.found = {~0ULL, 0, 0};
+    }
+    __syncthreads();
+    if (!job_.posed)
+      return;
+    tree_box mine; // empty
     for (std::uint32_t base = first_; base < n_;
          base += step_) { // a warp stays whole, since it writes its rows together
-      const std::uint32_t i = base + lane_;
-      if (i < n_) {
+      if (base + lane_ < n_) {
         float row[fields];
-        if (!posed_element<Shape>(job_.from, job_.at, i, row))
-          atomicMin(&room_.bad, static_cast<unsigned long long>(number_in(job_.from, i)) << 32 | i);
-        const std::uint32_t place = room_.cells.place_of(box_of_row<Shape>(row), room_.steps.table());
-        job_.ranks[i] = in_order(place, atomicAdd(job_.cells + cell(in_order(place, i)), 1U));
-        for (unsigned f = 0; job_.posed && f < fields; ++f)
+        check_row(base + lane_, row);
+        mine.widen(box_of_row<Shape>(row));
+        for (unsigned f = 0; f < fields; ++f)
           of_warp()[lane_ * fields + f] = row[f];
       }
+      write_rows<Shape::fields>(of_warp(), n_ - base, job_.posed + base * std::size_t{fields});
+    }
+    mine = around_block<threads>(mine);
+    if (threadIdx.x == 0)
+      job_.boxes[block_] = mine;
+  }
+
+  // Places, by a box around all rows that were written, or around some of those that stand already, and how many elements each
+  // cell has.
+  __device__ void count() {
+    tree_box around; // empty
+    if (job_.posed) {
+      if (threadIdx.x < blocks_)
+        around = job_.boxes[threadIdx.x];
+    } else {
+      const sample some(n_);
+      for (std::uint32_t i = some.first + threadIdx.x * some.step; i < n_; i += threads * some.step)
+        around.widen(box_of_row<Shape>(posed_ + i * std::size_t{fields}));
+    }
+    around = around_block<threads>(around);
+    if (threadIdx.x == 0)
+      room_.cells = hilbert_cells(around, job_.bits);
+    __syncthreads();
+    for (std::uint32_t i = first_ + lane_; i < n_; i += step_) {
+      float row[fields];
       if (job_.posed)
-        write_rows<Shape::fields>(of_warp(), n_ - base, job_.posed + base * std::size_t{fields});
+        for (unsigned f = 0; f < fields; ++f)
+          row[f] = posed_[i * std::size_t{fields} + f];
+      else
+        check_row(i, row);
+      const std::uint32_t place = room_.cells.place_of(box_of_row<Shape>(row), room_.steps.table());
+      job_.ranks[i] = in_order(place, atomicAdd(job_.cells + cell(in_order(place, i)), 1U));
     }
   }
 
@@ -80,27 +113,31 @@ public:
     }
   }
 
-  // Elements in their order, and the tree. A block takes as many slots at once as it has threads, which are a node of level 1.
+  // Elements in their order. A warp copies the rows of its elements together.
   __device__ void put() {
-    for (std::size_t c = block_ * threads + threadIdx.x; c < std::size_t{1} << job_.cell_bits; c += step_)
-      job_.cells[c] = 0;
-    sums().clear();
-    const bool tree = can_arrange_tree(Shape::fields) && job_.nodes;
-    const unsigned tiles = tree ? nodes_above(shape_, 1) : (n_ - 1) / threads + 1;
-    for (unsigned tile = block_; tile < tiles; tile += blocks_) {
-      const std::uint32_t first = tile * threads;
-      if (first < n_)
-        find_slots(first);
-      tree_box b;
-      if (const std::uint32_t base = first + threadIdx.x - lane_; base < n_)
-        b = bring(base);
-      if constexpr (can_arrange_tree(Shape::fields))
-        if (tree)
-          put_above(job_.nodes, shape_, 1, tile,
-                    put_leaf(job_.nodes, shape_, tile * tree_width + threadIdx.x / tree_width, b));
+    for (std::uint32_t base = first_; base < n_; base += step_) {
+      std::uint32_t from = 0, to = n_; // n: there is none
+      if (base + lane_ < n_) {
+        const std::uint64_t element = job_.by_cell[base + lane_];
+        const std::uint32_t of = cell(element), begin = job_.cells[of],
+                            end = of + 1 < 1U << job_.cell_bits ? job_.cells[of + 1] : n_;
+        from = static_cast<std::uint32_t>(element), to = base + lane_;
+        if (end - begin > most_in_cell) { // each has a slot all the same
+          atomicMax(&room_.longest, static_cast<unsigned long long>(end - begin));
+        } else {
+          const before_in_cell before(job_.by_cell, begin, end, element);
+          if (before.alike >= tree_width)
+            atomicAdd(&room_.crowded, 1ULL);
+          to = begin + before.all;
+        }
+        job_.order[to] = number_in(job_.from, from);
+      }
+      for (unsigned k = lane_; k < 32 * fields; k += 32) {
+        const std::uint32_t row_from = __shfl_sync(~0U, from, k / fields), row_to = __shfl_sync(~0U, to, k / fields);
+        if (row_to < n_)
+          job_.rows[row_to * std::size_t{fields} + k % fields] = posed_[row_from * std::size_t{fields} + k % fields];
+      }
     }
-    if (tree && shape_.depth == 4)
-      put_root(job_.nodes, shape_, blocks_, job_.arrived);
     __syncthreads();
     if (threadIdx.x == 0) {
       if (room_.bad != ~0ULL)
@@ -112,83 +149,21 @@ public:
     }
   }
 
+  // Leaves what is counted with as it was, and makes the tree.
+  __device__ void finish() {
+    for (std::size_t c = block_ * threads + threadIdx.x; c < std::size_t{1} << job_.cell_bits; c += step_)
+      job_.cells[c] = 0;
+    sums().clear();
+    if constexpr (can_arrange_tree(Shape::fields))
+      if (job_.nodes)
+        put_tree<Shape>(job_.rows, n_, job_.nodes, shape_, job_.arrived, block_, blocks_);
+  }
+
 private:
-  // Every block finds the same box by which elements get places.
-  __device__ void start() {
-    room_.steps.template fill<threads>();
-    for (std::size_t i = block_ * threads + threadIdx.x; i < job_.clears; i += step_)
-      job_.cleared[i] = 0;
-    tree_box mine; // empty
-    const sample some(n_);
-    for (std::uint32_t i = some.first + threadIdx.x * some.step; i < n_; i += threads * some.step) {
-      float row[fields];
-      posed_element<Shape>(job_.from, job_.at, i, row);
-      mine.widen(box_of_row<Shape>(row));
-    }
-    const tree_box around = around_block<threads>(mine);
-    if (threadIdx.x == 0) {
-      room_.cells = hilbert_cells(around, job_.bits);
-      room_.bad = ~0ULL, room_.crowded = 0, room_.longest = 0;
-      if (block_ == 0)
-        *job_.found = {~0ULL, 0, 0};
-    }
-    __syncthreads();
+  __device__ void check_row(std::uint32_t i, float (&row)[fields]) {
+    if (!posed_element<Shape>(job_.from, job_.at, i, row))
+      atomicMin(&room_.bad, static_cast<unsigned long long>(number_in(job_.from, i)) << 32 | i);
   }
-
-  // Which elements belong to the slots from this one on, a thread each.
-  __device__ void find_slots(std::uint32_t first) {
-    const std::uint32_t end = n_ - first < threads ? n_ : first + threads, k = first + threadIdx.x;
-    __syncthreads(); // of the slots before nobody reads any more
-    if (k < end)
-      room_.elements[threadIdx.x] = job_.by_cell[k];
-    if (threadIdx.x == 0)
-      room_.begin = first, room_.end = end;
-    __syncthreads();
-    const auto element = [&](std::uint32_t i) {
-      return i - first < end - first ? room_.elements[i - first] : job_.by_cell[i];
-    };
-    const auto place = [&](std::uint32_t i) {
-      const place_in_order of(
-          element, [&](std::uint64_t e) { return cell(e); }, n_, i, most_in_cell);
-      if (of.slot - first < end - first)
-        room_.slots[of.slot - first] = static_cast<std::uint32_t>(element(i));
-      return of;
-    };
-    if (k < end) {
-      const place_in_order mine = place(k);
-      if (mine.end - mine.begin > most_in_cell) {
-        atomicMax(&room_.longest, static_cast<unsigned long long>(mine.end - mine.begin));
-      } else {
-        if (mine.crowded)
-          atomicAdd(&room_.crowded, 1ULL);
-        if (k == first)
-          room_.begin = mine.begin;
-        if (k == end - 1)
-          room_.end = mine.end;
-      }
-    }
-    __syncthreads();
-    // Of a cell that reaches out of these slots, any element may belong here.
-    for (std::uint32_t i = room_.begin + threadIdx.x; i < first; i += threads)
-      place(i);
-    for (std::uint32_t i = end + threadIdx.x; i < room_.end; i += threads)
-      place(i);
-    __syncthreads();
-  }
-
-  // A warp brings the rows of its slots, from this one on. Returns the box of this lane's.
-  __device__ tree_box bring(std::uint32_t base) {
-    const std::uint32_t slot = base + lane_, from = slot < n_ ? room_.slots[threadIdx.x] : 0;
-    if (slot < n_)
-      job_.order[slot] = number_in(job_.from, from);
-    bring_rows<fields>(job_.posed ? job_.posed : job_.from.data, from, n_ - base < 32 ? n_ - base : 32, of_warp(),
-                       job_.rows + base * std::size_t{fields});
-    tree_box b;
-    if (slot < n_)
-      b = box_of_row<Shape>(of_warp() + lane_ * fields);
-    return b;
-  }
-
   __device__ std::uint32_t cell(std::uint64_t element) const { return cell_of(element, 3 * job_.bits, job_.cell_bits); }
   __device__ running_sums sums() const { return {job_.cells, 1U << job_.cell_bits, job_.totals, block_, blocks_}; }
   __device__ float *of_warp() const { return room_.rows[threadIdx.x / 32]; }
@@ -196,17 +171,22 @@ private:
   const arrange_job &job_;
   const tree_shape &shape_;
   room &room_;
+  const float *const posed_;
   const std::uint32_t n_;
   const unsigned block_, blocks_, step_, first_, lane_ = threadIdx.x % 32;
 };
 
 template <class Shape>
-__global__ void __launch_bounds__(arranging<Shape>::threads) arrange_kernel(const __grid_constant__ arrange_jobs jobs) {
+__global__ void __launch_bounds__(arranging<Shape>::threads, Shape::fields <= 4 ? 2 : 1)
+    arrange_kernel(const __grid_constant__ arrange_jobs jobs) {
   __shared__ typename arranging<Shape>::room room;
   const bool second = blockIdx.x >= jobs.first_blocks;
   const unsigned before = second ? jobs.first_blocks : 0;
   arranging<Shape> mine(jobs.of[second], jobs.shape[second], blockIdx.x - before,
                         second ? gridDim.x - before : jobs.first_blocks, room);
+  mine.start();
+  if (jobs.of[0].posed || jobs.of[1].posed)
+    meet_grid();
   mine.count();
   meet_grid();
   mine.sum();
@@ -214,6 +194,8 @@ __global__ void __launch_bounds__(arranging<Shape>::threads) arrange_kernel(cons
   mine.scatter();
   meet_grid();
   mine.put();
+  meet_grid();
+  mine.finish();
 }
 
 template <class Shape> cudaError_t arrange(const arrange_job *jobs, int count, cudaStream_t stream) {

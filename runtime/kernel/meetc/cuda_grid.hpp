@@ -52,7 +52,7 @@ __device__ unsigned sum_before(unsigned mine, unsigned (&room)[Threads / 32], un
   return (warp > 0 ? warps_before : 0) + up_to - mine;
 }
 
-// n numbers that become the sums of those before each, below 2^32 in all. Each of some blocks, which run at once, sums a chunk, and
+// n <= 2^31 numbers that become the sums of those before each, below 2^32 in all. Each of some blocks, which run at once, sums a chunk, and
 // tells the others its total. (Merrill and Garland, Single-pass parallel prefix scan with decoupled look-back, 2016; no block
 // waits for a sum that waits for another.)
 struct running_sums {
@@ -61,10 +61,8 @@ struct running_sums {
   unsigned block, blocks;     // this one, of so many, at most as many as the threads of one
 
   template <unsigned Threads> __device__ void sum(unsigned (&room)[Threads / 32]) const {
-    const unsigned long long chunk = (n + blocks - 1ULL) / blocks, each = (chunk + Threads - 1) / Threads;
-    const auto within = [&](unsigned long long i) { // of all numbers, the one at this place of the chunk
-      return static_cast<unsigned>(min(block * chunk + min(i, chunk), static_cast<unsigned long long>(n)));
-    };
+    const unsigned chunk = n / blocks + (n % blocks != 0), each = (chunk + Threads - 1) / Threads;
+    const auto within = [&](unsigned i) { return min(block * chunk + min(i, chunk), n); }; // place i of the chunk
     const unsigned from = within(threadIdx.x * each), to = within((threadIdx.x + 1) * each);
     unsigned mine = 0;
     for (unsigned i = from; i < to; ++i)

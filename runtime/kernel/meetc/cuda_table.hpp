@@ -109,7 +109,7 @@ struct query {
 struct order_findings {
   unsigned long long bad;     // as query_result::bad_a
   unsigned long long crowded; // elements before which at least tree_width others have the same place
-  unsigned long long longest; // above most_in_cell: more than that share a cell, in which they lie in any order
+  unsigned long long longest; // above most_in_cell: so many share a cell, in which they lie in any order
 };
 // Whether n elements are in an order, so that neighbours along it are near each other: an eighth of them may be crowded.
 MEETC_HD constexpr bool is_order(const order_findings &found, std::uint32_t n) {
@@ -126,7 +126,7 @@ MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
 MEETC_HD constexpr bool can_arrange_tree(int fields) {
   return threads_to_arrange(fields) == tree_width * tree_width;
 }
-inline constexpr std::uint32_t most_to_arrange = 1U << 20, most_in_cell = 4096;
+inline constexpr std::uint32_t most_to_arrange = 1U << 19, most_in_cell = 4096;
 // Elements that are moved and put into the order of their places, those with one place in that of their numbers. A cell is
 // what the first bits of a place name.
 struct arrange_job {
@@ -138,6 +138,7 @@ struct arrange_job {
   std::uint64_t *ranks, *by_cell; // room for a number each
   unsigned long long *totals;     // most_blocks_to_arrange, all 0 before and after
   std::uint32_t *cells;           // 2^cell_bits, likewise
+  tree_box *boxes;                // room for most_blocks_to_arrange; null: nothing is to be posed
   float *rows;                    // the rows become these,
   std::uint32_t *order;           // of these elements
   order_findings *found;

@@ -182,16 +182,24 @@ __device__ tree_box put_elements(const float *rows, unsigned n, tree_node *nodes
   return put_leaf(nodes, shape, node, b);
 }
 
+// A small tree, by blocks of node_threads, of which this is one of so many.
+template <class Shape>
+__device__ void put_tree(const float *rows, unsigned n, tree_node *nodes, const tree_shape &shape, unsigned *arrived,
+                         unsigned block, unsigned blocks) {
+  const unsigned all = nodes_above(shape, 1);
+  for (unsigned node = block; node < all; node += blocks)
+    put_above(nodes, shape, 1, node,
+              put_elements<Shape>(rows, n, nodes, shape, node * tree_width + threadIdx.x / tree_width));
+  if (shape.depth == 4)
+    put_root(nodes, shape, blocks, arrived);
+}
+
 template <class Shape>
 __global__ void __launch_bounds__(node_threads)
     small_tree_kernel(const float *rows, unsigned n, tree_node *nodes, const __grid_constant__ tree_shape shape,
                       unsigned *arrived) {
   begin();
-  const unsigned node = blockIdx.x;
-  put_above(nodes, shape, 1, node,
-            put_elements<Shape>(rows, n, nodes, shape, node * tree_width + threadIdx.x / tree_width));
-  if (shape.depth == 4)
-    put_root(nodes, shape, gridDim.x, arrived);
+  put_tree<Shape>(rows, n, nodes, shape, arrived, blockIdx.x, gridDim.x);
 }
 // A warp makes a node of level 0, and its box in level 1.
 template <class Shape>

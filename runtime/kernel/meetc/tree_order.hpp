@@ -49,7 +49,7 @@ private:
   }
 };
 
-// Elements get their places by a box around every so many of them, from the first of these on. It need not be that around all:
+// Packed rows get their places by a box around every so many of them, from the first of these on. It need not be that around all:
 // a pass over all of them would take as long as the places do, and few that lie far away are then seldom among them.
 struct sample {
   std::uint32_t step, first;
@@ -73,32 +73,15 @@ MEETC_HD constexpr std::uint64_t in_order(std::uint32_t place, std::uint32_t ele
 MEETC_HD constexpr std::uint32_t cell_of(std::uint64_t element, int place_bits, int cell_bits) {
   return static_cast<std::uint32_t>(element >> (32 + place_bits - cell_bits));
 }
-// Where element k of n, which lie by their cells and in any order within these, is in the order of all. A cell is [begin, end).
-// Where it has more than `most` elements each stays where it is, and only `crowded` and that end - begin > most is said.
-struct place_in_order {
-  std::uint32_t begin, end, slot;
-  bool crowded; // at least tree_width of those before it have its place
-
-  template <class Elements, class Cell>
-  MEETC_HD place_in_order(const Elements &element, const Cell &cell, std::uint32_t n, std::uint32_t k,
-                          std::uint32_t most)
-      : begin(k), end(k + 1), slot(k), crowded(false) {
-    const std::uint64_t mine = element(k);
-    const std::uint32_t own = cell(mine);
-    std::uint32_t before = 0, alike = 0;
-    const auto joins = [&](std::uint64_t other) {
-      if (cell(other) != own)
-        return false;
-      before += other < mine;
-      alike += other < mine && other >> 32 == mine >> 32;
-      return true;
-    };
-    for (; begin > 0 && end - begin <= most && joins(element(begin - 1)); --begin) {
+// How many of the elements of its cell, [begin, end) in any order, come before this one, and how many of these have its place.
+struct before_in_cell {
+  std::uint32_t all = 0, alike = 0;
+  MEETC_HD before_in_cell(const std::uint64_t *by_cell, std::uint32_t begin, std::uint32_t end, std::uint64_t element) {
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint64_t other = by_cell[k];
+      all += other < element;
+      alike += other < element && other >> 32 == element >> 32;
     }
-    for (; end < n && end - begin <= most && joins(element(end)); ++end) {
-    }
-    if (end - begin <= most)
-      slot = begin + before, crowded = alike >= tree_width;
   }
 };
 

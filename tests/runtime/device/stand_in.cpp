@@ -162,14 +162,11 @@ template <class Shape> cudaError_t arrange_one(const cuda::arrange_job &job, cud
       std::any_of(job.totals, job.totals + cuda::most_blocks_to_arrange, is_set))
     return cudaErrorInvalidValue;
   cuda::joined_box around{};
-  const cuda::sample some(n);
-  for (std::uint32_t i = some.first; i < n; i += some.step) {
-    float row[Shape::fields];
-    posed_element<Shape>(job.from, job.at, number_in(job.from, i), row);
-    join(around, cuda::box_of_row<Shape>(row));
-  }
-  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, nullptr, stream);
+  pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, job.posed ? &around : nullptr, stream);
   const float *const posed = job.posed ? job.posed : job.from.data;
+  const cuda::sample some(n);
+  for (std::uint32_t i = some.first; !job.posed && i < n; i += some.step)
+    join(around, cuda::box_of_row<Shape>(posed + i * std::size_t{Shape::fields}));
   std::vector<std::uint32_t> places_of(n), numbers(n);
   places<Shape>(posed, n, &around, job.bits, places_of.data(), numbers.data(), nullptr, stream);
   const auto cell = [&](std::uint64_t element) { return cuda::cell_of(element, 3 * job.bits, job.cell_bits); };
@@ -180,18 +177,23 @@ template <class Shape> cudaError_t arrange_one(const cuda::arrange_job &job, cud
     const std::uint64_t element = cuda::in_order(places_of[i], i);
     job.by_cell[job.cells[cell(element)] + job.ranks[i]] = element;
   }
-  std::fill_n(job.cells, all, 0U);
   job.found->crowded = job.found->longest = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const cuda::place_in_order to([&](std::uint32_t k) { return job.by_cell[k]; }, cell, n, i, cuda::most_in_cell);
-    if (to.end - to.begin > cuda::most_in_cell)
-      job.found->longest = std::max<unsigned long long>(job.found->longest, to.end - to.begin);
-    job.found->crowded += to.crowded;
-    const auto from = static_cast<std::uint32_t>(job.by_cell[i]);
-    job.order[to.slot] = number_in(job.from, from);
-    std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields,
-                job.rows + to.slot * std::size_t{Shape::fields});
+    const std::uint64_t element = job.by_cell[i];
+    const std::uint32_t of = cell(element), begin = job.cells[of], end = of + 1 < all ? job.cells[of + 1] : n;
+    std::uint32_t to = i;
+    if (end - begin > cuda::most_in_cell) {
+      job.found->longest = std::max<unsigned long long>(job.found->longest, end - begin);
+    } else {
+      const cuda::before_in_cell before(job.by_cell, begin, end, element);
+      job.found->crowded += before.alike >= cuda::tree_width;
+      to = begin + before.all;
+    }
+    const auto from = static_cast<std::uint32_t>(element);
+    job.order[to] = number_in(job.from, from);
+    std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields, job.rows + to * std::size_t{Shape::fields});
   }
+  std::fill_n(job.cells, all, 0U);
   std::fill_n(job.cleared, job.clears, 0ULL);
   return job.nodes ? boxes<Shape>(job.rows, n, job.nodes, job.arrived, stream) : cudaSuccess;
 }
