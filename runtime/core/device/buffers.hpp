@@ -11,8 +11,7 @@
 
 namespace meetc {
 
-// What a query counts: its lists, the items of a walk that warps have taken, and the hits of the item of A that has the most,
-// if it has many.
+// What a query counts: its lists, the items of a walk that warps have taken, and whether its hits are in no order.
 enum class counter : std::uint8_t {
   candidates,
   kept,
@@ -22,7 +21,7 @@ enum class counter : std::uint8_t {
   unsure_fp64,
   unsure_fp64x2, // right after unsure_fp64, as certify_rest needs it
   taken,
-  longest
+  unordered
 };
 inline constexpr int counters = 9;
 
@@ -36,6 +35,7 @@ struct query_notes {
 struct host_notes {
   query_notes of_query;
   cull_findings culled;
+  std::uint32_t culled_there; // whether they are
 };
 
 struct device_buffers {
@@ -55,8 +55,8 @@ struct device_buffers {
 
   cuda::order_findings *found() const { return reinterpret_cast<query_notes *>(notes.data())->found; }
   unsigned long long *counts() const { return reinterpret_cast<query_notes *>(notes.data())->counts; }
-  unsigned long long *starts() const { return counts() + counters; }
-  // Room for the notes and so many numbers at starts(). Throws device_error.
+  unsigned long long *to_order() const { return counts() + counters; }
+  // Room for the notes and so many numbers at to_order(). Throws device_error.
   void take_notes(std::size_t numbers) {
     const std::size_t all = sizeof(query_notes) / sizeof(unsigned long long) + numbers;
     if (all <= notes.capacity())

@@ -179,7 +179,7 @@ private:
     capacity_ = within_options(wanted);
     if (!enlarge_lists(capacity_))
       capacity_ = within_options(first_capacity);
-    buffers_.take_notes(keep_ && !tallies_ && hits_.countable() ? hit_pairs::room_for_starts(a_.numbers()) : 0);
+    buffers_.take_notes(keep_ && !tallies_ && hits_.may_order() ? hit_pairs::room_to_order(a_.numbers()) : 0);
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
     if (stores_)
@@ -303,7 +303,7 @@ private:
   void enqueue(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
     const bool counted = orders_ && !few_;
-    const std::size_t cleared = counters + (counted ? hit_pairs::room_for_starts(a_.numbers()) : 0);
+    const std::size_t cleared = counters + (counted ? hit_pairs::room_to_order(a_.numbers()) : 0);
     if (std::exchange(cleared_, 0) < cleared)
       check(cudaMemsetAsync(buffers_.counts(), 0, cleared * sizeof(unsigned long long), stream), "clearing counters");
     cuda::pair_list hits = stores_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
@@ -317,7 +317,7 @@ private:
       decide_candidates(hits);
     }
     if (orders_)
-      hits_.order(hits, buffers_.starts(), count_only(counter::longest).count, few_);
+      hits_.order(hits, buffers_.to_order(), count_only(counter::unordered).count, few_);
   }
 
   // The steps that make hits of candidates.
@@ -355,7 +355,7 @@ private:
       k.add(m->data(), m->capacity());
     if (orders_)
       k.add(a_.order(), b_.order(), a_.numbers(), b_.numbers(), buffers_.keys.data(), buffers_.more_keys.data(),
-            buffers_.starts());
+            buffers_.to_order());
     return k;
   }
 
@@ -403,7 +403,7 @@ private:
       mark_clock();
       return;
     }
-    if (orders_ && seen(counter::longest) == 0) {
+    if (orders_ && seen(counter::unordered) == 0) {
       hits_.take_ordered(n);
       return;
     }

@@ -8,6 +8,7 @@
 #include "meetc/cull_grid.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 
 namespace meetc {
@@ -16,6 +17,18 @@ namespace {
 // A cell is a few times as wide as an element of a mesh that fills the box.
 int bits_for(std::uint32_t elements) {
   return std::clamp(static_cast<int>(std::bit_width(elements)) / 2 - 2, cuda::least_cull_bits, cuda::most_cull_bits);
+}
+
+// Waits until a report has come, or all has ended. Returns whether it has come.
+bool has_come(std::uint32_t &there, cudaStream_t stream) {
+  const std::atomic_ref<std::uint32_t> come(there);
+  for (unsigned looks = 1; come.load(std::memory_order_acquire) == 0; ++looks)
+    if (looks % 64 == 0)
+      if (const cudaError_t e = cudaStreamQuery(stream); e != cudaErrorNotReady) {
+        check(e, "culling");
+        return come.load(std::memory_order_acquire) != 0;
+      }
+  return true;
 }
 
 } // namespace
@@ -70,9 +83,15 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
   check(surround_vertices(corners, found->around, stream), "starting a kernel");
   check(find_cells(corners, found->around, job.bits, {{vertices[0], vertices[1]}}, stream), "starting a kernel");
   job.around = found->around;
+  const int last = again ? 2 : 1;
+  host_notes &seen = *buffers.seen;
+  seen.culled_there = 0;
   const auto sift = [&](int set, int pass) {
     job.from = sets[set]->there(), job.at = corners.at[set];
     job.vertices = vertices[set], job.kept = kept[pass], job.count = found->kept + pass, job.bad = found->bad + set;
+    if (pass == last)
+      job.at_end = {reinterpret_cast<const std::uint32_t *>(found), reinterpret_cast<std::uint32_t *>(&seen.culled),
+                    sizeof seen.culled / sizeof(std::uint32_t), &seen.culled_there, &found->arrived};
     check(sets[set]->launchers().sift(job, stream), "starting a kernel");
   };
   job.marks = marks[0];
@@ -83,13 +102,15 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
     job.marked = marks[1], job.marks = nullptr, job.among = kept[0], job.among_count = found->kept;
     sift(0, 2);
   }
-  cull_findings &seen = buffers.seen->culled;
-  check(cudaMemcpyAsync(&seen, found, sizeof seen, cudaMemcpyDeviceToHost, stream), "culling");
-  check(cudaStreamSynchronize(stream), "culling");
-  const int last = again ? 2 : 0;
-  out = {kept[last], kept[1], seen.kept[last], seen.kept[1], seen.bad[0] != 0, seen.bad[1] != 0};
+  if (!has_come(seen.culled_there, stream)) { // no block of the last pass has run
+    check(cudaMemcpyAsync(&seen.culled, found, sizeof seen.culled, cudaMemcpyDeviceToHost, stream), "culling");
+    check(cudaStreamSynchronize(stream), "culling");
+  }
+  const int of_first = again ? 2 : 0;
+  const cull_findings &all = seen.culled;
+  out = {kept[of_first], kept[1], all.kept[of_first], all.kept[1], found->around, all.bad[0] != 0, all.bad[1] != 0};
   if (b_first)
-    out = {out.b, out.a, out.elements_b, out.elements_a, out.bad_b, out.bad_a};
+    out = {out.b, out.a, out.elements_b, out.elements_a, out.around, out.bad_b, out.bad_a};
   return true;
 }
 

@@ -22,6 +22,7 @@ class given_set;
 struct cull_findings {
   cuda::joined_box around[2];
   unsigned kept[3]; // of set 0, of set 1, and of set 0 by the marks of set 1
+  unsigned arrived; // blocks of the last kernel
   unsigned long long bad[2];
 };
 
@@ -29,7 +30,8 @@ struct cull_findings {
 struct culled {
   const std::uint32_t *a = nullptr, *b = nullptr;
   std::uint32_t elements_a = 0, elements_b = 0;
-  bool bad_a = false, bad_b = false; // an element that is none of its kind was found, among all
+  const cuda::joined_box *around = nullptr; // of both, two boxes, likewise
+  bool bad_a = false, bad_b = false;        // an element that is none of its kind was found, among all
 };
 
 // Whether culling is expected to take less time than it saves, which depends on what kind of sets these are and how large.

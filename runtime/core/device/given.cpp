@@ -123,10 +123,11 @@ device_set &given_set::ordered() {
 
 namespace {
 
-// Puts the sets, or what is left of them, into order and makes their hierarchies, both at once. Starts the clock unless it runs.
+// Puts the sets, or what is left of them, into order and makes their hierarchies, both at once. `common` is that of
+// order_request. Starts the clock unless it runs.
 // Returns how many numbers are cleared for the query.
 std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a, const cuda::view &left_b,
-                       bool clock_runs) {
+                       const cuda::joined_box *common, bool clock_runs) {
   constexpr float least_share = 0.125F; // of the device
   device_buffers &buffers = on.buffers();
   const cudaStream_t stream = on.stream();
@@ -134,7 +135,7 @@ std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view 
                                       can_arrange(a.launchers(), left_a.elements) &&
                                       can_arrange(b.launchers(), left_b.elements);
   const float all = static_cast<float>(left_a.elements) + static_cast<float>(left_b.elements);
-  const std::size_t cleared = counters + hit_pairs::room_for_starts(a.elements());
+  const std::size_t cleared = counters + hit_pairs::room_to_order(a.elements());
   buffers.take_notes(cleared - counters);
   const auto request = [&](given_set &s, const cuda::view &left) {
     const float share = std::clamp(static_cast<float>(left.elements) / all, least_share, 1 - least_share);
@@ -144,7 +145,8 @@ std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view 
                                      s.elements(),
                                      both ? share : 1,
                                      buffers.found() + (first ? 0 : 1),
-                                     {buffers.counts(), first ? cleared : 0}};
+                                     {buffers.counts(), first ? cleared : 0},
+                                     common};
   };
   const auto start_clock = [&] {
     if (!clock_runs)
@@ -225,7 +227,10 @@ device_result collide(device &on, given_set &a, given_set &b, const predicate_in
     left_a.only = left.a, left_a.elements = some ? left.elements_a : 0;
     left_b.only = left.b, left_b.elements = some ? left.elements_b : 0;
   }
-  const std::size_t cleared = order_both(on, a, b, left_a, left_b, culls);
+  // Where little was left out, that box may be far larger than the elements, which one vertex can make it.
+  const bool few_left =
+      culls && std::uint64_t{left_a.elements} + left_b.elements < (std::uint64_t{a.elements()} + b.elements()) / 2;
+  const std::size_t cleared = order_both(on, a, b, left_a, left_b, few_left ? left.around : nullptr, culls);
   query_notes &seen = buffers.seen->of_query;
   const auto in_order = [&] {
     return (left_a.elements == 0 || is_order(seen.found[0], left_a.elements)) &&

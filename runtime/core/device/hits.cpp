@@ -10,9 +10,9 @@
 namespace meetc {
 namespace {
 
-// Beyond this many elements of A, hits are sorted faster by their keys than by counting.
-constexpr std::uint32_t most_to_count = std::uint32_t{1} << 21;
-constexpr std::size_t most_counted = 0xffffffff; // their ranks are 32 bits
+// Beyond this many elements of A, whose hits are about as many, these are sorted faster by digits.
+constexpr std::uint32_t most_to_order = std::uint32_t{1} << 21;
+constexpr std::size_t most_ordered = 0x7fffffff; // hits
 
 int bits_of_items(std::span<const std::uint32_t> owners, std::uint32_t elements) {
   return std::bit_width(!owners.empty() ? *std::max_element(owners.begin(), owners.end())
@@ -49,32 +49,31 @@ void hit_pairs::upload_owners() {
   upload(owner_b_, b_, there_b_);
 }
 
-bool hit_pairs::countable() const {
-  return !owned() && a_.numbers() <= most_to_count;
+bool hit_pairs::may_order() const {
+  return !owned() && a_.numbers() <= most_to_order;
 }
-std::size_t hit_pairs::room_for_starts(std::uint32_t elements_a) {
-  return elements_a <= most_to_count ? most_order_blocks + (std::size_t{elements_a} + 1) / 2 + 1 : 0;
+std::size_t hit_pairs::room_to_order(std::uint32_t elements_a) {
+  return elements_a <= most_to_order ? cuda::counted_to_distribute / 2 : 0;
 }
 
 bool hit_pairs::can_order(std::size_t hits) {
-  return countable() && hits <= most_counted && buffers_.keys.grow(hits, 0, on_.stream()) &&
+  return may_order() && hits <= most_ordered && buffers_.keys.grow(hits, 0, on_.stream()) &&
          buffers_.more_keys.grow(hits, 0, on_.stream());
 }
 
-void hit_pairs::order(const cuda::pair_list &hits, unsigned long long *starts, unsigned long long *longest, bool few) {
-  auto *const numbers = reinterpret_cast<std::uint32_t *>(buffers_.keys.data());
+void hit_pairs::order(const cuda::pair_list &hits, unsigned long long *counted, unsigned long long *unordered,
+                      bool few) {
   const hit_order o{hits.pairs,
                     hits.count,
                     hits.capacity,
                     a_.order(),
                     b_.order(),
                     a_.numbers(),
-                    reinterpret_cast<std::uint32_t *>(starts + most_order_blocks),
-                    starts,
-                    numbers,
-                    numbers + hits.capacity,
+                    b_.numbers(),
+                    reinterpret_cast<std::uint32_t *>(counted),
+                    buffers_.keys.data(),
                     reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
-                    longest};
+                    unordered};
   check(few ? order_few_hits(o, on_.stream()) : order_hits(o, on_.stream()), "sorting pairs");
 }
 

@@ -1,6 +1,6 @@
 // core/device/hits.hpp: what a query has found, from its kernels' list of hits to sorted pairs of items.
 //
-// The hits of a whole query are ordered by counting, which needs no number on the host, or else gathered as keys, part by
+// The hits of a whole query are put into order by one kernel, which needs no number on the host, or else gathered as keys, part by
 // part, which are sorted at the end. Where the device lacks the memory for that, the host sorts.
 #ifndef MEETC_CORE_DEVICE_HITS_HPP
 #define MEETC_CORE_DEVICE_HITS_HPP
@@ -30,16 +30,16 @@ public:
   // Of B's elements, on the device, after upload_owners(); null: there are none.
   const std::uint32_t *owners_there_b() const { return there_b_.data(); }
 
-  // Whether hits may be ordered by counting: elements are their own items, and there are not too many of A.
-  bool countable() const;
+  // Whether hits may be ordered where they are: elements are their own items, and there are not too many of A.
+  bool may_order() const;
   // Whether all hits of a query can be, of which there is room for this many.
   bool can_order(std::size_t hits);
-  // Enqueues that, after can_order(). `starts` has room_for_starts(), and `longest` is one number; all are 0 at first.
-  // Where there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or an
-  // item has too many hits, where `longest` is not 0 at the end; the hits are then to be added.
-  void order(const cuda::pair_list &hits, unsigned long long *starts, unsigned long long *longest, bool few);
-  // How many numbers it takes to order the hits of so many elements of A; 0: there are too many to order by counting.
-  static std::size_t room_for_starts(std::uint32_t elements_a);
+  // Enqueues that, after can_order(). `counted` has room_to_order(), and `unordered` is one number; all are 0 at first.
+  // Where there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or there
+  // are too many hits at all or of some items, where `unordered` is not 0 at the end; the hits are then to be added.
+  void order(const cuda::pair_list &hits, unsigned long long *counted, unsigned long long *unordered, bool few);
+  // How many numbers it takes to order the hits of so many elements of A; 0: there are too many.
+  static std::size_t room_to_order(std::uint32_t elements_a);
   // n hits were ordered.
   void take_ordered(std::size_t n) { keys_ = n, ordered_ = true; }
 

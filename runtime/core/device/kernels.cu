@@ -3,11 +3,10 @@
 #include "core/device/blocks.hpp"
 
 #include <cub/cub.cuh>
+#include <meetc/cuda_distribute.hpp>
 #include <meetc/cuda_grid.hpp>
 #include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_table.hpp>
-
-#include <algorithm>
 
 namespace meetc {
 namespace {
@@ -73,74 +72,6 @@ __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned 
   }
 }
 
-// What a thread does for each hit.
-template <class Each> __device__ void each_hit(const hit_order &o, Each &&each) {
-  const unsigned long long n = *o.count < o.capacity ? *o.count : o.capacity;
-  for (unsigned long long i = cuda::grid_thread(); i < n; i += cuda::grid_threads())
-    each(i, o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]);
-}
-// The place of a hit among those of its item is the number of smaller ones. A lane takes an item with few hits, eight lanes one
-// with more, and the warp one with many.
-__device__ void place_each(const hit_order &o, std::size_t item, std::uint32_t begin, std::uint32_t end, unsigned first,
-                           unsigned step) {
-  for (std::uint32_t i = begin + first; i < end; i += step) {
-    const std::uint32_t b = o.others[i];
-    std::uint32_t at = begin;
-    for (std::uint32_t k = begin; k < end; ++k)
-      at += o.others[k] < b;
-    o.sorted[at] = {static_cast<std::uint32_t>(item), b};
-  }
-}
-// The same of up to 32 hits of an item, by eight lanes of which each keeps four; a lane of another eight has another item.
-__device__ void place_by_eight(const hit_order &o, std::size_t item, std::uint32_t begin, std::uint32_t hits) {
-  constexpr unsigned each = 4, eight = 8;
-  constexpr std::uint32_t none = ~std::uint32_t{0}; // above any element's number
-  const unsigned lane = threadIdx.x % 32, within = lane % eight;
-  std::uint32_t mine[each], before[each] = {0, 0, 0, 0};
-#pragma unroll
-  for (unsigned k = 0; k < each; ++k)
-    mine[k] = within + k * eight < hits ? o.others[begin + within + k * eight] : none;
-#pragma unroll
-  for (unsigned k = 0; k < each; ++k)
-    if (__any_sync(~0U, k * eight < hits))
-#pragma unroll
-      for (unsigned l = 0; l < eight; ++l) {
-        const std::uint32_t other = __shfl_sync(~0U, mine[k], lane - within + l);
-#pragma unroll
-        for (unsigned m = 0; m < each; ++m)
-          before[m] += other < mine[m];
-      }
-#pragma unroll
-  for (unsigned k = 0; k < each; ++k)
-    if (within + k * eight < hits)
-      o.sorted[begin + before[k]] = {static_cast<std::uint32_t>(item), mine[k]};
-}
-__device__ void place_hits(const hit_order &o) {
-  constexpr std::uint32_t few = 4, many = 32;
-  constexpr unsigned together = 8;
-  const unsigned lane = threadIdx.x % 32;
-  for (std::size_t first = cuda::grid_thread() - lane; first < o.items_a; first += cuda::grid_threads()) {
-    const std::size_t item = first + lane;
-    const bool there = item < o.items_a;
-    const std::uint32_t begin = there ? o.starts[item] : 0, end = there ? o.starts[item + 1] : 0;
-    const bool crowded = end - begin > most_of_one;
-    if (crowded)
-      atomicMax(o.longest, static_cast<unsigned long long>(end - begin));
-    else if (end - begin <= few)
-      place_each(o, item, begin, end, 0, 1);
-    const unsigned more = __ballot_sync(~0U, end - begin > few && end - begin <= many);
-    for (unsigned round = 0; round < together && more >> round * (32 / together) != 0; ++round) {
-      const unsigned of = round * (32 / together) + lane / together;
-      const std::uint32_t from = __shfl_sync(~0U, begin, of), to = __shfl_sync(~0U, end, of);
-      place_by_eight(o, first + of, from, more >> of & 1 ? to - from : 0);
-    }
-    for (unsigned left = __ballot_sync(~0U, !crowded && end - begin > many); left; left &= left - 1) {
-      const unsigned of = __ffs(left) - 1;
-      place_each(o, first + of, __shfl_sync(~0U, begin, of), __shfl_sync(~0U, end, of), lane, 32);
-    }
-  }
-}
-
 constexpr unsigned few_threads = 1024;
 using few_sort = cub::BlockMergeSort<std::uint64_t, few_threads, most_of_few / few_threads>;
 __global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant__ hit_order o) {
@@ -151,7 +82,7 @@ __global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant_
   const unsigned long long n = *o.count;
   if (n > most_of_few || n > o.capacity) {
     if (threadIdx.x == 0)
-      *o.longest = n;
+      *o.unordered = 1;
     return;
   }
   const auto key = [&](unsigned i) {
@@ -183,38 +114,70 @@ __global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant_
 
 // No more hits than warps: each compares one with all others.
 __device__ void rank_hits(const hit_order &o, unsigned n) {
-  auto *const keys = reinterpret_cast<std::uint64_t *>(o.ranks); // whose room is followed by that of o.others
   for (unsigned i = cuda::grid_thread(); i < n; i += cuda::grid_threads())
-    keys[i] = key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32);
+    o.by_cell[i] = key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32);
   cuda::meet_grid();
   const unsigned lane = threadIdx.x % 32, of = cuda::grid_thread() / 32;
   if (of >= n)
     return;
-  const std::uint64_t mine = keys[of];
+  const std::uint64_t mine = o.by_cell[of];
   unsigned before = 0;
   for (unsigned k = lane; k < n; k += 32)
-    before += keys[k] < mine;
+    before += o.by_cell[k] < mine;
   before = __reduce_add_sync(~0U, before);
   if (lane == 0)
     o.sorted[before] = pair_of(mine, 32);
 }
 
-// Hits are counted by their items, sums of the counts say where those of each item begin, and there they are put into order.
+// Pairs of elements are keys, which are put into order. Of more than these a cell has so many that digits take less time.
+constexpr std::uint32_t most_to_order = std::uint32_t{1} << 24;
 constexpr unsigned order_threads = 1024;
-static_assert(order_threads <= most_order_blocks);
-__global__ void __launch_bounds__(order_threads, 2) order_kernel(const __grid_constant__ hit_order o) {
-  if (const unsigned long long n = *o.count; n <= cuda::grid_threads() / 32 && n <= o.capacity) {
-    rank_hits(o, static_cast<unsigned>(n));
+using distributes = cuda::distributing<order_threads>;
+__global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_constant__ hit_order o) {
+  extern __shared__ uint4 memory[];
+  auto &room = *reinterpret_cast<distributes::room *>(memory);
+  const unsigned long long all = *o.count;
+  if (all > o.capacity) // not all of them are there
+    return;
+  const auto n = static_cast<std::uint32_t>(all);
+  if (n <= cuda::grid_threads() / 32) {
+    rank_hits(o, n);
     return;
   }
-  __shared__ unsigned room[order_threads / 32];
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t) { o.ranks[i] = atomicAdd(o.starts + a, 1); });
+  if (n > most_to_order) {
+    if (blockIdx.x == 0 && threadIdx.x == 0)
+      *o.unordered = 1;
+    return;
+  }
+  constexpr unsigned together = 4;
+  const int bits_a = 32 - __clz(static_cast<int>(o.items_a - 1)), bits_b = 32 - __clz(static_cast<int>(o.items_b - 1));
+  distributes keys({reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted}, bits_a + bits_b, false,
+                   blockIdx.x, gridDim.x, room);
+  keys.count<together>(
+      [&](const std::uint32_t(&i)[together], const bool(&there)[together], std::uint64_t(&key)[together]) {
+        index_pair hits[together];
+#pragma unroll
+        for (unsigned k = 0; k < together; ++k)
+          hits[k] = there[k] ? o.hits[i[k]] : index_pair{0, 0};
+#pragma unroll
+        for (unsigned k = 0; k < together; ++k)
+          key[k] = key_of({o.order_a[hits[k].a], o.order_b[hits[k].b]}, bits_b);
+      });
   cuda::meet_grid();
-  cuda::running_sums{o.starts, o.items_a + 1, o.totals, blockIdx.x, gridDim.x}.sum<order_threads>(room);
+  keys.distribute();
   cuda::meet_grid();
-  each_hit(o, [&](unsigned long long i, std::uint32_t a, std::uint32_t b) { o.others[o.starts[a] + o.ranks[i]] = b; });
-  cuda::meet_grid();
-  place_hits(o);
+  // As large as the blocks have work, up to half of the keys that there is room for.
+  const std::uint32_t window = min(max((n - 1) / gridDim.x + 1, 256U), cuda::most_of_tile / 2);
+  for (std::uint32_t w = blockIdx.x; w <= (n - 1) / window; w += gridDim.x) {
+    const std::uint32_t first = w * window, length = min(n - first, window);
+    if (!keys.window(first, first + length)) {
+      if (threadIdx.x == 0)
+        *o.unordered = 1;
+      continue;
+    }
+    for (std::uint32_t i = threadIdx.x; i < length; i += order_threads)
+      o.sorted[first + i] = pair_of(room.keys[i], bits_b);
+  }
 }
 
 // Adds 1 to the counter `at`, once for all lanes with the same one.
@@ -269,9 +232,7 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
 }
 
 cudaError_t order_hits(const hit_order &o, cudaStream_t stream) {
-  // Few blocks meet sooner; many items mostly have many hits.
-  const unsigned blocks = std::max(128U, o.items_a / order_threads);
-  return cuda::launch_together<order_kernel, order_threads>(blocks, stream, o);
+  return cuda::launch_together<order_kernel, order_threads, sizeof(distributes::room)>(order_threads, stream, o);
 }
 
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream) {

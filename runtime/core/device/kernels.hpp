@@ -24,24 +24,23 @@ cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t 
 // Turns keys back into pairs, in place.
 cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, int bits_b, cudaStream_t stream);
 
-// Orders hits by their items by counting, which needs no number on the host. Elements are their own items.
+// Puts hits into the order of their elements, which needs no number on the host. Elements are their own items.
 struct hit_order {
   const index_pair *hits; // of slots
   const unsigned long long *count;
   unsigned long long capacity;
   const std::uint32_t *order_a, *order_b;
-  std::uint32_t items_a;
-  std::uint32_t *starts;         // items_a + 1 numbers, all 0 at first
-  unsigned long long *totals;    // most_order_blocks, likewise
-  std::uint32_t *ranks, *others; // room for `capacity` each, one behind the other; ranks is a multiple of 8 bytes
-  index_pair *sorted;            // likewise
-  // 0 at first. Where an item of A has more than most_of_one hits, it becomes their number, and `sorted` means nothing.
-  unsigned long long *longest;
+  std::uint32_t items_a, items_b;
+  std::uint32_t *counted; // counted_to_distribute numbers, all 0 at first; used up
+  std::uint64_t *by_cell; // room for `capacity`
+  index_pair *sorted;     // likewise
+  // 0 at first. Where there are too many hits, or too many of items that are near each other, it becomes 1, and `sorted` means
+  // nothing.
+  unsigned long long *unordered;
 };
-inline constexpr unsigned most_of_one = 1024, most_order_blocks = 1024;
+// Does nothing where there are more hits than `capacity`.
 cudaError_t order_hits(const hit_order &o, cudaStream_t stream);
-// The same of few hits, in one step; `starts`, `totals`, `ranks` and `others` are not used. Where there are more, *longest becomes their
-// number, and `sorted` means nothing.
+// The same of few hits, in one step; `counted` and `by_cell` are not used. Where there are more, *unordered becomes 1.
 inline constexpr unsigned most_of_few = 2048;
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream);
 

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -29,7 +28,7 @@ std::uint64_t next_version() {
 
 // Of a cell along an axis, where the device orders elements: a sort by places takes a pass for every eight bits of all three,
 // so that it has coarse cells first, and finer ones if too many elements share these.
-constexpr int bits_of_cell = 10, coarse_bits_of_cell = 8;
+constexpr int bits_of_cell = cuda::bits_to_arrange, coarse_bits_of_cell = 8;
 
 // Elements that lie on surfaces share coarse cells sooner.
 int first_bits(const cuda::view &v) {
@@ -134,7 +133,7 @@ bool device_set::make(const given_set &elements) {
                return true;
              });
   // What arrange() has found crowded is so for a sort by the same cells.
-  bool sorts = !ran || found.longest > 0;
+  bool sorts = !ran || found.unordered > 0;
   for (int bits = first_bits(elements.there()); sorts && bits <= bits_of_cell;
        bits += bits_of_cell - coarse_bits_of_cell) {
     ran = timed([&] { return sort(elements.there(), elements.at(), bits, there.data(), stream); });
@@ -179,29 +178,27 @@ std::optional<cuda::arrange_job> device_set::plan(const order_request &r, cudaSt
   if (!can_arrange(*launchers_, n))
     return {};
   cuda::arrange_job job{};
-  job.from = r.elements, job.at = cuda_pose(r.at), job.bits = bits_of_cell, job.share = r.share;
+  job.from = r.elements, job.at = cuda_pose(r.at), job.share = r.share;
   job.found = r.found, job.cleared = r.cleared.data(), job.clears = r.cleared.size();
-  // Cells for one or two elements each; what is left of two culled sets lies along a curve, in few of them.
-  job.cell_bits = std::clamp(static_cast<int>(std::bit_width(n)) + (r.elements.only ? 3 : 0), 10, 20);
   job.rows = rows_.data(), job.order = order_.data();
   const auto fields = static_cast<std::size_t>(kind_->fields);
   const bool packed = are_packed_rows(r.elements, r.at, fields * sizeof(float));
+  job.common = r.common;
   for (const bool planned : {true, false}) {
     cuda::cutter from(space_.data(), space_.capacity());
     job.posed = packed ? nullptr : from.take<float>(n * fields);
-    job.boxes = packed ? nullptr : from.take<cuda::tree_box>(cuda::most_blocks_to_arrange);
-    job.ranks = from.take<std::uint64_t>(n), job.by_cell = from.take<std::uint64_t>(n);
+    job.boxes = packed || job.common ? nullptr : from.take<cuda::tree_box>(cuda::most_blocks_to_arrange);
+    job.keys = from.take<std::uint64_t>(n), job.by_cell = from.take<std::uint64_t>(n);
     if (planned && !space_.grow(from.used(), 0, on_->stream()))
       return {};
   }
-  if (const std::size_t numbers = cuda::most_blocks_to_arrange + (std::size_t{1} << job.cell_bits) / 2;
-      counted_.capacity() < numbers) {
-    if (!counted_.grow(numbers, 0, on_->stream()))
+  if (counted_.capacity() == 0) {
+    if (!counted_.grow(cuda::counted_to_distribute, 0, on_->stream()))
       return {};
-    check(cudaMemsetAsync(counted_.data(), 0, numbers * sizeof(unsigned long long), stream), "ordering a set");
+    check(cudaMemsetAsync(counted_.data(), 0, cuda::counted_to_distribute * sizeof(std::uint32_t), stream),
+          "ordering a set");
   }
-  job.totals = counted_.data();
-  job.cells = reinterpret_cast<std::uint32_t *>(counted_.data() + cuda::most_blocks_to_arrange);
+  job.counted = counted_.data();
   version_ = next_version();
   take_room_for_tree();
   if (cuda::can_arrange_tree(kind_->fields))

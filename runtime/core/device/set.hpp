@@ -67,6 +67,7 @@ public:
     float share;
     cuda::order_findings *found; // device memory
     std::span<unsigned long long> cleared;
+    const cuda::joined_box *common = nullptr; // as in arrange_job; what else orders takes a box around the elements
   };
   void order(const order_request &r, cudaStream_t stream);
   // The same, but for the last step where one kernel does it all: its job is then returned, and is for the caller to start.
@@ -128,9 +129,9 @@ private:
   device_memory<std::uint32_t> order_;
   device_memory<extent> around_;
   const cuda::order_findings *found_ = nullptr;
-  device_memory<std::byte> space_;            // to put it into order
-  device_memory<unsigned long long> counted_; // for that too; what uses it leaves it 0
-  device_memory<std::byte> columns_[2];       // as Y, as X
+  device_memory<std::byte> space_;       // to put it into order
+  device_memory<std::uint32_t> counted_; // for that too; what uses it leaves it 0
+  device_memory<std::byte> columns_[2];  // as Y, as X
   made have_[2];
   device_tree tree_;
   std::uint64_t tree_of_ = 0; // version

@@ -124,6 +124,27 @@ __device__ inline void set_marks(std::uint32_t *word, std::uint32_t mask) {
     atomicOr(word, mask);
 }
 
+// The block that comes last brings what all have counted to the host. All threads of all blocks call it.
+__device__ inline void bring(const sift_job::report &r) {
+  __shared__ bool is_last;
+  __syncthreads();
+  if (threadIdx.x == 0) {
+    __threadfence();
+    is_last = atomicInc(r.arrived, gridDim.x - 1) == gridDim.x - 1;
+    __threadfence();
+  }
+  __syncthreads();
+  if (!is_last)
+    return;
+  for (unsigned i = threadIdx.x; i < r.words; i += cull_threads)
+    static_cast<volatile std::uint32_t *>(r.to)[i] = __ldcg(r.from + i);
+  __syncthreads();
+  if (threadIdx.x == 0) {
+    __threadfence_system();
+    *static_cast<volatile std::uint32_t *>(r.there) = 1;
+  }
+}
+
 // A block adds what it keeps to the list with one addition.
 template <class Shape, bool ByVertices>
 __global__ void __launch_bounds__(cull_threads, 6) sift_kernel(const __grid_constant__ sift_job job) {
@@ -183,6 +204,8 @@ __global__ void __launch_bounds__(cull_threads, 6) sift_kernel(const __grid_cons
       if (keep >> i & 1)
         job.kept[before++] = all[i].number;
   }
+  if (job.at_end.there)
+    bring(job.at_end);
 }
 
 // Each warp takes one of the elements that were kept, and marks the cells along its line if it is long.

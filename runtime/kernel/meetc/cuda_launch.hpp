@@ -45,14 +45,17 @@ template <auto Kernel> bool waits() {
   }) == 2;
 }
 
-// As many blocks of this kernel, which need no dynamic shared memory, as the device runs at once.
-template <auto Kernel, unsigned Threads> unsigned blocks_at_once() {
+// As many blocks of this kernel, which need so much dynamic shared memory, as the device runs at once.
+template <auto Kernel, unsigned Threads, std::size_t Bytes = 0> unsigned blocks_at_once() {
   static number_of_device there;
   return there.get([] {
     int which = 0, processors = 0, each = 0;
     cudaGetDevice(&which);
     cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, which);
-    cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, Kernel, static_cast<int>(Threads), 0);
+    if (Bytes > 0 && cudaFuncSetAttribute(Kernel, cudaFuncAttributeMaxDynamicSharedMemorySize,
+                                          static_cast<int>(Bytes)) != cudaSuccess)
+      cudaGetLastError(); // to start it will fail
+    cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, Kernel, static_cast<int>(Threads), Bytes);
     return processors > 0 && each > 0 ? static_cast<unsigned>(processors * each) : 1U;
   });
 }
@@ -71,14 +74,15 @@ cudaError_t launch(unsigned blocks, unsigned threads, cudaStream_t stream, const
 
 // Enqueues a kernel whose blocks may wait for each other: up to `blocks` of them, as many as the device runs at once and no
 // more than a block has threads.
-template <auto Kernel, unsigned Threads, class... Arguments>
+template <auto Kernel, unsigned Threads, std::size_t Bytes = 0, class... Arguments>
 cudaError_t launch_together(unsigned blocks, cudaStream_t stream, const Arguments &...arguments) {
   cudaLaunchAttribute together{};
   together.id = cudaLaunchAttributeCooperative;
   together.val.cooperative = 1;
   cudaLaunchConfig_t how{};
-  const unsigned most = blocks_at_once<Kernel, Threads>() < Threads ? blocks_at_once<Kernel, Threads>() : Threads;
+  const unsigned there = blocks_at_once<Kernel, Threads, Bytes>(), most = there < Threads ? there : Threads;
   how.gridDim = {blocks < most ? blocks : most, 1, 1}, how.blockDim = {Threads, 1, 1}, how.stream = stream;
+  how.dynamicSmemBytes = Bytes;
   how.attrs = &together, how.numAttrs = 1;
   return cudaLaunchKernelEx(&how, Kernel, arguments...);
 }

@@ -45,6 +45,9 @@ struct walk {
   __device__ unsigned long long index(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
 };
 
+// Rows of so few numbers are loaded together for all pairs of a lane; others would take too many registers.
+template <class P> inline constexpr bool loads_together = P::inputs_a + P::inputs_b <= 8;
+
 // in.count may be null: there are then in.capacity pairs.
 template <class P, class Of>
 __global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, const float *b, pair_list in, sink to) {
@@ -55,24 +58,45 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, co
   for (walk w(in); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
     unsigned yes = 0, unsure = 0;
-    MEETC_ROLLED
-    for (int k = 0; k < step_pairs; ++k) {
-      const unsigned long long i = w.index(k);
-      if (i >= w.n)
-        break;
-      const index_pair q = in.pairs[i];
-      const answer x = Of::of(a + std::size_t{q.a} * P::inputs_a, b + std::size_t{q.b} * P::inputs_b);
+    const auto take = [&](int k, answer x) {
       yes |= (x == answer::yes) << k;
       unsure |= (x == answer::unsure) << k;
       if (to.answers)
-        to.answers[i] = x;
+        to.answers[w.index(k)] = x;
+    };
+    if constexpr (loads_together<P>) {
+      float rows_a[step_pairs][P::inputs_a], rows_b[step_pairs][P::inputs_b];
+#pragma unroll
+      for (int k = 0; k < step_pairs; ++k)
+        if (w.index(k) < w.n)
+          p[k] = in.pairs[w.index(k)];
+#pragma unroll
+      for (int k = 0; k < step_pairs; ++k)
+        if (w.index(k) < w.n) {
+          for (int i = 0; i < P::inputs_a; ++i)
+            rows_a[k][i] = a[std::size_t{p[k].a} * P::inputs_a + i];
+          for (int i = 0; i < P::inputs_b; ++i)
+            rows_b[k][i] = b[std::size_t{p[k].b} * P::inputs_b + i];
+        }
+#pragma unroll
+      for (int k = 0; k < step_pairs; ++k)
+        if (w.index(k) < w.n)
+          take(k, Of::of(rows_a[k], rows_b[k]));
+    } else {
+      MEETC_ROLLED
+      for (int k = 0; k < step_pairs; ++k) {
+        if (w.index(k) >= w.n)
+          break;
+        const index_pair q = in.pairs[w.index(k)];
+        take(k, Of::of(a + std::size_t{q.a} * P::inputs_a, b + std::size_t{q.b} * P::inputs_b));
+      }
+#pragma unroll
+      for (int k = 0; k < step_pairs; ++k)
+        if ((yes | unsure) >> k & 1)
+          p[k] = in.pairs[w.index(k)];
     }
     if (to.answers)
       continue;
-#pragma unroll
-    for (int k = 0; k < step_pairs; ++k)
-      if ((yes | unsure) >> k & 1)
-        p[k] = in.pairs[w.index(k)];
     hits.append(yes, p);
     append(unsure, p, to.unsure);
   }

@@ -107,13 +107,13 @@ struct query {
 
 // What became of elements that were put into order.
 struct order_findings {
-  unsigned long long bad;     // as query_result::bad_a
-  unsigned long long crowded; // elements before which at least tree_width others have the same place
-  unsigned long long longest; // above most_in_cell: so many share a cell, in which they lie in any order
+  unsigned long long bad;       // as query_result::bad_a
+  unsigned long long crowded;   // elements before which at least tree_width others have the same place
+  unsigned long long unordered; // above 0: too many lie too close to each other, and have no places
 };
 // Whether n elements are in an order, so that neighbours along it are near each other: an eighth of them may be crowded.
 MEETC_HD constexpr bool is_order(const order_findings &found, std::uint32_t n) {
-  return found.bad == ~0ULL && found.crowded <= n / 8 && found.longest == 0;
+  return found.bad == ~0ULL && found.crowded <= n / 8 && found.unordered == 0;
 }
 // Threads of a block of arrange(), which keeps a row of each in shared memory.
 MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
@@ -126,21 +126,26 @@ MEETC_HD constexpr unsigned threads_to_arrange(int fields) {
 MEETC_HD constexpr bool can_arrange_tree(int fields) {
   return threads_to_arrange(fields) == tree_width * tree_width;
 }
-inline constexpr std::uint32_t most_to_arrange = 1U << 19, most_in_cell = 4096;
-// Elements that are moved and put into the order of their places, those with one place in that of their numbers. A cell is
-// what the first bits of a place name.
+inline constexpr std::uint32_t most_to_arrange = 1U << 20;
+inline constexpr int bits_to_arrange = 10; // of a cell along an axis, as places() has them
+// What it takes to distribute keys, cuda_distribute.hpp.
+inline constexpr std::size_t counted_to_distribute = 2048;
+// The box around some boxes, in numbers that are 0 where there are none and that maxima join.
+struct joined_box {
+  std::uint32_t below[3], above[3];
+};
+// Elements that are moved and put into the order of their places, those with one place in that of their numbers.
 struct arrange_job {
   view from;
   pose_matrix at;
-  int bits, cell_bits; // of a cell along an axis, as places() has them; and of those 3 bits the first, at most all
-  float share;         // it takes this part of the device, so that others run beside it; above 0, at most 1
+  float share;  // it takes this part of the device, so that others run beside it; above 0, at most 1
   float *posed; // room for the rows in the caller's order; null: they stand so in `from`, packed and in this pose
-  std::uint64_t *ranks, *by_cell; // room for a number each
-  unsigned long long *totals;     // most_blocks_to_arrange, all 0 before and after
-  std::uint32_t *cells;           // 2^cell_bits, likewise
-  tree_box *boxes;                // room for most_blocks_to_arrange; null: nothing is to be posed
-  float *rows;                    // the rows become these,
-  std::uint32_t *order;           // of these elements
+  std::uint64_t *keys, *by_cell; // room for a number each
+  std::uint32_t *counted;        // counted_to_distribute, all 0 before and after
+  const joined_box *common; // places are by the box that these two have in common; null: by one around the elements
+  tree_box *boxes;          // room for most_blocks_to_arrange; null: that takes none
+  float *rows;              // the rows become these,
+  std::uint32_t *order;     // of these elements
   order_findings *found;
   tree_node *nodes; // as by boxes(); null: no tree is made
   unsigned *arrived;
@@ -161,10 +166,6 @@ struct gather_job {
   unsigned long long *crowded; // 0 at first; of order_findings
 };
 
-// The box around some boxes, in numbers that are 0 where there are none and that maxima join.
-struct joined_box {
-  std::uint32_t below[3], above[3];
-};
 // One pass over the elements of one of two sets that are culled: those that the other's box and its marks do not rule out are
 // kept, and mark their own cells. Such passes follow one another, each with the marks of the one before.
 inline constexpr int least_cull_bits = 3, most_cull_bits = 9;
@@ -181,6 +182,13 @@ struct sift_job {
   std::uint32_t *kept;           // room for all that are looked at; in any order
   unsigned *count;               // 0 at first
   unsigned long long *bad;       // 0 at first; the greatest of what is ~ of query_result::bad_a
+  // Where all passes have ended with this one: so many words that they have counted go to host memory, and then `there` becomes
+  // 1, which the host sees sooner than the end of a copy. Null: not here.
+  struct report {
+    const std::uint32_t *from;
+    std::uint32_t *to, words, *there;
+    unsigned *arrived; // 0 before and after
+  } at_end;
 };
 
 // One kind of element.

@@ -126,36 +126,47 @@ template <class Shape> cudaError_t gather(const gather_job &job, cudaStream_t st
   return launch<gather_kernel<Shape>>(shape.count[1] * (node_threads / tree_threads), tree_threads, stream, job, shape);
 }
 
-// A block has a warp for each child of a node of `level`. Each brings the box around its child, which goes there, and the box
-// around all to the level above, if there is one. Its empty lanes are written too. All of the block's threads call it.
+// A warp brings the box around child `which` of a node of `level`, which goes there, and to the node's children in shared memory.
+// Empty lanes of nodes are written too.
+__device__ inline void put_child(tree_node *nodes, const tree_shape &shape, int level, unsigned node, unsigned which,
+                                 const tree_box &child, tree_box *children) {
+  if (threadIdx.x % tree_width != 0)
+    return;
+  if (node < shape.count[level])
+    put_box(nodes[shape.first[level] + node], which, child);
+  children[which] = child;
+}
+// A warp brings the box around all children of a node to the level above, if there is one.
+__device__ inline void put_around(tree_node *nodes, const tree_shape &shape, int level, unsigned node,
+                                  const tree_box *children) {
+  if (level + 1 == shape.depth)
+    return;
+  const tree_box all = around_warp(children[threadIdx.x % tree_width]);
+  if (threadIdx.x % tree_width == 0)
+    put_box(nodes[shape.first[level + 1] + node / tree_width], node % tree_width, all);
+}
+// A block has a warp for each child of a node. All of its threads call it.
 __device__ inline void put_above(tree_node *nodes, const tree_shape &shape, int level, unsigned node,
                                  const tree_box &child) {
   __shared__ tree_box children[tree_width];
-  const unsigned warp = threadIdx.x / tree_width, lane = threadIdx.x % tree_width;
-  if (lane == 0 && node < shape.count[level])
-    put_box(nodes[shape.first[level] + node], warp, child);
-  if (level + 1 == shape.depth)
-    return;
+  const unsigned warp = threadIdx.x / tree_width;
   __syncthreads(); // of an earlier call nobody reads any more
-  if (lane == 0)
-    children[warp] = child;
+  put_child(nodes, shape, level, node, warp, child, children);
   __syncthreads();
-  if (warp > 0)
-    return;
-  const tree_box all = around_warp(children[lane]);
-  if (lane == 0)
-    put_box(nodes[shape.first[level + 1] + node / tree_width], node % tree_width, all);
+  if (warp == 0)
+    put_around(nodes, shape, level, node, children);
 }
 // As many nodes as that takes.
 MEETC_HD inline unsigned nodes_above(const tree_shape &shape, int level) {
   return level + 1 == shape.depth ? shape.count[level] : shape.count[level + 1] * tree_width;
 }
 
-// A warp of the block that comes last, of so many, makes the box of a node of the level below the root, and brings it there.
+// A warp of the block that comes last, of so many, makes the box of a node of the level below the root, and brings it there. A
+// block has written what it knows of that level.
 __device__ inline void put_root(tree_node *nodes, const tree_shape &shape, unsigned blocks, unsigned *arrived) {
   __shared__ bool is_last;
   __syncthreads();
-  if (threadIdx.x == 0) { // which has written what put_above() wrote to that level
+  if (threadIdx.x == 0) {
     __threadfence();
     is_last = atomicInc(arrived, blocks - 1) == blocks - 1;
     __threadfence();
@@ -182,24 +193,17 @@ __device__ tree_box put_elements(const float *rows, unsigned n, tree_node *nodes
   return put_leaf(nodes, shape, node, b);
 }
 
-// A small tree, by blocks of node_threads, of which this is one of so many.
-template <class Shape>
-__device__ void put_tree(const float *rows, unsigned n, tree_node *nodes, const tree_shape &shape, unsigned *arrived,
-                         unsigned block, unsigned blocks) {
-  const unsigned all = nodes_above(shape, 1);
-  for (unsigned node = block; node < all; node += blocks)
-    put_above(nodes, shape, 1, node,
-              put_elements<Shape>(rows, n, nodes, shape, node * tree_width + threadIdx.x / tree_width));
-  if (shape.depth == 4)
-    put_root(nodes, shape, blocks, arrived);
-}
-
 template <class Shape>
 __global__ void __launch_bounds__(node_threads)
     small_tree_kernel(const float *rows, unsigned n, tree_node *nodes, const __grid_constant__ tree_shape shape,
                       unsigned *arrived) {
   begin();
-  put_tree<Shape>(rows, n, nodes, shape, arrived, blockIdx.x, gridDim.x);
+  const unsigned all = nodes_above(shape, 1);
+  for (unsigned node = blockIdx.x; node < all; node += gridDim.x)
+    put_above(nodes, shape, 1, node,
+              put_elements<Shape>(rows, n, nodes, shape, node * tree_width + threadIdx.x / tree_width));
+  if (shape.depth == 4)
+    put_root(nodes, shape, gridDim.x, arrived);
 }
 // A warp makes a node of level 0, and its box in level 1.
 template <class Shape>

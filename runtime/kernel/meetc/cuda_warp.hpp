@@ -6,14 +6,16 @@
 
 namespace meetc::cuda {
 
+// Integers in the order of the numbers that have these bits, and back.
+__device__ inline int in_float_order(int bits) {
+  return bits ^ (bits >> 31 & 0x7fffffff);
+}
 // The box around those of all lanes of this warp.
 __device__ inline tree_box around_warp(tree_box b) {
-  for (int d = 16; d > 0; d /= 2)
-    for (int k = 0; k < 3; ++k) {
-      const float low = __shfl_xor_sync(~0U, b.low[k], d), high = __shfl_xor_sync(~0U, b.high[k], d);
-      b.low[k] = low < b.low[k] ? low : b.low[k];
-      b.high[k] = b.high[k] < high ? high : b.high[k];
-    }
+  for (int k = 0; k < 3; ++k) {
+    b.low[k] = __int_as_float(in_float_order(__reduce_min_sync(~0U, in_float_order(__float_as_int(b.low[k])))));
+    b.high[k] = __int_as_float(in_float_order(__reduce_max_sync(~0U, in_float_order(__float_as_int(b.high[k])))));
+  }
   return b;
 }
 

@@ -53,10 +53,9 @@ struct cull_grid {
 
   cull_grid() = default;
   MEETC_HD cull_grid(const joined_box &a, const joined_box &b, int bits_) : bits(bits_) {
-    const tree_box x = box_of(a), y = box_of(b);
+    const tree_box all = common_box(a, b);
     for (int k = 0; k < 3; ++k) {
-      from[k] = x.low[k] > y.low[k] ? x.low[k] : y.low[k];
-      to[k] = x.high[k] < y.high[k] ? x.high[k] : y.high[k];
+      from[k] = all.low[k], to[k] = all.high[k];
       const double size = static_cast<double>(to[k]) - static_cast<double>(from[k]);
       low[k] = size > 0 ? from[k] : 0;
       scale[k] = size > 0 ? static_cast<double>(1U << bits) / size : 0;

@@ -29,6 +29,16 @@ MEETC_HD inline tree_box box_of(const joined_box &of) {
     b.low[k] = -from_above(of.below[k]), b.high[k] = from_above(of.above[k]);
   return b;
 }
+// What lies in both; low > high where nothing does.
+MEETC_HD inline tree_box common_box(const joined_box &a, const joined_box &b) {
+  const tree_box x = box_of(a), y = box_of(b);
+  tree_box c;
+  for (int k = 0; k < 3; ++k) {
+    c.low[k] = x.low[k] > y.low[k] ? x.low[k] : y.low[k];
+    c.high[k] = x.high[k] < y.high[k] ? x.high[k] : y.high[k];
+  }
+  return c;
+}
 
 } // namespace meetc::cuda
 

@@ -55,7 +55,7 @@ struct sample {
   std::uint32_t step, first;
 
   MEETC_HD constexpr explicit sample(std::uint32_t elements) {
-    constexpr std::uint32_t most = 2048;
+    constexpr std::uint32_t most = 1024;
     step = elements / most + (elements % most != 0 || elements == 0);
     first = step / 2;
   }
@@ -69,21 +69,6 @@ struct sample {
 MEETC_HD constexpr std::uint64_t in_order(std::uint32_t place, std::uint32_t element) {
   return std::uint64_t{place} << 32 | element;
 }
-// The cell of an element: the first bits of its place.
-MEETC_HD constexpr std::uint32_t cell_of(std::uint64_t element, int place_bits, int cell_bits) {
-  return static_cast<std::uint32_t>(element >> (32 + place_bits - cell_bits));
-}
-// How many of the elements of its cell, [begin, end) in any order, come before this one, and how many of these have its place.
-struct before_in_cell {
-  std::uint32_t all = 0, alike = 0;
-  MEETC_HD before_in_cell(const std::uint64_t *by_cell, std::uint32_t begin, std::uint32_t end, std::uint64_t element) {
-    for (std::uint32_t k = begin; k < end; ++k) {
-      const std::uint64_t other = by_cell[k];
-      all += other < element;
-      alike += other < element && other >> 32 == element >> 32;
-    }
-  }
-};
 
 } // namespace meetc::cuda
 

@@ -81,6 +81,10 @@ struct options {
   bool all_filters = true; // else the best
 };
 
+bool same_list(const std::vector<meetc::index_pair> &x, const std::vector<meetc::index_pair> &y);
+// Whether a set that was made on the device lies in the order of its places, those with one place in that of their numbers.
+bool is_in_order(const meetc::device_set &there, const meetc::prepared &set);
+
 struct line {
   long queries = 0, differences = 0;
   std::uint64_t pairs = 0, near_balls = 0, candidates = 0, unsure = 0, most_parts = 0;
@@ -142,10 +146,11 @@ struct settings {
   bool small = false; // few and small sets, for tools that slow everything down
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
-  std::string part; // of the scenes: pairs, made, given, poses, ends or group; empty: all
+  std::string part; // of the scenes: pairs, made, orders, given, poses, ends or group; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
 void made_scenes(comparison &with, const settings &s);
+void order_scenes(comparison &with, const settings &s);
 void given_scenes(comparison &with, const settings &s);
 void pose_scenes(comparison &with, const settings &s);
 void end_scenes(comparison &with, const settings &s);

@@ -186,10 +186,6 @@ void stay_there(comparison &with, const settings &s) {
                "another list");
 }
 
-bool same_list(const std::vector<index_pair> &x, const std::vector<index_pair> &y) {
-  return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(index_pair)) == 0;
-}
-
 // Kernels that start as one graph, of given sets whose numbers of elements change between queries.
 void as_graphs(comparison &with, const settings &s) {
   engine random(s.seed + 53);
@@ -210,27 +206,9 @@ void as_graphs(comparison &with, const settings &s) {
   }
 }
 
-// More elements than one kernel arranges, of which culling leaves nearly all; rows that are packed, in order or not aligned.
-void large(comparison &with, const settings &s) {
-  if (s.small)
-    return;
-  const predicate_info &p = predicate_named("triangle_triangle");
-  const sheet x = waves(900, 1, 0, 0, 0.1F), y = waves(907, 1, 0, 2e-7F, 0.1F);
-  given_set a(with.on(), x.of(), *p.a), b(with.on(), y.of(), *p.b);
-  device_options o;
-  o.cull = true;
-  const device_result culled = collide(with.on(), a, b, p, rung::certified, o);
-  o.cull = false;
-  const device_result whole = collide(with.on(), a, b, p, rung::certified, o);
-  const result here = collide(prepare(x.of(), *p.a), prepare(y.of(), *p.b), p, rung::certified);
-  with.add("given, two large sheets", p, culled);
-  with.require("given, two large sheets", culled.count > 0 && same_list(culled.pairs, here.pairs),
-               "culled: another list");
-  with.require("given, two large sheets", same_list(whole.pairs, here.pairs), "another list");
-
-  engine random(s.seed + 54);
+// Packed rows, and rows that are not, of so many balls.
+void many_balls(comparison &with, std::size_t n, engine &random) {
   const predicate_info &q = predicate_named("ball_ball");
-  constexpr std::size_t n = 700'000;
   rows_of balls = random_rows(*q.a, n, {1, 0.01, 1, 0}, random);
   const rows_of others = random_rows(*q.b, 3000, {1, 0.01, 1, 0}, random);
   const result want = collide(prepare(view_of(balls), *q.a), prepare(view_of(others), *q.b), q, rung::certified);
@@ -260,6 +238,29 @@ void large(comparison &with, const settings &s) {
     said = e.what();
   }
   with.require("given, many balls", said == describe(check(view_of(balls), *q.a), *q.a), said);
+}
+
+// More elements than one kernel arranges, of which culling leaves nearly all; rows that are packed, in order or not aligned.
+void large(comparison &with, const settings &s) {
+  if (s.small)
+    return;
+  const predicate_info &p = predicate_named("triangle_triangle");
+  const sheet x = waves(900, 1, 0, 0, 0.1F), y = waves(907, 1, 0, 2e-7F, 0.1F);
+  given_set a(with.on(), x.of(), *p.a), b(with.on(), y.of(), *p.b);
+  device_options o;
+  o.cull = true;
+  const device_result culled = collide(with.on(), a, b, p, rung::certified, o);
+  o.cull = false;
+  const device_result whole = collide(with.on(), a, b, p, rung::certified, o);
+  const result here = collide(prepare(x.of(), *p.a), prepare(y.of(), *p.b), p, rung::certified);
+  with.add("given, two large sheets", p, culled);
+  with.require("given, two large sheets", culled.count > 0 && same_list(culled.pairs, here.pairs),
+               "culled: another list");
+  with.require("given, two large sheets", same_list(whole.pairs, here.pairs), "another list");
+
+  engine random(s.seed + 54);
+  for (const std::size_t n : {std::size_t{700'000}, std::size_t{1'050'000}}) // by one kernel, and by a sort
+    many_balls(with, n, random);
 }
 
 } // namespace

@@ -5,8 +5,6 @@
 #include "core/device/transfers.hpp"
 #include "core/element_set.hpp"
 
-#include "meetc/tree_order.hpp"
-
 #include <algorithm>
 #include <cstring>
 #include <functional>
@@ -37,42 +35,6 @@ bool same_box(device_set &there, const prepared &set) {
   there.bounds(have[0], have[1]);
   set.bounds(want[0], want[1]);
   return set.elements() == 0 ? have[0][0] > have[1][0] : std::memcmp(have, want, sizeof want) == 0;
-}
-
-// Whether a set that was made on the device lies in the order of its places, those with one place in that of their numbers.
-bool is_in_order(device_set &there, const prepared &set) {
-  const std::size_t n = there.elements(), fields = static_cast<std::size_t>(there.kind().fields);
-  std::vector<std::uint32_t> order(n);
-  std::vector<float> rows(n * fields), want(n * fields);
-  const auto download = [](auto &to, const auto *from) {
-    check(cudaMemcpy(to.data(), from, to.size() * sizeof to[0], cudaMemcpyDeviceToHost), "a test");
-  };
-  download(order, there.order()), download(rows, there.rows());
-  for (std::size_t i = 0; i < n; ++i)
-    std::memcpy(&want[set.set().order[i] * fields], set.set().rows + i * fields, fields * sizeof(float));
-  for (std::size_t i = 0; i < n; ++i)
-    if (order[i] >= n || std::memcmp(&rows[i * fields], &want[order[i] * fields], fields * sizeof(float)) != 0)
-      return false;
-  const auto box_of = [&](const float *row) {
-    cuda::tree_box b;
-    there.kind().box(row, b.low, b.high);
-    return b;
-  };
-  const auto by_cells_of = [&](int bits, const cuda::tree_box &around) {
-    const cuda::hilbert_cells cells(around, bits);
-    std::vector<std::uint64_t> seen;
-    for (std::size_t i = 0; i < n; ++i)
-      seen.push_back(cuda::in_order(cells.place_of(box_of(&rows[i * fields])), order[i]));
-    return std::adjacent_find(seen.begin(), seen.end(), std::greater_equal<>()) == seen.end();
-  };
-  cuda::tree_box all, some; // around all, and around some, by which packed rows have their places
-  for (std::size_t i = 0; i < n; ++i)
-    all.widen(box_of(&want[i * fields]));
-  const cuda::sample taken(static_cast<std::uint32_t>(n));
-  for (std::size_t i = taken.first; i < n; i += taken.step)
-    some.widen(box_of(&want[i * fields]));
-  const bool by_all = by_cells_of(10, all) || by_cells_of(8, all); // fine cells, or coarse ones
-  return by_all || by_cells_of(10, some) || by_cells_of(8, some);
 }
 
 void made(comparison &with, const settings &s) {
@@ -112,7 +74,7 @@ void made(comparison &with, const settings &s) {
         x.rows[f] = p.a->roles[f] == role::length ? 1.0F : 1e15F;
       check("made there, one far away", view_of(x), view_of(y), at);
     }
-    // More than most_in_cell share a cell, and few of them a place: the places are sorted instead.
+    // Too many too close to each other, and few of them in one place: the places are sorted instead.
     rows_of close = random_rows(*p.a, 5200, {1, 0.05, 1, 0}, random);
     for (std::size_t i = 0; i < 5000 * static_cast<std::size_t>(p.a->fields); ++i)
       close.rows[i] /= 64;

@@ -168,6 +168,20 @@ inline unsigned __ballot_sync(unsigned mask, bool holds) {
     bits |= static_cast<unsigned>(all[i]) << i;
   return bits;
 }
+inline int __reduce_min_sync(unsigned mask, int value) {
+  host_warp::require_all(mask);
+  int least = value;
+  for (const std::uint64_t bits : host_warp::the_warp.meet("reduce_min", host_warp::bits_of(value)))
+    least = std::min(least, host_warp::from_bits<int>(bits));
+  return least;
+}
+inline int __reduce_max_sync(unsigned mask, int value) {
+  host_warp::require_all(mask);
+  int greatest = value;
+  for (const std::uint64_t bits : host_warp::the_warp.meet("reduce_max", host_warp::bits_of(value)))
+    greatest = std::max(greatest, host_warp::from_bits<int>(bits));
+  return greatest;
+}
 inline int __any_sync(unsigned mask, bool holds) {
   host_warp::require_all(mask);
   const auto &all = host_warp::the_warp.meet("any", holds);
@@ -180,8 +194,21 @@ inline void __syncwarp() {
 inline void __syncthreads() {
   host_warp::the_warp.meet("syncthreads", 0);
 }
+inline int __syncthreads_or(int holds) {
+  const auto &all = host_warp::the_warp.meet("syncthreads_or", holds != 0);
+  return std::any_of(all.begin(), all.end(), [](std::uint64_t v) { return v != 0; });
+}
 #undef __shared__
 #define __shared__ static
+template <class T> T __ldcg(const T *from) {
+  return *from;
+}
+inline int __clz(int x) {
+  return std::countl_zero(static_cast<unsigned>(x));
+}
+inline unsigned __umulhi(unsigned x, unsigned y) {
+  return static_cast<unsigned>(static_cast<std::uint64_t>(x) * y >> 32);
+}
 inline unsigned __popc(unsigned x) {
   return static_cast<unsigned>(std::popcount(x));
 }
@@ -190,6 +217,12 @@ inline unsigned __ffs(unsigned x) {
 }
 inline float __fdividef(float x, float y) {
   return x / y;
+}
+inline int __float_as_int(float x) {
+  return std::bit_cast<int>(x);
+}
+inline float __int_as_float(int x) {
+  return std::bit_cast<float>(x);
 }
 inline unsigned __float_as_uint(float x) {
   return std::bit_cast<unsigned>(x);
@@ -202,11 +235,17 @@ inline unsigned long long atomicAdd(unsigned long long *to, unsigned long long n
   *to += n;
   return before;
 }
+inline std::uint32_t atomicAdd(std::uint32_t *to, std::uint32_t n) {
+  const std::uint32_t before = *to;
+  *to += n;
+  return before;
+}
 inline std::uint32_t atomicMax(std::uint32_t *to, std::uint32_t n) {
   const std::uint32_t before = *to;
   *to = std::max(before, n);
   return before;
 }
+using std::max;
 using std::min;
 
 #endif

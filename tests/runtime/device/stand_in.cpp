@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -153,13 +152,12 @@ template <class Shape> cudaError_t gather(const cuda::gather_job &job, cudaStrea
     boxes_of_levels<Shape>(job.rows, job.elements, job.nodes, 2);
   return cudaSuccess;
 }
-// As on the device: by cells, in which elements lie in any order at first; here the last comes first.
+// As on the device. Where most elements are in one place, they have none.
 template <class Shape> cudaError_t arrange_one(const cuda::arrange_job &job, cudaStream_t stream) {
-  const std::uint32_t n = job.from.elements, all = 1U << job.cell_bits;
-  const auto is_set = [](auto number) { return number != 0; };
-  if (n == 0 || n > cuda::most_to_arrange || job.cell_bits > 3 * job.bits ||
-      std::any_of(job.cells, job.cells + all, is_set) ||
-      std::any_of(job.totals, job.totals + cuda::most_blocks_to_arrange, is_set))
+  const std::uint32_t n = job.from.elements;
+  if (n == 0 || n > cuda::most_to_arrange ||
+      std::any_of(job.counted, job.counted + cuda::counted_to_distribute,
+                  [](std::uint32_t number) { return number != 0; }))
     return cudaErrorInvalidValue;
   cuda::joined_box around{};
   pose_rows<Shape>(job.from, job.at, nullptr, job.posed, &job.found->bad, job.posed ? &around : nullptr, stream);
@@ -167,33 +165,26 @@ template <class Shape> cudaError_t arrange_one(const cuda::arrange_job &job, cud
   const cuda::sample some(n);
   for (std::uint32_t i = some.first; !job.posed && i < n; i += some.step)
     join(around, cuda::box_of_row<Shape>(posed + i * std::size_t{Shape::fields}));
+  if (job.common) {
+    around = {};
+    join(around, cuda::common_box(job.common[0], job.common[1]));
+  }
   std::vector<std::uint32_t> places_of(n), numbers(n);
-  places<Shape>(posed, n, &around, job.bits, places_of.data(), numbers.data(), nullptr, stream);
-  const auto cell = [&](std::uint64_t element) { return cuda::cell_of(element, 3 * job.bits, job.cell_bits); };
-  for (std::uint32_t i = n; i-- > 0;)
-    job.ranks[i] = job.cells[cell(cuda::in_order(places_of[i], i))]++;
-  std::exclusive_scan(job.cells, job.cells + all, job.cells, 0U);
+  places<Shape>(posed, n, &around, cuda::bits_to_arrange, places_of.data(), numbers.data(), nullptr, stream);
+  for (std::uint32_t i = 0; i < n; ++i)
+    job.keys[i] = cuda::in_order(places_of[i], i);
+  std::partial_sort_copy(job.keys, job.keys + n, job.by_cell, job.by_cell + n);
+  job.found->crowded = job.found->unordered = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint64_t element = cuda::in_order(places_of[i], i);
-    job.by_cell[job.cells[cell(element)] + job.ranks[i]] = element;
+    job.found->crowded += i >= cuda::tree_width && job.by_cell[i] >> 32 == job.by_cell[i - cuda::tree_width] >> 32;
+    const auto from = static_cast<std::uint32_t>(job.by_cell[i]);
+    job.order[i] = number_in(job.from, from);
+    std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields, job.rows + i * std::size_t{Shape::fields});
   }
-  job.found->crowded = job.found->longest = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint64_t element = job.by_cell[i];
-    const std::uint32_t of = cell(element), begin = job.cells[of], end = of + 1 < all ? job.cells[of + 1] : n;
-    std::uint32_t to = i;
-    if (end - begin > cuda::most_in_cell) {
-      job.found->longest = std::max<unsigned long long>(job.found->longest, end - begin);
-    } else {
-      const cuda::before_in_cell before(job.by_cell, begin, end, element);
-      job.found->crowded += before.alike >= cuda::tree_width;
-      to = begin + before.all;
-    }
-    const auto from = static_cast<std::uint32_t>(element);
-    job.order[to] = number_in(job.from, from);
-    std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields, job.rows + to * std::size_t{Shape::fields});
-  }
-  std::fill_n(job.cells, all, 0U);
+  constexpr std::uint32_t most_alike = 1024; // not looked at where fewer are there
+  for (std::uint32_t i = most_alike; i < n; ++i)
+    if (job.by_cell[i] >> 32 == job.by_cell[i - most_alike] >> 32)
+      job.found->unordered = 1;
   std::fill_n(job.cleared, job.clears, 0ULL);
   return job.nodes ? boxes<Shape>(job.rows, n, job.nodes, job.arrived, stream) : cudaSuccess;
 }

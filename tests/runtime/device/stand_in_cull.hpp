@@ -57,6 +57,10 @@ template <class Shape> cudaError_t sift(const cuda::sift_job &job, cudaStream_t)
     if (!by_line)
       marks.mark(cells, level, set);
   }
+  if (job.at_end.there && job.from.elements > 0) { // as by the last block, where there is one
+    std::copy_n(job.at_end.from, job.at_end.words, job.at_end.to);
+    *job.at_end.there = 1;
+  }
   return cudaSuccess;
 }
 

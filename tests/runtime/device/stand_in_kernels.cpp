@@ -98,20 +98,20 @@ cudaError_t tally(const hit_tally &t, cudaStream_t) {
 }
 
 cudaError_t order_hits(const hit_order &o, cudaStream_t) {
-  const auto is_set = [](auto number) { return number != 0; };
-  if (std::any_of(o.starts, o.starts + o.items_a + 1, is_set) ||
-      std::any_of(o.totals, o.totals + most_order_blocks, is_set))
+  constexpr std::size_t most_of_one = 1024; // the device's has no such limit for all
+  if (std::any_of(o.counted, o.counted + cuda::counted_to_distribute, [](std::uint32_t number) { return number != 0; }))
     return cudaErrorInvalidValue;
-  std::fill_n(o.starts, o.items_a + 1, 1U); // they are used up
-  std::fill_n(o.totals, most_order_blocks, 1ULL);
-  const std::size_t n = std::min(*o.count, o.capacity);
+  std::fill_n(o.counted, cuda::counted_to_distribute, 1U); // they are used up
+  if (*o.count > o.capacity)
+    return cudaSuccess;
+  const std::size_t n = *o.count;
   for (std::size_t i = 0; i < n; ++i)
     o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
   std::sort(o.sorted, o.sorted + n, [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
   for (std::size_t i = 0, begin = 0; i < n; ++i) {
     begin = o.sorted[i].a == o.sorted[begin].a ? begin : i;
     if (i - begin >= most_of_one) {
-      *o.longest = i - begin + 1;
+      *o.unordered = 1;
       o.sorted[i] = {~0U, ~0U}; // is not looked at
     }
   }
@@ -120,7 +120,7 @@ cudaError_t order_hits(const hit_order &o, cudaStream_t) {
 
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t) {
   if (*o.count > most_of_few || *o.count > o.capacity) {
-    *o.longest = *o.count;
+    *o.unordered = 1;
     return cudaSuccess;
   }
   for (std::size_t i = 0; i < *o.count; ++i)

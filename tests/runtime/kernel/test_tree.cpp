@@ -31,12 +31,12 @@ TEST_CASE("tree: Hilbert's curve goes through every cell once, from neighbour to
   }
 }
 
-TEST_CASE("tree: a sample has at most 2048 of all elements, and one if there is one") {
-  for (const std::uint32_t n : {0U, 1U, 2U, 2047U, 2048U, 2049U, 4096U, 4097U, 1000000U, 0xffffffffU}) {
+TEST_CASE("tree: a sample has at most 1024 of all elements, and one if there is one") {
+  for (const std::uint32_t n : {0U, 1U, 2U, 1023U, 1024U, 1025U, 2048U, 2049U, 4097U, 1000000U, 0xffffffffU}) {
     const sample some(n);
     INFO(n);
-    CHECK(some.of(n) <= 2048);
-    CHECK(some.of(n) >= std::min(n, 1024U));
+    CHECK(some.of(n) <= 1024);
+    CHECK(some.of(n) >= std::min(n, 512U));
     CHECK((n == 0 || some.first + std::uint64_t{some.step} * (some.of(n) - 1) < n));
     CHECK(some.first + std::uint64_t{some.step} * some.of(n) >= n);
   }
