@@ -151,8 +151,8 @@ __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_co
   }
   constexpr unsigned together = 4;
   const int bits_a = 32 - __clz(static_cast<int>(o.items_a - 1)), bits_b = 32 - __clz(static_cast<int>(o.items_b - 1));
-  distributes keys({reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted}, bits_a + bits_b, false,
-                   blockIdx.x, gridDim.x, room);
+  const cuda::distribution all_keys{reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted};
+  distributes keys(all_keys, bits_a + bits_b, false, blockIdx.x, gridDim.x, room);
   keys.count<together>(
       [&](const std::uint32_t(&i)[together], const bool(&there)[together], std::uint64_t(&key)[together]) {
         index_pair hits[together];

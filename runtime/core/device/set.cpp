@@ -188,7 +188,7 @@ std::optional<cuda::arrange_job> device_set::plan(const order_request &r, cudaSt
     cuda::cutter from(space_.data(), space_.capacity());
     job.posed = packed ? nullptr : from.take<float>(n * fields);
     job.boxes = packed || job.common ? nullptr : from.take<cuda::tree_box>(cuda::most_blocks_to_arrange);
-    job.keys = from.take<std::uint64_t>(n), job.by_cell = from.take<std::uint64_t>(n);
+    job.keys.keys = from.take<std::uint64_t>(n), job.keys.by_cell = from.take<std::uint64_t>(n);
     if (planned && !space_.grow(from.used(), 0, on_->stream()))
       return {};
   }
@@ -198,7 +198,7 @@ std::optional<cuda::arrange_job> device_set::plan(const order_request &r, cudaSt
     check(cudaMemsetAsync(counted_.data(), 0, cuda::counted_to_distribute * sizeof(std::uint32_t), stream),
           "ordering a set");
   }
-  job.counted = counted_.data();
+  job.keys.n = n, job.keys.counted = counted_.data();
   version_ = next_version();
   take_room_for_tree();
   if (cuda::can_arrange_tree(kind_->fields))

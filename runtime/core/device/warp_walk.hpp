@@ -402,7 +402,9 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   for (; w.rows && plan.long_groups < tree_width && plan.items < 2 * enough; plan.items *= 2)
     plan.long_groups *= 2;
   const bool few_packets = !w.rows && 4 * plan.items <= enough;
-  const unsigned cuts = ((few_packets ? 2 : 1) * enough + plan.items - 1) / plan.items;
+  // Where more than half of the warps have a packet, to cut these costs more than it gains.
+  const bool many_packets = !w.rows && 2 * plan.items > enough;
+  const unsigned cuts = many_packets ? 1 : ((few_packets ? 2 : 1) * enough + plan.items - 1) / plan.items;
   while (plan.start > 1 && nodes_of(plan.start - 1) < cuts)
     --plan.start;
   plan.first_chunk = w.of.first_b >> 5 * plan.start;

@@ -45,8 +45,7 @@ public:
   __device__ arranging(const arrange_job &job, const tree_shape &shape, unsigned block, unsigned blocks, room &r)
       : job_(job), shape_(shape), room_(r), posed_(job.posed ? job.posed : job.from.data), n_(job.from.elements),
         block_(block), blocks_(blocks),
-        keys_({job.keys, job.by_cell, job.from.elements, job.counted}, 32 + 3 * bits_to_arrange,
-              job.from.index || job.from.only, block, blocks, r.keys) {}
+        keys_(job.keys, 32 + 3 * bits_to_arrange, job.from.index || job.from.only, block, blocks, r.keys) {}
 
   // Whether all rows are written before their places are known, which are by a box around these.
   MEETC_HD static bool poses_first(const arrange_job &job) { return job.posed && !job.common; }
@@ -188,8 +187,9 @@ private:
     if (!keys_.window(from, end)) {
       if (threadIdx.x == 0)
         room_.unordered = 1;
+#pragma unroll 1
       for (std::uint32_t i = from + threadIdx.x; i < end; i += threads)
-        room_.keys.keys[i - from] = job_.by_cell[i];
+        room_.keys.keys[i - from] = job_.keys.by_cell[i];
     }
     return true;
   }
@@ -328,8 +328,8 @@ template <class Shape> cudaError_t arrange(const arrange_job *jobs, int count, c
     return cudaErrorInvalidValue;
   for (int k = 0; k < count; ++k) {
     const arrange_job &job = jobs[k];
-    if (job.from.elements == 0 || job.from.elements > most_to_arrange || !(job.share > 0 && job.share <= 1) ||
-        !can_be_indexed<Shape>(job.from))
+    if (job.from.elements == 0 || job.from.elements > most_to_arrange || job.keys.n != job.from.elements ||
+        !(job.share > 0 && job.share <= 1) || !can_be_indexed<Shape>(job.from))
       return cudaErrorInvalidValue;
     const unsigned most = std::max(1U, static_cast<unsigned>(static_cast<float>(there) * job.share)),
                    wanted = (job.from.elements - 1) / (32 * least_warps) + 1;

@@ -22,12 +22,6 @@ inline constexpr unsigned most_of_tile = 8192, most_cells = 2048, window_cells =
 // Keys of the cells of a window, and those that share a finer cell.
 inline constexpr unsigned most_near_window = 1U << 18, most_alike = 2048;
 
-// What blocks that distribute keys share, in device memory.
-struct distribution {
-  std::uint64_t *keys, *by_cell; // n each; keys are written by count(), and read by distribute() for the last time
-  std::uint32_t n;               // above 0, below 2^31
-  std::uint32_t *counted;        // most_cells, all 0 before and, after clear(), again
-};
 static_assert(counted_to_distribute == most_cells);
 
 // Of a block, in shared memory.
@@ -281,7 +275,7 @@ private:
     }
   }
 
-  const distribution d_;
+  const distribution &d_;
   room &room_;
   const unsigned block_, blocks_;
   unsigned tiles_; // of this block

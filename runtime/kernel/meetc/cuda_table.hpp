@@ -128,8 +128,13 @@ MEETC_HD constexpr bool can_arrange_tree(int fields) {
 }
 inline constexpr std::uint32_t most_to_arrange = 1U << 20;
 inline constexpr int bits_to_arrange = 10; // of a cell along an axis, as places() has them
-// What it takes to distribute keys, cuda_distribute.hpp.
 inline constexpr std::size_t counted_to_distribute = 2048;
+// What blocks share that put keys into order (cuda_distribute.hpp), in device memory.
+struct distribution {
+  std::uint64_t *keys, *by_cell; // n each; keys are written by count(), and read by distribute() for the last time
+  std::uint32_t n;               // above 0, below 2^31
+  std::uint32_t *counted;        // counted_to_distribute, all 0 before and, after clear(), again
+};
 // The box around some boxes, in numbers that are 0 where there are none and that maxima join.
 struct joined_box {
   std::uint32_t below[3], above[3];
@@ -138,10 +143,9 @@ struct joined_box {
 struct arrange_job {
   view from;
   pose_matrix at;
-  float share;  // it takes this part of the device, so that others run beside it; above 0, at most 1
-  float *posed; // room for the rows in the caller's order; null: they stand so in `from`, packed and in this pose
-  std::uint64_t *keys, *by_cell; // room for a number each
-  std::uint32_t *counted;        // counted_to_distribute, all 0 before and after
+  float share;       // it takes this part of the device, so that others run beside it; above 0, at most 1
+  float *posed;      // room for the rows in the caller's order; null: they stand so in `from`, packed and in this pose
+  distribution keys; // of as many as there are elements
   const joined_box *common; // places are by the box that these two have in common; null: by one around the elements
   tree_box *boxes;          // room for most_blocks_to_arrange; null: that takes none
   float *rows;              // the rows become these,

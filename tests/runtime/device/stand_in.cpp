@@ -155,8 +155,8 @@ template <class Shape> cudaError_t gather(const cuda::gather_job &job, cudaStrea
 // As on the device. Where most elements are in one place, they have none.
 template <class Shape> cudaError_t arrange_one(const cuda::arrange_job &job, cudaStream_t stream) {
   const std::uint32_t n = job.from.elements;
-  if (n == 0 || n > cuda::most_to_arrange ||
-      std::any_of(job.counted, job.counted + cuda::counted_to_distribute,
+  if (n == 0 || n > cuda::most_to_arrange || job.keys.n != n ||
+      std::any_of(job.keys.counted, job.keys.counted + cuda::counted_to_distribute,
                   [](std::uint32_t number) { return number != 0; }))
     return cudaErrorInvalidValue;
   cuda::joined_box around{};
@@ -172,18 +172,19 @@ template <class Shape> cudaError_t arrange_one(const cuda::arrange_job &job, cud
   std::vector<std::uint32_t> places_of(n), numbers(n);
   places<Shape>(posed, n, &around, cuda::bits_to_arrange, places_of.data(), numbers.data(), nullptr, stream);
   for (std::uint32_t i = 0; i < n; ++i)
-    job.keys[i] = cuda::in_order(places_of[i], i);
-  std::partial_sort_copy(job.keys, job.keys + n, job.by_cell, job.by_cell + n);
+    job.keys.keys[i] = cuda::in_order(places_of[i], i);
+  std::partial_sort_copy(job.keys.keys, job.keys.keys + n, job.keys.by_cell, job.keys.by_cell + n);
   job.found->crowded = job.found->unordered = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
-    job.found->crowded += i >= cuda::tree_width && job.by_cell[i] >> 32 == job.by_cell[i - cuda::tree_width] >> 32;
-    const auto from = static_cast<std::uint32_t>(job.by_cell[i]);
+    job.found->crowded +=
+        i >= cuda::tree_width && job.keys.by_cell[i] >> 32 == job.keys.by_cell[i - cuda::tree_width] >> 32;
+    const auto from = static_cast<std::uint32_t>(job.keys.by_cell[i]);
     job.order[i] = number_in(job.from, from);
     std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields, job.rows + i * std::size_t{Shape::fields});
   }
   constexpr std::uint32_t most_alike = 1024; // not looked at where fewer are there
   for (std::uint32_t i = most_alike; i < n; ++i)
-    if (job.by_cell[i] >> 32 == job.by_cell[i - most_alike] >> 32)
+    if (job.keys.by_cell[i] >> 32 == job.keys.by_cell[i - most_alike] >> 32)
       job.found->unordered = 1;
   std::fill_n(job.cleared, job.clears, 0ULL);
   return job.nodes ? boxes<Shape>(job.rows, n, job.nodes, job.arrived, stream) : cudaSuccess;
