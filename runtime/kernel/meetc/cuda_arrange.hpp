@@ -1,9 +1,9 @@
 // Sets' elements are put into their spatial order by one kernel. Included by nvcc only.
 //
 // Problem: of some hundred thousand elements a sort by digits is a chain of a dozen kernels, each of which waits more than it
-// works. Method: one kernel whose blocks meet between its steps. An element's key is its place and its number; keys are put into
-// order (cuda_distribute.hpp), a window of which at a time brings its rows to their places, where they make nodes of the tree. The
-// order is that of a stable sort by places. Two sets of a query share the kernel, each with blocks of its own.
+// works. Method: one kernel whose blocks meet between its steps. An element's key is its place and its number; keys are put
+// into order (cuda_distribute.hpp), a window of which at a time brings its rows to their places, where they make nodes of the
+// tree. The order is that of a stable sort by places. Two sets of a query share the kernel, each with blocks of its own.
 // Limits: up to most_to_arrange elements, not too many of them too close to each other.
 #ifndef MEETC_CUDA_ARRANGE_HPP
 #define MEETC_CUDA_ARRANGE_HPP
@@ -72,7 +72,8 @@ public:
       job_.boxes[block_] = mine;
   }
 
-  // Places. They are by the box that is known, or around all rows that were written, or around some of those that stand already.
+  // Places. They are by the box that is known, or around all rows that were written, or around some of those that stand
+  // already.
   __device__ void count() {
     if (job_.common)
       around_ = common_box(job_.common[0], job_.common[1]);

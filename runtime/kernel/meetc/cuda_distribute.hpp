@@ -1,12 +1,13 @@
 // Keys of 64 bits are put into order by the blocks of one kernel, between whose steps these meet. Included by nvcc only.
 //
-// Problem: a device carries out some fifty scattered additions or writes in a nanosecond, a tenth of what it moves side by side,
-// so that to bring each key to its place by itself takes longer than all else. Method: the first bits of a key name its cell. A
-// block counts its keys by cells, and learns by one addition for each cell how many of other blocks come before its own. It puts
-// tiles of them into the order of the cells in its own memory, and brings neighbours to their cells together. Then a block takes a window of the order that it is asked for: it looks at the keys of the cells there, of which finer cells say which
-// lie in the window, and puts these into order.
-// Limits: keys differ from each other. There is no order where too many are alike in their first bits: those of a cell, those of
-// a finer cell, or those of a window and of the finer cells that reach into it.
+// Problem: a device carries out some fifty scattered additions or writes in a nanosecond, a tenth of what it moves side by
+// side, so that to bring each key to its place by itself takes longer than all else. Method: the first bits of a key name its
+// cell. A block counts its keys by cells, and learns by one addition for each cell how many of other blocks come before its
+// own. It puts tiles of them into the order of the cells in its own memory, and brings neighbours to their cells together.
+// Then a block takes a window of the order that it is asked for: it looks at the keys of the cells there, of which finer
+// cells say which lie in the window, and puts these into order.
+// Limits: keys differ from each other. There is no order where too many are alike in their first bits: those of a cell, those
+// of a finer cell, or those of a window and of the finer cells that reach into it.
 #ifndef MEETC_CUDA_DISTRIBUTE_HPP
 #define MEETC_CUDA_DISTRIBUTE_HPP
 
@@ -27,8 +28,7 @@ static_assert(counted_to_distribute == most_cells);
 // Of a block, in shared memory.
 template <unsigned Threads> struct distribute_room {
   std::uint64_t keys[most_of_tile];
-  std::uint32_t
-      counters[window_cells]; // right behind the keys; of cells, and where keys go; or of a window's finer cells
+  std::uint32_t counters[window_cells]; // right behind the keys; of cells, and where keys go; or of finer cells
   std::uint32_t starts[most_cells + 1]; // where each cell begins, and the end
   unsigned sums[Threads / 32];
   std::uint32_t first, last, begin, end; // of a window
@@ -107,8 +107,8 @@ public:
       d_.counted[c] = 0;
   }
 
-  // The keys from place `first` to before `last` of the order become the first of room.keys, at most most_of_tile. Returns false
-  // where they cannot be put into order; all threads get the same.
+  // The keys from place `first` to before `last` of the order become the first of room.keys, at most most_of_tile. Returns
+  // false where they cannot be put into order; all threads get the same.
   __device__ bool window(std::uint32_t first, std::uint32_t last) {
     __syncthreads(); // of an earlier window nobody reads any more
     for (unsigned c = threadIdx.x; c < cells_; c += Threads) {

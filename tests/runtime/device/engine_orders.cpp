@@ -15,7 +15,8 @@ namespace cuda_test {
 using namespace meetc;
 
 bool same_list(const std::vector<index_pair> &x, const std::vector<index_pair> &y) {
-  return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(index_pair)) == 0;
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                    [](index_pair p, index_pair q) { return p.a == q.a && p.b == q.b; });
 }
 
 bool is_in_order(const device_set &there, const prepared &set) {

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <tuple>
 #include <vector>
 
 using namespace meetc::cuda;
@@ -36,13 +37,13 @@ std::vector<std::uint64_t> different(std::mt19937_64 &random, std::uint32_t n, s
 
 std::vector<scene> scenes(std::mt19937_64 &random) {
   std::vector<scene> out;
-  for (const std::uint32_t n : {1U, 31U, 32U, 33U, 1000U, 20'000U})
+  for (const std::uint32_t n : {1U, 31U, 32U, 33U, 1000U, 9000U})
     out.push_back({"even", 40, different(random, n, 0, 1ULL << 40)});
   out.push_back({"64 bits", 64, different(random, 3000, 0, ~0ULL)});
   out.push_back({"all there are", 11, different(random, 1U << 11, 0, 1U << 11)});
   out.push_back({"in one cell", 62, different(random, 9000, 1ULL << 40, (1ULL << 40) + (1ULL << 49))});
   scene both{"near each other and far away", 50, different(random, 2000, 0, 1ULL << 50)};
-  for (const std::uint64_t key : different(random, 12'000, 1ULL << 49, (1ULL << 49) + (1ULL << 36)))
+  for (const std::uint64_t key : different(random, 8000, 1ULL << 49, (1ULL << 49) + (1ULL << 36)))
     both.keys.push_back(key);
   std::sort(both.keys.begin(), both.keys.end());
   both.keys.erase(std::unique(both.keys.begin(), both.keys.end()), both.keys.end());
@@ -73,7 +74,9 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
     });
   });
   each_block([](distributes &mine, unsigned) { mine.distribute(); });
-  CHECK(std::is_permutation(by_cell.begin(), by_cell.end(), s.keys.begin(), s.keys.end()));
+  std::vector<std::uint64_t> there = by_cell, given = s.keys;
+  std::sort(there.begin(), there.end()), std::sort(given.begin(), given.end());
+  CHECK((there == given));
   each_block([](distributes &mine, unsigned) { mine.clear(); });
   CHECK(std::all_of(counted.begin(), counted.end(), [](std::uint32_t c) { return c == 0; }));
   ordered = true;
@@ -99,15 +102,14 @@ TEST_CASE("distribute: the windows of keys that blocks put into order follow eac
   for (const scene &s : scenes(random)) {
     std::vector<std::uint64_t> want = s.keys;
     std::sort(want.begin(), want.end());
-    for (const unsigned blocks : {1U, 3U, 32U})
-      for (const bool sparse : {false, true})
-        for (const std::uint32_t window : {1000U, most_of_tile / 2}) {
-          bool ordered = false;
-          const std::vector<std::uint64_t> found = windows(s, blocks, sparse, window, ordered);
-          INFO(s.name << ", " << want.size() << " keys, " << blocks << " blocks, windows of " << window);
-          CHECK(ordered);
-          CHECK((found == want));
-        }
+    for (const auto &[blocks, sparse, window] : {std::tuple(1U, false, most_of_tile / 2), std::tuple(3U, true, 2500U),
+                                                 std::tuple(32U, true, most_of_tile / 2)}) {
+      bool ordered = false;
+      const std::vector<std::uint64_t> found = windows(s, blocks, sparse, window, ordered);
+      INFO(s.name << ", " << want.size() << " keys, " << blocks << " blocks, windows of " << window);
+      CHECK(ordered);
+      CHECK((found == want));
+    }
   }
 }
 
