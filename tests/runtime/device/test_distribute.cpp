@@ -10,7 +10,6 @@
 #include <numeric>
 #include <random>
 #include <set>
-#include <tuple>
 #include <vector>
 
 using namespace meetc::cuda;
@@ -102,14 +101,15 @@ TEST_CASE("distribute: the windows of keys that blocks put into order follow eac
   for (const scene &s : scenes(random)) {
     std::vector<std::uint64_t> want = s.keys;
     std::sort(want.begin(), want.end());
-    for (const auto &[blocks, sparse, window] : {std::tuple(1U, false, most_of_tile / 2), std::tuple(3U, true, 2500U),
-                                                 std::tuple(32U, true, most_of_tile / 2)}) {
-      bool ordered = false;
-      const std::vector<std::uint64_t> found = windows(s, blocks, sparse, window, ordered);
-      INFO(s.name << ", " << want.size() << " keys, " << blocks << " blocks, windows of " << window);
-      CHECK(ordered);
-      CHECK((found == want));
-    }
+    for (const unsigned blocks : {1U, 3U, 32U})
+      for (const bool sparse : {false, true})
+        for (const std::uint32_t window : {2500U, most_of_tile / 2}) {
+          bool ordered = false;
+          const std::vector<std::uint64_t> found = windows(s, blocks, sparse, window, ordered);
+          INFO(s.name << ", " << want.size() << " keys, " << blocks << " blocks, windows of " << window);
+          CHECK(ordered);
+          CHECK((found == want));
+        }
   }
 }
 
