@@ -142,6 +142,14 @@ inline void require_all(unsigned mask) {
     throw std::logic_error("only whole warps are stood in for");
 }
 
+// Of all lanes' values the one that comes first.
+template <class Before> int least(unsigned mask, int value, Before before) {
+  require_all(mask);
+  for (const std::uint64_t bits : the_warp.meet("reduce", bits_of(value)))
+    value = std::min(value, from_bits<int>(bits), before);
+  return value;
+}
+
 } // namespace host_warp
 
 // ---- CUDA's functions ----
@@ -169,18 +177,10 @@ inline unsigned __ballot_sync(unsigned mask, bool holds) {
   return bits;
 }
 inline int __reduce_min_sync(unsigned mask, int value) {
-  host_warp::require_all(mask);
-  int least = value;
-  for (const std::uint64_t bits : host_warp::the_warp.meet("reduce_min", host_warp::bits_of(value)))
-    least = std::min(least, host_warp::from_bits<int>(bits));
-  return least;
+  return host_warp::least(mask, value, std::less<>());
 }
 inline int __reduce_max_sync(unsigned mask, int value) {
-  host_warp::require_all(mask);
-  int greatest = value;
-  for (const std::uint64_t bits : host_warp::the_warp.meet("reduce_max", host_warp::bits_of(value)))
-    greatest = std::max(greatest, host_warp::from_bits<int>(bits));
-  return greatest;
+  return host_warp::least(mask, value, std::greater<>());
 }
 inline int __any_sync(unsigned mask, bool holds) {
   host_warp::require_all(mask);

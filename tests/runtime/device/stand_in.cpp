@@ -182,7 +182,7 @@ template <class Shape> cudaError_t arrange_one(const cuda::arrange_job &job, cud
     job.order[i] = number_in(job.from, from);
     std::copy_n(posed + from * std::size_t{Shape::fields}, Shape::fields, job.rows + i * std::size_t{Shape::fields});
   }
-  constexpr std::uint32_t most_alike = 1024; // not looked at where fewer are there
+  constexpr std::uint32_t most_alike = 1024; // in one place; the device's limits are others
   for (std::uint32_t i = most_alike; i < n; ++i)
     if (job.keys.by_cell[i] >> 32 == job.keys.by_cell[i - most_alike] >> 32)
       job.found->unordered = 1;
