@@ -11,7 +11,7 @@ namespace meetc {
 namespace {
 
 // Beyond this many elements of A, whose hits are about as many, these are sorted faster by digits.
-constexpr std::uint32_t most_to_order = std::uint32_t{1} << 21;
+constexpr std::uint32_t most_elements = std::uint32_t{1} << 21;
 constexpr std::size_t most_ordered = 0x7fffffff; // hits
 
 int bits_of_items(std::span<const std::uint32_t> owners, std::uint32_t elements) {
@@ -50,10 +50,10 @@ void hit_pairs::upload_owners() {
 }
 
 bool hit_pairs::may_order() const {
-  return !owned() && a_.numbers() <= most_to_order;
+  return !owned() && a_.numbers() <= most_elements;
 }
 std::size_t hit_pairs::room_to_order(std::uint32_t elements_a) {
-  return elements_a <= most_to_order ? cuda::counted_to_distribute / 2 : 0;
+  return elements_a <= most_elements ? cuda::counted_to_distribute / 2 : 0;
 }
 
 bool hit_pairs::can_order(std::size_t hits) {

@@ -1,7 +1,7 @@
 // core/device/hits.hpp: what a query has found, from its kernels' list of hits to sorted pairs of items.
 //
-// The hits of a whole query are put into order by one kernel, which needs no number on the host, or else gathered as keys, part by
-// part, which are sorted at the end. Where the device lacks the memory for that, the host sorts.
+// The hits of a whole query are put into order by one kernel, which needs no number on the host, or else gathered as keys, part
+// by part, which are sorted at the end. Where the device lacks the memory for that, the host sorts.
 #ifndef MEETC_CORE_DEVICE_HITS_HPP
 #define MEETC_CORE_DEVICE_HITS_HPP
 
@@ -34,9 +34,9 @@ public:
   bool may_order() const;
   // Whether all hits of a query can be, of which there is room for this many.
   bool can_order(std::size_t hits);
-  // Enqueues that, after can_order(). `counted` has room_to_order(), and `unordered` is one number; all are 0 at first.
-  // Where there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or there
-  // are too many hits at all or of some items, where `unordered` is not 0 at the end; the hits are then to be added.
+  // Enqueues that, after can_order(). `counted` has room_to_order(), and `unordered` is one number; all are 0 at first. Where
+  // there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or there are
+  // too many hits at all or of some items, where `unordered` is not 0 at the end; the hits are then to be added.
   void order(const cuda::pair_list &hits, unsigned long long *counted, unsigned long long *unordered, bool few);
   // How many numbers it takes to order the hits of so many elements of A; 0: there are too many.
   static std::size_t room_to_order(std::uint32_t elements_a);

@@ -130,7 +130,7 @@ __device__ void rank_hits(const hit_order &o, unsigned n) {
 }
 
 // Pairs of elements are keys, which are put into order. Of more than these a cell has so many that digits take less time.
-constexpr std::uint32_t most_to_order = std::uint32_t{1} << 24;
+constexpr std::uint32_t most_hits_to_order = std::uint32_t{1} << 24;
 constexpr unsigned order_threads = 1024;
 using distributes = cuda::distributing<order_threads>;
 __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_constant__ hit_order o) {
@@ -144,7 +144,7 @@ __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_co
     rank_hits(o, n);
     return;
   }
-  if (n > most_to_order) {
+  if (n > most_hits_to_order) {
     if (blockIdx.x == 0 && threadIdx.x == 0)
       *o.unordered = 1;
     return;

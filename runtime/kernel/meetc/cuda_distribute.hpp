@@ -1,11 +1,11 @@
 // Keys of 64 bits are put into order by the blocks of one kernel, between whose steps these meet. Included by nvcc only.
 //
-// Problem: a device carries out some fifty scattered additions or writes in a nanosecond, a tenth of what it moves side by
-// side, so that to bring each key to its place by itself takes longer than all else. Method: the first bits of a key name its
-// cell. A block counts its keys by cells, and learns by one addition for each cell how many of other blocks come before its
-// own. It puts tiles of them into the order of the cells in its own memory, and brings neighbours to their cells together.
-// Then a block takes a window of the order that it is asked for: it looks at the keys of the cells there, of which finer
-// cells say which lie in the window, and puts these into order.
+// Problem: a device carries out far fewer scattered additions and writes than it moves numbers side by side, so that to bring
+// each key to its place by itself takes longer than all else. Method: the first bits of a key name its cell. A block counts
+// its keys by cells, and learns by one addition for each cell how many of other blocks come before its own. It puts tiles of
+// them into the order of the cells in its own memory, and brings neighbours to their cells together. Then a block takes a
+// window of the order that it is asked for: it looks at the keys of the cells there, of which finer cells say which lie in
+// the window, and puts these into order.
 // Limits: keys differ from each other. There is no order where too many are alike in their first bits: those of a cell, those
 // of a finer cell, or those of a window and of the finer cells that reach into it.
 #ifndef MEETC_CUDA_DISTRIBUTE_HPP
