@@ -100,42 +100,49 @@ void hit_pairs::spill() {
   keys_ = 0;
 }
 
+unsigned long long hit_pairs::counted() {
+  unsigned long long n = 0;
+  check(cudaMemcpyAsync(&n, buffers_.counts(), sizeof n, cudaMemcpyDeviceToHost, on_.stream()), "sorting pairs");
+  check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
+  return n;
+}
+
+// Brings all keys to their places at once, which become pairs. Returns false where too many are of items near each other.
+bool hit_pairs::order_keys_there(int bits) {
+  constexpr std::size_t bytes = cuda::counted_to_distribute * sizeof(std::uint32_t);
+  buffers_.sort_space.reserve(bytes, "counters");
+  for (void *const zeros : {static_cast<void *>(buffers_.sort_space.data()), static_cast<void *>(buffers_.counts())})
+    check(cudaMemsetAsync(zeros, 0, zeros == buffers_.counts() ? sizeof(unsigned long long) : bytes, on_.stream()),
+          "sorting pairs");
+  check(order_keys({buffers_.keys.data(), static_cast<std::uint32_t>(keys_), bits, bits_b_, buffers_.more_keys.data(),
+                    reinterpret_cast<std::uint32_t *>(buffers_.sort_space.data()), buffers_.counts()},
+                   on_.stream()),
+        "sorting pairs");
+  if (counted() == 0)
+    return true;
+  std::swap(buffers_.keys, buffers_.more_keys);
+  return false;
+}
+
 // Sorts the keys, drops repeats where there are owners, and makes pairs of them. Returns false where the device lacks the memory.
 bool hit_pairs::sort_on_device() {
   if (owned() && keys_ > 0x7fffffff) // older versions of CUB take at most this many keys
     return false;
+  if (!buffers_.more_keys.grow(keys_, 0, on_.stream()))
+    return false;
   const int bits = std::max(1, bits_a_ + bits_b_);
+  if (!owned() && keys_ > 0 && keys_ <= most_ordered && order_keys_there(bits))
+    return true;
   std::size_t sort_bytes = 0, repeat_bytes = 0;
-  check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, 0, bits, on_.stream()), "planning to sort");
+  check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
   if (owned())
     check(drop_repeats(nullptr, repeat_bytes, nullptr, nullptr, nullptr, keys_, on_.stream()), "planning to sort");
-  const std::size_t bytes = std::max(sort_bytes, repeat_bytes);
-  if (!buffers_.more_keys.grow(keys_, 0, on_.stream()) || !buffers_.sort_space.grow(bytes, 0, on_.stream()))
+  if (!buffers_.sort_space.grow(std::max(sort_bytes, repeat_bytes), 0, on_.stream()))
     return false;
-  const auto sort = [&](int first_bit) {
-    check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_,
-                    first_bit, bits, on_.stream()),
-          "sorting pairs");
-    std::swap(buffers_.keys, buffers_.more_keys);
-  };
-  const auto counted = [&] {
-    unsigned long long n = 0;
-    check(cudaMemcpyAsync(&n, buffers_.counts(), sizeof n, cudaMemcpyDeviceToHost, on_.stream()), "sorting pairs");
-    check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
-    return n;
-  };
-  // Most items have few hits, which find their places among each other.
-  if (!owned() && bits_a_ > 0 && keys_ > 0) {
-    sort(bits_b_);
-    check(order_runs(buffers_.keys.data(), keys_, bits_b_, reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
-                     buffers_.counts(), on_.stream()),
-          "sorting pairs");
-    if (counted() == 0) {
-      std::swap(buffers_.keys, buffers_.more_keys);
-      return true;
-    }
-  }
-  sort(0);
+  check(sort_keys(buffers_.sort_space.data(), sort_bytes, buffers_.keys.data(), buffers_.more_keys.data(), keys_, bits,
+                  on_.stream()),
+        "sorting pairs");
+  std::swap(buffers_.keys, buffers_.more_keys);
   if (owned()) {
     check(drop_repeats(buffers_.sort_space.data(), repeat_bytes, buffers_.keys.data(), buffers_.more_keys.data(),
                        buffers_.counts(), keys_, on_.stream()),

@@ -52,6 +52,8 @@ public:
 
 private:
   void spill();
+  unsigned long long counted(); // at the first of the query's counters
+  bool order_keys_there(int bits);
   bool sort_on_device();
 
   device &on_;

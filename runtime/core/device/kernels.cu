@@ -29,30 +29,6 @@ __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n, int bits_b) {
     reinterpret_cast<index_pair *>(keys)[i] = pair_of(keys[i], bits_b);
 }
 
-// The place of a key among those of its item is the number of smaller ones. Most items have one.
-__global__ void runs_kernel(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
-                            unsigned long long *crowded) {
-  cuda::begin();
-  const std::uint64_t of_item = ~std::uint64_t{0} << bits_b; // the bits of a key that name its item
-  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads}) {
-    const std::uint64_t key = keys[i];
-    const auto alike = [&](std::size_t k) { return ((keys[k] ^ key) & of_item) == 0; };
-    const bool follows = i > 0 && alike(i - 1), leads = i + 1 < n && alike(i + 1);
-    unsigned before = 0, length = 1; // of the keys of the item, the smaller ones, and all
-    if (follows)
-      for (std::size_t k = i; k > 0 && length <= most_in_run && alike(k - 1); --k, ++length)
-        before += keys[k - 1] < key;
-    const std::size_t begin = i + 1 - length;
-    if (leads)
-      for (std::size_t k = i + 1; k < n && length <= most_in_run && alike(k); ++k, ++length)
-        before += keys[k] < key;
-    if (length > most_in_run)
-      *crowded = length;
-    else
-      to[begin + before] = pair_of(key, bits_b);
-  }
-}
-
 __global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned fields, std::uint64_t lengths,
                                unsigned *most) {
   unsigned of[2] = {0, 0}; // magnitudes, whose order is that of their bits
@@ -180,6 +156,45 @@ __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_co
   }
 }
 
+// Of many keys a block takes some whole cells at a time. Of larger cells, all blocks take windows.
+constexpr unsigned tile_of_many = 2 * cuda::most_of_tile;
+using distributes_many = cuda::distributing<order_threads, tile_of_many>;
+__global__ void __launch_bounds__(order_threads, 1) order_keys_kernel(const __grid_constant__ key_order o) {
+  extern __shared__ uint4 memory[];
+  auto &room = *reinterpret_cast<distributes_many::room *>(memory);
+  const cuda::distribution all_keys{o.keys, o.by_cell, o.n, o.counted};
+  distributes_many keys(all_keys, o.bits, false, blockIdx.x, gridDim.x, room);
+  keys.count_there<4>();
+  cuda::meet_grid();
+  keys.distribute();
+  cuda::meet_grid();
+  auto *const pairs = reinterpret_cast<index_pair *>(o.keys);
+  const auto order = [&](std::uint32_t first, std::uint32_t last) {
+    if (!keys.window(first, last, [&](std::uint32_t at, std::uint64_t key) { pairs[at] = pair_of(key, o.bits_b); }) &&
+        threadIdx.x == 0)
+      *o.unordered = 1;
+  };
+  const std::uint32_t cells = keys.cells(), most = tile_of_many / 2, together = max(1U, most / ((o.n - 1) / cells + 1));
+  const auto end_of = [&](std::uint32_t c) { return keys.begin_of_cell(min(c + together, cells)); };
+  for (std::uint32_t c = blockIdx.x * together; c < cells; c += gridDim.x * together) {
+    const std::uint32_t first = keys.begin_of_cell(c), last = end_of(c);
+    if (first < last && last - first <= tile_of_many)
+      order(first, last);
+  }
+  bool larger = false;
+  for (std::uint32_t c = threadIdx.x * together; c < cells; c += order_threads * together)
+    larger |= end_of(c) - keys.begin_of_cell(c) > tile_of_many;
+  if (!__syncthreads_or(larger))
+    return;
+  std::uint32_t windows = 0;
+  for (std::uint32_t c = 0; c < cells; c += together) {
+    const std::uint32_t first = keys.begin_of_cell(c), last = end_of(c);
+    for (std::uint32_t at = first; last - first > tile_of_many && at < last; at += most, ++windows)
+      if (windows % gridDim.x == blockIdx.x)
+        order(at, min(last - at, most) + at);
+  }
+}
+
 // Adds 1 to the counter `at`, once for all lanes with the same one.
 __device__ void count_one(unsigned long long *counters, std::uint32_t at) {
   const unsigned alike = __match_any_sync(__activemask(), at);
@@ -235,6 +250,11 @@ cudaError_t order_hits(const hit_order &o, cudaStream_t stream) {
   return cuda::launch_together<order_kernel, order_threads, sizeof(distributes::room)>(order_threads, stream, o);
 }
 
+cudaError_t order_keys(const key_order &o, cudaStream_t stream) {
+  return cuda::launch_together<order_keys_kernel, order_threads, sizeof(distributes_many::room)>(order_threads, stream,
+                                                                                                 o);
+}
+
 cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream) {
   return cuda::launch<few_kernel>(1, few_threads, stream, o);
 }
@@ -266,16 +286,8 @@ cudaError_t to_pairs(std::uint64_t *keys, std::size_t n, int bits_b, cudaStream_
 }
 
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
-                      int first_bit, int bits, cudaStream_t stream) {
-  return cub::DeviceRadixSort::SortKeys(space, bytes, keys, to, n, first_bit, bits, stream);
-}
-
-cudaError_t order_runs(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
-                       unsigned long long *crowded, cudaStream_t stream) {
-  const cudaError_t e = cudaMemsetAsync(crowded, 0, sizeof *crowded, stream);
-  if (e != cudaSuccess || n == 0)
-    return e;
-  return cuda::launch<runs_kernel>(blocks_for(n), threads, stream, keys, n, bits_b, to, crowded);
+                      int bits, cudaStream_t stream) {
+  return cub::DeviceRadixSort::SortKeys(space, bytes, keys, to, n, 0, bits, stream);
 }
 
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,

@@ -63,15 +63,21 @@ cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::u
 // Adds `by` to the first element of n pairs.
 cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream);
 
-// Sorts keys below 2^bits into `to`, by their bits from the first on. With space null, only sets the number of bytes that it
-// needs, whatever the first is.
+// Puts keys into order, which become pairs where they are. Keys are below 2^bits and differ from each other.
+struct key_order {
+  std::uint64_t *keys;
+  std::uint32_t n; // above 0, below 2^31
+  int bits, bits_b;
+  std::uint64_t *by_cell; // room for n; these are then the keys, in some order
+  std::uint32_t *counted; // counted_to_distribute numbers, all 0 at first; used up
+  // 0 at first. Where too many are of items that are near each other, it becomes 1, and the pairs mean nothing.
+  unsigned long long *unordered;
+};
+cudaError_t order_keys(const key_order &o, cudaStream_t stream);
+
+// Sorts keys below 2^bits into `to`. With space null, only sets the number of bytes that it needs.
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
-                      int first_bit, int bits, cudaStream_t stream);
-// Keys that are sorted by their items of A become sorted pairs. Where an item has more than most_in_run of them, *crowded,
-// device memory, becomes other than 0, and `to` means nothing.
-inline constexpr unsigned most_in_run = 64;
-cudaError_t order_runs(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
-                       unsigned long long *crowded, cudaStream_t stream);
+                      int bits, cudaStream_t stream);
 // Drops repeats of sorted keys; *kept, device memory, becomes the number of keys left.
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,
                          unsigned long long *kept, std::size_t n, cudaStream_t stream);

@@ -18,16 +18,18 @@
 
 namespace meetc::cuda {
 
-// Keys of a tile or of a window with its surroundings, cells, and finer cells of a window.
-inline constexpr unsigned most_of_tile = 8192, most_cells = 2048, window_cells = 2 * most_cells;
+// Keys of a tile or of a window with its surroundings, where nothing else is said, and cells.
+inline constexpr unsigned most_of_tile = 8192, most_cells = 2048;
 // Keys of the cells of a window, and those that share a finer cell.
 inline constexpr unsigned most_near_window = 1U << 18, most_alike = 2048;
 
 static_assert(counted_to_distribute == most_cells);
 
 // Of a block, in shared memory.
-template <unsigned Threads> struct distribute_room {
-  std::uint64_t keys[most_of_tile];
+template <unsigned Threads, unsigned Tile = most_of_tile> struct distribute_room {
+  static constexpr unsigned window_cells = Tile / 2; // finer cells of a window
+  static_assert(window_cells >= 2 * most_cells);
+  std::uint64_t keys[Tile];
   std::uint32_t counters[window_cells]; // right behind the keys; of cells, and where keys go; or of finer cells
   std::uint32_t starts[most_cells + 1]; // where each cell begins, and the end
   unsigned sums[Threads / 32];
@@ -35,15 +37,15 @@ template <unsigned Threads> struct distribute_room {
 };
 
 // One block of so many, whose threads all call its functions.
-template <unsigned Threads> class distributing {
+template <unsigned Threads, unsigned Tile = most_of_tile> class distributing {
 public:
-  using room = distribute_room<Threads>;
-  static constexpr unsigned each = most_of_tile / Threads; // keys of a thread
+  using room = distribute_room<Threads, Tile>;
+  static constexpr unsigned each = Tile / Threads; // keys of a thread
 
   // Keys are below 2^key_bits, and some only are in use where `sparse`, which then has more cells.
   __device__ distributing(const distribution &d, int key_bits, bool sparse, unsigned block, unsigned blocks, room &r)
       : d_(d), room_(r), block_(block), blocks_(blocks) {
-    tiles_ = (d.n - 1) / (blocks * most_of_tile) + 1;
+    tiles_ = (d.n - 1) / (blocks * Tile) + 1;
     tile_ = ((d.n - 1) / (blocks * tiles_) + 32) / 32 * 32;
     const int wanted = 29 - __clz(tile_) + (sparse ? 2 : 0); // some keys of a tile to a cell
     const int bits = min(min(max(wanted, 1), 11), key_bits);
@@ -54,32 +56,21 @@ public:
   // Keys, and how many each cell has. `take(i, there, key)` makes the keys i[k] where there[k]; the lanes of a warp have
   // neighbours, and a warp calls it as a whole.
   template <unsigned Together, class Take> __device__ void count(Take &&take) {
-    zero(cells_);
-    __syncthreads();
-    for (unsigned t = 0; t < tiles_; ++t) {
-      const std::uint32_t end = end_of(t);
-      for (std::uint32_t first = begin_of(t) + threadIdx.x; first - threadIdx.x % 32 < end;
-           first += Together * Threads) {
-        std::uint32_t i[Together];
-        bool there[Together];
-        std::uint64_t key[Together];
+    count_cells<Together>([&](const auto &i, const auto &there, auto &key) {
+      take(i, there, key);
 #pragma unroll
-        for (unsigned k = 0; k < Together; ++k)
-          i[k] = first + k * Threads, there[k] = i[k] < end;
-        take(i, there, key);
+      for (unsigned k = 0; k < Together; ++k)
+        if (there[k])
+          d_.keys[i[k]] = key[k];
+    });
+  }
+  // The same of keys that are there.
+  template <unsigned Together> __device__ void count_there() {
+    count_cells<Together>([&](const auto &i, const auto &there, auto &key) {
 #pragma unroll
-        for (unsigned k = 0; k < Together; ++k)
-          if (there[k]) {
-            d_.keys[i[k]] = key[k];
-            atomicAdd(room_.counters + cell(key[k]), 1U);
-          }
-      }
-    }
-    __syncthreads();
-    for (unsigned c = threadIdx.x; c < cells_; c += Threads) {
-      const std::uint32_t n = room_.counters[c];
-      to()[c] = n > 0 ? atomicAdd(d_.counted + c, n) : 0;
-    }
+      for (unsigned k = 0; k < Together; ++k)
+        key[k] = there[k] ? d_.keys[i[k]] : 0;
+    });
   }
 
   // Keys by their cells, once blocks have met after count().
@@ -110,6 +101,93 @@ public:
   // The keys from place `first` to before `last` of the order become the first of room.keys, at most most_of_tile. Returns
   // false where they cannot be put into order; all threads get the same.
   __device__ bool window(std::uint32_t first, std::uint32_t last) {
+    if (!take_near(first, last))
+      return false;
+    std::uint64_t mine[each];
+    std::uint32_t place[each];
+    bool alike = false;
+#pragma unroll
+    for (unsigned k = 0; k < each; ++k) {
+      place[k] = ~std::uint32_t{0};
+      if (k * Threads >= near_.n)
+        continue;
+      const std::uint32_t i = threadIdx.x + k * Threads;
+      if (i >= near_.n)
+        continue;
+      mine[k] = room_.keys[i];
+      alike |= !place_of(mine[k], first, place[k]);
+    }
+    if (__syncthreads_or(alike))
+      return false;
+#pragma unroll
+    for (unsigned k = 0; k < each; ++k)
+      if (k * Threads < near_.n && place[k] < last - first)
+        room_.keys[place[k]] = mine[k];
+    __syncthreads();
+    return true;
+  }
+  // The same, but that each key is written: write(place, key). Where false is returned, some may have been.
+  template <class Write> __device__ bool window(std::uint32_t first, std::uint32_t last, Write &&write) {
+    if (!take_near(first, last))
+      return false;
+    bool alike = false;
+    for (std::uint32_t i = threadIdx.x; i < near_.n; i += Threads) {
+      const std::uint64_t key = room_.keys[i];
+      std::uint32_t place = 0;
+      alike |= !place_of(key, first, place);
+      if (place < last - first)
+        write(first + place, key);
+    }
+    return !__syncthreads_or(alike);
+  }
+
+  // Where a cell begins in the order, after distribute(); of the cell behind the last one, the end.
+  __device__ std::uint32_t cells() const {
+    return cells_;
+  }
+  __device__ std::uint32_t begin_of_cell(std::uint32_t c) const {
+    return room_.starts[c];
+  }
+
+private:
+  // The cells of a window, and the finer cells that reach into it.
+  struct near_window {
+    std::uint32_t begin;       // the place of the cells' first key
+    int together;              // a finer cell is that of 2^together keys
+    std::uint32_t from, n;     // the place of the finer cells' first key, and how many they have
+    std::uint32_t first, last; // finer cells
+  };
+
+  template <unsigned Together, class Take> __device__ void count_cells(Take &&take) {
+    zero(cells_);
+    __syncthreads();
+    for (unsigned t = 0; t < tiles_; ++t) {
+      const std::uint32_t end = end_of(t);
+      for (std::uint32_t first = begin_of(t) + threadIdx.x; first - threadIdx.x % 32 < end;
+           first += Together * Threads) {
+        std::uint32_t i[Together];
+        bool there[Together];
+        std::uint64_t key[Together];
+#pragma unroll
+        for (unsigned k = 0; k < Together; ++k)
+          i[k] = first + k * Threads, there[k] = i[k] < end;
+        take(i, there, key);
+#pragma unroll
+        for (unsigned k = 0; k < Together; ++k)
+          if (there[k])
+            atomicAdd(room_.counters + cell(key[k]), 1U);
+      }
+    }
+    __syncthreads();
+    for (unsigned c = threadIdx.x; c < cells_; c += Threads) {
+      const std::uint32_t n = room_.counters[c];
+      to()[c] = n > 0 ? atomicAdd(d_.counted + c, n) : 0;
+    }
+  }
+
+  // The keys of the finer cells that reach into a window become the first of room.keys, by these cells, whose counters say
+  // where they end. Returns false where there are too many.
+  __device__ bool take_near(std::uint32_t first, std::uint32_t last) {
     __syncthreads(); // of an earlier window nobody reads any more
     for (unsigned c = threadIdx.x; c < cells_; c += Threads) {
       const std::uint32_t begin = room_.starts[c], end = room_.starts[c + 1];
@@ -119,75 +197,62 @@ public:
         room_.last = c;
     }
     __syncthreads();
-    const std::uint32_t low = room_.first, begin = room_.starts[low], end = room_.starts[room_.last + 1];
-    if (end - begin > most_near_window)
+    const std::uint32_t low = room_.first, end = room_.starts[room_.last + 1];
+    near_.begin = room_.starts[low];
+    if (end - near_.begin > most_near_window)
       return false;
     // As many finer cells as keys, up to window_cells: each cell is cut into as many as it has keys.
-    const unsigned keys = end - begin;
-    int together = 0;
-    while ((keys - 1) >> together >= window_cells)
-      ++together;
-    const unsigned fine_cells = ((keys - 1) >> together) + 1;
-    const auto fine = [&](std::uint64_t key) {
-      const std::uint32_t c = cell(key), from = room_.starts[c],
-                          within =
-                              static_cast<std::uint32_t>(shift_ >= 32 ? key >> (shift_ - 32) : key << (32 - shift_));
-      return (from - begin + __umulhi(within, room_.starts[c + 1] - from)) >> together;
-    };
+    const unsigned keys = end - near_.begin;
+    near_.together = 0;
+    while ((keys - 1) >> near_.together >= room::window_cells)
+      ++near_.together;
+    const unsigned fine_cells = ((keys - 1) >> near_.together) + 1;
     zero(fine_cells);
     __syncthreads();
-    each_near(begin, end, [&](std::uint64_t key) { atomicAdd(room_.counters + fine(key), 1U); });
+    each_near(near_.begin, end, [&](std::uint64_t key) { atomicAdd(room_.counters + fine(key), 1U); });
     __syncthreads();
     scan(room_.counters, fine_cells);
     // The finer cells that reach into the window, and the places from the first one's on.
     for (unsigned c = threadIdx.x; c < fine_cells; c += Threads) {
-      const std::uint32_t from = room_.counters[c] + begin,
-                          to = c + 1 < fine_cells ? room_.counters[c + 1] + begin : end;
+      const std::uint32_t from = room_.counters[c] + near_.begin,
+                          to = c + 1 < fine_cells ? room_.counters[c + 1] + near_.begin : end;
       if (from <= first && first < to)
         room_.first = c, room_.begin = from;
       if (from < last && last <= to)
         room_.last = c, room_.end = to;
     }
     __syncthreads();
-    const std::uint32_t from = room_.begin, n = room_.end - from, first_fine = room_.first, last_fine = room_.last;
-    if (n > most_of_tile)
+    near_.from = room_.begin, near_.n = room_.end - near_.from;
+    near_.first = room_.first, near_.last = room_.last;
+    if (near_.n > Tile)
       return false;
-    each_near(begin, end, [&](std::uint64_t key) {
-      if (const std::uint32_t c = fine(key); first_fine <= c && c <= last_fine)
-        room_.keys[atomicAdd(room_.counters + c, 1U) + begin - from] =
+    each_near(near_.begin, end, [&](std::uint64_t key) {
+      if (const std::uint32_t c = fine(key); near_.first <= c && c <= near_.last)
+        room_.keys[atomicAdd(room_.counters + c, 1U) + near_.begin - near_.from] =
             key; // after that the counter says where the cell ends
     });
     __syncthreads();
-    std::uint64_t mine[each];
-    std::uint32_t place[each];
-    bool alike = false;
-#pragma unroll
-    for (unsigned k = 0; k < each; ++k) {
-      place[k] = ~std::uint32_t{0};
-      if (k * Threads >= n)
-        continue;
-      const std::uint32_t i = threadIdx.x + k * Threads;
-      if (i >= n)
-        continue;
-      mine[k] = room_.keys[i];
-      const std::uint32_t c = fine(mine[k]), b = c > first_fine ? room_.counters[c - 1] + begin - from : 0,
-                          e = room_.counters[c] + begin - from;
-      alike |= e - b > most_alike;
-      place[k] = b + from - first; // of a place before the window, it is above all
-      for (std::uint32_t other = b; other < e && e - b <= most_alike; ++other)
-        place[k] += room_.keys[other] < mine[k];
-    }
-    if (__syncthreads_or(alike))
+    return true;
+  }
+  __device__ std::uint32_t fine(std::uint64_t key) const {
+    const std::uint32_t c = cell(key), from = room_.starts[c],
+                        within = static_cast<std::uint32_t>(shift_ >= 32 ? key >> (shift_ - 32) : key << (32 - shift_));
+    return (from - near_.begin + __umulhi(within, room_.starts[c + 1] - from)) >> near_.together;
+  }
+  // The place of a key, less `first`; of one before the window it is above all. Returns false where too many share its finer
+  // cell; the place then means nothing.
+  __device__ bool place_of(std::uint64_t key, std::uint32_t first, std::uint32_t &place) const {
+    const std::uint32_t c = fine(key), begin = c > near_.first ? room_.counters[c - 1] + near_.begin - near_.from : 0,
+                        end = room_.counters[c] + near_.begin - near_.from;
+    place = ~std::uint32_t{0};
+    if (end - begin > most_alike)
       return false;
-#pragma unroll
-    for (unsigned k = 0; k < each; ++k)
-      if (k * Threads < n && place[k] < last - first)
-        room_.keys[place[k]] = mine[k];
-    __syncthreads();
+    place = begin + near_.from - first;
+    for (std::uint32_t other = begin; other < end; ++other)
+      place += room_.keys[other] < key;
     return true;
   }
 
-private:
   __device__ std::uint32_t begin_of(unsigned t) const {
     const std::uint64_t begin = (t * std::uint64_t{blocks_} + block_) * tile_;
     return begin < d_.n ? static_cast<std::uint32_t>(begin) : d_.n;
@@ -281,6 +346,7 @@ private:
   unsigned tiles_; // of this block
   std::uint32_t tile_, cells_;
   int shift_;
+  near_window near_{}; // the same in all threads
 };
 
 } // namespace meetc::cuda

@@ -37,31 +37,26 @@ cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint
 }
 
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,
-                      int first_bit, int bits, cudaStream_t) {
+                      int bits, cudaStream_t) {
   bytes = 1;
   if (!space)
     return cudaSuccess;
   std::copy_n(keys, n, to);
   const std::uint64_t mask = bits < 64 ? (std::uint64_t{1} << bits) - 1 : ~std::uint64_t{0}; // too few bits must show
-  std::stable_sort(to, to + n, [mask, first_bit](std::uint64_t x, std::uint64_t y) {
-    return (x & mask) >> first_bit < (y & mask) >> first_bit;
-  });
+  std::stable_sort(to, to + n, [mask](std::uint64_t x, std::uint64_t y) { return (x & mask) < (y & mask); });
   return cudaSuccess;
 }
-cudaError_t order_runs(const std::uint64_t *keys, std::size_t n, int bits_b, index_pair *to,
-                       unsigned long long *crowded, cudaStream_t) {
-  *crowded = 0;
-  std::vector<std::uint64_t> sorted(keys, keys + n);
-  const auto item = [bits_b](std::uint64_t key) { return key >> bits_b; };
-  for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
-    while (end < n && item(sorted[end]) == item(sorted[begin]))
-      ++end;
-    if (end - begin > most_in_run)
-      *crowded = end - begin;
-    std::sort(sorted.data() + begin, sorted.data() + end);
-  }
-  for (std::size_t i = 0; i < n && *crowded == 0; ++i)
-    to[i] = pair_of(sorted[i], bits_b);
+// There is no order where an item has many hits; what stands there then means nothing, as on a device.
+cudaError_t order_keys(const key_order &o, cudaStream_t) {
+  constexpr std::uint32_t most_of_item = 2048;
+  std::vector<std::uint64_t> sorted(o.keys, o.keys + o.n);
+  std::copy_n(o.keys, o.n, o.by_cell);
+  std::sort(sorted.begin(), sorted.end());
+  for (std::uint32_t i = most_of_item; i < o.n; ++i)
+    if (sorted[i] >> o.bits_b == sorted[i - most_of_item] >> o.bits_b)
+      *o.unordered = 1;
+  for (std::uint32_t i = 0; i < o.n; ++i)
+    reinterpret_cast<index_pair *>(o.keys)[i] = *o.unordered == 0 ? pair_of(sorted[i], o.bits_b) : index_pair{};
   return cudaSuccess;
 }
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,

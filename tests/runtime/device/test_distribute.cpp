@@ -89,6 +89,18 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
     });
     CHECK((said == 0 || said == threads));
     ordered &= said > 0;
+    // The same, where each key is written to its place.
+    std::vector<std::uint64_t> written(n, ~0ULL);
+    unsigned said_again = 0;
+    std::vector<std::uint64_t> kept(rooms[block].keys, rooms[block].keys + before + (last - first));
+    host_warp::the_warp.run([&] {
+      distributes mine(d, s.key_bits, sparse, block, blocks, rooms[block]);
+      said_again += mine.window(first, last, [&](std::uint32_t at, std::uint64_t key) { written[at] = key; }) ? 1 : 0;
+    });
+    CHECK(said_again == said);
+    CHECK((said == 0 || (std::equal(kept.begin() + before, kept.end(), written.begin() + first) &&
+                         std::count(written.begin(), written.end(), ~0ULL) == n - (last - first))));
+    std::copy(kept.begin(), kept.end(), rooms[block].keys);
     out.insert(out.end(), rooms[block].keys + before, rooms[block].keys + before + (last - first));
   }
   return out;
