@@ -24,7 +24,7 @@ public:
     for (int k = 0; k < 3; ++k) {
       // The difference of -0 and 0 is -0, by which `per` would be negative.
       const float size = fabsf(around.high[k] - around.low[k]);
-      from_[k] = around.low[k], per_[k] = __fdividef(last, size); // roughly
+      from_[k] = around.low[k], per_[k] = __fdividef(1.0F, size); // roughly
     }
   }
 
@@ -52,13 +52,13 @@ private:
     for (int k = 2; k >= 0; --k) {
       // NaN, which is 0 times infinity, becomes 0: that is where `per` is 0, and 0 times what is finite too, or where the end
       // is `from`.
-      const float cell = fminf(fmaxf((end[k] - from_[k]) * per_[k], 0.0F), last);
-      w = w << 10 | (__float_as_uint(cell + whole) & 511);
+      const float share = __saturatef((end[k] - from_[k]) * per_[k]);
+      w = (w << 10) + __float_as_uint(__fmaf_rn(share, last, whole));
     }
-    return w;
+    return w - 0x4b000000; // the bits of `whole`, which are shifted out of the other two
   }
 
-  float from_[3], per_[3]; // of each axis, the first number, and how many cells a unit has
+  float from_[3], per_[3]; // of each axis, the first number, and 1 over the length
 };
 
 } // namespace meetc::cuda

@@ -34,7 +34,7 @@ __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
   const unsigned warp = threadIdx.x / tree_width;
   warp_walk<ByPoints, BothWays> mine(w, plan, rooms[warp]);
   mine.run(blockIdx.x * walk_warps + warp, gridDim.x * walk_warps);
-  left[warp] = mine.unwritten();
+  left[warp] = mine.hits().entries();
   __syncthreads();
   unsigned all = 0, before = 0;
   for (unsigned i = 0; i < walk_warps; ++i)
@@ -42,7 +42,7 @@ __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
   if (threadIdx.x == 0)
     at = all > 0 ? atomicAdd(w.out.count, static_cast<unsigned long long>(all)) : 0;
   __syncthreads();
-  mine.flush(at + before);
+  mine.hits().flush(at + before);
 }
 
 template <bool ByPoints, bool BothWays = false> cudaError_t start_walk(const tree_walk &w, cudaStream_t stream) {

@@ -2,6 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_WARP_WALK_HPP
 #define MEETC_CORE_DEVICE_WARP_WALK_HPP
 
+#include "core/device/hit_buffer.hpp"
 #include "core/device/packet_cells.hpp"
 #include "core/device/tree_kernels.hpp"
 #include "meetc/cuda_lists.hpp"
@@ -14,7 +15,7 @@ inline constexpr unsigned walk_threads = 128, walk_warps = walk_threads / tree_w
 inline constexpr int coarse_level = 2;
 inline constexpr unsigned least_together = 4;
 // Fewer than 32 boxes wait before two leaves are looked at, each of which adds 32 at most.
-inline constexpr unsigned waiting_size = 3 * tree_width, hits_size = 128;
+inline constexpr unsigned waiting_size = 3 * tree_width;
 
 // A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
 // is a node of level `start`. Where that is too few, the long elements of the node are dealt out to groups, whose number is a
@@ -32,10 +33,13 @@ struct walk_plan {
 
 // Of one warp, in shared memory.
 struct warp_room {
-  float4 low[waiting_size], high[waiting_size]; // boxes of the tree's elements, and the bits of their slots in low.w
-  packet_cells in_packet;                       // of the packet that goes down
-  cell_box cells[tree_width];                   // of those that are tested
+  // Boxes of the tree's elements that wait: the ends of each axis together, and in z.z the bits of their slots.
+  float4 xy[waiting_size], z[waiting_size];
+  packet_cells in_packet;     // of the packet that goes down
+  cell_box cells[tree_width]; // of those that are tested
   index_pair hits[hits_size];
+  // Nodes that some of the items touch which go down together, and these items as bits.
+  std::uint32_t near[tree_width], near_items[tree_width];
 };
 
 __device__ inline float longest_side(const tree_box &b) {
@@ -70,7 +74,12 @@ template <bool ByPoints, bool BothWays = false> class warp_walk {
   static_assert(!(ByPoints && BothWays)); // a long element puts its pairs one way
 public:
   __device__ warp_walk(const tree_walk &w, const walk_plan &plan, warp_room &room)
-      : w_(w), plan_(plan), room_(room), lane_(threadIdx.x % tree_width), below_((1U << lane_) - 1) {}
+      : w_(w), plan_(plan), room_(room), lane_(threadIdx.x % tree_width), below_((1U << lane_) - 1),
+        hits_(w, room.hits), of_lane_(reinterpret_cast<const float2 *>(&w.tree.nodes->of[0][lane_])) {
+#if defined(__CUDA_ARCH__)
+    asm("" : "+l"(of_lane_)); // it is not computed anew for each node
+#endif
+  }
 
   // Does the items of this one of all warps, up to the pairs in the buffer.
   __device__ void run(std::uint32_t warp, std::uint32_t warps) {
@@ -85,31 +94,26 @@ public:
       if (plan_.whole)
         left = touching(all, first, left);
       descends_ = descends_ || ++batches_ % 16 == 0;
+      listed_ = 0;
       if (left && plan_.whole && plan_.batch >= least_together && descends_ && w_.tree.shape.depth - 1 > coarse_level) {
         const unsigned near = touching_nodes(first, left);
-        descends_ = 4 * __popc(near) <= 3 * __popc(left); // or it costs more than it saves, for some time
+        descends_ =
+            listed_ > 0 || 4 * __popc(near) <= 3 * __popc(left); // or it costs more than it saves, for some time
         left = near;
       }
-      for (; left; left &= left - 1)
-        enter(first + __ffs(left) - 1);
+      for (unsigned k; left; left &= left - 1) {
+        k = __ffs(left) - 1;
+        enter(first + k, k);
+      }
       if (full(w_.out))
         break;
     }
   }
 
-  // Appends what is left in the buffer, to the place `at` of the list if it has been reserved.
-  __device__ void flush() {
-    if (hits_ > 0)
-      flush(reserve(hits_));
+  // What it has found and not written yet.
+  __device__ hit_buffer<BothWays> &hits() {
+    return hits_;
   }
-  __device__ void flush(unsigned long long at) {
-    __syncwarp();
-    for (unsigned i = lane_; i < hits_; i += tree_width)
-      write(w_.out, at + i, room_.hits[i].a, room_.hits[i].b);
-    hits_ = 0;
-    __syncwarp();
-  }
-  __device__ unsigned unwritten() const { return hits_; }
 
 private:
   __device__ unsigned long long next(std::uint32_t warps) {
@@ -129,43 +133,83 @@ private:
   __device__ unsigned touching(const tree_box &all, std::uint32_t first, unsigned items) const {
     return __ballot_sync(~0U, all.touches(box_of_item(first, items)));
   }
-  // Of such items, those whose boxes touch that of a child of a node of the coarse level. They go down there together.
+  // Of such items, those whose boxes touch that of a child of a node of the coarse level. They go down there together. These
+  // children are listed, unless there are too many.
   __device__ unsigned touching_nodes(std::uint32_t first, unsigned items) {
     const tree_box mine = box_of_item(first, items), around = around_warp(mine);
     const int top = w_.tree.shape.depth - 1;
     int level = top;
     std::uint32_t node = 0;
-    unsigned found = 0;
+    unsigned found = 0, listed = 0;
+    first_b_ = first_leaf(w_.of.first_a + first);
     for (;;) {
-      const tree_box b = box_of(w_.tree.nodes[w_.tree.shape.first[level] + node], lane_);
+      const tree_box b = box_at(level, node);
       unsigned children = __ballot_sync(~0U, around.touches(b));
+      if (plan_.cut)
+        children &= __ballot_sync(~0U, is_in_part(level, node * tree_width + lane_));
       if (level == coarse_level) {
-        for (; children; children &= children - 1)
-          found |= __ballot_sync(~0U, mine.touches(from_lane(b, __ffs(children) - 1)));
-        if (found == items)
-          return found;
+        for (; children; children &= children - 1) {
+          const unsigned child = __ffs(children) - 1, near = __ballot_sync(~0U, mine.touches(from_lane(b, child)));
+          if (near && listed < tree_width && lane_ == 0)
+            room_.near[listed] = node * tree_width + child, room_.near_items[listed] = near;
+          listed += near != 0;
+          found |= near;
+        }
+        if (found == items && listed > tree_width)
+          break;
       } else {
         enter_later(level, node, children);
         --level;
       }
       if (!next_child(top, level, node))
-        return found;
+        break;
     }
+    if (listed > tree_width)
+      left_of_level_ = 0;
+    else
+      listed_ = listed;
+    __syncwarp();
+    return found;
+  }
+  // Of the tree's nodes of level 0, the first that is tested of a node of the walker.
+  __device__ std::uint32_t first_leaf(std::uint32_t node) const {
+    return w_.half && node > w_.of.first_b ? node : w_.of.first_b;
+  }
+  __device__ tree_box box_at(int level, std::uint32_t node) const {
+    return box_of_leaf(w_.tree.shape.first[level] + node);
+  }
+  // Of a node in the array of nodes.
+  __device__ tree_box box_of_leaf(std::uint32_t node) const {
+    const float2 *const from = of_lane_ + node * std::size_t{3 * tree_width};
+    tree_box b;
+    for (unsigned k = 0; k < 3; ++k) {
+      const float2 ends = __ldg(from + k * tree_width);
+      b.low[k] = ends.x, b.high[k] = ends.y;
+    }
+    return b;
   }
 
-  __device__ void enter(std::uint32_t item) {
-    const unsigned child_group = item & (plan_.child_groups - 1);
-    item >>= __ffs(plan_.child_groups) - 1;
-    const unsigned long_group = item & (plan_.long_groups - 1);
-    item >>= __ffs(plan_.long_groups) - 1;
-    const std::uint32_t before = plan_.chunks > 1 ? item / plan_.chunks : item;
-    const std::uint32_t node = w_.of.first_a + before, chunk = plan_.first_chunk + (item - before * plan_.chunks);
-    first_b_ = w_.half && node > w_.of.first_b ? node : w_.of.first_b;
-    dealt_ = __ballot_sync(~0U, (lane_ & (plan_.child_groups - 1)) == child_group);
+  // It is the k-th of its batch.
+  __device__ void enter(std::uint32_t item, unsigned k) {
+    std::uint32_t before = item, chunk = plan_.first_chunk;
+    unsigned long_group = 0;
+    dealt_ = ~0U;
+    if (!plan_.whole) {
+      const unsigned child_group = item & (plan_.child_groups - 1);
+      item >>= __ffs(plan_.child_groups) - 1;
+      long_group = item & (plan_.long_groups - 1);
+      item >>= __ffs(plan_.long_groups) - 1;
+      before = item / plan_.chunks;
+      chunk += item - before * plan_.chunks;
+      dealt_ = __ballot_sync(~0U, (lane_ & (plan_.child_groups - 1)) == child_group);
+    }
+    const std::uint32_t node = w_.of.first_a + before;
+    first_b_ = first_leaf(node);
     const tree_view &walker = w_.walker;
     const std::uint32_t at = node * tree_width + lane_;
     own_ = box_of(walker.nodes[node], lane_);
     slot_ = at < walker.elements ? at : 0;
+    least_ = w_.half ? slot_ : 0;
     if constexpr (ByPoints) {
       const bool is_long = longest_side(own_) > long_side_;
       unsigned alone = __ballot_sync(~0U, is_long);
@@ -201,7 +245,10 @@ private:
     for (int d = 16; d > 0; d /= 2)
       areas += __shfl_xor_sync(~0U, areas, d);
     sparse_ = half_area(around_) > 2 * areas;
-    down<false>(chunk);
+    if (listed_ > 0)
+      visit_listed(k);
+    else
+      down<false>(chunk);
     while (waiting_ > 0)
       test_waiting();
   }
@@ -218,17 +265,9 @@ private:
   template <bool Single> __device__ void down(std::uint32_t node) {
     int level = plan_.start;
     for (;;) {
-      const tree_box b = box_of(w_.tree.nodes[w_.tree.shape.first[level] + node], lane_);
-      unsigned touching = __ballot_sync(~0U, touches<Single>(b));
-      if (level == plan_.deal)
-        touching &= dealt_;
-      if (plan_.cut)
-        touching &= __ballot_sync(~0U, is_in_part(level, node * tree_width + lane_));
-      if (!Single && sparse_)
-        touching = touched_by_some(touching, b);
+      const unsigned touching = touching_children<Single>(level, node);
       if (level == 1) {
-        if (touching)
-          leaves<Single>(node, touching);
+        leaves<Single>(node, touching);
       } else {
         enter_later(level, node, touching);
         --level;
@@ -236,6 +275,24 @@ private:
       if (!next_child(plan_.start, level, node))
         return;
     }
+  }
+  // Visits the nodes that are listed for the k-th item.
+  __device__ void visit_listed(unsigned k) {
+    unsigned left = __ballot_sync(~0U, lane_ < listed_ && (room_.near_items[lane_] >> k & 1));
+    for (; left; left &= left - 1) {
+      const std::uint32_t node = room_.near[__ffs(left) - 1];
+      leaves<false>(node, touching_children<false>(1, node));
+    }
+  }
+  // The children of a node that are to be visited.
+  template <bool Single> __device__ unsigned touching_children(int level, std::uint32_t node) const {
+    const tree_box b = box_at(level, node);
+    unsigned touching = __ballot_sync(~0U, touches<Single>(b));
+    if (level == plan_.deal)
+      touching &= dealt_;
+    if (plan_.cut)
+      touching &= __ballot_sync(~0U, is_in_part(level, node * tree_width + lane_));
+    return !Single && sparse_ ? touched_by_some(touching, b) : touching;
   }
 
   // These children of a node of this level are still to be entered.
@@ -275,38 +332,39 @@ private:
     return kept;
   }
 
+  __device__ static unsigned highest(unsigned bits) {
+    return 31 - __clz(static_cast<int>(bits));
+  }
   // Visits some children of a node of level 1, two at a time, so that the boxes of both are loaded together.
   template <bool Single> __device__ void leaves(std::uint32_t node, unsigned children) {
     while (children) {
-      const std::uint32_t one = node * tree_width + __ffs(children) - 1;
-      children &= children - 1;
+      const unsigned first = highest(children);
+      children ^= 1U << first;
       const bool two = children != 0;
-      const std::uint32_t other = two ? node * tree_width + __ffs(children) - 1 : one;
-      children &= children - 1;
-      const tree_box of_one = box_of(w_.tree.nodes[one], lane_), of_other = box_of(w_.tree.nodes[other], lane_);
-      leaf<Single>(one, of_one, true);
-      leaf<Single>(other, of_other, two);
+      const unsigned second = two ? highest(children) : first;
+      children &= ~(1U << second);
+      const std::uint32_t one = node * tree_width + first, other = node * tree_width + second;
+      const tree_box of_one = box_of_leaf(one), of_other = box_of_leaf(other);
+      leaf<Single>(one, of_one, ~0U);
+      leaf<Single>(other, of_other, two ? ~0U : 0);
       if constexpr (!Single)
         while (waiting_ >= tree_width)
           test_waiting();
     }
   }
-  // The boxes of a node of level 0 that the packet's box touches wait, or are hits of the element that goes alone.
-  template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b, bool there) {
+  // The boxes of a node of level 0 that the packet's box touches wait, or are hits of the element that goes alone; of these lanes.
+  template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b, unsigned lanes) {
     const std::uint32_t slot = node * tree_width + lane_;
-    const bool touch = there && touches<Single>(b) && !(Single && w_.half && slot < single_slot_);
-    const unsigned touching = __ballot_sync(~0U, touch), before = __popc(touching & below_);
     if constexpr (Single) {
-      make_room(__popc(touching));
-      if (touch)
-        room_.hits[hits_ + before] = pair_of(single_slot_, slot);
-      hits_ += __popc(touching);
+      hits_.add((lanes & 1) && touches<true>(b) && !(w_.half && slot < single_slot_), single_slot_, slot);
     } else {
-      if (touch) {
-        room_.low[waiting_ + before] = {b.low[0], b.low[1], b.low[2], __uint_as_float(slot)};
-        room_.high[waiting_ + before] = {b.high[0], b.high[1], b.high[2], 0};
+      lanes &= __ballot_sync(~0U, touches<false>(b));
+      const unsigned at = waiting_ + __popc(lanes & below_);
+      if (lanes >> lane_ & 1) {
+        room_.xy[at] = {b.low[0], b.high[0], b.low[1], b.high[1]};
+        room_.z[at] = {b.low[2], b.high[2], __uint_as_float(slot), 0};
       }
-      waiting_ += __popc(touching);
+      waiting_ += __popc(lanes);
     }
   }
 
@@ -315,10 +373,10 @@ private:
     __syncwarp();
     const unsigned n = waiting_ < tree_width ? waiting_ : tree_width;
     waiting_ -= n;
-    const float4 *const lows = room_.low + waiting_, *const highs = room_.high + waiting_;
+    const float4 *const xys = room_.xy + waiting_, *const zs = room_.z + waiting_;
     const auto waits = [&](unsigned i) {
-      const float4 low = lows[i], high = highs[i];
-      return tree_box{{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+      const float4 xy = xys[i], z = zs[i];
+      return tree_box{{xy.x, xy.z, z.x}, {xy.y, xy.w, z.y}};
     };
     room_.cells[lane_] = room_.in_packet.of(waits(lane_)); // of what lies behind the last too
     __syncwarp();
@@ -330,57 +388,35 @@ private:
     mine &= ~0U >> (tree_width - n);
     while (__any_sync(~0U, mine != 0)) {
       const unsigned i = mine ? __ffs(mine) - 1 : 0;
-      const std::uint32_t slot = __float_as_uint(lows[i].w);
-      const bool touch = mine != 0 && own_.touches(waits(i)) && !(w_.half && slot < slot_);
+      const std::uint32_t slot = __float_as_uint(zs[i].z);
+      const bool touch = own_.touches(waits(i)) & (mine != 0) & (slot >= least_);
       mine &= mine - 1;
-      const unsigned touching = __ballot_sync(~0U, touch);
-      make_room(__popc(touching));
-      if (touch)
-        room_.hits[hits_ + __popc(touching & below_)] = pair_of(slot_, slot);
-      hits_ += __popc(touching);
-      if constexpr (BothWays) {
-        const unsigned turned = __ballot_sync(~0U, touch && slot != slot_);
-        make_room(__popc(turned));
-        if (turned >> lane_ & 1)
-          room_.hits[hits_ + __popc(turned & below_)] = pair_of(slot, slot_);
-        hits_ += __popc(turned);
-      }
+      hits_.add(touch, slot_, slot);
     }
     __syncwarp();
-  }
-
-  __device__ index_pair pair_of(std::uint32_t walker, std::uint32_t other) const {
-    return w_.swapped ? index_pair{other, walker} : index_pair{walker, other};
-  }
-  __device__ unsigned long long reserve(unsigned n) {
-    unsigned long long at = 0;
-    if (lane_ == 0)
-      at = atomicAdd(w_.out.count, static_cast<unsigned long long>(n));
-    return __shfl_sync(~0U, at, 0);
-  }
-  // n <= tree_width
-  __device__ void make_room(unsigned n) {
-    if (hits_ + n > hits_size)
-      flush();
   }
 
   const tree_walk &w_;
   const walk_plan &plan_;
   warp_room &room_;
   unsigned lane_, below_; // and the lanes below it
+  hit_buffer<BothWays> hits_;
+  const float2 *of_lane_; // this lane's ends in the tree's first node
   tree_box own_, around_; // of this lane's element, and of the packet, or of the element that goes alone
   cell_box own_cells_{};  // of this lane's element
   std::uint32_t node_of_level_ = 0,
                 left_of_level_ = 0; // of this lane's level the node, and its lanes still to be entered
   std::uint32_t slot_ = 0, single_slot_ = 0;
+  std::uint32_t least_ = 0;   // the first slot of the tree with which this lane's element is paired
   std::uint32_t first_b_ = 0; // of the tree's nodes of level 0 the first that is tested
   two_points single_{};
   bool descends_ = true; // items that are whole nodes go down together first
+  unsigned listed_ = 0;  // nodes at which these are to go on; 0: at the root
   unsigned batches_ = 0;
   unsigned dealt_ = 0;  // the children of a node of the level `deal` that are this item's
   bool sparse_ = false; // the packet's box is large beside those of its elements
   float long_side_ = 0;
-  unsigned waiting_ = 0, hits_ = 0; // boxes that wait for the last test, and hits in the buffer
+  unsigned waiting_ = 0; // boxes for the last test
 };
 
 // `enough` items keep the device busy.

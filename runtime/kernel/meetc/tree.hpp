@@ -20,7 +20,10 @@ inline constexpr std::uint32_t tree_width = 32;
 inline constexpr int tree_levels = 7; // 32^7 > 2^32 elements
 
 struct tree_node {
-  float low[3][tree_width], high[3][tree_width];
+  struct alignas(8) ends {
+    float low, high;
+  };
+  ends of[3][tree_width]; // by axes, of each lane
 };
 
 // Where the levels lie in an array of nodes. Level 0 has the elements' boxes. A tree has at least two levels, and its
@@ -75,12 +78,12 @@ struct tree_box {
 MEETC_HD inline tree_box box_of(const tree_node &n, std::uint32_t lane) {
   tree_box b;
   for (int k = 0; k < 3; ++k)
-    b.low[k] = n.low[k][lane], b.high[k] = n.high[k][lane];
+    b.low[k] = n.of[k][lane].low, b.high[k] = n.of[k][lane].high;
   return b;
 }
 MEETC_HD inline void put_box(tree_node &n, std::uint32_t lane, const tree_box &b) {
   for (int k = 0; k < 3; ++k)
-    n.low[k][lane] = b.low[k], n.high[k][lane] = b.high[k];
+    n.of[k][lane] = {b.low[k], b.high[k]};
 }
 
 // The finite box of a row; NaN becomes an end of float32, so that along that axis the box meets every other.

@@ -203,6 +203,9 @@ inline int __syncthreads_or(int holds) {
 template <class T> T __ldcg(const T *from) {
   return *from;
 }
+template <class T> T __ldg(const T *from) {
+  return *from;
+}
 inline int __clz(int x) {
   return std::countl_zero(static_cast<unsigned>(x));
 }
@@ -217,6 +220,12 @@ inline unsigned __ffs(unsigned x) {
 }
 inline float __fdividef(float x, float y) {
   return x / y;
+}
+inline float __fmaf_rn(float x, float y, float z) {
+  return std::fma(x, y, z);
+}
+inline float __saturatef(float x) { // NaN becomes 0
+  return std::fmin(std::fmax(x, 0.0F), 1.0F);
 }
 inline int __float_as_int(float x) {
   return std::bit_cast<int>(x);

@@ -89,13 +89,14 @@ found walked(const tree_walk &from, std::size_t capacity, unsigned enough, std::
   const auto go = [&](auto &&walk, std::uint32_t warp) {
     walk.run(warp, warps);
     if (!jointly) {
-      walk.flush();
+      walk.hits().flush();
       return;
     }
+    const unsigned entries = walk.hits().entries();
     unsigned long long at = 0; // as a block does it for its warps
     if (threadIdx.x == 0)
-      at = atomicAdd(w.out.count, static_cast<unsigned long long>(walk.unwritten()));
-    walk.flush(__shfl_sync(~0U, at, 0));
+      at = atomicAdd(w.out.count, static_cast<unsigned long long>(entries));
+    walk.hits().flush(__shfl_sync(~0U, at, 0));
   };
   for (std::uint32_t warp = 0; warp < warps; ++warp)
     host_warp::the_warp.run([&] {
@@ -228,14 +229,17 @@ TEST_CASE("walk: packets that go down together first lose no pair") {
       for (const std::size_t z : {2, 5})
         s.rows[std::size_t{set::fields} * i + z] += by;
   };
-  for (int round = 0; round < 3; ++round) {
-    // Of the tree the middle is above the rest, and of the walkers some are between these.
+  for (int round = 0; round < 4; ++round) {
     set a = random_set(random, 2200, 0.03F, 0.05F), b = random_set(random, 33000, 0.02F, 0.02F);
-    lift(b, 11000, 22000, 5);
-    lift(a, 400, 1000, 2.5F);
-    lift(a, 1300, 1500, 5);
+    if (round < 3) { // of the tree the middle is above the rest, and of the walkers some are between these
+      lift(b, 11000, 22000, 5);
+      lift(a, 400, 1000, 2.5F), lift(a, 1300, 1500, 5);
+    }
+    for (std::size_t i = 0; round == 3 && i < a.size(); i += 64) // some reach all nodes, which are too many for a list
+      a.rows[i * set::fields] = 0, a.rows[i * set::fields + 3] = 1;
     const tree_view x = a.view(), y = b.view();
     REQUIRE(y.shape.depth - 1 > coarse_level);
+    REQUIRE(y.shape.count[1] > tree_width);
     const part of{0, x.shape.count[0], round == 2 ? 300U : 0U, y.shape.count[0]};
     const tree_walk w{x, y, of, false, false, nullptr, set::fields, set::points, {}, nullptr};
     const walk_plan plan = plan_of(w, 1);
