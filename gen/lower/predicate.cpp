@@ -1,4 +1,5 @@
 // Kernels that consist of signs: predicates with their stages, and single signs.
+#include "gen/lower/by_balls.hpp"
 #include "gen/lower/by_boxes.hpp"
 #include "gen/lower/calls.hpp"
 #include "gen/lower/compile.hpp"
@@ -93,6 +94,7 @@ predicate compile_predicate(const model &m, const request &r) {
   find_calls(m, expand.calls(), out);
   out.symmetric = is_symmetric(out, r.kinds);
   out.by_boxes = is_by_boxes(m, out, r.kinds);
+  out.by_balls = is_by_balls(m, out, r.kinds);
   return out;
 }
 

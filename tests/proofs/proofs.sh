@@ -7,11 +7,11 @@
 #   roundings  every rounding counts: without one, the bound that Gappa finds is smaller; with one more, it is larger than
 #              the script's
 #   coq        Coq accepts each proof, and refuses false claims (coq/coq.sh)
-# Three scripts are not about signs: half_parts, and ball_filter and two_points, whose errors are variables. For these
-# `quarter` divides each part of the margin by 4 (the term of two_points, which has room, by more), and `roundings`
-# doubles each error or multiplies it by 4, widens the other ranges, and breaks the rule.
+# Some scripts are not about signs: half_parts, and ball_filter, two_points and two_balls_*, whose errors are variables. For
+# these `quarter` divides each part of the margin by 4 (a term that has room, by more), and `roundings` enlarges each error
+# by as much as it takes, widens the other ranges, and breaks the rule.
 # Most signs have two scripts: their products and sums are fused, or not. Without --long, `roundings` and `coq` take the
-# first of the two, and of all proofs only the shortest of a sign and the three others are forged for Coq.
+# first of the two, and of all proofs only the shortest of a sign and those of no sign are forged for Coq.
 set -euo pipefail
 long=
 if [ "$1" = --long ]; then
@@ -76,6 +76,10 @@ quarters() {
   two_points)
     printf '%s\n' 's/^margin = 5b-23;/margin = 5b-25;/' 's/^term = 1b-126;/term = 1b-150;/'
     ;;
+  two_balls_most) printf '%s\n' 's/^factor = 1b-19;/factor = 1b-21;/' 's/^term = 1b-60;/term = 1b-150;/' ;;
+  two_balls_least) printf '%s\n' 's/^factor = 1b-19;/factor = 1b-21;/' 's/^term = 1b-60;/term = 1b-63;/' ;;
+  two_balls_apart) echo 's/^less = 2097151b-42;/less = 2097151b-44;/' ;;
+  two_balls_touch) printf '%s\n' 's/^room = 1b-21;/room = 1b-23;/' 's/v in \[1b-61,/v in [1b-75,/' ;;
   half_parts) # the relative errors, and the precisions that they come from
     printf '%s\n' 's/<= 1b-11 /<= 1b-13 /' 's/<= 1b-10 /<= 1b-12 /' 's/<11, -24, ne>/<9, -24, ne>/' \
       's/<11, -24, dn>/<9, -24, dn>/'
@@ -117,6 +121,26 @@ one_filter() {
     done
     changes+=('s/n - f <= 0/n - f <= 1/')
     said=$(sed 's/\* E1 - f/* E2 - f/' <<<"$text" | timeout "$limit" "$gappa" 2>&1) || true
+    [[ $said == *"not trivially equal"* ]] || bad "$1: Gappa does not check the rule"
+    echo identity
+    ;;
+  roundings:two_balls_*) # the margin leaves room for each alone
+    for change in $(grep -oE '\|[a-z0-9]+\| <=' <<<"$text" | tr -d '|<= '); do
+      case $1:$change in
+      */two_balls_most.gappa:e[234] | */two_balls_least.gappa:e[234]) least=1b-1 ;; # of a ball's error, not of its size
+      *:y) least=1b-59 ;;
+      *) least=1b-18 ;;
+      esac
+      changes+=("s/\|$change\| <= [0-9]+b-[0-9]+/|$change| <= $least/")
+    done
+    for change in 'p in \[0, 1\]/p in [0, 64]' 't in \[0, 8b-24\]/t in [0, 64b-24]' 't0 in \[0, 1b-148\]/t0 in [0, 1b-59]' \
+      ' s in \[0,/ s in [-1b129,' 'x in \[0,/x in [-1b131,' ' q in \[0, 11b-24\]/ q in [0, 64b-24]' \
+      's0 in \[0, 1b-147\]/s0 in [0, 1b-59]' 'P in \[1b-60,/P in [1b-80,' 'L in \[0,/L in [-1b130,' ' d in \[0, 1\]/ d in [0, 2]'; do
+      if grep -qE -- "${change%%/*}" <<<"$text"; then
+        changes+=("s/$change/")
+      fi
+    done
+    said=$(sed -E 's/-> ([MPL]) \*/-> 2 * \1 */' <<<"$text" | timeout "$limit" "$gappa" 2>&1) || true
     [[ $said == *"not trivially equal"* ]] || bad "$1: Gappa does not check the rule"
     echo identity
     ;;

@@ -58,10 +58,11 @@ std::string catalogue_text(const unit &u) {
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const std::string name = identifier(k->asked.asked->name);
-    out += fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {5}, {6}, {7}}},\n",
-                       k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name, count,
-                       !k->decision.reject.atoms.empty(),
-                       order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr", k->decision.by_boxes);
+    out +=
+        fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {5}, {6}, {7}, {8}}},\n",
+                    k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name, count,
+                    !k->decision.reject.atoms.empty(), order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
+                    k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
   return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"

@@ -93,7 +93,8 @@ public:
       result_.by == search::tree ? take_trees() : take_columns();
       take_room();
       go_through({0, objects(a_), 0, objects(b_)});
-      if (both_ways_ && !walk_decides() && options_.want != answer_kind::any) // each element's box touches itself
+      if (both_ways_ && !walk_decides() && !walks_balls() &&
+          options_.want != answer_kind::any) // each element's box touches itself
         for (std::uint64_t *const pairs : {&result_.near_balls, &result_.candidates})
           *pairs = 2 * *pairs - a_.elements();
     } else {
@@ -256,7 +257,8 @@ private:
         continue;
       }
       try_part(p, area(p) == area(whole));
-      if (overflowed()) {
+      const bool answered = options_.want == answer_kind::any && seen(counter::hits) > 0;
+      if (overflowed() && !answered) {
         left.push_back(p);
         if (!take_more_room())
           most = area(p) / 4;
@@ -269,7 +271,7 @@ private:
       done += area(p);
       if (options_.progress)
         options_.progress(static_cast<double>(done) / static_cast<double>(area(whole)));
-      if (options_.want == answer_kind::any && result_.count > 0)
+      if (answered)
         return;
     }
   }
@@ -312,6 +314,12 @@ private:
       if (!stores_)
         hits = list(buffers_.first, counter::hits), hits.both_ways = both_ways_;
       find_candidates(p, hits);
+    } else if (walks_balls()) {
+      walk_.balls = true;
+      walk_.unsure = list(buffers_.first, counter::candidates);
+      walk_.near = count_only(counter::touching).count;
+      find_candidates(p, stores_ ? hits : counted_by_walk(hits));
+      decide_candidates(hits);
     } else {
       find_candidates(p, list(buffers_.first, counter::candidates));
       decide_candidates(hits);
@@ -342,7 +350,8 @@ private:
   // All that enqueue() makes the arguments of its launches of.
   launch_key launches_of(const cuda::part &p) const {
     launch_key k;
-    k.add(&predicate_, precision_, result_.by, result_.filter, both_ways_, stores_, orders_, few_, capacity_);
+    k.add(&predicate_, precision_, result_.by, result_.filter, options_.want, both_ways_, stores_, orders_, few_,
+          capacity_);
     k.add(p.first_a, p.end_a, p.first_b, p.end_b);
     for (const cuda::operand *const o : {&x_, &y_})
       k.add(o->rows, o->elements, o->by, o->columns);
@@ -361,6 +370,14 @@ private:
 
   // Boxes that touch are hits of such a predicate, and a walk compares boxes.
   bool walk_decides() const { return result_.by == search::tree && predicate_.by_boxes && never_wrong(precision_); }
+
+  // A walk compares balls by their boxes, which leaves few pairs to the rungs.
+  bool walks_balls() const { return result_.by == search::tree && predicate_.by_balls && never_wrong(precision_); }
+  // No list stops a walk that counts, unless one hit is enough.
+  cuda::pair_list counted_by_walk(cuda::pair_list hits) const {
+    hits.capacity = options_.want == answer_kind::any ? 0 : ~0ULL;
+    return hits;
+  }
 
   // A walk's candidates are the pairs whose boxes touch, so that the step that tests boxes has nothing to do but to reject.
   bool boxes_suffice() const {
@@ -381,10 +398,11 @@ private:
 
   // Takes the results of a part whose lists did not overflow.
   void take_part() {
-    result_.near_balls += seen(walk_decides() ? counter::hits : counter::candidates);
-    result_.candidates += seen(walk_decides()    ? counter::hits
-                               : boxes_suffice() ? counter::candidates
-                                                 : counter::touching);
+    const counter boxes_touch = walk_decides()  ? counter::hits
+                                : walks_balls() ? counter::touching
+                                                : counter::candidates;
+    result_.near_balls += seen(boxes_touch);
+    result_.candidates += seen(boxes_suffice() ? boxes_touch : counter::touching);
     result_.count += seen(counter::hits);
     result_.rungs.unsure[0] += seen(counter::unsure_fp32);
     result_.rungs.unsure[1] += seen(counter::unsure_fp64);

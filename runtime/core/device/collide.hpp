@@ -10,8 +10,9 @@
 // each from one list to the next. Where a list would overflow, the product or the walk is cut into parts, so memory is
 // bounded for any number of candidates and nothing is lost.
 //
-// result::candidates counts pairs whose boxes, and balls or two points where those were tested, touch. There are fewer than
-// on the CPU if a ball rules out more pairs, and rungs.unsure can be smaller too. The plain rungs can say yes where nothing
+// result::candidates counts pairs whose boxes, and balls or two points where those were tested, touch, or are not proved to be
+// apart. There are fewer than on the CPU if a ball rules out more pairs, and rungs.unsure can be smaller too. Of balls, whose
+// boxes a walk compares, it decides nearly all pairs itself. The plain rungs can say yes where nothing
 // touches, so for them balls enclose boxes, and both devices decide the same pairs.
 //
 // A set may be collided with itself. If the predicate is symmetric, the rung is never wrong and the search is a hierarchy,

@@ -9,6 +9,13 @@ namespace meetc::cuda {
 
 inline constexpr unsigned hits_size = 128;
 
+// Reserves so many places in the list of hits. Of one thread.
+__device__ inline unsigned long long reserve(const tree_walk &w, unsigned long long n) {
+  if (w.near)
+    atomicAdd(w.near, n);
+  return atomicAdd(w.out.count, n);
+}
+
 // All functions are of the whole warp.
 // BothWays: a pair is put into the list in both orders, unless an element is paired with itself.
 template <bool BothWays> class hit_buffer {
@@ -40,7 +47,7 @@ public:
     const unsigned n = entries();
     unsigned long long at = 0;
     if (lane() == 0 && n > 0)
-      at = atomicAdd(w_.out.count, static_cast<unsigned long long>(n));
+      at = reserve(w_, n);
     flush(__shfl_sync(~0U, at, 0));
   }
   __device__ void flush(unsigned long long at) {
@@ -49,12 +56,12 @@ public:
       const unsigned i = first + lane();
       const index_pair p = i < n_ ? room_[i] : index_pair{}, q{p.b, p.a};
       const index_pair of_sets = w_.swapped ? q : p;
-      if (i < n_)
+      if (i < n_ && w_.out.pairs)
         write(w_.out, at + lane(), of_sets.a, of_sets.b);
       at += n_ - first < tree_width ? n_ - first : tree_width;
       if constexpr (BothWays) {
         const unsigned turned = __ballot_sync(~0U, is_turned(i));
-        if (turned >> lane() & 1)
+        if ((turned >> lane() & 1) && w_.out.pairs)
           write(w_.out, at + before_this(turned), q.a, q.b);
         at += __popc(turned);
       }

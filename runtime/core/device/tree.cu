@@ -22,8 +22,8 @@ __global__ void __launch_bounds__(node_threads) levels_kernel(tree_node *nodes, 
 }
 
 // What is left at the end is appended by all warps of a block together.
-template <bool ByPoints, bool BothWays>
-__global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
+template <walk_by By, bool BothWays>
+__global__ void __launch_bounds__(walk_threads, By == walk_by::boxes ? 9 : 8)
     walk_kernel(const __grid_constant__ tree_walk w, const __grid_constant__ walk_plan plan) {
   begin();
   if (!w.is_to_be_done())
@@ -32,7 +32,7 @@ __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
   __shared__ unsigned left[walk_warps];
   __shared__ unsigned long long at;
   const unsigned warp = threadIdx.x / tree_width;
-  warp_walk<ByPoints, BothWays> mine(w, plan, rooms[warp]);
+  warp_walk<By, BothWays> mine(w, plan, rooms[warp]);
   mine.run(blockIdx.x * walk_warps + warp, gridDim.x * walk_warps);
   left[warp] = mine.hits().entries();
   __syncthreads();
@@ -40,16 +40,19 @@ __global__ void __launch_bounds__(walk_threads, ByPoints ? 8 : 9)
   for (unsigned i = 0; i < walk_warps; ++i)
     all += left[i], before += i < warp ? left[i] : 0;
   if (threadIdx.x == 0)
-    at = all > 0 ? atomicAdd(w.out.count, static_cast<unsigned long long>(all)) : 0;
+    at = all > 0 ? reserve(w, all) : 0;
   __syncthreads();
   mine.hits().flush(at + before);
 }
 
-template <bool ByPoints, bool BothWays = false> cudaError_t start_walk(const tree_walk &w, cudaStream_t stream) {
-  const unsigned most = blocks_at_once<walk_kernel<ByPoints, BothWays>, walk_threads>();
+template <walk_by By, bool BothWays> cudaError_t start_walk(const tree_walk &w, cudaStream_t stream) {
+  const unsigned most = blocks_at_once<walk_kernel<By, BothWays>, walk_threads>();
   const walk_plan plan = plan_of(w, most * walk_warps);
   const unsigned blocks = std::min((plan.items + walk_warps - 1) / walk_warps, most);
-  return launch<walk_kernel<ByPoints, BothWays>>(blocks, walk_threads, stream, w, plan);
+  return launch<walk_kernel<By, BothWays>>(blocks, walk_threads, stream, w, plan);
+}
+template <walk_by By> cudaError_t start_walk(const tree_walk &w, cudaStream_t stream) {
+  return w.out.both_ways ? start_walk<By, true>(w, stream) : start_walk<By, false>(w, stream);
 }
 
 } // namespace
@@ -65,9 +68,9 @@ cudaError_t enclose_levels(tree_node *nodes, std::uint32_t elements, int levels,
 cudaError_t walk(const tree_walk &w, cudaStream_t stream) {
   if (w.of.first_a >= w.of.end_a || w.of.first_b >= w.of.end_b)
     return cudaSuccess;
-  if (w.out.both_ways)
-    return w.rows ? cudaErrorInvalidValue : start_walk<false, true>(w, stream);
-  return w.rows ? start_walk<true>(w, stream) : start_walk<false>(w, stream);
+  if (w.rows)
+    return w.out.both_ways || w.balls ? cudaErrorInvalidValue : start_walk<walk_by::points, false>(w, stream);
+  return w.balls ? start_walk<walk_by::balls>(w, stream) : start_walk<walk_by::boxes>(w, stream);
 }
 
 } // namespace meetc

@@ -26,6 +26,13 @@ struct tree_walk {
   unsigned long long *taken; // 0 at first
   // Where one of these, of the walker and of the tree, says that a set is not in order, nothing is done. Null: it is.
   const cuda::order_findings *found_walker = nullptr, *found_tree = nullptr;
+  // Both sets are of balls, which are compared by their boxes (core/two_balls.hpp). `out` has the pairs that are proved to touch;
+  // without a list they are counted, and beyond its capacity the walk stops early too. `unsure` has those that are not proved
+  // to be apart either, one way; once it is full the walk stops early. *near becomes the number of both, each both ways if
+  // `out` has them both ways.
+  bool balls = false;
+  cuda::pair_list unsure{};
+  unsigned long long *near = nullptr;
 
   MEETC_HD bool is_to_be_done() const {
     return (!found_walker || is_order(*found_walker, walker.elements)) &&
@@ -33,7 +40,7 @@ struct tree_walk {
   }
 };
 // Appends the pairs of slots whose boxes touch, except for long elements that by their two points are apart from the
-// other's box.
+// other's box, and for balls.
 cudaError_t walk(const tree_walk &w, cudaStream_t stream);
 
 } // namespace meetc

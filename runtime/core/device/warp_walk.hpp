@@ -5,6 +5,7 @@
 #include "core/device/hit_buffer.hpp"
 #include "core/device/packet_cells.hpp"
 #include "core/device/tree_kernels.hpp"
+#include "core/two_balls.hpp"
 #include "meetc/cuda_lists.hpp"
 #include "meetc/cuda_warp.hpp"
 
@@ -33,7 +34,8 @@ struct walk_plan {
 
 // Of one warp, in shared memory.
 struct warp_room {
-  // Boxes of the tree's elements that wait: the ends of each axis together, and in z.z the bits of their slots.
+  // Boxes of the tree's elements that wait: the ends of each axis together, and in z.z the bits of their slots. Balls that are
+  // tested lie in the place of their boxes: `least` in z.w, the rest in xy.
   float4 xy[waiting_size], z[waiting_size];
   packet_cells in_packet;     // of the packet that goes down
   cell_box cells[tree_width]; // of those that are tested
@@ -70,8 +72,9 @@ __device__ inline two_points from_lane(const two_points &t, unsigned lane) {
 // left at the bottom waits until there are 32, so that the last test, of each element's own box, runs full. Elements that are
 // long beside the nodes of the tree go down alone, by their two points.
 // BothWays: a pair is put into the list in both orders, unless an element is paired with itself.
-template <bool ByPoints, bool BothWays = false> class warp_walk {
-  static_assert(!(ByPoints && BothWays)); // a long element puts its pairs one way
+enum class walk_by : std::uint8_t { boxes, points, balls }; // of elements
+template <walk_by By, bool BothWays = false> class warp_walk {
+  static_assert(!(By == walk_by::points && BothWays)); // a long element puts its pairs one way
 public:
   __device__ warp_walk(const tree_walk &w, const walk_plan &plan, warp_room &room)
       : w_(w), plan_(plan), room_(room), lane_(threadIdx.x % tree_width), below_((1U << lane_) - 1),
@@ -105,7 +108,7 @@ public:
         k = __ffs(left) - 1;
         enter(first + k, k);
       }
-      if (full(w_.out))
+      if (full(w_.out) || (By == walk_by::balls && full(w_.unsure)))
         break;
     }
   }
@@ -210,7 +213,7 @@ private:
     own_ = box_of(walker.nodes[node], lane_);
     slot_ = at < walker.elements ? at : 0;
     least_ = w_.half ? slot_ : 0;
-    if constexpr (ByPoints) {
+    if constexpr (By == walk_by::points) {
       const bool is_long = longest_side(own_) > long_side_;
       unsigned alone = __ballot_sync(~0U, is_long);
       if (alone) {
@@ -378,7 +381,10 @@ private:
       const float4 xy = xys[i], z = zs[i];
       return tree_box{{xy.x, xy.z, z.x}, {xy.y, xy.w, z.y}};
     };
-    room_.cells[lane_] = room_.in_packet.of(waits(lane_)); // of what lies behind the last too
+    const tree_box of_lane = waits(lane_); // of what lies behind the last too
+    room_.cells[lane_] = room_.in_packet.of(of_lane);
+    if constexpr (By == walk_by::balls)
+      put_ball(waiting_ + lane_, ball_in_box(of_lane.low, of_lane.high));
     __syncwarp();
     unsigned mine = 0;
     for (unsigned first = (n - 1) & ~7U; first < tree_width; first -= 8) // from the last eight to the first
@@ -386,14 +392,46 @@ private:
       for (unsigned i = 8; i-- > 0;)
         packet_cells::push(mine, room_.cells[first + i], own_cells_);
     mine &= ~0U >> (tree_width - n);
-    while (__any_sync(~0U, mine != 0)) {
-      const unsigned i = mine ? __ffs(mine) - 1 : 0;
-      const std::uint32_t slot = __float_as_uint(zs[i].z);
-      const bool touch = own_.touches(waits(i)) & (mine != 0) & (slot >= least_);
-      mine &= mine - 1;
-      hits_.add(touch, slot_, slot);
-    }
+    if constexpr (By == walk_by::balls)
+      test_balls(mine);
+    else
+      while (__any_sync(~0U, mine != 0)) {
+        const unsigned i = mine ? __ffs(mine) - 1 : 0;
+        const std::uint32_t slot = __float_as_uint(zs[i].z);
+        const bool touch = own_.touches(waits(i)) & (mine != 0) & (slot >= least_);
+        mine &= mine - 1;
+        hits_.add(touch, slot_, slot);
+      }
     __syncwarp();
+  }
+
+  __device__ void put_ball(unsigned at, const boxed_ball &b) {
+    room_.xy[at] = {b.centre[0], b.centre[1], b.centre[2], b.most};
+    room_.z[at].w = b.least;
+  }
+  // Compares this lane's ball with those that wait whose bits are set.
+  __device__ void test_balls(unsigned with) {
+    const boxed_ball own = ball_in_box(own_.low, own_.high);
+    with = own_.low[0] <= own_.high[0] ? with : 0;
+    while (__any_sync(~0U, with != 0)) {
+      const unsigned at = waiting_ + (with ? __ffs(with) - 1 : 0);
+      const float4 ball = room_.xy[at], z = room_.z[at];
+      const std::uint32_t slot = __float_as_uint(z.z);
+      const ball_verdict v = compare(own, {{ball.x, ball.y, ball.z}, ball.w, z.w});
+      const bool tested = (with != 0) & (slot >= least_);
+      with &= with - 1;
+      hits_.add(tested & v.touch, slot_, slot);
+      if (const unsigned lanes = __ballot_sync(~0U, tested & !v.apart & !v.touch))
+        put_unsure(lanes, slot);
+    }
+  }
+  // Few pairs are: it is proved of most whether they touch.
+  __device__ void put_unsure(unsigned lanes, std::uint32_t slot) {
+    const unsigned turned = BothWays ? __ballot_sync(~0U, (lanes >> lane_ & 1) && slot != slot_) : 0;
+    if (lane_ == 0)
+      atomicAdd(w_.near, static_cast<unsigned long long>(__popc(lanes) + __popc(turned)));
+    const index_pair pair[1] = {w_.swapped ? index_pair{slot, slot_} : index_pair{slot_, slot}};
+    append(lanes >> lane_ & 1, pair, w_.unsure);
   }
 
   const tree_walk &w_;

@@ -1,6 +1,7 @@
 // The kernels of orders and hierarchies that depend on no kind of element, on the host: see stand_in.cpp.
 #include "core/device/order_kernels.hpp"
 #include "core/device/tree_kernels.hpp"
+#include "core/two_balls.hpp"
 #include "tests/runtime/device/stand_in_levels.hpp"
 
 #include <algorithm>
@@ -45,14 +46,26 @@ void go_down(const tree_walk &w, const cuda::tree_box &own, const two_points *po
       continue;
     if (w.half && child < slot)
       continue;
-    const auto append = [&w](index_pair p) {
-      if (*w.out.count < w.out.capacity)
-        w.out.pairs[*w.out.count] = p;
-      ++*w.out.count;
+    const auto append = [](const cuda::pair_list &to, index_pair p) {
+      if (*to.count < to.capacity && to.pairs)
+        to.pairs[*to.count] = p;
+      ++*to.count;
     };
-    append(w.swapped ? index_pair{child, slot} : index_pair{slot, child});
-    if (w.out.both_ways && child != slot)
-      append({child, slot});
+    const index_pair pair = w.swapped ? index_pair{child, slot} : index_pair{slot, child};
+    const bool turned = w.out.both_ways && child != slot;
+    if (w.balls) {
+      const ball_verdict v = compare(ball_in_box(own.low, own.high), ball_in_box(b.low, b.high));
+      if (v.apart)
+        continue;
+      *w.near += turned ? 2 : 1;
+      if (!v.touch) {
+        append(w.unsure, pair);
+        continue;
+      }
+    }
+    append(w.out, pair);
+    if (turned)
+      append(w.out, {child, slot});
   }
 }
 
@@ -70,7 +83,7 @@ cudaError_t walk(const tree_walk &w, cudaStream_t) {
       points = two_points_of(w.points, w.rows + i * static_cast<std::size_t>(w.fields));
     go_down(w, cuda::box_of(w.walker.nodes[i / width], i % width), w.rows ? &points : nullptr, i,
             w.tree.shape.depth - 1, 0);
-    if (*w.out.count > w.out.capacity)
+    if (*w.out.count > w.out.capacity || (w.balls && *w.unsure.count > w.unsure.capacity))
       return cudaSuccess;
   }
   return cudaSuccess;

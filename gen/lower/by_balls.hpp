@@ -1,0 +1,17 @@
+// Predicates that hold exactly where two closed balls touch.
+//
+// A search that compares the balls by their boxes (runtime/core/two_balls.hpp) has then decided most pairs. That is proved of the
+// decision: it is one comparison of the same polynomial, the square of the sum of the radii less that of the distance of the
+// centres, with zero.
+//
+// Limits: a predicate is only called so where that proof succeeds. Of an operand the hull must be one point, whose radius is
+// its pad, if it has one, and by a rule of its kind not below zero.
+#pragma once
+#include "gen/lower/kernel.hpp"
+
+namespace meetc::lower {
+
+// `kinds`: of the operands.
+bool is_by_balls(const model &m, const predicate &p, const std::vector<const lang::kind *> &kinds);
+
+} // namespace meetc::lower

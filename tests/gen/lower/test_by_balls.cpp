@@ -1,0 +1,78 @@
+// Which predicates are proved to hold exactly where two closed balls touch.
+#include "gen/lower/by_balls.hpp"
+#include "tests/catch.hpp"
+#include "tests/gen/fixture.hpp"
+
+#include <random>
+#include <set>
+
+using namespace meetc;
+using namespace meetc::compiler_test;
+
+namespace {
+
+bool is_by_balls(const spec_copy &copy) {
+  return copy.compile().kernels.front().decision.by_balls;
+}
+
+} // namespace
+
+TEST_CASE("by balls: of the shipped predicates, that of two balls") {
+  std::set<std::string> proved;
+  for (const lower::kernel *k : default_kernels(want::predicates))
+    if (k->decision.by_balls)
+      proved.insert(k->asked.name());
+  CHECK(proved == std::set<std::string>{"ball_ball"});
+}
+
+TEST_CASE("by balls: the exact answer is that of the distance and the radii") {
+  std::mt19937_64 random(1);
+  for (const lower::kernel *k : default_kernels(want::predicates)) {
+    const lower::predicate &p = k->decision;
+    if (!p.by_balls)
+      continue;
+    int hits = 0, tangent = 0, different = 0;
+    for (int i = 0; i < 2000; ++i) {
+      long row[8]; // of each ball the centre and the radius
+      for (int j = 0; j < 8; ++j)
+        row[j] = static_cast<long>(random() % 5);
+      long square = 0;
+      for (int axis = 0; axis < 3; ++axis)
+        square += (row[axis] - row[4 + axis]) * (row[axis] - row[4 + axis]);
+      const long reach = row[3] + row[7];
+      const bool touch = square <= reach * reach;
+      std::vector<int> signs;
+      const std::vector<poly::rational> numbers(row, row + 8);
+      for (const poly::poly &atom : p.signs.atoms())
+        signs.push_back(sgn(atom.evaluate(numbers)));
+      hits += touch, tangent += square == reach * reach;
+      different += touch != p.signs.evaluate(p.truths.hit, signs);
+    }
+    CHECK(different == 0);
+    CHECK(hits > 100);
+    CHECK(hits < 1900);
+    CHECK(tangent > 20);
+  }
+}
+
+TEST_CASE("by balls: not claimed where the decision, or the kind, is another one") {
+  const struct {
+    const char *file, *from, *to;
+  } changes[] = {
+      {"predicates/round.toml", "4*S.r*T.r) >= 0", "4*S.r*T.r) > 0"},
+      {"predicates/round.toml", "4*S.r*T.r) >= 0", "4*S.r*T.r) <= 0"},
+      {"predicates/round.toml", "4*S.r*T.r", "2*S.r*T.r"},
+      {"predicates/round.toml", "4*S.r*T.r", "4*S.r*S.r"},
+      {"predicates/round.toml", "4*S.r*T.r) >= 0", "4*S.r*T.r) >= 0 and sign(S.r - T.r) >= 0"},
+      {"predicates/round.toml", "sign(((I*S) | (I*T)) + 4*S.r*T.r) >= 0", "sign(norm2(meet(S, T))) >= 0"},
+      {"cga3.toml", "where = 'r >= 0'", ""}, // the radius may be negative
+  };
+  const spec_copy unchanged({"ball_ball"});
+  CHECK(is_by_balls(unchanged));
+  for (const auto &m : changes) {
+    INFO("'" << m.from << "' to '" << m.to << "'");
+    const spec_copy copy({"ball_ball"});
+    copy.replace(m.file, m.from, m.to);
+    CHECK_FALSE(is_by_balls(copy));
+  }
+}
