@@ -165,10 +165,11 @@ private:
   // The last mark counts.
   void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
 
-  // Of a walk: a guess, of balls that touch one other on average. Where there are more of one set, fewer of these do.
+  // Of a walk: a guess, of balls that touch one other on average. Where there are more of one set, fewer of these do. Where
+  // it decides them, half as many are listed.
   std::uint64_t expected_candidates() const {
     const auto [few, many] = std::minmax({a_.elements(), b_.elements()});
-    return 3 * std::uint64_t{few} + (many - few) / 2;
+    return (3 * std::uint64_t{few} + (many - few) / 2) / (walks_balls() ? 2 : 1);
   }
   // Reserves room for the first lists, or keeps the existing lists.
   void take_room() {
@@ -180,7 +181,7 @@ private:
     capacity_ = within_options(wanted);
     if (!enlarge_lists(capacity_))
       capacity_ = within_options(first_capacity);
-    buffers_.take_notes(keep_ && !tallies_ && hits_.may_order() ? hit_pairs::room_to_order(a_.numbers()) : 0);
+    buffers_.take_notes(keep_ && !tallies_ && !hits_.owned() ? hit_pairs::room_to_order : 0);
     buffers_.first.reserve(capacity_, "a list of candidates");
     buffers_.second.reserve(capacity_, "a list of candidates");
     if (stores_)
@@ -305,7 +306,7 @@ private:
   void enqueue(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
     const bool counted = orders_ && !few_;
-    const std::size_t cleared = counters + (counted ? hit_pairs::room_to_order(a_.numbers()) : 0);
+    const std::size_t cleared = counters + (counted ? hit_pairs::room_to_order : 0);
     if (std::exchange(cleared_, 0) < cleared)
       check(cudaMemsetAsync(buffers_.counts(), 0, cleared * sizeof(unsigned long long), stream), "clearing counters");
     cuda::pair_list hits = stores_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);

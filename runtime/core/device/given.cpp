@@ -135,7 +135,7 @@ std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view 
                                       can_arrange(a.launchers(), left_a.elements) &&
                                       can_arrange(b.launchers(), left_b.elements);
   const float all = static_cast<float>(left_a.elements) + static_cast<float>(left_b.elements);
-  const std::size_t cleared = counters + hit_pairs::room_to_order(a.elements());
+  const std::size_t cleared = counters + hit_pairs::room_to_order;
   buffers.take_notes(cleared - counters);
   const auto request = [&](given_set &s, const cuda::view &left) {
     const float share = std::clamp(static_cast<float>(left.elements) / all, least_share, 1 - least_share);

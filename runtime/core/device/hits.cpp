@@ -10,8 +10,6 @@
 namespace meetc {
 namespace {
 
-// Beyond this many elements of A, whose hits are about as many, these are sorted faster by digits.
-constexpr std::uint32_t most_elements = std::uint32_t{1} << 21;
 constexpr std::size_t most_ordered = 0x7fffffff; // hits
 
 int bits_of_items(std::span<const std::uint32_t> owners, std::uint32_t elements) {
@@ -49,15 +47,8 @@ void hit_pairs::upload_owners() {
   upload(owner_b_, b_, there_b_);
 }
 
-bool hit_pairs::may_order() const {
-  return !owned() && a_.numbers() <= most_elements;
-}
-std::size_t hit_pairs::room_to_order(std::uint32_t elements_a) {
-  return elements_a <= most_elements ? cuda::counted_to_distribute / 2 : 0;
-}
-
 bool hit_pairs::can_order(std::size_t hits) {
-  return may_order() && hits <= most_ordered && buffers_.keys.grow(hits, 0, on_.stream()) &&
+  return !owned() && hits <= most_ordered && buffers_.keys.grow(hits, 0, on_.stream()) &&
          buffers_.more_keys.grow(hits, 0, on_.stream());
 }
 

@@ -105,7 +105,26 @@ __device__ void rank_hits(const hit_order &o, unsigned n) {
     o.sorted[before] = pair_of(mine, 32);
 }
 
-// Pairs of elements are keys, which are put into order. Of more than these a cell has so many that digits take less time.
+// Pairs of elements are keys.
+__device__ int bits_of(std::uint32_t items) {
+  return 32 - __clz(static_cast<int>(items - 1));
+}
+template <class Keys> __device__ void count_hits(const hit_order &o, Keys &keys) {
+  const int bits_b = bits_of(o.items_b);
+  constexpr unsigned together = 4;
+  keys.template count<together>(
+      [&](const std::uint32_t(&i)[together], const bool(&there)[together], std::uint64_t(&key)[together]) {
+        index_pair hits[together];
+#pragma unroll
+        for (unsigned k = 0; k < together; ++k)
+          hits[k] = there[k] ? o.hits[i[k]] : index_pair{0, 0};
+#pragma unroll
+        for (unsigned k = 0; k < together; ++k)
+          key[k] = key_of({o.order_a[hits[k].a], o.order_b[hits[k].b]}, bits_b);
+      });
+}
+
+// Of more than these, whole cells are put into order at a time (order_counted()), which the host then asks for.
 constexpr std::uint32_t most_hits_to_order = std::uint32_t{1} << 24;
 constexpr unsigned order_threads = 1024;
 using distributes = cuda::distributing<order_threads>;
@@ -125,20 +144,10 @@ __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_co
       *o.unordered = 1;
     return;
   }
-  constexpr unsigned together = 4;
-  const int bits_a = 32 - __clz(static_cast<int>(o.items_a - 1)), bits_b = 32 - __clz(static_cast<int>(o.items_b - 1));
+  const int bits_b = bits_of(o.items_b);
   const cuda::distribution all_keys{reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted};
-  distributes keys(all_keys, bits_a + bits_b, false, blockIdx.x, gridDim.x, room);
-  keys.count<together>(
-      [&](const std::uint32_t(&i)[together], const bool(&there)[together], std::uint64_t(&key)[together]) {
-        index_pair hits[together];
-#pragma unroll
-        for (unsigned k = 0; k < together; ++k)
-          hits[k] = there[k] ? o.hits[i[k]] : index_pair{0, 0};
-#pragma unroll
-        for (unsigned k = 0; k < together; ++k)
-          key[k] = key_of({o.order_a[hits[k].a], o.order_b[hits[k].b]}, bits_b);
-      });
+  distributes keys(all_keys, bits_of(o.items_a) + bits_b, false, blockIdx.x, gridDim.x, room);
+  count_hits(o, keys);
   cuda::meet_grid();
   keys.distribute();
   cuda::meet_grid();
@@ -159,22 +168,19 @@ __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_co
 // Of many keys a block takes some whole cells at a time. Of larger cells, all blocks take windows.
 constexpr unsigned tile_of_many = 2 * cuda::most_of_tile;
 using distributes_many = cuda::distributing<order_threads, tile_of_many>;
-__global__ void __launch_bounds__(order_threads, 1) order_keys_kernel(const __grid_constant__ key_order o) {
-  extern __shared__ uint4 memory[];
-  auto &room = *reinterpret_cast<distributes_many::room *>(memory);
-  const cuda::distribution all_keys{o.keys, o.by_cell, o.n, o.counted};
-  distributes_many keys(all_keys, o.bits, false, blockIdx.x, gridDim.x, room);
-  keys.count_there<4>();
+// The blocks have counted the keys, which become pairs where they were.
+__device__ void order_counted(distributes_many &keys, const cuda::distribution &d, int bits_b,
+                              unsigned long long *unordered) {
   cuda::meet_grid();
   keys.distribute();
   cuda::meet_grid();
-  auto *const pairs = reinterpret_cast<index_pair *>(o.keys);
+  auto *const pairs = reinterpret_cast<index_pair *>(d.keys);
   const auto order = [&](std::uint32_t first, std::uint32_t last) {
-    if (!keys.window(first, last, [&](std::uint32_t at, std::uint64_t key) { pairs[at] = pair_of(key, o.bits_b); }) &&
+    if (!keys.window(first, last, [&](std::uint32_t at, std::uint64_t key) { pairs[at] = pair_of(key, bits_b); }) &&
         threadIdx.x == 0)
-      *o.unordered = 1;
+      *unordered = 1;
   };
-  const std::uint32_t cells = keys.cells(), most = tile_of_many / 2, together = max(1U, most / ((o.n - 1) / cells + 1));
+  const std::uint32_t cells = keys.cells(), most = tile_of_many / 2, together = max(1U, most / ((d.n - 1) / cells + 1));
   const auto end_of = [&](std::uint32_t c) { return keys.begin_of_cell(min(c + together, cells)); };
   for (std::uint32_t c = blockIdx.x * together; c < cells; c += gridDim.x * together) {
     const std::uint32_t first = keys.begin_of_cell(c), last = end_of(c);
@@ -193,6 +199,33 @@ __global__ void __launch_bounds__(order_threads, 1) order_keys_kernel(const __gr
       if (windows % gridDim.x == blockIdx.x)
         order(at, min(last - at, most) + at);
   }
+}
+
+__global__ void __launch_bounds__(order_threads, 1) order_keys_kernel(const __grid_constant__ key_order o) {
+  extern __shared__ uint4 memory[];
+  const cuda::distribution all_keys{o.keys, o.by_cell, o.n, o.counted};
+  distributes_many keys(all_keys, o.bits, false, blockIdx.x, gridDim.x,
+                        *reinterpret_cast<distributes_many::room *>(memory));
+  keys.count_there<4>();
+  order_counted(keys, all_keys, o.bits_b, o.unordered);
+}
+
+__global__ void __launch_bounds__(order_threads, 1) order_many_kernel(const __grid_constant__ hit_order o) {
+  extern __shared__ uint4 memory[];
+  const unsigned long long all = *o.count;
+  if (all > o.capacity) // not all of them are there
+    return;
+  const auto n = static_cast<std::uint32_t>(all);
+  if (n <= cuda::grid_threads() / 32) {
+    rank_hits(o, n);
+    return;
+  }
+  const int bits_b = bits_of(o.items_b);
+  const cuda::distribution all_keys{reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted};
+  distributes_many keys(all_keys, bits_of(o.items_a) + bits_b, false, blockIdx.x, gridDim.x,
+                        *reinterpret_cast<distributes_many::room *>(memory));
+  count_hits(o, keys);
+  order_counted(keys, all_keys, bits_b, o.unordered);
 }
 
 // Adds 1 to the counter `at`, once for all lanes with the same one.
@@ -247,6 +280,10 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
 }
 
 cudaError_t order_hits(const hit_order &o, cudaStream_t stream) {
+  // So many elements have about as many hits.
+  if (o.items_a > std::uint32_t{1} << 21)
+    return cuda::launch_together<order_many_kernel, order_threads, sizeof(distributes_many::room)>(order_threads,
+                                                                                                   stream, o);
   return cuda::launch_together<order_kernel, order_threads, sizeof(distributes::room)>(order_threads, stream, o);
 }
 

@@ -421,17 +421,22 @@ private:
       const bool tested = (with != 0) & (slot >= least_);
       with &= with - 1;
       hits_.add(tested & v.touch, slot_, slot);
-      if (const unsigned lanes = __ballot_sync(~0U, tested & !v.apart & !v.touch))
-        put_unsure(lanes, slot);
+      if (const bool unsure = tested & !v.apart & !v.touch; __any_sync(~0U, unsure))
+        put_unsure(unsure, slot);
     }
   }
-  // Few pairs are: it is proved of most whether they touch.
-  __device__ void put_unsure(unsigned lanes, std::uint32_t slot) {
-    const unsigned turned = BothWays ? __ballot_sync(~0U, (lanes >> lane_ & 1) && slot != slot_) : 0;
+  // Few pairs are, but at the ends of float32, where boxes say more.
+  __device__ void put_unsure(bool unsure, std::uint32_t slot) {
+    if (unsure)
+      unsure = own_.touches(box_of(w_.tree.nodes[slot / tree_width], slot % tree_width));
+    const unsigned lanes = __ballot_sync(~0U, unsure),
+                   turned = BothWays ? __ballot_sync(~0U, unsure && slot != slot_) : 0;
+    if (lanes == 0)
+      return;
     if (lane_ == 0)
       atomicAdd(w_.near, static_cast<unsigned long long>(__popc(lanes) + __popc(turned)));
     const index_pair pair[1] = {w_.swapped ? index_pair{slot, slot_} : index_pair{slot_, slot}};
-    append(lanes >> lane_ & 1, pair, w_.unsure);
+    append(unsure ? 1U : 0U, pair, w_.unsure);
   }
 
   const tree_walk &w_;
