@@ -5,7 +5,7 @@
 // centres, with zero.
 //
 // Limits: a predicate is only called so where that proof succeeds. Of an operand the hull must be one point, whose radius is
-// its pad, if it has one, and by a rule of its kind not below zero.
+// its pad, if it has one, and by a rule of its kind not below zero. There is no reject stage.
 #pragma once
 #include "gen/lower/kernel.hpp"
 

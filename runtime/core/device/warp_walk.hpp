@@ -409,10 +409,10 @@ private:
     room_.xy[at] = {b.centre[0], b.centre[1], b.centre[2], b.most};
     room_.z[at].w = b.least;
   }
-  // Compares this lane's ball with those that wait whose bits are set.
+  // Compares this lane's ball with those that wait whose bits are set. That of an empty lane is NaN, which proves nothing, and its
+  // box touches none.
   __device__ void test_balls(unsigned with) {
     const boxed_ball own = ball_in_box(own_.low, own_.high);
-    with = own_.low[0] <= own_.high[0] ? with : 0;
     while (__any_sync(~0U, with != 0)) {
       const unsigned at = waiting_ + (with ? __ffs(with) - 1 : 0);
       const float4 ball = room_.xy[at], z = room_.z[at];

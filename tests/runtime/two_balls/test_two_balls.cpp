@@ -156,10 +156,18 @@ TEST_CASE("two balls: the margin is the one that is proved") {
 }
 
 TEST_CASE("two balls: an end that was cut to float32's range proves nothing") {
-  const float low[3] = {0, 0, 0}, high[3] = {FLT_MAX, 1, 1}, one[3] = {1, 1, 1};
-  const boxed_ball cut = ball_in_box(low, high), other = ball_in_box(low, one);
-  for (const boxed_ball &b : {cut, other}) {
-    const ball_verdict v = compare(cut, b), w = compare(b, cut);
-    CHECK_FALSE((v.apart || v.touch || w.apart || w.touch));
-  }
+  const float low[3] = {0, 0, 0}, one[3] = {1, 1, 1};
+  const boxed_ball other = ball_in_box(low, one);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool both_ends : {false, true}) {
+      float from[3] = {0, 0, 0}, to[3] = {1, 1, 1};
+      to[axis] = FLT_MAX;
+      if (both_ends)
+        from[axis] = -FLT_MAX;
+      const boxed_ball cut = ball_in_box(from, to);
+      for (const boxed_ball &b : {cut, other}) {
+        const ball_verdict v = compare(cut, b), w = compare(b, cut);
+        CHECK_FALSE((v.apart || v.touch || w.apart || w.touch));
+      }
+    }
 }
