@@ -323,7 +323,7 @@ TEST_CASE("walk: packets that go down together first lose no pair") {
         s.rows[std::size_t{set::fields} * i + z] += by;
   };
   for (int round = 0; round < 4; ++round) {
-    set a = random_set(random, 2200, 0.03F, 0.05F), b = random_set(random, 33000, 0.02F, 0.02F);
+    set a = random_set(random, 1504, 0.03F, 0.05F), b = random_set(random, 33000, 0.02F, 0.02F);
     if (round < 3) { // of the tree the middle is above the rest, and of the walkers some are between these
       lift(b, 11000, 22000, 5);
       lift(a, 400, 1000, 2.5F), lift(a, 1300, 1500, 5);
