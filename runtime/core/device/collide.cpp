@@ -280,13 +280,15 @@ private:
   void try_part(const cuda::part &p, bool is_all) {
     const cudaStream_t stream = on_.stream();
     orders_ = is_all && keep_ && !tallies_ && hits_.can_order(capacity_);
-    few_ = false;
     std::uint64_t *hits_before = nullptr; // plus 1
     if (orders_) {
       launch_key query;
-      query.add(a_.id(), b_.id(), &predicate_, precision_);
+      query.add(&a_, &b_, a_.numbers(), b_.numbers(), &predicate_,
+                precision_); // also when these were put into order anew
       hits_before = &buffers_.repeated.note(query);
-      few_ = *hits_before > 0 && *hits_before <= most_of_few;
+      // At first, that about as many elements of A touch one; but then they are not said to be few.
+      expected_hits_ =
+          *hits_before > 0 ? amount_of(*hits_before - 1) : std::max(amount_of(a_.numbers()), hit_amount::some);
     }
     if (is_all && options_.as_graph)
       buffers_.repeated.run(stream, launches_of(p), [&] { enqueue(p); });
@@ -305,7 +307,7 @@ private:
   // The kernels from the candidates to the last decision and, if all hits are ordered at once, to sorted pairs.
   void enqueue(const cuda::part &p) {
     const cudaStream_t stream = on_.stream();
-    const bool counted = orders_ && !few_;
+    const bool counted = orders_ && expected_hits_ != hit_amount::few;
     const std::size_t cleared = counters + (counted ? hit_pairs::room_to_order : 0);
     if (std::exchange(cleared_, 0) < cleared)
       check(cudaMemsetAsync(buffers_.counts(), 0, cleared * sizeof(unsigned long long), stream), "clearing counters");
@@ -326,7 +328,7 @@ private:
       decide_candidates(hits);
     }
     if (orders_)
-      hits_.order(hits, buffers_.to_order(), count_only(counter::unordered).count, few_);
+      hits_.order(hits, buffers_.to_order(), count_only(counter::unordered).count, expected_hits_);
   }
 
   // The steps that make hits of candidates.
@@ -351,8 +353,8 @@ private:
   // All that enqueue() makes the arguments of its launches of.
   launch_key launches_of(const cuda::part &p) const {
     launch_key k;
-    k.add(&predicate_, precision_, result_.by, result_.filter, options_.want, both_ways_, stores_, orders_, few_,
-          capacity_);
+    k.add(&predicate_, precision_, result_.by, result_.filter, options_.want, both_ways_, stores_, orders_,
+          expected_hits_, capacity_);
     k.add(p.first_a, p.end_a, p.first_b, p.end_b);
     for (const cuda::operand *const o : {&x_, &y_})
       k.add(o->rows, o->elements, o->by, o->columns);
@@ -451,7 +453,7 @@ private:
   tree_walk walk_{};
   std::size_t capacity_ = 0;
   bool orders_ = false; // the hits of all are ordered with the kernels that find them
-  bool few_ = false;    // ... and expected to be few
+  hit_amount expected_hits_ = hit_amount::some;
   device_result result_;
 };
 

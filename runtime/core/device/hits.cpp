@@ -53,7 +53,7 @@ bool hit_pairs::can_order(std::size_t hits) {
 }
 
 void hit_pairs::order(const cuda::pair_list &hits, unsigned long long *counted, unsigned long long *unordered,
-                      bool few) {
+                      hit_amount expected) {
   const hit_order o{hits.pairs,
                     hits.count,
                     hits.capacity,
@@ -65,7 +65,7 @@ void hit_pairs::order(const cuda::pair_list &hits, unsigned long long *counted, 
                     buffers_.keys.data(),
                     reinterpret_cast<index_pair *>(buffers_.more_keys.data()),
                     unordered};
-  check(few ? order_few_hits(o, on_.stream()) : order_hits(o, on_.stream()), "sorting pairs");
+  check(order_hits(o, expected, on_.stream()), "sorting pairs");
 }
 
 void hit_pairs::add(const index_pair *hits, std::size_t n) {

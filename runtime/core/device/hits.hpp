@@ -33,10 +33,11 @@ public:
   // Whether all hits of a query can be ordered where they are, of which there is room for this many. Elements must be their own
   // items, and it takes memory.
   bool can_order(std::size_t hits);
-  // Enqueues that, after can_order(). `counted` has room_to_order, and `unordered` is one number; all are 0 at first. Where
-  // there are no more than most_of_few, which the caller guesses by `few`, it is one short step. The guess is wrong, or there are
-  // too many hits at all or of some items, where `unordered` is not 0 at the end; the hits are then to be added.
-  void order(const cuda::pair_list &hits, unsigned long long *counted, unsigned long long *unordered, bool few);
+  // Enqueues that, after can_order(). `counted` has room_to_order, of which few hits need none, and `unordered` is one number;
+  // all are 0 at first. `expected` is a guess. Where there are too many hits for it, or of some items, `unordered` is not 0 at
+  // the end; the hits are then to be added.
+  void order(const cuda::pair_list &hits, unsigned long long *counted, unsigned long long *unordered,
+             hit_amount expected);
   static constexpr std::size_t room_to_order = cuda::counted_to_distribute / 2; // numbers
   // n hits were ordered.
   void take_ordered(std::size_t n) { keys_ = n, ordered_ = true; }

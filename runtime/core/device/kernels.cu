@@ -64,16 +64,20 @@ __global__ void __launch_bounds__(few_threads) few_kernel(const __grid_constant_
   const auto key = [&](unsigned i) {
     return i < n ? key_of({o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]}, 32) : ~std::uint64_t{0};
   };
-  if (n <= fewest) { // the place of each is the number of smaller ones
+  if (n <= fewest) { // the place of each is the number of smaller ones, which some neighbouring threads count together
     __shared__ std::uint64_t all[fewest];
-    const std::uint64_t mine = key(threadIdx.x);
-    if (threadIdx.x < fewest)
-      all[threadIdx.x] = mine;
-    __syncthreads();
-    unsigned at = 0;
-    for (unsigned i = 0; i < n; ++i)
-      at += all[i] < mine;
+    const unsigned together = n <= few_threads / 8 ? 8 : few_threads / fewest, of = threadIdx.x / together,
+                   first = threadIdx.x % together;
     if (threadIdx.x < n)
+      all[threadIdx.x] = key(threadIdx.x);
+    __syncthreads();
+    const std::uint64_t mine = of < n ? all[of] : 0;
+    unsigned at = 0;
+    for (unsigned i = first; i < n; i += together)
+      at += all[i] < mine;
+    for (unsigned d = together / 2; d > 0; d /= 2)
+      at += __shfl_xor_sync(~0U, at, d);
+    if (of < n && first == 0)
       o.sorted[at] = pair_of(mine, 32);
     return;
   }
@@ -124,7 +128,7 @@ template <class Keys> __device__ void count_hits(const hit_order &o, Keys &keys)
       });
 }
 
-// Of more than these, whole cells are put into order at a time (order_counted()), which the host then asks for.
+// More than these take too long by windows.
 constexpr std::uint32_t most_hits_to_order = std::uint32_t{1} << 24;
 constexpr unsigned order_threads = 1024;
 using distributes = cuda::distributing<order_threads>;
@@ -279,21 +283,22 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
   return cuda::launch<tally_kernel>(blocks_for(t.n), threads, stream, t);
 }
 
-cudaError_t order_hits(const hit_order &o, cudaStream_t stream) {
-  // So many elements have about as many hits.
-  if (o.items_a > std::uint32_t{1} << 21)
+cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t stream) {
+  switch (expected) {
+  case hit_amount::few:
+    return cuda::launch<few_kernel>(1, few_threads, stream, o);
+  case hit_amount::some:
+    return cuda::launch_together<order_kernel, order_threads, sizeof(distributes::room)>(order_threads, stream, o);
+  case hit_amount::many:
     return cuda::launch_together<order_many_kernel, order_threads, sizeof(distributes_many::room)>(order_threads,
                                                                                                    stream, o);
-  return cuda::launch_together<order_kernel, order_threads, sizeof(distributes::room)>(order_threads, stream, o);
+  }
+  return cudaErrorInvalidValue;
 }
 
 cudaError_t order_keys(const key_order &o, cudaStream_t stream) {
   return cuda::launch_together<order_keys_kernel, order_threads, sizeof(distributes_many::room)>(order_threads, stream,
                                                                                                  o);
-}
-
-cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream) {
-  return cuda::launch<few_kernel>(1, few_threads, stream, o);
 }
 
 cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,

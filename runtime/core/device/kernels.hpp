@@ -38,11 +38,15 @@ struct hit_order {
   // nothing.
   unsigned long long *unordered;
 };
-// Does nothing where there are more hits than `capacity`.
-cudaError_t order_hits(const hit_order &o, cudaStream_t stream);
-// The same of few hits, in one step; `counted` and `by_cell` are not used. Where there are more, *unordered becomes 1.
-inline constexpr unsigned most_of_few = 2048;
-cudaError_t order_few_hits(const hit_order &o, cudaStream_t stream);
+// Few are put into order in one step, which uses neither `counted` nor `by_cell`.
+enum class hit_amount : std::uint8_t { few, some, many };
+inline constexpr std::uint32_t most_of_few = 2048;
+constexpr hit_amount amount_of(std::uint64_t hits) {
+  return hits <= most_of_few ? hit_amount::few : hits <= std::uint64_t{1} << 20 ? hit_amount::some : hit_amount::many;
+}
+// In the way that is best for so many. Where there are more hits, it takes longer, or there are too many; where there are more
+// than `capacity`, it does nothing.
+cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t stream);
 
 // Counts the hits of each item, or marks the items that have one. Null: of this set nothing is asked. Where of_instance > 0,
 // B's items are instances of so many slots each.

@@ -21,9 +21,13 @@ __global__ void __launch_bounds__(node_threads) levels_kernel(tree_node *nodes, 
   put_above(nodes, shape, level + 1, blockIdx.x, around_warp(b));
 }
 
+// Blocks that a multiprocessor runs at once. With more of them a thread has too few registers.
+constexpr unsigned walk_blocks(walk_by by) {
+  return by == walk_by::boxes ? 9 : by == walk_by::points ? 6 : 8;
+}
 // What is left at the end is appended by all warps of a block together.
 template <walk_by By, bool BothWays>
-__global__ void __launch_bounds__(walk_threads, By == walk_by::boxes ? 9 : 8)
+__global__ void __launch_bounds__(walk_threads, walk_blocks(By))
     walk_kernel(const __grid_constant__ tree_walk w, const __grid_constant__ walk_plan plan) {
   begin();
   if (!w.is_to_be_done())

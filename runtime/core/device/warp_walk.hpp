@@ -483,7 +483,9 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   const bool few_packets = !w.rows && 4 * plan.items <= enough;
   // Where more than half of the warps have a packet, to cut these costs more than it gains.
   const bool many_packets = !w.rows && 2 * plan.items > enough;
-  const unsigned cuts = many_packets ? 1 : ((few_packets ? 2 : 1) * enough + plan.items - 1) / plan.items;
+  // Of long elements half as many, so that cut in two once more they are no more than there are warps.
+  const unsigned wanted = few_packets ? 2 * enough : w.rows ? enough / 2 : enough;
+  const unsigned cuts = many_packets ? 1 : (wanted + plan.items - 1) / plan.items;
   while (plan.start > 1 && nodes_of(plan.start - 1) < cuts)
     --plan.start;
   plan.first_chunk = w.of.first_b >> 5 * plan.start;
@@ -495,7 +497,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
     plan.batch *= 2;
   plan.whole = plan.items == w.of.end_a - w.of.first_a;
   plan.deal = few_packets ? 1 : plan.start;
-  plan.by_number = !w.rows && plan.items <= 4 * enough;
+  plan.by_number = plan.items <= (w.rows ? 1 : 4) * enough;
   return plan;
 }
 

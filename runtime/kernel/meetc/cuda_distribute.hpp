@@ -41,6 +41,8 @@ template <unsigned Threads, unsigned Tile = most_of_tile> class distributing {
 public:
   using room = distribute_room<Threads, Tile>;
   static constexpr unsigned each = Tile / Threads; // keys of a thread
+  // Large windows stay in registers while their finer cells are counted. Small ones are read again sooner than that pays.
+  static constexpr bool reads_once = Tile > most_of_tile;
 
   // Keys are below 2^key_bits, and some only are in use where `sparse`, which then has more cells.
   __device__ distributing(const distribution &d, int key_bits, bool sparse, unsigned block, unsigned blocks, room &r)
@@ -76,7 +78,7 @@ public:
   // Keys by their cells, once blocks have met after count().
   __device__ void distribute() {
     std::uint64_t keys[each];
-    load(0, keys);
+    load(d_.keys, begin_of(0), end_of(0), keys);
     for (unsigned c = threadIdx.x; c < cells_; c += Threads)
       room_.starts[c] = __ldcg(d_.counted + c);
     __syncthreads();
@@ -85,11 +87,8 @@ public:
       room_.starts[cells_] = d_.n;
     for (unsigned c = threadIdx.x; c < cells_; c += Threads)
       to()[c] += room_.starts[c];
-    for (unsigned t = 0; t < tiles_; ++t) {
-      if (t > 0)
-        load(t, keys);
-      distribute_tile(begin_of(t), end_of(t), keys);
-    }
+    for (unsigned t = 0; t < tiles_; ++t)
+      distribute_tile(t, keys);
   }
 
   // Once blocks have met after distribute(), nobody counts any more.
@@ -207,9 +206,19 @@ private:
     while ((keys - 1) >> near_.together >= room::window_cells)
       ++near_.together;
     const unsigned fine_cells = ((keys - 1) >> near_.together) + 1;
+    std::uint64_t mine[each];
+    const bool once = reads_once && keys <= Tile;
+    if (once)
+      load(d_.by_cell, near_.begin, end, mine);
+    const auto each_key = [&](auto &&take) {
+      if (once)
+        each_loaded(near_.begin, end, mine, take);
+      else
+        each_near(near_.begin, end, take);
+    };
     zero(fine_cells);
     __syncthreads();
-    each_near(near_.begin, end, [&](std::uint64_t key) { atomicAdd(room_.counters + fine(key), 1U); });
+    each_key([&](std::uint64_t key) { atomicAdd(room_.counters + fine(key), 1U); });
     __syncthreads();
     scan(room_.counters, fine_cells);
     // The finer cells that reach into the window, and the places from the first one's on.
@@ -226,7 +235,7 @@ private:
     near_.first = room_.first, near_.last = room_.last;
     if (near_.n > Tile)
       return false;
-    each_near(near_.begin, end, [&](std::uint64_t key) {
+    each_key([&](std::uint64_t key) {
       if (const std::uint32_t c = fine(key); near_.first <= c && c <= near_.last)
         room_.keys[atomicAdd(room_.counters + c, 1U) + near_.begin - near_.from] =
             key; // after that the counter says where the cell ends
@@ -288,20 +297,26 @@ private:
     return room_.counters + most_cells;
   }
 
-  __device__ void load(unsigned t, std::uint64_t (&keys)[each]) const {
-    const std::uint32_t begin = begin_of(t), end = end_of(t);
+  // As many keys as a tile has at most, of which each thread has some.
+  __device__ static void load(const std::uint64_t *from, std::uint32_t begin, std::uint32_t end,
+                              std::uint64_t (&keys)[each]) {
 #pragma unroll
     for (unsigned k = 0; k < each; ++k)
       if (const std::uint32_t i = begin + k * Threads + threadIdx.x; i < end)
-        keys[k] = d_.keys[i];
+        keys[k] = from[i];
   }
-  __device__ void distribute_tile(std::uint32_t begin, std::uint32_t end, const std::uint64_t (&keys)[each]) {
-    const auto each_key = [&](auto &&take) {
+  template <class Take>
+  __device__ static void each_loaded(std::uint32_t begin, std::uint32_t end, const std::uint64_t (&keys)[each],
+                                     Take &&take) {
 #pragma unroll
-      for (unsigned k = 0; k < each; ++k)
-        if (begin + k * Threads + threadIdx.x < end)
-          take(keys[k]);
-    };
+    for (unsigned k = 0; k < each; ++k)
+      if (begin + k * Threads + threadIdx.x < end)
+        take(keys[k]);
+  }
+  // Its keys become those of the next tile, which are on their way while these are written.
+  __device__ void distribute_tile(unsigned t, std::uint64_t (&keys)[each]) {
+    const std::uint32_t begin = begin_of(t), end = end_of(t);
+    const auto each_key = [&](auto &&take) { each_loaded(begin, end, keys, take); };
     if (tiles_ > 1) { // or the counters are those of count()
       zero(cells_);
       __syncthreads();
@@ -314,6 +329,8 @@ private:
       to()[c] -= room_.counters[c];
     __syncthreads();
     each_key([&](std::uint64_t key) { room_.keys[atomicAdd(room_.counters + cell(key), 1U)] = key; });
+    if (t + 1 < tiles_)
+      load(d_.keys, begin_of(t + 1), end_of(t + 1), keys);
     __syncthreads();
     for (std::uint32_t i = threadIdx.x; i < end - begin; i += Threads) {
       const std::uint64_t key = room_.keys[i];

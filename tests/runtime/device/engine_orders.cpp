@@ -212,9 +212,11 @@ void of_hits(comparison &with, const settings &s) {
     return out;
   };
   using counts = std::pair<std::size_t, std::size_t>;
-  std::vector<counts> all = {{1, 1}, {1, 700}, {700, 1}, {60, 50}, {9, 513}};
+  std::vector<counts> all = {{1, 1}, {1, 128}, {129, 1}, {8, 64}, {1, 513}, {700, 1}, {60, 50}, {9, 513}};
   if (!s.small)
     all.insert(all.end(), {{1, 5000}, {5000, 1}, {65, 65}, {3, 90'000}, {90'000, 3}, {1200, 1100}, {3000, 1500}});
+  if (!s.small) // few, some and many
+    all.insert(all.end(), {{2, 1024}, {3, 683}, {1024, 1024}, {1024, 1025}});
   for (const auto &[of_a, of_b] : all)
     for (const std::size_t others : {std::size_t{0}, std::size_t{s.small ? 200U : 30'000U}}) {
       const rows_of x = balls(of_a, others), y = balls(of_b, others / 3);
@@ -235,6 +237,44 @@ void of_hits(comparison &with, const settings &s) {
     }
 }
 
+// Heaps of balls, of which another heap touches one, or none, and then another one: what was seen before says nothing.
+void of_other_numbers_of_hits(comparison &with, const settings &s) {
+  engine random(s.seed + 64);
+  const predicate_info &p = predicate_named("ball_ball");
+  std::uniform_real_distribution<float> unit(0, 1);
+  const auto heap = [&](rows_of &to, std::size_t n, float at) {
+    for (std::size_t i = 0; i < n; ++i)
+      to.rows.insert(to.rows.end(), {at + unit(random), unit(random), unit(random), 2.0F});
+  };
+  const std::vector<std::size_t> heaps =
+      s.small ? std::vector<std::size_t>{70, 2, 0} : std::vector<std::size_t>{2500, 40, 7, 2, 0};
+  const std::size_t others = s.small ? 40 : 600;
+  rows_of x{p.a, {}}, y{p.a, {}};
+  heap(y, others, 0);
+  std::vector<std::size_t> begin;
+  for (std::size_t k = 0; k < heaps.size(); ++k)
+    begin.push_back(x.size()), heap(x, heaps[k], 64 * static_cast<float>(k));
+  device_set da(with.on(), prepare(view_of(x), *p.a)), db(with.on(), prepare(view_of(y), *p.b));
+  const auto ask = [&](std::size_t k) {
+    pose at;
+    at.m[3] = 64 * static_cast<float>(k);
+    db.move(at);
+    for (int again = 0; again < 2; ++again) {
+      device_options o;
+      o.as_graph = again > 0;
+      const device_result have = collide(with.on(), da, db, p, rung::certified, o);
+      with.add("other numbers of hits", p, have);
+      bool right = have.pairs.size() == heaps[k] * others;
+      for (std::size_t i = 0; right && i < have.pairs.size(); ++i)
+        right = have.pairs[i].a == begin[k] + i / others && have.pairs[i].b == i % others;
+      with.require("other numbers of hits", right, "heap " + std::to_string(k) + ": another list");
+    }
+  };
+  for (std::size_t k = 0; k < heaps.size(); ++k)
+    for (std::size_t after = 0; after < heaps.size(); ++after)
+      ask(k), ask(after);
+}
+
 } // namespace
 
 void order_scenes(comparison &with, const settings &s) {
@@ -242,6 +282,7 @@ void order_scenes(comparison &with, const settings &s) {
   too_close(with, s);
   far_vertices(with, s);
   of_hits(with, s);
+  of_other_numbers_of_hits(with, s);
 }
 
 } // namespace cuda_test

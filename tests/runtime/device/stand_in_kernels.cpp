@@ -92,7 +92,25 @@ cudaError_t tally(const hit_tally &t, cudaStream_t) {
   return cudaSuccess;
 }
 
-cudaError_t order_hits(const hit_order &o, cudaStream_t) {
+namespace {
+
+cudaError_t order_few(const hit_order &o) {
+  if (*o.count > most_of_few || *o.count > o.capacity) {
+    *o.unordered = 1;
+    return cudaSuccess;
+  }
+  for (std::size_t i = 0; i < *o.count; ++i)
+    o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
+  std::sort(o.sorted, o.sorted + *o.count,
+            [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  return cudaSuccess;
+}
+
+} // namespace
+
+cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t) {
+  if (expected == hit_amount::few)
+    return order_few(o);
   constexpr std::size_t most_of_one = 1024; // the device's has no such limit for all
   if (std::any_of(o.counted, o.counted + cuda::counted_to_distribute, [](std::uint32_t number) { return number != 0; }))
     return cudaErrorInvalidValue;
@@ -110,18 +128,6 @@ cudaError_t order_hits(const hit_order &o, cudaStream_t) {
       o.sorted[i] = {~0U, ~0U}; // is not looked at
     }
   }
-  return cudaSuccess;
-}
-
-cudaError_t order_few_hits(const hit_order &o, cudaStream_t) {
-  if (*o.count > most_of_few || *o.count > o.capacity) {
-    *o.unordered = 1;
-    return cudaSuccess;
-  }
-  for (std::size_t i = 0; i < *o.count; ++i)
-    o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
-  std::sort(o.sorted, o.sorted + *o.count,
-            [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
   return cudaSuccess;
 }
 
