@@ -17,7 +17,6 @@ using namespace meetc::cuda;
 namespace {
 
 constexpr unsigned threads = host_warp::width;
-using distributes = distributing<threads>;
 
 struct scene {
   const char *name;
@@ -52,12 +51,14 @@ std::vector<scene> scenes(std::mt19937_64 &random) {
 }
 
 // All windows, one after another. Each is taken with some keys before it, which are left out here.
+template <unsigned Tile = most_of_tile>
 std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse, std::uint32_t window, bool &ordered) {
+  using distributes = distributing<threads, Tile>;
   const auto n = static_cast<std::uint32_t>(s.keys.size());
   std::vector<std::uint64_t> keys(n), by_cell(n), out;
   std::vector<std::uint32_t> counted(counted_to_distribute);
   const distribution d{keys.data(), by_cell.data(), n, counted.data()};
-  std::vector<distributes::room> rooms(blocks);
+  std::vector<typename distributes::room> rooms(blocks);
   const auto each_block = [&](auto &&step) {
     for (unsigned block = 0; block < blocks; ++block)
       host_warp::the_warp.run([&] {
@@ -66,7 +67,7 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
       });
   };
   each_block([&](distributes &mine, unsigned) {
-    mine.count<2>([&](const std::uint32_t(&i)[2], const bool(&there)[2], std::uint64_t(&key)[2]) {
+    mine.template count<2>([&](const std::uint32_t(&i)[2], const bool(&there)[2], std::uint64_t(&key)[2]) {
       for (int k = 0; k < 2; ++k)
         if (there[k])
           key[k] = s.keys[i[k]];
@@ -122,6 +123,24 @@ TEST_CASE("distribute: the windows of keys that blocks put into order follow eac
           CHECK(ordered);
           CHECK((found == want));
         }
+  }
+}
+
+TEST_CASE("distribute: larger windows, which are read once, and some that are too large for that") {
+  std::mt19937_64 random(7);
+  std::vector<scene> all = scenes(random);
+  all.push_back({"many", 50, different(random, 40'000, 0, 1ULL << 50)});
+  all.push_back({"many in one cell", 62, different(random, 20'000, 1ULL << 40, (1ULL << 40) + (1ULL << 49))});
+  for (const scene &s : all) {
+    std::vector<std::uint64_t> want = s.keys;
+    std::sort(want.begin(), want.end());
+    for (const unsigned blocks : {1U, 3U}) {
+      bool ordered = false;
+      const std::vector<std::uint64_t> found = windows<2 * most_of_tile>(s, blocks, false, most_of_tile, ordered);
+      INFO(s.name << ", " << want.size() << " keys, " << blocks << " blocks");
+      CHECK(ordered);
+      CHECK((found == want));
+    }
   }
 }
 
