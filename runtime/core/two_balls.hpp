@@ -6,7 +6,7 @@
 // are compared by these, once with both errors for them and once against them.
 //
 // It is a filter: what it calls apart is proved apart, and what it calls touching is proved to touch, as closed balls
-// (tests/proofs/two_balls.gappa). All lengths are doubled, which saves halving the sums. The error is at least 2^-60, so
+// (tests/proofs/two_balls_*.gappa). All lengths are doubled, which saves halving the sums. The error is at least 2^-60, so
 // that no square underflows. Where an end is so large that the sum overflows, the error is infinite and nothing is proved;
 // such an end may be one that was cut to float32's range.
 #ifndef MEETC_CORE_TWO_BALLS_HPP

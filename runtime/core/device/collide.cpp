@@ -165,16 +165,20 @@ private:
   // The last mark counts.
   void mark_clock() { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); }
 
+  // A walk that decides has no list but that of what it leaves unsure, unless its hits are stored.
+  bool only_counts() const { return !stores_ && (walk_decides() || walks_balls()); }
   // Of a walk: a guess, of balls that touch one other on average. Where there are more of one set, fewer of these do. Where
   // it decides them, half as many are listed.
-  std::uint64_t expected_candidates() const {
+  std::uint64_t expected_in_list() const {
+    if (only_counts())
+      return 0;
     const auto [few, many] = std::minmax({a_.elements(), b_.elements()});
     return (3 * std::uint64_t{few} + (many - few) / 2) / (walks_balls() ? 2 : 1);
   }
   // Reserves room for the first lists, or keeps the existing lists.
   void take_room() {
     const std::size_t wanted =
-        result_.by == search::tree ? std::max<std::size_t>(expected_candidates(), first_capacity) : first_capacity;
+        result_.by == search::tree ? std::max<std::size_t>(expected_in_list(), first_capacity) : first_capacity;
     const auto within_options = [this](std::size_t least) {
       return std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, least), options_.list_capacity);
     };
@@ -207,10 +211,13 @@ private:
   cuda::pair_list count_only(counter c) const { return {nullptr, buffers_.counts() + static_cast<int>(c), 0}; }
   unsigned long long seen(counter c) const { return buffers_.seen->of_query.counts[static_cast<int>(c)]; }
 
-  bool overflowed() const {
-    return seen(counter::candidates) > capacity_ || seen(counter::kept) > capacity_ ||
-           ((stores_ || walk_decides()) && seen(counter::hits) > capacity_);
+  // Whether the lists that the last part filled could take so many times as much.
+  bool lists_hold(std::uint64_t times) const {
+    const std::uint64_t most = capacity_ / times;
+    return seen(counter::candidates) <= most && seen(counter::kept) <= most &&
+           (!stores_ || seen(counter::hits) <= most);
   }
+  bool overflowed() const { return !lists_hold(1); }
   // This number of pairs of objects never overflows a list.
   std::uint64_t always_fits() const {
     const std::uint64_t size = object_size(result_.by);
@@ -243,8 +250,8 @@ private:
   void go_through(const cuda::part &whole) {
     std::vector<cuda::part> left{whole};
     std::uint64_t most = ~std::uint64_t{0}, done = 0; // the largest part that is worth trying, and the finished pairs
-    if (result_.by == search::tree && expected_candidates() > capacity_)
-      most = area(whole) / (expected_candidates() / capacity_ + 1);
+    if (result_.by == search::tree && expected_in_list() > capacity_)
+      most = area(whole) / (expected_in_list() / capacity_ + 1);
     while (!left.empty()) {
       const cuda::part p = left.back();
       left.pop_back();
@@ -265,8 +272,7 @@ private:
           most = area(p) / 4;
         continue;
       }
-      // Where a walk decides, both are 0, and parts grow until one overflows.
-      if (most != ~std::uint64_t{0} && seen(counter::candidates) < capacity_ / 8 && seen(counter::kept) < capacity_ / 8)
+      if (most != ~std::uint64_t{0} && lists_hold(8))
         most = most < ~std::uint64_t{0} / 2 ? most * 2 : ~std::uint64_t{0};
       take_part();
       done += area(p);
@@ -314,14 +320,12 @@ private:
     cuda::pair_list hits = stores_ ? list(buffers_.hits, counter::hits) : count_only(counter::hits);
     hits.both_ways = both_ways_;
     if (walk_decides()) {
-      if (!stores_)
-        hits = list(buffers_.first, counter::hits), hits.both_ways = both_ways_;
-      find_candidates(p, hits);
+      find_candidates(p, of_walk(hits));
     } else if (walks_balls()) {
       walk_.balls = true;
       walk_.unsure = list(buffers_.first, counter::candidates);
       walk_.near = count_only(counter::touching).count;
-      find_candidates(p, stores_ ? hits : counted_by_walk(hits));
+      find_candidates(p, of_walk(hits));
       decide_candidates(hits);
     } else {
       find_candidates(p, list(buffers_.first, counter::candidates));
@@ -376,9 +380,10 @@ private:
 
   // A walk compares balls by their boxes, which leaves few pairs to the rungs.
   bool walks_balls() const { return result_.by == search::tree && predicate_.by_balls && never_wrong(precision_); }
-  // No list stops a walk that counts, unless one hit is enough.
-  cuda::pair_list counted_by_walk(cuda::pair_list hits) const {
-    hits.capacity = options_.want == answer_kind::any ? 0 : ~0ULL;
+  // No list stops a walk that only counts, unless one hit is enough.
+  cuda::pair_list of_walk(cuda::pair_list hits) const {
+    if (only_counts())
+      hits.capacity = options_.want == answer_kind::any ? 0 : ~0ULL;
     return hits;
   }
 
@@ -428,6 +433,8 @@ private:
       hits_.take_ordered(n);
       return;
     }
+    if (orders_ && expected_hits_ != hit_amount::few)
+      hits_.take_crowded();
     hits_.add(buffers_.hits.data(), n);
   }
 

@@ -122,7 +122,7 @@ bool hit_pairs::sort_on_device() {
   if (!buffers_.more_keys.grow(keys_, 0, on_.stream()))
     return false;
   const int bits = std::max(1, bits_a_ + bits_b_);
-  if (!owned() && keys_ > 0 && keys_ <= most_ordered && order_keys_there(bits))
+  if (!owned() && !crowded_ && keys_ > 0 && keys_ <= most_keys_to_order && order_keys_there(bits))
     return true;
   std::size_t sort_bytes = 0, repeat_bytes = 0;
   check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");

@@ -34,13 +34,15 @@ public:
   // items, and it takes memory.
   bool can_order(std::size_t hits);
   // Enqueues that, after can_order(). `counted` has room_to_order, of which few hits need none, and `unordered` is one number;
-  // all are 0 at first. `expected` is a guess. Where there are too many hits for it, or of some items, `unordered` is not 0 at
-  // the end; the hits are then to be added.
+  // all are 0 at first. `expected` is a guess. Where few were expected and there are more, or where too many are of items that
+  // are near each other, `unordered` is not 0 at the end; the hits are then to be added.
   void order(const cuda::pair_list &hits, unsigned long long *counted, unsigned long long *unordered,
              hit_amount expected);
   static constexpr std::size_t room_to_order = cuda::counted_to_distribute / 2; // numbers
   // n hits were ordered.
   void take_ordered(std::size_t n) { keys_ = n, ordered_ = true; }
+  // They were not, because too many are of items that are near each other.
+  void take_crowded() { crowded_ = true; }
 
   // Adds n hits, pairs of slots.
   void add(const index_pair *hits, std::size_t n);
@@ -62,7 +64,7 @@ private:
   device_memory<std::uint32_t> there_a_, there_b_; // the owners
   int bits_a_, bits_b_;                            // of the largest item's number
   std::size_t keys_ = 0;
-  bool ordered_ = false;
+  bool ordered_ = false, crowded_ = false;
   std::vector<index_pair> spilled_;
 };
 

@@ -128,93 +128,40 @@ template <class Keys> __device__ void count_hits(const hit_order &o, Keys &keys)
       });
 }
 
-// More than these take too long by windows.
-constexpr std::uint32_t most_hits_to_order = std::uint32_t{1} << 24;
 constexpr unsigned order_threads = 1024;
-using distributes = cuda::distributing<order_threads>;
-__global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_constant__ hit_order o) {
-  extern __shared__ uint4 memory[];
-  auto &room = *reinterpret_cast<distributes::room *>(memory);
-  const unsigned long long all = *o.count;
-  if (all > o.capacity) // not all of them are there
-    return;
-  const auto n = static_cast<std::uint32_t>(all);
-  if (n <= cuda::grid_threads() / 32) {
-    rank_hits(o, n);
-    return;
-  }
-  if (n > most_hits_to_order) {
-    if (blockIdx.x == 0 && threadIdx.x == 0)
-      *o.unordered = 1;
-    return;
-  }
-  const int bits_b = bits_of(o.items_b);
-  const cuda::distribution all_keys{reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted};
-  distributes keys(all_keys, bits_of(o.items_a) + bits_b, false, blockIdx.x, gridDim.x, room);
-  count_hits(o, keys);
-  cuda::meet_grid();
-  keys.distribute();
-  cuda::meet_grid();
-  // As large as the blocks have work, up to half of the keys that there is room for.
-  const std::uint32_t window = min(max((n - 1) / gridDim.x + 1, 256U), cuda::most_of_tile / 2);
-  for (std::uint32_t w = blockIdx.x; w <= (n - 1) / window; w += gridDim.x) {
-    const std::uint32_t first = w * window, length = min(n - first, window);
-    if (!keys.window(first, first + length)) {
-      if (threadIdx.x == 0)
-        *o.unordered = 1;
-      continue;
-    }
-    for (std::uint32_t i = threadIdx.x; i < length; i += order_threads)
-      o.sorted[first + i] = pair_of(room.keys[i], bits_b);
-  }
-}
+// Of a block that orders some keys, or many.
+constexpr unsigned tile_of_some = cuda::most_of_tile, tile_of_many = 2 * cuda::most_of_tile;
+template <unsigned Tile> using distributes = cuda::distributing<order_threads, Tile>;
+template <unsigned Tile> constexpr std::size_t room_to_distribute = sizeof(typename distributes<Tile>::room);
+static_assert(room_to_distribute<tile_of_some> <= cuda::least_shared_memory);
+static_assert(most_keys_to_order == cuda::most_cells * cuda::most_near_window);
 
-// Of many keys a block takes some whole cells at a time. Of larger cells, all blocks take windows.
-constexpr unsigned tile_of_many = 2 * cuda::most_of_tile;
-using distributes_many = cuda::distributing<order_threads, tile_of_many>;
 // The blocks have counted the keys, which become pairs where they were.
-__device__ void order_counted(distributes_many &keys, const cuda::distribution &d, int bits_b,
+template <unsigned Tile>
+__device__ void order_counted(distributes<Tile> &keys, const cuda::distribution &d, int bits_b,
                               unsigned long long *unordered) {
   cuda::meet_grid();
   keys.distribute();
   cuda::meet_grid();
   auto *const pairs = reinterpret_cast<index_pair *>(d.keys);
-  const auto order = [&](std::uint32_t first, std::uint32_t last) {
-    if (!keys.window(first, last, [&](std::uint32_t at, std::uint64_t key) { pairs[at] = pair_of(key, bits_b); }) &&
-        threadIdx.x == 0)
-      *unordered = 1;
-  };
-  const std::uint32_t cells = keys.cells(), most = tile_of_many / 2, together = max(1U, most / ((d.n - 1) / cells + 1));
-  const auto end_of = [&](std::uint32_t c) { return keys.begin_of_cell(min(c + together, cells)); };
-  for (std::uint32_t c = blockIdx.x * together; c < cells; c += gridDim.x * together) {
-    const std::uint32_t first = keys.begin_of_cell(c), last = end_of(c);
-    if (first < last && last - first <= tile_of_many)
-      order(first, last);
-  }
-  bool larger = false;
-  for (std::uint32_t c = threadIdx.x * together; c < cells; c += order_threads * together)
-    larger |= end_of(c) - keys.begin_of_cell(c) > tile_of_many;
-  if (!__syncthreads_or(larger))
-    return;
-  std::uint32_t windows = 0;
-  for (std::uint32_t c = 0; c < cells; c += together) {
-    const std::uint32_t first = keys.begin_of_cell(c), last = end_of(c);
-    for (std::uint32_t at = first; last - first > tile_of_many && at < last; at += most, ++windows)
-      if (windows % gridDim.x == blockIdx.x)
-        order(at, min(last - at, most) + at);
-  }
+  const bool ordered =
+      keys.each_in_order([&](std::uint32_t at, std::uint64_t key) { pairs[at] = pair_of(key, bits_b); });
+  if (!ordered && threadIdx.x == 0)
+    *unordered = 1;
 }
 
+template <unsigned Tile>
 __global__ void __launch_bounds__(order_threads, 1) order_keys_kernel(const __grid_constant__ key_order o) {
   extern __shared__ uint4 memory[];
   const cuda::distribution all_keys{o.keys, o.by_cell, o.n, o.counted};
-  distributes_many keys(all_keys, o.bits, false, blockIdx.x, gridDim.x,
-                        *reinterpret_cast<distributes_many::room *>(memory));
-  keys.count_there<4>();
-  order_counted(keys, all_keys, o.bits_b, o.unordered);
+  distributes<Tile> keys(all_keys, o.bits, false, blockIdx.x, gridDim.x,
+                         *reinterpret_cast<typename distributes<Tile>::room *>(memory));
+  keys.template count_there<4>();
+  order_counted<Tile>(keys, all_keys, o.bits_b, o.unordered);
 }
 
-__global__ void __launch_bounds__(order_threads, 1) order_many_kernel(const __grid_constant__ hit_order o) {
+template <unsigned Tile>
+__global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_constant__ hit_order o) {
   extern __shared__ uint4 memory[];
   const unsigned long long all = *o.count;
   if (all > o.capacity) // not all of them are there
@@ -226,10 +173,10 @@ __global__ void __launch_bounds__(order_threads, 1) order_many_kernel(const __gr
   }
   const int bits_b = bits_of(o.items_b);
   const cuda::distribution all_keys{reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted};
-  distributes_many keys(all_keys, bits_of(o.items_a) + bits_b, false, blockIdx.x, gridDim.x,
-                        *reinterpret_cast<distributes_many::room *>(memory));
+  distributes<Tile> keys(all_keys, bits_of(o.items_a) + bits_b, false, blockIdx.x, gridDim.x,
+                         *reinterpret_cast<typename distributes<Tile>::room *>(memory));
   count_hits(o, keys);
-  order_counted(keys, all_keys, bits_b, o.unordered);
+  order_counted<Tile>(keys, all_keys, bits_b, o.unordered);
 }
 
 // Adds 1 to the counter `at`, once for all lanes with the same one.
@@ -283,22 +230,27 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
   return cuda::launch<tally_kernel>(blocks_for(t.n), threads, stream, t);
 }
 
+// Some devices have no room for a large tile.
+static bool takes_large_tile(hit_amount amount) {
+  return amount == hit_amount::many && room_to_distribute<tile_of_many> <= cuda::shared_memory_of_block();
+}
+
 cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t stream) {
-  switch (expected) {
-  case hit_amount::few:
+  if (expected == hit_amount::few)
     return cuda::launch<few_kernel>(1, few_threads, stream, o);
-  case hit_amount::some:
-    return cuda::launch_together<order_kernel, order_threads, sizeof(distributes::room)>(order_threads, stream, o);
-  case hit_amount::many:
-    return cuda::launch_together<order_many_kernel, order_threads, sizeof(distributes_many::room)>(order_threads,
-                                                                                                   stream, o);
-  }
-  return cudaErrorInvalidValue;
+  if (takes_large_tile(expected))
+    return cuda::launch_together<order_kernel<tile_of_many>, order_threads, room_to_distribute<tile_of_many>>(
+        order_threads, stream, o);
+  return cuda::launch_together<order_kernel<tile_of_some>, order_threads, room_to_distribute<tile_of_some>>(
+      order_threads, stream, o);
 }
 
 cudaError_t order_keys(const key_order &o, cudaStream_t stream) {
-  return cuda::launch_together<order_keys_kernel, order_threads, sizeof(distributes_many::room)>(order_threads, stream,
-                                                                                                 o);
+  if (takes_large_tile(amount_of(o.n)))
+    return cuda::launch_together<order_keys_kernel<tile_of_many>, order_threads, room_to_distribute<tile_of_many>>(
+        order_threads, stream, o);
+  return cuda::launch_together<order_keys_kernel<tile_of_some>, order_threads, room_to_distribute<tile_of_some>>(
+      order_threads, stream, o);
 }
 
 cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,

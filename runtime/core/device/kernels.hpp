@@ -2,6 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_KERNELS_HPP
 #define MEETC_CORE_DEVICE_KERNELS_HPP
 
+#include "meetc/cuda_table.hpp"
 #include "meetc/support.hpp"
 
 #include <cuda_runtime_api.h>
@@ -34,8 +35,8 @@ struct hit_order {
   std::uint32_t *counted; // counted_to_distribute numbers, all 0 at first; used up
   std::uint64_t *by_cell; // room for `capacity`
   index_pair *sorted;     // likewise
-  // 0 at first. Where there are too many hits, or too many of items that are near each other, it becomes 1, and `sorted` means
-  // nothing.
+  // 0 at first. Where few were expected and there are more, or where too many are of items that are near each other, it becomes 1,
+  // and `sorted` means nothing.
   unsigned long long *unordered;
 };
 // Few are put into order in one step, which uses neither `counted` nor `by_cell`.
@@ -44,8 +45,8 @@ inline constexpr std::uint32_t most_of_few = 2048;
 constexpr hit_amount amount_of(std::uint64_t hits) {
   return hits <= most_of_few ? hit_amount::few : hits <= std::uint64_t{1} << 20 ? hit_amount::some : hit_amount::many;
 }
-// In the way that is best for so many. Where there are more hits, it takes longer, or there are too many; where there are more
-// than `capacity`, it does nothing.
+// In the way that is best for so many. Where some or many are expected, it is also right, but takes longer, for any other number.
+// Where there are more than `capacity`, it does nothing.
 cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t stream);
 
 // Counts the hits of each item, or marks the items that have one. Null: of this set nothing is asked. Where of_instance > 0,
@@ -67,10 +68,12 @@ cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::u
 // Adds `by` to the first element of n pairs.
 cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream);
 
-// Puts keys into order, which become pairs where they are. Keys are below 2^bits and differ from each other.
+// Puts keys into order, which become pairs where they are. Keys are below 2^bits and differ from each other. Of more, too many
+// would be near each other in any case.
+inline constexpr std::uint32_t most_keys_to_order = cuda::counted_to_distribute << 18;
 struct key_order {
   std::uint64_t *keys;
-  std::uint32_t n; // above 0, below 2^31
+  std::uint32_t n; // above 0
   int bits, bits_b;
   std::uint64_t *by_cell; // room for n; these are then the keys, in some order
   std::uint32_t *counted; // counted_to_distribute numbers, all 0 at first; used up

@@ -167,10 +167,7 @@ private:
       if (!next_child(top, level, node))
         break;
     }
-    if (listed > tree_width)
-      left_of_level_ = 0;
-    else
-      listed_ = listed;
+    listed_ = listed <= tree_width ? listed : 0;
     __syncwarp();
     return found;
   }
@@ -493,7 +490,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   while (plan.child_groups < tree_width && plan.chunks * plan.child_groups < cuts)
     plan.child_groups *= 2;
   plan.items *= plan.chunks * plan.child_groups; // no overflow: there are many nodes, or few cuts
-  while (plan.batch < 8 && plan.items > 16 * plan.batch * enough)
+  while (plan.batch < 8 && plan.items > 2 * plan.batch * enough)
     plan.batch *= 2;
   plan.whole = plan.items == w.of.end_a - w.of.first_a;
   plan.deal = few_packets ? 1 : plan.start;

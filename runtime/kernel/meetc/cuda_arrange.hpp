@@ -321,7 +321,7 @@ __global__ void __launch_bounds__(arranging<Shape>::threads, 1)
 template <class Shape> cudaError_t arrange(const arrange_job *jobs, int count, cudaStream_t stream) {
   constexpr unsigned threads = arranging<Shape>::threads, least_warps = 4; // of a block
   constexpr std::size_t bytes = sizeof(typename arranging<Shape>::room);
-  static_assert(threads <= most_blocks_to_arrange);
+  static_assert(threads <= most_blocks_to_arrange && bytes <= least_shared_memory);
   const unsigned there = std::min(blocks_at_once<arrange_kernel<Shape>, threads, bytes>(), threads);
   arrange_jobs all{};
   unsigned blocks[2] = {0, 0};

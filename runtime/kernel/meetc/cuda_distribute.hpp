@@ -5,7 +5,7 @@
 // its keys by cells, and learns by one addition for each cell how many of other blocks come before its own. It puts tiles of
 // them into the order of the cells in its own memory, and brings neighbours to their cells together. Then a block takes a
 // window of the order that it is asked for: it looks at the keys of the cells there, of which finer cells say which lie in
-// the window, and puts these into order.
+// the window, and puts these into order. Of many keys it rather takes whole cells, which it reads once.
 // Limits: keys differ from each other. There is no order where too many are alike in their first bits: those of a cell, those
 // of a finer cell, or those of a window and of the finer cells that reach into it.
 #ifndef MEETC_CUDA_DISTRIBUTE_HPP
@@ -41,8 +41,9 @@ template <unsigned Threads, unsigned Tile = most_of_tile> class distributing {
 public:
   using room = distribute_room<Threads, Tile>;
   static constexpr unsigned each = Tile / Threads; // keys of a thread
-  // Large windows stay in registers while their finer cells are counted. Small ones are read again sooner than that pays.
-  static constexpr bool reads_once = Tile > most_of_tile;
+  // The windows of a large tile are whole cells, which stay in registers while their finer cells are counted. Smaller windows are
+  // read again sooner than that pays.
+  static constexpr bool by_cells = Tile > most_of_tile;
 
   // Keys are below 2^key_bits, and some only are in use where `sparse`, which then has more cells.
   __device__ distributing(const distribution &d, int key_bits, bool sparse, unsigned block, unsigned blocks, room &r)
@@ -97,8 +98,8 @@ public:
       d_.counted[c] = 0;
   }
 
-  // The keys from place `first` to before `last` of the order become the first of room.keys, at most most_of_tile. Returns
-  // false where they cannot be put into order; all threads get the same.
+  // The keys from place `first` to before `last` of the order become the first of room.keys, at most a tile. Returns false where
+  // they cannot be put into order; all threads get the same.
   __device__ bool window(std::uint32_t first, std::uint32_t last) {
     if (!take_near(first, last))
       return false;
@@ -140,15 +141,56 @@ public:
     return !__syncthreads_or(alike);
   }
 
-  // Where a cell begins in the order, after distribute(); of the cell behind the last one, the end.
-  __device__ std::uint32_t cells() const {
-    return cells_;
-  }
-  __device__ std::uint32_t begin_of_cell(std::uint32_t c) const {
-    return room_.starts[c];
+  // This block's share of all keys: write(place, key). Where false is returned, some cannot be put into order.
+  template <class Write> __device__ bool each_in_order(Write &&write) {
+    if constexpr (by_cells)
+      return each_by_cells(write);
+    else
+      return each_by_windows(write);
   }
 
 private:
+  // As large as the blocks have work, up to half of the keys that there is room for.
+  template <class Write> __device__ bool each_by_windows(Write &&write) {
+    bool ordered = true;
+    const std::uint32_t size = min(max((d_.n - 1) / blocks_ + 1, 256U), Tile / 2);
+    for (std::uint32_t w = block_; w <= (d_.n - 1) / size; w += blocks_) {
+      const std::uint32_t first = w * size, length = min(d_.n - first, size);
+      if (!window(first, first + length)) {
+        ordered = false;
+        continue;
+      }
+      for (std::uint32_t i = threadIdx.x; i < length; i += Threads)
+        write(first + i, room_.keys[i]);
+    }
+    return ordered;
+  }
+  // Some cells together, which have half of the keys that there is room for if all have as many. Of larger ones, all blocks take
+  // windows.
+  template <class Write> __device__ bool each_by_cells(Write &&write) {
+    bool ordered = true, larger = false;
+    constexpr std::uint32_t size = Tile / 2;
+    const std::uint32_t together = max(1U, size / ((d_.n - 1) / cells_ + 1));
+    const auto end_of_cells = [&](std::uint32_t c) { return room_.starts[min(c + together, cells_)]; };
+    for (std::uint32_t c = block_ * together; c < cells_; c += blocks_ * together) {
+      const std::uint32_t first = room_.starts[c], last = end_of_cells(c);
+      if (first < last && last - first <= Tile)
+        ordered &= window(first, last, write);
+    }
+    for (std::uint32_t c = threadIdx.x * together; c < cells_; c += Threads * together)
+      larger |= end_of_cells(c) - room_.starts[c] > Tile;
+    if (!__syncthreads_or(larger))
+      return ordered;
+    std::uint32_t windows = 0;
+    for (std::uint32_t c = 0; c < cells_; c += together) {
+      const std::uint32_t first = room_.starts[c], last = end_of_cells(c);
+      for (std::uint32_t at = first; last - first > Tile && at < last; at += size, ++windows)
+        if (windows % blocks_ == block_)
+          ordered &= window(at, min(last - at, size) + at, write);
+    }
+    return ordered;
+  }
+
   // The cells of a window, and the finer cells that reach into it.
   struct near_window {
     std::uint32_t begin;       // the place of the cells' first key
@@ -207,7 +249,7 @@ private:
       ++near_.together;
     const unsigned fine_cells = ((keys - 1) >> near_.together) + 1;
     std::uint64_t mine[each];
-    const bool once = reads_once && keys <= Tile;
+    const bool once = by_cells && keys <= Tile;
     if (once)
       load(d_.by_cell, near_.begin, end, mine);
     const auto each_key = [&](auto &&take) {

@@ -45,6 +45,18 @@ template <auto Kernel> bool waits() {
   }) == 2;
 }
 
+// Bytes that one block has at most: on this device, and on every one of compute capability 8.0 or more.
+inline unsigned shared_memory_of_block() {
+  static number_of_device there;
+  return there.get([] {
+    int which = 0, bytes = 0;
+    cudaGetDevice(&which);
+    cudaDeviceGetAttribute(&bytes, cudaDevAttrMaxSharedMemoryPerBlockOptin, which);
+    return bytes > 0 ? static_cast<unsigned>(bytes) : 1U;
+  });
+}
+inline constexpr std::size_t least_shared_memory = 101376;
+
 // As many blocks of this kernel, which need so much dynamic shared memory, as the device runs at once.
 template <auto Kernel, unsigned Threads, std::size_t Bytes = 0> unsigned blocks_at_once() {
   static number_of_device there;

@@ -48,7 +48,7 @@ cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys
 }
 // There is no order where an item has many hits; what stands there then means nothing, as on a device.
 cudaError_t order_keys(const key_order &o, cudaStream_t) {
-  constexpr std::uint32_t most_of_item = 2048;
+  constexpr std::uint32_t most_of_item = 1200;
   std::vector<std::uint64_t> sorted(o.keys, o.keys + o.n);
   std::copy_n(o.keys, o.n, o.by_cell);
   std::sort(sorted.begin(), sorted.end());

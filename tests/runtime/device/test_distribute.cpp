@@ -104,6 +104,15 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
     std::copy(kept.begin(), kept.end(), rooms[block].keys);
     out.insert(out.end(), rooms[block].keys + before, rooms[block].keys + before + (last - first));
   }
+  // And each block's own share.
+  std::vector<std::uint64_t> written(n, ~0ULL);
+  unsigned said = 0, writes = 0;
+  each_block([&](distributes &mine, unsigned) {
+    said += mine.each_in_order([&](std::uint32_t at, std::uint64_t key) { written[at] = key, ++writes; }) ? 1 : 0;
+  });
+  CHECK(said % threads == 0);
+  CHECK((said < blocks * threads || (written == given && writes == n)));
+  ordered &= said == blocks * threads;
   return out;
 }
 
@@ -156,6 +165,16 @@ TEST_CASE("distribute: keys too near each other have no order") {
   ordered = true;
   windows({"one cell", 62, many}, 4, false, 4096, ordered);
   CHECK_FALSE(ordered);
+  // As many, all over their cell, so that nothing else refuses them.
+  for (std::size_t i = 0; i < many.size(); ++i)
+    many[i] = i * ((1ULL << 51) / many.size());
+  ordered = true;
+  windows({"one cell, evenly", 62, many}, 4, false, 4096, ordered);
+  CHECK_FALSE(ordered);
+  many.resize(most_near_window);
+  ordered = false;
+  windows({"one cell, evenly, and one fewer", 62, many}, 4, false, 4096, ordered);
+  CHECK(ordered);
   // Finer cells of 2000 keys, of which more reach into a window than a block has room for.
   std::vector<std::uint64_t> coarse;
   for (std::uint64_t key = 0; key < 16'000; ++key)

@@ -252,11 +252,40 @@ TEST_CASE("walk: a warp finds every pair of boxes that touch, once") {
   CHECK(seen > 10000);
 }
 
+TEST_CASE("walk: elements that are long beside the tree's go down alone, by their points") {
+  std::mt19937_64 random(9);
+  std::size_t seen = 0, told_apart = 0, told_apart_of_half = 0;
+  for (int round = 0; round < 6; ++round) {
+    const bool half = round % 2 == 1, swapped = !half && random() % 2;
+    const auto n = static_cast<std::uint32_t>(half ? 3000 + random() % 1500 : 300 + random() % 700);
+    set a = random_set(random, n, 0.002F, 1);
+    set b = half ? a : random_set(random, static_cast<std::uint32_t>(3000 + random() % 2000), 0.002F, 0.01F);
+    const tree_view x = a.view(), y = b.view();
+    part of{0, x.shape.count[0], 0, y.shape.count[0]};
+    if (round % 3 == 1)
+      of.first_a = of.end_a / 3, of.first_b = of.end_b / 4, of.end_b -= of.end_b / 5;
+    const tree_walk w{x, y, of, swapped, half, a.rows.data(), set::fields, set::points, {}, nullptr};
+    const auto [touching, near] = looked_at(a, b, of, swapped, half);
+    const found f =
+        walked(w, touching.size() + 1, 1U << random() % 14, static_cast<std::uint32_t>(1 + random() % 3), random() % 2);
+    INFO("round " << round << ": " << a.size() << " x " << b.size());
+    REQUIRE(f.count == f.list.size());
+    REQUIRE(std::adjacent_find(f.list.begin(), f.list.end()) == f.list.end());
+    REQUIRE(std::includes(touching.begin(), touching.end(), f.list.begin(), f.list.end()));
+    REQUIRE(std::includes(f.list.begin(), f.list.end(), near.begin(), near.end()));
+    seen += f.list.size();
+    (half ? told_apart_of_half : told_apart) += touching.size() - f.list.size();
+  }
+  CHECK(seen > 10000);
+  CHECK(told_apart > 1000);
+  CHECK(told_apart_of_half > 1000);
+}
+
 TEST_CASE("walk: of balls, what their boxes prove is listed, and the rest apart from it") {
   std::mt19937_64 random(5);
   const std::uint32_t sizes[] = {1, 31, 33, 100, 1025, 2500};
   std::size_t hits = 0, rest = 0;
-  bool stopped_early = false;
+  bool stopped_early = false, ended_with_one = false;
   for (int round = 0; round < 24; ++round) {
     const bool itself = round % 3 == 0, both_ways = itself && round % 2 == 0, swapped = !itself && random() % 2;
     const float far = round % 4 == 3 ? 64 : 0; // where many pairs are unsure
@@ -307,12 +336,16 @@ TEST_CASE("walk: of balls, what their boxes prove is listed, and the rest apart 
       REQUIRE(some.unsure_count > 10);
       stopped_early |= some.unsure_count < unsure.size();
     }
-    if (touch.size() > 1000)
-      REQUIRE(walked(w, 0, 64, 1, false, room).count > 0);
+    if (touch.size() > 1000) { // where one is enough
+      const found one = walked(w, 0, 64, 1, false, room);
+      REQUIRE(one.count > 0);
+      ended_with_one |= one.count < touch.size();
+    }
   }
   CHECK(hits > 10000);
   CHECK(rest > 1000);
   CHECK(stopped_early);
+  CHECK(ended_with_one);
 }
 
 TEST_CASE("walk: packets that go down together first lose no pair") {
@@ -347,6 +380,26 @@ TEST_CASE("walk: packets that go down together first lose no pair") {
     CHECK(touching.size() > 1000);
     CHECK(f.list == touching);
   }
+}
+
+// One packet reaches more nodes than are listed, and another one only the last, which comes later.
+TEST_CASE("walk: packets that go down together lose none that comes after the list is full") {
+  std::mt19937_64 random(3);
+  set a = random_set(random, 1504, 0.001F, 0.001F), b = random_set(random, 67000, 0.0002F, 0.0002F);
+  for (std::size_t i = 0; i < 2 * std::size_t{tree_width}; ++i) {
+    float *const row = a.rows.data() + i * set::fields;
+    row[0] = i < tree_width ? 0 : 0.998F, row[3] = i < tree_width ? 0.7F : 0.998F;
+    row[6] = i < tree_width ? 0 : 0.015F;
+  }
+  const tree_view x = a.view(), y = b.view();
+  REQUIRE(y.shape.count[coarse_level] == 3);
+  const part of{0, x.shape.count[0], 0, y.shape.count[0]};
+  const tree_walk w{x, y, of, false, false, nullptr, set::fields, set::points, {}, nullptr};
+  const walk_plan plan = plan_of(w, 1);
+  REQUIRE((plan.whole && plan.batch >= least_together));
+  const auto [touching, near] = looked_at(a, b, of, false, false);
+  REQUIRE(std::any_of(touching.begin(), touching.end(), [](const auto &p) { return p.first / tree_width == 1; }));
+  CHECK(walked(w, touching.size() + 1, 1).list == touching);
 }
 
 TEST_CASE("walk: a list that is too short is never overrun, and its count says so") {
