@@ -159,6 +159,18 @@ void all_hits(comparison &with, const settings &s) {
       // The first may find the lists too small, and try again.
       with.require(scene, enlarged ? r.parts <= 2 : r.parts > 34, "the product was not cut as it should be");
     }
+    // A walk that decides and only counts has no list that could be too short.
+    if (std::strcmp(p.name, "ball_ball") == 0 || std::strcmp(p.name, "box_box") == 0)
+      for (const answer_kind want : {answer_kind::count, answer_kind::any}) {
+        device_options o;
+        o.by = search::tree;
+        o.want = want;
+        o.list_capacity = least_lists;
+        const device_result r = collide(with.on(), a, b, p, rung::certified, o);
+        with.add(scene, p, r);
+        with.require(scene, r.parts == 1 && r.count == (want == answer_kind::any ? 1 : std::uint64_t{n} * n),
+                     std::string(p.name) + ": another count, or in parts");
+      }
   });
 }
 
