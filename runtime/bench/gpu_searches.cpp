@@ -105,10 +105,10 @@ table gpu_bench::measure_searches(const std::string &name, const std::string &ti
       return search_times{median(fresh), median(posed), median(again), median(wall)};
     };
     const search_costs expected = [&] {
-      const device_set on_a(on_, a);
-      if (scene.itself)
-        return expected_costs(on_a.for_search(on_a));
-      return expected_costs(on_a.for_search(device_set(on_, b)));
+      device_set on_a(on_, a);
+      std::optional<device_set> its_own;
+      o.by.reset();
+      return query(on_a, scene.itself ? on_a : its_own.emplace(on_, b)).expected;
     }();
     const search chosen = expected.least();
     const search_times tree = time(search::tree);

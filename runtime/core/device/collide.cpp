@@ -74,7 +74,9 @@ public:
   device_result run() {
     require(!options_.filter || on_.offers(*options_.filter),
             "this device does not offer the filter that was asked for");
-    result_.expected = expected_costs(a_.for_search(b_));
+    search_sizes sizes = a_.for_search(b_);
+    sizes.balls = predicate_.by_balls && never_wrong(precision_);
+    result_.expected = expected_costs(sizes);
     result_.by = options_.by.value_or(result_.expected.least());
     if (result_.by != search::tree)
       result_.filter = options_.filter ? *options_.filter : on_.best_filter();

@@ -25,6 +25,7 @@ struct search_sizes {
   std::uint64_t a = 0, b = 0;          // elements
   bool made_a = false, made_b = false; // their hierarchies exist for the rows as they stand
   bool long_elements = false;          // a kind has two points, around which a ball is mostly empty
+  bool balls = false;                  // a walk compares balls, of which fewer go down together first
 };
 
 // The model: a time to start, one for each pair of objects, and one for each element that is enclosed, gets columns, walks, or is

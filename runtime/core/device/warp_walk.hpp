@@ -490,8 +490,9 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   while (plan.child_groups < tree_width && plan.chunks * plan.child_groups < cuts)
     plan.child_groups *= 2;
   plan.items *= plan.chunks * plan.child_groups; // no overflow: there are many nodes, or few cuts
-  // Packets then go down together.
-  while (plan.batch < 8 && plan.items > (w.rows ? 16 : 2) * plan.batch * enough)
+  // Packets then go down together. Those of triangles or boxes can have very different numbers of pairs, so that warps rather take
+  // fewer at a time.
+  while (plan.batch < 8 && plan.items > (w.balls ? 2 : 16) * plan.batch * enough)
     plan.batch *= 2;
   plan.whole = plan.items == w.of.end_a - w.of.first_a;
   plan.deal = few_packets ? 1 : plan.start;

@@ -30,8 +30,11 @@ TEST_CASE("search: the choice is that which was measured to be the fastest, in t
   const auto chosen = [](std::uint64_t a, std::uint64_t b, bool long_elements = false) {
     return expected_costs({.a = a, .b = b, .long_elements = long_elements}).least();
   };
+  const auto of_balls = [](std::uint64_t a, std::uint64_t b) {
+    return expected_costs({.a = a, .b = b, .balls = true}).least();
+  };
   for (const std::uint64_t n : {1'024U, 4'096U, 16'384U, 65'536U, 262'144U, 1'048'576U, 4'194'304U, 16'777'216U})
-    CHECK(chosen(n, n) == search::tree);
+    CHECK((chosen(n, n) == search::tree && of_balls(n, n) == search::tree));
   CHECK(chosen(69'451, 345'944) == search::tree);
   CHECK(chosen(345'944, 345'944) == search::tree);
   CHECK(chosen(4'444'864, 22'140'416) == search::tree);
@@ -42,6 +45,9 @@ TEST_CASE("search: the choice is that which was measured to be the fastest, in t
   CHECK(chosen(2'000'000, 20) == search::every_pair);
   CHECK(chosen(100, 12'000'000) == search::tree); // two tiles of the filter, of which the second is half empty
   CHECK(chosen(2'000, 5'000'000) == search::tree);
+  CHECK(of_balls(500, 2'000'000) == search::tree);
+  CHECK(of_balls(2'000'000, 20) == search::tree);
+  CHECK(of_balls(20'000, 3'000'000) == search::tree);
 }
 
 TEST_CASE("search: each has a name") {
