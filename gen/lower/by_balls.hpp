@@ -4,8 +4,9 @@
 // decision: it is one comparison of the same polynomial, the square of the sum of the radii less that of the distance of the
 // centres, with zero.
 //
-// Limits: a predicate is only called so where that proof succeeds. Of an operand the hull must be one point, whose radius is
-// its pad, if it has one, and by a rule of its kind not below zero. There is no reject stage.
+// Limits: a predicate is only called so where that proof succeeds. Each operand's hull must be one point with its coordinates as
+// they are stored. If it has a pad, that is the radius, and the kind's rule must say that it is not negative. There is no reject
+// stage.
 #pragma once
 #include "gen/lower/kernel.hpp"
 

@@ -7,7 +7,8 @@
 //
 // It is a filter: what it calls apart is proved apart, and what it calls touching is proved to touch, as closed balls
 // (tests/proofs/two_balls_*.gappa). All lengths are doubled, which saves halving the sums. The error is at least 2^-60, so
-// that no square underflows. Where an end is so large that the sum overflows, the error is infinite and nothing is proved;
+// that what squares lose by underflow does not matter. Nearly all pairs are decided where lengths are from about 2^-50 to 2^62;
+// below, where the error is as large as the balls, and above, where squares overflow, nothing is proved. Where an end is so large that the sum overflows, the error is infinite and nothing is proved;
 // such an end may be one that was cut to float32's range.
 #ifndef MEETC_CORE_TWO_BALLS_HPP
 #define MEETC_CORE_TWO_BALLS_HPP

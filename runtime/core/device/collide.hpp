@@ -11,9 +11,9 @@
 // bounded for any number of candidates and nothing is lost.
 //
 // result::candidates counts pairs whose boxes, and balls or two points where those were tested, touch, or are not proved to be
-// apart. There are fewer than on the CPU if a ball rules out more pairs, and rungs.unsure can be smaller too. Of balls, whose
-// boxes a walk compares, it decides nearly all pairs itself. The plain rungs can say yes where nothing
-// touches, so for them balls enclose boxes, and both devices decide the same pairs.
+// apart. There are fewer than on the CPU if a ball rules out more pairs, and rungs.unsure can be smaller too. A walk of balls
+// decides nearly all pairs itself, and these never count as unsure. The plain rungs can say yes where nothing touches, so for them
+// balls enclose boxes, and both devices decide the same pairs.
 //
 // A set may be collided with itself. If the predicate is symmetric, the rung is never wrong and the search is a hierarchy,
 // only half of the pairs are tested, and their hits are turned round; rungs.unsure then counts that half.

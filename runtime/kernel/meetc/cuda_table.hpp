@@ -320,7 +320,8 @@ struct predicate_launchers {
   // Looks at further hits. Null: not generated.
   cudaError_t (*first_met)(const first_met_job &job, cudaStream_t stream) = nullptr;
   bool by_boxes = false; // proved: it holds where the finite boxes of valid rows touch, and nowhere else
-  bool by_balls = false; // proved: both operands are balls, and it holds where these touch, and nowhere else
+  // Proved: both operands are balls, or points, and it holds where these touch, and nowhere else.
+  bool by_balls = false;
 };
 
 struct catalogue {
