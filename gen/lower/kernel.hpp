@@ -88,8 +88,7 @@ struct predicate {
   std::vector<sub_decision> calls;
   bool symmetric = false; // proved: the operands may be exchanged (gen/lower/symmetric.hpp)
   bool by_boxes = false;  // proved: it holds where the operands' boxes touch (gen/lower/by_boxes.hpp)
-  bool by_balls =
-      false; // proved: it holds where the operands, which are balls or points, touch (gen/lower/by_balls.hpp)
+  bool by_balls = false;  // proved: it holds where the operands, balls or points, touch (gen/lower/by_balls.hpp)
 
   // The atoms in the order in which the stages compute them.
   std::vector<int> order() const;
