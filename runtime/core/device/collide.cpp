@@ -3,6 +3,7 @@
 #include "core/device/buffers.hpp"
 #include "core/device/first_met.hpp"
 #include "core/device/hits.hpp"
+#include "core/device/parts.hpp"
 #include "core/device/query.hpp"
 #include "core/device/tallies.hpp"
 #include "core/device/tree_kernels.hpp"
@@ -14,20 +15,6 @@
 namespace meetc {
 namespace {
 
-// What a search takes as one object, by which its parts are counted.
-constexpr std::uint32_t object_size(search by) {
-  return by == search::tree ? cuda::tree_width : by == search::groups ? cuda::group_size : 1;
-}
-// Parts begin at multiples of this many objects.
-constexpr std::uint32_t step_of(search by) {
-  return by == search::tree ? 1 : cuda::part_step;
-}
-constexpr std::size_t least_part(search by) {
-  const std::size_t elements = std::size_t{step_of(by)} * object_size(by);
-  return elements * elements;
-}
-// Even if every pair of the smallest part's objects is taken apart, the lists can hold them.
-constexpr std::size_t least_capacity = std::max(least_part(search::groups), least_part(search::tree));
 constexpr std::size_t first_capacity = std::size_t{1} << 22;
 
 void require(bool holds, const char *what) {
@@ -226,29 +213,6 @@ private:
     return capacity_ / (size * size * (both_ways_ ? 2 : 1));
   }
 
-  static std::uint64_t area(const cuda::part &p) { return std::uint64_t{p.end_a - p.first_a} * (p.end_b - p.first_b); }
-  // Whether A is cut. A walk goes down from the root for every node of the walker, so that it is rather that side which is cut.
-  bool cuts_a(const cuda::part &p) const {
-    const std::uint64_t a = p.end_a - p.first_a, b = p.end_b - p.first_b;
-    if (result_.by != search::tree || a == 1 || b == 1)
-      return a > b;
-    return walk_.swapped ? a > 4 * b : 4 * a > b;
-  }
-  // The halves of one side, cut between whole blocks where it has several.
-  std::pair<cuda::part, cuda::part> halves(const cuda::part &p) const {
-    const auto middle = [this](std::uint32_t from, std::uint32_t to) {
-      const std::uint32_t unit =
-          result_.by != search::tree && to - from > matrix_block ? matrix_block : step_of(result_.by);
-      return from + (to - from + unit - 1) / unit / 2 * unit;
-    };
-    cuda::part x = p, y = p;
-    if (cuts_a(p))
-      x.end_a = y.first_a = middle(p.first_a, p.end_a);
-    else
-      x.end_b = y.first_b = middle(p.first_b, p.end_b);
-    return {x, y};
-  }
-
   void go_through(const cuda::part &whole) {
     std::vector<cuda::part> left{whole};
     std::uint64_t most = ~std::uint64_t{0}, done = 0; // the largest part that is worth trying, and the finished pairs
@@ -258,7 +222,7 @@ private:
       const cuda::part p = left.back();
       left.pop_back();
       if (area(p) > most && area(p) > always_fits()) {
-        const auto [x, y] = halves(p);
+        const auto [x, y] = halves(p, result_.by, walk_.swapped);
         left.push_back(y), left.push_back(x);
         continue;
       }

@@ -179,6 +179,11 @@ __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_co
   order_counted<Tile>(keys, all_keys, bits_b, o.unordered);
 }
 
+// Some devices have no room for a large tile.
+bool takes_large_tile(hit_amount amount) {
+  return amount == hit_amount::many && room_to_distribute<tile_of_many> <= cuda::shared_memory_of_block();
+}
+
 // Adds 1 to the counter `at`, once for all lanes with the same one.
 __device__ void count_one(unsigned long long *counters, std::uint32_t at) {
   const unsigned alike = __match_any_sync(__activemask(), at);
@@ -228,11 +233,6 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream) {
   if (t.n == 0)
     return cudaSuccess;
   return cuda::launch<tally_kernel>(blocks_for(t.n), threads, stream, t);
-}
-
-// Some devices have no room for a large tile.
-static bool takes_large_tile(hit_amount amount) {
-  return amount == hit_amount::many && room_to_distribute<tile_of_many> <= cuda::shared_memory_of_block();
 }
 
 cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t stream) {

@@ -68,12 +68,11 @@ cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::u
 // Adds `by` to the first element of n pairs.
 cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream);
 
-// Puts keys into order, which become pairs where they are. Keys are below 2^bits and differ from each other. Of more, too many
-// would be near each other in any case.
+// Puts keys into order, which become pairs where they are. Keys are below 2^bits and differ from each other.
 inline constexpr std::uint32_t most_keys_to_order = cuda::counted_to_distribute << 18;
 struct key_order {
   std::uint64_t *keys;
-  std::uint32_t n; // above 0
+  std::uint32_t n; // above 0; of more than most_keys_to_order, too many would be near each other in any case
   int bits, bits_b;
   std::uint64_t *by_cell; // room for n; these are then the keys, in some order
   std::uint32_t *counted; // counted_to_distribute numbers, all 0 at first; used up

@@ -31,7 +31,7 @@ struct search_sizes {
 // The model: a time to start, one for each pair of objects, and one for each element that is enclosed, gets columns, walks, or is
 // taken from its group to be tested: a group of the larger set touches a few of the smaller, however far apart these lie. Where
 // balls may be mostly empty, the filter is expected to pass every pair. Its constants were fitted by hand to times on an H200, of
-// the scenes of `meet bench gpu --only growth`; on other devices only their ratios matter.
+// the scenes of `meet bench gpu --only growth`, and those of walks of balls on an H100; on other devices only their ratios matter.
 search_costs expected_costs(const search_sizes &s);
 
 } // namespace meetc

@@ -214,9 +214,17 @@ void of_hits(comparison &with, const settings &s) {
   using counts = std::pair<std::size_t, std::size_t>;
   std::vector<counts> all = {{1, 1}, {1, 128}, {129, 1}, {8, 64}, {1, 513}, {700, 1}, {60, 50}, {9, 513}};
   if (!s.small)
-    all.insert(all.end(), {{1, 5000}, {5000, 1}, {65, 65}, {3, 90'000}, {90'000, 3}, {1200, 1100}, {3000, 1500}});
-  if (!s.small) // few, some and many
-    all.insert(all.end(), {{2, 1024}, {3, 683}, {1024, 1024}, {1024, 1025}});
+    all.insert(all.end(), {{1, 5000},
+                           {5000, 1},
+                           {65, 65},
+                           {3, 90'000},
+                           {90'000, 3},
+                           {1200, 1100},
+                           {3000, 1500},
+                           {2, 1024}, // the most that are few, and one more
+                           {3, 683},
+                           {1024, 1024}, // the most that are not many, and more
+                           {1024, 1025}});
   for (const auto &[of_a, of_b] : all)
     for (const std::size_t others : {std::size_t{0}, std::size_t{s.small ? 200U : 30'000U}}) {
       const rows_of x = balls(of_a, others), y = balls(of_b, others / 3);

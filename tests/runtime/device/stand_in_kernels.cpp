@@ -94,23 +94,23 @@ cudaError_t tally(const hit_tally &t, cudaStream_t) {
 
 namespace {
 
-cudaError_t order_few(const hit_order &o) {
-  if (*o.count > most_of_few || *o.count > o.capacity) {
-    *o.unordered = 1;
-    return cudaSuccess;
-  }
+void sort_hits(const hit_order &o) {
   for (std::size_t i = 0; i < *o.count; ++i)
     o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
   std::sort(o.sorted, o.sorted + *o.count,
             [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
-  return cudaSuccess;
 }
 
 } // namespace
 
 cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t) {
-  if (expected == hit_amount::few)
-    return order_few(o);
+  if (expected == hit_amount::few) {
+    if (*o.count > most_of_few || *o.count > o.capacity)
+      *o.unordered = 1;
+    else
+      sort_hits(o);
+    return cudaSuccess;
+  }
   constexpr std::size_t most_of_one = 1024; // the device's has no such limit for all
   if (std::any_of(o.counted, o.counted + cuda::counted_to_distribute, [](std::uint32_t number) { return number != 0; }))
     return cudaErrorInvalidValue;
@@ -118,9 +118,7 @@ cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t) {
   if (*o.count > o.capacity)
     return cudaSuccess;
   const std::size_t n = *o.count;
-  for (std::size_t i = 0; i < n; ++i)
-    o.sorted[i] = {o.order_a[o.hits[i].a], o.order_b[o.hits[i].b]};
-  std::sort(o.sorted, o.sorted + n, [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  sort_hits(o);
   for (std::size_t i = 0, begin = 0; i < n; ++i) {
     begin = o.sorted[i].a == o.sorted[begin].a ? begin : i;
     if (i - begin >= most_of_one) {

@@ -118,8 +118,8 @@ TEST_CASE("two balls: what their boxes say of them is true") {
   }
 }
 
-TEST_CASE("two balls: nearly all pairs are decided, at any scale that the error's term allows") {
-  for (const float unit : {0x1p-46F, 0x1p-30F, 1.0F, 0x1p30F, 0x1p60F}) {
+TEST_CASE("two balls: nearly all pairs are decided, at any scale that the error's term and their squares allow") {
+  for (const float unit : {0x1p-46F, 0x1p-30F, 1.0F, 0x1p30F, 0x1p62F}) {
     const auto large = [unit](std::mt19937 &g) {
       scene s;
       for (ball *const b : {&s.first, &s.second}) {
