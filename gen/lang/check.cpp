@@ -52,6 +52,8 @@ public:
         throw spec_error(k.where, "a kind with 'position' stores only reals, one for each spatial axis");
       if (k.position && k.store.size() > 3)
         throw spec_error(k.where, "a kind with 'position' has at most three axes");
+      if (k.position)
+        has_all_axes(k);
       if (const auto cut = k.name.rfind("_blade");
           cut != std::string::npos && cut + 6 == k.name.size() && a_.find_kind(k.name.substr(0, cut)))
         throw spec_error(k.where, fmt::format("'{}' is the name of the blade of '{}'", k.name, k.name.substr(0, cut)));
@@ -135,6 +137,20 @@ private:
     if (numbers > most_stored)
       throw spec_error(k.where, fmt::format("kind '{}' stores more than {} numbers", k.name, most_stored));
     return whole_kinds_[k.name] = numbers;
+  }
+  // Points have the same axes, since differences of any two are formed.
+  void has_all_axes(const kind &k) const {
+    const auto needs = [&](std::size_t axes, const std::string &other) {
+      if (k.store.size() != axes)
+        throw spec_error(
+            k.where, fmt::format("kind '{}' stores {} coordinates, but '{}' has {}: a kind with 'position' has one for "
+                                 "each spatial axis",
+                                 k.name, k.store.size(), other, axes));
+    };
+    if (const named_expr *axes = a_.find_constant("axes"); axes && axes->body->kind == op::list)
+      needs(axes->body->args.size(), axes->name);
+    const auto first = std::find_if(a_.kinds.begin(), a_.kinds.end(), [](const kind &other) { return other.position; });
+    needs(first->store.size(), first->name);
   }
   static void nests(std::size_t depth, const location &where) {
     if (depth > most_nested)

@@ -24,7 +24,7 @@ bool is_by_balls(const model &m, const predicate &p, const std::vector<const lan
   if (kinds.size() != 2 || !p.truths.reject.empty())
     return false;
   const std::optional<enclosure> a = ball_of(m, *kinds[0]), b = ball_of(m, *kinds[1]);
-  if (!a || !b || a->hull[0].size() != b->hull[0].size())
+  if (!a || !b)
     return false;
   const auto number = [&](int input) { return poly::poly::variable(*p.numbers, input); };
   const poly::poly none = number(0) - number(0);
