@@ -55,8 +55,9 @@ app::command add_gpu(CLI::App &bench, const catalogue &all) {
                "bodies of about the same sizes serve")
       ->type_name("DIR");
   c.add_option("--only", q->only,
-               "Measure the scenes alone whose names hold this; growth, poses: one table; hard, choice, "
-               "lbvh, first: tables that are not measured otherwise")
+               "Measure the scenes alone whose names hold this; growth, poses: one table; hard, choice, lbvh, first, "
+               "memory, group: tables that are not measured otherwise; growth:TEXT and others: of one table the "
+               "scenes whose names hold TEXT")
       ->type_name("TEXT");
   c.add_option("--draw", *draw,
                "Measure nothing: draw the growth in such a gpu.json as growth.png into the folder of -o")

@@ -1,4 +1,4 @@
-// bench/gpu_baselines.hpp: the classic tests on every pair, with which the GPU's kernels are compared, and its clock.
+// bench/gpu_baselines.hpp: what the GPU's kernels are compared with: the classic tests on every pair, its clock, and reading.
 #ifndef MEETC_BENCH_GPU_BASELINES_HPP
 #define MEETC_BENCH_GPU_BASELINES_HPP
 
@@ -40,6 +40,9 @@ constexpr const char *name_of(baseline p) {
 // Tests all n by m pairs and adds the number that the test accepts to *count.
 cudaError_t count_pairs(baseline by, const float *a, std::size_t n, const float *b, std::size_t m,
                         unsigned long long *count, cudaStream_t stream);
+
+// Reads n times 16 bytes once, and does no more with them than the compiler needs to be told. `unused` holds one number.
+cudaError_t read_all(const uint4 *from, std::size_t n, unsigned *unused, cudaStream_t stream);
 
 // Cycles of a multiprocessor, and nanoseconds, while one thread waits for about this many milliseconds.
 struct clock_reading {

@@ -26,13 +26,22 @@ constexpr const char *rules =
     "takes apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's "
     "memory to the pairs in it, with the extent and the columns of both sets.";
 
-// Whether --only leaves a table that has a name: "growth" or "poses"; "hard", "choice", "lbvh", "first" and "group" are only
-// measured if asked for.
+// Whether --only leaves a table that has a name: "growth" or "poses"; "hard", "choice", "lbvh", "first", "memory" and
+// "group" are only measured if asked for. After a colon there may be a part of the names of the table's scenes.
 bool is_asked(const gpu_request &q, const char *name) {
-  return q.only && *q.only == name;
+  return q.only && q.only->substr(0, q.only->find(':')) == name;
 }
 bool is_meant(const gpu_request &q, const char *name) {
   return !q.only || is_asked(q, name);
+}
+
+void keep(std::vector<gpu_scene> &scenes, const std::string &part) {
+  std::erase_if(scenes, [&part](const gpu_scene &s) { return s.name.find(part) == std::string::npos; });
+}
+std::vector<gpu_scene> scenes_of_table(const gpu_request &q, std::vector<gpu_scene> scenes) {
+  if (const std::size_t colon = q.only ? q.only->find(':') : std::string::npos; colon != std::string::npos)
+    keep(scenes, q.only->substr(colon + 1));
+  return scenes;
 }
 
 } // namespace
@@ -46,31 +55,33 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     gpu_bench bench(all, q.quick);
     std::vector<gpu_scene> scenes = gpu_scenes(all, q.data, q.quick);
     if (q.only)
-      std::erase_if(scenes, [&q](const gpu_scene &s) { return s.name.find(*q.only) == std::string::npos; });
+      keep(scenes, *q.only);
     struct search_table {
       const char *name, *title;
       std::vector<gpu_scene> scenes;
     };
     std::vector<search_table> searches;
     if (is_meant(q, "growth"))
-      searches.push_back({"growth", "Growth with the sets, by search", growth_scenes(all, q.data, q.quick)});
+      searches.push_back(
+          {"growth", "Growth with the sets, by search", scenes_of_table(q, growth_scenes(all, q.data, q.quick))});
     if (is_asked(q, "hard"))
-      searches.push_back({"hard", "Sets that do not lie evenly", hard_scenes(all, q.quick)});
+      searches.push_back({"hard", "Sets that do not lie evenly", scenes_of_table(q, hard_scenes(all, q.quick))});
     if (is_asked(q, "choice"))
       searches.push_back({"choice", "The choice of a search, in scenes to which its model was not fitted",
-                          choice_scenes(all, q.quick)});
-    const std::vector<gpu_scene> beside_lbvh =
-        is_asked(q, "lbvh") ? growth_scenes(all, q.data, q.quick) : std::vector<gpu_scene>{};
-    const std::vector<gpu_scene> first =
-        is_asked(q, "first") ? first_scenes(all, q.data, q.quick) : std::vector<gpu_scene>{};
-    const std::vector<gpu_scene> grouped =
-        is_asked(q, "group") ? group_scenes(all, q.data, q.quick) : std::vector<gpu_scene>{};
-    std::size_t steps = scenes.size() + beside_lbvh.size() + first.size() + grouped.size() + 1;
+                          scenes_of_table(q, choice_scenes(all, q.quick))});
+    const auto if_asked = [&](const char *name, const auto &scenes_with) {
+      return is_asked(q, name) ? scenes_of_table(q, scenes_with(all, q.data, q.quick)) : std::vector<gpu_scene>{};
+    };
+    const std::vector<gpu_scene> beside_lbvh = if_asked("lbvh", growth_scenes), first = if_asked("first", first_scenes),
+                                 of_memory = if_asked("memory", growth_scenes),
+                                 grouped = if_asked("group", group_scenes);
+    std::erase_if(searches, [](const search_table &t) { return t.scenes.empty(); });
+    std::size_t steps = scenes.size() + beside_lbvh.size() + first.size() + of_memory.size() + grouped.size() + 1;
     for (const search_table &t : searches)
       steps += t.scenes.size();
     const std::optional<posed_meshes> poses =
         is_meant(q, "poses") ? std::optional(meshes_for_poses(all, q.data, q.quick)) : std::nullopt;
-    if (scenes.empty() && searches.empty() && beside_lbvh.empty() && first.empty() && grouped.empty() && !poses)
+    if (steps == 1 && !poses)
       throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
     auto progress = std::make_unique<app::progress_line>("bench gpu");
     std::vector<table> tables;
@@ -88,6 +99,8 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
       tables.push_back(bench.measure_lbvh(beside_lbvh, step));
     if (!first.empty())
       tables.push_back(bench.measure_first(first, step));
+    if (!of_memory.empty())
+      tables.push_back(bench.measure_memory(of_memory, step));
     if (!grouped.empty())
       tables.push_back(bench.measure_group(grouped, step));
     if (poses)

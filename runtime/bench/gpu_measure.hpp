@@ -32,6 +32,8 @@ public:
   table measure_first(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
   // The same queries on one device of this host and on all of them, likewise. Throws app::failure where there is one.
   table measure_group(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
+  // Queries on sets as they are given, beside the time that reading both sets once takes, likewise.
+  table measure_memory(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress);
   // One mesh against another in many poses, of three classes and mixed.
   table measure_poses(const posed_meshes &meshes);
 

@@ -58,7 +58,7 @@ else
 fi
 
 ! does bench || step bench_gpu "$meet" bench gpu -o "$out" ${data:+--data "$data"}
-for table in hard choice lbvh first; do
+for table in hard choice lbvh first memory; do
   ! does bench || step "bench_$table" timeout 150 "$meet" bench gpu --only $table -o "$out/$table" ${data:+--data "$data"}
 done
 if does bench && [ "$(nvidia-smi --list-gpus 2>/dev/null | wc -l)" -gt 1 ]; then
@@ -66,32 +66,34 @@ if does bench && [ "$(nvidia-smi --list-gpus 2>/dev/null | wc -l)" -gt 1 ]; then
 fi
 ! does paper || step bench_paper "$meet" bench paper --device cuda -o "$out/paper" ${data:+--data "$data"}
 
-# The use of the matrix units and the logic units in the filter of balls x balls.
+# counters FILE SCENES KERNELS TITLE=METRIC ...: of some kernels while the scenes of `meet bench gpu --only SCENES` are
+# measured, a table. KERNELS: a regular expression, and which launch of each of its names is watched.
+counters() {
+  local file=$1 scenes=$2 kernels=$3 titles= metrics= each
+  shift 3
+  for each in "$@"; do
+    titles+="${titles:+|}${each%%=*}"
+    metrics+="${metrics:+,}${each#*=}"
+  done
+  step "$file" ncu --clock-control none --kernel-id "::regex:$kernels" --print-units base --csv --metrics "$metrics" \
+    "$meet" bench gpu --only "$scenes" ${data:+--data "$data"}
+  awk -v titles="$titles" -v metrics="$metrics" -f "$(dirname "$0")/counters.awk" "$out/$file.log" >"$out/$file.md" || failed=1
+}
+
+share=avg.pct_of_peak_sustained
 if ! does counters; then
   :
 elif command -v ncu >/dev/null; then
-  metrics=sm__pipe_tensor_cycles_active.avg.pct_of_peak_sustained_active
-  metrics+=,sm__inst_executed_pipe_alu.avg.pct_of_peak_sustained_active
-  metrics+=,smsp__issue_active.avg.pct_of_peak_sustained_active
-  metrics+=,sm__warps_active.avg.pct_of_peak_sustained_active
-  step counters ncu --clock-control none --kernel-id '::regex:mma_kernel:2' --csv --metrics $metrics \
-    "$meet" bench gpu --only balls
-  {
-    echo "| kernel | matrix unit busy | logic unit busy | issue slots used | warps there |"
-    echo "|---|---|---|---|---|"
-    # ncu's columns are quoted; the last two are the metric's name and value after its unit.
-    grep '^"[0-9]' "$out/counters.log" | awk -F'","' '
-      { kernel = $5; sub(/^.*::/, "", kernel); sub(/\(.*/, "", kernel); value = $NF; gsub(/"/, "", value)
-        name = $(NF - 2); key = $1 kernel
-        if (!(key in seen)) { seen[key] = ++n; title[n] = $5; sub(/\(const.*/, "", title[n]) }
-        row[seen[key], name] = value }
-      END { for (i = 1; i <= n; ++i)
-              printf "| `%s` | %s %% | %s %% | %s %% | %s %% |\n", title[i],
-                row[i, "sm__pipe_tensor_cycles_active.avg.pct_of_peak_sustained_active"],
-                row[i, "sm__inst_executed_pipe_alu.avg.pct_of_peak_sustained_active"],
-                row[i, "smsp__issue_active.avg.pct_of_peak_sustained_active"],
-                row[i, "sm__warps_active.avg.pct_of_peak_sustained_active"] }'
-  } >"$out/counters.md"
+  # The use of the matrix units and the logic units in the filter of balls x balls.
+  counters counters balls 'mma_kernel:2' "matrix unit busy=sm__pipe_tensor_cycles_active.${share}_active" \
+    "logic unit busy=sm__inst_executed_pipe_alu.${share}_active" "issue slots used=smsp__issue_active.${share}_active" \
+    "warps there=sm__warps_active.${share}_active"
+  # What binds the kernels of a query by the hierarchy, on sets as they are given.
+  for balls in 1048576 16777216; do
+    counters counters_$balls "memory:balls, $balls x" 'kernel|Kernel:3' time=gpu__time_duration.sum \
+      "issue slots used=smsp__issue_active.${share}_active" "warps there=sm__warps_active.${share}_active" \
+      "memory busy=dram__throughput.${share}_elapsed" "second-level cache busy=lts__throughput.${share}_elapsed"
+  done
 else
   echo "skipped  counters: ncu was not found"
 fi
