@@ -34,7 +34,7 @@ const mutation mutations[] = {
     {"segment_segment", words, " and any(p in P, q in Q: p[k] >= q[k])", ""},
     {"segment_segment", algebra_file, "meet(K, L)[n]", "meet(K, L)[nb]"},
     {"segment_segment", algebra_file, "parts.ends = '[p, q]'", "parts.ends = '[p]'"},
-    {"segment_segment", algebra_file, "axes = '[e1, e2, e3]'", "axes = '[e1, e2]'"},
+    {"segment_segment", algebra_file, "axes = '[e1, e2, e3]'", "axes = '[e1, e2, e2]'"},
     // points and triangles
     {"point_triangle", flat, "side(t, p) == 0", "side(t, p) >= 0"},
     {"point_triangle", flat, "side(t, p) == 0 and ", ""},
