@@ -106,6 +106,13 @@ TEST_CASE("by balls: not claimed of what only looks like two balls") {
   // There is a reject stage.
   CHECK_FALSE(is_by_balls_of("", spheres + ("reject = ['sign(S.r - T.r) > 0']\n" +
                                             hit_where_apart_by(reach, square_of_distance("S.c", "T.c")))));
+  // One has no third coordinate.
+  CHECK_THROWS_WITH(
+      is_by_balls_of("[kinds.flat]\nstore = ['x: real', 'y: real']\nposition = true\n"
+                     "blade = '2*(x*e1 + y*e2) + (x*x + y*y)*n - nb'\n",
+                     "of = ['S: flat', 'T: sphere']\nhit = 'sign(T.r*T.r - ((S.x - T.c.x)*(S.x - T.c.x) + "
+                     "(S.y - T.c.y)*(S.y - T.c.y))) >= 0'\n"),
+      contains("kind 'flat' stores 2 coordinates, but 'axes' has 3"));
   // The coordinates of its hull are exchanged.
   CHECK_FALSE(
       is_by_balls_of("[kinds.ball]\nstore = ['c: point', 'r: real']\nblade = '-I*(c - r*r*n)'\n"

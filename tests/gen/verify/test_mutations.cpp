@@ -184,6 +184,9 @@ TEST_CASE("some mutations are errors before anything is verified") {
   const spec_copy copy({"ball_ball"});
   copy.replace(algebra_file, "(c - r*r*n)'\nwhere", "(c - r*n)'\nwhere");
   CHECK_THROWS_WITH(copy.compile(), contains("not homogeneous"));
+  const spec_copy fewer({"segment_segment"});
+  fewer.replace(algebra_file, "axes = '[e1, e2, e3]'", "axes = '[e1, e2]'");
+  CHECK_THROWS_WITH(fewer.compile(), contains("kind 'point' stores 3 coordinates, but 'axes' has 2"));
 }
 
 TEST_CASE("unchanged, and without any reject line, nothing is wrong") {
