@@ -13,8 +13,8 @@ BEGIN {
   }
 }
 /^"[0-9]/ {
-  kernel = $5
-  sub(/\(const.*/, "", kernel)
+  # Of the kernel's declaration, the name and the numbers that it is a template of.
+  kernel = match($5, /[A-Za-z_0-9]*[Kk]ernel(<[0-9, ]*>)?/) ? substr($5, RSTART, RLENGTH) : $5
   row = $1 kernel # the first column numbers the kernels that ran
   if (!(row in seen)) {
     seen[row] = ++rows
