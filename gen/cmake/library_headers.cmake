@@ -34,3 +34,13 @@ function(meetc_use_library_headers)
     endforeach()
   endif()
 endfunction()
+
+# meetc_only_drives(TARGET ...): of targets that read options, call others and write reports. The sanitizers add so much
+# code to them that they are not optimised at all there.
+function(meetc_only_drives)
+  if(MEETC_SANITIZE)
+    foreach(target IN LISTS ARGN)
+      target_compile_options(${target} PRIVATE -O0)
+    endforeach()
+  endif()
+endfunction()

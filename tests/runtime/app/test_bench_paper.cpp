@@ -64,21 +64,114 @@ bool is_png(const fs::path &path) {
 
 } // namespace
 
-TEST_CASE("bench paper: counts of built-in meshes are those of collide") {
-  using namespace meetc::bodies;
-  const json &j = built_in();
-  CHECK(j["meshes"] == "built-in");
-  CHECK(j["device"].is_null());
-  const json &meshes = rows(j, "meshes");
-  REQUIRE(meshes.size() == 3);
-  put_mesh("ring.ply", torus(25, 20));
-  put_mesh("knot.ply", knot(100, 25));
-  check_row(meshes[0], "ring.ply", "knot.ply", j["pose"]);
-  put_mesh("knot.ply", knot(400, 125));
-  check_row(meshes[2], "ring.ply", "knot.ply", j["pose"]);
-  CHECK(meshes[0]["paper_row"] == "1K-5K");
-  CHECK(meshes[0]["paper_bunny_hit"] == 187);
-  CHECK(meshes[2]["paper_armadillo_hit"] == 2215);
+// Sections of one case, so that one process makes the page for all.
+TEST_CASE("bench paper: the page of built-in bodies") {
+  SECTION("counts of built-in meshes are those of collide") {
+    using namespace meetc::bodies;
+    const json &j = built_in();
+    CHECK(j["meshes"] == "built-in");
+    CHECK(j["device"].is_null());
+    const json &meshes = rows(j, "meshes");
+    REQUIRE(meshes.size() == 3);
+    put_mesh("ring.ply", torus(25, 20));
+    put_mesh("knot.ply", knot(100, 25));
+    check_row(meshes[0], "ring.ply", "knot.ply", j["pose"]);
+    put_mesh("knot.ply", knot(400, 125));
+    check_row(meshes[2], "ring.ply", "knot.ply", j["pose"]);
+    CHECK(meshes[0]["paper_row"] == "1K-5K");
+    CHECK(meshes[0]["paper_bunny_hit"] == 187);
+    CHECK(meshes[2]["paper_armadillo_hit"] == 2215);
+  }
+  SECTION("the exponent is the slope of its rows, and near enough to the square root") {
+    const json &j = built_in();
+    std::vector<double> x, y;
+    for (const json &row : rows(j, "meshes")) {
+      x.push_back(std::log(row["armadillo"].get<double>()));
+      y.push_back(std::log(row["armadillo_hit"].get<double>()));
+    }
+    double mean = 0, absolute = 0, square = 0, product = 0;
+    for (const double v : x)
+      mean += v / static_cast<double>(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      absolute += std::abs(x[i] - mean);
+      square += (x[i] - mean) * (x[i] - mean);
+      product += (x[i] - mean) * y[i];
+    }
+    const json &law = j["laws"]["armadillo_hit"];
+    CHECK(law["exponent"].get<double>() == Approx(product / square).margin(1e-5));
+    // Counts of some hundred triangles scatter by a few per cent, and a coarser mesh is another surface. If each is off
+    // by 10 %, the slope can be off by this much and no more.
+    const double tolerance = std::log(1.1) * absolute / square;
+    CHECK(law["tolerance"].get<double>() == Approx(tolerance).margin(1e-5));
+    CHECK(std::abs(law["exponent"].get<double>() - 0.5) <= tolerance);
+    CHECK(tolerance < 0.1); // far from 0 and 1, which other scalings would give
+    CHECK(law["holds"] == true);
+    CHECK(j["laws"]["paper_armadillo_hit"]["holds"] == true);
+    CHECK(j["laws"]["paper_armadillo_hit"]["worst"].get<double>() < -0.15); // its row of 1000K
+  }
+  SECTION("spheres touch as often as random ones must") {
+    std::size_t n = 0;
+    const json &spheres = rows(built_in(), "spheres");
+    REQUIRE(spheres.size() == 5);
+    for (const json &row : spheres) {
+      const double count = row["spheres"], pairs = row["pairs"], expected = row["expected"];
+      CHECK(count == std::vector<double>{500, 1000, 2500, 5000, 10000}[n++]);
+      // Half a neighbour each, less the effect of the walls. The number of rare pairs scatters by its square root.
+      CHECK(expected <= count / 4);
+      CHECK(expected >= 0.85 * count / 4);
+      CHECK(std::abs(pairs - expected) <= 4 * std::sqrt(expected));
+      CHECK(row["touched"] <= 2 * pairs);
+      CHECK(row["touched"] >= pairs);
+    }
+  }
+  SECTION("segments, times, and the columns without a device") {
+    const json &j = built_in();
+    const json &segments = rows(j, "segments");
+    REQUIRE(segments.size() == 8);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      CHECK(segments[i]["triangles"] == 1000 * std::pow(4, static_cast<double>(i / 2)));
+      CHECK(segments[i]["segments"] == (i % 2 ? 1000 : 1));
+      CHECK(segments[i]["pairs"] > 0);
+    }
+    CHECK(segments[0]["pairs"] >= 2); // a closed surface is entered and left
+    for (const char *const name : {"mesh_times", "spheres", "segments"})
+      for (const json &row : rows(j, name)) {
+        CHECK(row["core"].get<double>() > 0);
+        CHECK(row["blind_over_search"].get<double>() > 0);
+        for (const char *const column : {"gpu_ms", "gpu_ms_with_transfers", "core_over_gpu"})
+          CHECK(row[column].is_null());
+      }
+    for (const json &row : rows(j, "moller")) {
+      CHECK(row["conformal_over_moller"].get<double>() > 0);
+      CHECK(row["certified_over_moller"].get<double>() > 0);
+      CHECK(row["hits"] > 0);
+    }
+    CHECK(j.dump().find("seconds") == std::string::npos); // CPU times are ratios
+  }
+  SECTION("a page and six pictures, and text that says what it is") {
+    fs::remove_all(at("again"));
+    const said s = run({"bench", "paper", "--quick", "-o", "again", "--device", "auto", "--threads", "1"});
+    INFO(s.err);
+    REQUIRE(s.code == 0);
+    CHECK(s.err.empty());
+    CHECK(files_in(at("again")) == 7);
+    for (int i = 1; i <= 6; ++i)
+      CHECK(is_png(folder() / fmt::format("again/figure_{}.png", i)));
+    const std::string page = get(at("again/paper.md"));
+    for (const char *const part : {"Built-in bodies", "the scaling holds", "1K-5K", "no device"}) {
+      CHECK(has(s.out, part));
+      CHECK(has(page, part));
+    }
+    for (int i = 1; i <= 6; ++i)
+      CHECK(has(page, fmt::format("](figure_{}.png)", i)));
+    for (const json &row : rows(built_in(), "meshes")) {
+      const int n = row["armadillo_hit"];
+      const std::string hit = n < 1000 ? fmt::format("{}", n) : fmt::format("{},{:03}", n / 1000, n % 1000);
+      CHECK(has(page, fmt::format("| {} |", hit)));
+      CHECK(has(s.out, hit));
+    }
+    CHECK(has(s.out, "wrote again/figure_6.png"));
+  }
 }
 
 TEST_CASE("bench paper: counts of files, and of what is cut out of them, are those of collide") {
@@ -100,100 +193,6 @@ TEST_CASE("bench paper: counts of files, and of what is cut out of them, are tho
   check_row(meshes[2], "meshes/bunny_1k.ply", "finer.ply", j["pose"]);
   CHECK(meshes[1]["paper_row"] == "1K-20K"); // the nearest
   CHECK(meshes[2]["paper_row"].is_null());   // none is near
-}
-
-TEST_CASE("bench paper: the exponent is the slope of its rows, and near enough to the square root") {
-  const json &j = built_in();
-  std::vector<double> x, y;
-  for (const json &row : rows(j, "meshes")) {
-    x.push_back(std::log(row["armadillo"].get<double>()));
-    y.push_back(std::log(row["armadillo_hit"].get<double>()));
-  }
-  double mean = 0, absolute = 0, square = 0, product = 0;
-  for (const double v : x)
-    mean += v / static_cast<double>(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    absolute += std::abs(x[i] - mean);
-    square += (x[i] - mean) * (x[i] - mean);
-    product += (x[i] - mean) * y[i];
-  }
-  const json &law = j["laws"]["armadillo_hit"];
-  CHECK(law["exponent"].get<double>() == Approx(product / square).margin(1e-5));
-  // Counts of some hundred triangles scatter by a few per cent, and a coarser mesh is another surface. If each is off
-  // by 10 %, the slope can be off by this much and no more.
-  const double tolerance = std::log(1.1) * absolute / square;
-  CHECK(law["tolerance"].get<double>() == Approx(tolerance).margin(1e-5));
-  CHECK(std::abs(law["exponent"].get<double>() - 0.5) <= tolerance);
-  CHECK(tolerance < 0.1); // far from 0 and 1, which other scalings would give
-  CHECK(law["holds"] == true);
-  CHECK(j["laws"]["paper_armadillo_hit"]["holds"] == true);
-  CHECK(j["laws"]["paper_armadillo_hit"]["worst"].get<double>() < -0.15); // its row of 1000K
-}
-
-TEST_CASE("bench paper: spheres touch as often as random ones must") {
-  std::size_t n = 0;
-  const json &spheres = rows(built_in(), "spheres");
-  REQUIRE(spheres.size() == 5);
-  for (const json &row : spheres) {
-    const double count = row["spheres"], pairs = row["pairs"], expected = row["expected"];
-    CHECK(count == std::vector<double>{500, 1000, 2500, 5000, 10000}[n++]);
-    // Half a neighbour each, less the effect of the walls. The number of rare pairs scatters by its square root.
-    CHECK(expected <= count / 4);
-    CHECK(expected >= 0.85 * count / 4);
-    CHECK(std::abs(pairs - expected) <= 4 * std::sqrt(expected));
-    CHECK(row["touched"] <= 2 * pairs);
-    CHECK(row["touched"] >= pairs);
-  }
-}
-
-TEST_CASE("bench paper: segments, times, and the columns without a device") {
-  const json &j = built_in();
-  const json &segments = rows(j, "segments");
-  REQUIRE(segments.size() == 8);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    CHECK(segments[i]["triangles"] == 1000 * std::pow(4, static_cast<double>(i / 2)));
-    CHECK(segments[i]["segments"] == (i % 2 ? 1000 : 1));
-    CHECK(segments[i]["pairs"] > 0);
-  }
-  CHECK(segments[0]["pairs"] >= 2); // a closed surface is entered and left
-  for (const char *const name : {"mesh_times", "spheres", "segments"})
-    for (const json &row : rows(j, name)) {
-      CHECK(row["core"].get<double>() > 0);
-      CHECK(row["blind_over_search"].get<double>() > 0);
-      for (const char *const column : {"gpu_ms", "gpu_ms_with_transfers", "core_over_gpu"})
-        CHECK(row[column].is_null());
-    }
-  for (const json &row : rows(j, "moller")) {
-    CHECK(row["conformal_over_moller"].get<double>() > 0);
-    CHECK(row["certified_over_moller"].get<double>() > 0);
-    CHECK(row["hits"] > 0);
-  }
-  CHECK(j.dump().find("seconds") == std::string::npos); // CPU times are ratios
-}
-
-TEST_CASE("bench paper: a page and six pictures, and text that says what it is") {
-  fs::remove_all(at("again"));
-  const said s = run({"bench", "paper", "--quick", "-o", "again", "--device", "auto", "--threads", "1"});
-  INFO(s.err);
-  REQUIRE(s.code == 0);
-  CHECK(s.err.empty());
-  CHECK(files_in(at("again")) == 7);
-  for (int i = 1; i <= 6; ++i)
-    CHECK(is_png(folder() / fmt::format("again/figure_{}.png", i)));
-  const std::string page = get(at("again/paper.md"));
-  for (const char *const part : {"Built-in bodies", "the scaling holds", "1K-5K", "no device"}) {
-    CHECK(has(s.out, part));
-    CHECK(has(page, part));
-  }
-  for (int i = 1; i <= 6; ++i)
-    CHECK(has(page, fmt::format("](figure_{}.png)", i)));
-  for (const json &row : rows(built_in(), "meshes")) {
-    const int n = row["armadillo_hit"];
-    const std::string hit = n < 1000 ? fmt::format("{}", n) : fmt::format("{},{:03}", n / 1000, n % 1000);
-    CHECK(has(page, fmt::format("| {} |", hit)));
-    CHECK(has(s.out, hit));
-  }
-  CHECK(has(s.out, "wrote again/figure_6.png"));
 }
 
 TEST_CASE("bench paper: an error is one line, and nothing is written") {

@@ -1,6 +1,7 @@
 // The marks by which two sets are culled: no element that may touch one of the other set is ruled out.
 #include "meetc/cull_grid.hpp"
 #include "tests/catch.hpp"
+#include "tests/generated/effort.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,7 @@
 
 using namespace meetc;
 using namespace meetc::cuda;
+using meetc::generated_test::effort;
 
 namespace {
 
@@ -212,7 +214,7 @@ TEST_CASE("cull: a line from far away meets the point that it passes through") {
     return b;
   }();
   int tried = 0, lost = 0;
-  for (int i = 0; i < 40000; ++i) {
+  for (int i = 0; i < effort(40000); ++i) {
     const int bits = 3 + static_cast<int>(random() % 6), far = static_cast<int>(random() % 37);
     const cull_grid grid(box, box, bits);
     line_ends ends{};
@@ -228,7 +230,7 @@ TEST_CASE("cull: a line from far away meets the point that it passes through") {
     lost += !grid.range(origin, cells) || !marks.meets(cells, *marks.levels());
   }
   CHECK(lost == 0);
-  CHECK(tried > 20000);
+  CHECK(tried > effort(20000));
 }
 
 TEST_CASE("cull: a line is thin only if it is so along every axis") {
