@@ -5,6 +5,7 @@
 #include "gen/passes/passes.hpp"
 #include "gen/support/output.hpp"
 #include "gen/target/text/text.hpp"
+#include "gen/zero_kernels.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
@@ -50,6 +51,10 @@ void plan_tolerance(const compilation &c, target::unit &u) {
     if (!u.tolerance.ways[i])
       continue;
     const verify::report r = verify::verify_predicate(*c.model, u.kernels[i], 400, 1);
+    if (r.cases == 0)
+      throw spec_error(asked.where, fmt::format("'{}' keeps no tolerance, since nothing shows that it says whether its "
+                                                "operands touch: none of its cases could be compared",
+                                                asked.text));
     if (r.wrong > 0)
       throw spec_error(asked.where,
                        fmt::format("'{}' keeps no tolerance, since it does not say whether its operands touch: "
@@ -61,8 +66,14 @@ void plan_tolerance(const compilation &c, target::unit &u) {
       u.bounds[i].reset();
 }
 
-void add_forms(const lower::model &m, target::unit &u) {
+void add_forms(const lower::model &m, target::unit &u, const target::target &t) {
+  if (!t.reads_polynomials)
+    return;
   for (const lower::kernel &k : u.kernels) {
+    if (!k.is_predicate && !k.value.is_expanded())
+      throw spec_error(k.asked.where, fmt::format("the polynomials of '{}' are too long for --emit={}; --emit=schedule "
+                                                  "shows its program",
+                                                  k.asked.text, t.name));
     target::forms f;
     f.separated = lower::separate(m, k);
     if (!k.is_predicate) {
@@ -102,7 +113,7 @@ std::string shown(const compilation &c, const compiled_kernel &k, const std::str
     }
   target::unit u = unit_of(c, std::move(kernels), std::move(bounds));
   plan_tolerance(c, u);
-  add_forms(*c.model, u);
+  add_forms(*c.model, u, *target::find(target));
   return target::find(target)->show(u, 0);
 }
 
@@ -125,6 +136,7 @@ void compile_all(compilation &c) {
       throw e.add_step("kernel " + request.text, r.where);
     }
   }
+  tell_zero_kernels(c);
 }
 
 std::vector<target::file> emit_all(compilation &c) {
@@ -143,40 +155,6 @@ int plan_scene(const std::string &scene) {
   plan_tolerance(c, u);
   say(target::plan_text(u));
   return 0;
-}
-
-int verify_scene(const verify_options &o) {
-  compilation c = load(o.scene);
-  compile_all(c);
-  long wrong = 0, cases = 0;
-  for (std::size_t i = 0; i < c.kernels.size(); ++i) {
-    const lower::kernel &k = c.kernels[i];
-    verify::report r = k.is_sign        ? verify::verify_sign(*c.model, k, std::max(1L, o.cases / 10), o.seed)
-                       : k.is_predicate ? verify::verify_predicate(*c.model, k, o.cases, o.seed)
-                                        : verify::verify_formula(*c.model, k, std::max(1L, o.cases / 50), o.seed);
-    wrong += r.wrong;
-    cases += r.cases;
-    if (!r.note.empty())
-      say(fmt::format("{:<36} {}\n", k.asked.text, r.note));
-    else if (k.is_predicate && !k.is_sign)
-      say(fmt::format("{:<36} {} wrong of {} ({} hits, {} degenerate)\n", k.asked.text, r.wrong, r.cases, r.hits,
-                      r.degenerate));
-    else
-      say(fmt::format("{:<36} {} wrong of {}\n", k.asked.text, r.wrong, r.cases));
-    if (r.wrong)
-      say(fmt::format("  first: {}\n", r.first_wrong));
-    if (!c.bounds[i] || c.bounds[i]->settled_by.empty())
-      continue;
-    r = verify::verify_settled(*c.model, k, *c.bounds[i], std::max(1L, o.cases / 10), o.seed);
-    wrong += r.wrong;
-    cases += r.cases;
-    say(fmt::format("  settled by equal points: {}\n",
-                    r.note.empty() ? fmt::format("{} wrong of {}", r.wrong, r.cases) : r.note));
-    if (r.wrong)
-      say(fmt::format("  first: {}\n", r.first_wrong));
-  }
-  say(fmt::format("{}: {} wrong of {} cases in {} kernels\n", c.scene->name, wrong, cases, c.kernels.size()));
-  return wrong ? 1 : 0;
 }
 
 namespace {
@@ -268,7 +246,7 @@ int show(const show_options &o) {
   if (whole && whole->show_all && o.words.empty() && o.expression.empty()) {
     compile_all(c);
     target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
-    add_forms(*c.model, u);
+    add_forms(*c.model, u, *whole);
     say(whole->show_all(u));
     return 0;
   }

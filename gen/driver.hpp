@@ -41,6 +41,7 @@ struct verify_options {
   std::string scene;
   long cases = 5000;
   unsigned seed = 1;
+  bool allow_unchecked = false; // else a kernel of which nothing could be compared is a failure
 };
 struct show_options {
   std::string scene, emit = target::backends().unless_said.front(), expression, with;

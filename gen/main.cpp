@@ -46,6 +46,8 @@ int main(int argc, char **argv) {
       ->capture_default_str()
       ->check(CLI::Range(1L, 100000000L));
   verify_command->add_option("--seed", v.seed, "Seed of the cases")->capture_default_str();
+  verify_command->add_flag("--allow-unchecked", v.allow_unchecked,
+                           "Exit 0 also where nothing of a kernel could be compared, which is named in any case");
 
   std::string planned;
   CLI::App *plan_command = app.add_subcommand(

@@ -30,11 +30,20 @@ struct counter {
   }
   value input(const node_ref &, int) { return false; }
   value constant(const node_ref &, const rational &q) { return is_power_of_two(q); }
-  value negate(const node_ref &, value) { return false; }
+  value negate(const node_ref &at, value x) {
+    made(at, into.negations);
+    return x;
+  }
   value add(const node_ref &at, value, value) { return made(at, into.additions); }
   value subtract(const node_ref &at, value, value) { return made(at, into.additions); }
-  value multiply(const node_ref &at, value x, value y) { return x || y ? false : made(at, into.multiplications); }
-  value fused(const node_ref &at, value x, value y, value) { return made(at, x || y ? into.additions : into.fused); }
+  value multiply(const node_ref &at, value x, value y) {
+    return made(at, x || y ? into.scalings : into.multiplications);
+  }
+  value fused(const node_ref &at, value x, value y, value) {
+    if (x || y)
+      made(at, into.scalings);
+    return made(at, x || y ? into.additions : into.fused);
+  }
 };
 
 } // namespace

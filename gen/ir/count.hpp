@@ -4,10 +4,10 @@
 
 namespace meetc::ir {
 
-// The operations that the results need if the values of `given` are known. Negations, constants and products with
-// powers of two are free.
+// The operations that the results need if the values of `given` are known. Negations and scalings, which are products with
+// powers of two, are counted apart, and not in the total.
 struct counts {
-  int multiplications = 0, additions = 0, fused = 0;
+  int multiplications = 0, additions = 0, fused = 0, scalings = 0, negations = 0;
   int total() const { return multiplications + additions + 2 * fused; }
 };
 counts count(const arena &nodes, const std::vector<node_id> &results, const std::vector<node_id> &given = {});

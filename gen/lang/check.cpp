@@ -35,9 +35,11 @@ public:
     for (const kind &k : a_.kinds) {
       contains_itself(k, {});
       fields(k.store);
+      hide_nothing(k.store);
       expression(*k.blade, names(k.store));
       for (const constructor &c : k.from) {
         fields(c.of);
+        hide_nothing(c.of);
         expression(*c.blade, names(c.of));
       }
       for (const named_expr &p : k.parts) {
@@ -115,6 +117,14 @@ private:
     for (const field &f : fields)
       s.insert(f.name);
     return s;
+  }
+  // What a kind stores must not hide a vector of either basis: the blade would be made of numbers alone.
+  void hide_nothing(const std::vector<field> &all) const {
+    for (const field &f : all)
+      if (std::find(a_.vectors.begin(), a_.vectors.end(), f.name) != a_.vectors.end() || find_named(a_.null, f.name))
+        throw spec_error(f.where, fmt::format("'{}' would hide the vector of that name, declared at {}; choose another "
+                                              "name",
+                                              f.name, declared_.at(f.name).text()));
   }
   void fields(const std::vector<field> &all) const {
     for (const field &f : all)

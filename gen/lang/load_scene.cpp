@@ -43,7 +43,7 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
     throw spec_error({in.file(), 0, 1}, fmt::format("{} has no [scene]", path));
   const toml::node &node = *in.root().get("scene");
   const toml::table &t = in.as_table(node, "scene");
-  in.allow(t, "scene", {"algebra", "namespace", "kernels", "rungs", "backends", "box", "tolerance"});
+  in.allow(t, "scene", {"algebra", "namespace", "kernels", "zero", "rungs", "backends", "box", "tolerance"});
   for (const char *key : {"algebra", "namespace", "kernels"})
     if (!t.contains(key))
       throw spec_error(in.place(node), fmt::format("scene needs '{}'", key));
@@ -67,6 +67,9 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
   load_algebra(target.generic_string(), s.in, s.files);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
     s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});
+  if (const toml::node *zero = t.get("zero"))
+    for (const toml::node &item : in.as_array(*zero, "scene.zero"))
+      s.zero.push_back({in.as_expression(item, "each item of scene.zero"), in.place(item)});
   const auto choices = [&](const char *key, const std::vector<std::string> &known, std::vector<std::string> out) {
     const toml::node *node_of = t.get(key);
     if (!node_of)

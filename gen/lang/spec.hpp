@@ -91,6 +91,7 @@ struct scene {
   std::string name, space; // the file's stem; the C++ namespace
   algebra in;
   std::vector<kernel_request> kernels;
+  std::vector<kernel_request> zero; // kernels that the scene says to be zero for all operands
   std::vector<rung> rungs;
   std::vector<std::string> backends;
   bool says_backends = false; // false: the scene has the default backends

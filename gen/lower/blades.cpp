@@ -126,7 +126,7 @@ std::vector<blade_maker> makers(const model &m, const lang::kind &k) {
       const node_coefficient *w = written.find(b);
       structured.push_back(w ? w->at : code.nodes().constant(0));
     }
-    out.push_back({name, lang::print(body), of, names, better_of(code, direct, structured), std::move(numbers)});
+    out.push_back({name, lang::print(body), of, names, best_of(code, {direct, structured}), std::move(numbers)});
   };
   make("", k.store, *k.blade);
   for (const lang::constructor &c : k.from)

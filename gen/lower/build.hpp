@@ -39,6 +39,7 @@ public:
   node_id build_over(const poly::poly &p, const std::vector<node_id> &leaves);
 
   arena &nodes() { return nodes_; }
+  const arena &nodes() const { return nodes_; }
   const poly::ring &numbers() const { return origin_.base(); }
   // The program for these results, checked against the polynomials that were asked for. It holds every form that was
   // tried; the passes prune it.

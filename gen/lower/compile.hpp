@@ -12,8 +12,8 @@ formula compile_formula(const model &m, const request &r);
 std::optional<predicate> compile_sign(const model &m, const request &r);
 predicate compile_predicate(const model &m, const request &r);
 
-// Of two forms of the same values, the one with fewer operations.
-program better_of(const builder &code, const std::vector<node_id> &x, const std::vector<node_id> &y);
+// The form with the fewest operations, and the first among equals, of forms of the same values.
+program best_of(const builder &code, const std::vector<std::vector<node_id>> &forms);
 
 std::vector<blade> sorted_blades(const std::set<blade> &blades);
 

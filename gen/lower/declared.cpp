@@ -123,6 +123,11 @@ declared_formula in_declared_basis(const model &m, const request &r) {
   out.blades = named(m.declared(), blades);
   for (const blade b : blades)
     out.values.push_back(*v.find(b));
+  std::size_t terms = 0;
+  for (const poly::poly &c : out.values)
+    terms += c.length();
+  if (terms * terms > 64 * static_cast<std::size_t>(most_steps))
+    throw too_long(r.where, fmt::format("the square of '{}' expands to more than {} steps", r.text, most_steps));
   const multivector square = algebra::geometric(m.declared(), v, v);
   if (const poly::poly *s = square.find(0))
     out.norm2 = *s;

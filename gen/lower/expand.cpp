@@ -9,8 +9,7 @@ namespace meetc::lower {
 namespace {
 using lang::op;
 
-// Limits far above any reasonable spec, which turn a runaway spec into an error.
-constexpr long most_steps = 2'000'000;
+// Far above any reasonable spec, which turns a runaway spec into an error.
 constexpr int most_depth = 400; // protects the stack, even with sanitizers
 
 rational parse_number(const std::string &text) {
@@ -107,8 +106,8 @@ sign_value expander::sign_of(const poly::poly &p) {
 
 void expander::charge(std::size_t work, const location &where) {
   steps_ += static_cast<long>(work);
-  if (steps_ > most_steps)
-    throw spec_error(where, fmt::format("this expands to more than {} steps", most_steps));
+  if (steps_ > limit_)
+    throw too_long(where, fmt::format("this expands to more than {} steps", limit_));
 }
 
 struct expander::level {
@@ -222,11 +221,27 @@ value expander::member(const lang::expr &e, const environment &env) {
       e.where, fmt::format("{} has no '{}'; it has: {}{}", k.name, e.text, join(known, ", "), nearest(e.text, known)));
 }
 
-// M[E]: the coefficient of M along the blade E, in the working or the declared basis, whichever has E as a basis blade.
+// Refuses a product of vectors with a square in it: e1*e1 is the number 1, and no blade.
+void expander::check_index(const lang::expr &e, const environment &env) {
+  for (const lang::expr_ptr &arg : e.args)
+    check_index(*arg, env);
+  if (e.kind != op::multiply)
+    return;
+  const int x = evaluate_multivector(*e.args[0], env).homogeneous_grade(),
+            y = evaluate_multivector(*e.args[1], env).homogeneous_grade();
+  if (x > 0 && y > 0 && evaluate_multivector(e, env).homogeneous_grade() != x + y)
+    throw spec_error(e.where, fmt::format("'{}' is not the product of different basis vectors; write a blade with '^', "
+                                          "and the scalar part as [1]",
+                                          lang::print(e)));
+}
+
+// M[E]: the coefficient of M along the blade E, which is a multiple of a basis blade of the working basis or else of the
+// declared one. What is the meaning does not depend on the basis of expansion.
 value expander::index(const lang::expr &e, const environment &env) {
   const multivector m = evaluate_multivector(*e.args[0], env);
   const multivector along = evaluate_multivector(*e.args[1], env);
-  const auto coefficient = [&](const multivector &from, const multivector &at) -> std::optional<value> {
+  check_index(*e.args[1], env);
+  const auto coefficient = [](const multivector &from, const multivector &at) -> std::optional<value> {
     if (at.terms().size() != 1 || !at.terms().begin()->second.is_constant())
       return std::nullopt;
     const auto &[b, weight] = *at.terms().begin();
@@ -236,12 +251,17 @@ value expander::index(const lang::expr &e, const environment &env) {
       out.add(0, c->scaled(1 / weight.constant()));
     return value{out};
   };
-  if (auto v = coefficient(m, along))
+  const bool working = basis_ == &model_.working();
+  const auto in_working = [&](const multivector &x) {
+    return working ? x : algebra::outermorphism(x, model_.to_working());
+  };
+  const auto in_declared = [&](const multivector &x) {
+    return working ? algebra::outermorphism(x, model_.to_declared()) : x;
+  };
+  if (auto v = coefficient(in_working(m), in_working(along)))
     return *v;
-  if (basis_ == &model_.working())
-    if (auto v = coefficient(algebra::outermorphism(m, model_.to_declared()),
-                             algebra::outermorphism(along, model_.to_declared())))
-      return *v;
+  if (auto v = coefficient(in_declared(m), in_declared(along)))
+    return *v;
   throw spec_error(e.args[1]->where, "this is not a multiple of one basis blade");
 }
 

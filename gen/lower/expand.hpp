@@ -38,6 +38,13 @@ struct predicate_call {
 
 using environment = std::vector<std::pair<std::string, value>>; // for equal names the last entry counts
 
+// An expansion that took more steps or more terms than it may. Where a value can be composed of its parts, it is.
+struct too_long : spec_error {
+  using spec_error::spec_error;
+};
+inline constexpr long most_steps = 2'000'000;      // far above any reasonable spec
+inline constexpr std::size_t most_terms = 200'000; // the same
+
 class expander {
 public:
   // `numbers` is the ring of all polynomials.
@@ -58,6 +65,13 @@ public:
   staged evaluate_predicate(const lang::predicate &p, const std::vector<value> &args, std::vector<sign_value> *taken);
 
   const metric &basis() const { return *basis_; }
+  // Steps that expansion may take (most_steps where nothing is said), and those that it has taken.
+  void limit(long steps) { limit_ = steps; }
+  long steps() const { return steps_; }
+  // Lets numbers have this many bits, for operands that are numbers themselves.
+  void allow_bits(std::size_t most) { most_bits_ = most; }
+  // Throws where a call of `f` is not defined for these arguments.
+  void check_domain(const lang::function &f, const std::vector<value> &args, const lang::expr &call);
   const std::vector<predicate_call> &calls() const { return calls_; }
 
 private:
@@ -69,8 +83,9 @@ private:
   std::vector<std::pair<std::string, value>> constants_;
   std::vector<sign_value> taken_; // in order
   std::vector<predicate_call> calls_;
-  long steps_ = 0;
+  long steps_ = 0, limit_ = most_steps;
   int depth_ = 0;
+  std::size_t most_bits_ = 4096; // of a constant, far above any reasonable spec
 
   struct level; // counts the depth of evaluation
 
@@ -80,6 +95,7 @@ private:
   value call(const lang::expr &e, const environment &env);
   value member(const lang::expr &e, const environment &env);
   value index(const lang::expr &e, const environment &env);
+  void check_index(const lang::expr &e, const environment &env);
   value compare(const lang::expr &e, const environment &env);
   value quantify(const lang::expr &e, const environment &env);
   value arithmetic(const lang::expr &e, const environment &env);

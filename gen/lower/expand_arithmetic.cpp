@@ -1,6 +1,7 @@
 // Expansion of sums, products and quotients of multivectors, with limits on the result.
 #include "gen/lower/expand.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace meetc::lower {
@@ -8,15 +9,34 @@ namespace {
 using lang::op;
 
 // Limits far above any reasonable spec, which turn a runaway spec into an error.
-constexpr std::size_t most_terms = 200'000;
 constexpr int most_degree = 100;
-constexpr std::size_t most_bits = 4096; // of a constant
 
 std::size_t length(const multivector &m) {
   std::size_t terms = 0;
   for (const auto &[at, c] : m.terms())
     terms += c.length();
   return terms;
+}
+
+// Whether an expression consists of numbers alone.
+bool is_number(const lang::expr &e) {
+  return e.kind == op::number ||
+         ((e.kind == op::negate || e.kind == op::add || e.kind == op::subtract || e.kind == op::multiply ||
+           e.kind == op::divide) &&
+          std::all_of(e.args.begin(), e.args.end(), [](const lang::expr_ptr &a) { return is_number(*a); }));
+}
+
+// A^2 is no square, and A | 2 is hardly ever meant.
+void refuse_number(const lang::expr &e) {
+  for (std::size_t i = 0; i < 2; ++i)
+    if (is_number(*e.args[i]))
+      throw spec_error(e.where,
+                       e.kind == op::outer
+                           ? fmt::format("'^' is the outer product, which a number only scales: write {0}*{0} for "
+                                         "a square, and '*' to scale",
+                                         lang::print(*e.args[1 - i]))
+                           : "'|' is the inner product, and a number has none with what is no number: write '*' "
+                             "to scale");
 }
 
 } // namespace
@@ -33,6 +53,8 @@ value expander::arithmetic(const lang::expr &e, const environment &env) {
       throw spec_error(e.where, fmt::format("{} and {}: signs only multiply with signs", describe(a), describe(b)));
     return {*sa * *sb};
   }
+  if (e.kind == op::outer || e.kind == op::inner)
+    refuse_number(e);
   const multivector x = blade_of(a, e.args[0]->where), y = blade_of(b, e.args[1]->where);
   if (e.kind == op::multiply || e.kind == op::outer || e.kind == op::inner)
     charge(4 * x.terms().size() * y.terms().size() + length(x) * length(y) / 64, e.where);
@@ -61,14 +83,14 @@ value expander::arithmetic(const lang::expr &e, const environment &env) {
   }
   }
   if (length(out) > most_terms)
-    throw spec_error(e.where, fmt::format("this expands to more than {} terms", most_terms));
+    throw too_long(e.where, fmt::format("this expands to more than {} terms", most_terms));
   for (const auto &[at, c] : out.terms()) {
     if (c.total_degree() > most_degree)
       throw spec_error(e.where, fmt::format("this is of a degree above {}", most_degree));
     if (c.is_constant()) {
       const rational q = c.constant();
-      if (mpz_sizeinbase(q.get_num_mpz_t(), 2) + mpz_sizeinbase(q.get_den_mpz_t(), 2) > most_bits)
-        throw spec_error(e.where, fmt::format("this number has more than {} bits", most_bits));
+      if (mpz_sizeinbase(q.get_num_mpz_t(), 2) + mpz_sizeinbase(q.get_den_mpz_t(), 2) > most_bits_)
+        throw spec_error(e.where, fmt::format("this number has more than {} bits", most_bits_));
     }
   }
   return {out};

@@ -74,19 +74,7 @@ value expander::call(const lang::expr &e, const environment &env) {
       environment inner;
       for (std::size_t i = 0; i < args.size() && i < f->params.size(); ++i)
         inner.emplace_back(f->params[i], args[i]);
-      if (f->domain) {
-        const truth_node &domain = signs_.at(truth_of(*f->domain, inner));
-        if (domain.kind != truth_node::type::constant)
-          throw spec_error(f->domain->where, "the domain of a function must not depend on numbers");
-        if (!domain.flag) {
-          std::vector<std::string> grades;
-          for (std::size_t i = 0; i < args.size(); ++i)
-            grades.push_back(
-                fmt::format("grade({}) = {}", f->params[i], blade_of(args[i], e.args[i]->where).homogeneous_grade()));
-          throw spec_error(e.where, fmt::format("{} is not defined here: {} does not hold, {}", lang::print(e),
-                                                lang::print(*f->domain), join(grades, ", ")));
-        }
-      }
+      check_domain(*f, args, e);
       return described(evaluate(*f->body, inner));
     }
     if (const lang::predicate *p = model_.spec().find_predicate(e.text)) {
@@ -114,6 +102,25 @@ value expander::call(const lang::expr &e, const environment &env) {
     throw;
   }
   throw spec_error(e.where, fmt::format("unknown function '{}'", e.text));
+}
+
+void expander::check_domain(const lang::function &f, const std::vector<value> &args, const lang::expr &call) {
+  if (!f.domain)
+    return;
+  environment inner;
+  for (std::size_t i = 0; i < args.size(); ++i)
+    inner.emplace_back(f.params[i], args[i]);
+  const truth_node &domain = signs_.at(truth_of(*f.domain, inner));
+  if (domain.kind != truth_node::type::constant)
+    throw spec_error(f.domain->where, "the domain of a function must not depend on numbers");
+  if (domain.flag)
+    return;
+  std::vector<std::string> grades;
+  for (std::size_t i = 0; i < args.size(); ++i)
+    grades.push_back(
+        fmt::format("grade({}) = {}", f.params[i], blade_of(args[i], call.args[i]->where).homogeneous_grade()));
+  throw spec_error(call.where, fmt::format("{} is not defined here: {} does not hold, {}", lang::print(call),
+                                           lang::print(*f.domain), join(grades, ", ")));
 }
 
 environment expander::bind(const lang::predicate &p, const std::vector<value> &args, const location &where) {

@@ -1,8 +1,11 @@
 // Formulas: a multivector-valued expression on general blades, and a number on stored operands as well.
 #include "gen/ir/count.hpp"
+#include "gen/ir/residue.hpp"
 #include "gen/lower/compile.hpp"
+#include "gen/lower/compose.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace meetc::lower {
 namespace {
@@ -16,7 +19,11 @@ std::vector<poly::stored_number> unmoved(const std::vector<std::size_t> &sizes) 
   return out;
 }
 
+// A value expanded into hundreds of terms is never cheaper than one computed from the coefficients of its parts.
 constexpr std::size_t longest_direct = 150; // number of terms
+// A formula that takes more to expand, about a second, is not expanded.
+constexpr long most_steps_of_formula = 50'000;
+constexpr std::size_t longest_from_stored = 4000; // terms of a number
 
 // The kind of the same grade that has room for `blades`: the tightest one, and the first declared among equals.
 const lang::kind *kind_for(const model &m, const std::vector<blade> &blades) {
@@ -36,109 +43,221 @@ const lang::kind *kind_for(const model &m, const std::vector<blade> &blades) {
   return best;
 }
 
+// The formula's values on blades and the ways to compute them.
+class on_blades {
+public:
+  on_blades(const model &m, const request &r, formula &out) : model_(m), request_(r), out_(out) {
+    for (const lang::kind *k : r.kinds)
+      supports_.push_back(support(m, *k));
+    for (std::size_t i = 0; i < supports_.size(); ++i)
+      for (const blade b : supports_[i])
+        out.blade_inputs.push_back(r.names[i] + '.' + m.working().name(b));
+    out.numbers = std::make_shared<poly::ring>(out.blade_inputs);
+  }
+
+  // Fills in what the formula says of blades.
+  void compile() {
+    std::vector<std::size_t> sizes;
+    for (const auto &blades : supports_)
+      sizes.push_back(blades.size());
+    const poly::local_origin origin(*out_.numbers, unmoved(sizes));
+    builder code(origin, prefer::operations);
+    expand();
+    std::vector<std::vector<node_id>> forms;
+    if (whole_) {
+      std::set<blade> where;
+      for (const auto &[at, c] : whole_->terms())
+        where.insert(at);
+      out_.result = sorted_blades(where);
+      for (const blade at : out_.result)
+        out_.polynomials.push_back(*whole_->find(at));
+      if (std::all_of(out_.polynomials.begin(), out_.polynomials.end(),
+                      [](const poly::poly &c) { return c.length() <= longest_direct; })) {
+        forms.emplace_back();
+        for (const poly::poly &c : out_.polynomials)
+          forms.back().push_back(code.build(c));
+      }
+    }
+    for (const parts which : {parts::arguments, parts::all})
+      if (const auto way = composed(code, which)) {
+        if (!whole_ && forms.empty())
+          out_.result = sorted_blades(not_zero(code, *way));
+        forms.emplace_back();
+        for (const blade at : out_.result) {
+          const auto it = way->find(at);
+          if (it == way->end())
+            throw std::logic_error("a composed value lacks a coefficient");
+          forms.back().push_back(it->second);
+        }
+      }
+    if (out_.result.empty()) { // identically zero
+      out_.result = {0};
+      out_.polynomials = {poly::poly(*out_.numbers)};
+      forms = {{code.nodes().constant(0)}};
+    }
+    out_.from_blades = best_of(code, forms);
+    if (out_.from_blades.results.size() != out_.result.size())
+      throw std::logic_error("a formula lacks a result");
+    if (whole_ ? !ir::same_values(out_.from_blades, out_.polynomials, *out_.numbers) : !has_values_of_body())
+      throw std::logic_error("a formula's program has other values than its expression");
+  }
+
+private:
+  const model &model_;
+  const request &request_;
+  formula &out_;
+  std::vector<std::vector<blade>> supports_;
+  std::optional<multivector> whole_; // nothing where it is too long
+
+  void expand() {
+    decision unused;
+    expander of(model_, *out_.numbers, unused);
+    of.limit(most_steps_of_formula);
+    environment env;
+    auto from = out_.blade_inputs.begin();
+    for (std::size_t i = 0; i < supports_.size(); ++i) {
+      const auto to = from + static_cast<std::ptrdiff_t>(supports_[i].size());
+      env.emplace_back(request_.names[i], of.general(supports_[i], {from, to}));
+      from = to;
+    }
+    try {
+      whole_ = of.evaluate_multivector(*request_.body, env);
+    } catch (const too_long &) {
+      // It is composed of its parts, which says so again where they are too long, too.
+    }
+  }
+
+  std::optional<node_values> composed(builder &code, parts which) const {
+    composer::scope names;
+    int first = 0;
+    for (std::size_t i = 0; i < supports_.size(); ++i) {
+      names.emplace_back(request_.names[i], composer::inputs(code, supports_[i], first));
+      first += static_cast<int>(supports_[i].size());
+    }
+    try {
+      return composer(model_, code, which).compose(*request_.body, names);
+    } catch (const too_long &) {
+      if (!whole_ && which == parts::arguments)
+        throw;
+      return std::nullopt;
+    }
+  }
+
+  // The blades with coefficients that are not identically zero. A composed value may have more.
+  std::set<blade> not_zero(const builder &code, const node_values &v) const {
+    std::vector<node_id> ids;
+    for (const auto &[at, id] : v)
+      ids.push_back(id);
+    const auto residues = ir::residues(ir::program{code.nodes(), ids});
+    std::set<blade> out;
+    auto of = residues.begin();
+    for (const auto &[at, id] : v)
+      if (const ir::residue_list &r = *of++; std::any_of(r.begin(), r.end(), [](std::uint64_t x) { return x != 0; }))
+        out.insert(at);
+    return out;
+  }
+
+  // Whether the program has the values that the expression has at the points of the residues.
+  bool has_values_of_body() const {
+    const poly::ring none({});
+    std::vector<std::vector<rational>> values(out_.result.size());
+    for (int point = 0; point < ir::residue_points; ++point) {
+      decision unused;
+      expander of(model_, none, unused);
+      of.allow_bits(1 << 16); // degree 100 in numbers of 61 bits, and room for constants
+      environment env;
+      int input = 0;
+      for (std::size_t i = 0; i < supports_.size(); ++i) {
+        multivector m;
+        for (const blade b : supports_[i])
+          m.add(b, {none, rational(mpz_class(std::to_string(ir::residue_input(point, input++))))});
+        env.emplace_back(request_.names[i], value{m});
+      }
+      const multivector v = of.evaluate_multivector(*request_.body, env);
+      for (const auto &[at, c] : v.terms())
+        if (std::find(out_.result.begin(), out_.result.end(), at) == out_.result.end())
+          return false;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const poly::poly *c = v.find(out_.result[i]);
+        values[i].push_back(c ? c->constant() : rational(0));
+      }
+    }
+    const auto have = ir::residues(out_.from_blades);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (have[i] != ir::residues(values[i]))
+        return false;
+    return true;
+  }
+};
+
+// A number computed from the operands' stored numbers.
+class from_stored {
+public:
+  from_stored(const model &m, const request &r)
+      : model_(m), request_(r), stored_(stored_numbers(m, r.names, r.kinds)), local_(*stored_.numbers, stored_.moves) {
+    decision unused;
+    expander of(m, *stored_.numbers, unused);
+    of.limit(most_steps_of_formula);
+    environment objects;
+    for (std::size_t i = 0; i < r.kinds.size(); ++i) {
+      objects.emplace_back(r.names[i], of.operand(*r.kinds[i], r.names[i] + '.'));
+      blades_.push_back(of.blade_of(objects.back().second, r.where));
+    }
+    try {
+      const multivector v = of.evaluate_multivector(*r.body, objects);
+      value_ = v.is_zero() ? poly::poly(*stored_.numbers) : v.terms().begin()->second;
+      if (value_->length() > longest_from_stored)
+        value_.reset();
+    } catch (const too_long &) {
+    }
+  }
+
+  program compile(prefer by) const {
+    builder code(local_, by);
+    if (value_)
+      return code.finish({code.build(*value_)});
+    composer::scope names;
+    for (std::size_t i = 0; i < blades_.size(); ++i) {
+      node_values v;
+      for (const auto &[at, c] : blades_[i].terms())
+        v.emplace(at, code.build(c));
+      names.emplace_back(request_.names[i], std::move(v));
+    }
+    const node_values v = composer(model_, code, parts::arguments).compose(*request_.body, names);
+    const auto it = v.find(0);
+    return code.finish({it == v.end() ? code.nodes().constant(0) : it->second});
+  }
+
+  const std::shared_ptr<poly::ring> &numbers() const { return stored_.numbers; }
+
+private:
+  const model &model_;
+  const request &request_;
+  stored_ring stored_;
+  poly::local_origin local_;
+  std::vector<multivector> blades_;
+  std::optional<poly::poly> value_; // nothing where it is too long
+};
+
 } // namespace
 
 formula compile_formula(const model &m, const request &r) {
   formula out;
-  // On blades, every operand is a multivector with one number for each basis blade of its kind's support.
-  std::vector<std::string> names;
-  std::vector<std::size_t> sizes;
-  std::vector<std::vector<blade>> supports;
-  for (std::size_t i = 0; i < r.kinds.size(); ++i) {
-    supports.push_back(support(m, *r.kinds[i]));
-    sizes.push_back(supports.back().size());
-    for (const blade b : supports.back())
-      names.push_back(r.names[i] + '.' + m.working().name(b));
-  }
-  out.blade_inputs = names;
-  out.numbers = std::make_shared<poly::ring>(names);
-  decision unused;
-  expander expand(m, *out.numbers, unused);
-  environment env;
-  for (std::size_t i = 0, at = 0; i < supports.size(); at += supports[i++].size())
-    env.emplace_back(r.names[i],
-                     expand.general(supports[i], {names.begin() + static_cast<std::ptrdiff_t>(at),
-                                                  names.begin() + static_cast<std::ptrdiff_t>(at + sizes[i])}));
-  const poly::local_origin blades(*out.numbers, unmoved(sizes));
-  builder code(blades, prefer::operations);
-  const multivector whole = expand.evaluate_multivector(*r.body, env);
-  std::set<blade> where;
-  for (const auto &[b, c] : whole.terms())
-    where.insert(b);
-  out.result = sorted_blades(where);
-  std::vector<node_id> direct;
-  for (const blade b : out.result) {
-    out.polynomials.push_back(*whole.find(b));
-    // A value expanded into hundreds of terms is never cheaper than one computed from the coefficients of its parts.
-    if (whole.find(b)->length() > longest_direct)
-      direct.clear();
-    if (direct.size() + 1 == out.polynomials.size())
-      direct.push_back(code.build(*whole.find(b)));
-  }
-  std::vector<node_id> composed = direct;
-  if (r.body->args.size() == 1 && r.body->args[0]->kind == lang::op::call) {
-    // For f(g(...)), the coefficients of g are values, and f is computed from them.
-    const multivector inner = expand.evaluate_multivector(*r.body->args[0], env);
-    std::vector<std::string> inner_names;
-    std::vector<blade> inner_blades;
-    std::vector<node_id> leaves;
-    for (const auto &[b, c] : inner.terms()) {
-      inner_blades.push_back(b);
-      inner_names.push_back("B." + m.working().name(b));
-      leaves.push_back(code.build(c));
-    }
-    const poly::ring inner_ring(inner_names);
-    expander over(m, inner_ring, unused);
-    lang::expr outer = *r.body;
-    lang::expr hole = *outer.args[0];
-    hole.kind = lang::op::name;
-    hole.text = "B";
-    hole.args.clear();
-    outer.args[0] = std::make_shared<lang::expr>(hole);
-    const multivector f = over.evaluate_multivector(outer, {{"B", over.general(inner_blades, inner_names)}});
-    bool same = true;
-    for (const auto &[b, c] : f.terms())
-      same = same && where.count(b) > 0;
-    if (same && f.terms().size() == whole.terms().size()) {
-      composed.clear();
-      for (const blade b : out.result)
-        composed.push_back(code.build_over(*f.find(b), leaves));
-    }
-  }
-  if (direct.size() < out.result.size())
-    direct = composed;
-  if (out.result.empty()) { // identically zero
-    out.result = {0};
-    out.polynomials = {poly::poly(*out.numbers)};
-    direct = composed = {code.nodes().constant(0)};
-  }
+  on_blades(m, r, out).compile();
   out.result_names = named(m.working(), out.result);
-  out.from_blades = better_of(code, direct, composed);
-  const bool number = whole.is_scalar();
-  if (!number)
+  if (!out.is_number()) {
     out.result_kind = kind_for(m, out.result);
-
+    return out;
+  }
   // A number is also computed directly from stored operands, in differences where possible.
-  if (number) {
-    const stored_ring stored = stored_numbers(m, r.names, r.kinds);
-    out.stored_numbers = stored.numbers;
-    out.stored_inputs = stored.numbers->names();
-    expander from_stored(m, *stored.numbers, unused);
-    environment objects;
-    for (std::size_t i = 0; i < r.kinds.size(); ++i)
-      objects.emplace_back(r.names[i], from_stored.operand(*r.kinds[i], r.names[i] + '.'));
-    const multivector v = from_stored.evaluate_multivector(*r.body, objects);
-    const poly::local_origin local(*stored.numbers, stored.moves);
-    builder lowered(local, prefer::operations);
-    const poly::poly zero(*stored.numbers);
-    const poly::poly &value = v.is_zero() ? zero : v.terms().begin()->second;
-    out.from_stored = lowered.finish({lowered.build(value)});
-    if (r.kinds.size() == 2) {
-      builder paired(local, prefer::pair);
-      program p = paired.finish({paired.build(value)});
-      if (ir::count(p, residency::a).total() + ir::count(p, residency::b).total() > 0)
-        out.for_pairs = std::move(p);
-    }
+  const from_stored stored(m, r);
+  out.stored_numbers = stored.numbers();
+  out.stored_inputs = out.stored_numbers->names();
+  out.from_stored = stored.compile(prefer::operations);
+  if (r.kinds.size() == 2) {
+    program p = stored.compile(prefer::pair);
+    if (ir::count(p, residency::a).total() + ir::count(p, residency::b).total() > 0)
+      out.for_pairs = std::move(p);
   }
   return out;
 }

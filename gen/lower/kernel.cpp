@@ -1,20 +1,24 @@
 #include "gen/lower/kernel.hpp"
 
 #include "gen/ir/count.hpp"
-#include "gen/ir/evaluate.hpp"
+#include "gen/ir/residue.hpp"
 #include "gen/lower/compile.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
 
 namespace meetc::lower {
 
-program better_of(const builder &code, const std::vector<node_id> &x, const std::vector<node_id> &y) {
-  const program p = code.finish(x), q = code.finish(y);
-  const auto &ring = code.numbers();
-  if (!(to_poly(p, ring) == to_poly(q, ring)))
-    throw std::logic_error("two forms of one value differ");
-  return count(p.nodes, p.results).total() <= count(q.nodes, q.results).total() ? p : q;
+program best_of(const builder &code, const std::vector<std::vector<node_id>> &forms) {
+  const auto operations = [&](const std::vector<node_id> &form) { return count(code.nodes(), form).total(); };
+  const auto best = std::min_element(forms.begin(), forms.end(),
+                                     [&](const auto &x, const auto &y) { return operations(x) < operations(y); });
+  const program out = code.finish(*best);
+  for (auto form = forms.begin(); form != forms.end(); ++form)
+    if (form != best && !ir::same_values(out, {code.nodes(), *form}, code.numbers()))
+      throw std::logic_error("two forms of one value differ");
+  return out;
 }
 
 void check_constants(const program &p, const request &r) {

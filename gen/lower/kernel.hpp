@@ -52,9 +52,10 @@ struct formula {
   // after the passes). Only for numbers of two operands; without results where nothing would be stored.
   program for_pairs;
   std::vector<std::string> stored_inputs;
-  std::vector<poly::poly> polynomials; // of from_blades, in `numbers`
+  std::vector<poly::poly> polynomials; // of from_blades, in `numbers`; none where they are too long to be expanded
   std::shared_ptr<poly::ring> numbers, stored_numbers;
 
+  bool is_expanded() const { return !polynomials.empty(); }
   bool is_number() const { return result_names.size() == 1 && result_names[0].is_scalar(); }
 };
 

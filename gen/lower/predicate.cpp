@@ -44,6 +44,20 @@ predicate with_operands(const model &m, const request &r) {
 
 } // namespace
 
+namespace {
+
+// Whether an expression can only be a sign: sign(...), a function that is one, or a product of signs.
+bool is_sign_by_form(const model &m, const lang::expr &e) {
+  if (e.kind == lang::op::call) {
+    const lang::function *f = m.spec().find_function(e.text);
+    return e.text == "sign" || (f && is_sign_by_form(m, *f->body));
+  }
+  return (e.kind == lang::op::negate || e.kind == lang::op::multiply) &&
+         std::all_of(e.args.begin(), e.args.end(), [&](const lang::expr_ptr &a) { return is_sign_by_form(m, *a); });
+}
+
+} // namespace
+
 std::optional<predicate> compile_sign(const model &m, const request &r) {
   if (r.kinds.size() != 2)
     return std::nullopt;
@@ -52,7 +66,15 @@ std::optional<predicate> compile_sign(const model &m, const request &r) {
   environment env;
   for (std::size_t i = 0; i < r.kinds.size(); ++i)
     env.emplace_back(r.names[i], expand.operand(*r.kinds[i], r.names[i] + '.'));
-  const value v = expand.evaluate(*r.body, env);
+  value v;
+  try {
+    v = expand.evaluate(*r.body, env);
+  } catch (const too_long &) {
+    // A formula is composed of its parts; a sign is a sign of one polynomial.
+    if (is_sign_by_form(m, *r.body))
+      throw;
+    return std::nullopt;
+  }
   const auto *s = std::get_if<sign_value>(&v.is);
   if (!s)
     return std::nullopt;

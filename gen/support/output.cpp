@@ -1,5 +1,4 @@
 #include "gen/support/output.hpp"
-#include "gen/support/source.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -16,6 +15,10 @@ int first_fault = 0; // as in errno
 void say(std::string_view text) {
   if (first_fault == 0 && std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
     first_fault = errno;
+}
+
+void warn(const spec_error &w) {
+  fmt::print(stderr, "{}", w.render("warning"));
 }
 
 void finish_output() {

@@ -24,17 +24,22 @@ std::string location::text() const {
   return fmt::format("{}:{}:{}", file->path, line(), column());
 }
 
+namespace {
+std::string headline(const location &where, const char *as, const std::string &message) {
+  return fmt::format("{}{}{}: {}", where ? where.text() : "", where ? ": " : "", as, message);
+}
+} // namespace
+
 spec_error::spec_error(location where, const std::string &message)
-    : std::runtime_error(where ? where.text() + ": error: " + message : "error: " + message), where_(std::move(where)),
-      message_(message) {}
+    : std::runtime_error(headline(where, "error", message)), where_(std::move(where)), message_(message) {}
 
 spec_error &spec_error::add_step(std::string what, location at) {
   trail_.push_back({std::move(what), std::move(at)});
   return *this;
 }
 
-std::string spec_error::render() const {
-  std::string out = what();
+std::string spec_error::render(const char *as) const {
+  std::string out = headline(where_, as, message_);
   out += '\n';
   if (where_) {
     const std::string &text = where_.file->text;

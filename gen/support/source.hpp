@@ -37,7 +37,8 @@ class spec_error : public std::runtime_error {
 public:
   spec_error(location where, const std::string &message);
   spec_error &add_step(std::string what, location at);
-  std::string render() const;
+  // `as` replaces the word "error".
+  std::string render(const char *as = "error") const;
   const std::string &message() const { return message_; }
   const location &where() const { return where_; }
 

@@ -37,7 +37,7 @@ struct unit {
   std::vector<std::optional<bound::kernel_bounds>> bounds;
   std::vector<lower::lowered_kind> kinds; // the kinds that the kernels need, each after those that it contains
   std::optional<lower::ball_form> balls;  // for filters by enclosing balls, if the algebra has it
-  std::vector<forms> shown;               // by kernel; empty if nothing is shown
+  std::vector<forms> shown;               // by kernel; empty if no polynomial is shown
   lower::tolerance_plan tolerance;        // if the scene asks for the rung tolerant
 
   // The kind with this name.
@@ -57,6 +57,8 @@ struct target {
   carries can;
   bool is_default = false;  // written if the scene names no backends
   bool needs_balls = false; // it cannot do without the form of touching balls
+  // It shows polynomials, and so needs unit::shown and cannot carry a formula that is too long to be expanded.
+  bool reads_polynomials = false;
   // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error if it cannot carry the
   // unit.
   std::vector<file> (*files)(const unit &) = nullptr;

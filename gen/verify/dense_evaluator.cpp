@@ -1,6 +1,7 @@
 #include "gen/verify/dense_evaluator.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace meetc::verify {
 namespace {
@@ -20,11 +21,71 @@ rational number(const std::string &text) {
   }
   return q;
 }
+
+// The inverse of a regular matrix, by Gauss and Jordan.
+oracle::matrix inverse(oracle::matrix m) {
+  const std::size_t n = m.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    m[i].resize(2 * n);
+    m[i][n + i] = 1;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto pivot = std::find_if(m.begin() + static_cast<std::ptrdiff_t>(i), m.end(),
+                                    [&](const auto &row) { return row[i] != 0; });
+    if (pivot == m.end())
+      throw std::invalid_argument("the vectors are no basis");
+    std::swap(*pivot, m[i]);
+    const rational by = m[i][i];
+    for (rational &x : m[i])
+      x /= by;
+    for (std::size_t j = 0; j < n; ++j)
+      if (const rational k = m[j][i]; j != i && k != 0)
+        for (std::size_t c = 0; c < 2 * n; ++c)
+          m[j][c] -= k * m[i][c];
+  }
+  for (auto &row : m)
+    row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(n));
+  return m;
+}
+
+// A multivector on other vectors: vector i becomes row i.
+multivector changed(const multivector &x, const oracle::matrix &rows) {
+  multivector out(x.size());
+  for (std::size_t mask = 0; mask < x.size(); ++mask) {
+    if (x[mask] == 0)
+      continue;
+    multivector blade(x.size());
+    blade[0] = x[mask];
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (mask >> i & 1) {
+        multivector v(x.size());
+        for (std::size_t j = 0; j < rows.size(); ++j)
+          v[std::size_t{1} << j] = rows[i][j];
+        blade = oracle::outer(blade, v);
+      }
+    out = oracle::add(out, blade);
+  }
+  return out;
+}
 } // namespace
 
 dense_evaluator::dense_evaluator(const lang::algebra &a, const oracle::matrix &metric,
-                                 const oracle::matrix &declared_vectors)
-    : spec_(a), dense_(metric), declared_vectors_(declared_vectors) {}
+                                 const oracle::matrix &declared_vectors, const oracle::matrix &working_vectors)
+    : spec_(a), dense_(metric), declared_vectors_(declared_vectors), coordinates_{inverse(working_vectors),
+                                                                                  inverse(declared_vectors)} {}
+
+// The coefficient of m along a blade that is a multiple of a basis blade, of the working basis or else of the declared one.
+rational dense_evaluator::coefficient(const multivector &m, const multivector &along, const lang::expr &index) const {
+  for (const oracle::matrix &rows : coordinates_) {
+    const multivector at = changed(along, rows);
+    const auto nonzero = [](const rational &q) { return q != 0; };
+    if (std::count_if(at.begin(), at.end(), nonzero) != 1)
+      continue;
+    const auto i = static_cast<std::size_t>(std::find_if(at.begin(), at.end(), nonzero) - at.begin());
+    return changed(m, rows)[i] / at[i];
+  }
+  throw spec_error(index.where, "this is not a multiple of one basis blade");
+}
 
 dense_value dense_evaluator::operand(const lang::kind &k, const std::vector<rational> &numbers,
                                      std::size_t &next) const {
@@ -76,15 +137,8 @@ dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope
       return it->second;
     break;
   }
-  case op::index: {
-    // The coefficient along a blade, which must be one basis blade here.
-    const multivector m = arg(0), along = arg(1);
-    const auto nonzero = [](const rational &q) { return q != 0; };
-    if (std::count_if(along.begin(), along.end(), nonzero) != 1)
-      break;
-    const auto at = static_cast<std::size_t>(std::find_if(along.begin(), along.end(), nonzero) - along.begin());
-    return {dense_.scalar(m[at] / along[at]), {}};
-  }
+  case op::index:
+    return {dense_.scalar(coefficient(arg(0), arg(1), *e.args[1])), {}};
   case op::negate:
     return {oracle::scale(-1, arg(0)), {}};
   case op::add:

@@ -4,6 +4,7 @@
 #include "gen/lang/spec.hpp"
 #include "gen/oracle/dense.hpp"
 
+#include <array>
 #include <map>
 
 namespace meetc::verify {
@@ -17,8 +18,10 @@ using dense_scope = std::map<std::string, dense_value>;
 
 class dense_evaluator {
 public:
-  // The metric of the basis of evaluation, and the rows of the declared vectors in it.
-  dense_evaluator(const lang::algebra &a, const oracle::matrix &metric, const oracle::matrix &declared_vectors);
+  // The metric of the basis of evaluation, and in it the rows of the declared vectors and of the working ones, which are the
+  // declared ones with the null vectors in place of those that they replace.
+  dense_evaluator(const lang::algebra &a, const oracle::matrix &metric, const oracle::matrix &declared_vectors,
+                  const oracle::matrix &working_vectors);
 
   // A sign is the number -1, 0 or 1. Throws spec_error for truths and lists.
   oracle::multivector evaluate(const lang::expr &e, const dense_scope &scope) const;
@@ -33,7 +36,10 @@ private:
   const lang::algebra &spec_;
   oracle::dense_algebra dense_;
   oracle::matrix declared_vectors_;
+  std::array<oracle::matrix, 2> coordinates_; // rows of the vectors of evaluation in the working and in the declared basis
 
+  oracle::rational coefficient(const oracle::multivector &m, const oracle::multivector &along,
+                               const lang::expr &index) const;
   dense_value value(const lang::expr &e, const dense_scope &scope) const;
 };
 

@@ -1,4 +1,5 @@
 #include "gen/ir/evaluate.hpp"
+#include "gen/ir/residue.hpp"
 #include "gen/verify/dense_evaluator.hpp"
 #include "gen/verify/verify.hpp"
 
@@ -18,6 +19,14 @@ oracle::matrix working_metric(const lower::model &m) {
   return out;
 }
 
+oracle::matrix identity(const lower::model &m) {
+  const auto n = static_cast<std::size_t>(m.working().vectors());
+  oracle::matrix out(n, std::vector<oracle::rational>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    out[i][i] = 1;
+  return out;
+}
+
 std::string describe(const std::vector<oracle::rational> &numbers) {
   std::string out;
   for (const auto &q : numbers)
@@ -28,9 +37,11 @@ std::string describe(const std::vector<oracle::rational> &numbers) {
 class checker {
 public:
   checker(const lower::model &m, const lower::kernel &k, unsigned seed)
-      : m_(m), k_(k), dense_(m.spec(), working_metric(m), m.to_working()), random_(seed) {}
+      : m_(m), k_(k), dense_(m.spec(), working_metric(m), m.to_working(), identity(m)), random_(seed) {}
 
   report run(long cases) {
+    if (!whole())
+      return out_;
     for (long i = 0; i < cases; ++i) {
       blades();
       if (!k_.value.stored_inputs.empty())
@@ -74,6 +85,21 @@ private:
   dense_evaluator dense_;
   std::mt19937 random_;
   report out_;
+
+  // Whether every coefficient of the result is an output, and the program of blades computes the polynomials.
+  bool whole() {
+    const lower::formula &f = k_.value;
+    ++out_.cases;
+    if (f.result.empty() || f.from_blades.results.size() != f.result.size() ||
+        f.result_names.size() != f.result.size() || (f.is_number() && f.from_stored.results.size() != 1))
+      out_.first_wrong = fmt::format("{} lacks a coefficient", k_.asked.text);
+    else if (f.is_expanded() && !ir::same_values(f.from_blades, f.polynomials, *f.numbers))
+      out_.first_wrong = fmt::format("the program of {} does not expand to its polynomials", k_.asked.text);
+    else
+      return true;
+    ++out_.wrong;
+    return false;
+  }
 
   // Whether the operands of these stored numbers obey the rules of their kinds, which signs assume.
   bool valid(const std::vector<oracle::rational> &inputs) const {

@@ -12,7 +12,7 @@ namespace meetc::verify {
 struct report {
   long cases = 0, wrong = 0;
   std::string first_wrong; // the first case that failed, in readable form
-  std::string note;        // why nothing could be checked, or ""
+  std::string note;        // why nothing could be compared, where cases is 0
   long degenerate = 0, hits = 0;
 };
 

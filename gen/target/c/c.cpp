@@ -17,8 +17,14 @@ std::string open_c_header(const unit &u) {
       "#error \"{0}.h needs C99: compile with -std=c99 or later\"\n#endif\n\n"
       "/* Products and sums are rounded one by one, as in the generated library. */\n"
       "#if defined(__clang__)\n#define MEETC_{1}_{0}_AS_WRITTEN _Pragma(\"STDC FP_CONTRACT OFF\")\n"
-      "#else\n#define MEETC_{1}_{0}_AS_WRITTEN\n#endif\n\n",
-      space, space.size());
+      "#else\n#define MEETC_{1}_{0}_AS_WRITTEN\n#endif\n\n"
+      "/* a b + c in formulas: rounded once where the target has the instruction, and elsewhere a product and a sum, since\n"
+      "   fma() is a call there that takes as long as twenty products. */\n"
+      "#if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__)\n"
+      "#define {2}(a, b, c) fma((a), (b), (c))\n#define {3}(a, b, c) fmaf((a), (b), (c))\n"
+      "#else\n"
+      "#define {2}(a, b, c) ((a) * (b) + (c))\n#define {3}(a, b, c) ((a) * (b) + (c))\n#endif\n\n",
+      space, space.size(), c_multiply_add(u, c_numbers[0]), c_multiply_add(u, c_numbers[1]));
 }
 
 std::string constant(const ir::rational &q, const c_number &n) {
@@ -41,10 +47,16 @@ std::string c_operand(const std::string &name) {
   return numbered || id == "sign" || id == "B" || id.starts_with("of_") ? id + "_operand" : id;
 }
 
-std::string c_body(const ir::program &p, const c_number &n, const std::function<std::string(int)> &input,
+std::string c_multiply_add(const unit &u, const c_number &n) {
+  const std::string space = identifier(u.scene.space);
+  return fmt::format("MEETC_{}_{}_MULTIPLY_ADD{}", space.size(), space, n.literal[0] ? "F" : "");
+}
+
+std::string c_body(const ir::program &p, const c_number &n, const std::string &fma,
+                   const std::function<std::string(int)> &input,
                    const std::function<std::string(std::size_t, const std::string &)> &result) {
   const statements::text code =
-      statements::of(p, {n.type, n.fma, [&](const ir::rational &q) { return constant(q, n); }, input, "  "});
+      statements::of(p, {n.type, fma, [&](const ir::rational &q) { return constant(q, n); }, input, "  "});
   std::string out = code.before;
   for (std::size_t i = 0; i < code.results.size(); ++i)
     out += fmt::format("  {}\n", result(i, code.results[i]));

@@ -21,12 +21,16 @@ struct c_number {
   const char *suffix, *type, *fma, *literal; // "f", "float", "fmaf", "f"
 };
 inline constexpr c_number c_numbers[] = {{"", "double", "fma", ""}, {"f", "float", "fmaf", "f"}};
+// The macro by which formulas multiply and add: fma where it is an instruction, and a product and a sum elsewhere.
+std::string c_multiply_add(const unit &u, const c_number &n);
 
 std::string c_name(const unit &u, const std::string &name, const c_number &n);
 // An operand's name, different from the names that functions use themselves.
 std::string c_operand(const std::string &name);
-// The statements of a program, with `input` for its inputs, followed by the results through `result`.
-std::string c_body(const ir::program &p, const c_number &n, const std::function<std::string(int)> &input,
+// The statements of a program, with `input` for its inputs and `fma` for the function a b + c, followed by the results
+// through `result`.
+std::string c_body(const ir::program &p, const c_number &n, const std::string &fma,
+                   const std::function<std::string(int)> &input,
                    const std::function<std::string(std::size_t, const std::string &)> &result);
 std::string c_kinds(const unit &u);
 std::string c_formula(const unit &u, const lower::kernel &k);

@@ -143,7 +143,7 @@ private:
   // The statements that put the signs of a stage's atoms into sign[].
   std::string signs(const lower::stage &s, const c_number &n) const {
     const std::string code = c_body(
-        s.code, n,
+        s.code, n, n.fma,
         [&](int i) {
           const std::string &in = inputs_[static_cast<std::size_t>(i)];
           return n.suffix[0] == 'f' ? in : "(double)" + in;

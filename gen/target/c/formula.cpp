@@ -80,7 +80,9 @@ private:
                          : fmt::format("B.{} = {};", blade_field(f_.result_names[i]), value);
     };
     const std::string code = c_body(
-        p, n_, [&](int i) { return inputs[static_cast<std::size_t>(i)]; }, result);
+        p, n_, c_multiply_add(u_, n_), [&](int i) { return inputs[static_cast<std::size_t>(i)]; }, result);
+    if (&p == &f_.from_blades)
+      check_whole(f_, code);
     std::string out = fmt::format("static inline {} {}({}) {{\n  MEETC_{}_{}_AS_WRITTEN\n", type(), name(suffix),
                                   parameters(of), identifier(u_.scene.space).size(), identifier(u_.scene.space));
     std::string rest;
@@ -101,13 +103,15 @@ private:
 } // namespace
 
 std::string c_formula(const unit &u, const lower::kernel &k) {
-  std::string out = fmt::format("/* {}, on blades: {}. */\n", k.asked.text,
-                                count_text(ir::count(k.value.from_blades.nodes, k.value.from_blades.results)));
+  std::string out = fmt::format("/* {}, on blades: {}. {} */\n", k.asked.text,
+                                count_text(ir::count(k.value.from_blades.nodes, k.value.from_blades.results)),
+                                error_text(k.value.from_blades));
   for (const c_number &n : c_numbers)
     out += writer(u, k, n).result_struct() + writer(u, k, n).on_blades();
   out += writer(u, k, c_numbers[0]).is_number()
-             ? fmt::format("/* From stored numbers, in differences if the value is translation invariant: {}. */\n",
-                           count_text(ir::count(k.value.from_stored.nodes, k.value.from_stored.results)))
+             ? fmt::format("/* From stored numbers, in differences if the value is translation invariant: {}. {} */\n",
+                           count_text(ir::count(k.value.from_stored.nodes, k.value.from_stored.results)),
+                           error_text(k.value.from_stored))
              : "/* From stored numbers. */\n";
   for (const c_number &n : c_numbers)
     out += writer(u, k, n).on_stored();

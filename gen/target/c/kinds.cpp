@@ -45,7 +45,7 @@ std::string maker(const unit &u, const lower::lowered_kind &k, const lower::blad
       return "k->" + path;
     return dot == std::string::npos ? path : path.substr(0, dot) + "->" + path.substr(dot + 1);
   };
-  const std::string code = c_body(m.code, n, input, [&](std::size_t i, const std::string &value) {
+  const std::string code = c_body(m.code, n, c_multiply_add(u, n), input, [&](std::size_t i, const std::string &value) {
     return fmt::format("B.{} = {};", blade_field(k.blades[i]), value);
   });
   const std::string name = m.name.empty() ? "blade_of_" + k.name : k.name + "_from_" + m.name;

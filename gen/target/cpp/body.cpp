@@ -1,9 +1,13 @@
 #include "gen/target/cpp/body.hpp"
 
 #include "gen/bound/growth.hpp"
+#include "gen/bound/rounding_count.hpp"
+#include "gen/target/cpp/names.hpp"
 #include "gen/target/statements.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <stdexcept>
 
 namespace meetc::target {
 namespace {
@@ -12,12 +16,18 @@ std::string constant_text(const ir::rational &q, const std::string &type) {
   const auto integer = [&](const mpz_class &z) { return fmt::format("{}({})", type, z.get_str()); };
   if (q.get_den() == 1)
     return integer(q.get_num());
-  return fmt::format("({} / {})", integer(q.get_num()), integer(q.get_den()));
+  return fmt::format("meetc::ratio<{}>({}, {})", type, q.get_num().get_str(), q.get_den().get_str());
 }
 
-syntax cpp_syntax(const std::string &type, const std::function<std::string(int)> &input, const std::string &indent) {
-  return {type, "meetc::fma",     [type](const ir::rational &q) { return constant_text(q, type); }, input, indent, {},
-          "W",  "meetc::times<W>"};
+syntax cpp_syntax(const body_names &names, const std::string &indent) {
+  return {names.type,
+          names.fma,
+          [type = names.type](const ir::rational &q) { return constant_text(q, type); },
+          names.input,
+          indent,
+          {},
+          "W",
+          "meetc::times<W>"};
 }
 
 // A statement with a remark, which goes on the same line if there is room and otherwise on the line above.
@@ -32,17 +42,26 @@ std::string line(const std::string &indent, const std::string &statement, const 
 } // namespace
 
 std::string body(const ir::program &p, const body_names &names, const std::string &indent) {
-  const statements::text text = statements::of(p, cpp_syntax(names.type, names.input, indent));
+  const statements::text text = statements::of(p, cpp_syntax(names, indent));
   std::string out = text.before;
   for (std::size_t i = 0; i < text.results.size(); ++i)
     out += line(indent, names.result(i, text.results[i]));
   return out;
 }
 
-stored_body stored_parts(const ir::program &p, const std::function<std::string(int)> &input, const std::string &type,
-                         const std::string &indent) {
+void check_whole(const lower::formula &f, const std::string &text) {
+  const auto assigned = [&](const lower::basis_blade &b) {
+    return f.is_number() ? text.find("return ") != std::string::npos
+                         : text.find(fmt::format("B.{} = ", blade_field(b))) != std::string::npos;
+  };
+  if (f.result_names.empty() || f.from_blades.results.size() != f.result_names.size() ||
+      !std::all_of(f.result_names.begin(), f.result_names.end(), assigned))
+    throw std::logic_error("an emitted formula does not assign all its results");
+}
+
+stored_body stored_parts(const ir::program &p, const body_names &names, const std::string &indent) {
   const auto object = [&](poly::residency where, int &count) {
-    const statements::text text = statements::of(p.nodes, ir::stored_of(p, where), cpp_syntax(type, input, indent));
+    const statements::text text = statements::of(p.nodes, ir::stored_of(p, where), cpp_syntax(names, indent));
     std::string out = text.before;
     for (const std::string &value : text.results)
       out += line(indent, fmt::format("f[{}] = {};", count++, value));
@@ -59,7 +78,7 @@ stored_body stored_parts(const ir::program &p, const std::function<std::string(i
 
 std::string pair_body(const ir::program &p, const stored_body &stored, const body_names &names, bool mixed,
                       const std::vector<std::string> &remarks, const std::string &indent) {
-  syntax s = cpp_syntax(names.type, names.input, indent);
+  syntax s = cpp_syntax(names, indent);
   if (mixed) {
     for (const bound::growth &g : bound::growths(p))
       s.wide.push_back(g.degree >= 3);
@@ -76,7 +95,18 @@ std::string pair_body(const ir::program &p, const stored_body &stored, const bod
 
 std::string count_text(const ir::counts &c) {
   const auto number = [](int n, const char *what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
-  return number(c.multiplications + c.fused, "multiplication") + ", " + number(c.additions + c.fused, "addition");
+  std::string out = number(c.multiplications + c.fused, "multiplication") + ", " + number(c.additions + c.fused, "addition");
+  if (c.scalings)
+    out += ", " + number(c.scalings, "scaling") + (c.scalings == 1 ? " by a power of two" : " by powers of two");
+  if (c.negations)
+    out += ", " + number(c.negations, "negation");
+  return out;
+}
+
+std::string error_text(const ir::program &p) {
+  const int n = bound::rounding_count(p);
+  const char *of = p.results.size() == 1 ? "the exact value" : "the exact values";
+  return n == 0 ? fmt::format("These are {}.", of) : fmt::format("Within ((1 + u)^{} - 1) M of {}.", n, of);
 }
 
 std::string poly_with_names(const poly::poly &p, const std::vector<std::string> &names) {

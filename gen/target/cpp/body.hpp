@@ -14,10 +14,17 @@ struct body_names {
   std::function<std::string(int)> input;                               // from input number to expression
   std::function<std::string(std::size_t, const std::string &)> result; // from result number and value to statement
   std::string type = "T";
+  // The function of a b + c: rounded once everywhere, as the schedule of a predicate says, or as the target does it best.
+  std::string fma = "meetc::fma";
 };
+inline constexpr const char *fma_of_formulas = "meetc::multiply_add";
 
 // The whole program. Values that are used once are written where they are used.
 std::string body(const ir::program &p, const body_names &names, const std::string &indent);
+
+// Throws std::logic_error unless the statements of a formula on blades assign every coefficient of its result: "B.e1 = ...",
+// or "return ..." for a number.
+void check_whole(const lower::formula &f, const std::string &text);
 
 // The values that a program stores beside the objects: statements that compute f[0], f[1], ..., and the expressions
 // fa[i] and fb[i] by which the pair reads them.
@@ -26,16 +33,19 @@ struct stored_body {
   std::string object_a, object_b;
   std::map<ir::node_id, std::string> read;
 };
-stored_body stored_parts(const ir::program &p, const std::function<std::string(int)> &input, const std::string &type,
-                         const std::string &indent);
+stored_body stored_parts(const ir::program &p, const body_names &names, const std::string &indent);
 
 // The code that runs for each pair. With `mixed`, values of degree 3 and more have type W, the others names.type. A
 // result's remark describes it; an empty list means no remarks.
 std::string pair_body(const ir::program &p, const stored_body &stored, const body_names &names, bool mixed,
                       const std::vector<std::string> &remarks, const std::string &indent);
 
-// "27 multiplications, 17 additions"; fused multiply-adds count as one of each.
+// "27 multiplications, 17 additions, 3 scalings by powers of two, 2 negations"; fused multiply-adds count as one of each, and
+// the last two are left out where there are none.
 std::string count_text(const ir::counts &c);
+
+// "Within ((1 + u)^7 - 1) M of the exact value.", for a program whose values are wanted; see gen/bound/rounding_count.hpp.
+std::string error_text(const ir::program &p);
 
 // A polynomial with these variable names.
 std::string poly_with_names(const poly::poly &p, const std::vector<std::string> &names);

@@ -54,8 +54,9 @@ std::string magnitudes_text(const bound::stage_bounds &b, const emitted_predicat
   const auto input = [&](int i) {
     return fmt::format("leaf({})", leaf_text(b.leaves[static_cast<std::size_t>(i)], p));
   };
-  const stored_body stored = stored_parts(
-      code, [](int i) { return fmt::format("l{}", i); }, "T", "    ");
+  const body_names names{[](int i) { return fmt::format("l{}", i); },
+                         [](std::size_t i, const std::string &v) { return fmt::format("m[{}] = {};", i, v); }};
+  const stored_body stored = stored_parts(code, names, "    ");
   // Each leaf that a part reads is a named constant, since it takes some operations.
   const auto with_leaves = [&](const std::vector<ir::node_id> &results, const std::vector<ir::node_id> &given,
                                const std::string &text) {
@@ -82,8 +83,6 @@ std::string magnitudes_text(const bound::stage_bounds &b, const emitted_predicat
     out += object('a', poly::residency::a, stored.object_a);
   if (stored.fields_b > 0)
     out += object('b', poly::residency::b, stored.object_b);
-  const body_names names{[](int i) { return fmt::format("l{}", i); },
-                         [](std::size_t i, const std::string &v) { return fmt::format("m[{}] = {};", i, v); }};
   const std::string text = with_leaves(code.results, code.stored, pair_body(code, stored, names, false, {}, "    "));
   const auto field = [&](const char *name) {
     return fmt::format("const T *{}", text.find(fmt::format("{}[", name)) == std::string::npos ? "" : name);

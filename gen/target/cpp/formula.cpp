@@ -22,18 +22,19 @@ std::string pointer(const char *type, const std::string &name, const std::string
 // The formula for many pairs, whose objects store what each alone decides.
 std::string for_pairs(const lower::kernel &k, const body_names &names) {
   const ir::program &p = k.value.for_pairs;
-  const stored_body stored = stored_parts(p, names.input, "T", "    ");
+  const stored_body stored = stored_parts(p, names, "    ");
   const std::string pair = pair_body(p, stored, names, false, {}, "    ");
   const auto operand = [&](std::size_t i, const std::string &reads) {
     const std::string name = identifier(k.asked.names[i]);
     return fmt::format("{}const {}<T> &{}", unused_mark(reads, name), identifier(k.asked.kinds[i]->name), name);
   };
-  std::string out = fmt::format("\n// {} from stored numbers, for many pairs.\n"
-                                "// Each object computes once, into f, what it alone decides, and each pair reads "
-                                "these values as fa and fb. The\n"
-                                "// whole has other operations than the function above, and so rounds otherwise.\n"
-                                "struct {} {{\n  static constexpr int fields_a = {}, fields_b = {};\n",
-                                k.asked.text, identifier(k.asked.name()), stored.fields_a, stored.fields_b);
+  std::string out =
+      fmt::format("\n// {} from stored numbers, for many pairs. {}\n"
+                  "// Each object computes once, into f, what it alone decides, and each pair reads "
+                  "these values as fa and fb. The\n"
+                  "// whole has other operations than the function above, and so rounds otherwise.\n"
+                  "struct {} {{\n  static constexpr int fields_a = {}, fields_b = {};\n",
+                  k.asked.text, error_text(p), identifier(k.asked.name()), stored.fields_a, stored.fields_b);
   for (const auto &[i, where, text] : {std::tuple(std::size_t{0}, poly::residency::a, stored.object_a),
                                        std::tuple(std::size_t{1}, poly::residency::b, stored.object_b)})
     out += fmt::format("  // {}.\n  template <class T> MEETC_HD static void object_{}({}, {}) {{\n{}  }}\n",
@@ -68,12 +69,15 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
   out += fmt::format("// {} on blades\n", k.asked.text);
   for (std::size_t i = 0; i < f.result_names.size(); ++i) {
     const std::string left = number ? "" : "B." + blade_field(f.result_names[i]) + " = ";
-    if (f.polynomials[i].length() <= 60)
+    if (!f.is_expanded())
+      out += fmt::format("//   {}too long to be expanded\n", left);
+    else if (f.polynomials[i].length() <= 60)
       out += wrapped(left + poly_with_names(f.polynomials[i], blade_names), "//   ");
     else
       out += fmt::format("//   {}{} terms when expanded\n", left, f.polynomials[i].length());
   }
-  out += fmt::format("// {}.\n", count_text(ir::count(f.from_blades.nodes, f.from_blades.results)));
+  out += fmt::format("// {}.\n// {}\n", count_text(ir::count(f.from_blades.nodes, f.from_blades.results)),
+                     error_text(f.from_blades));
   const auto parameters = [&](const char *suffix, const std::string &reads) {
     std::string list;
     for (std::size_t i = 0; i < k.asked.kinds.size(); ++i) {
@@ -86,10 +90,12 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
   for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
     call += fmt::format("{}blade({})", i ? ", " : "", identifier(k.asked.names[i]));
   body_names names;
+  names.fma = fma_of_formulas;
   names.input = [&](int i) { return blade_names[static_cast<std::size_t>(i)]; };
   if (number) {
     names.result = [](std::size_t, const std::string &value) { return fmt::format("return {};", value); };
     const std::string code = body(f.from_blades, names, "  ");
+    check_whole(f, code);
     out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
                        parameters("_blade", code), code);
   } else {
@@ -102,6 +108,7 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
         if (std::find(f.result_names.begin(), f.result_names.end(), b) == f.result_names.end())
           rest += fmt::format("  B.{} = T(0);\n", blade_field(b));
     const std::string code = body(f.from_blades, names, "  ");
+    check_whole(f, code);
     out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
                        kernel_function(k.asked), parameters("_blade", code), type, code, rest);
   }
@@ -112,10 +119,10 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
       for (const lower::stored_real &r : u.kind(k.asked.kinds[i]->name).reals)
         inputs.push_back(identifier(k.asked.names[i]) + '.' + path_identifier(r.path));
     names.input = [&](int i) { return inputs[static_cast<std::size_t>(i)]; };
-    out +=
-        fmt::format("\n// {} from stored numbers, in differences if it is translation invariant; B is not computed.\n"
-                    "// {}.\n",
-                    k.asked.text, count_text(ir::count(f.from_stored.nodes, f.from_stored.results)));
+    out += fmt::format(
+        "\n// {} from stored numbers, in differences if it is translation invariant; B is not computed.\n"
+        "// {}.\n// {}\n",
+        k.asked.text, count_text(ir::count(f.from_stored.nodes, f.from_stored.results)), error_text(f.from_stored));
     const std::string code = body(f.from_stored, names, "  ");
     out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
                        parameters("", code), code);

@@ -80,7 +80,8 @@ std::string blade_struct(const lower::lowered_kind &k) {
 std::string maker_text(const lower::lowered_kind &k) {
   std::string out;
   for (const lower::blade_maker &maker : k.makers) {
-    out += fmt::format("// {}\n// {}.\n", maker.text, count_text(ir::count(maker.code.nodes, maker.code.results)));
+    out += fmt::format("// {}\n// {}. {}\n", maker.text, count_text(ir::count(maker.code.nodes, maker.code.results)),
+                       error_text(maker.code));
     std::string parameters;
     if (maker.name.empty()) {
       parameters = fmt::format("const {}<T> &k", identifier(k.name));
@@ -94,6 +95,7 @@ std::string maker_text(const lower::lowered_kind &k) {
                          identifier(k.name + "_from_" + maker.name), parameters);
     }
     body_names names;
+    names.fma = fma_of_formulas;
     names.input = [&](int i) {
       return (maker.name.empty() ? "k." : "") + path_identifier(maker.inputs[static_cast<std::size_t>(i)]);
     };

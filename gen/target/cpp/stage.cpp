@@ -80,7 +80,7 @@ std::string stage_text(const emitted_predicate &p, const emitted_stage &s, const
   }
   const auto input = [&p](int i) { return p.input(i); };
   const ir::program &code = s.code->code;
-  const stored_body stored = stored_parts(code, input, "T", inner + "  ");
+  const stored_body stored = stored_parts(code, {input, {}}, inner + "  ");
   std::string out =
       fmt::format("{}// {}: signs {} to {}, degree {}.\n", indent, what_of(p, s), s.first,
                   s.first + static_cast<int>(s.code->atoms.size()) - 1, (s.bounds ? s.bounds->degree : 0));

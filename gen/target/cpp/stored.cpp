@@ -15,7 +15,7 @@ std::string stored_text(const emitted_predicate &p, int operand) {
   };
   std::string out;
   const auto add = [&](const ir::program &code, const std::function<std::string(int)> &input) {
-    const stored_body stored = stored_parts(code, input, "float", "");
+    const stored_body stored = stored_parts(code, {input, {}, "float"}, "");
     out += operand == 0 ? stored.object_a : stored.object_b;
   };
   for (const emitted_stage &s : p.stages) {

@@ -9,15 +9,17 @@
 namespace meetc::target {
 namespace {
 
-// "5/3": multiplications and additions. A fused multiply-add is one of each; negations and products with powers of two are
-// none.
+// "5/3": multiplications and additions. A fused multiply-add is one of each. Scalings by powers of two and negations have
+// columns of their own.
 std::string numbers(const ir::counts &c) {
   return fmt::format("{}/{}", c.multiplications + c.fused, c.additions + c.fused);
 }
 
 std::string row(const std::string &kernel, std::size_t width, const std::string &program, const std::string &all,
-                const std::string &a, const std::string &b, const std::string &pair) {
-  return fmt::format("{:<{}}  {:<19} {:>8} {:>8} {:>8} {:>8}\n", kernel, width, program, all, a, b, pair);
+                const std::string &a, const std::string &b, const std::string &pair, const std::string &scalings,
+                const std::string &negations) {
+  return fmt::format("{:<{}}  {:<19} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9}\n", kernel, width, program, all, a, b, pair,
+                     scalings, negations);
 }
 
 std::string rows(const lower::kernel &k, std::size_t width) {
@@ -25,8 +27,9 @@ std::string rows(const lower::kernel &k, std::size_t width) {
   lower::kernel copy = k; // programs() returns references that passes may replace
   for (const lower::kernel_program &p : lower::programs(copy)) {
     const auto part = [&](poly::residency where) { return numbers(ir::count(*p.code, where)); };
-    out += row(k.asked.text, width, p.title, numbers(ir::count(p.code->nodes, p.code->results)),
-               part(poly::residency::a), part(poly::residency::b), part(poly::residency::pair));
+    const ir::counts all = ir::count(p.code->nodes, p.code->results);
+    out += row(k.asked.text, width, p.title, numbers(all), part(poly::residency::a), part(poly::residency::b),
+               part(poly::residency::pair), std::to_string(all.scalings), std::to_string(all.negations));
   }
   return out.empty() ? fmt::format("{:<{}}  zero\n", k.asked.text, width) : out;
 }
@@ -35,7 +38,7 @@ std::string table(const std::vector<const lower::kernel *> &kernels) {
   std::size_t width = 6;
   for (const lower::kernel *k : kernels)
     width = std::max(width, k->asked.text.size());
-  std::string out = row("kernel", width, "program", "whole", "A alone", "B alone", "pair");
+  std::string out = row("kernel", width, "program", "whole", "A alone", "B alone", "pair", "scalings", "negations");
   for (const lower::kernel *k : kernels)
     out += rows(*k, width);
   return out;

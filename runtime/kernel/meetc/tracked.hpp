@@ -31,13 +31,6 @@ template <class V, int Rounding = -51> struct tracked_number { // tests use othe
   requires std::is_integral_v<Integer> MEETC_INLINE explicit tracked_number(Integer exact)
       : v(static_cast<double>(exact)) {}
 };
-// a b + c, by one instruction where lanes have it; of doubles fma() may be a call.
-MEETC_INLINE double multiply_add(double a, double b, double c) {
-  return a * b + c;
-}
-MEETC_INLINE wide_lanes multiply_add(wide_lanes a, wide_lanes b, wide_lanes c) {
-  return fma(a, b, c);
-}
 template <int Rounding, class V> MEETC_INLINE tracked_number<V, Rounding> rounded(V v, V e) {
   constexpr double rounding = power_of_two(Rounding, 0.0);
   tracked_number<V, Rounding> r(v);

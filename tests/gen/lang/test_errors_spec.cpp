@@ -51,6 +51,12 @@ const broken keys[] = {
 };
 
 const broken names[] = {
+    {"'r: real']", "'e1: real']", "a.toml:18:22",
+     "'e1' would hide the vector of that name, declared at a.toml:1:1; choose another name", "'e1: real'", ""},
+    {"'r: real']", "'n: real']", "a.toml:18:22",
+     "'n' would hide the vector of that name, declared at a.toml:8:1; choose another name", "'n: real'", ""},
+    {"hull  = '[c]'", "from.two.of = ['eb: real']\nfrom.two.blade = 'eb*e1'\nhull  = '[c]'", "a.toml:21:16",
+     "'eb' would hide the vector of that name", "'eb: real'", ""},
     {"[kinds.segment]", "[kinds.sphere]", "a.toml:24:1", "cannot redefine existing table 'kinds.sphere'", "[", ""},
     {"[kinds.segment]", "[kinds.n]", "a.toml:24:8", "kind 'n' is already declared at a.toml:8:1", "n", ""},
     {"[kinds.segment]", "[kinds.e1]", "a.toml:24:8", "kind 'e1' is already declared at a.toml:1:1", "e1", ""},

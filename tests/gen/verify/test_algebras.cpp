@@ -205,7 +205,7 @@ TEST_CASE("the JSON of other algebras is the dense product in the declared basis
     const temporary_folder folder;
     const compilation c = compile_other(folder, o);
     const oracle::matrix metric = declared_metric(*c.model);
-    const verify::dense_evaluator dense(c.model->spec(), metric, identity(metric.size()));
+    const verify::dense_evaluator dense(c.model->spec(), metric, identity(metric.size()), c.model->to_declared());
     for (const lower::kernel &k : c.kernels) {
       if (k.is_predicate)
         continue;

@@ -1,0 +1,85 @@
+// meetc verify names what it could not compare, and meetc says what is zero.
+#include "tests/catch.hpp"
+#include "tests/gen/error_fixture.hpp"
+
+#include <fmt/format.h>
+
+using namespace meetc::compiler_test;
+
+namespace {
+
+// The small algebra with its line of kernels, an added kind without hull, and a predicate of it.
+outcome run(const temporary_folder &folder, const std::string &command, const std::string &algebra,
+            const std::string &kernels, const std::string &more = "") {
+  folder.write("a.toml", algebra);
+  folder.write("s.toml", small_scene(kernels) + more);
+  return run_meetc(command, folder.path());
+}
+
+std::string with_plane() {
+  return edited(small_algebra, "[functions]\n",
+                "[kinds.plane]\nstore = ['a: real', 'b: real', 'c: real', 'd: real']\n"
+                "blade = 'I*(a*e1 + b*e2 + c*e3 + d*n)'\n[functions]\n") +
+         "[predicates.above]\nof = ['S: sphere', 'P: plane']\nhit = 'sign(S.r - P.d) > 0'\n";
+}
+
+} // namespace
+
+TEST_CASE("verify fails where an operand has no hull, unless that is allowed") {
+  const temporary_folder folder;
+  const std::string kernels = "'above', 'norm2(meet(sphere, sphere))'";
+  const outcome refused = run(folder, "verify s.toml", with_plane(), kernels);
+  CHECK(refused.code == 1);
+  CHECK_THAT(refused.out, contains("not checked: an operand has no hull") && contains("not checked: above") &&
+                              contains("--allow-unchecked"));
+  CHECK_THAT(refused.out, contains("norm2(meet(sphere, sphere))          0 wrong of"));
+  const outcome allowed = run_meetc("verify s.toml --allow-unchecked", folder.path());
+  CHECK(allowed.code == 0);
+  CHECK_THAT(allowed.out, contains("not checked: above"));
+}
+
+TEST_CASE("a coefficient along a vector of either basis is one number in show and in verify") {
+  const temporary_folder folder;
+  const std::string algebra =
+      edited(small_algebra, "[functions]\n",
+             "[functions]\n'along_n(M)' = 'M[n]'\n'along_e(M)' = 'M[e]'\n'along_e1n(M)' = 'M[e1^n]'\n"
+             "'along_e1e(M)' = 'M[e1^e]'\n'along_I(M)' = 'M[I]'\n'square(M)' = 'M*M'\n");
+  const std::string kernels = "'along_n(square(sphere))', 'along_e(square(sphere))', 'along_n(meet(sphere, sphere))', "
+                              "'along_e1n(meet(sphere, sphere))', 'along_e1e(meet(sphere, sphere))', 'along_n(point)', "
+                              "'along_e(point)'";
+  const outcome verified = run(folder, "verify s.toml", algebra, kernels,
+                               "zero = ['along_n(square(sphere))', 'along_e(square(sphere))', "
+                               "'along_n(meet(sphere, sphere))']\n");
+  INFO(verified.out << verified.err);
+  CHECK(verified.code == 0);
+  for (const char *kernel : {"along_e1n(meet(sphere, sphere))", "along_e1e(meet(sphere, sphere))", "along_n(point)"})
+    for (const char *emit : {"poly", "json", "latex", "cpp"}) {
+      const outcome shown = run_meetc(fmt::format("show s.toml '{}' --emit={}", kernel, emit), folder.path());
+      INFO(kernel << " " << emit << ": " << shown.err);
+      CHECK(shown.code == 0);
+    }
+  // A point is 2x + x^2 n - nb, so along n it is x^2.
+  CHECK_THAT(run_meetc("show s.toml -e 'p[n]' --with 'p: point' --emit=poly", folder.path()).out, contains("p.n"));
+}
+
+TEST_CASE("a kernel that is zero for all operands is told, unless the scene says so") {
+  const temporary_folder folder;
+  const std::string algebra = edited(small_algebra, "[functions]\n", "[functions]\n'nothing(A)' = 'A - A'\n");
+  const outcome told =
+      run(folder, "generate s.toml -o out", algebra, "'nothing(sphere)', 'norm2(meet(sphere, sphere))'");
+  CHECK(told.code == 0);
+  CHECK_THAT(told.err,
+             contains("s.toml:4:13: warning: 'nothing(sphere)' is zero for all operands") && contains("^~~~"));
+  const outcome said =
+      run(folder, "generate s.toml -o out", algebra, "'nothing(sphere)'", "zero = ['nothing(sphere)']\n");
+  CHECK(said.code == 0);
+  CHECK(said.err.empty());
+  const outcome other =
+      run(folder, "generate s.toml -o out", algebra, "'nothing(sphere)'", "zero = ['nothing(spere)']\n");
+  CHECK(other.code == 2);
+  CHECK_THAT(other.err, contains("scene.zero lists 'nothing(spere)', which scene.kernels does not; did you mean"));
+  const outcome not_zero = run(folder, "generate s.toml -o out", algebra, "'norm2(meet(sphere, sphere))'",
+                               "zero = ['norm2(meet(sphere, sphere))']\n");
+  CHECK(not_zero.code == 2);
+  CHECK_THAT(not_zero.err, contains("which is not zero"));
+}
