@@ -9,8 +9,8 @@
 
 namespace meetc::bound {
 
-// n, the largest over the results. Inputs are exact, and so are constants that binary32 can represent and products with 2, 4, 8, ...; a constant
-// p/q is a quotient, rounded with its parts.
+// n, the largest over the results. Inputs are exact, and so are constants that binary32 can represent and products with 2, 4,
+// 8, ...; a constant p/q is a quotient, rounded with its parts.
 int rounding_count(const ir::program &p);
 
 } // namespace meetc::bound
