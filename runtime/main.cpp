@@ -8,7 +8,9 @@
 
 #include <cga/cga_runtime.hpp>
 
-int main(int argc, char **argv) {
+namespace {
+
+int run(int argc, char **argv) {
   const meetc::catalogue &all = cga::catalogue();
   return meetc::app::run(argc, argv,
                          {[](CLI::App &program) {
@@ -22,4 +24,11 @@ int main(int argc, char **argv) {
                           [](CLI::App &program) {
                             return meetc::bench::add_trade(program, {cga::catalogue, cga::catalogue_for});
                           }});
+}
+
+} // namespace
+
+// A library that was linked with -ffast-math, and that is loaded into the program, has changed its control word.
+int main(int argc, char **argv) {
+  return meetc::under_standard_word([&] { return run(argc, argv); });
 }

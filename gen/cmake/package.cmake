@@ -31,6 +31,11 @@ endif()
 # Where a project with meetc as a subfolder finds the algebras. The config file of the package sets it as well.
 set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folder of the algebras that come with meetc")
 
+# The headers for users, below runtime/. What only other headers of the runtime need is not installed.
+set(MEETC_CORE_HEADERS answers.hpp check.hpp collide.hpp find.hpp memory.hpp pairs.hpp pose.hpp prepared.hpp status.hpp view.hpp)
+set(MEETC_DEVICE_HEADERS collide.hpp device.hpp given.hpp group.hpp memory.hpp poses.hpp search.hpp set.hpp tree.hpp)
+set(MEETC_IO_HEADERS atomic_file.hpp element_set.hpp error.hpp read.hpp transform.hpp write.hpp)
+
 option(MEETC_INSTALL "Make install rules for meetc" ${PROJECT_IS_TOP_LEVEL})
 if(NOT MEETC_INSTALL)
   return()
@@ -63,8 +68,8 @@ if(TARGET meet_core)
   install(EXPORT meetc_runtime_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
   install(FILES ${MEETC_KERNEL_HEADER_FILES} DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/runtime/core"
-    DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp")
+  list(TRANSFORM MEETC_CORE_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/runtime/core/" OUTPUT_VARIABLE headers)
+  install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/core" COMPONENT meetc_runtime)
 endif()
 
 # The predicates of the shipped scene, compiled: the namespace cga, by <cga/cga.hpp> and <cga/cga_runtime.hpp>.
@@ -90,8 +95,7 @@ if(TARGET meet_io)
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   install(EXPORT meetc_io_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
-  set(headers atomic_file.hpp element_set.hpp error.hpp read.hpp transform.hpp write.hpp)
-  list(TRANSFORM headers PREPEND "${PROJECT_SOURCE_DIR}/runtime/io/")
+  list(TRANSFORM MEETC_IO_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/runtime/io/" OUTPUT_VARIABLE headers)
   install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/io" COMPONENT meetc_runtime)
 endif()
 
@@ -106,6 +110,8 @@ if(TARGET meet_device)
   install(TARGETS ${libraries} EXPORT meetc_device_targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
+  list(TRANSFORM MEETC_DEVICE_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/runtime/core/device/" OUTPUT_VARIABLE headers)
+  install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/core/device" COMPONENT meetc_runtime)
   install(EXPORT meetc_device_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
 endif()

@@ -2,6 +2,7 @@
 
 #include "app/failure.hpp"
 #include "app/sets.hpp"
+#include "core/cascade.hpp"
 #include "core/pair_sort.hpp"
 
 #include <fmt/format.h>
@@ -133,9 +134,11 @@ answers collide_sets(const io::element_set &a, const io::element_set &b, const q
       find_on_best(o, q, out);
     else
       find_on(q.on, o, q, out);
-  } catch (const input_error &e) {
-    throw failure(
-        fmt::format("--tolerance {}: rounded to multiples of 2^{}, {}", q.tolerance, std::ilogb(q.grid), e.what()));
+  } catch (const input_error &e) { // sets from io::read are good, but for their rounding
+    pose rounded;
+    rounded.grid = q.grid;
+    throw failure(fmt::format("--tolerance {}: {}, {}; without the option answers are exact", q.tolerance,
+                              check(view_of(a), *a.kind, rounded) ? "A" : "B", e.what()));
   }
   if (q.by.swapped)
     std::swap(out.rungs.left_box_a, out.rungs.left_box_b);

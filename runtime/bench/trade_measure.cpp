@@ -24,8 +24,8 @@ element_pairs on_grid(element_pairs pairs, double grid) {
   pose at;
   at.grid = grid;
   for (std::size_t i = 0; i < pairs.count; ++i) {
-    move_row(*pairs.by->a, at, pairs.a.data() + i * static_cast<std::size_t>(pairs.by->a->fields));
-    move_row(*pairs.by->b, at, pairs.b.data() + i * static_cast<std::size_t>(pairs.by->b->fields));
+    move_rows(*pairs.by->a, at, pairs.a.data() + i * static_cast<std::size_t>(pairs.by->a->fields), 1);
+    move_rows(*pairs.by->b, at, pairs.b.data() + i * static_cast<std::size_t>(pairs.by->b->fields), 1);
   }
   return pairs;
 }

@@ -21,6 +21,12 @@ enum class answer_kind : std::uint8_t {
   any,    // whether there is a pair; the count is 0 or 1, and the search stops at the first
 };
 
+// Counts of the rungs of `certified`; the other rungs do not change them.
+struct rung_report {
+  std::uint64_t unsure[bounded_rungs] = {0, 0, 0}; // pairs of elements that fp32, fp64 and fp64x2 left unsure
+  bool left_box_a = false, left_box_b = false;     // some number of this set lies outside the stated box
+};
+
 // In a list of elements: there is none.
 inline constexpr std::uint32_t no_element = ~std::uint32_t{0};
 

@@ -6,6 +6,7 @@
 #ifndef MEETC_CORE_CASCADE_HPP
 #define MEETC_CORE_CASCADE_HPP
 
+#include "core/answers.hpp"
 #include "core/status.hpp"
 
 #include "meetc/support.hpp"
@@ -13,12 +14,6 @@
 namespace meetc {
 
 struct element_set;
-
-// Counts of the rungs of `certified`; the other rungs do not change them.
-struct rung_report {
-  std::uint64_t unsure[bounded_rungs] = {0, 0, 0}; // pairs of elements that fp32, fp64 and fp64x2 left unsure
-  bool left_box_a = false, left_box_b = false;     // some number of this set lies outside the stated box
-};
 
 struct cascade {
   const predicate_info *predicate = nullptr;

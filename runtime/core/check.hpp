@@ -11,10 +11,12 @@ namespace meetc {
 
 enum class fault_kind : std::uint8_t {
   none,
-  index, // the index of point `field` lies beyond the vertices
-  value, // the value of `field` is not finite
-  moved, // finite as stored, but the pose takes it beyond float32
-  rule,  // the element breaks `rule` of its kind
+  view,    // `rule` says what is wrong with the view as a whole
+  index,   // the index of point `field` lies beyond the vertices
+  value,   // the value of `field` is not finite
+  moved,   // finite as stored, but the pose takes it beyond float32
+  rounded, // finite in its place, but its nearest multiple of the pose's grid lies beyond float32
+  rule,    // the element breaks `rule` of its kind
 };
 
 struct fault {
@@ -23,12 +25,13 @@ struct fault {
   int field = 0;
   float value = 0;
   std::uint32_t index = 0;
+  double grid = 0; // of `rounded`
   const char *rule = nullptr;
 
   explicit operator bool() const { return kind != fault_kind::none; }
 };
 
-// The first fault in the order of elements. Allocates one row.
+// What is wrong with the view, or the first fault in the order of elements. Allocates one row.
 fault check(const view &elements, const kind_info &kind, const pose &at = {});
 
 // One line without a full stop: "element 7: r is nan".

@@ -142,8 +142,10 @@ void answer_from_list(answer_kind want, std::size_t size_a, std::size_t size_b, 
     std::vector<index_pair>().swap(r.pairs);
 }
 
-result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
-               const collide_options &options) {
+namespace {
+
+result find_touching(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
+                     const collide_options &options) {
   const auto start = std::chrono::steady_clock::now();
   require(same_kind(a.kind(), *predicate.a) && same_kind(b.kind(), *predicate.b),
           "the predicate is for other kinds of element");
@@ -207,6 +209,13 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
   }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;
+}
+
+} // namespace
+
+result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
+               const collide_options &options) {
+  return under_standard_word([&] { return find_touching(a, b, predicate, precision, options); });
 }
 
 } // namespace meetc

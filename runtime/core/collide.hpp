@@ -12,7 +12,6 @@
 #define MEETC_CORE_COLLIDE_HPP
 
 #include "core/answers.hpp"
-#include "core/cascade.hpp"
 #include "core/pairs.hpp"
 #include "core/prepared.hpp"
 

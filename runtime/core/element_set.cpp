@@ -95,12 +95,19 @@ std::size_t list_kept(const std::uint8_t *kept, std::size_t n, std::uint32_t *li
   return count;
 }
 
-// The box of a row, which may be infinite.
-box box_of(const kind_info &kind, const float *row) {
-  box b;
-  kind.box(row, b.lo, b.hi);
-  return b;
-}
+// The boxes of a few rows, which may be infinite.
+class row_boxes {
+public:
+  static constexpr std::size_t most = 4 * lanes;
+  row_boxes(const kind_info &kind, const float *rows, std::size_t n) { kind.boxes(rows, n, ends_); }
+  box operator[](std::size_t i) const {
+    const float *const e = ends_ + 6 * i;
+    return {{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+  }
+
+private:
+  float ends_[6 * most];
+};
 
 // Copies one row. The sizes of most kinds are cases, in which the compiler knows how much to copy.
 void copy_row(float *to, const float *from, std::size_t fields) {
@@ -149,8 +156,10 @@ void fill_blocks(element_set &set, const float *rows, const std::uint64_t *keys,
       const float *const row = rows + element * fields;
       set.order[slot] = element;
       copy_row(set.rows + slot * fields, row, fields);
-      boxes.set(static_cast<int>(slot - first), box_of(*set.kind, row));
     }
+    const row_boxes all(*set.kind, set.rows + first * fields, filled);
+    for (std::size_t i = 0; i < filled; ++i)
+      boxes.set(static_cast<int>(i), all[i]);
     boxes.sanitise(static_cast<int>(filled));
   }
 }
@@ -182,6 +191,8 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   const kind_info &kind = *set.kind;
   const auto fields = static_cast<std::size_t>(kind.fields);
   const std::size_t given = elements.elements;
+  if (wrong_with(elements, kind))
+    return status::bad_view;
   if (const status s = movable(kind, at); s != status::ok)
     return s;
 
@@ -203,15 +214,19 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
     }
     widen(set, rows + begin * fields, end - begin, lock);
     survey mine;
-    for (std::size_t e = begin; e < end; ++e) {
-      const box b = sanitised(box_of(kind, rows + e * fields));
-      mine.add(b);
-      if (keep) {
-        scratch.kept[e] = keep->holds(b);
-        if (!scratch.kept[e])
-          continue;
+    for (std::size_t first = begin; first < end; first += row_boxes::most) {
+      const std::size_t count = std::min(row_boxes::most, end - first);
+      const row_boxes boxes(kind, rows + first * fields, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const box b = sanitised(boxes[i]);
+        mine.add(b);
+        if (keep) {
+          scratch.kept[first + i] = keep->holds(b);
+          if (!scratch.kept[first + i])
+            continue;
+        }
+        mine.centres.add(*new (scratch.centres + first + i) centre(b));
       }
-      mine.centres.add(*new (scratch.centres + e) centre(b));
     }
     const std::scoped_lock hold(lock);
     all.add(mine);

@@ -7,7 +7,7 @@
 namespace meetc {
 namespace {
 
-// Whether all n products with 2^power are exact. Bits are compared, since a thread may treat subnormals as zeros.
+// Whether all n products with 2^power are exact.
 bool multiply(const float *from, std::size_t n, int power, float *to) {
   const double factor = std::ldexp(1.0, power), inverse = std::ldexp(1.0, -power);
   std::uint32_t different = 0;

@@ -1,5 +1,6 @@
 #include "core/pairs.hpp"
 
+#include "core/cascade.hpp"
 #include "core/decide.hpp"
 #include "core/marks.hpp"
 #include "core/threads.hpp"
@@ -69,8 +70,10 @@ std::size_t workspace(const predicate_info &predicate, std::size_t elements_a, s
   return need.bytes();
 }
 
-status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
-             const pose &at_b, pairs_out out, memory work, const pairs_options &options) noexcept {
+namespace {
+
+status find_pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
+                  const pose &at_b, const pairs_out &out, memory work, const pairs_options &options) {
   if (!out.count)
     return status::bad_argument;
   *out.count = 0;
@@ -126,6 +129,13 @@ status pairs(const predicate_info &predicate, rung precision, const view &a, con
     std::sort(out.data, out.data + *out.count,
               [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
   return status::ok;
+}
+
+} // namespace
+
+status pairs(const predicate_info &predicate, rung precision, const view &a, const pose &at_a, const view &b,
+             const pose &at_b, pairs_out out, memory work, const pairs_options &options) noexcept {
+  return under_standard_word([&] { return find_pairs(predicate, precision, a, at_a, b, at_b, out, work, options); });
 }
 
 } // namespace meetc

@@ -5,7 +5,7 @@
 #ifndef MEETC_CORE_PAIRS_HPP
 #define MEETC_CORE_PAIRS_HPP
 
-#include "core/cascade.hpp"
+#include "core/answers.hpp"
 #include "core/memory.hpp"
 #include "core/pose.hpp"
 #include "core/status.hpp"

@@ -1,7 +1,4 @@
-// core/pose.hpp: where a set stands, and the one definition of that arithmetic on a host.
-//
-// A point becomes ((m0*x + m1*y) + m2*z) + m3 in fp64, in this order, without fma; a caller that stores float32 rounds
-// the result once. The CUDA kernels do the same with intrinsics that no compiler may fuse.
+// core/pose.hpp: where a set stands.
 #ifndef MEETC_CORE_POSE_HPP
 #define MEETC_CORE_POSE_HPP
 
@@ -10,12 +7,7 @@
 
 namespace meetc {
 
-// One coordinate, by one row of a 3x4 matrix. The project's flags prevent contraction to fma.
-inline double moved_coordinate(const double row[4], double x, double y, double z) {
-  return ((row[0] * x + row[1] * y) + row[2] * z) + row[3];
-}
-
-// A row-major 3x4 matrix; each coordinate is rounded once to float32. Lengths are multiplied by length_scale, which the
+// A row-major 3x4 matrix, whose arithmetic moved_coordinate() is; each coordinate is rounded once to float32. Lengths are multiplied by length_scale, which the
 // caller takes from the similarity, in fp64, and are rounded once. In a kind of the plane z counts as 0. The identity
 // changes no bit.
 //
@@ -63,8 +55,8 @@ bool proved_apart(const pose &at, const float lo[3], const float hi[3], double l
 // ok, or why this pose does not go with this kind.
 status movable(const kind_info &kind, const pose &at);
 
-// Moves one row of kind.fields floats in place. The pose must be movable(). The result may be infinite or NaN.
-void move_row(const kind_info &kind, const pose &at, float *row);
+// Moves n rows of kind.fields floats in place. The pose must be movable(). The results may be infinite or NaN.
+void move_rows(const kind_info &kind, const pose &at, float *rows, std::size_t n);
 
 } // namespace meetc
 

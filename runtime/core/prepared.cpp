@@ -28,10 +28,10 @@ stored_rows *prepared::stored(const stored_values &values, const kind_info &of) 
   return stored_->of(values, of);
 }
 std::shared_ptr<const normalised_set> prepared::normalised(int power) const {
-  return normalised_->of(*set_, power);
+  return under_standard_word([&] { return normalised_->of(*set_, power); });
 }
 
-prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads, const prepared *near) {
+prepared prepared::of(const view &elements, const kind_info &kind, const pose &at, int threads, const prepared *near) {
   static std::atomic<std::uint64_t> prepared_sets{0};
   if (elements.elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
@@ -46,7 +46,7 @@ prepared prepare(const view &elements, const kind_info &kind, const pose &at, in
   p.set_ = std::make_unique<element_set>(take_set(from, kind, elements.elements));
   const set_scratch scratch = take_scratch(scratch_from, kind, elements.elements);
   const status s = fill(*p.set_, elements, at, scratch, thread_count(threads), near ? &near->set() : nullptr);
-  if (s == status::bad_index || s == status::bad_value)
+  if (s == status::bad_view || s == status::bad_index || s == status::bad_value)
     throw input_error(check(elements, kind, at), kind);
   if (s != status::ok)
     throw std::invalid_argument(text(s));
@@ -56,6 +56,10 @@ prepared prepare(const view &elements, const kind_info &kind, const pose &at, in
   p.stored_ = std::make_unique<stored_table>(kind);
   p.normalised_ = std::make_unique<normalisation>();
   return p;
+}
+
+prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads, const prepared *near) {
+  return under_standard_word([&] { return prepared::of(elements, kind, at, threads, near); });
 }
 
 } // namespace meetc

@@ -54,6 +54,7 @@ public:
 private:
   friend prepared prepare(const view &, const kind_info &, const pose &, int, const prepared *);
   prepared();
+  static prepared of(const view &, const kind_info &, const pose &, int threads, const prepared *near);
   std::size_t elements_ = 0;
   std::uint64_t number_ = 0, near_ = 0; // of this set, and of the one that it was prepared for; 0: for any
   owned_memory bytes_;
@@ -66,7 +67,7 @@ private:
 // `near`, the result is for collisions with that set alone: elements whose boxes do not touch its boxes are checked,
 // but neither copied nor ordered, and answers are still about all elements. This pays where one set is far larger or
 // reaches farther than the other. Throws input_error (an index beyond the vertices, a value that is not finite, a
-// broken rule of the kind), std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or
+// broken rule of the kind, a view with null data or too short a stride), std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or
 // more) or std::bad_alloc.
 prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0,
                  const prepared *near = nullptr);

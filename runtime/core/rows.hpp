@@ -8,6 +8,13 @@
 
 namespace meetc {
 
+// What is wrong with a view of elements of this kind, whatever its numbers are; null: nothing. All else here takes views of
+// which nothing is.
+const char *wrong_with(const view &elements, const kind_info &kind);
+
+// The same view, with its stride stated.
+view with_stride(view elements, const kind_info &kind);
+
 // The view's own numbers, where they are the rows already: packed, not indexed and not moved. Null elsewhere.
 const float *rows_in_place(const view &elements, const kind_info &kind, const pose &at);
 

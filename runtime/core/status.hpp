@@ -18,6 +18,7 @@ enum class status : std::uint8_t {
   bad_grid,            // a pose's grid is no power of two
   not_on_grid,         // the rung tolerant is for sets that were rounded to its grid, by their poses
   left_box,            // the rung tolerant is for sets in its scene's box, and the scene has no certified rungs
+  bad_view,            // null data, a stride shorter than a row, or an index into no points; check() says which
   bad_argument,        // count is null, pairs have room but no memory, or the box is negative
 };
 
@@ -45,6 +46,8 @@ constexpr const char *text(status s) {
     return "the rung tolerant is for sets whose poses have its grid (predicate_info::tolerance.step)";
   case status::left_box:
     return "a set leaves the box for which the rung tolerant was generated";
+  case status::bad_view:
+    return "a view has null data, a stride shorter than a row, or an index although its kind is not made of points";
   case status::bad_argument:
     return "an argument is null that must not be, or the box is negative";
   }

@@ -1,7 +1,5 @@
 #include "core/threads.hpp"
 
-#include "core/control_word.hpp"
-
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -18,7 +16,6 @@ void run_workers(int threads, chunk_counter &counter, void (*body)(void *, int),
   std::exception_ptr first;
   std::mutex first_lock;
   const auto work = [&](int worker) {
-    const control_word_guard guard;
     try {
       body(context, worker);
     } catch (...) {

@@ -45,8 +45,8 @@ private:
   std::size_t end_, chunk_;
 };
 
-// Calls body(worker) once on each of `threads` workers, with the standard control word. `counter` is closed when one
-// throws.
+// Calls body(worker) once on each of `threads` workers; those that it starts inherit the caller's control word. `counter` is
+// closed when one throws.
 void run_workers(int threads, chunk_counter &counter, void (*body)(void *context, int worker), void *context);
 
 template <class Body> void run_workers(int threads, chunk_counter &counter, Body &body) {

@@ -1,5 +1,6 @@
 #include "io/transform.hpp"
 
+#include "core/moved_coordinate.hpp"
 #include "core/plural.hpp"
 #include "core/pose.hpp"
 #include "io/error.hpp"

@@ -125,10 +125,10 @@ std::string kind_entry(const lower::lowered_kind &k, int stored, bool filtered) 
       !e.mixes_points && std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
   const std::string name = identifier(k.name);
   const std::string filter = filtered ? fmt::format(", &meetc::filter_of<{}_shape, ball_form>", name) : "";
-  return fmt::format(
-      "  {{\"{}\", \"{}\", {}, {}_roles, {}, {}_shape::box, {}, meetc::stored_count({}), {}, {}_hull, {}{}}},\n",
-      k.name, csv_names(k), k.reals.size(), name, points_only ? k.points : 0, name,
-      e.rule ? name + "_fault" : "nullptr", stored, e.hull.size(), name, e.pad, filter);
+  return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, meetc::boxes_of<{}_shape>, {}, meetc::stored_count({}), "
+                     "{}, {}_hull, {}{}}},\n",
+                     k.name, csv_names(k), k.reals.size(), name, points_only ? k.points : 0, name,
+                     e.rule ? name + "_fault" : "nullptr", stored, e.hull.size(), name, e.pad, filter);
 }
 
 std::string kind_functions(const lower::lowered_kind &k) {
@@ -183,7 +183,10 @@ std::string runtime_source(const unit &u) {
   std::string out = banner(u.scene, "The table of kinds and predicates.");
   const bool filtered = filters_by_balls(u);
   if (filtered)
-    out += fmt::format("#include <meetc/lane_filter.hpp>\n\n#include <{0}/ball_form.hpp>\n", space);
+    out += "#include <meetc/lane_filter.hpp>\n";
+  out += "#include <meetc/table_entry.hpp>\n\n";
+  if (filtered)
+    out += fmt::format("#include <{}/ball_form.hpp>\n", space);
   out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
   out += fmt::format("\nMEETC_NAMESPACE({}) {{\n\n", space);
   std::string declared;

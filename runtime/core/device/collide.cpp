@@ -459,10 +459,12 @@ device_result query(device &on, device_set &a, device_set &b, const predicate_in
 
 device_result collide(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                       const device_options &options) {
-  require_query(on, a, b, predicate, precision, options);
-  for (const device_set *const s : {&a, &b})
-    require(s->elements() == 0 || s->order(), "a set in several poses is for collide_poses() alone");
-  return query(on, a, b, predicate, precision, options, {});
+  return under_standard_word([&] {
+    require_query(on, a, b, predicate, precision, options);
+    for (const device_set *const s : {&a, &b})
+      require(s->elements() == 0 || s->order(), "a set in several poses is for collide_poses() alone");
+    return query(on, a, b, predicate, precision, options, {});
+  });
 }
 
 } // namespace meetc

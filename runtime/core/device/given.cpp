@@ -3,6 +3,7 @@
 #include "core/device/buffers.hpp"
 #include "core/device/hits.hpp"
 #include "core/device/query.hpp"
+#include "core/rows.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -35,10 +36,18 @@ void require_pose(const kind_info &kind, const pose &at) {
     throw std::invalid_argument(text(s));
 }
 
+view require_view(const view &elements, const kind_info &kind) {
+  if (wrong_with(elements, kind))
+    throw input_error(meetc::check(elements, kind), kind);
+  return with_stride(elements, kind);
+}
+
 cuda::pose_matrix cuda_pose(const pose &at) {
-  cuda::pose_matrix out{{}, at.length_scale, at.identity(), at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
-  std::copy_n(at.m, 12, out.m);
-  return out;
+  return under_standard_word([&] {
+    cuda::pose_matrix out{{}, at.length_scale, at.identity(), at.grid != 0, at.grid != 0 ? std::ilogb(at.grid) : 0};
+    std::copy_n(at.m, 12, out.m);
+    return out;
+  });
 }
 
 given_set::given_set(device &on, const kind_info &kind, const pose &at)
@@ -52,18 +61,17 @@ given_set::given_set(device &on, const view &elements, const kind_info &kind, co
     : given_set(on, kind, at) {
   if (elements.elements > most || (elements.index && elements.vertices > most))
     throw std::length_error(text(status::too_many_elements));
-  if (elements.index && kind.fields != 3 * kind.points)
-    throw std::invalid_argument("elements of this kind have no index");
-  if (!upload(elements))
+  if (!upload(require_view(elements, kind)))
     throw device_error("not enough device memory for a set; the CPU decides the same pairs (--device cpu)");
   check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may change the elements now
 }
 
-std::unique_ptr<given_set> given_set::if_it_fits(device &on, const view &elements, const kind_info &kind,
+std::unique_ptr<given_set> given_set::if_it_fits(device &on, const view &stated, const kind_info &kind,
                                                  const pose &at) {
+  const view elements = require_view(stated, kind);
   const std::size_t n = elements.elements, given = elements.index ? elements.vertices : n,
                     packed = n * static_cast<std::size_t>(kind.fields) * sizeof(float);
-  if (n > most || given > most || (elements.index && kind.fields != 3 * kind.points))
+  if (n > most || given > most)
     return nullptr;
   if (bytes_of(kind, given, elements.stride_bytes, elements.index != nullptr) > 4 * packed + (std::size_t{1} << 20))
     return nullptr;
@@ -89,11 +97,11 @@ bool given_set::upload(const view &elements) {
 
 given_set::given_set(device &on, const cuda::view &there, const kind_info &kind, const pose &at)
     : given_set(on, kind, at) {
-  if (there.index && kind.fields != 3 * kind.points)
-    throw std::invalid_argument("elements of this kind have no index");
   if (there.only)
     throw std::invalid_argument("a given set has all of its elements");
   there_ = there;
+  there_.stride_bytes =
+      require_view({there.data, there.vertices, there.stride_bytes, there.index, there.elements}, kind).stride_bytes;
 }
 
 given_set::copy given_set::download() const {
@@ -198,10 +206,8 @@ private:
   cudaStream_t stream_;
 };
 
-} // namespace
-
-device_result collide(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
-                      const device_options &options, pairs_there *left_there) {
+device_result find_touching(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
+                            const device_options &options, pairs_there *left_there) {
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -263,6 +269,13 @@ device_result collide(device &on, given_set &a, given_set &b, const predicate_in
   }
   r.seconds = elapsed();
   return r;
+}
+
+} // namespace
+
+device_result collide(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
+                      const device_options &options, pairs_there *left_there) {
+  return under_standard_word([&] { return find_touching(on, a, b, predicate, precision, options, left_there); });
 }
 
 } // namespace meetc

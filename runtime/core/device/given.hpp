@@ -16,13 +16,15 @@ namespace meetc {
 cuda::pose_matrix cuda_pose(const pose &at);
 // Throws std::invalid_argument where this pose does not go with this kind.
 void require_pose(const kind_info &kind, const pose &at);
+// The view with its stride stated. Throws input_error where it cannot hold elements of the kind.
+view require_view(const view &elements, const kind_info &kind);
 // Throws device_error if the catalogue lacks the kind.
 const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_info &kind);
 
 class given_set {
 public:
-  // Uploads the elements. Throws std::invalid_argument where this pose does not go with this kind, or an index not with it,
-  // std::length_error (2^32 elements or vertices, or more), and device_error, also if the catalogue lacks the kind.
+  // Uploads the elements. Throws std::invalid_argument where this pose does not go with this kind, input_error where the view does
+  // not, std::length_error (2^32 elements or vertices, or more), and device_error, also if the catalogue lacks the kind.
   given_set(device &on, const view &elements, const kind_info &kind, const pose &at = {});
   // Elements that lie in this device's memory, where they must stay as they are while a query runs. The query reads them on the
   // device's own stream; what writes them must have ended. Throws likewise.

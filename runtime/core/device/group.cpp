@@ -2,6 +2,7 @@
 
 #include "core/answers.hpp"
 #include "core/device/buffers.hpp"
+#include "core/device/given.hpp"
 #include "core/device/kernels.hpp"
 #include "core/device/query.hpp"
 #include "core/pair_sort.hpp"
@@ -157,6 +158,7 @@ private:
 
 device_group::device_group(const cuda::catalogue &kernels, std::span<const int> numbers)
     : numbers_(numbers.begin(), numbers.end()), devices_(numbers.size()) {
+  const control_word_guard guard; // which the threads that it starts inherit
   require(!numbers_.empty() && *std::min_element(numbers_.begin(), numbers_.end()) >= 0,
           "a group of devices needs their numbers, from 0 on");
   int count = 0;
@@ -200,11 +202,12 @@ void device_group::on_each(const std::function<void(std::size_t)> &work) {
 group_set::group_set(device_group &on, const view &elements, const kind_info &kind, spread how, const pose &at,
                      int threads)
     : on_(&on), how_(how), elements_(elements.elements), parts_(on.size()) {
+  const view all = require_view(elements, kind);
   try {
     on.on_each([&](std::size_t i) {
       const std::size_t from = first(i), end = how_ == spread::cut ? elements_ * (i + 1) / parts_.size() : elements_;
       try {
-        parts_[i] = std::make_unique<device_set>(on[i], slice_of(elements, kind, from, end - from), kind, at, threads);
+        parts_[i] = std::make_unique<device_set>(on[i], slice_of(all, kind, from, end - from), kind, at, threads);
       } catch (const input_error &e) {
         fault f = e.where;
         f.element += from;
@@ -235,6 +238,7 @@ void group_set::move(const pose &at) {
 
 void group_set::bounds(float lo[3], float hi[3]) {
   std::vector<float> of(6 * parts_.size());
+  const control_word_guard guard;
   on_->on_each([&](std::size_t i) { parts_[i]->bounds(&of[6 * i], &of[6 * i + 3]); });
   std::copy_n(of.data(), 3, lo);
   std::copy_n(of.data() + 3, 3, hi);
@@ -250,8 +254,10 @@ void group_set::bounds(float lo[3], float hi[3]) {
   }
 }
 
-device_result collide(device_group &on, group_set &a, group_set &b, const predicate_info &predicate, rung precision,
-                      const device_options &options) {
+namespace {
+
+device_result find_touching(device_group &on, group_set &a, group_set &b, const predicate_info &predicate,
+                            rung precision, const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
   require(a.is_on(on) && b.is_on(on), "a set is on another group of devices");
   require(a.how() == spread::cut && b.how() == spread::whole, "a group needs its first set cut and its second whole");
@@ -289,6 +295,13 @@ device_result collide(device_group &on, group_set &a, group_set &b, const predic
   }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;
+}
+
+} // namespace
+
+device_result collide(device_group &on, group_set &a, group_set &b, const predicate_info &predicate, rung precision,
+                      const device_options &options) {
+  return under_standard_word([&] { return find_touching(on, a, b, predicate, precision, options); });
 }
 
 } // namespace meetc

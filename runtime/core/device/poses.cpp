@@ -113,18 +113,9 @@ void count_poses(poses_query &ask, device_set &a, const device_set &b, const std
       r.counts[i] = r.counts[i] > 0;
 }
 
-} // namespace
-
-poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
-                           const predicate_info &predicate, rung precision, const device_options &options) {
-  device_set *const bodies_a[] = {&a};
-  const device_set *const bodies_b[] = {&b};
-  return collide_bodies(on, bodies_a, bodies_b, poses, predicate, precision, options);
-}
-
-poses_result collide_bodies(device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
-                            std::span<const pose> poses, const predicate_info &predicate, rung precision,
-                            const device_options &options) {
+poses_result count_configurations(device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
+                                  std::span<const pose> poses, const predicate_info &predicate, rung precision,
+                                  const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
   const bool any = options.want == answer_kind::any;
   if (!any && options.want != answer_kind::count)
@@ -174,6 +165,21 @@ poses_result collide_bodies(device &on, std::span<device_set *const> a, std::spa
     options.progress(1);
   all.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return all;
+}
+
+} // namespace
+
+poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
+                           const predicate_info &predicate, rung precision, const device_options &options) {
+  device_set *const bodies_a[] = {&a};
+  const device_set *const bodies_b[] = {&b};
+  return collide_bodies(on, bodies_a, bodies_b, poses, predicate, precision, options);
+}
+
+poses_result collide_bodies(device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
+                            std::span<const pose> poses, const predicate_info &predicate, rung precision,
+                            const device_options &options) {
+  return under_standard_word([&] { return count_configurations(on, a, b, poses, predicate, precision, options); });
 }
 
 } // namespace meetc

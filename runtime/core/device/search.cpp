@@ -11,11 +11,9 @@ const char *name_of(search s) {
   return names[static_cast<int>(s)];
 }
 
-search search_costs::least() const {
-  return static_cast<search>(std::min_element(of, of + searches) - of);
-}
+namespace {
 
-search_costs expected_costs(const search_sizes &s) {
+search_costs costs_of(const search_sizes &s) {
   constexpr double start = 54e-6, pair = 1 / 12e12, near_pair = 1 / 1e11;
   constexpr double start_groups = 65e-6, group_pair = 1 / 14e12, taken_apart = 2.1e-9;
   constexpr double start_tree = 30e-6, start_boxes = 20e-6, enclosed = 0.011e-9;
@@ -39,6 +37,16 @@ search_costs expected_costs(const search_sizes &s) {
   tree += (s.made_a && s.made_b ? 0 : start_boxes) + (s.made_a ? 0 : enclosed * a) + (s.made_b ? 0 : enclosed * b);
   c.of[static_cast<int>(search::tree)] = tree;
   return c;
+}
+
+} // namespace
+
+search search_costs::least() const {
+  return under_standard_word([&] { return static_cast<search>(std::min_element(of, of + searches) - of); });
+}
+
+search_costs expected_costs(const search_sizes &s) {
+  return under_standard_word([&] { return costs_of(s); });
 }
 
 } // namespace meetc

@@ -1,6 +1,5 @@
 #include "core/device/set.hpp"
 
-#include "core/control_word.hpp"
 #include "core/device/buffers.hpp"
 #include "core/device/given.hpp"
 #include "core/device/kernels.hpp"
@@ -49,7 +48,7 @@ bool can_arrange(const cuda::kind_launchers &kind, std::uint32_t elements) {
 
 void require_movable(const kind_info &kind, const pose &at) {
   require_pose(kind, at);
-  if (!(at.length_scale >= 0))
+  if (!under_standard_word([&] { return at.length_scale >= 0; }))
     throw std::invalid_argument("a pose's length scale is negative or not a number");
 }
 
@@ -78,6 +77,7 @@ void device_set::take_room_for_tree() {
 
 device_set::device_set(device &on, const view &elements, const kind_info &kind, const pose &at, int threads)
     : device_set(on, kind, elements.elements, at.grid) {
+  const control_word_guard guard;
   require_pose(kind, at);
   const std::unique_ptr<given_set> given = given_set::if_it_fits(on, elements, kind, at);
   if (!given || !make(*given))
@@ -87,6 +87,7 @@ device_set::device_set(device &on, const view &elements, const kind_info &kind, 
 
 device_set::device_set(device &on, const given_set &elements, int threads)
     : device_set(on, elements.kind(), elements.elements(), elements.at().grid) {
+  const control_word_guard guard;
   if (!make(elements)) {
     const given_set::copy here = elements.download();
     upload(prepare(here.elements, elements.kind(), elements.at(), threads));
@@ -274,6 +275,7 @@ device_set::device_set(const device_set &of, std::uint32_t n)
 
 device_set::device_set(const device_set &of, std::span<const pose> poses, std::span<const std::size_t> numbers)
     : device_set(*of.on_, *of.kind_, of.elements_ * poses.size(), 0) {
+  const control_word_guard guard;
   const auto fields = static_cast<std::size_t>(kind_->fields);
   const cudaStream_t stream = on_->stream();
   std::vector<cuda::pose_matrix> matrices;
@@ -308,15 +310,20 @@ device_set::device_set(const device_set &of, std::span<const pose> poses, std::s
           "starting a kernel");
     check(cudaMemcpyAsync(&first, bad.data(), sizeof first, cudaMemcpyDeviceToHost, stream), "moving a set");
     check(cudaStreamSynchronize(stream), "moving a set");
-    throw input_error(fault_of(rows_.data() + (first & 0xffffffff) * fields, static_cast<std::size_t>(first >> 32)),
-                      *kind_, "pose " + std::to_string(numbers[at]) + ": ");
+    throw input_error(
+        fault_of(rows_.data() + (first & 0xffffffff) * fields, static_cast<std::size_t>(first >> 32), poses[at]),
+        *kind_, "pose " + std::to_string(numbers[at]) + ": ");
   }
 }
 
 // What a pose has made of a row on the device.
-fault device_set::fault_of(const float *there, std::size_t element) const {
+fault device_set::fault_of(const float *there, std::size_t element, const pose &at) const {
   std::vector<float> row(static_cast<std::size_t>(kind_->fields));
-  fault f{fault_kind::moved, element, 0, 0, 0, nullptr};
+  pose unrounded = at;
+  unrounded.grid = 0;
+  fault f;
+  f.kind = at.grid != 0 && unrounded.identity() ? fault_kind::rounded : fault_kind::moved;
+  f.element = element, f.grid = at.grid;
   check(cudaMemcpy(row.data(), there, row.size() * sizeof(float), cudaMemcpyDeviceToHost), "moving a set");
   const auto bad = std::find_if_not(row.begin(), row.end(), [](float x) { return std::isfinite(x); });
   if (bad != row.end()) {
@@ -340,6 +347,7 @@ const extent *device_set::around() {
 }
 
 void device_set::move(const pose &at) {
+  const control_word_guard guard;
   if (elements_ > 0 && !order())
     throw std::invalid_argument("a set in several poses cannot be moved");
   if (at.identity()) {
@@ -361,7 +369,7 @@ void device_set::move(const pose &at) {
   check(cudaStreamSynchronize(on_->stream()), "moving a set");
   if (first != ~0ULL) {
     const auto slot = static_cast<std::size_t>(first & 0xffffffff);
-    throw input_error(fault_of(to.data() + slot * fields, static_cast<std::size_t>(first >> 32)), *kind_);
+    throw input_error(fault_of(to.data() + slot * fields, static_cast<std::size_t>(first >> 32), at), *kind_);
   }
   moved_rows_ = std::move(to);
   moved_grid_ = at.grid;

@@ -113,7 +113,7 @@ private:
   bool take_room();
   std::optional<cuda::arrange_job> plan(const order_request &r, cudaStream_t stream);
   bool sort(const cuda::view &there, const pose &at, int bits, cuda::order_findings *found, cudaStream_t stream);
-  fault fault_of(const float *there, std::size_t element) const;
+  fault fault_of(const float *there, std::size_t element, const pose &at) const;
 
   device *on_;
   const kind_info *kind_;

@@ -23,6 +23,7 @@
 
 #include <meetc/affine_forms.hpp>
 #include <meetc/table.hpp>
+#include <meetc/table_entry.hpp>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -303,7 +304,8 @@ template <class P> near_tile *affine_near(const float *single, const float *tile
 
 template <class P>
 inline constexpr affine_filter affine_filter_by{affine_kernel<P>::single_floats, affine_kernel<P>::tile_floats,
-                                                affine_kernel<P>::singles, affine_kernel<P>::tiles, affine_near<P>};
+                                                guarded<affine_kernel<P>::singles>, guarded<affine_kernel<P>::tiles>,
+                                                guarded<affine_near<P>>};
 // Null where the predicate has no such sign.
 template <class P> constexpr const affine_filter *affine_filter_of() {
   if constexpr (P::reject_stage::atoms > 0)

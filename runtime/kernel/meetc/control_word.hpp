@@ -1,4 +1,5 @@
-// The floating-point control word: under which words the error bounds hold, and the word of the calling thread.
+// The floating-point control word: under which words the error bounds hold, the word of the calling thread, and the guard that
+// each entry of the library holds.
 //
 // Bounds assume rounding to nearest and gradual underflow. Exceptions must be masked as well: the arithmetic may
 // overflow (it then proves nothing) and must not end a program whose caller has unmasked them. The two tests are plain
@@ -35,7 +36,7 @@ constexpr bool masks_fpcr(std::uint64_t word) {
 }
 
 // This thread's word, the standard word, and whether the two agree. On an unknown processor they never do, so that
-// integers answer.
+// integers answer. raised_flags() are those of past exceptions, where they are not in the word itself.
 #if defined(__SSE2__)
 inline constexpr std::uint32_t plain_control_word = 0x1f80;
 inline std::uint32_t control_word() {
@@ -44,6 +45,10 @@ inline std::uint32_t control_word() {
 inline void set_control_word(std::uint32_t word) {
   __builtin_ia32_ldmxcsr(word);
 }
+inline std::uint32_t raised_flags() {
+  return 0;
+}
+inline void set_raised_flags(std::uint32_t) {}
 inline bool standard_control_word() {
   return standard_mxcsr(control_word());
 }
@@ -60,6 +65,14 @@ inline std::uint64_t control_word() {
 inline void set_control_word(std::uint64_t word) {
   __asm__ volatile("msr fpcr, %0" : : "r"(word));
 }
+inline std::uint64_t raised_flags() {
+  std::uint64_t flags;
+  __asm__ volatile("mrs %0, fpsr" : "=r"(flags));
+  return flags;
+}
+inline void set_raised_flags(std::uint64_t flags) {
+  __asm__ volatile("msr fpsr, %0" : : "r"(flags));
+}
 inline bool standard_control_word() {
   return standard_fpcr(control_word());
 }
@@ -72,6 +85,10 @@ inline std::uint64_t control_word() {
   return 0;
 }
 inline void set_control_word(std::uint64_t) {}
+inline std::uint64_t raised_flags() {
+  return 0;
+}
+inline void set_raised_flags(std::uint64_t) {}
 inline bool standard_control_word() {
   return false;
 }
@@ -79,6 +96,42 @@ inline bool exceptions_are_masked() {
   return true;
 }
 #endif
+
+// Sets the standard word, and at the end puts back the word that it found, with the flags of past exceptions as they were.
+// The flags go back before the masks: an exception that was masked when it was raised must not trap where the caller has
+// unmasked it. A standard word is not written again, which takes longer than reading it.
+class control_word_guard {
+public:
+  control_word_guard() {
+    if (!standard_control_word())
+      set_control_word(plain_control_word);
+  }
+  ~control_word_guard() {
+    if (raised_flags() != flags_)
+      set_raised_flags(flags_);
+    if (control_word() != word_)
+      set_control_word(word_);
+  }
+  control_word_guard(const control_word_guard &) = delete;
+  control_word_guard &operator=(const control_word_guard &) = delete;
+
+private:
+  decltype(control_word()) word_ = control_word();
+  decltype(raised_flags()) flags_ = raised_flags();
+};
+
+// call(), out of line and with an effect that compilers cannot see through: none moves its arithmetic out of it.
+template <class Call> __attribute__((noinline)) decltype(auto) call_apart(const Call &call) {
+  __asm__ volatile("" : : : "memory");
+  return call();
+}
+
+// call() under the standard word, whatever the caller's is: the one way into the library. What call() needs it takes by
+// reference, since compilers do not know that arithmetic depends on the word.
+template <class Call> decltype(auto) under_standard_word(const Call &call) {
+  const control_word_guard guard;
+  return call_apart(call);
+}
 
 } // MEETC_NAMESPACE(meetc)
 

@@ -137,9 +137,13 @@ private:
   }
 };
 
-// Of rows of the predicate's kinds; as predicate_info::first_met.
+// Of rows of the predicate's kinds; as predicate_info::first_met, and under any control word: walls are found by comparisons.
 template <class Touches, class Order> MEETC_HD int first_met(const float *segment, const float *t, const float *u) {
+#if !defined(__CUDA_ARCH__)
+  return under_standard_word([&] { return segment_order<Touches, Order>::of(segment, t, u); });
+#else
   return segment_order<Touches, Order>::of(segment, t, u);
+#endif
 }
 
 } // MEETC_NAMESPACE(meetc)

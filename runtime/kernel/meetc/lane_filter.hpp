@@ -12,6 +12,7 @@
 #include <meetc/bounds.hpp>
 #include <meetc/matrix.hpp>
 #include <meetc/table.hpp>
+#include <meetc/table_entry.hpp>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -162,11 +163,11 @@ near_tile *near_tiles(const float *single, const float *groups, const float *til
 
 template <class Shape, class Form>
 inline constexpr kind_filter filter_of{Form::products + 1,
-                                       widen_extent<Shape>,
-                                       filter_singles<Shape, Form>,
-                                       filter_tiles<Shape, Form, 1>,
-                                       filter_tiles<Shape, Form, filter_tile>,
-                                       near_tiles<Form>};
+                                       guarded<widen_extent<Shape>>,
+                                       guarded<filter_singles<Shape, Form>>,
+                                       guarded<filter_tiles<Shape, Form, 1>>,
+                                       guarded<filter_tiles<Shape, Form, filter_tile>>,
+                                       guarded<near_tiles<Form>>};
 
 } // MEETC_NAMESPACE(meetc)
 

@@ -1,4 +1,5 @@
-// The interface between a runtime and generated code: plain data and functions, which name no shape.
+// The interface between a runtime and generated code: plain data and functions, which name no shape. The functions of an emitted
+// table may be called under any control word (table_entry.hpp).
 #ifndef MEETC_TABLE_HPP
 #define MEETC_TABLE_HPP
 
@@ -53,7 +54,7 @@ struct affine_filter {
   int of_a, of_b; // floats of an element
   // The numbers of n elements of a, one element after another, and those of b in tiles, as kind_filter has them, but
   // that elements behind the last repeat it. The ranges are those of the two sets. Returns false, and the numbers mean
-  // nothing, if one is out of its range or the floating-point environment is not the standard one.
+  // nothing, if one is out of its range or the arithmetic is not as bounds assume.
   bool (*singles)(const field_ranges &a, const field_ranges &b, const float *rows, std::size_t n, float *out);
   bool (*tiles)(const field_ranges &a, const field_ranges &b, const float *rows, std::size_t n, float *out);
   // Writes those of `count` tiles of b whose elements are not all ruled out for one element of a. There is room for
@@ -68,8 +69,8 @@ struct kind_info {
   int fields;        // floats in a row
   const role *roles; // one for each field
   int points;        // > 0: the row is this many points x, y, z and nothing else, so it can be indexed
-  // A closed box that encloses the element, never too small (where subnormals are not flushed to zero).
-  void (*box)(const float *row, float lo[3], float hi[3]);
+  // Closed boxes that enclose the elements, never too small, as lo[3] and hi[3] for each of n rows.
+  void (*boxes)(const float *rows, std::size_t n, float *out);
   const char *(*fault)(const float *row); // the broken `where` rule, or null
   int stored = 0;                         // the number of different stored_values of its predicates
   // The element is a part of all points within row[pad] of the convex hull of `hull` points. Coordinate k of point p is
@@ -78,6 +79,14 @@ struct kind_info {
   const int *hull_fields = nullptr;
   int pad = -1;
   const kind_filter *filter = nullptr; // null: pairs of this kind are not filtered
+
+  // The box of one row.
+  void box(const float *row, float lo[3], float hi[3]) const {
+    float ends[6];
+    boxes(row, 1, ends);
+    for (int k = 0; k < 3; ++k)
+      lo[k] = ends[k], hi[k] = ends[3 + k];
+  }
 };
 
 // The values that a set stores beside its rows for a predicate: `floats` numbers for each element, in the order of the
@@ -85,7 +94,7 @@ struct kind_info {
 struct stored_values {
   int number = -1; // by kind; predicates with the same stored values share a number. -1: nothing is stored
   int floats = 0;
-  // Fills out for n rows. Returns false, and stores nothing, unless the floating-point environment is the standard one.
+  // Fills out for n rows. Returns false, and stores nothing, where the arithmetic is not as bounds assume.
   bool (*compute)(const float *rows, std::size_t n, float *out) = nullptr;
 };
 

@@ -10,6 +10,7 @@
 #include <meetc/decide.hpp>
 #include <meetc/rest.hpp>
 #include <meetc/table.hpp>
+#include <meetc/table_entry.hpp>
 #include <meetc/tolerant.hpp>
 #include <meetc/wide_decide.hpp>
 
@@ -229,7 +230,7 @@ template <class Store> bool store_each(const float *rows, std::size_t n, float *
 }
 template <class Store> constexpr stored_values stored_by(int number) {
   if constexpr (Store::floats > 0)
-    return {number, Store::floats, store_each<Store>};
+    return {number, Store::floats, guarded<store_each<Store>>};
   return {};
 }
 
@@ -270,6 +271,9 @@ template <class P> constexpr int longest_differences() {
   return least;
 }
 
+// A rung as the table holds it.
+template <decide_function Decide> inline constexpr decide_function table_rung = guarded<Decide>;
+
 // The entry of a predicate, with the rungs that the scene asks for; number_a and number_b are the numbers of its stored
 // values.
 template <class P, rung... Rungs>
@@ -280,20 +284,20 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
   predicate_info p{name, mode, a, b, {}, {}, nullptr, 0, 0};
   const auto decide = [&p](rung r) -> decide_function & { return p.decide[static_cast<int>(r)]; };
   if constexpr (asks(rung::fp32))
-    decide(rung::fp32) = decide_plain<P, float>;
+    decide(rung::fp32) = table_rung<decide_plain<P, float>>;
   if constexpr (asks(rung::fp64))
-    decide(rung::fp64) = decide_plain<P, double>;
+    decide(rung::fp64) = table_rung<decide_plain<P, double>>;
   if constexpr (asks(rung::fp64x2))
-    decide(rung::fp64x2) = decide_plain<P, double_double>;
+    decide(rung::fp64x2) = table_rung<decide_plain<P, double_double>>;
   if constexpr (asks(rung::exact) || certified)
-    decide(rung::exact) = decide_exact<P>;
+    decide(rung::exact) = table_rung<decide_exact<P>>;
   if constexpr (certified) {
-    decide(rung::certified) = decide_certified<P>;
-    p.certify[0] = certify_pairs<P, in_fp32>;
-    p.certify[1] = certify_pairs<P, in_fp64>;
-    p.certify[2] = certify_pairs<P, in_fp64x2>;
-    p.decide_last = decide_last<P>;
-    p.certify_in_box = certify_pairs_in_box<P>;
+    decide(rung::certified) = table_rung<decide_certified<P>>;
+    p.certify[0] = table_rung<certify_pairs<P, in_fp32>>;
+    p.certify[1] = table_rung<certify_pairs<P, in_fp64>>;
+    p.certify[2] = table_rung<certify_pairs<P, in_fp64x2>>;
+    p.decide_last = table_rung<decide_last<P>>;
+    p.certify_in_box = guarded<certify_pairs_in_box<P>>;
     p.affine = affine_filter_of<P>();
     p.box_least = least_box<P>();
     p.box_most = most_box<P>();
@@ -301,7 +305,7 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
   p.longest_differences = longest_differences<P>();
   p.symmetric = P::symmetric;
   if constexpr (asks(rung::tolerant)) {
-    decide(rung::tolerant) = decide_tolerant<P>;
+    decide(rung::tolerant) = table_rung<decide_tolerant<P>>;
     p.tolerance = {P::tolerance::moves, P::tolerance::step(), P::tolerance::rounds, P::tolerance::reach};
   }
   if constexpr (asks(rung::fp32) || asks(rung::tolerant) || certified)

@@ -149,8 +149,8 @@ std::vector<answer> tolerant_answers(const predicate_info &p, rows r) {
   pose at;
   at.grid = p.tolerance.step;
   for (std::size_t i = 0; i < r.count && at.grid > 0; ++i) {
-    move_row(*p.a, at, r.a.data() + i * static_cast<std::size_t>(p.a->fields));
-    move_row(*p.b, at, r.b.data() + i * static_cast<std::size_t>(p.b->fields));
+    move_rows(*p.a, at, r.a.data() + i * static_cast<std::size_t>(p.a->fields), 1);
+    move_rows(*p.b, at, r.b.data() + i * static_cast<std::size_t>(p.b->fields), 1);
   }
   return decide(p.decide[static_cast<int>(rung::tolerant)], r);
 }

@@ -71,7 +71,7 @@ int main() {
     // The device moves what was uploaded, which has been rounded once already.
     std::vector<float> rounded = r.b;
     for (std::size_t i = 0; i < r.count; ++i)
-      move_row(*p.b, still, rounded.data() + i * static_cast<std::size_t>(p.b->fields));
+      move_rows(*p.b, still, rounded.data() + i * static_cast<std::size_t>(p.b->fields), 1);
     on_b.move(moved);
     const result there = collide(on, on_a, on_b, p, rung::tolerant);
     require(same(collide(a, prepare_rows(*p.b, rounded, moved), p, rung::tolerant).pairs, there.pairs), name_of(f));

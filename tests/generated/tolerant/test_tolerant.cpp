@@ -45,7 +45,7 @@ std::vector<float> rounded(const kind_info &kind, std::vector<float> rows, doubl
   pose at;
   at.grid = grid;
   for (std::size_t i = 0; i < rows.size(); i += static_cast<std::size_t>(kind.fields))
-    move_row(kind, at, rows.data() + i);
+    move_rows(kind, at, rows.data() + i, 1);
   return rows;
 }
 

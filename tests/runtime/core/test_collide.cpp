@@ -188,7 +188,7 @@ void odd_box(const float *r, float lo[3], float hi[3]) {
 bool always(const float *, const float *) {
   return true;
 }
-constexpr kind_info odd{"odd", "x,y,z", 3, box_roles, 0, odd_box, nullptr};
+constexpr kind_info odd{"odd", "x,y,z", 3, box_roles, 0, boxes_by<3, odd_box>, nullptr};
 constexpr predicate_info odd_hit = plain("odd", "", odd, odd, decide<3, 3, always>);
 } // namespace
 

@@ -68,7 +68,7 @@ TEST_CASE("pose: what is proved apart from a box lies outside of it, and what is
     for (std::size_t i = 0; i < rows.size(); i += 4) {
       float row[4];
       std::copy_n(&rows[i], 4, row);
-      move_row(balls, c.at, row);
+      move_rows(balls, c.at, row, 1);
       const double x = row[axis], r = row[3];
       least = std::min(least, x - r), greatest = std::max(greatest, x + r);
     }

@@ -2,7 +2,6 @@
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
-#include "core/control_word.hpp"
 #include "core/threads.hpp"
 
 #include <set>

@@ -5,6 +5,7 @@
 #include "core/rows.hpp"
 
 #include <cstring>
+#include <vector>
 
 using namespace meetc;
 using namespace toy;
@@ -95,9 +96,9 @@ TEST_CASE("points without z move in their plane, what cannot be moved is refused
   CHECK(gathered(view_of({1, 2, 3, 4}, flat), flat, p) == rows{11, 1, 13, 3});
 
   static constexpr role odd_roles[4] = {role::x, role::y, role::z, role::other};
-  static constexpr kind_info odd{"odd", "x,y,z,w", 4, odd_roles, 0, ball_box, nullptr};
+  static constexpr kind_info odd{"odd", "x,y,z,w", 4, odd_roles, 0, boxes_by<4, ball_box>, nullptr};
   static constexpr role torn_roles[3] = {role::y, role::x, role::z};
-  static constexpr kind_info torn{"torn", "y,x,z", 3, torn_roles, 0, ball_box, nullptr};
+  static constexpr kind_info torn{"torn", "y,x,z", 3, torn_roles, 0, boxes_by<3, ball_box>, nullptr};
   CHECK(!can_move(odd));
   CHECK(!can_move(torn));
   CHECK_NOTHROW(prepare(view_of({1, 2, 3, 4}, odd), odd));
@@ -113,6 +114,70 @@ TEST_CASE("strides, also odd ones, and indices") {
   void *at = bytes.data();
   const view v{static_cast<const float *>(at), 3, 13, index, 2};
   CHECK(gathered(v, rods) == rows{6, 7, 8, 0, 1, 2, 3, 4, 5, 3, 4, 5});
+}
+
+TEST_CASE("a stride of 0 means packed") {
+  const rows r = some_balls(200, 1, 0.2F, 52), points = some_balls(30, 1, 1, 53); // 40 points
+  std::vector<std::uint32_t> index;
+  for (std::uint32_t i = 0; i < 80; ++i)
+    index.push_back(i * 7 % 40);
+  view packed = view_of(r, balls), stated = packed;
+  packed.stride_bytes = 0;
+  const view packed_points{points.data(), 40, 0, index.data(), 40},
+      stated_points{points.data(), 40, 12, index.data(), 40};
+  CHECK(gathered(packed, balls) == gathered(stated, balls));
+  CHECK(gathered(packed_points, rods) == gathered(stated_points, rods));
+  const prepared x = prepare(packed, balls), y = prepare({.data = r.data(), .elements = 200}, balls),
+                 z = prepare(stated, balls);
+  const result want = collide(z, z, ball_ball_hit, rung::fp32);
+  CHECK(want.count > 200);
+  CHECK(same(collide(x, x, ball_ball_hit, rung::fp32).pairs, want.pairs));
+  CHECK(same(collide(y, y, ball_ball_hit, rung::fp32).pairs, want.pairs));
+  pose moved;
+  moved.m[3] = 1;
+  CHECK(same_bits(gathered(packed, balls, moved), gathered(stated, balls, moved)));
+}
+
+TEST_CASE("a view that cannot hold its elements is named, and none of it is read") {
+  const rows r = some_balls(100, 1, 1, 54);
+  const std::vector<std::uint32_t> index(40, 2);
+  struct bad_view {
+    view of;
+    const kind_info &kind;
+    const char *said;
+  };
+  const view whole = view_of(r, balls);
+  std::vector<bad_view> bad;
+  for (const std::size_t stride : {1u, 4u, 12u, 15u})
+    bad.push_back({{r.data(), 0, stride, nullptr, 10}, balls, "the stride is shorter than a row"});
+  for (const std::size_t stride : {1u, 4u, 11u})
+    bad.push_back({{r.data(), 10, stride, index.data(), 10}, rods, "the stride is shorter than a point"});
+  bad.push_back({{r.data(), 0, 4, nullptr, 1}, balls, "the stride is shorter than a row"});
+  bad.push_back({{nullptr, 0, 16, nullptr, 10}, balls, "the data is null"});
+  bad.push_back({{nullptr, 10, 12, index.data(), 10}, rods, "the data is null"});
+  bad.push_back({{r.data(), 100, 16, index.data(), 10}, balls, "elements of this kind have no index"});
+  for (const bad_view &b : bad) {
+    INFO(b.said << ", stride " << b.of.stride_bytes);
+    const fault f = check(b.of, b.kind);
+    CHECK(f.kind == fault_kind::view);
+    CHECK(describe(f, b.kind) == b.said);
+    for (const int threads : {1, 2})
+      CHECK_THROWS_AS(prepare(b.of, b.kind, {}, threads), input_error);
+    const predicate_info &by = &b.kind == &balls ? ball_ball_hit : rod_rod_hit;
+    std::vector<std::byte> work(workspace(by, 100, 100, 1));
+    std::uint64_t count = 7;
+    pairs_out out;
+    out.count = &count;
+    const view other = &b.kind == &balls ? whole : view{r.data(), 10, 12, index.data(), 10};
+    for (const auto &[x, y] : {std::pair(b.of, other), std::pair(other, b.of)})
+      CHECK(pairs(by, rung::fp32, x, {}, y, {}, out, {work.data(), work.size()}, {.threads = 1}) == status::bad_view);
+    CHECK(count == 0);
+  }
+  // Where nothing is read, nothing is wrong; an index that lies beyond no vertices is said to.
+  CHECK(!check({nullptr, 0, 0, nullptr, 0}, balls));
+  CHECK(!check({nullptr, 0, 4, nullptr, 0}, balls));
+  CHECK(prepare({}, balls).elements() == 0);
+  CHECK(check({nullptr, 0, 0, index.data(), 10}, rods).kind == fault_kind::index);
 }
 
 TEST_CASE("the first bad index is named") {

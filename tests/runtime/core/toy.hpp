@@ -31,6 +31,13 @@ constexpr meetc::predicate_info plain(const char *name, const char *mode, const 
   return {name, mode, &a, &b, {fp32, nullptr, nullptr, exact, nullptr}, {}, nullptr, 0, 0};
 }
 
+// Turns the box of one row into a kind's `boxes`.
+template <int Fields, void (*Box)(const float *, float *, float *)>
+void boxes_by(const float *rows, std::size_t n, float *out) {
+  for (std::size_t i = 0; i < n; ++i)
+    Box(rows + i * Fields, out + 6 * i, out + 6 * i + 3);
+}
+
 // ---- boxes: x0,y0,z0,x1,y1,z1; they hit where they overlap, closed ----
 inline void box_box(const float *r, float lo[3], float hi[3]) {
   std::copy_n(r, 3, lo);
@@ -46,7 +53,7 @@ inline bool boxes_hit(const float *a, const float *b) {
   return hit;
 }
 inline constexpr role box_roles[6] = {role::x, role::y, role::z, role::x, role::y, role::z};
-inline constexpr kind_info boxes{"box", "x0,y0,z0,x1,y1,z1", 6, box_roles, 0, box_box, box_fault};
+inline constexpr kind_info boxes{"box", "x0,y0,z0,x1,y1,z1", 6, box_roles, 0, boxes_by<6, box_box>, box_fault};
 inline constexpr meetc::predicate_info box_box_hit =
     plain("box_box", "", boxes, boxes, decide<6, 6, boxes_hit>, decide<6, 6, boxes_hit>);
 
@@ -68,7 +75,7 @@ inline bool balls_hit(const float *a, const float *b) {
   return d2 <= r * r;
 }
 inline constexpr role ball_roles[4] = {role::x, role::y, role::z, role::length};
-inline constexpr kind_info balls{"ball", "x,y,z,r", 4, ball_roles, 0, ball_box, ball_fault};
+inline constexpr kind_info balls{"ball", "x,y,z,r", 4, ball_roles, 0, boxes_by<4, ball_box>, ball_fault};
 inline constexpr meetc::predicate_info ball_ball_hit =
     plain("ball_ball", "solid", balls, balls, decide<4, 4, balls_hit>);
 
@@ -85,7 +92,7 @@ inline bool rods_hit(const float *a, const float *b) {
   rod_box(b, y, y + 3);
   return boxes_hit(x, y);
 }
-inline constexpr kind_info rods{"rod", "x0,y0,z0,x1,y1,z1", 6, box_roles, 2, rod_box, nullptr};
+inline constexpr kind_info rods{"rod", "x0,y0,z0,x1,y1,z1", 6, box_roles, 2, boxes_by<6, rod_box>, nullptr};
 inline constexpr meetc::predicate_info rod_rod_hit = plain("rod_rod", "", rods, rods, decide<6, 6, rods_hit>);
 
 // ---- balls against boxes ----

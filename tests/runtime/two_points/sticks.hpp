@@ -14,7 +14,7 @@ using meetc::box;
 
 // ---- sticks: x0,y0,z0,x1,y1,z1; padded sticks have a radius r as well ----
 inline constexpr int stick_fields[6] = {0, 1, 2, 3, 4, 5};
-inline constexpr kind_info sticks{"stick", "x0,y0,z0,x1,y1,z1", 6, box_roles, 2, rod_box, nullptr, 0,
+inline constexpr kind_info sticks{"stick", "x0,y0,z0,x1,y1,z1", 6, box_roles, 2, boxes_by<6, rod_box>, nullptr, 0,
                                   2,       stick_fields,        -1};
 inline void padded_box(const float *r, float lo[3], float hi[3]) {
   rod_box(r, lo, hi);
@@ -25,7 +25,7 @@ inline void padded_box(const float *r, float lo[3], float hi[3]) {
 }
 inline constexpr role padded_roles[7] = {role::x, role::y, role::z, role::x, role::y, role::z, role::length};
 inline constexpr kind_info padded_sticks{
-    "padded stick", "x0,y0,z0,x1,y1,z1,r", 7, padded_roles, 0, padded_box, nullptr, 0, 2, stick_fields, 6};
+    "padded stick", "x0,y0,z0,x1,y1,z1,r", 7, padded_roles, 0, boxes_by<7, padded_box>, nullptr, 0, 2, stick_fields, 6};
 
 // Whether the segment of a row touches the box, widened by the row's radius on every side: the six separating axes.
 inline bool meets(const kind_info &kind, const float *row, const box &b) {

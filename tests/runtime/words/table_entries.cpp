@@ -1,0 +1,212 @@
+#include "entries.hpp"
+#include "sets.hpp"
+
+#include <algorithm>
+
+namespace words_test {
+namespace {
+
+using namespace meetc;
+
+// Calls f(table, predicate, rows of a, rows of b, their numbers) for every predicate on every instruction set of this machine.
+template <class F> void for_each_predicate(const F &f) {
+  for (int s = 0; s < instruction_set_count; ++s)
+    if (const catalogue *const c = cga::catalogue_for(static_cast<instruction_set>(s)))
+      for (int i = 0; i < c->predicate_count; ++i) {
+        const predicate_info &p = c->predicates[i];
+        const rows a = some_rows(*p.a, 3), b = some_rows(*p.b, 4);
+        f(p, a, b, a.size() / static_cast<std::size_t>(p.a->fields), b.size() / static_cast<std::size_t>(p.b->fields));
+      }
+}
+// A seventh of all pairs; the last elements, which are those of reports, are in all of theirs.
+std::vector<index_pair> pairs_of(std::size_t a, std::size_t b) {
+  std::vector<index_pair> out;
+  for (std::uint32_t i = 0; i < a; ++i)
+    for (std::uint32_t k = 0; k < b; ++k)
+      if ((i + k) % 7 == 0 || i + 3 >= a || k + 3 >= b)
+        out.push_back({i, k});
+  return out;
+}
+// Calls ask(p, a, b, pairs, answers).
+template <class Ask> void call_on_pairs(caller &under, const Ask &ask) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &b, std::size_t na, std::size_t nb) {
+    const std::vector<index_pair> pairs = pairs_of(na, nb);
+    std::vector<answer> out(pairs.size());
+    under([&] { ask(p, row_array(a.data()), row_array(b.data()), pairs, out.data()); });
+    under.add_all(out);
+  });
+}
+using pair_list = std::vector<index_pair>;
+
+void call_decide(caller &under) {
+  for (int r = 0; r < rung_count; ++r)
+    call_on_pairs(under, [r](const predicate_info &p, row_array a, row_array b, const pair_list &pairs, answer *out) {
+      if (p.decide[r])
+        p.decide[r](a, b, pairs.data(), pairs.size(), out);
+    });
+}
+void call_certify(caller &under) {
+  for (int r = 0; r < bounded_rungs; ++r)
+    call_on_pairs(under, [r](const predicate_info &p, row_array a, row_array b, const pair_list &pairs, answer *out) {
+      p.certify[r](a, b, pairs.data(), pairs.size(), out);
+    });
+}
+void call_certify_in_box(caller &under) {
+  call_on_pairs(under, [](const predicate_info &p, row_array a, row_array b, const pair_list &pairs, answer *out) {
+    p.certify_in_box(p.box_most, a, b, pairs.data(), pairs.size(), out);
+  });
+}
+void call_decide_last(caller &under) {
+  call_on_pairs(under, [](const predicate_info &p, row_array a, row_array b, const pair_list &pairs, answer *out) {
+    p.decide_last(a, b, pairs.data(), pairs.size(), out);
+  });
+}
+void call_first_met(caller &under) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &b, std::size_t na, std::size_t nb) {
+    if (!p.first_met)
+      return;
+    std::vector<int> order(na * nb);
+    under([&] {
+      for (std::size_t i = 0; i < na; ++i)
+        for (std::size_t k = 0; k < nb; ++k)
+          order[i * nb + k] = p.first_met(a.data() + 6 * i, b.data() + 9 * k, b.data() + 9 * ((k + i + 1) % nb));
+    });
+    under.add_all(order);
+    // Of a report: a segment that is subnormal itself, and two triangles that meet its ends.
+    static constexpr float segment[] = {0, 0, 0, 0, 0, 0x1p-140F},
+                           last[] = {-1, -1, 0x1p-141F, 1, -1, 0x1p-141F, 0, 1, 0x1p-141F},
+                           first[] = {0, -1, -1, 0, 1, -1, 0, 0, 1};
+    int which = 0;
+    under([&] { which = p.first_met(segment, last, first); });
+    under.answer += which == 1 ? "right" : "wrong";
+  });
+}
+void call_boxes(caller &under) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &, std::size_t n, std::size_t) {
+    std::vector<float> ends(6 * n);
+    under([&] { p.a->boxes(a.data(), n, ends.data()); });
+    under.add_all(ends);
+  });
+}
+void call_fault(caller &under) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &, std::size_t n, std::size_t) {
+    if (!p.a->fault)
+      return;
+    rows turned = a; // radii below 0, corners in the wrong order
+    for (float &x : turned)
+      x = -x;
+    std::vector<int> broken(2 * n);
+    under([&] {
+      for (std::size_t i = 0; i < n; ++i) {
+        broken[i] = p.a->fault(a.data() + i * static_cast<std::size_t>(p.a->fields)) != nullptr;
+        broken[n + i] = p.a->fault(turned.data() + i * static_cast<std::size_t>(p.a->fields)) != nullptr;
+      }
+    });
+    under.add_all(broken);
+  });
+}
+void call_compute(caller &under) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &b, std::size_t na, std::size_t nb) {
+    const auto compute = [&](const stored_values &v, const rows &r, std::size_t n) {
+      if (!v.compute)
+        return;
+      std::vector<float> out(n * static_cast<std::size_t>(v.floats));
+      bool done = false;
+      under([&] { done = v.compute(r.data(), n, out.data()); });
+      under.add(done), under.add_all(out);
+    };
+    compute(p.stored_a, a, na), compute(p.plain_stored_a, a, na);
+    compute(p.stored_b, b, nb), compute(p.plain_stored_b, b, nb);
+  });
+}
+// By balls, and by signs of the reject stage.
+void add_tiles(caller &under, const near_tile *from, const near_tile *to) {
+  under.add(to - from);
+  for (; from != to; ++from)
+    under.add(from->index), under.add(from->elements);
+}
+constexpr std::size_t in_tiles(std::size_t n) {
+  return (n + filter_tile - 1) / filter_tile;
+}
+void call_kind_filter(caller &under) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &, std::size_t n, std::size_t) {
+    const kind_filter &f = *p.a->filter;
+    const auto floats = static_cast<std::size_t>(f.floats);
+    filter_extent extent;
+    std::vector<float> singles(n * floats), tiles(in_tiles(n) * floats * filter_tile),
+        groups(in_tiles(in_tiles(n)) * floats * filter_tile);
+    std::vector<near_tile> found(in_tiles(n));
+    under([&] {
+      f.widen(a.data(), n, extent);
+      f.singles(extent, a.data(), n, singles.data());
+      f.tiles(extent, a.data(), n, tiles.data());
+      f.groups(extent, a.data(), n, groups.data());
+    });
+    under.add(extent), under.add_all(singles), under.add_all(tiles), under.add_all(groups);
+    for (std::size_t i = 0; i < n; i += 7) {
+      near_tile *end = nullptr;
+      under([&] { end = f.near(singles.data() + i * floats, groups.data(), tiles.data(), in_tiles(n), found.data()); });
+      add_tiles(under, found.data(), end);
+    }
+  });
+}
+void call_affine_filter(caller &under) {
+  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &b, std::size_t na, std::size_t nb) {
+    if (!p.affine)
+      return;
+    const affine_filter &f = *p.affine;
+    const auto ranges = [](const rows &r, std::size_t fields) {
+      field_ranges of{};
+      for (std::size_t k = 0; k < fields; ++k) {
+        of.lo[k] = of.hi[k] = static_cast<double>(r[k]);
+        for (std::size_t i = k; i < r.size(); i += fields)
+          of.lo[k] = std::min(of.lo[k], static_cast<double>(r[i])),
+          of.hi[k] = std::max(of.hi[k], static_cast<double>(r[i]));
+      }
+      return of;
+    };
+    const field_ranges of_a = ranges(a, static_cast<std::size_t>(p.a->fields)),
+                       of_b = ranges(b, static_cast<std::size_t>(p.b->fields));
+    const auto floats_a = static_cast<std::size_t>(f.of_a), floats_b = static_cast<std::size_t>(f.of_b);
+    std::vector<float> singles(na * floats_a), tiles(in_tiles(nb) * floats_b * filter_tile);
+    std::vector<near_tile> found(in_tiles(nb));
+    bool made[2];
+    under([&] {
+      made[0] = f.singles(of_a, of_b, a.data(), na, singles.data());
+      made[1] = f.tiles(of_a, of_b, b.data(), nb, tiles.data());
+    });
+    under.add(made), under.add_all(singles), under.add_all(tiles);
+    for (std::size_t i = 0; made[0] && made[1] && i < na; i += 7) {
+      near_tile *end = nullptr;
+      under([&] { end = f.near(singles.data() + i * floats_a, tiles.data(), in_tiles(nb), found.data()); });
+      add_tiles(under, found.data(), end);
+    }
+  });
+}
+
+constexpr entry all[] = {
+    {"predicate_info::decide", call_decide},
+    {"predicate_info::certify", call_certify},
+    {"predicate_info::certify_in_box", call_certify_in_box},
+    {"predicate_info::decide_last", call_decide_last},
+    {"predicate_info::first_met", call_first_met},
+    {"kind_info::boxes", call_boxes},
+    {"kind_info::fault", call_fault},
+    {"stored_values::compute", call_compute},
+    {"kind_filter::widen", call_kind_filter},
+    {"kind_filter::singles", call_kind_filter},
+    {"kind_filter::tiles", call_kind_filter},
+    {"kind_filter::groups", call_kind_filter},
+    {"kind_filter::near", call_kind_filter},
+    {"affine_filter::singles", call_affine_filter},
+    {"affine_filter::tiles", call_affine_filter},
+    {"affine_filter::near", call_affine_filter},
+};
+
+} // namespace
+
+std::span<const entry> table_entries() {
+  return all;
+}
+
+} // namespace words_test
