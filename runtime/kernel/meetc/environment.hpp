@@ -21,6 +21,10 @@
 #error "meet: -fassociative-math breaks error bounds; compile without it"
 #endif
 
+#if defined(__RECIPROCAL_MATH__) && __RECIPROCAL_MATH__
+#error "meet: -freciprocal-math divides inexactly; compile without it"
+#endif
+
 static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant shortens constants; compile without it");
 
 #if defined(__CUDACC__)

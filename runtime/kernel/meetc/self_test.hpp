@@ -24,8 +24,9 @@ enum class arithmetic_fault : unsigned {
   two_sum = 64,
   two_product = 128,
   unmasked_exceptions = 256,
+  division = 512,
 };
-inline constexpr unsigned fault_bits = 511;
+inline constexpr unsigned fault_bits = 1023;
 
 MEETC_HD constexpr const char *text_of(arithmetic_fault f) {
   switch (f) {
@@ -43,6 +44,8 @@ MEETC_HD constexpr const char *text_of(arithmetic_fault f) {
     return "sums are reassociated; compile without -fassociative-math and -funsafe-math-optimizations";
   case arithmetic_fault::comparisons:
     return "comparisons with NaN or infinities are wrong; compile without -ffinite-math-only";
+  case arithmetic_fault::division:
+    return "divisions are products with reciprocals; compile without -freciprocal-math";
   case arithmetic_fault::two_sum:
     return "two_sum() is not exact";
   case arithmetic_fault::two_product:
@@ -117,6 +120,15 @@ template <class T> MEETC_HD inline bool keeps_order() {
   return first == 0 && second == 0 && third <= 2 * small && sum == x;
 }
 
+// x / y and (x + 1) / y, and x / y where y is a constant: a compiler that may multiply by reciprocals does so in both, and
+// 10 times the rounded reciprocal of 49 is not their quotient.
+template <class T> MEETC_HD inline bool divides() {
+  constexpr T divisor = 49;
+  const T x = hidden(T(10)), y = hidden(divisor), first = x / y, second = (x + 1) / y;
+  return first == hidden(x) / hidden(y) && second == hidden(x + 1) / hidden(y) && x / divisor == first &&
+         (x + 1) / divisor == second;
+}
+
 template <class T> MEETC_HD inline bool compares() {
   const T zero = hidden(T(0)), inf = hidden(T(1)) / zero, nan = inf - inf;
   return !(nan > zero) && !(nan < zero) && !(nan == nan) && nan != nan && !(inf <= zero) && inf > hidden(T(1)) &&
@@ -182,6 +194,7 @@ MEETC_HD inline unsigned self_test() {
   require(parts::fuses<float>() && parts::fuses<double>() && fma_rounds_once(), arithmetic_fault::fused_multiply_add);
   require(parts::keeps_order<float>() && parts::keeps_order<double>() && keeps_order_of_sums(),
           arithmetic_fault::reassociation);
+  require(parts::divides<float>() && parts::divides<double>(), arithmetic_fault::division);
   require(parts::compares<float>() && parts::compares<double>() && keeps_nan_and_infinity(),
           arithmetic_fault::comparisons);
   require(parts::two_sum_is_exact(), arithmetic_fault::two_sum);
