@@ -32,7 +32,7 @@ void run_chunk(cell &c, std::uint64_t seed, std::uint64_t cases, judge by, std::
     if (o.wrong && wrong.empty())
       wrong = fmt::format("{} on {}, rungs {:#x}: {}", c.of->name, c.from->name, o.wrong, text(p));
   }
-  found.sets = together.run(wrong);
+  found.sets = together.run(seed, wrong);
   const std::scoped_lock guard(lock);
   c.found += found;
   if (c.first_wrong.empty())

@@ -68,6 +68,19 @@ pair_of_rows cluster(shape a, shape b, random_numbers &random);
 // Neighbours that share a corner or an edge bit for bit, coplanar except for one coordinate, moved by one ulp.
 pair_of_rows bent(shape a, shape b, random_numbers &random);
 
+// Points on small whole places at one subnormal height, now and then a step above or below it.
+pair_of_rows flat_subnormal(shape a, shape b, random_numbers &random);
+
+// Points of z = ax + by, for small a and b, with x and y over 26 binades.
+pair_of_rows plane_binades(shape a, shape b, random_numbers &random);
+
+// Whole coplanar points whose longest difference is within three steps of the longest for which the lanes of a predicate take
+// doubles for exact, perhaps a step or two off their plane.
+pair_of_rows at_exact_steps(shape a, shape b, random_numbers &random);
+
+// An edge of 2^18 cells from one lattice point to another, through many, and corners on or beside these.
+pair_of_rows long_lattice(shape a, shape b, random_numbers &random);
+
 // One of the families above that keep their own scale and place.
 pair_of_rows any_at_home(shape a, shape b, random_numbers &random);
 
@@ -96,6 +109,9 @@ struct integer_rows {
 // Determinant 1, although its terms are about 2^57: naive fp32 and naive fp64 both get it wrong.
 inline constexpr integer_rows known_rows = {
     {{36569, 5957284, 600211}, {-10110, 2276334, 232673}, {39676, 6450463, 649889}}};
+
+// For each predicate on these shapes, the most steps for which doubles are exact.
+std::span<const double> exact_limits(shape a, shape b);
 
 // The faces of the built-in mesh, 9 numbers each.
 std::span<const row> mesh_faces();

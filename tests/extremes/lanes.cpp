@@ -1,5 +1,7 @@
 #include "tests/extremes/lanes.hpp"
 
+#include "tests/downstream/flags/words.hpp"
+
 #include <cga/cga_runtime.hpp>
 
 namespace meetc::extremes_test {
@@ -28,7 +30,7 @@ pair_of_rows many_cases::rows(std::size_t k) const {
   return {part(a_), part(b_)};
 }
 
-counts_by_set many_cases::run(std::string &first_wrong) const {
+counts_by_set many_cases::run(std::uint64_t word, std::string &first_wrong) const {
   counts_by_set out;
   for (int set = 0; set < instruction_set_count; ++set) {
     const catalogue *const all = cga::catalogue_for(static_cast<instruction_set>(set));
@@ -40,7 +42,11 @@ counts_by_set many_cases::run(std::string &first_wrong) const {
       to.cases += pairs_.size();
       std::vector<answer> found(pairs_.size());
       const auto ask = [&](const char *rung, decide_function decide, std::uint64_t *unsure) {
-        decide(a_.data(), b_.data(), pairs_.data(), pairs_.size(), found.data());
+        {
+          const std::uint64_t which = word++ % (std::size(strange_words) + 1); // the last one: the standard word
+          const other_word changed(which < std::size(strange_words) ? strange_words[which] : plain_word);
+          decide(a_.data(), b_.data(), pairs_.data(), pairs_.size(), found.data());
+        }
         for (std::size_t k = 0; k < found.size(); ++k) {
           const bool open = unsure && found[k] == answer::unsure;
           if (open)

@@ -27,8 +27,9 @@ public:
   void add(const pair_of_rows &p, bool hit);
 
   // The bounded rungs in lanes, `certified` and `exact`, compared with the true answers. Nothing for a lone sign, which no
-  // table holds. `first_wrong` receives the first wrong answer, if it is empty.
-  counts_by_set run(std::string &first_wrong) const;
+  // table holds. Each is asked under another control word, which changes nothing: `word` says with which they begin.
+  // `first_wrong` receives the first wrong answer, if it is empty.
+  counts_by_set run(std::uint64_t word, std::string &first_wrong) const;
 
 private:
   pair_of_rows rows(std::size_t k) const;

@@ -1,6 +1,7 @@
-// The long mode: extremes [--judge signs|geometry] [--cases N] [--seed N] [--threads T]. Exits with 1 if anything was
-// wrong.
+// The long mode: extremes [--judge signs|geometry|sets] [--cases N] [--seed N] [--threads T]. `sets` asks the library about whole
+// sets (sets.hpp). Exits with 1 if anything was wrong.
 #include "tests/extremes/campaign.hpp"
+#include "tests/extremes/sets.hpp"
 
 #include <charconv>
 #include <cstdio>
@@ -11,7 +12,7 @@ using namespace meetc::extremes_test;
 
 namespace {
 
-constexpr const char *usage = "usage: extremes [--judge signs|geometry] [--cases N] [--seed N] [--threads T]\n";
+constexpr const char *usage = "usage: extremes [--judge signs|geometry|sets] [--cases N] [--seed N] [--threads T]\n";
 
 bool number(const char *text, std::uint64_t &out) {
   const char *end = text + std::strlen(text);
@@ -19,15 +20,27 @@ bool number(const char *text, std::uint64_t &out) {
   return error == std::errc() && last == end;
 }
 
+int through_library(std::uint64_t cases, std::uint64_t seed, unsigned threads) {
+  const auto say = [](const set_counts &n) {
+    return fmt::format("{} pairs of elements in {} queries, {} touch; {} queries wrong\n", n.cases, n.queries, n.hits,
+                       n.wrong);
+  };
+  const set_counts n = run_sets(cases, seed, threads, [&](const set_counts &s) { fmt::print(stderr, "{}", say(s)); });
+  fmt::print("{}{}{}", say(n), n.first_wrong, n.first_wrong.empty() ? "" : "\n");
+  return n.wrong ? 1 : 0;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
   std::uint64_t cases = 1'000'000, seed = 1, threads = 1;
   judge by = judge::signs;
+  bool sets = false;
   for (int i = 1; i < argc; i += 2) {
     const std::string_view name = argv[i], given = i + 1 < argc ? argv[i + 1] : "";
-    if (name == "--judge" && (given == "signs" || given == "geometry")) {
-      by = given == "signs" ? judge::signs : judge::geometry;
+    if (name == "--judge" && (given == "signs" || given == "geometry" || given == "sets")) {
+      sets = given == "sets";
+      by = given == "geometry" ? judge::geometry : judge::signs;
       continue;
     }
     std::uint64_t *const value = name == "--cases"     ? &cases
@@ -39,6 +52,8 @@ int main(int argc, char **argv) {
       return 2;
     }
   }
+  if (sets)
+    return through_library(cases, seed, static_cast<unsigned>(threads));
   std::vector<cell> cells = all_cells();
   run(cells, {cases, seed, static_cast<unsigned>(threads), by}, [&](std::uint64_t done, std::uint64_t wrong) {
     fmt::print(stderr, "{} of {} cases, {} wrong\n", done, cases, wrong);

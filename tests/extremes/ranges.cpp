@@ -63,6 +63,10 @@ const family all[] = {
     {"near_overflow", always, near_overflow},
     {"cluster", always, cluster},
     {"bent", always, bent},
+    {"flat_subnormal", always, flat_subnormal},
+    {"plane_binades", always, plane_binades},
+    {"at_exact_steps", always, at_exact_steps},
+    {"long_lattice", an_edge, long_lattice},
 };
 
 } // namespace
