@@ -64,6 +64,7 @@ void device::keep_freed_memory() {
 }
 
 void *try_allocate_on_device(std::size_t bytes) {
+  const control_word_guard guard;
   void *data = nullptr;
   cudaError_t e = cudaMallocAsync(&data, bytes > 0 ? bytes : 1, nullptr);
   if (e == cudaSuccess) {
@@ -83,6 +84,7 @@ void *try_allocate_on_device(std::size_t bytes) {
 void free_on_device(void *data) {
   if (!data)
     return;
+  const control_word_guard guard;
   cudaDeviceSynchronize(); // memory of the pool may be in use
   cudaFree(data);          // an error here has been reported where it arose
 }
@@ -98,7 +100,8 @@ void *allocate_on_device(std::size_t bytes, const char *what_for) {
 }
 
 device::device(const cuda::catalogue &kernels)
-    : kernels_(kernels), facts_(find()), buffers_(std::make_unique<device_buffers>()) {
+    : kernels_(kernels), facts_(under_standard_word(find)), buffers_(std::make_unique<device_buffers>()) {
+  const control_word_guard guard; // also for what the driver computes
   device_memory<unsigned> found;
   found.reserve(1, "the self-test");
   check(kernels.self_test(found.data(), nullptr), "starting the self-test");
@@ -126,6 +129,7 @@ cudaStream_t device::stream() const {
 }
 
 const cuda::probe_result &device::probe() const {
+  const control_word_guard guard;
   if (probe_.cases == 0) {
     device_memory<cuda::probe_result> found;
     found.reserve(1, "the probe");

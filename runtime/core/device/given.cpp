@@ -59,6 +59,7 @@ given_set::given_set(given_set &&) noexcept = default;
 
 given_set::given_set(device &on, const view &elements, const kind_info &kind, const pose &at)
     : given_set(on, kind, at) {
+  const control_word_guard guard;
   if (elements.elements > most || (elements.index && elements.vertices > most))
     throw std::length_error(text(status::too_many_elements));
   if (!upload(require_view(elements, kind)))
@@ -68,6 +69,7 @@ given_set::given_set(device &on, const view &elements, const kind_info &kind, co
 
 std::unique_ptr<given_set> given_set::if_it_fits(device &on, const view &stated, const kind_info &kind,
                                                  const pose &at) {
+  const control_word_guard guard;
   const view elements = require_view(stated, kind);
   const std::size_t n = elements.elements, given = elements.index ? elements.vertices : n,
                     packed = n * static_cast<std::size_t>(kind.fields) * sizeof(float);

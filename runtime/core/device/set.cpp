@@ -61,6 +61,7 @@ device_set::device_set(device &on, const kind_info &kind, std::size_t elements, 
 }
 
 device_set::device_set(device &on, const prepared &set) : device_set(on, set.kind(), set.elements(), set.set().grid) {
+  const control_word_guard guard;
   if (!set.whole())
     throw std::invalid_argument("a set on a device must not be prepared for collisions with one other set");
   upload(set);
@@ -261,6 +262,7 @@ bool device_set::sort(const cuda::view &there, const pose &at, int bits, cuda::o
 
 device_set::device_set(const device_set &of, std::uint32_t n)
     : device_set(*of.on_, *of.kind_, (std::size_t{of.elements_} + (n - 1)) / n, of.grid_) {
+  const control_word_guard guard;
   const auto strided = [&](auto &to, const auto &from, std::size_t each) {
     const std::size_t bytes = each * sizeof *to.data();
     to.reserve(elements_ * each, "a part of a set");

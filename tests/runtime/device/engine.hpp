@@ -146,7 +146,7 @@ struct settings {
   bool small = false; // few and small sets, for tools that slow everything down
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
-  std::string part; // of the scenes: pairs, made, orders, given, poses, ends or group; empty: all
+  std::string part; // of the scenes: pairs, made, orders, given, poses, ends, group or words; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
 void made_scenes(comparison &with, const settings &s);
@@ -155,6 +155,7 @@ void given_scenes(comparison &with, const settings &s);
 void pose_scenes(comparison &with, const settings &s);
 void end_scenes(comparison &with, const settings &s);
 void group_scenes(comparison &with, const settings &s);
+void word_scenes(comparison &with, const settings &s);
 void mesh_scenes(comparison &with, const settings &s);
 
 } // namespace cuda_test

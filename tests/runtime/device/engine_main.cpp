@@ -1,5 +1,5 @@
 // Whole queries on the device against the CPU's:
-//   test_cuda_pairs [--small] [--seed N] [--part pairs|made|orders|given|poses|ends|group] [--data FOLDER]
+//   test_cuda_pairs [--small] [--seed N] [--part pairs|made|orders|given|poses|ends|group|words] [--data FOLDER]
 #include "engine.hpp"
 
 #include "cuda_test.hpp"
@@ -29,7 +29,7 @@ bool read(int argc, char **argv, cuda_test::settings &s) {
       return false;
   }
   return s.part.empty() || s.part == "pairs" || s.part == "made" || s.part == "orders" || s.part == "given" ||
-         s.part == "poses" || s.part == "ends" || s.part == "group";
+         s.part == "poses" || s.part == "ends" || s.part == "group" || s.part == "words";
 }
 
 } // namespace
@@ -39,9 +39,10 @@ int main(int argc, char **argv) {
   std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12); // what was found is seen also where the run is cut off
   settings s;
   if (!read(argc, argv, s)) {
-    std::fputs("usage: test_cuda_pairs [--small] [--seed N] [--part pairs|made|orders|given|poses|ends|group] [--data "
-               "FOLDER]\n",
-               stderr);
+    std::fputs(
+        "usage: test_cuda_pairs [--small] [--seed N] [--part pairs|made|orders|given|poses|ends|group|words] [--data "
+        "FOLDER]\n",
+        stderr);
     return 2;
   }
   if (no_device())
@@ -61,7 +62,7 @@ int main(int argc, char **argv) {
       };
       scenes("pairs", pair_scenes), scenes("made", made_scenes), scenes("orders", order_scenes),
           scenes("given", given_scenes), scenes("poses", pose_scenes), scenes("ends", end_scenes),
-          scenes("group", group_scenes);
+          scenes("group", group_scenes), scenes("words", word_scenes);
     } else {
       mesh_scenes(with, s);
     }
