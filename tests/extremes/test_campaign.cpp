@@ -34,8 +34,9 @@ TEST_CASE("extremes: no rung certifies anything wrong") {
     CHECK(sum.hits > sum.cases / 20);
     CHECK(sum.hits < sum.cases - sum.cases / 20);
     CHECK((sum.boxed > sum.cases / 8 || f.make == near_overflow)); // whose boxes float32 has not
-    for (const std::uint64_t unsure : sum.unsure)
-      CHECK(unsure > 0);
+    for (int r = 0; r < bounded;
+         ++r) // doubles, and more so double-doubles, are all but exact at the limit of the former
+      CHECK((sum.unsure[static_cast<std::size_t>(r)] > 0 || (r == fp64x2 && f.make == at_exact_steps)));
     CHECK(sum.unsure[fp32] > sum.unsure[fp64]);
     CHECK(sum.unsure[fp64] >= sum.unsure[fp64x2]);
   }

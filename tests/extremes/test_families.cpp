@@ -157,6 +157,96 @@ TEST_CASE("families: a cluster is a few ulps wide, at any exponent") {
   CHECK(highest >= 120);
 }
 
+TEST_CASE("families: flat_subnormal is flat, and subnormal across its plane") {
+  int cases = 0, flat = 0, subnormal = 0;
+  on_cases("flat_subnormal", 300, [&](const subject &s, const pair_of_rows &p) {
+    ++cases;
+    bool one_height = false, small = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::vector<float> c = along(s, p, axis);
+      const auto [low, high] = std::minmax_element(c.begin(), c.end());
+      one_height = one_height || (*low == *high && std::abs(*low) < 0x1p-126F);
+      small = small || (std::abs(*low) < 0x1p-126F && std::abs(*high) < 0x1p-126F);
+    }
+    flat += one_height, subnormal += small;
+  });
+  CHECK(subnormal > cases * 9 / 10);
+  CHECK(flat > cases / 3);
+}
+
+TEST_CASE("families: plane_binades spans 26 binades, and points lie on planes exactly") {
+  const subject &s = subject_named("side_triangle_point");
+  random_numbers random(53);
+  int cases = 0, wide = 0, on_plane = 0, off = 0;
+  for (; cases < effort(2000); ++cases) {
+    const pair_of_rows p = plane_binades(s.a, s.b, random);
+    int low = 1000, high = -1000;
+    for (const row *r : {&p.a, &p.b})
+      for (const float f : *r)
+        if (f != 0)
+          low = std::min(low, std::ilogb(f)), high = std::max(high, std::ilogb(f));
+    wide += high - low >= 20;
+    const int side = truth_by_geometry(s, p);
+    on_plane += side == 0, off += side != 0;
+  }
+  CHECK(wide > cases / 4);
+  CHECK(on_plane > cases / 10);
+  CHECK(off > cases / 10);
+}
+
+TEST_CASE("families: at_exact_steps has differences within three steps of each limit") {
+  for (const subject &s : subjects()) {
+    random_numbers random(54);
+    const std::span<const double> limits = exact_limits(s.a, s.b);
+    std::vector<int> near(limits.size());
+    int cases = 0;
+    for (; cases < effort(500); ++cases) {
+      const pair_of_rows p = at_exact_steps(s.a, s.b, random);
+      double longest = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::vector<float> c = along(s, p, axis);
+        const auto [low, high] = std::minmax_element(c.begin(), c.end());
+        longest = std::max(longest, static_cast<double>(*high) - static_cast<double>(*low));
+      }
+      for (std::size_t i = 0; i < limits.size(); ++i) {
+        const double limit = std::min(limits[i], 0x1p24);
+        for (int e = -149; e <= 100; ++e)                       // in the pair's own steps
+          if (std::abs(std::ldexp(longest, -e) - limit) <= 5) { // and a step or two off the plane
+            ++near[i];
+            break;
+          }
+      }
+    }
+    INFO(s.name);
+    for (const int n : near)
+      CHECK(n > cases / (3 * static_cast<int>(limits.size())));
+  }
+}
+
+TEST_CASE("families: long_lattice has edges of 2^18 cells, with corners on and beside their lattice points") {
+  const subject &s = subject_named("segment_segment");
+  random_numbers random(55);
+  int cases = 0, on = 0, off = 0, long_ones = 0;
+  for (; cases < effort(2000); ++cases) {
+    const pair_of_rows p = long_lattice(s.a, s.b, random);
+    double longest = 0, least = HUGE_VAL;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, std::abs(static_cast<double>(p.a[k]) - static_cast<double>(p.a[3 + k])));
+    for (const row *r : {&p.a, &p.b}) // the lattice's step: the largest power of two of which all numbers are multiples
+      for (const float f : *r)
+        for (int e = -149; f != 0 && e <= 122; ++e)
+          if (std::fmod(static_cast<double>(f), std::ldexp(1.0, e + 1)) != 0) {
+            least = std::min(least, std::ldexp(1.0, e));
+            break;
+          }
+    long_ones += longest >= 0x1p17 * least;
+    (truth_by_geometry(s, p) ? on : off) += 1;
+  }
+  CHECK(long_ones > cases * 9 / 10);
+  CHECK(on > cases / 5);
+  CHECK(off > cases / 5);
+}
+
 TEST_CASE("families: bent neighbours share corners bit for bit and are all but coplanar") {
   const subject &s = subject_named("triangle_triangle"), &side = subject_named("side_triangle_point");
   random_numbers random(52);
