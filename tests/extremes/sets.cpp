@@ -188,12 +188,11 @@ set_counts &set_counts::operator+=(const set_counts &o) {
   return *this;
 }
 
-set_counts run_sets(std::uint64_t cases, std::uint64_t seed, unsigned threads,
-                    const std::function<void(const set_counts &)> &report) {
+set_counts run_sets(const set_plan &what, const std::function<void(const set_counts &)> &report) {
   std::vector<std::pair<const subject *, const family *>> cells;
   for (const family &f : families())
     for (const subject &s : subjects())
-      if (!s.sign && f.applies(s.a, s.b))
+      if (!s.sign && f.applies(s.a, s.b) && (what.family.empty() || what.family == f.name))
         cells.emplace_back(&s, &f);
   set_counts all;
   std::mutex lock;
@@ -203,11 +202,11 @@ set_counts run_sets(std::uint64_t cases, std::uint64_t seed, unsigned threads,
       std::uint64_t round = 0;
       {
         const std::scoped_lock hold(lock);
-        if (all.cases >= cases)
+        if (all.cases >= what.cases)
           return;
         round = next++;
       }
-      random_numbers random(seed * 0x9e3779b97f4a7c15 + round);
+      random_numbers random(what.seed * 0x9e3779b97f4a7c15 + round);
       const auto &[s, f] = cells[round % cells.size()];
       set_counts found;
       if ((round / cells.size()) % 4 == 3)
@@ -221,7 +220,7 @@ set_counts run_sets(std::uint64_t cases, std::uint64_t seed, unsigned threads,
     }
   };
   std::vector<std::jthread> pool;
-  for (unsigned i = 1; i < threads; ++i)
+  for (unsigned i = 1; i < what.threads; ++i)
     pool.emplace_back(work);
   work();
   pool.clear();

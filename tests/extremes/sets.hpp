@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace meetc::extremes_test {
 
@@ -17,11 +18,16 @@ struct set_counts {
   set_counts &operator+=(const set_counts &o);
 };
 
+struct set_plan {
+  std::uint64_t cases, seed;
+  unsigned threads = 1;
+  std::string_view family = {}; // empty: all
+};
+
 // Rounds until so many cases are judged. A round makes two sets from one family, and asks for their pairs: by pairs(), and of
 // prepared sets, whole and for each other, by their hierarchy and all pairs. Every fourth round one prepared set, which holds its
 // elements at several magnitudes, meets partners of each from several threads at once. `report` is called now and then.
-set_counts run_sets(std::uint64_t cases, std::uint64_t seed, unsigned threads,
-                    const std::function<void(const set_counts &)> &report = {});
+set_counts run_sets(const set_plan &what, const std::function<void(const set_counts &)> &report = {});
 
 } // namespace meetc::extremes_test
 
