@@ -5,7 +5,7 @@
 #include "core/device/poses.hpp"
 #include "tests/downstream/flags/words.hpp"
 
-#include <algorithm>
+#include <cstring>
 
 namespace cuda_test {
 namespace {
@@ -69,7 +69,7 @@ void of_predicate(comparison &with, const predicate_info &p, double scale, engin
     const bool same = same_list(as_it_is.pairs, want.pairs) && same_list(again.pairs, want.pairs) &&
                       same_list(given.pairs, want_moved.pairs) && same_list(posed.pairs, want_moved.pairs) &&
                       several.counts == std::vector<std::uint64_t>{want.count, want_moved.count} &&
-                      std::equal(low, low + 3, lo) && std::equal(high, high + 3, hi);
+                      std::memcmp(low, lo, sizeof lo) == 0 && std::memcmp(high, hi, sizeof hi) == 0;
     if (!same)
       throw std::logic_error(std::string(p.name) + " answers otherwise");
   });
