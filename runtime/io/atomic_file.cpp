@@ -1,5 +1,7 @@
 #include "io/atomic_file.hpp"
 
+#include "meetc/control_word.hpp"
+
 #include <fmt/format.h>
 
 #include <atomic>
@@ -16,6 +18,7 @@ namespace meetc::io {
 namespace fs = std::filesystem;
 
 atomic_file::atomic_file(fs::path target) : target_(std::move(target)) {
+  const control_word_guard guard; // the standard library computes how many parts a path has room for
   struct stat info {};
   const bool exists = ::stat(target_.c_str(), &info) == 0;
   if (exists && S_ISDIR(info.st_mode))
@@ -82,9 +85,11 @@ void atomic_file::commit() {
 }
 
 void write_file(const std::filesystem::path &target, std::string_view bytes) {
-  atomic_file file(target);
-  file.write(bytes);
-  file.commit();
+  under_standard_word([&] {
+    atomic_file file(target);
+    file.write(bytes);
+    file.commit();
+  });
 }
 
 void atomic_file::fail(const char *what, int code) const {

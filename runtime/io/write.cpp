@@ -109,26 +109,7 @@ void write_polygons(const std::filesystem::path &path, std::span<const float> xy
   out.commit();
 }
 
-} // namespace
-
-void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pair> pairs) {
-  buffered out(path);
-  out.text("a,b\n");
-  for (const index_pair &pair : pairs) {
-    out.decimal(pair.a);
-    out.text(",");
-    out.decimal(pair.b);
-    out.text("\n");
-  }
-  out.commit();
-}
-
-void write_ply(const std::filesystem::path &path, std::span<const float> xyz, std::span<const std::uint32_t> index,
-               std::span<const rgb> colours) {
-  write_polygons(path, xyz, gather(index, {}), colours);
-}
-
-void write_ply(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours) {
+void write_mesh(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours) {
   if (mesh.kind->points != 3 || mesh.kind->fields != 9)
     throw error(fmt::format("{}: only triangles make a PLY mesh, not {}", path.string(), plural(mesh.kind->name)));
   if (!mesh.index.empty() || mesh.elements == 0)
@@ -136,6 +117,31 @@ void write_ply(const std::filesystem::path &path, const element_set &mesh, std::
   std::vector<std::uint32_t> index(3 * mesh.elements);
   std::iota(index.begin(), index.end(), 0U);
   write_polygons(path, mesh.data, gather(index, mesh.owner), colours);
+}
+
+} // namespace
+
+void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pair> pairs) {
+  under_standard_word([&] {
+    buffered out(path);
+    out.text("a,b\n");
+    for (const index_pair &pair : pairs) {
+      out.decimal(pair.a);
+      out.text(",");
+      out.decimal(pair.b);
+      out.text("\n");
+    }
+    out.commit();
+  });
+}
+
+void write_ply(const std::filesystem::path &path, std::span<const float> xyz, std::span<const std::uint32_t> index,
+               std::span<const rgb> colours) {
+  under_standard_word([&] { write_polygons(path, xyz, gather(index, {}), colours); });
+}
+
+void write_ply(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours) {
+  under_standard_word([&] { write_mesh(path, mesh, colours); });
 }
 
 } // namespace meetc::io
