@@ -1,5 +1,7 @@
 #include "gen/lower/compose.hpp"
 
+#include "gen/ir/residue.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <utility>
@@ -87,6 +89,19 @@ void mentioned(const lang::expr &e, const composer::scope &names, composer::scop
 
 } // namespace
 
+node_values without_zeros(const builder &code, const node_values &v) {
+  std::vector<node_id> ids;
+  for (const auto &[at, id] : v)
+    ids.push_back(id);
+  const auto residues = ir::residues(program{code.nodes(), ids});
+  node_values out;
+  auto of = residues.begin();
+  for (const auto &[at, id] : v)
+    if (const ir::residue_list &r = *of++; std::any_of(r.begin(), r.end(), [](std::uint64_t x) { return x != 0; }))
+      out.emplace(at, id);
+  return out;
+}
+
 node_values composer::inputs(builder &code, const std::vector<blade> &blades, int first) {
   node_values out;
   for (const blade b : blades)
@@ -172,7 +187,10 @@ node_values composer::of_call(const lang::expr &e, const scope &names) {
   expander check(model_, none, unused);
   std::vector<value> grades; // of the arguments, for the domain
   for (std::size_t i = 0; i < e.args.size(); ++i) {
-    inner.emplace_back(f->params[i], compose(*e.args[i], names));
+    node_values argument = compose(*e.args[i], names);
+    if (f->domain)
+      argument = without_zeros(code_, argument);
+    inner.emplace_back(f->params[i], std::move(argument));
     multivector m;
     for (const auto &[at, id] : inner.back().second)
       m.add(at, poly::poly(none, 1));
@@ -220,7 +238,8 @@ node_values composer::composed(const lang::expr &e, const scope &names) {
   if (which == parts::long_ones || (which == parts::arguments && e.kind != kind::call)) {
     try {
       return expanded(e, names, most_steps_tried, true);
-    } catch (const too_long &) {
+    } catch (const spec_error &) {
+      // Either it is long, or it is not defined for values whose relations are lost. Its parts tell which.
       if (steps_ > most_steps)
         throw;
     }

@@ -6,8 +6,8 @@
 // as long as it is short. Where it is long, its parts become values of the program first: the arguments of a call, and then
 // the operands of each product in the body of the function. What follows is expanded over those. Constants and signs are not
 // hidden in values, so that what they simplify is simplified.
-// Limits: relations between the values of parts are lost. A coefficient can therefore be zero without being seen as zero;
-// the caller drops these.
+// Limits: relations between the values of parts are lost. A coefficient can therefore be zero without being seen as zero:
+// the arguments of a function with a domain, which asks for their grades, are rid of these, and the caller drops the others.
 #pragma once
 #include "gen/lower/build.hpp"
 #include "gen/lower/expand.hpp"
@@ -15,6 +15,9 @@
 namespace meetc::lower {
 
 using node_values = std::map<blade, node_id>; // a multivector by its coefficients
+
+// The coefficients that are not zero for all inputs (gen/ir/residue.hpp).
+node_values without_zeros(const builder &code, const node_values &v);
 
 // The parts that become values: those whose expansion is long; also the arguments of the outermost call; all.
 enum class parts { long_ones, arguments, all };

@@ -80,8 +80,12 @@ public:
     }
     for (const parts which : {parts::arguments, parts::all})
       if (const auto way = composed(code, which)) {
-        if (!whole_ && forms.empty())
-          out_.result = sorted_blades(not_zero(code, *way));
+        if (!whole_ && forms.empty()) { // a composed value may have more coefficients than the formula
+          std::set<blade> where;
+          for (const auto &[at, id] : without_zeros(code, *way))
+            where.insert(at);
+          out_.result = sorted_blades(where);
+        }
         forms.emplace_back();
         for (const blade at : out_.result) {
           const auto it = way->find(at);
@@ -136,25 +140,11 @@ private:
     }
     try {
       return composer(model_, code, which).compose(*request_.body, names);
-    } catch (const too_long &) {
+    } catch (const spec_error &) { // where it expands, it is not this way's to refuse
       if (!whole_ && which == parts::arguments)
         throw;
       return std::nullopt;
     }
-  }
-
-  // The blades with coefficients that are not identically zero. A composed value may have more.
-  std::set<blade> not_zero(const builder &code, const node_values &v) const {
-    std::vector<node_id> ids;
-    for (const auto &[at, id] : v)
-      ids.push_back(id);
-    const auto residues = ir::residues(ir::program{code.nodes(), ids});
-    std::set<blade> out;
-    auto of = residues.begin();
-    for (const auto &[at, id] : v)
-      if (const ir::residue_list &r = *of++; std::any_of(r.begin(), r.end(), [](std::uint64_t x) { return x != 0; }))
-        out.insert(at);
-    return out;
   }
 
   // Whether the program has the values that the expression has at the points of the residues.
