@@ -239,11 +239,32 @@ std::pair<rational, poly> poly::primitive() const {
   return {content, scaled(1 / content)};
 }
 
+namespace {
+// Whether a primitive polynomial is seen to have no factors: a variable occurs in one term only, to the first power, and no
+// variable is in all terms. The one of two factors without the former variable divides its cofactor, which is a monomial,
+// and all other terms; so it is a number. Sums of products are of this form, and the general search, in tens of variables,
+// takes most of the time of a compilation.
+bool is_plainly_irreducible(const std::vector<term> &terms, int variables) {
+  std::vector<int> occurrences(static_cast<std::size_t>(variables)), exponents = occurrences;
+  for (const term &t : terms)
+    for (const power &f : t.factors)
+      ++occurrences[static_cast<std::size_t>(f.variable)],
+          exponents[static_cast<std::size_t>(f.variable)] += f.exponent;
+  const auto all = static_cast<int>(terms.size());
+  return all > 1 && std::find(occurrences.begin(), occurrences.end(), all) == occurrences.end() &&
+         std::find(exponents.begin(), exponents.end(), 1) != exponents.end();
+}
+} // namespace
+
 poly::factor poly::factors() const {
   auto [content, rest] = primitive();
   factor out{{}, content};
   if (rest.is_constant()) {
     out.content *= rest.is_zero() ? rational(0) : rest.constant();
+    return out;
+  }
+  if (is_plainly_irreducible(rest.terms(), ring_->size())) {
+    out.parts.emplace_back(std::move(rest), 1);
     return out;
   }
   auto *integers = const_cast<fmpz_mpoly_ctx_struct *>(rest.p_->context->zctx);
