@@ -1,5 +1,5 @@
-// The predicates on a CUDA device: a source with launchers for each predicate, and the catalogue through which a
-// runtime runs all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
+// The predicates on a CUDA device: a source with launchers for each predicate and one for each kind, and the catalogue through
+// which a runtime runs all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
 #include "gen/target/cuda/cuda.hpp"
 
 #include "gen/target/cpp/cpp.hpp"
@@ -39,22 +39,15 @@ std::string shape_of(const std::string &kind) {
 
 std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
-  std::string out = "namespace {\n\nusing form = ball_form;\n\nconst meetc::cuda::kind_launchers all_kinds[] = {\n";
-  for (const lower::lowered_kind *k : kinds)
-    out += fmt::format("  {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::instances<{1}>, "
-                       "meetc::cuda::enclose<{1}>, meetc::cuda::columns<{1}, form>, meetc::cuda::places<{1}>, "
-                       "meetc::cuda::gather<{1}>, "
-                       "meetc::cuda::boxes<{1}>, meetc::cuda::arrange<{1}>, meetc::cuda::surround<{1}>, "
-                       "meetc::cuda::sift<{1}>}},\n",
-                       k->name, shape_of(k->name));
-  out += "};\n\n"
-         "// A query with the predicate at this index of the catalogue.\n"
-         "template <int Place> cudaError_t pairs(const meetc::cuda::query &q, cudaStream_t stream) {\n"
-         "  return meetc::cuda::pairs(catalogue(), catalogue().predicates[Place], q, stream);\n}\n"
-         "template <int Place>\n"
-         "std::size_t workspace(std::uint32_t a, std::uint32_t b, unsigned long long list_capacity) {\n"
-         "  return meetc::cuda::query_workspace(catalogue(), catalogue().predicates[Place], a, b, list_capacity);\n"
-         "}\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
+  std::string out =
+      "namespace {\n\nusing form = ball_form;\n\n"
+      "// A query with the predicate at this index of the catalogue.\n"
+      "template <int Place> cudaError_t pairs(const meetc::cuda::query &q, cudaStream_t stream) {\n"
+      "  return meetc::cuda::pairs(catalogue(), catalogue().predicates[Place], q, stream);\n}\n"
+      "template <int Place>\n"
+      "std::size_t workspace(std::uint32_t a, std::uint32_t b, unsigned long long list_capacity) {\n"
+      "  return meetc::cuda::query_workspace(catalogue(), catalogue().predicates[Place], a, b, list_capacity);\n"
+      "}\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const std::string name = identifier(k->asked.asked->name);
@@ -65,7 +58,11 @@ std::string catalogue_text(const unit &u) {
                     k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
-  return out + fmt::format("}};\n\n}} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {{\n"
+  out += "};\n\n} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {\n"
+         "  static const meetc::cuda::kind_launchers all_kinds[] = {\n";
+  for (const lower::lowered_kind *k : kinds)
+    out += fmt::format("    kinds::{}(),\n", identifier(k->name));
+  return out + fmt::format("  }};\n"
                            "  static const meetc::cuda::catalogue c{{\"{}\", all_kinds, {}, all_predicates, {}, "
                            "meetc::cuda::clear_extent, meetc::cuda::candidates<form>, meetc::cuda::probe, "
                            "meetc::launch_self_test}};\n"
@@ -113,24 +110,50 @@ std::string cuda_header(const unit &u) {
       out += fmt::format("  static cudaError_t first_met{};\n", first_met_parameters);
     out += "};\n";
   }
-  return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
+  out += "\n// The launchers of each kind, for the catalogue.\nnamespace kinds {\n";
+  for (const lower::lowered_kind *k : element_kinds(u))
+    out += fmt::format("meetc::cuda::kind_launchers {}();\n", identifier(k->name));
+  return out + fmt::format("}} // namespace kinds\n\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
 std::string cuda_catalogue(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The catalogue of launchers on a CUDA device.");
-  out += fmt::format(
-      "#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
-      "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_cull.hpp>\n#include <meetc/cuda_filter.hpp>\n"
-      "#include <meetc/cuda_probe.hpp>\n#include <meetc/cuda_query.hpp>\n#include <meetc/cuda_sets.hpp>\n#include "
-      "<meetc/cuda_tree.hpp>\n\n"
-      "namespace {0} {{\nnamespace cuda {{\n\n",
-      space);
+  out +=
+      fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n"
+                  "#include <meetc/cuda_filter.hpp>\n#include <meetc/cuda_probe.hpp>\n#include <meetc/cuda_query.hpp>\n"
+                  "#include <meetc/cuda_sets.hpp>\n\n"
+                  "namespace {0} {{\nnamespace cuda {{\n\n",
+                  space);
   out += catalogue_text(u);
   if (u.asks(lang::rung::certified))
     out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) {\n"
            "  return meetc::launch_self_test(faults, stream);\n}\n";
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
+}
+
+// A kernel's name holds no dot, so that no predicate's source has this name.
+std::string kind_source(const std::string &kind) {
+  return "kind." + identifier(kind);
+}
+
+std::string cuda_kind(const unit &u, const lower::lowered_kind &k) {
+  const std::string space = identifier(u.scene.space);
+  std::string out =
+      banner(u.scene, fmt::format("What a set of elements of the kind {} does on a CUDA device.", k.name));
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
+                     "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_cull.hpp>\n"
+                     "#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
+                     "namespace {0} {{\nnamespace cuda {{\nnamespace kinds {{\n\n",
+                     space);
+  out += fmt::format("meetc::cuda::kind_launchers {2}() {{\n"
+                     "  return {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::instances<{1}>, "
+                     "meetc::cuda::enclose<{1}>, meetc::cuda::columns<{1}, ball_form>, meetc::cuda::places<{1}>, "
+                     "meetc::cuda::gather<{1}>, "
+                     "meetc::cuda::boxes<{1}>, meetc::cuda::arrange<{1}>, meetc::cuda::surround<{1}>, "
+                     "meetc::cuda::sift<{1}>}};\n}}\n",
+                     k.name, shape_of(k.name), identifier(k.name));
+  return out + fmt::format("\n}} // namespace kinds\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
 
 std::string cuda_launchers(const unit &u, const lower::kernel &k) {
@@ -193,6 +216,8 @@ std::vector<file> cuda_files(const unit &u) {
   for (const lower::kernel *k : predicates_of(u))
     if (const lower::kernel *const order = order_of(u, *k))
       out.push_back({fmt::format("{}/src/{}.cu", space, order->asked.name()), cuda_order(u, *k, *order)});
+  for (const lower::lowered_kind *k : element_kinds(u))
+    out.push_back({fmt::format("{}/src/{}.cu", space, kind_source(k->name)), cuda_kind(u, *k)});
   for (file &f : out)
     f.text = broken_lines(f.text);
   return out;

@@ -2,14 +2,10 @@
 // The catalogue of launchers on a CUDA device.
 #include <cga/cga_cuda.hpp>
 #include <cga/ball_form.hpp>
-#include <cga/shapes.hpp>
-#include <meetc/cuda_arrange.hpp>
-#include <meetc/cuda_cull.hpp>
 #include <meetc/cuda_filter.hpp>
 #include <meetc/cuda_probe.hpp>
 #include <meetc/cuda_query.hpp>
 #include <meetc/cuda_sets.hpp>
-#include <meetc/cuda_tree.hpp>
 
 namespace cga {
 namespace cuda {
@@ -17,34 +13,6 @@ namespace cuda {
 namespace {
 
 using form = ball_form;
-
-const meetc::cuda::kind_launchers all_kinds[] = {
-  {"point", point_shape::fields, meetc::cuda::pose_rows<point_shape>, meetc::cuda::instances<point_shape>,
-      meetc::cuda::enclose<point_shape>, meetc::cuda::columns<point_shape, form>,
-      meetc::cuda::places<point_shape>, meetc::cuda::gather<point_shape>, meetc::cuda::boxes<point_shape>,
-      meetc::cuda::arrange<point_shape>, meetc::cuda::surround<point_shape>, meetc::cuda::sift<point_shape>},
-  {"sphere", sphere_shape::fields, meetc::cuda::pose_rows<sphere_shape>, meetc::cuda::instances<sphere_shape>,
-      meetc::cuda::enclose<sphere_shape>, meetc::cuda::columns<sphere_shape, form>,
-      meetc::cuda::places<sphere_shape>, meetc::cuda::gather<sphere_shape>, meetc::cuda::boxes<sphere_shape>,
-      meetc::cuda::arrange<sphere_shape>, meetc::cuda::surround<sphere_shape>,
-      meetc::cuda::sift<sphere_shape>},
-  {"segment", segment_shape::fields, meetc::cuda::pose_rows<segment_shape>,
-      meetc::cuda::instances<segment_shape>, meetc::cuda::enclose<segment_shape>,
-      meetc::cuda::columns<segment_shape, form>, meetc::cuda::places<segment_shape>,
-      meetc::cuda::gather<segment_shape>, meetc::cuda::boxes<segment_shape>,
-      meetc::cuda::arrange<segment_shape>, meetc::cuda::surround<segment_shape>,
-      meetc::cuda::sift<segment_shape>},
-  {"triangle", triangle_shape::fields, meetc::cuda::pose_rows<triangle_shape>,
-      meetc::cuda::instances<triangle_shape>, meetc::cuda::enclose<triangle_shape>,
-      meetc::cuda::columns<triangle_shape, form>, meetc::cuda::places<triangle_shape>,
-      meetc::cuda::gather<triangle_shape>, meetc::cuda::boxes<triangle_shape>,
-      meetc::cuda::arrange<triangle_shape>, meetc::cuda::surround<triangle_shape>,
-      meetc::cuda::sift<triangle_shape>},
-  {"box", box_shape::fields, meetc::cuda::pose_rows<box_shape>, meetc::cuda::instances<box_shape>,
-      meetc::cuda::enclose<box_shape>, meetc::cuda::columns<box_shape, form>, meetc::cuda::places<box_shape>,
-      meetc::cuda::gather<box_shape>, meetc::cuda::boxes<box_shape>, meetc::cuda::arrange<box_shape>,
-      meetc::cuda::surround<box_shape>, meetc::cuda::sift<box_shape>},
-};
 
 // A query with the predicate at this index of the catalogue.
 template <int Place> cudaError_t pairs(const meetc::cuda::query &q, cudaStream_t stream) {
@@ -81,6 +49,13 @@ const meetc::cuda::predicate_launchers all_predicates[] = {
 } // namespace
 
 const meetc::cuda::catalogue &catalogue() {
+  static const meetc::cuda::kind_launchers all_kinds[] = {
+    kinds::point(),
+    kinds::sphere(),
+    kinds::segment(),
+    kinds::triangle(),
+    kinds::box(),
+  };
   static const meetc::cuda::catalogue c{"cga", all_kinds, 5, all_predicates, 11, meetc::cuda::clear_extent,
       meetc::cuda::candidates<form>, meetc::cuda::probe, meetc::launch_self_test};
   return c;

@@ -163,6 +163,15 @@ struct box_box {
       meetc::cuda::pair_list unsure, cudaStream_t stream);
 };
 
+// The launchers of each kind, for the catalogue.
+namespace kinds {
+meetc::cuda::kind_launchers point();
+meetc::cuda::kind_launchers sphere();
+meetc::cuda::kind_launchers segment();
+meetc::cuda::kind_launchers triangle();
+meetc::cuda::kind_launchers box();
+} // namespace kinds
+
 } // namespace cuda
 } // namespace cga
 
