@@ -28,7 +28,7 @@ processor processor_named(std::string_view name) {
   if (name != "cuda")
     throw failure(fmt::format("--device {}: unknown; known: auto, cpu, cuda", io::quote(std::string(name))));
 #if !MEETC_WITH_CUDA
-  throw failure("--device cuda: this build has no CUDA kernels (no nvcc was found); use --device cpu", no_device);
+  throw failure("--device cuda: this build has no CUDA kernels (" MEETC_NO_CUDA "); use --device cpu", no_device);
 #endif
   return processor::cuda;
 }

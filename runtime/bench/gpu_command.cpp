@@ -140,7 +140,7 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
 #else
 
 std::string gpu(const catalogue &, const gpu_request &) {
-  throw app::failure("bench gpu: this build has no CUDA kernels (no nvcc was found); meet bench paper times the CPU",
+  throw app::failure("bench gpu: this build has no CUDA kernels (" MEETC_NO_CUDA "); meet bench paper times the CPU",
                      app::no_device);
 }
 

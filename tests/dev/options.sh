@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# options.sh SOURCE: no command leaves an option in the cache that another one then takes for its own: what `./dev demo` and
+# `./dev test` set, the README's preset sets too.
+set -euo pipefail
+source=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$source"
+
+# The options that ./dev gives to the preset.
+mapfile -t given < <(grep -oE -- '-D(MEETC_(CUDA|INSTRUCTION_SETS))\b' dev | sort -u)
+[ ${#given[@]} -eq 2 ] || {
+  echo "FAILED: ./dev gives ${given[*]}"
+  exit 1
+}
+cached() { sed -nE "s/^$1:[A-Z]+=//p" "$folder/build/CMakeCache.txt"; }
+cmake --preset release -B "$folder/build" -DMEETC_CUDA=OFF -DMEETC_BUILD_TESTS=OFF -DMEETC_INSTRUCTION_SETS=avx2 >/dev/null
+[ "$(cached MEETC_CUDA) $(cached MEETC_INSTRUCTION_SETS)" = "OFF avx2" ] || {
+  echo "FAILED: what is given has no effect"
+  exit 1
+}
+grep -q 'MEETC_CUDA was off' "$folder/build/compile_commands.json" || {
+  echo "FAILED: the program does not know why it has no CUDA kernels"
+  exit 1
+}
+cmake --preset release -B "$folder/build" -DMEETC_BUILD_TESTS=OFF >/dev/null
+[ "$(cached MEETC_CUDA) $(cached MEETC_INSTRUCTION_SETS)" = "ON avx2;avx512" ] || {
+  echo "FAILED: the preset keeps MEETC_CUDA=$(cached MEETC_CUDA), MEETC_INSTRUCTION_SETS=$(cached MEETC_INSTRUCTION_SETS)"
+  exit 1
+}
