@@ -152,17 +152,15 @@ __device__ void order_counted(distributes<Tile> &keys, const cuda::distribution 
 
 template <unsigned Tile>
 __global__ void __launch_bounds__(order_threads, 1) order_keys_kernel(const __grid_constant__ key_order o) {
-  extern __shared__ uint4 memory[];
   const cuda::distribution all_keys{o.keys, o.by_cell, o.n, o.counted};
   distributes<Tile> keys(all_keys, o.bits, false, blockIdx.x, gridDim.x,
-                         *reinterpret_cast<typename distributes<Tile>::room *>(memory));
+                         *reinterpret_cast<typename distributes<Tile>::room *>(cuda::shared_memory()));
   keys.template count_there<4>();
   order_counted<Tile>(keys, all_keys, o.bits_b, o.unordered);
 }
 
 template <unsigned Tile>
 __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_constant__ hit_order o) {
-  extern __shared__ uint4 memory[];
   const unsigned long long all = *o.count;
   if (all > o.capacity) // not all of them are there
     return;
@@ -174,7 +172,7 @@ __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_co
   const int bits_b = bits_of(o.items_b);
   const cuda::distribution all_keys{reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted};
   distributes<Tile> keys(all_keys, bits_of(o.items_a) + bits_b, false, blockIdx.x, gridDim.x,
-                         *reinterpret_cast<typename distributes<Tile>::room *>(memory));
+                         *reinterpret_cast<typename distributes<Tile>::room *>(cuda::shared_memory()));
   count_hits(o, keys);
   order_counted<Tile>(keys, all_keys, bits_b, o.unordered);
 }
@@ -258,9 +256,8 @@ cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint
   const cudaError_t e = cudaMemsetAsync(most, 0, 2 * sizeof(float), stream);
   if (e != cudaSuccess || n == 0)
     return e;
-  reaches_kernel<<<blocks_for(n * fields), threads, 0, stream>>>(rows, n * fields, fields, lengths,
-                                                                 reinterpret_cast<unsigned *>(most));
-  return cudaGetLastError();
+  return cuda::launch_after<reaches_kernel>(blocks_for(n * fields), threads, stream, rows, n * fields, fields, lengths,
+                                            reinterpret_cast<unsigned *>(most));
 }
 
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,

@@ -302,8 +302,7 @@ private:
 template <class Shape>
 __global__ void __launch_bounds__(arranging<Shape>::threads, 1)
     arrange_kernel(const __grid_constant__ arrange_jobs jobs) {
-  extern __shared__ uint4 memory[];
-  auto &room = *reinterpret_cast<typename arranging<Shape>::room *>(memory);
+  auto &room = *reinterpret_cast<typename arranging<Shape>::room *>(shared_memory());
   const bool second = blockIdx.x >= jobs.first_blocks;
   const unsigned before = second ? jobs.first_blocks : 0;
   arranging<Shape> mine(jobs.of[second], jobs.shape[second], blockIdx.x - before,

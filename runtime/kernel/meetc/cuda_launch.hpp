@@ -1,4 +1,4 @@
-// Kernels that start while the one before them on their stream ends. Included by nvcc only.
+// Kernels that start while the one before them on their stream ends. Included by nvcc, or behind a stand-in for a block.
 //
 // Most steps of a query are shorter than it takes to start a kernel. So a kernel's blocks may come to the device early, and
 // wait there for the memory of the kernel before (CUDA's programmatic dependent launch, capability 9.0).
@@ -18,6 +18,14 @@ __device__ inline void begin() {
   asm volatile("griddepcontrol.wait;" ::: "memory");
 #endif
 }
+
+#if defined(__CUDACC__)
+// The dynamic shared memory of a block.
+__device__ inline uint4 *shared_memory() {
+  extern __shared__ uint4 memory[];
+  return memory;
+}
+#endif
 
 // A number above 0 that is the same for every call on one device; `find` is called once for each, or a few times.
 struct number_of_device {
@@ -81,6 +89,14 @@ cudaError_t launch(unsigned blocks, unsigned threads, cudaStream_t stream, const
   cudaLaunchConfig_t how{};
   how.gridDim = {blocks, 1, 1}, how.blockDim = {threads, 1, 1}, how.stream = stream;
   how.attrs = &early, how.numAttrs = waits<Kernel>() ? 1 : 0;
+  return cudaLaunchKernelEx(&how, Kernel, arguments...);
+}
+
+// Enqueues a kernel that has no begin().
+template <auto Kernel, class... Arguments>
+cudaError_t launch_after(unsigned blocks, unsigned threads, cudaStream_t stream, const Arguments &...arguments) {
+  cudaLaunchConfig_t how{};
+  how.gridDim = {blocks, 1, 1}, how.blockDim = {threads, 1, 1}, how.stream = stream;
   return cudaLaunchKernelEx(&how, Kernel, arguments...);
 }
 

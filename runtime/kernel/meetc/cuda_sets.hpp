@@ -9,6 +9,7 @@
 #include <meetc/tolerant.hpp>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace meetc::cuda {
 
@@ -21,8 +22,7 @@ static __global__ void clear_extent_kernel(extent *around) {
   clear(*around, static_cast<int>(threadIdx.x));
 }
 inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
-  clear_extent_kernel<<<1, 3, 0, stream>>>(around);
-  return cudaGetLastError();
+  return launch_after<clear_extent_kernel>(1, 3, stream, around);
 }
 
 __device__ inline extent joined_in_warp(extent mine) {
@@ -70,8 +70,7 @@ template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, e
   if (n == 0)
     return cudaSuccess;
   const unsigned blocks = std::min(blocks_for(n), 1056U); // all change the same numbers
-  enclose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, around);
-  return cudaGetLastError();
+  return launch_after<enclose_kernel<Shape>>(blocks, set_threads, stream, rows, n, around);
 }
 
 // Writes the padding too.
@@ -104,15 +103,13 @@ cudaError_t columns(filter by, grouping g, cover c, bool first, const float *row
   if (n == 0)
     return cudaSuccess;
   const unsigned blocks = blocks_for(matrix_padded(operand{rows, n, g, nullptr}.objects()));
-  if (by != filter::float32 && first)
-    columns_kernel<Shape, Form, true, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
-  else if (by != filter::float32)
-    columns_kernel<Shape, Form, false, true><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
-  else if (first)
-    columns_kernel<Shape, Form, true, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
-  else
-    columns_kernel<Shape, Form, false, false><<<blocks, set_threads, 0, stream>>>(g, c, rows, n, around, out);
-  return cudaGetLastError();
+  const auto start = [&]<bool First, bool Halves>(std::bool_constant<First>, std::bool_constant<Halves>) {
+    return launch_after<columns_kernel<Shape, Form, First, Halves>>(blocks, set_threads, stream, g, c, rows, n, around,
+                                                                    out);
+  };
+  if (by != filter::float32)
+    return first ? start(std::true_type(), std::true_type()) : start(std::false_type(), std::true_type());
+  return first ? start(std::true_type(), std::false_type()) : start(std::false_type(), std::false_type());
 }
 
 __device__ inline float moved(const double *m, double x, double y, double z) {
@@ -131,7 +128,7 @@ template <class Shape> __device__ bool is_good(const float *row) {
 template <class Shape> __device__ bool posed_row(const pose_matrix &at, const float *in, float *out) {
   for (int f = 0; f < Shape::fields; ++f)
     out[f] = in[f];
-  if (!at.identity)
+  if (!at.identity) {
     for (int f = 0; f < Shape::fields; ++f)
       if (Shape::role_of(f) == role::length) {
         out[f] = __double2float_rn(__dmul_rn(in[f], at.length_scale));
@@ -143,6 +140,7 @@ template <class Shape> __device__ bool posed_row(const pose_matrix &at, const fl
         if (has_z)
           out[f + 2] = moved(at.m + 8, x, y, z);
       }
+  }
   if (at.on_grid)
     for (int f = 0; f < Shape::fields; ++f)
       out[f] = nearest_multiple(out[f], at.grid_low);
@@ -239,8 +237,7 @@ cudaError_t pose_rows(const view &v, const pose_matrix &at, const std::uint32_t 
     return cudaErrorInvalidValue;
   // No more than run at once, since all change the same box.
   const unsigned blocks = std::min(blocks_for(v.elements), blocks_at_once<pose_kernel<Shape>, set_threads>());
-  pose_kernel<Shape><<<blocks, set_threads, 0, stream>>>(v, at, order, rows, bad, around);
-  return cudaGetLastError();
+  return launch_after<pose_kernel<Shape>>(blocks, set_threads, stream, v, at, order, rows, bad, around);
 }
 
 template <class Shape>
@@ -265,8 +262,7 @@ cudaError_t instances(const float *rows, std::uint32_t n, const pose_matrix *at,
   if (e != cudaSuccess || all == 0)
     return e;
   const unsigned blocks = blocks_for(std::min(all, std::size_t{65536} * set_threads));
-  instances_kernel<Shape><<<blocks, set_threads, 0, stream>>>(rows, n, at, poses, to, bad);
-  return cudaGetLastError();
+  return launch_after<instances_kernel<Shape>>(blocks, set_threads, stream, rows, n, at, poses, to, bad);
 }
 
 } // namespace meetc::cuda

@@ -94,7 +94,7 @@ __global__ void __launch_bounds__(tree_threads)
     gather_kernel(const __grid_constant__ gather_job job, const __grid_constant__ tree_shape shape) {
   begin();
   constexpr unsigned fields = Shape::fields, width = tree_width;
-  __shared__ alignas(16) float rows_of_warps[tree_threads / width][width * fields]; // rows of four are written as such
+  alignas(16) __shared__ float rows_of_warps[tree_threads / width][width * fields]; // rows of four are written as such
   float *const of_warp = rows_of_warps[threadIdx.x / width];
   const unsigned lane = threadIdx.x % width, n = job.elements;
   const std::uint32_t node = static_cast<std::uint32_t>((blockIdx.x * std::size_t{tree_threads} + threadIdx.x) / width);

@@ -1,14 +1,15 @@
-// A stand-in for one warp, on the host: each of its 32 lanes is a context with a stack of its own, and a function of the
-// whole warp is a rendezvous. A lane that misses a rendezvous, or is at another than its neighbours, is a failure. Between
-// two of them lanes run to their end one after another, now from the first to the last, now from the last to the first:
-// what one lane writes and another reads without a rendezvous between them is therefore read too early in one of the two.
+// Blocks of threads on the host, which run device code as it is: each thread is a fiber with a stack of its own, and a function
+// of a whole warp or block is a rendezvous. A thread that misses a rendezvous, or is at another than its neighbours, is a
+// failure. Between two of them threads run to their end one after another, now from the first to the last, now from the last to
+// the first: what one thread writes and another reads without a rendezvous between them is therefore read too early in one of
+// the two. Blocks that run at once take turns where all threads of all of them meet.
 //
 // Included before the headers of device code, whose names for CUDA's functions it gives.
 #ifndef MEETC_TESTS_HOST_WARP_HPP
 #define MEETC_TESTS_HOST_WARP_HPP
 
+#include <boost/context/fiber.hpp>
 #include <cuda_runtime_api.h>
-#include <ucontext.h>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,10 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -32,76 +36,97 @@ inline thread_index threadIdx, blockIdx, blockDim{32}, gridDim{1};
 namespace host_warp {
 
 inline constexpr unsigned width = 32;
+enum class scope { warp, block, grid };
 
-class warp {
+// The threads of some blocks that run at once.
+class blocks {
 public:
-  // Runs `lane` in every lane until all have returned.
-  void run(const std::function<void()> &lane) {
-    lane_ = &lane;
-    for (one &l : lanes_)
-      start(l);
-    for (bool forward = true; step(forward); forward = !forward) {
+  // Runs `thread` in every thread of every block until all have returned.
+  void run(const std::function<void()> &thread, unsigned threads = width, unsigned count = 1, unsigned first = 0) {
+    const unsigned n = threads * count;
+    thread_ = &thread, threads_ = threads, first_ = first;
+    while (all_.size() < n)
+      all_.push_back(std::make_unique<one>());
+    values_.assign(n, 0);
+    for (unsigned i = 0; i < n; ++i)
+      start(*all_[i]);
+    for (;;) {
+      for (unsigned block = 0; block < count; ++block)
+        run_block(block);
+      const auto waits =
+          std::find_if(all_.begin(), all_.begin() + n, [](const auto &t) { return t->now != state::done; });
+      if (waits == all_.begin() + n)
+        return;
+      if (!release(0, n, static_cast<unsigned>(waits - all_.begin()), scope::grid))
+        throw std::logic_error("blocks do not meet");
     }
   }
 
-  // Where the lanes meet: each brings a value and sees those of all.
-  const std::array<std::uint64_t, width> &meet(const char *where, std::uint64_t value) {
-    one &l = lanes_[threadIdx.x];
-    l.where = where, l.value = value;
-    leave(l, false);
-    return values_;
+  // Where threads meet: each brings a value and sees those of all that are named in the mask. `where` is compared.
+  const std::uint64_t *meet(scope of, const char *where, std::uint64_t value, unsigned mask = ~0U) {
+    one &t = *all_[current_];
+    t.of = of, t.where = where, t.value = value, t.mask = mask, t.now = state::waiting;
+    leave(t);
+    return values_.data() + current_ / width * width; // of its warp
   }
+  // The values that the threads of this block brought.
+  const std::uint64_t *of_block() const { return values_.data() + current_ / threads_ * threads_; }
+  unsigned threads() const { return threads_; }
+  std::vector<char> &shared() { return shared_[current_ / threads_]; }
+  void give_shared(unsigned count, std::size_t bytes) { shared_.assign(count, std::vector<char>(bytes, '\xa5')); }
 
 private:
+  enum class state { ready, waiting, done };
   struct one {
-    ucontext_t context;
-    std::vector<char> stack;
+    static constexpr std::size_t stack_bytes = std::size_t{1} << 17;
+    std::unique_ptr<char[]> stack{new char[stack_bytes]};
+    boost::context::fiber code, caller;
+    scope of;
     const char *where;
     std::uint64_t value;
-    bool done;
-    void *shadow; // what AddressSanitizer keeps of a context
+    unsigned mask;
+    state now = state::done;
+    void *shadow; // what AddressSanitizer keeps of a fiber
+  };
+  struct no_allocation { // the stack outlives its fiber
+    void deallocate(boost::context::stack_context &) {}
   };
 
-  // getcontext() may return twice, so that nothing else is in this function.
-  static void start(one &l) {
-    l.stack.resize(std::size_t{1} << 18);
-    l.done = false;
-    getcontext(&l.context);
-    l.context.uc_stack.ss_sp = l.stack.data();
-    l.context.uc_stack.ss_size = l.stack.size();
-    l.context.uc_link = nullptr;
-    makecontext(&l.context, &warp::enter, 0);
+  void start(one &t) {
+    t.code = {}; // of a run that failed
+    t.now = state::ready;
+    boost::context::stack_context where;
+    where.sp = t.stack.get() + one::stack_bytes, where.size = one::stack_bytes;
+    t.code = boost::context::fiber(std::allocator_arg, boost::context::preallocated(where.sp, where.size, where),
+                                   no_allocation(), [this, &t](boost::context::fiber &&caller) {
+                                     t.caller = std::move(caller);
+                                     arrive(nullptr);
+                                     (*thread_)();
+                                     t.now = state::done;
+#if defined(__SANITIZE_ADDRESS__)
+                                     __sanitizer_start_switch_fiber(nullptr, caller_stack_, caller_size_);
+#endif
+                                     return std::move(t.caller);
+                                   });
   }
-
-  // Runs every lane to its next rendezvous. Returns false when all have returned.
-  bool step(bool forward) {
-    for (unsigned i = 0; i < width; ++i) {
-      threadIdx.x = forward ? i : width - 1 - i;
-      one &l = lanes_[threadIdx.x];
+  void resume(unsigned number) {
+    one &t = *all_[number];
+    current_ = number, threadIdx.x = number % threads_, blockIdx.x = first_ + number / threads_;
 #if defined(__SANITIZE_ADDRESS__)
-      void *shadow = nullptr;
-      __sanitizer_start_switch_fiber(&shadow, l.stack.data(), l.stack.size());
+    void *shadow = nullptr;
+    __sanitizer_start_switch_fiber(&shadow, t.stack.get(), one::stack_bytes);
 #endif
-      swapcontext(&caller_, &l.context);
+    t.code = std::move(t.code).resume();
 #if defined(__SANITIZE_ADDRESS__)
-      __sanitizer_finish_switch_fiber(shadow, nullptr, nullptr);
+    __sanitizer_finish_switch_fiber(shadow, nullptr, nullptr);
 #endif
-    }
-    for (unsigned i = 0; i < width; ++i) {
-      if (lanes_[i].done != lanes_[0].done || (!lanes_[i].done && std::strcmp(lanes_[i].where, lanes_[0].where) != 0))
-        throw std::logic_error("lanes of a warp do not meet");
-      values_[i] = lanes_[i].value;
-    }
-    return !lanes_[0].done;
   }
-
-  void leave(one &l, bool for_good) {
-    l.done = for_good;
+  void leave(one &t) {
 #if defined(__SANITIZE_ADDRESS__)
-    __sanitizer_start_switch_fiber(for_good ? nullptr : &l.shadow, caller_stack_, caller_size_);
+    __sanitizer_start_switch_fiber(&t.shadow, caller_stack_, caller_size_);
 #endif
-    swapcontext(&l.context, &caller_);
-    arrive(l.shadow);
+    t.caller = std::move(t.caller).resume();
+    arrive(t.shadow);
   }
   void arrive([[maybe_unused]] void *shadow) {
 #if defined(__SANITIZE_ADDRESS__)
@@ -109,23 +134,68 @@ private:
 #endif
   }
 
-  static void enter();
-
-  const std::function<void()> *lane_ = nullptr;
-  std::array<one, width> lanes_;
-  std::array<std::uint64_t, width> values_{};
-  ucontext_t caller_;
+  // Whether some thread could go on.
+  bool step(unsigned begin, bool forward) {
+    bool went = false;
+    for (unsigned i = 0; i < threads_; ++i)
+      if (const unsigned at = begin + (forward ? i : threads_ - 1 - i); all_[at]->now == state::ready)
+        resume(at), went = true;
+    return went;
+  }
+  // Lets the threads from `begin` to `end` go on that wait where this one does, if all do that have to.
+  bool release(unsigned begin, unsigned end, unsigned number, scope of) {
+    const one &first = *all_[number];
+    const unsigned mask = of == scope::warp ? first.mask : ~0U;
+    const auto named = [&](unsigned i) {
+      return of == scope::warp ? (mask >> (i - begin) & 1) != 0 : all_[i]->now != state::done;
+    };
+    for (unsigned i = begin; i < end; ++i)
+      if (const one &t = *all_[i]; named(i) && (t.now != state::waiting || t.of != of || t.mask != first.mask ||
+                                                (t.where != first.where && std::strcmp(t.where, first.where) != 0)))
+        return false;
+    for (unsigned i = begin; i < end; ++i)
+      if (named(i))
+        values_[i] = all_[i]->value, all_[i]->now = state::ready;
+    return true;
+  }
+  bool release_warps(unsigned begin) {
+    bool released = false;
+    for (unsigned i = begin; i < begin + threads_; ++i)
+      if (all_[i]->now == state::waiting && all_[i]->of == scope::warp) {
+        const unsigned warp = begin + (i - begin) / width * width;
+        released |= release(warp, std::min(warp + width, begin + threads_), i, scope::warp);
+      }
+    return released;
+  }
+  // Until all threads are done, or wait for the other blocks.
+  void run_block(unsigned block) {
+    const unsigned begin = block * threads_, end = begin + threads_;
+    for (bool forward = true; step(begin, forward); forward = !forward) {
+      if (release_warps(begin))
+        continue;
+      const auto waits = std::find_if(all_.begin() + begin, all_.begin() + end,
+                                      [](const auto &t) { return t->now == state::waiting; });
+      if (waits == all_.begin() + end)
+        return;
+      const auto number = static_cast<unsigned>(waits - all_.begin());
+      if ((*waits)->of == scope::block && release(begin, end, number, scope::block))
+        continue;
+      if (std::any_of(all_.begin() + begin, all_.begin() + end,
+                      [](const auto &t) { return t->now == state::waiting && t->of != scope::grid; }))
+        throw std::logic_error("threads do not meet: " + std::string((*waits)->where));
+      return;
+    }
+  }
+  const std::function<void()> *thread_ = nullptr;
+  unsigned threads_ = width, first_ = 0, current_ = 0; // first_: the number of the first of the blocks
+  std::vector<std::unique_ptr<one>> all_;
+  std::vector<std::uint64_t> values_;
+  std::vector<std::vector<char>> shared_;
   const void *caller_stack_ = nullptr;
   std::size_t caller_size_ = 0;
 };
 
-inline warp the_warp;
-
-inline void warp::enter() {
-  the_warp.arrive(nullptr);
-  (*the_warp.lane_)();
-  the_warp.leave(the_warp.lanes_[threadIdx.x], true);
-}
+inline blocks the_blocks;
 
 template <class T> std::uint64_t bits_of(T value) {
   std::uint64_t bits = 0;
@@ -137,17 +207,23 @@ template <class T> T from_bits(std::uint64_t bits) {
   std::memcpy(&value, &bits, sizeof value);
   return value;
 }
-inline void require_all(unsigned mask) {
-  if (mask != ~0U)
-    throw std::logic_error("only whole warps are stood in for");
+inline unsigned lane() {
+  return threadIdx.x % width;
 }
 
-// Of all lanes' values the one that comes first.
-template <class Before> int least(unsigned mask, int value, Before before) {
-  require_all(mask);
-  for (const std::uint64_t bits : the_warp.meet("reduce", bits_of(value)))
-    value = std::min(value, from_bits<int>(bits), before);
+// A value of all lanes that are named in the mask.
+template <class T, class Join> T joined(unsigned mask, const char *what, T value, Join join) {
+  const std::uint64_t *const all = the_blocks.meet(scope::warp, what, bits_of(value), mask);
+  bool first = true;
+  for (unsigned i = 0; i < width; ++i)
+    if (mask >> i & 1) {
+      value = first ? from_bits<T>(all[i]) : join(value, from_bits<T>(all[i]));
+      first = false;
+    }
   return value;
+}
+template <class T> T of_lane(unsigned mask, const char *what, T value, unsigned from) {
+  return from_bits<T>(the_blocks.meet(scope::warp, what, bits_of(value), mask)[from % width]);
 }
 
 } // namespace host_warp
@@ -155,49 +231,55 @@ template <class Before> int least(unsigned mask, int value, Before before) {
 // ---- CUDA's functions ----
 
 template <class T> T __shfl_sync(unsigned mask, T value, unsigned lane) {
-  host_warp::require_all(mask);
-  return host_warp::from_bits<T>(host_warp::the_warp.meet("shfl", host_warp::bits_of(value))[lane % host_warp::width]);
+  return host_warp::of_lane(mask, "shfl", value, lane);
 }
 template <class T> T __shfl_xor_sync(unsigned mask, T value, int with) {
-  host_warp::require_all(mask);
-  const unsigned lane = threadIdx.x ^ static_cast<unsigned>(with);
-  return host_warp::from_bits<T>(host_warp::the_warp.meet("shfl_xor", host_warp::bits_of(value))[lane]);
+  return host_warp::of_lane(mask, "shfl_xor", value, host_warp::lane() ^ static_cast<unsigned>(with));
 }
 template <class T> T __shfl_up_sync(unsigned mask, T value, unsigned by) {
-  host_warp::require_all(mask);
-  const unsigned lane = threadIdx.x < by ? threadIdx.x : threadIdx.x - by;
-  return host_warp::from_bits<T>(host_warp::the_warp.meet("shfl_up", host_warp::bits_of(value))[lane]);
+  const unsigned lane = host_warp::lane();
+  return host_warp::of_lane(mask, "shfl_up", value, lane < by ? lane : lane - by);
 }
 inline unsigned __ballot_sync(unsigned mask, bool holds) {
-  host_warp::require_all(mask);
-  const auto &all = host_warp::the_warp.meet("ballot", holds);
-  unsigned bits = 0;
-  for (unsigned i = 0; i < host_warp::width; ++i)
-    bits |= static_cast<unsigned>(all[i]) << i;
-  return bits;
-}
-inline int __reduce_min_sync(unsigned mask, int value) {
-  return host_warp::least(mask, value, std::less<>());
-}
-inline int __reduce_max_sync(unsigned mask, int value) {
-  return host_warp::least(mask, value, std::greater<>());
+  return host_warp::joined(mask, "ballot", static_cast<unsigned>(holds) << host_warp::lane(), std::bit_or<>());
 }
 inline int __any_sync(unsigned mask, bool holds) {
-  host_warp::require_all(mask);
-  const auto &all = host_warp::the_warp.meet("any", holds);
-  return std::any_of(all.begin(), all.end(), [](std::uint64_t v) { return v != 0; });
+  return __ballot_sync(mask, holds) != 0;
+}
+inline int __reduce_min_sync(unsigned mask, int value) {
+  return host_warp::joined(mask, "reduce_min", value, [](int x, int y) { return std::min(x, y); });
+}
+inline int __reduce_max_sync(unsigned mask, int value) {
+  return host_warp::joined(mask, "reduce_max", value, [](int x, int y) { return std::max(x, y); });
+}
+inline unsigned __reduce_add_sync(unsigned mask, unsigned value) {
+  return host_warp::joined(mask, "reduce_add", value, std::plus<>());
+}
+// Each lane may be alone.
+inline unsigned __activemask() {
+  return 1U << host_warp::lane();
+}
+template <class T> unsigned __match_any_sync(unsigned mask, T value) {
+  const std::uint64_t *const all =
+      host_warp::the_blocks.meet(host_warp::scope::warp, "match_any", host_warp::bits_of(value), mask);
+  unsigned alike = 0;
+  for (unsigned i = 0; i < host_warp::width; ++i)
+    alike |= (mask >> i & 1) != 0 && all[i] == host_warp::bits_of(value) ? 1U << i : 0;
+  return alike;
 }
 inline void __syncwarp() {
-  host_warp::the_warp.meet("syncwarp", 0);
+  host_warp::the_blocks.meet(host_warp::scope::warp, "syncwarp", 0);
 }
-// A block is one warp, and its shared memory that of the program.
 inline void __syncthreads() {
-  host_warp::the_warp.meet("syncthreads", 0);
+  host_warp::the_blocks.meet(host_warp::scope::block, "syncthreads", 0);
 }
 inline int __syncthreads_or(int holds) {
-  const auto &all = host_warp::the_warp.meet("syncthreads_or", holds != 0);
-  return std::any_of(all.begin(), all.end(), [](std::uint64_t v) { return v != 0; });
+  host_warp::the_blocks.meet(host_warp::scope::block, "syncthreads_or", holds != 0);
+  const std::uint64_t *const all = host_warp::the_blocks.of_block();
+  return std::any_of(all, all + host_warp::the_blocks.threads(), [](std::uint64_t v) { return v != 0; });
 }
+inline void __threadfence() {}
+inline void __threadfence_system() {}
 #undef __shared__
 #define __shared__ static
 template <class T> T __ldcg(const T *from) {
@@ -239,20 +321,37 @@ inline unsigned __float_as_uint(float x) {
 inline float __uint_as_float(unsigned x) {
   return std::bit_cast<float>(x);
 }
-inline unsigned long long atomicAdd(unsigned long long *to, unsigned long long n) {
-  const unsigned long long before = *to;
-  *to += n;
+template <class T, class Change> T host_atomic(T *at, Change change) {
+  const T before = *at;
+  *at = static_cast<T>(change(before));
   return before;
 }
-inline std::uint32_t atomicAdd(std::uint32_t *to, std::uint32_t n) {
-  const std::uint32_t before = *to;
-  *to += n;
-  return before;
+template <class T> T atomicAdd(T *at, std::type_identity_t<T> n) {
+  return host_atomic(at, [n](T before) { return before + n; });
 }
-inline std::uint32_t atomicMax(std::uint32_t *to, std::uint32_t n) {
-  const std::uint32_t before = *to;
-  *to = std::max(before, n);
-  return before;
+template <class T> T atomicMax(T *at, std::type_identity_t<T> n) {
+  return host_atomic(at, [n](T before) { return std::max(before, n); });
+}
+template <class T> T atomicMin(T *at, std::type_identity_t<T> n) {
+  return host_atomic(at, [n](T before) { return std::min(before, n); });
+}
+template <class T> T atomicOr(T *at, std::type_identity_t<T> n) {
+  return host_atomic(at, [n](T before) { return before | n; });
+}
+template <class T> T atomicCAS(T *at, std::type_identity_t<T> expected, std::type_identity_t<T> n) {
+  return host_atomic(at, [expected, n](T before) { return before == expected ? n : before; });
+}
+inline unsigned atomicInc(unsigned *at, unsigned most) {
+  return host_atomic(at, [most](unsigned before) { return before >= most ? 0 : before + 1; });
+}
+inline double __dadd_rn(double x, double y) {
+  return x + y;
+}
+inline double __dmul_rn(double x, double y) {
+  return x * y;
+}
+inline float __double2float_rn(double x) {
+  return static_cast<float>(x);
 }
 using std::max;
 using std::min;

@@ -61,7 +61,7 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
   std::vector<typename distributes::room> rooms(blocks);
   const auto each_block = [&](auto &&step) {
     for (unsigned block = 0; block < blocks; ++block)
-      host_warp::the_warp.run([&] {
+      host_warp::the_blocks.run([&] {
         distributes mine(d, s.key_bits, sparse, block, blocks, rooms[block]);
         step(mine, block);
       });
@@ -84,7 +84,7 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
     const std::uint32_t block = first / window % blocks, last = std::min(n, first + window),
                         before = std::min(first, sparse ? 32U : 0U);
     unsigned said = 0;
-    host_warp::the_warp.run([&] {
+    host_warp::the_blocks.run([&] {
       distributes mine(d, s.key_bits, sparse, block, blocks, rooms[block]);
       said += mine.window(first - before, last) ? 1 : 0;
     });
@@ -94,7 +94,7 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
     std::vector<std::uint64_t> written(n, ~0ULL);
     unsigned said_again = 0;
     std::vector<std::uint64_t> kept(rooms[block].keys, rooms[block].keys + before + (last - first));
-    host_warp::the_warp.run([&] {
+    host_warp::the_blocks.run([&] {
       distributes mine(d, s.key_bits, sparse, block, blocks, rooms[block]);
       said_again += mine.window(first, last, [&](std::uint32_t at, std::uint64_t key) { written[at] = key; }) ? 1 : 0;
     });

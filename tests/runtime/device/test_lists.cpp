@@ -1,4 +1,4 @@
-// How a warp appends to lists: the device's own code, with a stand-in for the warp.
+// How a warp appends to lists: the device's own code, on the host.
 #include "tests/runtime/device/host_warp.hpp"
 
 #include "meetc/cuda_lists.hpp"
@@ -58,7 +58,7 @@ TEST_CASE("lists: every marked pair is appended once, or both ways, and no more 
           unsigned long long count = 0;
           const pair_list to{list.data(), &count, capacity, both_ways};
           static index_pair room[256];
-          host_warp::the_warp.run([&] {
+          host_warp::the_blocks.run([&] {
             waiting_list<256> waiting(to, room);
             for (unsigned r = 0; r < rounds; ++r) {
               const marked_pairs &m = all[r * host_warp::width + threadIdx.x];

@@ -125,7 +125,7 @@ found walked(const tree_walk &from, std::size_t capacity, unsigned enough, std::
     walk.hits().flush(__shfl_sync(~0U, at, 0));
   };
   for (std::uint32_t warp = 0; warp < warps; ++warp)
-    host_warp::the_warp.run([&] {
+    host_warp::the_blocks.run([&] {
       if (w.balls && w.out.both_ways)
         go(warp_walk<walk_by::balls, true>(w, plan, room), warp);
       else if (w.balls)

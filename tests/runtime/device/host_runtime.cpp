@@ -1,5 +1,5 @@
-// The CUDA runtime's calls, on the host: see stand_in.cpp.
-#include <cuda_runtime_api.h>
+// The calls of the CUDA runtime on the host, where device memory is memory: see host_launch.hpp.
+#include "tests/runtime/device/host_launch.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -25,12 +25,24 @@ cudaError_t cudaSetDevice(int) {
 }
 cudaError_t cudaGetDeviceProperties(cudaDeviceProp *p, int) {
   *p = {};
-  std::strcpy(p->name, "a stand-in on the host");
+  std::strcpy(p->name, "the host");
   p->major = 9;
   return cudaSuccess;
 }
+cudaError_t cudaDeviceGetAttribute(int *value, cudaDeviceAttr which, int) {
+  switch (which) {
+  case cudaDevAttrMultiProcessorCount:
+    *value = host_warp::multiprocessors;
+    return cudaSuccess;
+  case cudaDevAttrMaxSharedMemoryPerBlockOptin:
+    *value = 232448;
+    return cudaSuccess;
+  default:
+    return cudaErrorInvalidValue;
+  }
+}
 const char *cudaGetErrorString(cudaError_t) {
-  return "an error of the stand-in";
+  return "an error on the host";
 }
 cudaError_t cudaGetLastError() {
   return cudaSuccess;

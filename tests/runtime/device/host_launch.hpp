@@ -1,0 +1,68 @@
+// How kernels are started on the host: at once, by the threads of host_warp.hpp, some blocks after another. The device has
+// three multiprocessors, each of which runs one block at a time; only blocks that may wait for each other run at once.
+//
+// Read before all else in each source of device code that is compiled for the host.
+#ifndef MEETC_TESTS_HOST_LAUNCH_HPP
+#define MEETC_TESTS_HOST_LAUNCH_HPP
+
+#include "tests/runtime/device/host_warp.hpp"
+
+#include <cmath>
+#include <mutex>
+#include <tuple>
+#include <vector_types.h>
+
+#undef __launch_bounds__
+#define __launch_bounds__(...)
+using std::isfinite;
+
+namespace host_warp {
+
+inline std::mutex one_kernel; // what it uses is of the whole program
+inline constexpr int multiprocessors = 3;
+
+} // namespace host_warp
+
+template <class... Parameters, class... Arguments>
+cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t *how, void (*kernel)(Parameters...), Arguments &&...arguments) {
+  const std::lock_guard lock(host_warp::one_kernel);
+  if (how->gridDim.x == 0 || how->blockDim.x == 0 || how->blockDim.x > 1024)
+    return cudaErrorInvalidConfiguration;
+  const bool together = how->numAttrs == 1 && how->attrs->id == cudaLaunchAttributeCooperative;
+  if (together && how->gridDim.x > static_cast<unsigned>(host_warp::multiprocessors))
+    return cudaErrorCooperativeLaunchTooLarge;
+  const std::tuple<std::remove_const_t<Parameters>...> given(arguments...);
+  gridDim = {how->gridDim.x}, blockDim = {how->blockDim.x};
+  const unsigned at_once = together ? how->gridDim.x : 1;
+  for (unsigned first = 0; first < how->gridDim.x; first += at_once) {
+    host_warp::the_blocks.give_shared(at_once, how->dynamicSmemBytes);
+    host_warp::the_blocks.run([&] { std::apply(kernel, given); }, how->blockDim.x, at_once, first);
+  }
+  return cudaSuccess;
+}
+
+template <class... Parameters> cudaError_t cudaFuncGetAttributes(cudaFuncAttributes *of, void (*)(Parameters...)) {
+  *of = {};
+  return cudaSuccess;
+}
+template <class... Parameters> cudaError_t cudaFuncSetAttribute(void (*)(Parameters...), cudaFuncAttribute, int) {
+  return cudaSuccess;
+}
+template <class... Parameters>
+cudaError_t cudaOccupancyMaxActiveBlocksPerMultiprocessor(int *blocks, void (*)(Parameters...), int, std::size_t) {
+  *blocks = 1;
+  return cudaSuccess;
+}
+
+namespace meetc::cuda {
+
+inline void meet_grid() {
+  host_warp::the_blocks.meet(host_warp::scope::grid, "grid", 0);
+}
+inline uint4 *shared_memory() {
+  return reinterpret_cast<uint4 *>(host_warp::the_blocks.shared().data());
+}
+
+} // namespace meetc::cuda
+
+#endif
