@@ -61,6 +61,29 @@ TEST_CASE("families: every row is finite and every radius is 0 or more") {
   }
 }
 
+TEST_CASE("families: their numbers span every width of the exact rung") {
+  for (const subject &s : subjects()) {
+    INFO(s.name);
+    int cases = 0, widest = 0, by_width[4] = {0, 0, 0, 0}; // up to 20, 60, 250 bits and more
+    for (const family &f : families()) {
+      if (!f.applies(s.a, s.b))
+        continue;
+      random_numbers random(53);
+      for (int i = 0; i < effort(200); ++i, ++cases) {
+        const pair_of_rows p = f.make(s.a, s.b, random);
+        row all = p.a;
+        all.insert(all.end(), p.b.begin(), p.b.end());
+        const int bits = meetc::grid_of(all.data(), static_cast<int>(all.size())).bits();
+        widest = std::max(widest, bits);
+        ++by_width[bits <= 20 ? 0 : bits <= 60 ? 1 : bits <= 250 ? 2 : 3];
+      }
+    }
+    CHECK(widest >= 270);
+    for (const int count : by_width)
+      CHECK(count > cases / 100);
+  }
+}
+
 TEST_CASE("families: axis_magnitudes parts the axes by more than a mantissa") {
   int cases = 0, parted = 0;
   on_cases("axis_magnitudes", 300, [&](const subject &s, const pair_of_rows &p) {

@@ -9,18 +9,10 @@ build=$1 base=${2:-} seconds=${MEETC_TIDY_SECONDS:-900}
   echo "tidy: $build has no compile_commands.json"
   exit 1
 }
-if [ -z "$base" ]; then
-  head=$(git rev-parse -q --verify HEAD) || head=
-  base=$(git merge-base HEAD origin/main 2>/dev/null || git merge-base HEAD main 2>/dev/null) || base=$head
-  [ "$base" != "$head" ] || base=$(git rev-parse -q --verify HEAD~1) || base=
-fi
+base=$("$(dirname "$0")/base.sh" "$base")
 [ -n "$base" ] || {
   echo "tidy: there is no previous commit to compare with; name one"
   exit 0
-}
-git rev-parse -q --verify "$base^{commit}" >/dev/null || {
-  echo "tidy: '$base' is no commit"
-  exit 1
 }
 
 mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- 'gen/*.[ch]pp' 'runtime/*.[ch]pp')
