@@ -14,8 +14,8 @@ PACKAGES = ["catch2", "libcgal-dev", "libcli11-dev", "libflint-dev", "libfmt-dev
             "libtomlplusplus-dev", "nlohmann-json3-dev"]
 LIBRARIES_OF_TOOLS = ["libcoq-flocq", "libcoq-gappa"]
 # What differs between machines and commands, and not in what a test says: which further instruction sets are compiled,
-# and whether CUDA is.
-OF_THE_MACHINE = re.compile(r"-DMEETC_(WITH_(avx2|avx512|CUDA=.*)|NO_CUDA=.*)")
+# whether CUDA is, and where data lie.
+OF_THE_MACHINE = re.compile(r"-DMEETC_(WITH_(avx2|avx512|CUDA=.*)|NO_CUDA=.*|DATA=.*)")
 
 
 @functools.cache
@@ -46,6 +46,16 @@ def machine():
             flags = set(next((line for line in file if line.startswith("flags")), "").split())
     best = "avx512" if "avx512bw" in flags else "avx2" if "avx2" in flags else "baseline"
     return f"{platform.machine()} {best}"
+
+
+@functools.cache
+def data(folder):
+    """The files of a folder outside the project, by their content."""
+    found = hashlib.sha256()
+    for name in sorted(os.listdir(folder)) if os.path.isdir(folder) else []:
+        with open(os.path.join(folder, name), "rb") as file:
+            found.update(f"{name} {hashlib.sha256(file.read()).hexdigest()}".encode())
+    return found.hexdigest()
 
 
 class Build:
@@ -128,6 +138,7 @@ class Build:
         if self.of(name, "tools"):
             lines.add(f"packages {package_versions(*LIBRARIES_OF_TOOLS)}")
         lines |= {f"tool {os.path.basename(t)} {version(t)}" for t in self.of(name, "tools")}
+        lines |= {f"data {data(folder)}" for folder in self.of(name, "data")}
         if self.value(name, "native", "OFF") in ("ON", "TRUE"):
             lines.add(f"machine {machine()}")
         lines.add(self.relative("command " + " ".join(self.of(name, "command"))))

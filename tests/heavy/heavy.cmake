@@ -8,6 +8,7 @@
 #   [INPUTS path ...]      # further files, or folders with all in them; the headers of sources are found, in INCLUDES
 #   [INCLUDES folder ...]
 #   [TOOLS program ...]    # their versions count; so do those of the compilers of TARGETS
+#   [DATA folder]          # files outside the project, which it reads where the folder exists
 #   [NATIVE]               # it depends on the instruction sets of this machine
 #   [ASSUMES target ...]   # what it runs, which counts for nothing: not named in TARGETS, and built
 #   [FIXTURE name] [TIMEOUT seconds] [PROCESSORS number])
@@ -21,7 +22,7 @@ file(TOUCH ${MEETC_HEAVY_FOLDER}/selected.cmake) # the tests that `heavy.py sele
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${MEETC_HEAVY_FOLDER}/selected.cmake)
 
 function(meetc_add_heavy)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "NATIVE" "NAME;FIXTURE;TIMEOUT;PROCESSORS"
+  cmake_parse_arguments(PARSE_ARGV 0 arg "NATIVE" "NAME;DATA;FIXTURE;TIMEOUT;PROCESSORS"
     "COMMAND;TARGETS;EMITTED;INPUTS;INCLUDES;TOOLS;ASSUMES")
   if(arg_UNPARSED_ARGUMENTS OR NOT arg_NAME OR NOT arg_COMMAND)
     message(FATAL_ERROR "meetc_add_heavy(${arg_NAME}): unknown or missing: ${arg_UNPARSED_ARGUMENTS}")
@@ -52,6 +53,10 @@ function(meetc_add_heavy)
     endforeach()
   endforeach()
   string(APPEND lines "inputs ${CMAKE_CURRENT_LIST_FILE}\nnative ${arg_NATIVE}\n")
+  if(arg_DATA)
+    file(REAL_PATH ${arg_DATA} folder)
+    string(APPEND lines "data ${folder}\n")
+  endif()
   foreach(key FIXTURE TIMEOUT PROCESSORS)
     string(TOLOWER ${key} name)
     string(APPEND lines "${name} ${arg_${key}}\n")
