@@ -7,6 +7,7 @@
 
 #include "tests/runtime/device/host_warp.hpp"
 
+#include <cfenv>
 #include <cmath>
 #include <mutex>
 #include <tuple>
@@ -21,11 +22,24 @@ namespace host_warp {
 inline std::mutex one_kernel; // what it uses is of the whole program
 inline constexpr int multiprocessors = 3;
 
+// A device's arithmetic does not depend on the control word of the thread that starts a kernel.
+class arithmetic_of_device {
+public:
+  arithmetic_of_device() { std::fegetenv(&found_), std::fesetenv(FE_DFL_ENV); }
+  ~arithmetic_of_device() { std::fesetenv(&found_); }
+  arithmetic_of_device(const arithmetic_of_device &) = delete;
+  arithmetic_of_device &operator=(const arithmetic_of_device &) = delete;
+
+private:
+  std::fenv_t found_{};
+};
+
 } // namespace host_warp
 
 template <class... Parameters, class... Arguments>
 cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t *how, void (*kernel)(Parameters...), Arguments &&...arguments) {
   const std::lock_guard lock(host_warp::one_kernel);
+  const host_warp::arithmetic_of_device arithmetic;
   if (how->gridDim.x == 0 || how->blockDim.x == 0 || how->blockDim.x > 1024)
     return cudaErrorInvalidConfiguration;
   const bool together = how->numAttrs == 1 && how->attrs->id == cudaLaunchAttributeCooperative;
