@@ -5,8 +5,8 @@
 #include "gen/passes/passes.hpp"
 #include "gen/support/output.hpp"
 #include "gen/target/text/text.hpp"
-#include "gen/zero_kernels.hpp"
 #include "gen/verify/verify.hpp"
+#include "gen/zero_kernels.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -24,16 +24,16 @@ void tell_zero_kernels(const compilation &c) {
     const std::string text = lang::print(*z.what);
     const auto at = std::find(asked.begin(), asked.end(), text);
     if (at == asked.end())
-      throw spec_error(z.where, fmt::format("scene.zero lists '{}', which scene.kernels does not{}", text,
-                                            nearest(text, asked)));
+      throw spec_error(
+          z.where, fmt::format("scene.zero lists '{}', which scene.kernels does not{}", text, nearest(text, asked)));
     if (!is_zero(c.kernels[static_cast<std::size_t>(at - asked.begin())]))
       throw spec_error(z.where, fmt::format("scene.zero lists '{}', which is not zero", text));
     listed.push_back(text);
   }
   for (const lower::kernel &k : c.kernels)
     if (is_zero(k) && std::find(listed.begin(), listed.end(), k.asked.text) == listed.end())
-      warn({k.asked.where, fmt::format("'{0}' is zero for all operands; if that is meant, say so: zero = ['{0}']",
-                                       k.asked.text)});
+      warn({k.asked.where,
+            fmt::format("'{0}' is zero for all operands; if that is meant, say so: zero = ['{0}']", k.asked.text)});
 }
 
 } // namespace meetc

@@ -56,9 +56,14 @@ struct bounded_poly {
 
 std::optional<std::vector<poly::poly>> short_polys(const program &p, const poly::ring &inputs) {
   const auto spent = std::make_shared<std::size_t>(0);
-  const std::vector<bounded_poly> values = fold_results(
-      p, exact<bounded_poly>([&](int i) { return bounded_poly{poly::poly::variable(inputs, i), spent}; },
-                             [&](const rational &q) { return bounded_poly{poly::poly(inputs, q), spent}; }));
+  const std::vector<bounded_poly> values =
+      fold_results(p, exact<bounded_poly>(
+                          [&](int i) {
+                            return bounded_poly{poly::poly::variable(inputs, i), spent};
+                          },
+                          [&](const rational &q) {
+                            return bounded_poly{poly::poly(inputs, q), spent};
+                          }));
   std::vector<poly::poly> out;
   for (const bounded_poly &v : values) {
     if (!v.p)

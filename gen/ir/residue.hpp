@@ -12,7 +12,8 @@
 
 namespace meetc::ir {
 
-inline constexpr std::array<std::uint64_t, 2> residue_primes{(std::uint64_t{1} << 61) - 1, (std::uint64_t{1} << 61) - 31};
+inline constexpr std::array<std::uint64_t, 2> residue_primes{(std::uint64_t{1} << 61) - 1,
+                                                             (std::uint64_t{1} << 61) - 31};
 inline constexpr int residue_points = 20;
 
 // q modulo p. Throws std::logic_error where p divides the denominator.

@@ -30,8 +30,8 @@ oracle::matrix inverse(oracle::matrix m) {
     m[i][n + i] = 1;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const auto pivot = std::find_if(m.begin() + static_cast<std::ptrdiff_t>(i), m.end(),
-                                    [&](const auto &row) { return row[i] != 0; });
+    const auto pivot =
+        std::find_if(m.begin() + static_cast<std::ptrdiff_t>(i), m.end(), [&](const auto &row) { return row[i] != 0; });
     if (pivot == m.end())
       throw std::invalid_argument("the vectors are no basis");
     std::swap(*pivot, m[i]);
@@ -71,8 +71,8 @@ multivector changed(const multivector &x, const oracle::matrix &rows) {
 
 dense_evaluator::dense_evaluator(const lang::algebra &a, const oracle::matrix &metric,
                                  const oracle::matrix &declared_vectors, const oracle::matrix &working_vectors)
-    : spec_(a), dense_(metric), declared_vectors_(declared_vectors), coordinates_{inverse(working_vectors),
-                                                                                  inverse(declared_vectors)} {}
+    : spec_(a), dense_(metric),
+      declared_vectors_(declared_vectors), coordinates_{inverse(working_vectors), inverse(declared_vectors)} {}
 
 // The coefficient of m along a blade that is a multiple of a basis blade, of the working basis or else of the declared one.
 rational dense_evaluator::coefficient(const multivector &m, const multivector &along, const lang::expr &index) const {

@@ -36,7 +36,8 @@ private:
   const lang::algebra &spec_;
   oracle::dense_algebra dense_;
   oracle::matrix declared_vectors_;
-  std::array<oracle::matrix, 2> coordinates_; // rows of the vectors of evaluation in the working and in the declared basis
+  std::array<oracle::matrix, 2>
+      coordinates_; // rows of the vectors of evaluation in the working and in the declared basis
 
   oracle::rational coefficient(const oracle::multivector &m, const oracle::multivector &along,
                                const lang::expr &index) const;

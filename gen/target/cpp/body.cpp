@@ -20,14 +20,9 @@ std::string constant_text(const ir::rational &q, const std::string &type) {
 }
 
 syntax cpp_syntax(const body_names &names, const std::string &indent) {
-  return {names.type,
-          names.fma,
-          [type = names.type](const ir::rational &q) { return constant_text(q, type); },
-          names.input,
-          indent,
-          {},
-          "W",
-          "meetc::times<W>"};
+  return {names.type,  names.fma,        [type = names.type](const ir::rational &q) { return constant_text(q, type); },
+          names.input, indent,           {},
+          "W",         "meetc::times<W>"};
 }
 
 // A statement with a remark, which goes on the same line if there is room and otherwise on the line above.
@@ -95,7 +90,8 @@ std::string pair_body(const ir::program &p, const stored_body &stored, const bod
 
 std::string count_text(const ir::counts &c) {
   const auto number = [](int n, const char *what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
-  std::string out = number(c.multiplications + c.fused, "multiplication") + ", " + number(c.additions + c.fused, "addition");
+  std::string out =
+      number(c.multiplications + c.fused, "multiplication") + ", " + number(c.additions + c.fused, "addition");
   if (c.scalings)
     out += ", " + number(c.scalings, "scaling") + (c.scalings == 1 ? " by a power of two" : " by powers of two");
   if (c.negations)

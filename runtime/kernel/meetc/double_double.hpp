@@ -206,7 +206,8 @@ MEETC_HD MEETC_INLINE double multiply_add(double a, double b, double c) {
   return a * b + c;
 }
 #endif
-template <class A, class B, class C> MEETC_HD MEETC_INLINE constexpr C multiply_add(const A &a, const B &b, const C &c) {
+template <class A, class B, class C>
+MEETC_HD MEETC_INLINE constexpr C multiply_add(const A &a, const B &b, const C &c) {
   return fma(a, b, c); // of lanes, which do the same as above, and of exact types
 }
 

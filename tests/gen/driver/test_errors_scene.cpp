@@ -56,7 +56,8 @@ const scene_row scenes[] = {
     {"this is no toml\n", "s.toml:1:6", "expected '='", "i"},
     {"[scene\n", "s.toml:1:7", "parsing table header", ""},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nkernel = []\n", "s.toml:5:1",
-     "scene has no 'kernel'; it may have: algebra, namespace, kernels, zero, rungs, backends, box, tolerance; did you mean "
+     "scene has no 'kernel'; it may have: algebra, namespace, kernels, zero, rungs, backends, box, tolerance; did you "
+     "mean "
      "'kernels'?",
      "kernel"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\n[scenes]\n", "s.toml:5:2",
