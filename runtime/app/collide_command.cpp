@@ -2,6 +2,7 @@
 
 #include "app/collide_sets.hpp"
 #include "app/failure.hpp"
+#include "app/input_options.hpp"
 #include "app/kinds.hpp"
 #include "app/output_files.hpp"
 #include "app/paint.hpp"
@@ -88,12 +89,14 @@ std::string collide(const catalogue &all, const collide_request &q) {
   check_outputs(q, outputs);
   const auto start = std::chrono::steady_clock::now();
   const std::vector<const kind_info *> kinds = kinds_of(all);
-  const io::element_set a = io::read(q.a, kinds);
+  check_inputs(q.a, q.b);
+  const io::element_set a = io::read(q.a, kinds, q.read_a);
   std::error_code code;
-  const bool same_file = fs::equivalent(q.a, q.b, code);
-  std::optional<io::element_set> other;                                   // unless A is collided with itself
-  if (!same_file || q.a.extension() != q.b.extension() || q.move_b.any()) // the extension names the format
-    other = io::read(q.b, kinds, q.move_b);
+  const bool same_file = fs::equivalent(q.a, q.b, code), moved_a = q.read_a.move.any(), moved_b = q.read_b.move.any();
+  std::optional<io::element_set> other; // unless A is collided with itself
+  if (!same_file || q.a.extension() != q.b.extension() || q.read_a.format != q.read_b.format ||
+      q.read_a.kind != q.read_b.kind || moved_a || moved_b) // the extension names the format
+    other = io::read(q.b, kinds, q.read_b);
   const io::element_set &b = other ? *other : a;
   const std::chrono::duration<double> read = std::chrono::steady_clock::now() - start;
 
@@ -122,7 +125,8 @@ std::string collide(const catalogue &all, const collide_request &q) {
                         h,
                         found,
                         same_file,
-                        q.move_b.any(),
+                        moved_a,
+                        moved_b,
                         read.count(),
                         name_of(all.compiled_for),
                         {},

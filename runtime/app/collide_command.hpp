@@ -5,7 +5,7 @@
 #include "app/choose.hpp"
 #include "app/command.hpp"
 #include "app/device_pairs.hpp"
-#include "io/transform.hpp"
+#include "io/read.hpp"
 #include "meetc/support.hpp"
 
 #include <filesystem>
@@ -19,7 +19,7 @@ struct collide_request {
   std::optional<std::string> predicate, mode;
   rung precision = rung::certified;
   double tolerance = 0; // 0: no answer may be wrong
-  io::transform move_b;
+  io::read_options read_a, read_b;
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs, first, colour, image;
   int threads = 0;

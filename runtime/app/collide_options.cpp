@@ -2,6 +2,7 @@
 #include "app/choose.hpp"
 #include "app/collide_command.hpp"
 #include "app/failure.hpp"
+#include "app/input_options.hpp"
 #include "app/option_values.hpp"
 
 #include <CLI/CLI.hpp>
@@ -17,7 +18,8 @@ namespace {
 struct arguments {
   collide_request request;
   std::string precision = "certified", device = "auto", instruction_set = "auto";
-  std::optional<std::string> tolerance, translate, scale, matrix, threads, devices;
+  std::optional<std::string> tolerance, threads, devices;
+  input_arguments a, b;
 };
 
 void add_sets(CLI::App &c, arguments &to) {
@@ -54,11 +56,10 @@ void add_question(CLI::App &c, arguments &to) {
        "For which processor the code that decides pairs on the CPU was compiled; auto, the default, is the best "
        "that this one runs. Certified and exact answers do not depend on it")
       ->type_name("auto|baseline|avx2|avx512");
-  c.add_option(io::scale_option, to.scale, "Multiply B by s first: coordinates and radii")->type_name("s");
-  c.add_option(io::matrix_option, to.matrix,
-               "Then move B by m00,m01,..,m23: 12 numbers, row-major 3x4; for spheres a similarity")
-      ->type_name("NUMBERS");
-  c.add_option(io::translate_option, to.translate, "Then move B by x,y,z")->type_name("x,y,z");
+  for (const char side : {'a', 'b'})
+    add_reading(c, side, side == 'a' ? to.a : to.b);
+  for (const char side : {'a', 'b'})
+    add_moving(c, side, side == 'a' ? to.a : to.b);
 }
 
 void add_answers(CLI::App &c, arguments &to) {
@@ -96,13 +97,9 @@ const collide_request &read(arguments &args) {
     q.devices = devices_named(*args.devices);
   if (q.devices > 1 && q.on != processor::cuda)
     throw failure(fmt::format("--devices {}: needs --device cuda", q.devices));
-  if (args.scale)
-    q.move_b.scale = numbers<1>(io::scale_option, *args.scale)[0];
-  if (args.matrix)
-    q.move_b.matrix = numbers<12>(io::matrix_option, *args.matrix);
-  if (args.translate)
-    q.move_b.translate = numbers<3>(io::translate_option, *args.translate);
-  q.move_b.check();
+  q.read_a = input_named('a', args.a);
+  q.read_b = input_named('b', args.b);
+  q.read_a.threads = q.read_b.threads = q.threads;
   return q;
 }
 

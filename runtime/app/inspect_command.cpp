@@ -5,6 +5,7 @@
 #include "app/choose.hpp"
 #include "app/failure.hpp"
 #include "app/findings.hpp"
+#include "app/input_options.hpp"
 #include "app/kinds.hpp"
 #include "app/option_values.hpp"
 #include "app/output_files.hpp"
@@ -76,6 +77,13 @@ std::string least_in_words(const io::element_set &set, const findings &f) {
   return fmt::format("{} {:.4g}", what, f.least_size);
 }
 
+std::string note_lines(const io::element_set &set) {
+  std::string out;
+  for (const std::string &note : set.notes)
+    out += fmt::format("   {}  {}\n", out.empty() ? "notes     " : "          ", note);
+  return out;
+}
+
 std::string file_lines(const char *label, const fs::path &path, const io::element_set &set, const findings &f) {
   const std::string vertices = set.vertices > 0 ? fmt::format(", {} vertices", grouped(set.vertices)) : "";
   return fmt::format("{}  {}\n"
@@ -83,9 +91,11 @@ std::string file_lines(const char *label, const fs::path &path, const io::elemen
                      "   box         {}\n"
                      "   grid        {}\n"
                      "   least       {}\n"
-                     "   degenerate  {}\n",
+                     "   degenerate  {}\n"
+                     "   rounded     {}\n{}",
                      label, path.string(), set.kind->name, counted(set), vertices, in_words(f.bounds),
-                     grid_in_words(f.numbers, f.points), least_in_words(set, f), faults_in_words(set, f));
+                     grid_in_words(f.numbers, f.points), least_in_words(set, f), faults_in_words(set, f),
+                     set.rounded.numbers == 0 ? "float32 holds all numbers" : in_words(set.rounded), note_lines(set));
 }
 
 std::string predicate_lines(const std::vector<choice> &fit, const kind_info &a, const kind_info &b) {
@@ -125,7 +135,9 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
     throw failure("--algebra is for the scene file that --scene writes; it goes with --scene");
   if (q.tolerance > 0 && !q.scene)
     throw failure("--tolerance is for the scene file that --scene writes; it goes with --scene");
-  std::vector<fs::path> inputs{q.a, q.b};
+  if (!q.b && q.scene)
+    throw failure("--scene needs two files, between which it asks for predicates");
+  std::vector<fs::path> inputs{q.a, q.b.value_or(q.a)};
   fs::path algebra;
   if (q.scene) {
     algebra = algebra_path(q.algebra, algebra_places());
@@ -135,11 +147,16 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   if (q.scene)
     outputs.expect(*q.scene);
   const std::vector<const kind_info *> kinds = kinds_of(all);
-  const io::element_set a = io::read(q.a, kinds), b = io::read(q.b, kinds);
+  if (!q.b) {
+    const io::element_set only = io::read(q.a, kinds, q.read_a);
+    return file_lines("A", q.a, only, find(only));
+  }
+  check_inputs(q.a, *q.b);
+  const io::element_set a = io::read(q.a, kinds, q.read_a), b = io::read(*q.b, kinds, q.read_b);
   const std::vector<choice> fit = fitting(all, *a.kind, *b.kind);
   const findings in_a = find(a), in_b = find(b);
 
-  std::string out = file_lines("A", q.a, a, in_a) + file_lines("B", q.b, b, in_b);
+  std::string out = file_lines("A", q.a, a, in_a) + file_lines("B", *q.b, b, in_b);
   out += "A with B\n";
   out += fmt::format("   boxes       {}\n", is_empty(in_a.bounds) || is_empty(in_b.bounds) ? "one is empty"
                                             : disjoint(in_a.bounds, in_b.bounds)           ? "disjoint"
@@ -180,10 +197,13 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
 
 command add_inspect(CLI::App &program, const catalogue &all) {
   CLI::App &c =
-      *program.add_subcommand("inspect", "Say what two files hold, what is degenerate, and which predicates fit");
+      *program.add_subcommand("inspect", "Say what one file or two hold, what is degenerate, and which predicates fit");
   const auto q = std::make_shared<inspect_request>();
   c.add_option("A", q->a, files_help)->required()->type_name("FILE");
-  c.add_option("B", q->b, "The other set")->required()->type_name("FILE");
+  c.add_option("B", q->b, "The other set, if any")->type_name("FILE");
+  const auto read_a = std::make_shared<input_arguments>(), read_b = std::make_shared<input_arguments>();
+  add_reading(c, 'a', *read_a);
+  add_reading(c, 'b', *read_b);
   c.add_option("--scene", q->scene, "Write the scene file that these files require, for meetc")->type_name("out.toml");
   c.add_option("--algebra", q->algebra, "The algebra that the scene file names (the shipped cga3.toml)")
       ->type_name("PATH");
@@ -192,7 +212,9 @@ command add_inspect(CLI::App &program, const catalogue &all) {
                "A length that the scene file states: answers may be wrong where moving one element by at most this "
                "changes them (meetc plan)")
       ->type_name("LENGTH");
-  return {&c, [&all, q, tolerance] {
+  return {&c, [&all, q, tolerance, read_a, read_b] {
+            q->read_a = input_named('a', *read_a);
+            q->read_b = input_named('b', *read_b);
             if (*tolerance)
               q->tolerance = length_named("--tolerance", **tolerance);
             return inspect(all, *q);

@@ -1,9 +1,10 @@
-// app/inspect_command.hpp: `meet inspect`: what two files hold, which difficulties they may have, and the scene that
-// they require.
+// app/inspect_command.hpp: `meet inspect`: what one file or two hold, which difficulties they may have, and the scene that
+// two require.
 #ifndef MEETC_APP_INSPECT_COMMAND_HPP
 #define MEETC_APP_INSPECT_COMMAND_HPP
 
 #include "app/command.hpp"
+#include "io/read.hpp"
 #include "meetc/support.hpp"
 
 #include <filesystem>
@@ -13,7 +14,9 @@
 namespace meetc::app {
 
 struct inspect_request {
-  std::filesystem::path a, b;
+  std::filesystem::path a;
+  std::optional<std::filesystem::path> b; // none: what A holds
+  io::read_options read_a, read_b;
   std::optional<std::filesystem::path> scene, algebra;
   double tolerance = 0; // of the scene; 0: none
 };

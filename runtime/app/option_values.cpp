@@ -51,22 +51,27 @@ double length_named(const char *option, const std::string &text) {
   return v;
 }
 
-void read_numbers(const char *option, std::string text, std::span<double> to) {
+std::vector<double> number_list(const char *option, std::string text) {
   if (has_hole(text))
     throw failure(fmt::format("{}: {} lacks a number beside a comma", option, io::quote(text)));
   std::replace(text.begin(), text.end(), ',', ' ');
-  std::size_t n = 0;
+  std::vector<double> out;
   std::string_view rest = text;
-  for (std::string_view word; !(word = io::take_word(rest)).empty(); ++n) {
+  for (std::string_view word; !(word = io::take_word(rest)).empty();) {
     double value = 0;
     if (!io::parse_decimal(word, io::precision::float64, value))
       throw failure(fmt::format("{}: {} is not a number", option, io::quote(word)));
-    if (n < to.size())
-      to[n] = value;
+    out.push_back(value);
   }
-  if (n != to.size())
+  return out;
+}
+
+void read_numbers(const char *option, const std::string &text, std::span<double> to) {
+  const std::vector<double> found = number_list(option, text);
+  if (found.size() != to.size())
     throw failure(fmt::format("{}: {} number{} expected{}, {} given", option, to.size(), to.size() == 1 ? "" : "s",
-                              to.size() == 1 ? "" : ", with commas between them", n));
+                              to.size() == 1 ? "" : ", with commas between them", found.size()));
+  std::ranges::copy(found, to.begin());
 }
 
 } // namespace meetc::app

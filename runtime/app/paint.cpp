@@ -45,6 +45,13 @@ picture::shape shape_of(const painted &side, kept &keep) {
     keep.hit[i] = side.hit[set.owner_of(i)];
   picture::shape s;
   s.rows = set.data;
+  if (!is_mesh(set) && !set.index.empty()) { // lines or points of a mesh
+    const auto fields = static_cast<std::size_t>(set.kind->fields);
+    keep.rows.resize(fields * set.elements);
+    for (std::size_t i = 0; i < set.elements; ++i)
+      set.row(i, &keep.rows[fields * i]);
+    s.rows = keep.rows;
+  }
   s.hit = keep.hit;
   s.base = side.base;
   s.hit_colour = side.hit_colour;
@@ -71,8 +78,10 @@ picture::shape shape_of(const painted &side, kept &keep) {
     s.what = picture::form::segments;
   } else if (set.kind->points == 1) {
     s.what = picture::form::spheres;
+    std::vector<float> balls(4 * set.elements); // of radius 0
     for (std::size_t i = 0; i < set.elements; ++i)
-      keep.rows.insert(keep.rows.end(), {set.data[3 * i], set.data[3 * i + 1], set.data[3 * i + 2], 0.0f});
+      set.row(i, &balls[4 * i]);
+    keep.rows = std::move(balls);
     s.rows = keep.rows;
   } else {
     throw failure(fmt::format("a picture cannot show elements of kind {}", set.kind->name));

@@ -36,10 +36,20 @@ std::string file_lines(const collide_report &r) {
   const std::size_t names = std::max(r.name_a.size(), r.name_b.size());
   const std::size_t counts = std::max(count_a.size(), count_b.size());
   std::string out;
-  out += fmt::format("A  {:{}}  {:{}}  box {}\n", r.name_a, names, count_a, counts, in_words(r.found.a.bounds));
+  out += fmt::format("A  {:{}}  {:{}}  box {}{}\n", r.name_a, names, count_a, counts, in_words(r.found.a.bounds),
+                     r.moved_a ? ", moved" : "");
   out += fmt::format("B  {:{}}  {:{}}  box {}{}\n", r.name_b, names, count_b, counts, in_words(r.found.b.bounds),
-                     r.moved ? ", moved" : "");
+                     r.moved_b ? ", moved" : "");
   return out;
+}
+
+// What float32 does not hold of the numbers in the files; empty where it holds all.
+std::string rounded_line(const collide_report &r) {
+  std::string out;
+  for (const io::element_set *const set : {&r.a, &r.b})
+    if (set->rounded.numbers > 0 && (set == &r.a || &r.a != &r.b))
+      out += fmt::format("{}{} of {}", out.empty() ? "" : ", ", in_words(set->rounded), set == &r.a ? "A" : "B");
+  return out.empty() ? out : fmt::format("Rounded to float32: {}.\n", out);
 }
 
 // Which rungs were needed, and how many pairs each left unsure.
@@ -84,15 +94,29 @@ std::string answer_line(const collide_report &r) {
 
 } // namespace
 
+std::vector<std::string> all_notes(const collide_report &r) {
+  std::vector<std::string> out;
+  for (const io::element_set *const set : {&r.a, &r.b})
+    for (const std::string &note : set->notes)
+      if (set == &r.a || &r.a != &r.b)
+        out.push_back(fmt::format("{}: {}", set == &r.a ? "A" : "B", note));
+  out.insert(out.end(), r.found.notes.begin(), r.found.notes.end());
+  out.insert(out.end(), r.notes.begin(), r.notes.end());
+  return out;
+}
+
 std::string summary(const collide_report &r) {
   const answers &f = r.found;
   std::string out = file_lines(r);
   if (r.same_file)
-    out += r.moved ? "A and B are the same file, B moved.\n"
+    out += r.moved_a || r.moved_b ? fmt::format("A and B are the same file, {} moved.\n", !r.moved_b   ? "A"
+                                                                                          : !r.moved_a ? "B"
+                                                                                                       : "both")
            : r.a.kind->points == 3
                ? "A and B are the same file: every ordered pair (i, j) counts, i = j included, and neighbours\n"
                  "touch where they share a corner or an edge.\n"
                : "A and B are the same file: every ordered pair (i, j) counts, i = j included.\n";
+  out += rounded_line(r);
   if (disjoint(f.a.bounds, f.b.bounds))
     out += "The boxes are disjoint.\n";
   out += '\n';
@@ -109,9 +133,8 @@ std::string summary(const collide_report &r) {
                      f.collide_seconds);
   if (r.found.on == processor::cuda)
     out += device_lines(f.by_device);
-  for (const std::vector<std::string> *const notes : {&f.notes, &r.notes})
-    for (const std::string &note : *notes)
-      out += note + "\n";
+  for (const std::string &note : all_notes(r))
+    out += note + "\n";
   for (const std::string &file : r.written)
     out += fmt::format("wrote {}\n", file);
   return out;

@@ -15,12 +15,15 @@ struct collide_report {
   const io::element_set &a, &b;
   const query &asked;
   const answers &found;
-  bool same_file = false, moved = false; // A and B are one file; B was moved
+  bool same_file = false, moved_a = false, moved_b = false; // A and B are one file
   double read_seconds = 0;
   const char *instruction_set = ""; // of the code that decides on the CPU
   std::vector<std::string> written; // files
   std::vector<std::string> notes;
 };
+
+// On the files, on the choice of a processor, and on what was written.
+std::vector<std::string> all_notes(const collide_report &r);
 
 std::string summary(const collide_report &r);
 

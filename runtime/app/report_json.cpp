@@ -18,6 +18,14 @@ json unsure(const collide_report &r) {
   return out;
 }
 
+// The numbers of both files that reading moved; those of one file that is given twice count once.
+json rounded(const collide_report &r) {
+  io::rounded_numbers all = r.a.rounded;
+  if (&r.a != &r.b)
+    all.add(r.b.rounded);
+  return {{"numbers", all.numbers}, {"largest", all.largest}};
+}
+
 json seconds(const collide_report &r) {
   const answers &f = r.found;
   json out = {{"read", with_decimals(r.read_seconds, 6)},
@@ -40,6 +48,7 @@ std::string as_json(const collide_report &r) {
               {"pairs", f.pairs},
               {"touched_a", f.a.touched},
               {"touched_b", f.b.touched},
+              {"rounded", rounded(r)},
               {"precision", name_of(r.asked.precision)},
               {"device", on_device ? "cuda" : "cpu"},
               {"unsure", unsure(r)},
@@ -60,9 +69,7 @@ std::string as_json(const collide_report &r) {
     for (const auto &[name, expected] : f.by_device.expected)
       out["expected_seconds"][name] = with_decimals(expected, 7);
   }
-  std::vector<std::string> notes = f.notes;
-  notes.insert(notes.end(), r.notes.begin(), r.notes.end());
-  if (!notes.empty())
+  if (const std::vector<std::string> notes = all_notes(r); !notes.empty())
     out["notes"] = notes;
   return in_one_line(out) + '\n';
 }

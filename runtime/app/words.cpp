@@ -16,13 +16,19 @@ std::string grouped(std::uint64_t n) {
 }
 
 std::string counted(const io::element_set &set, std::uint64_t n) {
-  const char *const one = is_mesh(set) ? "face" : set.kind->name;
+  const char *const one = is_mesh(set) ? "face" : set.owner.empty() ? set.kind->name : "line";
   return grouped(n) + " " + (n == 1 ? one : plural(one));
 }
 
 std::string counted(const io::element_set &set) {
   const std::string items = counted(set, set.items);
-  return set.items == set.elements ? items : fmt::format("{} ({} triangles)", items, grouped(set.elements));
+  return set.items == set.elements ? items
+                                   : fmt::format("{} ({} {})", items, grouped(set.elements), plural(set.kind->name));
+}
+
+std::string in_words(const io::rounded_numbers &moved) {
+  return fmt::format("{} number{} moved, by {:.3g} at most", grouped(moved.numbers), moved.numbers == 1 ? "" : "s",
+                     moved.largest);
 }
 
 std::string in_words(const box &b) {

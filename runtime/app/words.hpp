@@ -12,9 +12,11 @@ namespace meetc::app {
 
 // 345944 as "345,944".
 std::string grouped(std::uint64_t n);
-// "69,451 faces", "1 sphere"; for polygons the number of triangles as well.
+// "69,451 faces", "1 sphere"; for polygons the number of triangles as well, and for polylines that of segments.
 std::string counted(const io::element_set &set);
 std::string counted(const io::element_set &set, std::uint64_t n);
+// "3 numbers moved, by 0.0075 at most"
+std::string in_words(const io::rounded_numbers &moved);
 // "[0, 0, 0] to [1, 1, 1]"
 std::string in_words(const box &b);
 

@@ -2,27 +2,52 @@
 #ifndef MEETC_IO_ELEMENT_SET_HPP
 #define MEETC_IO_ELEMENT_SET_HPP
 
+#include "io/text/rounded.hpp"
 #include "meetc/support.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace meetc::io {
 
-// There are two layouts. Indexed (meshes in PLY and OBJ): `data` holds vertices x, y, z, and `index` holds kind->points
-// vertices for each element. Rows (STL, CSV): `index` is empty, and `data` holds `elements` rows of kind->fields
-// floats. A mesh without faces has elements == 0 and may still have vertices in `data`; `elements` is what counts.
+// The largest number of elements, items or vertices in a set, since indices have 32 bits.
+inline constexpr std::size_t most_elements = 0xffffffff;
+
+// Lists of vertices, one after the other, such as the corners of polygons.
+struct vertex_lists {
+  std::vector<std::uint32_t> vertices; // of all lists
+  std::vector<std::uint32_t> counts;   // of each list; empty where all have `usual`
+  std::size_t usual = 3, lists = 0;
+
+  // Says that the last n of `vertices` are a list.
+  void end_list(std::size_t n) {
+    if (n != usual && counts.empty())
+      counts.assign(lists, static_cast<std::uint32_t>(usual));
+    ++lists;
+    if (n != usual || !counts.empty())
+      counts.push_back(static_cast<std::uint32_t>(n));
+  }
+  std::size_t count(std::size_t i) const { return counts.empty() ? usual : counts[i]; }
+};
+
+// There are two layouts. Indexed (PLY, OBJ, OFF): `data` holds vertices x, y, z, and `index` holds kind->points vertices
+// for each element. Rows (STL, CSV, points): `index` is empty, and `data` holds `elements` rows of kind->fields floats.
 struct element_set {
   const kind_info *kind = nullptr;
-  std::vector<float> data;          // finite, transformed, rounded once
+  std::vector<float> data;          // finite, rounded to float32, then transformed
   std::vector<std::uint32_t> index; // each below `vertices`
-  // Element i belongs to item owner[i] of the file: a polygon is fanned into several elements, which follow each other.
-  // Empty: element i is item i.
+  // Element i belongs to item owner[i] of the file: a polygon is cut into several triangles, and a polyline into several
+  // segments, which follow each other. Empty: element i is item i.
   std::vector<std::uint32_t> owner;
+  vertex_lists polygons; // the corners of the items, where a polygon was cut; else empty
   std::size_t elements = 0;
-  std::size_t items = 0;    // as the file counts: faces, facets, rows
+  std::size_t items = 0;    // as the file counts: faces, facets, polylines, rows
   std::size_t vertices = 0; // as the file counts; 3 for each facet of STL, 0 for CSV
+  rounded_numbers rounded;  // by reading, of all coordinates and lengths of the file
+  // What a user should know of the file: what was left out, and which polygons are not planar or cross themselves.
+  std::vector<std::string> notes;
 
   std::size_t owner_of(std::size_t i) const { return owner.empty() ? i : owner[i]; }
 

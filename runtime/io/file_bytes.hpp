@@ -1,4 +1,4 @@
-// A whole file in memory.
+// The bytes of a whole file, mapped where it can be mapped.
 #ifndef MEETC_IO_FILE_BYTES_HPP
 #define MEETC_IO_FILE_BYTES_HPP
 
@@ -11,16 +11,23 @@
 namespace meetc::io {
 
 struct file_bytes {
-  std::string name; // as messages show it
-  std::unique_ptr<char[]> bytes;
+  std::string name;                  // as messages show it
+  std::shared_ptr<const char> bytes; // unmapped or freed with the last copy
   std::size_t size = 0;
 
   std::string_view text() const { return {bytes.get(), size}; }
 };
 
-// Copies the file instead of mapping it: if another program shortens a mapped file, a signal ends this one. Throws
-// io::error for a file that is missing, not a regular file, empty or unreadable; reading a device or a pipe might never
-// end.
+// The name of standard input; "./-" is a file.
+inline constexpr const char *standard_input = "-";
+
+// Whether a path leads to standard input: "-", or /dev/stdin and what else is the same open file.
+bool is_standard_input(const std::filesystem::path &path);
+
+// Maps a regular file, and reads whole what cannot be mapped: standard input, and pipes that are open already, as
+// /dev/fd/N is. If another program shortens a mapped file, the system sends SIGBUS to this one; the program `meet` makes
+// a message of it. Throws io::error for a file that is missing, empty or unreadable, a folder, a device, or a pipe by a
+// name, which might wait for ever.
 file_bytes load_file(const std::filesystem::path &path);
 
 } // namespace meetc::io

@@ -4,16 +4,41 @@
 
 #include "io/element_set.hpp"
 #include "io/file_bytes.hpp"
+#include "io/text/pieces.hpp"
 #include "io/transform.hpp"
 
+#include <array>
 #include <span>
+#include <string>
+#include <string_view>
 
 namespace meetc::io {
 
-element_set read_ply(const file_bytes &file, const kind_info &triangle, const transform &move);
-element_set read_obj(const file_bytes &file, const kind_info &triangle, const transform &move);
-element_set read_stl(const file_bytes &file, const kind_info &triangle, const transform &move);
-element_set read_csv(const file_bytes &file, std::span<const kind_info *const> kinds, const transform &move);
+struct read_request {
+  std::span<const kind_info *const> kinds;
+  std::string kind; // that is wanted; empty: what the file holds
+  char side = 'b';  // the letter of the options that messages name
+  work by;
+  const misplaced *fault = nullptr; // what the reader throws with its place in the file
+
+  const kind_info *named(std::string_view name) const {
+    for (const kind_info *const k : kinds)
+      if (name == k->name)
+        return k;
+    return nullptr;
+  }
+  // As named(); throws where there is none with so many points and fields.
+  const kind_info &need(const std::string &file, std::string_view name, int points, int fields) const;
+};
+
+element_set read_ply(const file_bytes &file, const read_request &q);
+element_set read_obj(const file_bytes &file, const read_request &q);
+element_set read_off(const file_bytes &file, const read_request &q);
+element_set read_stl(const file_bytes &file, const read_request &q);
+element_set read_csv(const file_bytes &file, const read_request &q);
+
+// "y is inf, not finite" for a coordinate that was read so; `word` is how it is written, if it is text.
+std::string describe_non_finite_point(const float *p, const std::array<std::string_view, 3> &words);
 
 } // namespace meetc::io
 

@@ -50,12 +50,10 @@ bool line_reader::next(std::string_view &line) {
   if (at_ >= text_.size())
     return false;
   ++number_;
-  const std::size_t found = text_.find('\n', at_);
+  const std::size_t found = text_.find_first_of("\r\n", at_);
   const std::size_t end = found == std::string_view::npos ? text_.size() : found;
   line = text_.substr(at_, end - at_);
-  at_ = found == std::string_view::npos ? end : end + 1;
-  if (!line.empty() && line.back() == '\r')
-    line.remove_suffix(1);
+  at_ = end + (found == std::string_view::npos ? 0 : text_.substr(found, 2) == "\r\n" ? 2 : 1);
   return true;
 }
 

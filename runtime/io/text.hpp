@@ -17,7 +17,7 @@ std::string_view take_word(std::string_view &line);
 // Turns A to Z into lower case in every locale.
 std::string lower_case(std::string_view text);
 
-// Reads a text line by line. LF or CRLF ends a line, and the last one may lack it. A UTF-8 byte order mark is skipped.
+// Reads a text line by line. LF, CRLF or CR ends a line, and the last one may lack it. A UTF-8 byte order mark is skipped.
 class line_reader {
 public:
   // `first_line` and `offset` say where the text starts, for a text that follows a header.

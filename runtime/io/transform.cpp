@@ -3,6 +3,7 @@
 #include "core/moved_coordinate.hpp"
 #include "core/plural.hpp"
 #include "core/pose.hpp"
+#include "core/threads.hpp"
 #include "io/error.hpp"
 #include "io/number.hpp"
 
@@ -15,26 +16,29 @@
 
 namespace meetc::io {
 
+std::string transform::option(std::string_view what) const {
+  return fmt::format("--{}-{}", what, side);
+}
+
 void transform::check() const {
   if (scale && !(std::isfinite(*scale) && *scale > 0))
-    throw error(fmt::format("{}: the scale is {}; it must be finite and above 0", scale_option, *scale));
+    throw error(fmt::format("{}: the scale is {}; it must be finite and above 0", option("scale"), *scale));
   if (matrix)
     for (const double m : *matrix)
       if (!std::isfinite(m))
-        throw error(fmt::format("{}: the matrix holds {}; its 12 numbers must be finite", matrix_option, m));
+        throw error(fmt::format("{}: the matrix holds {}; its numbers must be finite", option("matrix"), m));
   if (translate)
     for (const double t : *translate)
       if (!std::isfinite(t))
-        throw error(fmt::format("{}: the translation holds {}; its 3 numbers must be finite", translate_option, t));
+        throw error(fmt::format("{}: the translation holds {}; its 3 numbers must be finite", option("translate"), t));
 }
 
 std::string transform::options() const {
   std::string out;
-  for (const auto &[present, option] :
-       {std::pair(scale.has_value(), scale_option), std::pair(matrix.has_value(), matrix_option),
-        std::pair(translate.has_value(), translate_option)})
+  for (const auto &[present, what] : {std::pair(scale.has_value(), "scale"), std::pair(matrix.has_value(), "matrix"),
+                                      std::pair(translate.has_value(), "translate")})
     if (present)
-      out += fmt::format("{}{}", out.empty() ? "" : ", ", option);
+      out += fmt::format("{}{}", out.empty() ? "" : ", ", option(what));
   return out;
 }
 
@@ -82,56 +86,116 @@ std::array<float, 3> round_point(const transform &move, const std::array<double,
   return {to_float32(p[0]), to_float32(p[1]), to_float32(p[2])};
 }
 
-row_transform::row_transform(const kind_info &kind, const transform &move, const std::string &file) : move_(move) {
-  if (!move.any())
-    return;
-  if (move.matrix && lies_along_axes(kind) && !keeps_axes(move.matrix->data()))
-    throw error(fmt::format("{}: {} does more than move and scale along the axes, and {} have their edges there", file,
-                            matrix_option, plural(kind.name)));
-  roles_.assign(kind.roles, kind.roles + kind.fields);
-  for (std::size_t f = 0; f < roles_.size(); ++f) {
-    if (roles_[f] == role::x && f + 2 < roles_.size() && roles_[f + 1] == role::y && roles_[f + 2] == role::z) {
+namespace {
+
+// Moves one row of a kind.
+class row_transform {
+public:
+  // Throws io::error for a kind that cannot be moved.
+  row_transform(const kind_info &kind, const transform &move, const std::string &file) : move_(move) {
+    const std::string option = move.option("matrix");
+    if (move.matrix && lies_along_axes(kind) && !keeps_axes(move.matrix->data()))
+      throw error(fmt::format("{}: {} does more than move and scale along the axes, and {} have their edges there",
+                              file, option, plural(kind.name)));
+    roles_.assign(kind.roles, kind.roles + kind.fields);
+    for (std::size_t f = 0; f < roles_.size(); ++f) {
+      if (roles_[f] == role::x && f + 2 < roles_.size() && roles_[f + 1] == role::y && roles_[f + 2] == role::z) {
+        f += 2;
+        continue;
+      }
+      if (roles_[f] != role::length)
+        throw error(fmt::format("{}: a transform cannot move {}: number {} of a row is neither part of a point nor "
+                                "a length",
+                                file, plural(kind.name), f + 1));
+      if (!move.matrix)
+        continue;
+      const std::optional<double> scale = similarity_scale(*move.matrix);
+      if (!scale)
+        throw error(fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {} have "
+                                "no radius under it",
+                                file, option, plural(kind.name)));
+      matrix_scale_ = *scale;
+    }
+  }
+  // Of points.
+  explicit row_transform(const transform &move) : move_(move), roles_{role::x, role::y, role::z} {}
+
+  std::size_t fields() const { return roles_.size(); }
+
+  // Returns the first field that is then not finite, and what it was; -1: none.
+  int apply(float *row, float &read) const {
+    for (std::size_t f = 0; f < roles_.size(); ++f) {
+      if (roles_[f] == role::length) {
+        const float before = row[f];
+        const double length = static_cast<double>(before);
+        row[f] = to_float32((move_.scale ? length * *move_.scale : length) * matrix_scale_);
+        if (!std::isfinite(row[f]))
+          return read = before, static_cast<int>(f);
+        continue;
+      }
+      const float before[3] = {row[f], row[f + 1], row[f + 2]};
+      const std::array<float, 3> p = round_point(
+          move_, {static_cast<double>(before[0]), static_cast<double>(before[1]), static_cast<double>(before[2])});
+      for (std::size_t c = 0; c < 3; ++c)
+        row[f + c] = p[c];
+      for (std::size_t c = 0; c < 3; ++c)
+        if (!std::isfinite(p[c]))
+          return read = before[c], static_cast<int>(f + c);
       f += 2;
-      continue;
     }
-    if (roles_[f] != role::length)
-      throw error(fmt::format("{}: a transform cannot move {}: number {} of a row is neither part of a point nor "
-                              "a length",
-                              file, plural(kind.name), f + 1));
-    if (!move.matrix)
-      continue;
-    const std::optional<double> scale = similarity_scale(*move.matrix);
-    if (!scale)
-      throw error(fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {} have "
-                              "no radius under it",
-                              file, matrix_option, plural(kind.name)));
-    matrix_scale_ = *scale;
+    return -1;
   }
+
+private:
+  const transform &move_;
+  std::vector<role> roles_;
+  double matrix_scale_ = 1;
+};
+
+// The name of a number in a row of the kind, as its CSV header has it.
+std::string_view field_name(const kind_info &kind, int field) {
+  std::string_view names = kind.csv;
+  for (; field > 0; --field)
+    names.remove_prefix(names.find(',') + 1);
+  return names.substr(0, names.find(','));
 }
 
-void row_transform::apply(std::span<const double> in, std::span<float> out) const {
-  if (roles_.empty()) {
-    for (std::size_t f = 0; f < in.size(); ++f)
-      out[f] = to_float32(in[f]);
-    return;
-  }
-  for (std::size_t f = 0; f < in.size(); ++f) {
-    if (roles_[f] == role::length) {
-      out[f] = to_float32((move_.scale ? in[f] * *move_.scale : in[f]) * matrix_scale_);
-      continue;
+} // namespace
+
+std::optional<misplaced> move_set(element_set &set, const transform &move, const std::string &file, int threads) {
+  if (!move.any())
+    return std::nullopt;
+  const bool points = !set.index.empty();
+  const row_transform rows = points ? row_transform(move) : row_transform(*set.kind, move, file);
+  constexpr std::size_t at_once = 1 << 12;
+  const std::size_t n = set.data.size() / rows.fields();
+  std::vector<std::optional<misplaced>> faults(n / at_once + 1);
+  for_chunks(threads, n, at_once, [&](int, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      float *const row = &set.data[rows.fields() * i];
+      float read = 0;
+      const int field = rows.apply(row, read);
+      if (field < 0)
+        continue;
+      const bool in_point = points || (set.kind->points > 0 && set.kind->roles[field] != role::length);
+      const std::string_view name = in_point ? std::string_view("xyz").substr(static_cast<std::size_t>(field % 3), 1)
+                                             : field_name(*set.kind, field);
+      faults[begin / at_once] = {
+          i, field,
+          fmt::format("{} is {}, not finite in float32 after {} (read as {})", name, row[field], move.options(), read)};
+      return;
     }
-    const std::array<double, 3> p = move_.point({in[f], in[f + 1], in[f + 2]});
-    for (std::size_t c = 0; c < 3; ++c)
-      out[f + c] = to_float32(p[c]);
-    f += 2;
-  }
+  });
+  for (std::optional<misplaced> &f : faults)
+    if (f)
+      return std::move(f);
+  return std::nullopt;
 }
 
-std::string describe_non_finite(std::string_view field, double read, float result, const transform &move) {
+std::string describe_non_finite(std::string_view field, double read, float result) {
   if (!std::isfinite(read))
     return fmt::format("{} is {}, not finite", field, read);
-  return fmt::format("{} is {}, not finite in float32{} (read as {})", field, result,
-                     move.any() ? " after " + move.options() : "", read);
+  return fmt::format("{} is {}, not finite in float32 (read as {})", field, result, read);
 }
 
 } // namespace meetc::io

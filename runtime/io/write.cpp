@@ -56,19 +56,22 @@ struct polygons {
   std::vector<std::uint32_t> corners;
 };
 
-// Undoes fanning: consecutive triangles of one owner share the first corner, and each adds its last.
-polygons gather(std::span<const std::uint32_t> index, std::span<const std::uint32_t> owner) {
+polygons triangles(std::span<const std::uint32_t> index) {
   polygons out;
-  for (std::size_t i = 0; 3 * i < index.size(); ++i) {
-    const auto corners = index.subspan(3 * i, 3);
-    const bool same = !owner.empty() && i > 0 && owner[i] == owner[i - 1];
-    const auto added = same ? corners.last(1) : corners;
-    out.corners.insert(out.corners.end(), added.begin(), added.end());
-    if (same)
-      out.start.back() = out.corners.size();
-    else
-      out.start.push_back(out.corners.size());
-  }
+  out.corners.assign(index.begin(), index.end());
+  for (std::size_t i = 3; i <= index.size(); i += 3)
+    out.start.push_back(i);
+  return out;
+}
+
+// The faces of a mesh as they were before they were cut.
+polygons faces_of(const element_set &mesh) {
+  if (mesh.polygons.lists == 0 || mesh.owner.empty())
+    return triangles(mesh.index);
+  polygons out;
+  out.corners = mesh.polygons.vertices;
+  for (std::size_t i = 0; i < mesh.polygons.lists; ++i)
+    out.start.push_back(out.start.back() + mesh.polygons.count(i));
   return out;
 }
 
@@ -113,10 +116,10 @@ void write_mesh(const std::filesystem::path &path, const element_set &mesh, std:
   if (mesh.kind->points != 3 || mesh.kind->fields != 9)
     throw error(fmt::format("{}: only triangles make a PLY mesh, not {}", path.string(), plural(mesh.kind->name)));
   if (!mesh.index.empty() || mesh.elements == 0)
-    return write_polygons(path, mesh.data, gather(mesh.index, mesh.owner), colours);
+    return write_polygons(path, mesh.data, faces_of(mesh), colours);
   std::vector<std::uint32_t> index(3 * mesh.elements);
   std::iota(index.begin(), index.end(), 0U);
-  write_polygons(path, mesh.data, gather(index, mesh.owner), colours);
+  write_polygons(path, mesh.data, triangles(index), colours);
 }
 
 } // namespace
@@ -137,7 +140,7 @@ void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pa
 
 void write_ply(const std::filesystem::path &path, std::span<const float> xyz, std::span<const std::uint32_t> index,
                std::span<const rgb> colours) {
-  under_standard_word([&] { write_polygons(path, xyz, gather(index, {}), colours); });
+  under_standard_word([&] { write_polygons(path, xyz, triangles(index), colours); });
 }
 
 void write_ply(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours) {

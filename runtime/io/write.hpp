@@ -23,8 +23,8 @@ void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pa
 void write_ply(const std::filesystem::path &path, std::span<const float> xyz, std::span<const std::uint32_t> index,
                std::span<const rgb> colours = {});
 
-// Writes a mesh with its own vertices and faces: a fanned polygon is one polygon again, and `colours` has one entry for
-// each item. The elements must be triangles.
+// Writes a mesh with its own vertices and faces: a polygon that was cut is one again, and `colours` has one entry for each
+// item. The elements must be triangles.
 void write_ply(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours = {});
 
 } // namespace meetc::io

@@ -60,7 +60,7 @@ TEST_CASE("binary PLY in both byte orders", "[ply]") {
     const auto set =
         read("b.ply", header(big) + odd(order) + vertices(order) + face(order, {0, 1, 2, 3}) + face(order, {3, 2, 1}));
     CHECK(set.data == std::vector<float>{1, -2, 0.1F, 4, 5, 6, 7, 8, 9, 0, 0, 0});
-    CHECK(set.index == indices{0, 1, 2, 0, 2, 3, 3, 2, 1});
+    CHECK(set.index == indices{1, 2, 3, 0, 1, 3, 3, 2, 1});
     CHECK(set.owner == indices{0, 0, 1});
     CHECK(set.items == 2);
     CHECK(set.vertices == 4);

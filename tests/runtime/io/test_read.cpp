@@ -6,12 +6,12 @@ using namespace fixture;
 using Catch::Matchers::EndsWith;
 
 TEST_CASE("an unknown extension lists the supported ones", "[read]") {
-  CHECK(complaint("a.off", "OFF\n") == "a.off: unknown extension '.off'; supported: .ply, .obj, .stl, .csv");
-  CHECK(complaint("mesh", "x") == "mesh: the name has no extension; supported: .ply, .obj, .stl, .csv");
+  CHECK(complaint("a.stp", "x\n") == "a.stp: unknown extension '.stp'; supported: .ply, .obj, .off, .stl, .csv");
+  CHECK(complaint("mesh", "x") == "mesh: the name has no extension; supported: .ply, .obj, .off, .stl, .csv");
 }
 
 TEST_CASE("files that cannot be read", "[read]") {
-  for (const char *const name : {"none.ply", "none.obj", "none.stl", "none.csv"})
+  for (const char *const name : {"none.ply", "none.obj", "none.stl", "none.off", "none.csv"})
     CHECK_THROWS_WITH(meetc::io::read(folder() / name, kinds), EndsWith(std::string(name) + ": no such file"));
   fs::create_directory(folder() / "folder.ply");
   CHECK_THROWS_WITH(meetc::io::read(folder() / "folder.ply", kinds), EndsWith("folder.ply: is a directory"));
@@ -26,13 +26,13 @@ TEST_CASE("files that cannot be read", "[read]") {
     fs::permissions(closed, fs::perms::none);
     CHECK_THROWS_WITH(meetc::io::read(closed, kinds), contains("closed.csv: cannot be opened: "));
   }
-  for (const char *const name : {"a.ply", "a.obj", "a.stl", "a.csv"})
+  for (const char *const name : {"a.ply", "a.obj", "a.stl", "a.off", "a.csv"})
     CHECK(complaint(name, "") == std::string(name) + ": the file is empty");
 }
 
 TEST_CASE("a mesh needs the kind triangle", "[read]") {
   const meetc::kind_info *const few[] = {&sphere};
-  CHECK_THROWS_WITH(meetc::io::read(put("a.obj", "v 0 0 0\n"), few),
+  CHECK_THROWS_WITH(meetc::io::read(put("a.obj", "v 0 0 0\nf 1 1 1\n"), few),
                     EndsWith("a.obj: a mesh needs a kind 'triangle' of three points, and there is none"));
 }
 
@@ -47,6 +47,6 @@ TEST_CASE("the kind's rule holds for meshes too", "[read]") {
 }
 
 TEST_CASE("a message is one line whatever the file holds", "[read]") {
-  const std::string what = complaint("two\nlines.off", "x");
-  CHECK_THAT(what, contains("two\\x0alines.off: unknown extension"));
+  const std::string what = complaint("two\nlines.stp", "x");
+  CHECK_THAT(what, contains("two\\x0alines.stp: unknown extension"));
 }

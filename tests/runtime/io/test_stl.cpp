@@ -1,5 +1,6 @@
 #include "fixture.hpp"
 
+#include <algorithm>
 #include <limits>
 
 using namespace fixture;
@@ -34,7 +35,7 @@ TEST_CASE("binary STL, even when it begins with solid", "[stl]") {
   CHECK(set.elements == 2);
   CHECK(set.items == 2);
   CHECK(set.vertices == 6);
-  CHECK(read("a.stl", binary({}, "")).elements == 0);
+  CHECK(complaint("a.stl", binary({}, "")) == "a.stl: no facets to collide; it holds nothing");
 }
 
 TEST_CASE("ascii STL, in several solids", "[stl]") {
@@ -42,18 +43,44 @@ TEST_CASE("ascii STL, in several solids", "[stl]") {
       read("a.STL", "solid two words\r\n" + facet + "endsolid two words\nSOLID\n" + facet + "EndSolid\n\n");
   CHECK(set.elements == 2);
   CHECK(std::vector<float>(set.data.begin(), set.data.begin() + 9) == std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, .5F});
-  CHECK(read("a.stl", "\n solid x\nendsolid").elements == 0);
+  CHECK(complaint("a.stl", "\n solid x\nendsolid") == "a.stl: no facets to collide; it holds nothing");
+}
+
+TEST_CASE("ascii STL as people write it", "[stl]") {
+  const std::vector<float> rows{0, 0, 0, 1, 0, 0, 0, 1, .5F};
+  const auto same = [&](const std::string &text) { return read("a.stl", text).data == rows; };
+  const std::string solid = "solid a\n" + facet + "endsolid a\n";
+  std::string returns = solid, one_line = solid;
+  std::ranges::replace(returns, '\n', '\r');
+  std::ranges::replace(one_line, '\n', ' ');
+  CHECK(same(returns));
+  CHECK(same(one_line));
+  CHECK(read("a.stl", one_line + one_line).elements == 2);
+  CHECK(same("# by hand\n ; and more\n" + solid + "# end\n"));
+  CHECK(same("solid a\n; one\nfacet normal 0 0 1\nouter loop # two\nvertex 0 0 0\nvertex 1 0\n#three\n0 vertex\n0 1 "
+             ".5\nendloop endfacet\nendsolid\n"));
+  CHECK(same("solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 .5\nendloop\nendfacet\nendsolid"));
+  CHECK(
+      same("solid\nfacet normal\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 .5\nendloop\nendfacet\nendsolid"));
+  CHECK(same("solid facet of the sun\n" + facet + "endsolid facet of the sun\n"));
+  CHECK(same(solid + "\x1a"));
 }
 
 TEST_CASE("bad binary STL", "[stl]") {
   const std::string good = binary({1, 2, 3, 4, 5, 6, 7, 8, 9});
   CHECK(complaint("a.stl", good.substr(0, 133)) ==
         "a.stl: byte 80: the header says 1 facets, which take 134 bytes, but the file has 133");
-  CHECK_THAT(complaint("a.stl", good + "x"), contains("but the file has 135"));
+  CHECK(read("a.stl", good + "x").notes == std::vector<std::string>{"left out: 1 bytes after the last facet"});
+  CHECK_THAT(complaint("a.stl", good + good.substr(84)), contains("but the file has 184"));
+  std::string none = good;
+  none[80] = 0;
+  CHECK_THAT(complaint("a.stl", none), contains("the header says 0 facets, which take 84 bytes, but the file has 134"));
   std::string lie = good;
   lie.replace(80, 4, "\xff\xff\xff\xff");
   CHECK_THAT(complaint("a.stl", lie), contains("the header says 4294967295 facets, which take 214748364834 bytes"));
-  CHECK_THAT(complaint("a.stl", "abc"), contains("a.stl: byte 3: neither ascii STL nor a whole header"));
+  CHECK_THAT(complaint("a.stl", std::string("ab\0", 3)),
+             contains("a.stl: byte 3: neither ascii STL nor a whole header"));
+  CHECK(complaint("a.stl", "abc") == "a.stl:1: 'abc' where solid was expected");
   CHECK(complaint("a.stl", binary({1, 2, 3, 4, std::numeric_limits<float>::infinity(), 6, 7, 8, 9})) ==
         "a.stl: facet 0: corner 1: y is inf, not finite");
 }

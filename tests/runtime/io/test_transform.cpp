@@ -30,15 +30,27 @@ TEST_CASE("the matrix is summed from the left without fused multiply-add", "[tra
   CHECK(q[1] == 0.0); // a fused multiply-add would leave 2^-60
 }
 
-TEST_CASE("with a transform decimals are read as double", "[transform]") {
+TEST_CASE("decimals are rounded to float32 before they are moved, and an identity changes no bit", "[transform]") {
   transform t;
   t.scale = 1;
-  const std::string text = "x,y,z,r\n1.000000059604644775390625000001,0,0,1\n";
-  CHECK(read("a.csv", text).data[0] == 0x1.000002p0F);
-  CHECK(read("a.csv", text, t).data[0] == 1.0F);
-  t.scale.reset();
-  t.translate = {-16777216, 0, 0};
-  CHECK(read("a.csv", "x,y,z,r\n16777217.25,0,0,0.1\n", t).data[0] == 1.25F);
+  t.matrix = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  t.translate = {0, 0, 0};
+  // Beside a boundary of float32, above and below, and where rounding to double and then to float32 goes wrong.
+  for (const char *const number : {"1.000000059604644775390625000001", "1.00000005960464477540",
+                                   "1.0000000596046447753", "0.1", "16777217.25", "1e-45", "3.4028235e38", "7e-46"}) {
+    const std::string text = std::string("x,y,z,r\n") + number + ",0,0,1\n";
+    INFO(number);
+    CHECK(read("a.csv", text, t).data == read("a.csv", text).data);
+    const std::string mesh = std::string("v ") + number + " 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    CHECK(read("a.obj", mesh, t).data == read("a.obj", mesh).data);
+  }
+  transform left;
+  left.translate = {-16777216, 0, 0};
+  CHECK(read("a.csv", "x,y,z,r\n16777217.25,0,0,0.1\n", left).data[0] == 2.0F); // read as 16777218
+  // In double, rounded once: 0.1F three times.
+  transform three;
+  three.scale = 3;
+  CHECK(read("a.csv", "x,y,z,r\n0.1,0,0,0\n", three).data[0] == static_cast<float>(3 * static_cast<double>(0.1F)));
 }
 
 TEST_CASE("lengths take the scale, and a similarity's", "[transform]") {
@@ -85,12 +97,23 @@ TEST_CASE("overflow by a transform names the place", "[transform]") {
   t.scale = 1e30;
   CHECK(complaint("a.csv", "x,y,z,r\n1,1,1,1\n1,1e20,1,1\n", t) ==
         "a.csv:3: sphere 1: y is inf, not finite in float32 after --scale-b (read as 1e+20)");
+  t.side = 'a';
+  CHECK(complaint("a.csv", "x,y,z,r\n1,1,1,1e20\n", t) ==
+        "a.csv:2: sphere 0: r is inf, not finite in float32 after --scale-a (read as 1e+20)");
+  CHECK(complaint("a.stl",
+                  "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 0 0 1e9\nvertex 0 0 0\nendloop\n"
+                  "endfacet\nendsolid\n",
+                  t) ==
+        "a.stl:5: facet 0: corner 1: z is inf, not finite in float32 after --scale-a (read as 1000000000)");
+  CHECK(complaint("a.off", "OFF\n1 0 0\n#\n0 1e9 0\n", t) ==
+        "a.off:4: vertex 0: y is inf, not finite in float32 after --scale-a (read as 1000000000)");
+  t.side = 'b';
   CHECK(complaint("a.csv", "x,y,z,r\n1,1e39,1,1\n") ==
         "a.csv:2: sphere 0: y is inf, not finite in float32 (read as 1e+39)");
   t.scale = 1e300;
-  CHECK_THAT(complaint("a.csv", "x,y,z,r\n1,1,-1e200,1\n", t), contains("a.csv:2: sphere 0: "));
-  CHECK_THAT(complaint("m.obj", "v 0 0 0\nv 0 0 -1e9\n", t),
-             contains("m.obj:2: vertex 1: z is -inf, not finite in float32 after --scale-b (read as -1000000000"));
+  CHECK_THAT(complaint("a.csv", "x,y,z,r\n1,1,-1e20,1\n", t), contains("a.csv:2: sphere 0: "));
+  CHECK_THAT(complaint("m.obj", "v 0 0 0\nv 0 0 -1e9\np 1\n", t),
+             contains("m.obj:2: vertex 1: z is -inf, not finite in float32 after --scale-b (read as -1000000000)"));
 }
 
 TEST_CASE("which matrices are similarities, and their scale", "[transform]") {

@@ -1,6 +1,6 @@
 // The header of a PLY file: which elements follow, in which order and with which types.
-#ifndef MEETC_IO_PLY_HEADER_HPP
-#define MEETC_IO_PLY_HEADER_HPP
+#ifndef MEETC_IO_MESH_PLY_HEADER_HPP
+#define MEETC_IO_MESH_PLY_HEADER_HPP
 
 #include "io/file_bytes.hpp"
 

@@ -1,4 +1,4 @@
-#include "io/ply_header.hpp"
+#include "io/mesh/ply_header.hpp"
 
 #include "io/error.hpp"
 #include "io/number.hpp"

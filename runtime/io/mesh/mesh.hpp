@@ -1,0 +1,36 @@
+// From vertices and lists of them to a set of triangles, segments or points: what OBJ, PLY and OFF have in common.
+#ifndef MEETC_IO_MESH_MESH_HPP
+#define MEETC_IO_MESH_MESH_HPP
+
+#include "io/element_set.hpp"
+#include "io/readers.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meetc::io {
+
+// What a file, or a piece of one, holds.
+struct mesh_part {
+  std::vector<float> xyz;
+  vertex_lists faces, lines{{}, {}, 2, 0}, points{{}, {}, 1, 0};
+  rounded_numbers rounded;
+};
+
+// Appends the parts to the first one, in order and on several threads.
+void join_parts(std::vector<mesh_part *> parts, int threads);
+
+// The elements of the kind that is wanted; without a wish, the faces, else the lines or the points. What is left out is
+// noted, after `notes`. `vertices_are_points` says that the vertices of a file without faces are its points. Throws
+// io::error where nothing is usable, or where lines and points are and none is wanted.
+element_set set_of(const std::string &file, mesh_part &&all, bool vertices_are_points,
+                   const std::vector<std::string> &notes, const read_request &q);
+
+// Tests each element against the rule of its kind; `item` is "face" or "facet".
+void check_rules(const element_set &set, const std::string &file, const char *item);
+
+} // namespace meetc::io
+
+#endif

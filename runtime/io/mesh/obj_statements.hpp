@@ -1,0 +1,37 @@
+// Which statements of an OBJ carry no geometry, and the note on those that were skipped.
+#ifndef MEETC_IO_MESH_OBJ_STATEMENTS_HPP
+#define MEETC_IO_MESH_OBJ_STATEMENTS_HPP
+
+#include "io/text/pieces.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meetc::io {
+
+class skipped_statements {
+public:
+  // A statement that starts at `at`. False where its keyword is none: it has a control character.
+  bool add(std::string_view key, const char *at);
+  void add(const skipped_statements &later);
+  // One note on the statements that no OBJ has, and one on free-form curves and surfaces; none on normals, groups,
+  // materials and their like.
+  std::vector<std::string> notes(const text_file &text) const;
+
+private:
+  struct statement {
+    std::string key;
+    const char *first;
+    std::size_t times;
+    bool free_form;
+  };
+  void add(statement s);
+  std::vector<statement> seen_; // in order of their first occurrence
+  std::size_t others_ = 0;      // further statements, where there are many keywords
+};
+
+} // namespace meetc::io
+
+#endif

@@ -1,0 +1,29 @@
+// How far rounding to float32 moves the numbers of a file.
+#ifndef MEETC_IO_TEXT_ROUNDED_HPP
+#define MEETC_IO_TEXT_ROUNDED_HPP
+
+#include <algorithm>
+#include <cstddef>
+
+namespace meetc::io {
+
+// A number has moved if float32 does not hold it: a decimal if |decimal - float32| exceeds half a unit of its last written
+// digit (433832.18 has moved, 0.1 has not), a double if it is no float32. Numbers that are left out of a set, such as
+// colours, do not count.
+struct rounded_numbers {
+  std::size_t numbers = 0; // that moved
+  double largest = 0;      // of the moves, rounded
+
+  void add(double move) {
+    ++numbers;
+    largest = std::max(largest, move);
+  }
+  void add(const rounded_numbers &more) {
+    numbers += more.numbers;
+    largest = std::max(largest, more.largest);
+  }
+};
+
+} // namespace meetc::io
+
+#endif
