@@ -1,12 +1,39 @@
 // meetc: compiles the meet. Exit codes: 0 done, 1 a check failed, 2 bad usage or input.
 #include "gen/driver.hpp"
 #include "gen/support/output.hpp"
+#include "gen/support/source.hpp"
 
 #include <cerrno>
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
+
+namespace {
+
+// CLI11's message, or which command or option may have been meant by one that is not known.
+std::string usage_error(const CLI::App &app, const CLI::ParseError &e) {
+  const std::vector<CLI::App *> given = app.get_subcommands();
+  const CLI::App &of = given.empty() ? app : *given.front();
+  for (const std::string &left : of.remaining()) {
+    const bool option = left.size() > 1 && left.front() == '-';
+    if (!option && !given.empty())
+      continue;
+    std::vector<std::string> known;
+    if (option)
+      for (const CLI::Option *const o : of.get_options())
+        for (const std::string &name : o->get_lnames())
+          known.push_back("--" + name);
+    else
+      for (const CLI::App *const command : app.get_subcommands([](const CLI::App *) { return true; }))
+        known.push_back(command->get_name());
+    return fmt::format("unknown {} '{}'{}", option ? "option" : "command", left,
+                       meetc::nearest(left.substr(0, left.find('=')), known));
+  }
+  return e.what();
+}
+
+} // namespace
 
 int main(int argc, char **argv) {
   using namespace meetc;
@@ -85,7 +112,7 @@ int main(int argc, char **argv) {
     fmt::print(stderr, "meetc: standard output cannot be written\n");
     return 2;
   } catch (const CLI::ParseError &e) {
-    fmt::print(stderr, "meetc: {} (see meetc --help)\n", e.what());
+    fmt::print(stderr, "meetc: {} (see meetc --help)\n", usage_error(app, e));
     return 2;
   }
   try {

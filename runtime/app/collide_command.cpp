@@ -1,5 +1,6 @@
 #include "app/collide_command.hpp"
 
+#include "app/coarse_tolerance.hpp"
 #include "app/collide_sets.hpp"
 #include "app/failure.hpp"
 #include "app/input_options.hpp"
@@ -11,6 +12,7 @@
 #include "app/sets.hpp"
 #include "core/plural.hpp"
 #include "io/read.hpp"
+#include "io/text.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -24,6 +26,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// A name without an extension may be that of a device.
+void check_picture(const fs::path &to) {
+  const std::string extension = io::lower_case(to.extension().string());
+  if (!extension.empty() && extension != ".png")
+    throw failure(fmt::format("--image {}: pictures are PNG; name it {}", to.string(),
+                              fs::path(to).replace_extension(".png").string()));
+}
+
 void check_outputs(const collide_request &q, output_files &outputs) {
   if (q.any && (q.pairs || q.first || q.colour || q.image))
     throw failure("--any stops at the first pair and keeps none; --pairs, --first, --color and --image need them all");
@@ -33,8 +43,10 @@ void check_outputs(const collide_request &q, output_files &outputs) {
     outputs.expect(*q.pairs);
   if (q.first)
     outputs.expect(*q.first);
-  if (q.image)
+  if (q.image) {
     outputs.expect(*q.image);
+    check_picture(*q.image);
+  }
   if (q.colour && q.colour->empty())
     throw failure("--color: the folder's name is empty");
   if (q.colour)
@@ -111,6 +123,8 @@ std::string collide(const catalogue &all, const collide_request &q) {
   h.threads = q.threads;
   h.devices = q.devices;
   h.on = q.on;
+  if (const std::string warning = tolerance_warning(a, b, h); !warning.empty())
+    std::fprintf(stderr, "meet: %s\n", warning.c_str());
   auto progress = std::make_unique<progress_line>("collide");
   h.progress = [&progress](double fraction) { (*progress)(fraction); };
   const answers found = collide_sets(a, b, h);

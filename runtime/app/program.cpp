@@ -1,6 +1,7 @@
 #include "app/program.hpp"
 
 #include "app/failure.hpp"
+#include "app/nearest.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,6 +40,13 @@ void open_standard_streams() {
       static_cast<void>(::open("/dev/null", O_RDONLY));
 }
 
+// Input files are mapped, and another program may shorten one. Outputs have no name yet while inputs are read.
+extern "C" void end_after_lost_page(int) {
+  constexpr std::string_view what = "meet: a file became shorter while it was read\n";
+  static_cast<void>(!::write(STDERR_FILENO, what.data(), what.size()));
+  ::_exit(bad_input);
+}
+
 bool contains(const std::string &text, const char *part) {
   return text.find(part) != std::string::npos;
 }
@@ -53,6 +61,30 @@ std::string names_of(const std::vector<command> &commands, std::string_view befo
                                                   : ", ",
                        commands[i].parser->get_name());
   return out;
+}
+
+std::vector<std::string> names_in(const std::vector<command> &commands) {
+  std::vector<std::string> out;
+  for (const command &c : commands)
+    out.push_back(c.parser->get_name());
+  return out;
+}
+
+// What the user may have meant by an option that the parser does not have.
+std::string nearest_option(const CLI::App &parser, std::string_view name) {
+  std::vector<std::string> known;
+  for (const CLI::Option *const o : parser.get_options())
+    for (const std::string &one : o->get_lnames())
+      known.push_back("--" + one);
+  return nearest(name.substr(0, name.find('=')), known);
+}
+
+// The first option on the line that the parser does not have; empty: there is none.
+std::string unknown_option(const CLI::App &parser) {
+  for (const std::string &left : parser.remaining())
+    if (left.size() > 1 && left.front() == '-')
+      return left;
+  return {};
 }
 
 const command *named(const std::vector<command> &commands, int argc, char **argv, int at) {
@@ -70,22 +102,29 @@ const command *parsed(const std::vector<command> &commands) {
 }
 
 // CLI11's message, or a better one, on one line.
-std::string in_one_line(const CLI::Error &e, const std::vector<command> &commands, int argc, char **argv) {
+std::string in_one_line(const CLI::Error &e, const CLI::App &program, const std::vector<command> &commands, int argc,
+                        char **argv) {
   const command *const of = named(commands, argc, argv, 1);
   std::string name = of ? of->parser->get_name() + " " : "";
   if (of && !of->parts.empty()) {
     const command *const part = named(of->parts, argc, argv, 2);
     if (!part)
       return fmt::format("meet {}: {}; known: {} (meet {} --help says more)", of->parser->get_name(),
-                         argc < 3 ? of->part_is_missing : "unknown " + io::quote(argv[2]), names_of(of->parts),
-                         of->parser->get_name());
+                         argc < 3 ? of->part_is_missing
+                                  : "unknown " + io::quote(argv[2]) + nearest(argv[2], names_in(of->parts)),
+                         names_of(of->parts), of->parser->get_name());
     name += part->parser->get_name() + " ";
   }
   const std::string more = fmt::format("meet {}--help says more", name);
   if (!of && (argc < 2 || argv[1][0] == '-'))
-    return fmt::format("a command is needed first: {} ({})", names_of(commands, " or "), more);
+    return fmt::format("a command is needed first: {}{} ({})", names_of(commands, " or "),
+                       argc < 2 ? "" : nearest_option(program, argv[1]), more);
   if (!of)
-    return fmt::format("unknown command {}; known: {} ({})", io::quote(argv[1]), names_of(commands), more);
+    return fmt::format("unknown command {}{}; known: {} ({})", io::quote(argv[1]), nearest(argv[1], names_in(commands)),
+                       names_of(commands), more);
+  const CLI::App &parser = of->parts.empty() ? *of->parser : *named(of->parts, argc, argv, 2)->parser;
+  if (const std::string option = unknown_option(parser); !option.empty())
+    return fmt::format("not expected: {}{} ({})", io::error(option).what(), nearest_option(parser, option), more);
   std::string what = e.what();
   const std::string option = what.substr(0, what.find(':'));
   if (contains(what, "At Most 1 required"))
@@ -111,7 +150,7 @@ int obey(int argc, char **argv, const std::vector<add_command> &add) {
   } catch (const CLI::CallForVersion &) {
     return print("meet " MEETC_VERSION "\n");
   } catch (const CLI::Error &e) {
-    return complain(in_one_line(e, commands, argc, argv), bad_input);
+    return complain(in_one_line(e, parser, commands, argc, argv), bad_input);
   }
   const command *given = parsed(commands);
   while (!given->parts.empty())
@@ -123,6 +162,7 @@ int obey(int argc, char **argv, const std::vector<add_command> &add) {
 
 int run(int argc, char **argv, const std::vector<add_command> &commands) {
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGBUS, end_after_lost_page);
   open_standard_streams();
   try {
     return obey(argc, argv, commands);

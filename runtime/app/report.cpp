@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string_view>
 #include <tuple>
+#include <utility>
 
 namespace meetc::app {
 
@@ -43,12 +44,19 @@ std::string file_lines(const collide_report &r) {
   return out;
 }
 
+// The sets with their letters; one file that is given twice is read once.
+std::vector<std::pair<char, const io::element_set *>> sets_of(const collide_report &r) {
+  if (&r.a == &r.b)
+    return {{'A', &r.a}};
+  return {{'A', &r.a}, {'B', &r.b}};
+}
+
 // What float32 does not hold of the numbers in the files; empty where it holds all.
 std::string rounded_line(const collide_report &r) {
   std::string out;
-  for (const io::element_set *const set : {&r.a, &r.b})
-    if (set->rounded.numbers > 0 && (set == &r.a || &r.a != &r.b))
-      out += fmt::format("{}{} of {}", out.empty() ? "" : ", ", in_words(set->rounded), set == &r.a ? "A" : "B");
+  for (const auto &[letter, set] : sets_of(r))
+    if (set->rounded.numbers > 0)
+      out += fmt::format("{}{}", out.empty() ? "" : ", ", in_words(set->rounded, fmt::format(" of {}", letter)));
   return out.empty() ? out : fmt::format("Rounded to float32: {}.\n", out);
 }
 
@@ -96,10 +104,9 @@ std::string answer_line(const collide_report &r) {
 
 std::vector<std::string> all_notes(const collide_report &r) {
   std::vector<std::string> out;
-  for (const io::element_set *const set : {&r.a, &r.b})
+  for (const auto &[letter, set] : sets_of(r))
     for (const std::string &note : set->notes)
-      if (set == &r.a || &r.a != &r.b)
-        out.push_back(fmt::format("{}: {}", set == &r.a ? "A" : "B", note));
+      out.push_back(fmt::format("{}: {}", letter, note));
   out.insert(out.end(), r.found.notes.begin(), r.found.notes.end());
   out.insert(out.end(), r.notes.begin(), r.notes.end());
   return out;

@@ -26,9 +26,9 @@ std::string counted(const io::element_set &set) {
                                    : fmt::format("{} ({} {})", items, grouped(set.elements), plural(set.kind->name));
 }
 
-std::string in_words(const io::rounded_numbers &moved) {
-  return fmt::format("{} number{} moved, by {:.3g} at most", grouped(moved.numbers), moved.numbers == 1 ? "" : "s",
-                     moved.largest);
+std::string in_words(const io::rounded_numbers &moved, std::string_view of) {
+  return fmt::format("{} number{}{} moved, by {:.3g} at most", grouped(moved.numbers), moved.numbers == 1 ? "" : "s",
+                     of, moved.largest);
 }
 
 std::string in_words(const box &b) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace meetc::app {
 
@@ -15,8 +16,8 @@ std::string grouped(std::uint64_t n);
 // "69,451 faces", "1 sphere"; for polygons the number of triangles as well, and for polylines that of segments.
 std::string counted(const io::element_set &set);
 std::string counted(const io::element_set &set, std::uint64_t n);
-// "3 numbers moved, by 0.0075 at most"
-std::string in_words(const io::rounded_numbers &moved);
+// "3 numbers of A moved, by 0.0075 at most", or without " of A"
+std::string in_words(const io::rounded_numbers &moved, std::string_view of = "");
 // "[0, 0, 0] to [1, 1, 1]"
 std::string in_words(const box &b);
 

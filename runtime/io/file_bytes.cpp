@@ -78,9 +78,9 @@ bool map_whole(int from, std::size_t size, file_bytes &out) {
 } // namespace
 
 bool is_standard_input(const std::filesystem::path &path) {
-  if (path == standard_input)
-    return true;
-  // A regular file is not, even where a shell redirects it: it has a name, by which it can be read again.
+  for (const char *const name : {standard_input, "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"})
+    if (path == name)
+      return true;
   struct stat there {
   }, here{};
   return ::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && ::fstat(STDIN_FILENO, &here) == 0 &&

@@ -29,13 +29,28 @@ TEST_CASE("usage") {
   CHECK(has(complaint({"frob"}), "unknown command 'frob'; known: collide, inspect, demo, bench, trade"));
   CHECK(has(complaint({"collide"}), "A is required (meet collide --help says more)"));
   CHECK(has(complaint({"collide", "ball.ply"}), "B is required"));
-  CHECK(has(complaint({"inspect", "ball.ply"}), "B is required (meet inspect --help says more)"));
+  CHECK(has(complaint({"inspect"}), "A is required (meet inspect --help says more)"));
   CHECK(has(collide_complaint({"ball.ply", "ball.ply", "third.ply"}), "not expected: third.ply"));
   CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--frob"}), "not expected: --frob"));
   CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--pairs"}), "--pairs: its value is missing"));
   CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--mode", "solid", "--mode", "solid"}),
             "--mode: given more than once"));
   CHECK(has(complaint({"demo", "x"}), "not expected: x"));
+  // What was meant, where that is near.
+  CHECK(has(complaint({"colide"}), "unknown command 'colide'; did you mean 'collide'?; known: "));
+  CHECK(has(complaint({"bench", "papper"}), "unknown 'papper'; did you mean 'paper'?; known: "));
+  CHECK(has(complaint({"--hlep"}),
+            "a command is needed first: collide, inspect, demo, bench or trade; did you mean '--help'?"));
+  CHECK(has(complaint({"collide", "--hlep"}),
+            "not expected: --hlep; did you mean '--help'? (meet collide --help says more)"));
+  CHECK(has(complaint({"bench", "cpu", "--onyl", "balls"}), "not expected: --onyl; did you mean '--only'?"));
+  CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--pair", "p.csv"}),
+            "not expected: --pair; did you mean '--pairs'?"));
+  CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--translate=1,2,3"}),
+            "not expected: --translate=1,2,3; did you mean '--translate-a'?"));
+  CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--image", "x.jpg"}),
+            "--image x.jpg: pictures are PNG; name it x.png"));
+  CHECK_FALSE(fs::exists(at("x.jpg")));
 }
 
 TEST_CASE("help says what there is, and only that") {
@@ -48,8 +63,10 @@ TEST_CASE("help says what there is, and only that") {
   }
   CHECK_FALSE(has(one.out, "tolerant")); // --tolerance asks for it
   for (const char *const option :
-       {"--predicate", "--mode", "--precision", "--tolerance", "--device", "--translate-b", "--scale-b", "--matrix-b",
-        "--any", "--pairs", "--first", "--color", "--image", "--json", "--threads", "--devices"})
+       {"--predicate", "--mode",     "--precision",   "--tolerance", "--device",   "--translate-b",
+        "--scale-b",   "--matrix-b", "--translate-a", "--scale-a",   "--matrix-a", "--format-a",
+        "--format-b",  "--kind-a",   "--kind-b",      "--any",       "--pairs",    "--first",
+        "--color",     "--image",    "--json",        "--threads",   "--devices"})
     CHECK(has(one.out, option));
   CHECK(has(one.out, "pairs is 0 or 1"));
   CHECK(run({"--version"}).out.rfind("meet ", 0) == 0);

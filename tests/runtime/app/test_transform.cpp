@@ -1,4 +1,4 @@
-// How B is moved: in double, by scale, matrix and translation, rounded once.
+// How B is moved: float32 numbers in double, by scale, matrix and translation, rounded once.
 #include "fixture.hpp"
 
 using namespace fixture;
@@ -35,11 +35,13 @@ TEST_CASE("scale, then matrix, then translation, whatever their order on the lin
   CHECK(point_becomes("1,2,3", {"--translate-b", "-1 -.5 1e1"}, "0,1.5,13"));
 }
 
-TEST_CASE("rounded once, at the end") {
-  // 0.1 in double times 3 rounds to 0.3 in float32; 0.1 rounded to float32 first gives one step more.
-  CHECK(point_becomes("0.1,0,0", {"--scale-b", "3"}, "0.3,0,0"));
-  CHECK(point_becomes("16777217,0,0", {"--translate-b", "-16777216,0,0"}, "1,0,0"));
-  // Without a transform decimals are rounded directly to float32.
+TEST_CASE("decimals are rounded to float32, and what is moved once more at the end") {
+  // 3 times the float32 of 0.1, in double, rounds to one step more than 0.3.
+  CHECK(point_becomes("0.1,0,0", {"--scale-b", "3"}, "0.30000001192092896,0,0"));
+  CHECK_FALSE(point_becomes("0.1,0,0", {"--scale-b", "3"}, "0.29999998211860657,0,0"));
+  CHECK(point_becomes("16777217,0,0", {"--translate-b", "-16777216,0,0"}, "0,0,0"));
+  // A half of a step and the step that a translation takes away again, in double.
+  CHECK(point_becomes("1,0,0", {"--translate-b", "0.000000059604644775390625,0,0", "--scale-b", "1"}, "1,0,0"));
   CHECK(point_becomes("1.00000017881393432617187499,0,0", {}, "1.00000011920929,0,0"));
 }
 
