@@ -7,6 +7,7 @@
 #include "bench/gpu_growth_chart.hpp"
 #include "bench/option_values.hpp"
 #include "bench/paper_command.hpp"
+#include "bench/read_command.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -101,16 +102,35 @@ app::command add_cpu(CLI::App &bench, const app::kernel_library &kernels) {
           }};
 }
 
+app::command add_read(CLI::App &bench, const catalogue &all) {
+  CLI::App &c = *bench.add_subcommand("read", "The readers, beside the least that a file takes");
+  const auto q = std::make_shared<read_request>();
+  const auto threads = std::make_shared<std::optional<std::string>>(),
+             repetitions = std::make_shared<std::optional<std::string>>();
+  c.add_option("--mesh", q->mesh, "Of this mesh; without it a built-in body serves")->type_name("FILE");
+  c.add_option("--threads", *threads, "Threads of the readers; 0 is all cores, 2 the default")->type_name("N");
+  c.add_option("--repetitions", *repetitions, "How often reader and least take turns, by default 21")->type_name("N");
+  c.add_flag("--json", q->json, "Print one JSON object instead of the table")->disable_flag_override();
+  return {&c, [&all, q, threads, repetitions] {
+            if (*threads)
+              q->threads = app::threads_named(**threads);
+            if (*repetitions)
+              q->repetitions = repetitions_named(**repetitions);
+            return read_times(all, *q);
+          }};
+}
+
 } // namespace
 
 app::command add_bench(CLI::App &program, const catalogue &all, const app::kernel_library &kernels) {
-  CLI::App &c =
-      *program.add_subcommand("bench", "Measure: the paper's tables and figures again, the CUDA device, and the CPU");
+  CLI::App &c = *program.add_subcommand(
+      "bench", "Measure: the paper's tables and figures again, the CUDA device, the CPU, and the readers");
   c.require_subcommand(1);
   app::command out{&c, {}};
   out.parts.push_back(add_paper(c, all));
   out.parts.push_back(add_gpu(c, all));
   out.parts.push_back(add_cpu(c, kernels));
+  out.parts.push_back(add_read(c, all));
   out.part_is_missing = "what to measure is needed";
   return out;
 }

@@ -181,7 +181,7 @@ element_set read_csv(const file_bytes &file, const read_request &q) {
     rows[i].rounded = parts[i].rounded;
     all.push_back(&rows[i]);
   }
-  join_parts(std::move(all), q.by.threads);
+  join_parts(all, q.by.threads);
   element_set set;
   set.kind = header.kind;
   set.data = std::move(rows.front().xyz);

@@ -8,40 +8,56 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <functional>
 #include <utility>
 
 namespace meetc::io {
 
 namespace {
 
-// Appends all of one vector of each part to that of the first.
-template <class T, class Of> void join_vectors(const std::vector<mesh_part *> &parts, int threads, const Of &of) {
-  std::vector<std::size_t> start(parts.size() + 1, 0);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    start[i + 1] = start[i] + of(*parts[i]).size();
-  std::vector<T> &all = of(*parts.front());
-  all.resize(start.back());
-  for_chunks(threads, parts.size() - 1, 1, [&](int, std::size_t i, std::size_t) {
-    std::vector<T> &from = of(*parts[i + 1]);
-    std::ranges::copy(from, all.begin() + static_cast<std::ptrdiff_t>(start[i + 1]));
-    from = {};
-  });
-}
+// Moves vectors of all parts into those of the first one: the first step makes room, and the second copies one part's.
+class joint {
+public:
+  explicit joint(const std::vector<mesh_part *> &parts) : parts_(parts) {}
 
-void join_lists(const std::vector<mesh_part *> &parts, int threads, vertex_lists mesh_part::*lists) {
-  const auto of = [lists](mesh_part &p) -> vertex_lists & { return p.*lists; };
-  if (std::ranges::any_of(parts, [&](mesh_part *p) { return !of(*p).counts.empty(); })) {
-    for (mesh_part *const p : parts)
-      if (vertex_lists &l = of(*p); l.counts.empty())
-        l.counts.assign(l.lists, static_cast<std::uint32_t>(l.usual));
-    join_vectors<std::uint32_t>(
-        parts, threads, [&](mesh_part & p) -> auto & { return of(p).counts; });
+  template <class T> void add(std::vector<T> &(*of)(mesh_part &)) {
+    std::vector<std::size_t> start(parts_.size() + 1, 0);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+      start[i + 1] = start[i] + of(*parts_[i]).size();
+    std::vector<T> &all = of(*parts_.front());
+    if (start.back() == all.size())
+      return;
+    std::vector<T> first = std::move(all);
+    all.resize(start.back());
+    std::ranges::copy(first, all.begin());
+    copies_.emplace_back([this, of, &all, start = std::move(start)](std::size_t i) {
+      std::vector<T> &from = of(*parts_[i]);
+      std::ranges::copy(from, all.begin() + static_cast<std::ptrdiff_t>(start[i]));
+      from = {};
+    });
   }
-  join_vectors<std::uint32_t>(
-      parts, threads, [&](mesh_part & p) -> auto & { return of(p).vertices; });
+  void copy(int threads) const {
+    for_chunks(threads, parts_.size() - 1, 1, [&](int, std::size_t i, std::size_t) {
+      for (const auto &one : copies_)
+        one(i + 1);
+    });
+  }
+
+private:
+  const std::vector<mesh_part *> &parts_;
+  std::vector<std::function<void(std::size_t)>> copies_;
+};
+
+template <vertex_lists mesh_part::*Lists> void add_lists(const std::vector<mesh_part *> &parts, joint &all) {
+  if (std::ranges::any_of(parts, [&](mesh_part *p) { return !(p->*Lists).counts.empty(); })) {
+    for (mesh_part *const p : parts)
+      if (vertex_lists &l = p->*Lists; l.counts.empty())
+        l.counts.assign(l.lists, static_cast<std::uint32_t>(l.usual));
+    all.add<std::uint32_t>([](mesh_part & p) -> auto & { return (p.*Lists).counts; });
+  }
+  all.add<std::uint32_t>([](mesh_part & p) -> auto & { return (p.*Lists).vertices; });
   for (std::size_t i = 1; i < parts.size(); ++i)
-    of(*parts.front()).lists += of(*parts[i]).lists;
+    (parts.front()->*Lists).lists += (parts[i]->*Lists).lists;
 }
 
 std::string several(std::size_t n, const char *one) {
@@ -122,11 +138,15 @@ void cut_lines(vertex_lists &&lines, element_set &set) {
 
 } // namespace
 
-void join_parts(std::vector<mesh_part *> parts, int threads) {
-  join_vectors<float>(
-      parts, threads, [](mesh_part & p) -> auto & { return p.xyz; });
-  for (vertex_lists mesh_part::*const lists : {&mesh_part::faces, &mesh_part::lines, &mesh_part::points})
-    join_lists(parts, threads, lists);
+void join_parts(const std::vector<mesh_part *> &parts, int threads) {
+  if (parts.size() < 2)
+    return;
+  joint all(parts);
+  all.add<float>([](mesh_part & p) -> auto & { return p.xyz; });
+  add_lists<&mesh_part::faces>(parts, all);
+  add_lists<&mesh_part::lines>(parts, all);
+  add_lists<&mesh_part::points>(parts, all);
+  all.copy(threads);
   for (std::size_t i = 1; i < parts.size(); ++i)
     parts.front()->rounded.add(parts[i]->rounded);
 }

@@ -20,7 +20,7 @@ struct mesh_part {
 };
 
 // Appends the parts to the first one, in order and on several threads.
-void join_parts(std::vector<mesh_part *> parts, int threads);
+void join_parts(const std::vector<mesh_part *> &parts, int threads);
 
 // The elements of the kind that is wanted; without a wish, the faces, else the lines or the points. What is left out is
 // noted, after `notes`. `vertices_are_points` says that the vertices of a file without faces are its points. Throws

@@ -40,6 +40,9 @@ public:
       : text_(text), c_(piece), alone_(alone), fault_(fault) {}
 
   obj_part parse() {
+    if (alone_)
+      if (const std::size_t nul = text_.whole().find('\0'); nul != std::string_view::npos)
+        text_.fail(text_.whole().data() + nul, "a NUL byte, which no OBJ holds");
     while (!c_.done()) {
       c_.skip_blanks();
       start_ = c_.at;
@@ -167,12 +170,11 @@ private:
   static const char *short_index(const char *p, std::int64_t &n) {
     const bool negative = *p == '-';
     p += negative;
-    std::int64_t v = 0;
+    std::uint64_t v = 0;
     const char *const first = p;
-    for (; decimal_detail::is_digit(*p) && p - first < 9; ++p)
-      v = 10 * v + (*p - '0');
-    n = negative ? -v : v;
-    return v != 0 && !decimal_detail::is_digit(*p) ? p : nullptr;
+    p = decimal_detail::digits(p, v);
+    n = negative ? -static_cast<std::int64_t>(v) : static_cast<std::int64_t>(v);
+    return p - first <= 9 && v != 0 ? p : nullptr;
   }
 
   // One of v, v/vt, v//vn, v/vt/vn, perhaps with slashes at its end. Only v is used, but the rest must be well formed.
@@ -288,8 +290,6 @@ element_set read_obj(const file_bytes &file, const read_request &q) {
     return obj_parser(text, piece, alone, q.fault).parse();
   };
   std::vector<obj_part> parts;
-  if (text.has_nul())
-    text.fail(text.whole().data() + text.whole().find('\0'), "a NUL byte, which no OBJ holds");
   if (!q.fault)
     parts = parse_pieces<obj_part>(text, text.pieces(after_whole_statement()), parse);
   if (q.fault || (parts.size() > 1 && !resolve(parts)))
@@ -300,7 +300,7 @@ element_set read_obj(const file_bytes &file, const read_request &q) {
     if (&p != &parts.front())
       parts.front().skipped.add(p.skipped);
   }
-  join_parts(std::move(meshes), q.by.threads);
+  join_parts(meshes, q.by.threads);
   obj_part &all = parts.front();
   const std::vector<std::string> skipped = all.skipped.notes(text);
   return set_of(file.name, std::move(all.mesh), false, skipped, q);

@@ -271,7 +271,7 @@ mesh_part read_ply_ascii(const file_bytes &file, const ply_layout &layout, bool 
   std::vector<mesh_part *> all;
   for (mesh_part &p : parts)
     all.push_back(&p);
-  join_parts(std::move(all), q.by.threads);
+  join_parts(all, q.by.threads);
   return std::move(parts.front());
 }
 

@@ -212,7 +212,7 @@ stl_text read_stl_ascii(const file_bytes &file, const read_request &q) {
     rows[i].rounded = parts[i].rounded;
     all.push_back(&rows[i]);
   }
-  join_parts(std::move(all), q.by.threads);
+  join_parts(all, q.by.threads);
   return {std::move(rows.front().xyz), rows.front().rounded};
 }
 

@@ -64,12 +64,11 @@ struct cursor {
     skip_blanks();
     const bool negative = *at == '-';
     const char *p = at + negative;
-    std::int64_t n = 0;
+    std::uint64_t n = 0;
     const char *const first = p;
-    for (; decimal_detail::is_digit(*p) && p - first < 10; ++p)
-      n = 10 * n + (*p - '0');
-    if (p > first && space(*p)) {
-      out = negative ? -n : n;
+    p = decimal_detail::digits(p, n);
+    if (p > first && p - first < 19 && space(*p)) {
+      out = negative ? -static_cast<std::int64_t>(n) : static_cast<std::int64_t>(n);
       at = p;
       return true;
     }

@@ -41,25 +41,29 @@ inline bool is_digit(char c) {
   return static_cast<unsigned char>(c - '0') < 10;
 }
 
-// Eight digits at once (Lemire, "Number parsing at a gigabyte per second", 2021), on a little-endian machine.
-inline bool eight_digits(const char *at, std::uint64_t &w) {
-  if constexpr (std::endian::native != std::endian::little)
-    return false;
-  std::uint64_t v;
-  std::memcpy(&v, at, 8);
-  if (((v & 0xf0f0f0f0f0f0f0f0) | (((v + 0x0606060606060606) & 0xf0f0f0f0f0f0f0f0) >> 4)) != 0x3333333333333333)
-    return false;
-  v -= 0x3030303030303030;
-  v = v * 10 + (v >> 8);
-  const std::uint64_t low = (v & 0x000000ff000000ff) * 0x000f424000000064, // 100 + 10^6 2^32
-      high = ((v >> 16) & 0x000000ff000000ff) * 0x0000271000000001;        // 1 + 10^4 2^32
-  w = w * 100000000 + ((low + high) >> 32);
-  return true;
-}
+// 10^0 to 10^8.
+inline constexpr std::uint64_t short_powers[9] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
 
+// The digits that start here, appended to w modulo 2^64. Up to eight at once, without a branch on their number, on a
+// little-endian machine (after Lemire, "Number parsing at a gigabyte per second", 2021).
 inline const char *digits(const char *at, std::uint64_t &w) {
-  while (eight_digits(at, w))
-    at += 8;
+  if constexpr (std::endian::native == std::endian::little)
+    for (;;) {
+      std::uint64_t v;
+      std::memcpy(&v, at, 8);
+      // Zero in each byte up to the first that is no digit; a carry comes out of none before it.
+      const std::uint64_t other = ((v & 0xf0f0f0f0f0f0f0f0) ^ 0x3030303030303030) |
+                                  (((v + 0x0606060606060606) & 0xf0f0f0f0f0f0f0f0) ^ 0x3030303030303030);
+      const int n = std::countr_zero(other) / 8;
+      v = ((v - 0x3030303030303030) << (32 - 4 * n)) << (32 - 4 * n); // zeros before the n digits
+      v = v * 10 + (v >> 8);
+      const std::uint64_t low = (v & 0x000000ff000000ff) * 0x000f424000000064, // 100 + 10^6 2^32
+          high = ((v >> 16) & 0x000000ff000000ff) * 0x0000271000000001;        // 1 + 10^4 2^32
+      w = w * short_powers[n] + ((low + high) >> 32);
+      at += n;
+      if (n < 8)
+        return at;
+    }
   for (; is_digit(*at); ++at)
     w = 10 * w + static_cast<std::uint64_t>(*at - '0');
   return at;

@@ -3,36 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 
 namespace meetc::io {
 
 namespace {
 
-struct survey {
-  bool nul = false, lone_return = false;
-};
-
-// Of the first n bytes, in blocks, so that a compiler makes vectors of it.
-survey survey_of(std::string_view text, std::size_t n) {
+// Whether a byte is NUL, or a carriage return that no line feed follows; in blocks, so that a compiler makes vectors of it.
+// The last byte is a line end.
+bool is_odd(std::string_view text) {
   constexpr std::size_t block = 128;
-  unsigned char nul = 0, lone = 0;
+  unsigned char odd = 0;
   std::size_t i = 0;
-  for (; i + block < n; i += block) {
-    unsigned char z = 0, r = 0;
-    for (std::size_t k = i; k < i + block; ++k) {
-      z = static_cast<unsigned char>(z | (text[k] == '\0'));
-      r = static_cast<unsigned char>(r | ((text[k] == '\r') & (text[k + 1] != '\n')));
-    }
-    nul |= z;
-    lone |= r;
-  }
-  for (; i < n; ++i) {
-    nul |= text[i] == '\0';
-    lone |= text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n');
-  }
-  return {nul != 0, lone != 0};
+  for (; i + block < text.size() && !odd; i += block)
+    for (std::size_t k = i; k < i + block; ++k)
+      odd = static_cast<unsigned char>(odd | (text[k] == '\0') | ((text[k] == '\r') & (text[k + 1] != '\n')));
+  for (; i + 1 < text.size() && !odd; ++i)
+    odd = text[i] == '\0' || (text[i] == '\r' && text[i + 1] != '\n');
+  return odd != 0;
 }
 
 bool is_space(char c) {
@@ -56,29 +44,16 @@ text_file::text_file(const file_bytes &file, const work &by, std::size_t offset,
   std::string_view text = file.text().substr(offset);
   if (offset == 0 && text.starts_with("\xef\xbb\xbf"))
     text.remove_prefix(3);
-  text = without_end_mark(text);
-  piece_ = by.piece_bytes ? by.piece_bytes
-                          : std::clamp<std::size_t>(text.size() / (4 * static_cast<std::size_t>(by.threads)), 1 << 15,
-                                                    std::size_t{1} << 19);
-  std::atomic<bool> nul = false, lone = false;
-  for_chunks(by.threads, text.size(), std::max<std::size_t>(piece_, 1 << 12),
-             [&](int, std::size_t begin, std::size_t end) {
-               const survey s = survey_of(text.substr(begin), end - begin);
-               if (s.nul)
-                 nul = true;
-               if (s.lone_return)
-                 lone = true;
-             });
-  nul_ = nul;
-  if (lone) {
-    copy_ = text;
-    for (std::size_t i = 0; i < copy_.size(); ++i)
-      if (copy_[i] == '\r' && (i + 1 == copy_.size() || copy_[i + 1] != '\n'))
-        copy_[i] = '\n';
-    text = copy_;
-  }
-  text_ = text;
-  size_ = text.size();
+  text_ = without_end_mark(text);
+  size_ = text_.size();
+  piece_ = by.piece_bytes
+               ? by.piece_bytes
+               : std::clamp<std::size_t>(size_ / (8 * static_cast<std::size_t>(by.threads)), 1 << 15, 1 << 17);
+}
+
+void text_file::check_piece(std::string_view piece) const {
+  if (is_odd(piece))
+    throw error("");
 }
 
 std::string_view text_file::keep_tail(std::size_t from) {
@@ -98,6 +73,9 @@ std::string_view text_file::whole() const {
     whole_.append(tail_, 0, tail_.size() - std::min(tail_.size(), text_slack));
     if (!whole_.empty() && whole_.back() != '\n')
       whole_ += '\n';
+    for (std::size_t i = 0; i < whole_.size(); ++i)
+      if (whole_[i] == '\r' && whole_[i + 1] != '\n')
+        whole_[i] = '\n';
     whole_.append(text_slack, '\0');
   }
   return std::string_view(whole_).substr(0, whole_.size() - text_slack);

@@ -62,8 +62,9 @@ public:
   std::string_view whole() const;
 
   int threads() const { return by_.threads; }
-  const std::string &name() const { return name_; }
-  bool has_nul() const { return nul_; }
+  // Throws io::error, whose message nobody reads, where a piece holds what a parser must not see: a carriage return alone,
+  // or a NUL.
+  void check_piece(std::string_view piece) const;
   // The line of a byte of a piece, or of whole().
   std::size_t line_of(const char *at) const;
   // How many bytes of the file follow a place in whole().
@@ -81,10 +82,8 @@ private:
   work by_;
   std::size_t piece_ = 0, first_line_ = 1, size_ = 0;
   std::string_view text_;
-  std::string copy_; // of the text, where line ends had to be changed
   std::string tail_; // with a line end and slack
   mutable std::string whole_;
-  bool nul_ = false;
 };
 
 // Whether a piece may start at any line.
@@ -99,8 +98,10 @@ std::vector<Part> parse_pieces(const text_file &text, const std::vector<std::str
   if (pieces.size() > 1) {
     std::vector<Part> parts(pieces.size());
     try {
-      for_chunks(text.threads(), pieces.size(), 1,
-                 [&](int, std::size_t i, std::size_t) { parts[i] = parse(pieces[i], i, false); });
+      for_chunks(text.threads(), pieces.size(), 1, [&](int, std::size_t i, std::size_t) {
+        text.check_piece(pieces[i]);
+        parts[i] = parse(pieces[i], i, false);
+      });
       return parts;
     } catch (const error &) {
     }

@@ -189,10 +189,10 @@ TEST_CASE("one file is enough to inspect") {
 TEST_CASE("a tolerance that makes nearly everything touch is told before the work") {
   put_mesh("ball.ply", meetc::bodies::icosphere(5));
   put_mesh("ring.ply", meetc::bodies::torus(96, 48));
-  const said s = run({"collide", "ball.ply", "ring.ply", "--tolerance", "3", "--json"});
+  const said s = run({"collide", "ball.ply", "ring.ply", "--tolerance", "8", "--json"});
   CHECK(s.code == 0);
   CHECK(has(s.err,
-            "meet: warning: --tolerance 3 rounds numbers to multiples of 2^0, where more than 10,000,000 pairs have a "
+            "meet: warning: --tolerance 8 rounds numbers to multiples of 2^2, where more than 100,000,000 pairs have a "
             "corner in common; finding them all takes long\n"));
   CHECK(run({"collide", "ball.ply", "ring.ply", "--tolerance", "0.001"}).err.empty());
 }
