@@ -34,7 +34,7 @@ set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folde
 # The headers for users, below runtime/. What only other headers of the runtime need is not installed.
 set(MEETC_CORE_HEADERS answers.hpp check.hpp collide.hpp find.hpp memory.hpp pairs.hpp pose.hpp prepared.hpp status.hpp view.hpp)
 set(MEETC_DEVICE_HEADERS collide.hpp device.hpp given.hpp group.hpp memory.hpp poses.hpp search.hpp set.hpp tree.hpp)
-set(MEETC_IO_HEADERS atomic_file.hpp element_set.hpp error.hpp read.hpp transform.hpp write.hpp)
+set(MEETC_IO_HEADERS atomic_file.hpp element_set.hpp error.hpp read.hpp rounded.hpp transform.hpp write.hpp)
 
 option(MEETC_INSTALL "Make install rules for meetc" ${PROJECT_IS_TOP_LEVEL})
 if(NOT MEETC_INSTALL)

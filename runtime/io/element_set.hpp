@@ -2,7 +2,7 @@
 #ifndef MEETC_IO_ELEMENT_SET_HPP
 #define MEETC_IO_ELEMENT_SET_HPP
 
-#include "io/text/rounded.hpp"
+#include "io/rounded.hpp"
 #include "meetc/support.hpp"
 
 #include <cstddef>

@@ -265,3 +265,19 @@ TEST_CASE("the small files that people had trouble with, where they are") {
   }
   CHECK(seen > 70);
 }
+
+TEST_CASE("bench read: each format beside the least that its file takes") {
+  put_mesh("ball.ply", meetc::bodies::icosphere(4));
+  const said s = run({"bench", "read", "--mesh", "ball.ply", "--repetitions", "3", "--json"});
+  INFO(s.err);
+  REQUIRE(s.code == 0);
+  const json all = json::parse(s.out);
+  std::set<std::string> files;
+  for (const json &row : table(all, "read")) {
+    files.insert(row["file"].get<std::string>());
+    CHECK(row["reader"] > 0.0);
+    CHECK(row["least"] > 0.0);
+    CHECK(row["ratio"] > 0.0);
+  }
+  CHECK(files == std::set<std::string>{"mesh.obj", "rows.csv", "ascii.ply", "ascii.stl", "binary.ply", "binary.stl"});
+}

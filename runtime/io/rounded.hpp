@@ -1,6 +1,6 @@
 // How far rounding to float32 moves the numbers of a file.
-#ifndef MEETC_IO_TEXT_ROUNDED_HPP
-#define MEETC_IO_TEXT_ROUNDED_HPP
+#ifndef MEETC_IO_ROUNDED_HPP
+#define MEETC_IO_ROUNDED_HPP
 
 #include <algorithm>
 #include <cstddef>
