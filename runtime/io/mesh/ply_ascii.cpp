@@ -200,7 +200,7 @@ private:
     const std::int64_t most = (std::int64_t{1} << (is_signed ? bits - 1 : bits)) - 1;
     if (value > most || value < (is_signed ? -most - 1 : 0)) {
       const char *from = c_.at;
-      while (!cursor::space(from[-1]))
+      while (from > start_ && !cursor::space(from[-1]))
         --from;
       fail(fmt::format("{} does not fit the property's type", quote({from, static_cast<std::size_t>(c_.at - from)})));
     }
