@@ -121,7 +121,8 @@ std::size_t paper_bodies::sizes() const {
 
 std::string paper_bodies::pose_options() const {
   const auto &t = *pose_.translate;
-  return fmt::format("{} {} {} {},{},{}", pose_.option("scale"), *pose_.scale, pose_.option("translate"), t[0], t[1], t[2]);
+  return fmt::format("{} {} {} {},{},{}", pose_.option("scale"), *pose_.scale, pose_.option("translate"), t[0], t[1],
+                     t[2]);
 }
 
 std::string paper_bodies::in_words() const {

@@ -1,11 +1,11 @@
 #include "io/read.hpp"
 
-#include "core/control_word.hpp"
 #include "core/threads.hpp"
 #include "io/mesh/mesh.hpp"
 #include "io/number.hpp"
 #include "io/readers.hpp"
 #include "io/text.hpp"
+#include <meetc/control_word.hpp>
 
 #include <fmt/format.h>
 
