@@ -205,7 +205,8 @@ TEST_CASE("bench paper: an error is one line, and nothing is written") {
   CHECK(has(with({"--data", "bare", "-o", "unmade"}), "bare/bunny_1k.ply: "));
   put("bare/bunny_1k.ply", "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
                            "property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n");
-  CHECK(with({"--data", "bare", "-o", "unmade"}) == "bare/bunny_1k.ply: holds no triangles");
+  CHECK(with({"--data", "bare", "-o", "unmade"}) ==
+        "bare/bunny_1k.ply: no faces, lines or points to collide; it holds nothing");
   put_mesh("bare/bunny_1k.ply", meetc::bodies::torus(25, 20));
   CHECK(with({"--data", "bare", "-o", "unmade"}) == "--data bare: holds no armadillo_*.ply");
   put_mesh("bare/armadillo_big.ply", meetc::bodies::knot(400, 200));
@@ -220,7 +221,7 @@ TEST_CASE("bench paper: an error is one line, and nothing is written") {
   CHECK(has(with({"--threads", "-1"}), "is not a number from 0 to 256"));
   CHECK(has(with({"extra"}), "not expected: extra (meet bench paper --help says more)"));
   CHECK(complaint({"bench"}) ==
-        "meet bench: what to measure is needed; known: paper, gpu, cpu (meet bench --help says more)");
+        "meet bench: what to measure is needed; known: paper, gpu, cpu, read (meet bench --help says more)");
   CHECK(has(complaint({"bench", "frob"}), "meet bench: unknown 'frob'; known: paper, gpu, cpu"));
   CHECK(run({"bench", "paper", "--help"}).code == 0);
 }

@@ -1,4 +1,4 @@
-// Formulas are host and device functions: the same bits on both sides.
+// Formulas are host and device functions: the same bits on both sides, where the host has fma too.
 #include "cuda_test.hpp"
 
 #include <cga/cga.hpp>
