@@ -1,12 +1,8 @@
 #include "io/number.hpp"
 
 #include <charconv>
-#include <clocale>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <locale.h>
-#include <string>
 #include <system_error>
 
 namespace meetc::io {
@@ -21,18 +17,11 @@ bool strip_plus(std::string_view &text) {
   return !text.empty() && text.front() != '+' && text.front() != '-';
 }
 
-locale_t c_locale() {
-  static const locale_t c = newlocale(LC_ALL_MASK, "C", nullptr);
-  return c;
-}
-
-// std::from_chars reports only "out of range", for numbers too large and too small alike, without a value. The C
-// function then gives infinity, a subnormal number or zero, correctly rounded.
-double round_extreme(std::string_view text, float) {
-  return strtof_l(std::string(text).c_str(), nullptr, c_locale());
-}
-double round_extreme(std::string_view text, double) {
-  return strtod_l(std::string(text).c_str(), nullptr, c_locale());
+// std::from_chars reports only "out of range", for numbers too large and too small alike, without a value. strtod would give
+// one, but rounds as the x87's word says, which a caller's fesetround() leaves and no guard sets.
+double beyond_range(std::string_view text) {
+  const double magnitude = take_apart(text).point > 0 ? std::numeric_limits<double>::infinity() : 0;
+  return text.front() == '-' ? -magnitude : magnitude;
 }
 
 template <class T> bool parse(std::string_view text, double &out) {
@@ -41,11 +30,39 @@ template <class T> bool parse(std::string_view text, double &out) {
   const auto [stop, code] = std::from_chars(text.data(), end, value);
   if (stop != end || code == std::errc::invalid_argument)
     return false;
-  out = code == std::errc::result_out_of_range ? round_extreme(text, T{}) : static_cast<double>(value);
+  out = code == std::errc::result_out_of_range ? beyond_range(text) : static_cast<double>(value);
   return true;
 }
 
 } // namespace
+
+decimal_digits take_apart(std::string_view text) {
+  constexpr std::int64_t most = 1'000'000'000;
+  decimal_digits out;
+  long after = 0, exponent = 0;
+  bool point = false;
+  std::size_t i = text.front() == '-' || text.front() == '+' ? 1 : 0;
+  for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
+    if (text[i] == '.') {
+      point = true;
+      continue;
+    }
+    after += point;
+    if (text[i] != '0' || !out.digits.empty())
+      out.digits += text[i];
+  }
+  if (i < text.size()) {
+    const std::string_view word = text.substr(i + 1);
+    std::int64_t n = 0;
+    // A number whose exponent is longer is zero, infinite, or has as many digits, which no file holds.
+    if (!parse_integer(word, n) || n > most || n < -most)
+      n = word.starts_with('-') ? -most : most;
+    exponent = static_cast<long>(n);
+  }
+  out.unit = exponent - after;
+  out.point = out.unit + static_cast<long>(out.digits.size());
+  return out;
+}
 
 bool parse_decimal(std::string_view text, precision target, double &out) {
   if (!strip_plus(text))

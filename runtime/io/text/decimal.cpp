@@ -13,41 +13,6 @@ namespace meetc::io {
 
 namespace {
 
-// The magnitude of a finite decimal: 0.DIGITS * 10^point, without leading zeros. The last written digit has the weight
-// 10^unit.
-struct digits_of_decimal {
-  std::string digits;
-  long point = 0, unit = 0;
-};
-
-digits_of_decimal take_apart(std::string_view word) {
-  digits_of_decimal out;
-  long after = 0, exponent = 0;
-  bool point = false;
-  std::size_t i = word.front() == '-' || word.front() == '+' ? 1 : 0;
-  for (; i < word.size() && word[i] != 'e' && word[i] != 'E'; ++i) {
-    if (word[i] == '.') {
-      point = true;
-      continue;
-    }
-    after += point;
-    if (word[i] != '0' || !out.digits.empty())
-      out.digits += word[i];
-  }
-  if (i < word.size()) {
-    std::string_view text = word.substr(i + 1);
-    std::int64_t n = 0;
-    const bool minus = text.starts_with('-');
-    // A number whose exponent is longer is zero, infinite, or has as many digits, which no file holds.
-    if (!parse_integer(text, n) || n > 1'000'000'000 || n < -1'000'000'000)
-      n = minus ? -1'000'000'000 : 1'000'000'000;
-    exponent = static_cast<long>(n);
-  }
-  out.unit = exponent - after;
-  out.point = out.unit + static_cast<long>(out.digits.size());
-  return out;
-}
-
 // |x - y| for digits of one weight and length.
 std::string difference(std::string x, std::string y) {
   if (x < y)
@@ -64,7 +29,7 @@ std::string difference(std::string x, std::string y) {
 
 // The move of a decimal of any length, by digits. f is finite.
 void count_move_by_digits(std::string_view word, float f, rounded_numbers &moved) {
-  const digits_of_decimal x = take_apart(word);
+  const decimal_digits x = take_apart(word);
   if (x.digits.empty())
     return;
   double read = 0;

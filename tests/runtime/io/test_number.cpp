@@ -1,7 +1,9 @@
 #include "tests/catch.hpp"
 
 #include "io/number.hpp"
+#include <meetc/control_word.hpp>
 
+#include <cfenv>
 #include <clocale>
 #include <cmath>
 #include <limits>
@@ -93,4 +95,48 @@ TEST_CASE("the locale does not matter", "[number]") {
   CHECK(as_double("4.9e-324") > 0.0);
   if (set)
     std::setlocale(LC_ALL, "C");
+}
+
+TEST_CASE("a direction of rounding that only the x87 unit has does not matter", "[number]") {
+  std::fenv_t before;
+  std::fegetenv(&before);
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    meetc::set_control_word(meetc::plain_control_word); // as the guard of an entry does
+    const float numbers[] = {direct("0.7006492321624085e-45"), direct("-0.7006492321624085e-45"),
+                             direct("3.4028235677973367e38"),  direct("-3.4028235677973367e38"),
+                             direct("1.1754942e-38"),          direct("1.000000059604644775390625000001")};
+    const double doubles[] = {as_double("2.4703282292062327e-324"), as_double("1.7976931348623159e308"),
+                              as_double("1e-400"), as_double("-1e400")};
+    std::fesetenv(&before);
+    INFO(mode);
+    CHECK((numbers[0] == 0 && !std::signbit(numbers[0])));
+    CHECK((numbers[1] == 0 && std::signbit(numbers[1])));
+    CHECK(numbers[2] == std::numeric_limits<float>::infinity());
+    CHECK(numbers[3] == -std::numeric_limits<float>::infinity());
+    CHECK(numbers[4] == 0x1.fffffcp-127F);
+    CHECK(numbers[5] == 0x1.000002p0F);
+    CHECK(doubles[0] == 0);
+    CHECK(doubles[1] == std::numeric_limits<double>::infinity());
+    CHECK(doubles[2] == 0);
+    CHECK(doubles[3] == -std::numeric_limits<double>::infinity());
+  }
+}
+
+TEST_CASE("whether a number is too large or too small follows from all of its text", "[number]") {
+  const std::string zeros(500, '0');
+  CHECK(direct("0." + zeros + "1e490") == 1e-11F);
+  CHECK(direct("0." + zeros + "1e600") == std::numeric_limits<float>::infinity());
+  CHECK(direct("-0." + zeros + "1e420") == 0);
+  CHECK(direct("1" + zeros + "e-400") == std::numeric_limits<float>::infinity());
+  CHECK(direct("1" + zeros + "e-490") == 1e10F);
+  CHECK(direct("1" + zeros + ".5e-600") == 0);
+  CHECK(direct("-" + zeros + "123." + zeros + "e+40") == -std::numeric_limits<float>::infinity());
+  for (const char *const much : {"1e99999999999999999999", "+.1E+99999999999999999999", "1e2147483648"})
+    CHECK(direct(much) == std::numeric_limits<float>::infinity());
+  for (const char *const little : {"1e-99999999999999999999", "+.1E-99999999999999999999", "1e-2147483648"}) {
+    CHECK(direct(little) == 0);
+    CHECK(as_double(little) == 0);
+  }
+  CHECK(direct("0e99999999999999999999") == 0);
 }
