@@ -136,15 +136,16 @@ std::string describe_non_finite_point(const float *p, const std::array<std::stri
 }
 
 element_set read(const std::filesystem::path &path, std::span<const kind_info *const> kinds, const read_options &how) {
-  const control_word_guard guard;
-  how.move.check();
-  try {
-    return dispatch(path, kinds, how);
-  } catch (const std::bad_alloc &) {
-    throw error(fmt::format("{}: not enough memory to read it", path.string()));
-  } catch (const std::length_error &) {
-    throw error(fmt::format("{}: not enough memory to read it", path.string()));
-  }
+  return under_standard_word([&] {
+    how.move.check();
+    try {
+      return dispatch(path, kinds, how);
+    } catch (const std::bad_alloc &) {
+      throw error(fmt::format("{}: not enough memory to read it", path.string()));
+    } catch (const std::length_error &) {
+      throw error(fmt::format("{}: not enough memory to read it", path.string()));
+    }
+  });
 }
 
 } // namespace meetc::io

@@ -2,8 +2,9 @@
 #ifndef MEETC_IO_ROUNDED_HPP
 #define MEETC_IO_ROUNDED_HPP
 
-#include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 
 namespace meetc::io {
 
@@ -14,13 +15,20 @@ struct rounded_numbers {
   std::size_t numbers = 0; // that moved
   double largest = 0;      // of the moves, rounded
 
+  // `move` is 0 or more. Bits compare as such numbers do, under every control word.
   void add(double move) {
     ++numbers;
-    largest = std::max(largest, move);
+    keep(move);
   }
   void add(const rounded_numbers &more) {
     numbers += more.numbers;
-    largest = std::max(largest, more.largest);
+    keep(more.largest);
+  }
+
+private:
+  void keep(double move) {
+    if (std::bit_cast<std::uint64_t>(move) > std::bit_cast<std::uint64_t>(largest))
+      largest = move;
   }
 };
 

@@ -6,6 +6,7 @@
 #include "core/threads.hpp"
 #include "io/error.hpp"
 #include "io/number.hpp"
+#include <meetc/control_word.hpp>
 
 #include <fmt/format.h>
 
@@ -16,48 +17,40 @@
 
 namespace meetc::io {
 
-std::string transform::option(std::string_view what) const {
-  return fmt::format("--{}-{}", what, side);
-}
+namespace {
 
-void transform::check() const {
-  if (scale && !(std::isfinite(*scale) && *scale > 0))
-    throw error(fmt::format("{}: the scale is {}; it must be finite and above 0", option("scale"), *scale));
-  if (matrix)
-    for (const double m : *matrix)
+// Below are the functions of transform.hpp, as its entries call them under their guard.
+
+void check_numbers(const transform &of) {
+  if (of.scale && !(std::isfinite(*of.scale) && *of.scale > 0))
+    throw error(fmt::format("{}: the scale is {}; it must be finite and above 0", of.option("scale"), *of.scale));
+  if (of.matrix)
+    for (const double m : *of.matrix)
       if (!std::isfinite(m))
-        throw error(fmt::format("{}: the matrix holds {}; its numbers must be finite", option("matrix"), m));
-  if (translate)
-    for (const double t : *translate)
+        throw error(fmt::format("{}: the matrix holds {}; its numbers must be finite", of.option("matrix"), m));
+  if (of.translate)
+    for (const double t : *of.translate)
       if (!std::isfinite(t))
-        throw error(fmt::format("{}: the translation holds {}; its 3 numbers must be finite", option("translate"), t));
+        throw error(
+            fmt::format("{}: the translation holds {}; its 3 numbers must be finite", of.option("translate"), t));
 }
 
-std::string transform::options() const {
-  std::string out;
-  for (const auto &[present, what] : {std::pair(scale.has_value(), "scale"), std::pair(matrix.has_value(), "matrix"),
-                                      std::pair(translate.has_value(), "translate")})
-    if (present)
-      out += fmt::format("{}{}", out.empty() ? "" : ", ", option(what));
-  return out;
-}
-
-std::array<double, 3> transform::point(std::array<double, 3> p) const {
-  if (scale)
+std::array<double, 3> moved_point(const transform &by, std::array<double, 3> p) {
+  if (by.scale)
     for (double &c : p)
-      c *= *scale;
-  if (matrix) {
+      c *= *by.scale;
+  if (by.matrix) {
     const std::array<double, 3> q = p;
     for (std::size_t i = 0; i < 3; ++i)
-      p[i] = moved_coordinate(matrix->data() + 4 * i, q[0], q[1], q[2]);
+      p[i] = moved_coordinate(by.matrix->data() + 4 * i, q[0], q[1], q[2]);
   }
-  if (translate)
+  if (by.translate)
     for (std::size_t i = 0; i < 3; ++i)
-      p[i] += (*translate)[i];
+      p[i] += (*by.translate)[i];
   return p;
 }
 
-std::optional<double> similarity_scale(const std::array<double, 12> &matrix) {
+std::optional<double> scale_of(const std::array<double, 12> &matrix) {
   double most = 0;
   for (std::size_t i = 0; i < 12; ++i)
     if (i % 4 < 3)
@@ -81,12 +74,10 @@ std::optional<double> similarity_scale(const std::array<double, 12> &matrix) {
   return std::ldexp(std::sqrt(length2), exponent);
 }
 
-std::array<float, 3> round_point(const transform &move, const std::array<double, 3> &read) {
-  const std::array<double, 3> p = move.any() ? move.point(read) : read;
+std::array<float, 3> rounded_point(const transform &by, const std::array<double, 3> &read) {
+  const std::array<double, 3> p = moved_point(by, read);
   return {to_float32(p[0]), to_float32(p[1]), to_float32(p[2])};
 }
-
-namespace {
 
 // Moves one row of a kind.
 class row_transform {
@@ -109,7 +100,7 @@ public:
                                 file, plural(kind.name), f + 1));
       if (!move.matrix)
         continue;
-      const std::optional<double> scale = similarity_scale(*move.matrix);
+      const std::optional<double> scale = scale_of(*move.matrix);
       if (!scale)
         throw error(fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {} have "
                                 "no radius under it",
@@ -134,7 +125,7 @@ public:
         continue;
       }
       const float before[3] = {row[f], row[f + 1], row[f + 2]};
-      const std::array<float, 3> p = round_point(
+      const std::array<float, 3> p = rounded_point(
           move_, {static_cast<double>(before[0]), static_cast<double>(before[1]), static_cast<double>(before[2])});
       for (std::size_t c = 0; c < 3; ++c)
         row[f + c] = p[c];
@@ -160,9 +151,7 @@ std::string_view field_name(const kind_info &kind, int field) {
   return names.substr(0, names.find(','));
 }
 
-} // namespace
-
-std::optional<misplaced> move_set(element_set &set, const transform &move, const std::string &file, int threads) {
+std::optional<misplaced> move_rows_of(element_set &set, const transform &move, const std::string &file, int threads) {
   if (!move.any())
     return std::nullopt;
   const bool points = !set.index.empty();
@@ -192,10 +181,49 @@ std::optional<misplaced> move_set(element_set &set, const transform &move, const
   return std::nullopt;
 }
 
-std::string describe_non_finite(std::string_view field, double read, float result) {
+std::string non_finite(std::string_view field, double read, float result) {
   if (!std::isfinite(read))
     return fmt::format("{} is {}, not finite", field, read);
   return fmt::format("{} is {}, not finite in float32 (read as {})", field, result, read);
+}
+
+} // namespace
+
+std::string transform::option(std::string_view what) const {
+  return fmt::format("--{}-{}", what, side);
+}
+
+std::string transform::options() const {
+  std::string out;
+  for (const auto &[present, what] : {std::pair(scale.has_value(), "scale"), std::pair(matrix.has_value(), "matrix"),
+                                      std::pair(translate.has_value(), "translate")})
+    if (present)
+      out += fmt::format("{}{}", out.empty() ? "" : ", ", option(what));
+  return out;
+}
+
+void transform::check() const {
+  under_standard_word([&] { check_numbers(*this); });
+}
+
+std::array<double, 3> transform::point(std::array<double, 3> p) const {
+  return under_standard_word([&] { return moved_point(*this, p); });
+}
+
+std::optional<double> similarity_scale(const std::array<double, 12> &matrix) {
+  return under_standard_word([&] { return scale_of(matrix); });
+}
+
+std::optional<misplaced> move_set(element_set &set, const transform &move, const std::string &file, int threads) {
+  return under_standard_word([&] { return move_rows_of(set, move, file, threads); });
+}
+
+std::array<float, 3> round_point(const transform &move, const std::array<double, 3> &read) {
+  return under_standard_word([&] { return rounded_point(move, read); });
+}
+
+std::string describe_non_finite(std::string_view field, double read, float result) {
+  return under_standard_word([&] { return non_finite(field, read, result); });
 }
 
 } // namespace meetc::io

@@ -1,7 +1,8 @@
 // Moves the elements of a file, after their numbers were rounded to float32.
 //
 // Every operation is in double, in a fixed order and without fused multiply-add; then each coordinate is rounded once, as
-// the library does with a pose. The resulting float32 numbers are the input for which the answer is exact.
+// the library does with a pose. The resulting float32 numbers are the input for which the answer is exact. Everything here
+// works under any floating-point control word.
 #ifndef MEETC_IO_TRANSFORM_HPP
 #define MEETC_IO_TRANSFORM_HPP
 
