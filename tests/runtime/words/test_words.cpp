@@ -32,6 +32,10 @@ TEST_CASE("words: every public function of core answers alike under each") {
   check_all(core_entries());
 }
 
+TEST_CASE("words: every public function of io answers alike under each") {
+  check_all(io_entries());
+}
+
 TEST_CASE("words: every function of a table answers alike under each") {
   check_all(table_entries());
 }
