@@ -4,6 +4,7 @@
 #include "gen/support/source.hpp"
 
 #include <cerrno>
+#include <cfenv>
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
@@ -37,6 +38,7 @@ std::string usage_error(const CLI::App &app, const CLI::ParseError &e) {
 
 int main(int argc, char **argv) {
   using namespace meetc;
+  std::fesetenv(FE_DFL_ENV);     // a library that is loaded first may have unmasked exceptions
   std::signal(SIGPIPE, SIG_IGN); // finish_output() knows what a reader that has gone means
   CLI::App app("meetc generates geometric-algebra kernels from a scene.", "meetc");
   app.set_version_flag("--version", "meetc " MEETC_VERSION);

@@ -11,7 +11,9 @@ namespace {
 bool is_zero(const lower::kernel &k) {
   if (k.is_predicate)
     return k.is_sign && k.decision.value.unit == 0;
-  return k.value.is_expanded() && k.value.polynomials.front().is_zero();
+  const ir::program &stored = k.value.from_stored; // it may be zero where the one of general blades is not
+  return (k.value.is_expanded() && k.value.polynomials.front().is_zero()) ||
+         (k.value.is_number() && stored.nodes.is_constant(stored.results.front(), 0));
 }
 
 } // namespace

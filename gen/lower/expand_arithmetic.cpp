@@ -18,25 +18,45 @@ std::size_t length(const multivector &m) {
   return terms;
 }
 
-// Whether an expression consists of numbers alone.
-bool is_number(const lang::expr &e) {
+// Whether an expression consists of numbers alone, written or as constants.
+bool is_number(const lang::expr &e, const lang::algebra &spec, const environment &env) {
+  if (e.kind == op::name) {
+    const bool local = std::any_of(env.begin(), env.end(), [&](const auto &b) { return b.first == e.text; });
+    const lang::named_expr *constant = local ? nullptr : spec.find_constant(e.text);
+    return constant && is_number(*constant->body, spec, {});
+  }
   return e.kind == op::number ||
          ((e.kind == op::negate || e.kind == op::add || e.kind == op::subtract || e.kind == op::multiply ||
            e.kind == op::divide) &&
-          std::all_of(e.args.begin(), e.args.end(), [](const lang::expr_ptr &a) { return is_number(*a); }));
+          std::all_of(e.args.begin(), e.args.end(), [&](const lang::expr_ptr &a) { return is_number(*a, spec, env); }));
+}
+
+// Whether a text is a factor as it stands: one name, one call, or one pair of parentheses.
+bool is_factor(const lang::expr &e, const std::string &text) {
+  int depth = 0;
+  std::size_t closed = 0; // where the first parenthesis is closed
+  for (std::size_t i = 0; i < text.size() && text.front() == '(' && closed == 0; ++i) {
+    depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    closed = depth == 0 ? i : 0;
+  }
+  return e.kind == op::name || e.kind == op::call || (closed > 0 && closed + 1 == text.size());
 }
 
 // A^2 is no square, and A | 2 is hardly ever meant.
-void refuse_number(const lang::expr &e) {
+void refuse_number(const lang::expr &e, const lang::algebra &spec, const environment &env) {
   for (std::size_t i = 0; i < 2; ++i)
-    if (is_number(*e.args[i]))
+    if (is_number(*e.args[i], spec, env)) {
+      const lang::expr &other = *e.args[1 - i];
+      const std::string text = lang::print(other);
+      const std::string factor = is_factor(other, text) ? text : '(' + text + ')';
       throw spec_error(e.where,
                        e.kind == op::outer
                            ? fmt::format("'^' is the outer product, which a number only scales: write {0}*{0} for "
                                          "a square, and '*' to scale",
-                                         lang::print(*e.args[1 - i]))
+                                         factor)
                            : "'|' is the inner product, and a number has none with what is no number: write '*' "
                              "to scale");
+    }
 }
 
 } // namespace
@@ -54,7 +74,7 @@ value expander::arithmetic(const lang::expr &e, const environment &env) {
     return {*sa * *sb};
   }
   if (e.kind == op::outer || e.kind == op::inner)
-    refuse_number(e);
+    refuse_number(e, model_.spec(), env);
   const multivector x = blade_of(a, e.args[0]->where), y = blade_of(b, e.args[1]->where);
   if (e.kind == op::multiply || e.kind == op::outer || e.kind == op::inner)
     charge(4 * x.terms().size() * y.terms().size() + length(x) * length(y) / 64, e.where);

@@ -99,6 +99,11 @@ csv_header read_csv_header(const std::string &place, std::string_view line, cons
 
   std::vector<fit> fits;
   std::string supported;
+  for (const kind_info *const kind : q.kinds)
+    for (const std::string &name : names_of(*kind))
+      for (const std::string &column : {name, std::string("radius")})
+        if (std::ranges::count(columns, column) > 1)
+          throw error(fmt::format("{}: the header {} has the column {} twice", place, quote(line), quote(column)));
   for (const kind_info *const kind : q.kinds) {
     supported += fmt::format("{}{} ({})", supported.empty() ? "" : "; ", kind->csv, kind->name);
     std::vector<std::string> names = names_of(*kind);

@@ -108,7 +108,7 @@ public:
       matrix_scale_ = *scale;
     }
   }
-  // Of points.
+  // A transform of points.
   explicit row_transform(const transform &move) : move_(move), roles_{role::x, role::y, role::z} {}
 
   std::size_t fields() const { return roles_.size(); }

@@ -6,12 +6,16 @@
 #include <io/read.hpp>
 #include <vector>
 
-int main(int, char **argv) try {
+int main(int argc, char **argv) try {
+  if (argc != 2) {
+    std::puts("the name of a file is needed");
+    return 1;
+  }
   const meetc::catalogue &all = cga::catalogue();
   std::vector<const meetc::kind_info *> kinds;
   for (int i = 0; i < all.kind_count; ++i)
     kinds.push_back(&all.kinds[i]);
-  const meetc::io::element_set mesh = meetc::io::read(argv[1], kinds);
+  const meetc::io::element_set mesh = meetc::io::read(argv[1], kinds, {.kind = "triangle"});
   for (const std::string &note : mesh.notes)
     std::printf("%s\n", note.c_str());
   std::printf("%zu faces, %zu triangles; float32 moved %zu numbers\n", mesh.items, mesh.elements, mesh.rounded.numbers);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace meetc::io {
 
@@ -16,7 +17,7 @@ constexpr std::string_view curves[] = {"cstype", "deg",   "bmat", "step", "curv"
                                        "parm",   "trim",  "hole", "scrv", "sp",   "end",   "con",
                                        "ctech",  "stech", "bzp",  "bsp",  "cdc",  "cdp",   "res"};
 
-constexpr std::size_t most_keywords = 64, most_named = 8;
+constexpr std::size_t most_named = 8;
 
 } // namespace
 
@@ -26,38 +27,44 @@ bool skipped_statements::add(std::string_view key, const char *at) {
   for (const char c : key)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
       return false;
-  add({std::string(key), at, 1, std::ranges::find(curves, key) != std::end(curves)});
+  const auto found = seen_.find(key);
+  if (found != seen_.end())
+    ++found->second.times;
+  else
+    seen_.emplace(key, statement{at, 1, std::ranges::find(curves, key) != std::end(curves), seen_.size()});
   return true;
 }
 
-void skipped_statements::add(statement s) {
-  const auto found = std::ranges::find(seen_, s.key, &statement::key);
-  if (found != seen_.end())
-    found->times += s.times;
-  else if (seen_.size() < most_keywords)
-    seen_.push_back(std::move(s));
-  else
-    others_ += s.times;
+std::vector<const skipped_statements::entry *> skipped_statements::in_order() const {
+  std::vector<const entry *> out(seen_.size());
+  for (const entry &e : seen_)
+    out[e.second.order] = &e;
+  return out;
 }
 
 void skipped_statements::add(const skipped_statements &later) {
-  for (const statement &s : later.seen_)
-    add(s);
-  others_ += later.others_;
+  for (const entry *e : later.in_order()) {
+    const auto [known, fresh] = seen_.try_emplace(e->first, e->second);
+    if (fresh)
+      known->second.order = seen_.size() - 1;
+    else
+      known->second.times += e->second.times;
+  }
 }
 
 std::vector<std::string> skipped_statements::notes(const text_file &text) const {
   std::vector<std::string> out;
   for (const bool free_form : {true, false}) {
     std::string list;
-    std::size_t named = 0, others = free_form ? 0 : others_;
-    for (const statement &s : seen_) {
+    std::size_t named = 0, others = 0;
+    for (const entry *e : in_order()) {
+      const auto &[key, s] = *e;
       if (s.free_form != free_form)
         continue;
       if (++named > most_named)
         others += s.times;
       else
-        list += fmt::format("{}{} (line {}, {})", list.empty() ? "" : ", ", quote(s.key), text.line_of(s.first),
+        list += fmt::format("{}{} (line {}, {})", list.empty() ? "" : ", ", quote(key), text.line_of(s.first),
                             s.times == 1 ? "once" : fmt::format("{} times", s.times));
     }
     if (list.empty())

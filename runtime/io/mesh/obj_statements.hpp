@@ -5,8 +5,11 @@
 #include "io/text/pieces.hpp"
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace meetc::io {
@@ -22,14 +25,14 @@ public:
 
 private:
   struct statement {
-    std::string key;
     const char *first;
     std::size_t times;
     bool free_form;
+    std::size_t order; // of the first occurrence among those of all keywords
   };
-  void add(statement s);
-  std::vector<statement> seen_; // in order of their first occurrence
-  std::size_t others_ = 0;      // further statements, where there are many keywords
+  using entry = std::pair<const std::string, statement>;
+  std::vector<const entry *> in_order() const;
+  std::map<std::string, statement, std::less<>> seen_; // by keyword
 };
 
 } // namespace meetc::io

@@ -137,7 +137,7 @@ private:
   }
 };
 
-// Of rows of the predicate's kinds; as predicate_info::first_met, and under any control word: walls are found by comparisons.
+// For rows of the predicate's kinds; as predicate_info::first_met, and under any control word: walls are found by comparisons.
 template <class Touches, class Order> MEETC_HD int first_met(const float *segment, const float *t, const float *u) {
 #if !defined(__CUDA_ARCH__)
   return under_standard_word([&] { return segment_order<Touches, Order>::of(segment, t, u); });

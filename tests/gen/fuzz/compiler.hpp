@@ -32,7 +32,7 @@ public:
   compiled compile(const formula &f);
   // Whether the formula has a value for general operands, whatever compile() said of it.
   bool expands(const formula &f);
-  // Of the formula that was compiled last.
+  // For the formula that was compiled last.
   way way_of(const compiled &c) const;
   // The files of a scene with these kernels.
   std::vector<target::file> emit(const std::vector<const compiled *> &all);

@@ -72,7 +72,7 @@ private:
         expression{.is = form::number,
                    .text = texts[static_cast<std::size_t>(random_.integer(0, static_cast<int>(texts.size()) - 1))]});
   }
-  // Of declared vectors, or where there are null vectors of these in place of the last two; in any order.
+  // The vectors are declared ones, or where there are null vectors of these in place of the last two; in any order.
   expression_ptr basis_blade() {
     if (random_.integer(1, 6) == 1)
       return std::make_shared<expression>(expression{.is = form::blade, .vectors = {"I"}});

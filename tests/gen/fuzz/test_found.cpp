@@ -32,7 +32,7 @@ bool compiles(const formula &f) {
 
 TEST_CASE("an argument of one grade may be computed from parts that have more, and still be in a function's domain") {
   const expression_ptr moved = call("sandwich", {parameter(0), parameter(1)});
-  // A motor moves a plane to a plane. Of motor*plane alone, which is odd, that cannot be seen.
+  // A motor moves a plane to a plane. That cannot be seen from motor*plane alone, which is odd.
   CHECK(compiles(with_kinds("pga3", call("meet", {moved, parameter(1)}), {"motor", "plane"})));
   CHECK(fault_of(with_kinds("pga3", call("meet", {moved, parameter(1)}), {"motor", "plane"})).empty());
   const expression_ptr twice = call("sandwich", {call("gp", {parameter(0), parameter(0)}), moved});

@@ -26,6 +26,7 @@ const broken values[] = {
     {blade, "'c[n*nb]'", "a.toml:19:12", "'n*nb' is not the product of different basis vectors", "n*nb", in_norm2},
     {blade, "'c^2'", "a.toml:19:10", "'^' is the outer product, which a number only scales: write c*c for a square",
      "c^2", in_norm2},
+    {blade, "'(c - n)^2'", "a.toml:19:10", "write (c - n)*(c - n) for a square", "(c - n)^2", in_norm2},
     {blade, "'2 ^ c'", "a.toml:19:10", "'^' is the outer product", "2 ^ c", in_norm2},
     {blade, "'c | -2'", "a.toml:19:10", "'|' is the inner product, and a number has none", "c | -2", in_norm2},
     {blade, "'c/n'", "a.toml:19:12", "a multivector where a number is needed; take one coefficient, as in B[1]", "n",

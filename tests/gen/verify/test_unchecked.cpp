@@ -74,6 +74,15 @@ TEST_CASE("a kernel that is zero for all operands is told, unless the scene says
       run(folder, "generate s.toml -o out", algebra, "'nothing(sphere)'", "zero = ['nothing(sphere)']\n");
   CHECK(said.code == 0);
   CHECK(said.err.empty());
+  // From stored numbers a point is a null vector, and a constant is a number as a written one is.
+  const outcome stored = run(folder, "generate s.toml -o out", small_algebra, "'norm2(point)'");
+  CHECK_THAT(stored.err, contains("warning: 'norm2(point)' is zero for all operands"));
+  const outcome constant =
+      run(folder, "generate s.toml -o out",
+          edited(edited(algebra, "'A - A'", "'A^two'"), "[constants]\n", "[constants]\ntwo = '1 + 1'\n"),
+          "'nothing(sphere)'");
+  CHECK(constant.code == 2);
+  CHECK_THAT(constant.err, contains("'^' is the outer product, which a number only scales: write A*A for a square"));
   const outcome other =
       run(folder, "generate s.toml -o out", algebra, "'nothing(sphere)'", "zero = ['nothing(spere)']\n");
   CHECK(other.code == 2);

@@ -63,6 +63,13 @@ TEST_CASE("a header that fits two kinds is refused with the option that chooses"
         "a.csv:1: the header 'x,y,z,r,g,b' does not have the columns x0,y0,z0,x1,y1,z1 of --kind-a segment");
 }
 
+TEST_CASE("a column that is there twice is refused", "[csv]") {
+  CHECK(complaint("a.csv", "x,y,z,r,R\n1,2,3,4,5\n") == "a.csv:1: the header 'x,y,z,r,R' has the column 'r' twice");
+  CHECK(complaint("a.csv", "x,y,z,radius,Radius\n1,2,3,4,5\n") ==
+        "a.csv:1: the header 'x,y,z,radius,Radius' has the column 'radius' twice");
+  CHECK(complaint("a.csv", "x,x,y,z\n1,2,3,4\n") == "a.csv:1: the header 'x,x,y,z' has the column 'x' twice");
+}
+
 TEST_CASE("what moves is counted for the columns that are read", "[csv]") {
   const auto set = read("a.csv", "id,x,y,z,r\n433832.18,433832.18,0.1,16777217,1\n1,\"433832.18\",0,0,0\n");
   CHECK(set.rounded.numbers == 3);

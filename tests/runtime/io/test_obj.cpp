@@ -100,6 +100,18 @@ TEST_CASE("what is no geometry is skipped with a note", "[obj]") {
   CHECK(complaint("a.obj", square + "\x01 1\nf 1 2 3\n") == "a.obj:5: unknown or unsupported statement '\\x01'");
 }
 
+TEST_CASE("many skipped statements are counted the same in any number of pieces", "[obj]") {
+  std::string text = square + "f 1 2 3\n";
+  for (int round = 0; round < 3; ++round)
+    for (int i = 0; i < 100; ++i)
+      text += "k" + std::to_string(i) + " 1\n";
+  for (const std::size_t bytes : {std::size_t{1} << 30, std::size_t{64}, std::size_t{500}}) {
+    const auto set = read("many.obj", text, meetc::io::read_options{.threads = 2, .piece_bytes = bytes});
+    REQUIRE(set.notes.size() == 1);
+    CHECK_THAT(set.notes[0], contains("'k0' (line 6, 3 times)") && contains("'k7' (line 13, 3 times) and 276 others"));
+  }
+}
+
 TEST_CASE("a carriage return alone ends a line", "[obj]") {
   CHECK(read("a.obj", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r").index == indices{0, 1, 2});
   CHECK(complaint("a.obj", "v 0 0 0\rv 1 0 0\r\nv 0 x 0\rf 1 2 3\r") == "a.obj:3: vertex 2: 'x' is not a number");

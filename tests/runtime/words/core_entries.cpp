@@ -233,7 +233,7 @@ void call_describe(caller &under) {
 
 // ---- poses ----
 
-// Of each of these numbers.
+// For each of these numbers.
 constexpr double some_numbers[] = {0,       0x1p-1074, -0x1p-1074, 1e-310,  0x1p-149, 0x1.8p-149, 1e-40,
                                    0x1p-20, 0.1,       1 / 3.0,    0x1p127, 1e300,    HUGE_VAL,   -1};
 template <class F> void for_some_numbers(caller &under, const F &f) {

@@ -39,7 +39,7 @@ rows some_rows(const meetc::kind_info &kind, unsigned seed) {
         if (out[first + k] > out[first + 3 + k])
           std::swap(out[first + k], out[first + 3 + k]);
   }
-  // Of two reports: a flat triangle at subnormal height over a point there, and a segment that is subnormal itself.
+  // Two reports: a flat triangle at subnormal height over a point there, and a segment that is subnormal itself.
   static constexpr float point[] = {0.25F, 0.25F, 1e-40F}, sphere[] = {0.25F, 0.25F, 1.5e-40F, 0.5e-40F},
                          segment[] = {0, 0, 0, 0, 0, 0x1p-140F},
                          triangle[] = {0, 0, 1e-40F, 1, 0, 1e-40F, 0, 1, 1e-40F},

@@ -72,7 +72,7 @@ void call_first_met(caller &under) {
           order[i * nb + k] = p.first_met(a.data() + 6 * i, b.data() + 9 * k, b.data() + 9 * ((k + i + 1) % nb));
     });
     under.add_all(order);
-    // Of a report: a segment that is subnormal itself, and two triangles that meet its ends.
+    // A report: a segment that is subnormal itself, and two triangles that meet its ends.
     static constexpr float segment[] = {0, 0, 0, 0, 0, 0x1p-140F},
                            last[] = {-1, -1, 0x1p-141F, 1, -1, 0x1p-141F, 0, 1, 0x1p-141F},
                            first[] = {0, -1, -1, 0, 1, -1, 0, 0, 1};
