@@ -166,7 +166,7 @@ class Choice(unittest.TestCase):
 
     def call(self, *words, **environment):
         said = subprocess.run([sys.executable, heavy.__file__, *words], capture_output=True, text=True, check=False,
-                              env={**os.environ, **environment})
+                              env={**os.environ, "MEETC_HEAVY_UNTIL": "", **environment})
         return said.returncode, said.stdout + said.stderr
 
     def chosen(self, *options):
