@@ -118,7 +118,7 @@ private:
       s.insert(f.name);
     return s;
   }
-  // What a kind stores must not hide a vector of either basis: the blade would be made of numbers alone.
+  // A stored number must not hide a vector of either basis: the blade would be made of numbers alone.
   void hide_nothing(const std::vector<field> &all) const {
     for (const field &f : all)
       if (std::find(a_.vectors.begin(), a_.vectors.end(), f.name) != a_.vectors.end() || find_named(a_.null, f.name))

@@ -33,7 +33,7 @@ lang::expr name_of_part(const lang::expr &part, std::size_t i) {
   return out;
 }
 
-// What a scope's values are to an expander: numbers, variables, and their negatives.
+// A scope's values as an expander takes them: numbers, variables, and their negatives.
 class variables {
 public:
   variables(const arena &nodes, const composer::scope &names) : nodes_(nodes) {

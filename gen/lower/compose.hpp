@@ -40,7 +40,7 @@ private:
   parts parts_;
   long steps_ = 0;
   std::map<node_id, int> degrees_; // in the inputs; 1 where nothing is said
-  // What was composed, by the expression and the values of the names in it.
+  // Composed values, by the expression and the values of the names in it.
   std::map<std::pair<const lang::expr *, scope>, node_values> known_;
 
   node_values composed(const lang::expr &e, const scope &names);

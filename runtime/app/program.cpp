@@ -70,7 +70,7 @@ std::vector<std::string> names_in(const std::vector<command> &commands) {
   return out;
 }
 
-// What the user may have meant by an option that the parser does not have.
+// The option nearest to one that the parser does not have.
 std::string nearest_option(const CLI::App &parser, std::string_view name) {
   std::vector<std::string> known;
   for (const CLI::Option *const o : parser.get_options())

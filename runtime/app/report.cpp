@@ -51,7 +51,7 @@ std::vector<std::pair<char, const io::element_set *>> sets_of(const collide_repo
   return {{'A', &r.a}, {'B', &r.b}};
 }
 
-// What float32 does not hold of the numbers in the files; empty where it holds all.
+// The count of numbers that float32 moved, as a line; empty where it moved none.
 std::string rounded_line(const collide_report &r) {
   std::string out;
   for (const auto &[letter, set] : sets_of(r))

@@ -31,7 +31,7 @@ struct fault {
   explicit operator bool() const { return kind != fault_kind::none; }
 };
 
-// What is wrong with the view, or the first fault in the order of elements. Allocates one row.
+// The fault of the view, or the first one in the order of elements. Allocates one row.
 fault check(const view &elements, const kind_info &kind, const pose &at = {});
 
 // One line without a full stop: "element 7: r is nan".

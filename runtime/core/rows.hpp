@@ -8,7 +8,7 @@
 
 namespace meetc {
 
-// What is wrong with a view of elements of this kind, whatever its numbers are; null: nothing. All else here takes views of
+// The fault of a view of elements of this kind, whatever its numbers are; null: nothing. All else here takes views of
 // which nothing is.
 const char *wrong_with(const view &elements, const kind_info &kind);
 

@@ -46,7 +46,7 @@ struct element_set {
   std::size_t items = 0;    // as the file counts: faces, facets, polylines, rows
   std::size_t vertices = 0; // as the file counts; 3 for each facet of STL, 0 for CSV
   rounded_numbers rounded;  // by reading, of all coordinates and lengths of the file
-  // What a user should know of the file: what was left out, and which polygons are not planar or cross themselves.
+  // Notes on the file for its user: left-out parts, and polygons that are not planar or cross themselves.
   std::vector<std::string> notes;
 
   std::size_t owner_of(std::size_t i) const { return owner.empty() ? i : owner[i]; }
