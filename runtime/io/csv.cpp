@@ -174,18 +174,11 @@ element_set read_csv(const file_bytes &file, const read_request &q) {
     parts = parse_pieces<rows_part>(text, text.pieces(at_any_line()), parse);
   if (q.fault || rows_after_blank(parts))
     parts = parse_pieces<rows_part>(text, {}, parse);
-  std::vector<mesh_part> rows(parts.size());
-  std::vector<mesh_part *> all;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    rows[i].xyz = std::move(parts[i].rows);
-    rows[i].rounded = parts[i].rounded;
-    all.push_back(&rows[i]);
-  }
-  join_parts(all, q.by.threads);
+  mesh_part rows = join_rows(parts, q.by.threads);
   element_set set;
   set.kind = header.kind;
-  set.data = std::move(rows.front().xyz);
-  set.rounded = rows.front().rounded;
+  set.data = std::move(rows.xyz);
+  set.rounded = rows.rounded;
   set.elements = set.items = set.data.size() / static_cast<std::size_t>(set.kind->fields);
   if (set.elements > most_elements)
     throw error(fmt::format("{}: more than {} rows", file.name, most_elements));

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace meetc::io {
@@ -21,6 +22,19 @@ struct mesh_part {
 
 // Appends the parts to the first one, in order and on several threads.
 void join_parts(const std::vector<mesh_part *> &parts, int threads);
+
+// Parts that have only rows, which are moved from, as one: its xyz are all rows in order.
+template <class Part> mesh_part join_rows(std::vector<Part> &parts, int threads) {
+  std::vector<mesh_part> rows(parts.size());
+  std::vector<mesh_part *> all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    rows[i].xyz = std::move(parts[i].rows);
+    rows[i].rounded = parts[i].rounded;
+    all.push_back(&rows[i]);
+  }
+  join_parts(all, threads);
+  return std::move(rows.front());
+}
 
 // The elements of the kind that is wanted; without a wish, the faces, else the lines or the points. What is left out is
 // noted, after `notes`. `vertices_are_points` says that the vertices of a file without faces are its points. Throws

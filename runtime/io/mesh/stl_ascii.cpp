@@ -205,15 +205,8 @@ stl_text read_stl_ascii(const file_bytes &file, const read_request &q) {
     whole = whole || parts[i].solid_at_end != (i + 1 < parts.size());
   if (whole)
     parts = parse_pieces<facet_part>(text, {}, parse);
-  std::vector<mesh_part> rows(parts.size());
-  std::vector<mesh_part *> all;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    rows[i].xyz = std::move(parts[i].rows);
-    rows[i].rounded = parts[i].rounded;
-    all.push_back(&rows[i]);
-  }
-  join_parts(all, q.by.threads);
-  return {std::move(rows.front().xyz), rows.front().rounded};
+  mesh_part rows = join_rows(parts, q.by.threads);
+  return {std::move(rows.xyz), rows.rounded};
 }
 
 } // namespace meetc::io
