@@ -37,7 +37,7 @@ struct tally {
 };
 
 // How long meetc may take for one formula before that is a finding, in seconds of a processor.
-inline constexpr double most_seconds = 10;
+inline constexpr double most_seconds = 30;
 
 tally run(const plan &p);
 // The same for one formula, over the operands that its kinds say: for cases that were found once.

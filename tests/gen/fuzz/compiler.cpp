@@ -117,18 +117,26 @@ bool compiler::expands(const formula &f) {
       names.back().push_back(r.names[i] + '.' + c_.model->working().name(b));
     all.insert(all.end(), names.back().begin(), names.back().end());
   }
-  const poly::ring ring(all);
-  lower::decision unused;
-  lower::expander of(*c_.model, ring, unused);
-  lower::environment env;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    env.emplace_back(r.names[i], of.general(lower::support(*c_.model, *r.kinds[i]), names[i]));
-  try {
-    of.evaluate_multivector(*r.body, env);
-    return true;
-  } catch (const spec_error &) {
-    return false;
-  }
+  const auto has_a_value = [&](const poly::ring &ring, const auto &operand) {
+    lower::decision unused;
+    lower::expander of(*c_.model, ring, unused);
+    lower::environment env;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      env.emplace_back(r.names[i], operand(of, i));
+    try {
+      of.evaluate_multivector(*r.body, env);
+      return true;
+    } catch (const spec_error &) {
+      return false;
+    }
+  };
+  // An argument may vanish for the stored numbers of a kind alone, as the square of a null point does.
+  return has_a_value(poly::ring(all),
+                     [&](lower::expander &of, std::size_t i) {
+                       return lower::value{of.general(lower::support(*c_.model, *r.kinds[i]), names[i])};
+                     }) &&
+         has_a_value(*lower::stored_numbers(*c_.model, r.names, r.kinds).numbers,
+                     [&](lower::expander &of, std::size_t i) { return of.operand(*r.kinds[i], r.names[i] + '.'); });
 }
 
 way compiler::way_of(const compiled &c) const {

@@ -30,7 +30,7 @@ public:
   const lower::model &model() const { return *c_.model; }
   // Throws spec_error for what the language refuses. Any other exception is a fault of meetc.
   compiled compile(const formula &f);
-  // Whether the formula has a value for general operands, whatever compile() said of it.
+  // Whether the formula has a value for general operands and for stored ones, whatever compile() said of it.
   bool expands(const formula &f);
   // For the formula that was compiled last.
   way way_of(const compiled &c) const;
