@@ -3,7 +3,7 @@
 #include "app/failure.hpp"
 #include "app/sets.hpp"
 #include "core/cascade.hpp"
-#include "core/pair_sort.hpp"
+#include "core/pair_list.hpp"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,7 @@
 #include "core/first_met.hpp"
 #include "core/marks.hpp"
 #include "core/normalised.hpp"
-#include "core/pair_buckets.hpp"
-#include "core/pair_sort.hpp"
+#include "core/pair_list.hpp"
 #include "core/threads.hpp"
 
 #include <chrono>
@@ -20,30 +19,23 @@ namespace {
 // number of distinct pairs.
 class collect final : public hit_taker {
 public:
-  // No element of a has a number above most_a.
-  collect(int workers, std::uint32_t most_a, std::span<const std::uint32_t> owner_a,
-          std::span<const std::uint32_t> owner_b)
-      : owner_a_(owner_a), owner_b_(owner_b) {
-    if (owned())
-      lists_.resize(static_cast<std::size_t>(workers));
-    else
-      for (int w = 0; w < workers; ++w)
-        buckets_.emplace_back(most_a);
-  }
+  collect(int workers, std::span<const std::uint32_t> owner_a, std::span<const std::uint32_t> owner_b)
+      : owner_a_(owner_a), owner_b_(owner_b), elements_(static_cast<std::size_t>(workers)),
+        items_(static_cast<std::size_t>(workers)) {}
 
   bool owned() const { return !owner_a_.empty() || !owner_b_.empty(); }
 
   void take(int worker, const index_pair *hits, std::size_t n) override {
     if (!owned()) {
-      buckets_[static_cast<std::size_t>(worker)].add(hits, n);
+      elements_[static_cast<std::size_t>(worker)].add(hits, n);
       return;
     }
-    list &mine = lists_[static_cast<std::size_t>(worker)];
+    list &mine = items_[static_cast<std::size_t>(worker)];
     for (std::size_t i = 0; i < n; ++i)
       mine.pairs.push_back(
           {owner_a_.empty() ? hits[i].a : owner_a_[hits[i].a], owner_b_.empty() ? hits[i].b : owner_b_[hits[i].b]});
     if (mine.pairs.size() >= mine.compact_at) {
-      sort_pairs(mine.pairs.data(), mine.pairs.size(), mine.scratch);
+      sort_pairs(mine.pairs);
       drop_repeats(mine.pairs);
       mine.compact_at = std::max(first_compaction, 2 * mine.pairs.size());
     }
@@ -51,13 +43,11 @@ public:
 
   std::vector<index_pair> all(int threads) {
     if (!owned())
-      return sort_together(std::move(buckets_), threads);
-    std::vector<std::vector<index_pair>> lists;
-    for (list &l : lists_) {
-      lists.push_back(std::move(l.pairs));
-      l.scratch = {};
-    }
-    std::vector<index_pair> pairs = sort_together(lists, threads);
+      return sorted(std::move(elements_), threads);
+    std::vector<pair_span> lists;
+    for (const list &l : items_)
+      lists.emplace_back(l.pairs);
+    std::vector<index_pair> pairs = sorted(lists, threads);
     drop_repeats(pairs);
     return pairs;
   }
@@ -66,12 +56,11 @@ private:
   static constexpr std::size_t first_compaction = std::size_t{1} << 18;
   struct alignas(64) list {
     std::vector<index_pair> pairs;
-    sort_scratch scratch;
     std::size_t compact_at = first_compaction;
   };
-  std::vector<list> lists_;
-  std::vector<pair_buckets> buckets_;
   std::span<const std::uint32_t> owner_a_, owner_b_;
+  std::vector<pair_list> elements_;
+  std::vector<list> items_;
 };
 
 bool same_kind(const kind_info &x, const kind_info &y) {
@@ -178,7 +167,7 @@ result find_touching(const prepared &a, const prepared &b, const predicate_info 
       &a == &b && predicate.symmetric && never_wrong(precision) && !options.all_pairs && !options.first_met;
   const tree_pairs tree(a.set(), b.set(), what_rules_out(precision), half);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
-  collect list(threads, static_cast<std::uint32_t>(a.elements()), options.owner_a, options.owner_b);
+  collect list(threads, options.owner_a, options.owner_b);
   const answer_kind want = options.want;
   const bool listed = want == answer_kind::pairs || (list.owned() && want != answer_kind::any);
   result r;

@@ -4,7 +4,7 @@
 // unevenly they are spread. Method: the cells of the box centres on a cubic grid of 1024^3, in the order of Hilbert's curve. A
 // run that shares a cell and is longer than a block gets a grid of its own, recursively. One element at 1e38 therefore
 // costs one level, not the order of all others. Cells are computed in fp64, in which no float32 range overflows. The
-// places are distributed by their first bits; each part is sorted, and its runs get their grids, by one thread. Ties
+// places are sorted by digits (core/radix_sort.hpp), and the runs of a bucket get their grids on the thread that sorts it. Ties
 // keep the order of the elements, so the order depends on nothing but the boxes.
 #ifndef MEETC_CORE_SPATIAL_ORDER_HPP
 #define MEETC_CORE_SPATIAL_ORDER_HPP

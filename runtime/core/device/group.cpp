@@ -5,7 +5,7 @@
 #include "core/device/given.hpp"
 #include "core/device/kernels.hpp"
 #include "core/device/query.hpp"
-#include "core/pair_sort.hpp"
+#include "core/pair_list.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -288,8 +288,7 @@ device_result find_touching(device_group &on, group_set &a, group_set &b, const 
   if (options.want == answer_kind::any)
     r.count = std::min<std::uint64_t>(r.count, 1);
   else if (owned) {
-    sort_scratch scratch;
-    sort_pairs(r.pairs.data(), r.pairs.size(), scratch);
+    sort_pairs(r.pairs);
     drop_repeats(r.pairs);
     answer_from_list(options.want, items(options.owner_a, a.elements()), items(options.owner_b, b.elements()), r);
   }

@@ -2,7 +2,7 @@
 
 #include "core/answers.hpp"
 #include "core/memory.hpp"
-#include "core/pair_sort.hpp"
+#include "core/pair_list.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -163,8 +163,7 @@ void hit_pairs::finish(answer_kind want, result &r, const std::function<void()> 
   } else {
     spill();
     pairs = std::move(spilled_);
-    sort_scratch scratch;
-    sort_pairs(pairs.data(), pairs.size(), scratch);
+    sort_pairs(pairs);
     if (owned())
       drop_repeats(pairs);
     sorted();

@@ -3,10 +3,12 @@
 #include "toy.hpp"
 
 #include "core/element_set.hpp"
-#include "core/pair_buckets.hpp"
+#include "core/pair_list.hpp"
 #include "core/radix_sort.hpp"
 #include "core/spatial_order.hpp"
 #include "meetc/hilbert.hpp"
+
+#include <mutex>
 
 using namespace meetc;
 using namespace toy;
@@ -49,17 +51,44 @@ TEST_CASE("one box against sixteen is sixteen tests, not a number means candidat
 
 TEST_CASE("the radix sort sorts, stably, any width") {
   std::mt19937_64 g(61);
-  for (const int bits : {0, 1, 8, 11, 12, 30, 38, 63, 64}) {
-    const std::uint64_t mask = bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
-    std::vector<std::pair<std::uint64_t, int>> data(3000), scratch(3000);
-    for (int i = 0; i < 3000; ++i)
-      data[static_cast<std::size_t>(i)] = {g() >> (g() % 64), i};
-    auto want = data;
-    std::stable_sort(want.begin(), want.end(),
-                     [&](const auto &x, const auto &y) { return (x.first & mask) < (y.first & mask); });
-    radix_sort(data.data(), scratch.data(), data.size(), bits, [](const auto &x) { return x.first; });
-    CHECK(data == want);
-  }
+  for (const int bits : {0, 1, 8, 11, 12, 30, 38, 63, 64})
+    for (const std::size_t n : {0U, 1U, 32U, 33U, 3000U, 50'000U}) {
+      const std::uint64_t mask = bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+      std::vector<std::pair<std::uint64_t, std::size_t>> data(n), scratch(n);
+      for (std::size_t i = 0; i < n; ++i)
+        data[i] = {g() >> (g() % 64), i};
+      const auto given = data;
+      auto want = data;
+      std::stable_sort(want.begin(), want.end(),
+                       [&](const auto &x, const auto &y) { return (x.first & mask) < (y.first & mask); });
+      const auto key = [](const auto &x) { return x.first; };
+      radix_sort(data.data(), scratch.data(), n, bits, key);
+      CHECK(data == want);
+      for (const std::size_t parts : {std::size_t{1}, std::size_t{7}, most_sort_parts})
+        for (const int threads : {1, 3}) {
+          std::size_t finished = 0;
+          std::mutex one;
+          std::fill(data.begin(), data.end(), std::pair<std::uint64_t, std::size_t>{});
+          radix_sort_parts(
+              parts,
+              [&](std::size_t p, const auto &visit) {
+                const std::size_t begin = n * p / parts, end = n * (p + 1) / parts, middle = (begin + end) / 2;
+                visit(given.data() + begin, middle - begin);
+                visit(given.data() + middle, end - middle);
+              },
+              data.data(), bits, threads, key,
+              [&](int, std::size_t begin, std::size_t) { return scratch.data() + begin; },
+              [&](std::size_t begin, std::size_t some, auto *) {
+                const std::scoped_lock lock(one);
+                finished += some;
+                CHECK(std::equal(want.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 want.begin() + static_cast<std::ptrdiff_t>(begin + some),
+                                 data.begin() + static_cast<std::ptrdiff_t>(begin)));
+              });
+          CHECK(finished == n);
+          CHECK(data == want);
+        }
+    }
 }
 
 TEST_CASE("lists of pairs become one sorted list") {
@@ -75,19 +104,22 @@ TEST_CASE("lists of pairs become one sorted list") {
       }
       std::sort(want.begin(), want.end(),
                 [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
-      CHECK(same(sort_together(lists, 2), want));
+      const std::vector<pair_span> spans(lists.begin(), lists.end());
+      CHECK(same(sorted(spans, 2), want));
+      for (std::vector<index_pair> &l : lists)
+        sort_pairs(l);
+      CHECK(same(sorted(spans, 2), want));
     }
 }
 
 TEST_CASE(
-    "what workers put into buckets becomes one sorted list, whoever found it and however close together it lies") {
+    "the pairs of several workers become one sorted list, whoever found them and however close together they lie") {
   std::mt19937 g(64);
   struct found {
     std::size_t n;
     std::uint32_t most_a, most_b, popular; // one pair in this many has the first a; 0: none
   };
-  // None, few, as many as make buckets for one worker; then dealt out by a, with some of very many pairs; by digits, since a
-  // has many pairs or lies far from others; and where buckets are of one a.
+  // None, few, some; one a in each bucket, or very many pairs of one; numbers of 32 bits; and all pairs the same.
   for (const found f : {found{0, 9, 9, 0},
                         {100, 9, 9, 0},
                         {13'000, 1000, 1000, 0},
@@ -98,9 +130,7 @@ TEST_CASE(
                         {50'000, 255, 0xffffffff, 0},
                         {20'000, 0, 0, 0}})
     for (const int threads : {1, 2, 8}) {
-      std::vector<pair_buckets> workers;
-      for (int w = 0; w < threads; ++w)
-        workers.emplace_back(f.most_a);
+      std::vector<pair_list> workers(static_cast<std::size_t>(threads));
       std::vector<index_pair> want(f.n);
       for (index_pair &p : want) {
         p.a = static_cast<std::uint32_t>(g() % (std::uint64_t{f.most_a} + 1));
@@ -115,7 +145,7 @@ TEST_CASE(
       }
       std::sort(want.begin(), want.end(),
                 [](index_pair x, index_pair y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
-      CHECK(same(sort_together(std::move(workers), threads), want));
+      CHECK(same(sorted(std::move(workers), threads), want));
     }
 }
 
