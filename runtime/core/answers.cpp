@@ -20,6 +20,16 @@ per_element<std::uint8_t> flags_of(std::span<const index_pair> pairs, std::size_
   return out;
 }
 
+void answer_from_list(answer_kind want, std::size_t size_a, std::size_t size_b, result &r) {
+  r.count = r.pairs.size();
+  if (want == answer_kind::flags)
+    r.flags = flags_of(r.pairs, size_a, size_b);
+  if (want == answer_kind::counts)
+    r.counts = counts_of(r.pairs, size_a, size_b);
+  if (want != answer_kind::pairs)
+    std::vector<index_pair>().swap(r.pairs);
+}
+
 void name_items(std::span<const std::uint32_t> owners, std::vector<std::uint32_t> &elements) {
   for (std::uint32_t &e : elements)
     if (!owners.empty() && e != no_element)

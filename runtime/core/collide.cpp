@@ -1,11 +1,9 @@
 #include "core/collide.hpp"
 
+#include "core/answers/answers_for.hpp"
 #include "core/cascade.hpp"
 #include "core/decide.hpp"
-#include "core/first_met.hpp"
-#include "core/marks.hpp"
 #include "core/normalised.hpp"
-#include "core/pair_list.hpp"
 #include "core/threads.hpp"
 
 #include <chrono>
@@ -15,54 +13,6 @@
 namespace meetc {
 namespace {
 
-// What each worker finds. With owners it is a list that is compacted whenever it has doubled, so that it grows with the
-// number of distinct pairs.
-class collect final : public hit_taker {
-public:
-  collect(int workers, std::span<const std::uint32_t> owner_a, std::span<const std::uint32_t> owner_b)
-      : owner_a_(owner_a), owner_b_(owner_b), elements_(static_cast<std::size_t>(workers)),
-        items_(static_cast<std::size_t>(workers)) {}
-
-  bool owned() const { return !owner_a_.empty() || !owner_b_.empty(); }
-
-  void take(int worker, const index_pair *hits, std::size_t n) override {
-    if (!owned()) {
-      elements_[static_cast<std::size_t>(worker)].add(hits, n);
-      return;
-    }
-    list &mine = items_[static_cast<std::size_t>(worker)];
-    for (std::size_t i = 0; i < n; ++i)
-      mine.pairs.push_back(
-          {owner_a_.empty() ? hits[i].a : owner_a_[hits[i].a], owner_b_.empty() ? hits[i].b : owner_b_[hits[i].b]});
-    if (mine.pairs.size() >= mine.compact_at) {
-      sort_pairs(mine.pairs);
-      drop_repeats(mine.pairs);
-      mine.compact_at = std::max(first_compaction, 2 * mine.pairs.size());
-    }
-  }
-
-  std::vector<index_pair> all(int threads) {
-    if (!owned())
-      return sorted(std::move(elements_), threads);
-    std::vector<pair_span> lists;
-    for (const list &l : items_)
-      lists.emplace_back(l.pairs);
-    std::vector<index_pair> pairs = sorted(lists, threads);
-    drop_repeats(pairs);
-    return pairs;
-  }
-
-private:
-  static constexpr std::size_t first_compaction = std::size_t{1} << 18;
-  struct alignas(64) list {
-    std::vector<index_pair> pairs;
-    std::size_t compact_at = first_compaction;
-  };
-  std::span<const std::uint32_t> owner_a_, owner_b_;
-  std::vector<pair_list> elements_;
-  std::vector<list> items_;
-};
-
 bool same_kind(const kind_info &x, const kind_info &y) {
   return &x == &y || (x.fields == y.fields && std::strcmp(x.name, y.name) == 0);
 }
@@ -70,19 +20,6 @@ bool same_kind(const kind_info &x, const kind_info &y) {
 void require(bool holds, const char *what) {
   if (!holds)
     throw std::invalid_argument(what);
-}
-
-// Fills the answer with zeros and returns pointers to it.
-marks room_for_marks(answer_kind want, std::size_t size_a, std::size_t size_b, result &to) {
-  marks m;
-  if (want == answer_kind::flags) {
-    to.flags = flags_of({}, size_a, size_b);
-    m.flags_a = to.flags.a.data(), m.flags_b = to.flags.b.data();
-  } else if (want == answer_kind::counts) {
-    to.counts = counts_of({}, size_a, size_b);
-    m.counts_a = to.counts.a.data(), m.counts_b = to.counts.b.data();
-  }
-  return m;
 }
 
 // The set whose rows a query reads: the normalised one where there is one.
@@ -121,16 +58,6 @@ void require_first_met(const predicate_info &predicate, answer_kind want, bool a
   require(!asked || owner_a.empty(), "what is met first is asked of elements, not of the items that own them");
 }
 
-void answer_from_list(answer_kind want, std::size_t size_a, std::size_t size_b, result &r) {
-  r.count = r.pairs.size();
-  if (want == answer_kind::flags)
-    r.flags = flags_of(r.pairs, size_a, size_b);
-  if (want == answer_kind::counts)
-    r.counts = counts_of(r.pairs, size_a, size_b);
-  if (want != answer_kind::pairs)
-    std::vector<index_pair>().swap(r.pairs);
-}
-
 namespace {
 
 result find_touching(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
@@ -167,35 +94,27 @@ result find_touching(const prepared &a, const prepared &b, const predicate_info 
       &a == &b && predicate.symmetric && never_wrong(precision) && !options.all_pairs && !options.first_met;
   const tree_pairs tree(a.set(), b.set(), what_rules_out(precision), half);
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
-  collect list(threads, options.owner_a, options.owner_b);
-  const answer_kind want = options.want;
-  const bool listed = want == answer_kind::pairs || (list.owned() && want != answer_kind::any);
-  result r;
-  mark_elements mark(listed ? marks{} : room_for_marks(want, a.elements(), b.elements(), r));
-  hit_taker *const taker = listed                                                      ? static_cast<hit_taker *>(&list)
-                           : want == answer_kind::flags || want == answer_kind::counts ? &mark
-                                                                                       : nullptr;
+  const auto answers = answers_for(predicate, options.want, options.first_met, options.owner_a, options.owner_b);
+  std::vector<query_answer *> takers;
+  for (const auto &answer : answers) {
+    answer->start({of_a.set(), of_b.set(), a.elements(), b.elements(), threads});
+    takers.push_back(answer.get());
+  }
   const auto report = [](void *context, double fraction) {
     (*static_cast<const std::function<void(double)> *>(context))(fraction);
   };
-  std::optional<first_of_each> first;
-  if (options.first_met)
-    first.emplace(of_a.set(), of_b.set(), options.owner_b, predicate.first_met);
   const std::unique_ptr<std::byte[]> batches(new std::byte[batch_bytes(threads)]);
-  const tally total = decide_all(
-      {of_a.set(), of_b.set(), of_a.stored(by.stored_a, *predicate.a), of_b.stored(by.stored_b, *predicate.b), by,
-       source, threads, want == answer_kind::any, options.progress ? +report : nullptr,
-       const_cast<std::function<void(double)> *>(&options.progress), taker, first ? &*first : nullptr, half},
-      {batches.get(), batch_bytes(threads)});
+  const tally total =
+      decide_all({of_a.set(), of_b.set(), of_a.stored(by.stored_a, *predicate.a),
+                  of_b.stored(by.stored_b, *predicate.b), by, source, threads, options.progress ? +report : nullptr,
+                  const_cast<std::function<void(double)> *>(&options.progress), takers, half},
+                 {batches.get(), batch_bytes(threads)});
+  result r;
   r.candidates = total.candidates;
   r.count = total.hits;
-  if (first)
-    r.first_met = first->by_element(a.elements());
   r.rungs = total.rungs;
-  if (listed) {
-    r.pairs = list.all(threads);
-    answer_from_list(want, items(options.owner_a, a.elements()), items(options.owner_b, b.elements()), r);
-  }
+  for (const auto &answer : answers)
+    answer->finish(r);
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;
 }

@@ -40,20 +40,6 @@ struct collide_options {
   std::function<void(double fraction)> progress = {}; // on the calling thread, about ten times a second
 };
 
-// What was not asked for is empty, except the count.
-struct result {
-  std::vector<index_pair> pairs; // sorted by a, then b; no pair twice
-  std::uint64_t count = 0;       // pairs, or pairs of items where there are owners; 0 or 1 for answer_kind::any
-  per_element<std::uint8_t> flags;
-  per_element<std::uint64_t> counts;
-  // For each element of a, the element (or item) of b that it meets first on its way from its first point to its second, and
-  // of those that it meets at one point the least; no_element where it meets none.
-  std::vector<std::uint32_t> first_met;
-  std::uint64_t candidates = 0; // pairs of elements that were decided
-  rung_report rungs;            // the same for any number of threads, except for answer_kind::any
-  double seconds = 0;           // wall-clock time of the call
-};
-
 // Memory grows with what is asked for, with the pairs where there are owners, and by what the sets store
 // (core/stored.hpp); never with the product of the sets. Throws std::invalid_argument (kinds, rung, box or owners that
 // do not fit) or std::bad_alloc.
@@ -63,10 +49,6 @@ result collide(const prepared &a, const prepared &b, const predicate_info &predi
 // Throws std::invalid_argument unless what is met first may be asked for, if it is. It serves all engines.
 void require_first_met(const predicate_info &predicate, answer_kind want, bool asked,
                        std::span<const std::uint32_t> owner_a);
-
-// Turns the list in r.pairs, which is sorted and holds no pair twice, into the answer that is wanted. It serves engines
-// that find lists, such as the one on a device.
-void answer_from_list(answer_kind want, std::size_t size_a, std::size_t size_b, result &r);
 
 } // namespace meetc
 

@@ -13,10 +13,19 @@ namespace {
 constexpr std::size_t flush_at = 4096, early_flush_at = 128;
 constexpr std::size_t batch_capacity = flush_at + pair_sink::longest_run;
 
+bool takes_elements(const query_answer *a) {
+  return a->needs_pairs() && !a->by_slots();
+}
+
 struct shared_state {
   const decision_job &job;
-  std::atomic<bool> found{false};
+  const bool stops_early, takes_elements; // all answers, and any
   std::atomic<std::uint64_t> candidates{0}, hits{0}, unsure[bounded_rungs]{};
+
+  explicit shared_state(const decision_job &j)
+      : job(j), stops_early(!j.answers.empty() && std::ranges::all_of(j.answers, &query_answer::stops_early)),
+        takes_elements(std::ranges::any_of(j.answers, meetc::takes_elements)) {}
+  bool done() const { return stops_early && std::ranges::all_of(job.answers, &query_answer::done); }
 };
 
 class batch final : public pair_sink {
@@ -24,32 +33,19 @@ public:
   batch(shared_state &shared, int worker, index_pair *pairs, answer *answers)
       : shared_(shared), worker_(worker), answers_(answers) {
     pairs_ = pairs;
-    full_ = shared.job.stop_at_first ? early_flush_at : flush_at;
+    full_ = shared.stops_early ? early_flush_at : flush_at;
   }
   batch(const batch &) = delete;
   batch &operator=(const batch &) = delete;
 
   bool flush() override {
-    const decision_job &job = shared_.job;
     candidates_ += meant(0, size_);
     const std::size_t n = decide();
     hits_ += meant(0, n);
     size_ = 0;
-    if (job.stop_at_first) {
-      if (n > 0)
-        shared_.found.store(true, std::memory_order_relaxed);
-      return !shared_.found.load(std::memory_order_relaxed);
-    }
-    if (job.by_slot && n > 0)
-      job.by_slot->take(worker_, pairs_, n);
-    if (job.taker && n > 0) {
-      for (std::size_t i = 0; i < n; ++i)
-        pairs_[i] = {job.a.order[pairs_[i].a], job.b.order[pairs_[i].b]};
-      job.taker->take(worker_, pairs_, n);
-      if (job.both_ways)
-        take_turned(n);
-    }
-    return true;
+    if (n > 0)
+      give(n);
+    return !shared_.done();
   }
 
   void finish() {
@@ -68,15 +64,34 @@ private:
     return 2 * (end - begin) - static_cast<std::size_t>(std::count_if(pairs_ + begin, pairs_ + end,
                                                                       [](index_pair p) { return p.a == p.b; }));
   }
-  // The first n pairs the other way round.
-  void take_turned(std::size_t n) {
+  // Gives the first n pairs, which are hits, to the answers.
+  void give(std::size_t n) {
+    const decision_job &job = shared_.job;
+    for (query_answer *const to : job.answers)
+      if (!takes_elements(to))
+        to->take(worker_, pairs_, n);
+    if (!shared_.takes_elements)
+      return;
+    for (std::size_t i = 0; i < n; ++i)
+      pairs_[i] = {job.a.order[pairs_[i].a], job.b.order[pairs_[i].b]};
+    give_elements(n);
+    if (job.both_ways)
+      give_elements(turn(n));
+  }
+  void give_elements(std::size_t n) {
+    for (query_answer *const to : shared_.job.answers)
+      if (takes_elements(to))
+        to->take(worker_, pairs_, n);
+  }
+  // Turns the first n pairs round, without those of an element with itself, and returns how many there are.
+  std::size_t turn(std::size_t n) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const index_pair p = pairs_[i];
       pairs_[kept] = {p.b, p.a};
       kept += p.a != p.b;
     }
-    shared_.job.taker->take(worker_, pairs_, kept);
+    return kept;
   }
 
   // Moves the hits to the front of the batch and returns their number.
@@ -84,7 +99,7 @@ private:
     const decision_job &job = shared_.job;
     const row_array a{job.a.rows, job.stored_a.after(size_, job.a)}, b{job.b.rows, job.stored_b.after(size_, job.b)};
     std::size_t hits = 0, end = size_; // the pairs from hits to end are unsure
-    for (int at = 0; at < job.by.count && hits < end && (hits == 0 || !job.stop_at_first); ++at) {
+    for (int at = 0; at < job.by.count && hits < end && (hits == 0 || !shared_.stops_early); ++at) {
       if (at > 0)
         unsure_[at - 1] += meant(hits, end);
       job.by.decide(at, a, b, pairs_ + hits, end - hits, answers_);
@@ -156,14 +171,14 @@ tally decide_all(const decision_job &job, memory batches) {
   const std::size_t units = job.source.units();
   const std::size_t chunk = std::clamp<std::size_t>(units / (static_cast<std::size_t>(job.threads) * 64), 1, 64);
   chunk_counter counter(units, chunk);
-  shared_state shared{job};
+  shared_state shared(job);
   auto body = [&](int worker) {
     const std::size_t at = static_cast<std::size_t>(worker) * batch_capacity;
     batch mine(shared, worker, pairs + at, answers + at);
     progress_report progress(job);
     for (std::size_t unit, end; counter.take(unit, end);) {
       for (; unit < end; ++unit)
-        if (shared.found.load(std::memory_order_relaxed) || !job.source.yield(unit, mine)) {
+        if (shared.done() || !job.source.yield(unit, mine)) {
           counter.close();
           break;
         }
@@ -176,8 +191,6 @@ tally decide_all(const decision_job &job, memory batches) {
   tally total{shared.candidates, shared.hits, job.by.start};
   for (int r = 0; r < bounded_rungs; ++r)
     total.rungs.unsure[r] = shared.unsure[r];
-  if (job.stop_at_first)
-    total.hits = shared.found || total.hits > 0;
   return total;
 }
 

@@ -1,12 +1,14 @@
 #include "core/pairs.hpp"
 
+#include "core/answers/any_pair.hpp"
+#include "core/answers/element_numbers.hpp"
+#include "core/answers/lent_pairs.hpp"
 #include "core/cascade.hpp"
 #include "core/decide.hpp"
-#include "core/marks.hpp"
 #include "core/threads.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <initializer_list>
 
 namespace meetc {
 namespace {
@@ -36,30 +38,6 @@ layout take_layout(bump_allocator &from, const predicate_info &p, std::size_t a,
     l.scratch_b = take_scratch(again_b, *p.b, b);
   }
   return l;
-}
-
-class append final : public hit_taker {
-public:
-  append(const pairs_out &out, const marks &mark) : out_(out), mark_(mark) {}
-  void take(int, const index_pair *hits, std::size_t n) override {
-    mark_.take(hits, n);
-    const std::uint64_t at = next_.fetch_add(n, std::memory_order_relaxed);
-    if (at < out_.capacity)
-      std::copy_n(hits, std::min<std::uint64_t>(n, out_.capacity - at), out_.data + at);
-  }
-
-private:
-  const pairs_out &out_;
-  const marks &mark_;
-  std::atomic<std::uint64_t> next_{0};
-};
-
-template <class T> void clear(T *numbers, std::size_t n) {
-  if (numbers)
-    std::fill_n(numbers, n, T{0});
-}
-void clear(const marks &m, std::size_t a, std::size_t b) {
-  clear(m.flags_a, a), clear(m.flags_b, b), clear(m.counts_a, a), clear(m.counts_b, b);
 }
 
 } // namespace
@@ -106,9 +84,24 @@ status find_pairs(const predicate_info &predicate, rung precision, const view &a
   const all_pairs every(l.a, l.b, what_rules_out(precision));
   const tree_pairs tree(l.a, l.b, what_rules_out(precision));
   const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
-  const marks mark{out.flags_a, out.flags_b, out.counts_a, out.counts_b};
-  clear(mark, a.elements, b.elements);
-  append taker(out, mark);
+  // The answers write to the caller's arrays, and stop_at_first takes the place of all others.
+  any_pair any;
+  lent_pairs list(out.data, out.capacity);
+  element_flags flags(out.flags_a, out.flags_b);
+  element_counts counts(out.counts_a, out.counts_b);
+  const queried_sets sets{l.a, l.b, a.elements, b.elements, threads};
+  for (query_answer *const each : std::initializer_list<query_answer *>{&any, &list, &flags, &counts})
+    each->start(sets);
+  query_answer *answers[3];
+  std::size_t wanted = 0;
+  if (options.stop_at_first)
+    answers[wanted++] = &any;
+  else if (out.capacity > 0)
+    answers[wanted++] = &list;
+  if (!options.stop_at_first && (out.flags_a || out.flags_b))
+    answers[wanted++] = &flags;
+  if (!options.stop_at_first && (out.counts_a || out.counts_b))
+    answers[wanted++] = &counts;
   by.enter_box(options.box, l.a, l.b);
   const tally total = decide_all({l.a,
                                   l.b,
@@ -117,12 +110,11 @@ status find_pairs(const predicate_info &predicate, rung precision, const view &a
                                   by,
                                   source,
                                   threads,
-                                  options.stop_at_first,
                                   options.progress,
                                   options.progress_context,
-                                  out.capacity > 0 || mark.any() ? &taker : nullptr},
+                                  {answers, wanted}},
                                  l.batches);
-  *out.count = total.hits;
+  *out.count = options.stop_at_first ? std::min<std::uint64_t>(total.hits, 1) : total.hits;
   if (out.rungs)
     *out.rungs = total.rungs;
   if (!options.stop_at_first && *out.count <= out.capacity)
