@@ -41,7 +41,7 @@ void open_standard_streams() {
 }
 
 // Input files are mapped, and another program may shorten one. Outputs have no name yet while inputs are read.
-extern "C" void end_after_lost_page(int) {
+extern "C" void end_after_lost_page(int) noexcept {
   constexpr std::string_view what = "meet: a file became shorter while it was read\n";
   static_cast<void>(!::write(STDERR_FILENO, what.data(), what.size()));
   ::_exit(bad_input);

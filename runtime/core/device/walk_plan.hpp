@@ -50,7 +50,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   plan.chunks = nodes_of(plan.start);
   while (plan.child_groups < tree_width && plan.chunks * plan.child_groups < cuts)
     plan.child_groups *= 2;
-  plan.items *= plan.chunks * plan.child_groups; // no overflow: there are many nodes, or few cuts
+  plan.items *= plan.chunks * plan.child_groups; // below 2^32 for sets of any size, as a test shows
   // Packets then go down together. Those of triangles or boxes can have very different numbers of pairs, so that warps rather take
   // fewer at a time.
   while (plan.batch < 8 && plan.items > (w.balls ? 2 : 16) * plan.batch * enough)

@@ -418,3 +418,27 @@ TEST_CASE("walk: a list that is too short is never overrun, and its count says s
       CHECK(std::includes(touching.begin(), touching.end(), f.list.begin(), f.list.end()));
     }
 }
+
+// The number of items is a product of three numbers of 32 bits.
+TEST_CASE("walk: no plan has more items than 32 bits count, whatever the sizes of the sets") {
+  std::vector<std::uint32_t> sizes;
+  for (int bit = 0; bit < 32; ++bit)
+    for (const int off : {-1, 0, 1})
+      if (const auto n = (std::int64_t{1} << bit) + off; n > 0)
+        sizes.push_back(static_cast<std::uint32_t>(n));
+  sizes.push_back(0xffffffff);
+  const float row[set::fields] = {};
+  for (const std::uint32_t walker : sizes)
+    for (const std::uint32_t tree : sizes)
+      for (const unsigned enough : {1U, 31U, 1U << 10, 18'432U, 1U << 17})
+        for (const float *const rows : {static_cast<const float *>(nullptr), row}) {
+          const tree_view x{nullptr, walker, tree_shape(walker)}, y{nullptr, tree, tree_shape(tree)};
+          const tree_walk w{
+              x,  y,      {0, x.shape.count[0], 0, y.shape.count[0]}, false, false, rows, set::fields, set::points,
+              {}, nullptr};
+          const walk_plan plan = plan_of(w, enough);
+          const std::uint64_t all =
+              std::uint64_t{x.shape.count[0]} * (rows ? plan.long_groups : 1) * plan.chunks * plan.child_groups;
+          REQUIRE(plan.items == all);
+        }
+}
