@@ -70,19 +70,18 @@ app::command add_gpu(CLI::App &bench, const catalogue &all) {
 }
 
 app::command add_cpu(CLI::App &bench, const app::kernel_library &kernels) {
-  CLI::App &c =
-      *bench.add_subcommand("cpu", "Kernels and queries on the CPU, beside other libraries and classic tests");
+  CLI::App &c = *bench.add_subcommand("cpu", "Kernels and queries on the CPU, beside other libraries");
   const auto q = std::make_shared<cpu_request>();
   const auto threads = std::make_shared<std::optional<std::string>>(),
              repetitions = std::make_shared<std::optional<std::string>>();
   c.add_option("-o", q->folder, "Also write cpu.md into this folder")->type_name("DIR");
   c.add_option(
        "--data", q->data,
-       "A folder with bunny_1k.ply, bunny_69k.ply and armadillo_345k.ply (with --quick the 5k ones in the place "
-       "of the last two); without it built-in bodies of about the same sizes serve")
+       "A folder with bunny_69k.ply and armadillo_345k.ply (with --quick bunny_5k.ply and armadillo_5k.ply); without "
+       "it built-in bodies of about the same sizes serve")
       ->type_name("DIR");
   c.add_option("--only", q->only,
-               "Measure the families alone whose names hold this: blind, precision, candidates, balls, families")
+               "Measure the families alone whose names hold this: precision, candidates, balls, families")
       ->type_name("TEXT");
   c.add_option("--instruction-set", q->instruction_set,
                "Measure one alone; auto, the default: each that runs here, and queries with the best")

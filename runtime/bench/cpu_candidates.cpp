@@ -4,7 +4,6 @@
 #include "app/choose.hpp"
 #include "app/sets.hpp"
 #include "app/words.hpp"
-#include "bench/classic_set.hpp"
 #include "bench/list_difference.hpp"
 #include "bench/peers/peers.hpp"
 
@@ -63,11 +62,22 @@ method ours(const candidate_scene &s, rung precision, bool near) {
 }
 
 // Another library's, which keeps the rows.
+struct rows_of_set {
+  std::vector<float> rows;
+  std::size_t count;
+
+  explicit rows_of_set(const io::element_set &set)
+      : rows(set.elements * static_cast<std::size_t>(set.kind->fields)), count(set.elements) {
+    for (std::size_t i = 0; i < count; ++i)
+      set.row(i, rows.data() + i * static_cast<std::size_t>(set.kind->fields));
+  }
+  peers::packed_rows packed() const { return {rows.data(), count}; }
+};
 struct peer_rows {
-  classic_set a;
-  std::optional<classic_set> b; // empty: the same as a
-  peers::packed_rows first() const { return {a.rows(), a.count()}; }
-  peers::packed_rows second() const { return b ? peers::packed_rows{b->rows(), b->count()} : first(); }
+  rows_of_set a;
+  std::optional<rows_of_set> b; // empty: the same as a
+  peers::packed_rows first() const { return a.packed(); }
+  peers::packed_rows second() const { return b ? b->packed() : first(); }
 };
 method of_peer(const candidate_scene &s, const peers::offered_finder &offer, const std::shared_ptr<peer_rows> &rows) {
   struct state {
@@ -97,8 +107,8 @@ void add_peers(const candidate_scene &s, const std::string &only, std::vector<me
     }
     for (const peers::offered_finder &offer : offers) {
       if (!rows)
-        rows = s.self() ? std::make_shared<peer_rows>(peer_rows{classic_set(s.a), {}})
-                        : std::make_shared<peer_rows>(peer_rows{classic_set(s.a), classic_set(s.b)});
+        rows = s.self() ? std::make_shared<peer_rows>(peer_rows{rows_of_set(s.a), {}})
+                        : std::make_shared<peer_rows>(peer_rows{rows_of_set(s.a), rows_of_set(s.b)});
       to.push_back(of_peer(s, offer, rows));
     }
     if (!offers.empty())

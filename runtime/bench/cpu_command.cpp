@@ -22,9 +22,8 @@ struct family {
   const char *name;
   void (*measure)(const cpu_context &, cpu_result &);
 };
-constexpr std::array families{family{"blind", measure_blind}, family{"precision", measure_precision},
-                              family{"candidates", measure_candidates}, family{"balls", measure_balls},
-                              family{"families", measure_families}};
+constexpr std::array families{family{"precision", measure_precision}, family{"candidates", measure_candidates},
+                              family{"balls", measure_balls}, family{"families", measure_families}};
 
 constexpr const char *rules =
     "Each figure is from one run in which all works of a table take turns; the lower quartile counts. With one thread "

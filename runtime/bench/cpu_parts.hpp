@@ -27,7 +27,6 @@ struct cpu_result {
   std::vector<bar> bars;
 };
 
-void measure_blind(const cpu_context &c, cpu_result &to);      // every pair, without boxes
 void measure_precision(const cpu_context &c, cpu_result &to);  // what certainty costs in a query
 void measure_candidates(const cpu_context &c, cpu_result &to); // queries, beside other libraries
 void measure_balls(const cpu_context &c, cpu_result &to);      // many balls

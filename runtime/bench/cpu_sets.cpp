@@ -41,22 +41,6 @@ io::element_set cpu_sets::large(const io::transform &move) const {
   return app::of_mesh(all_, quick_ ? bodies::knot(100, 25) : bodies::figure(220), move);
 }
 
-cpu_sets::two_sets cpu_sets::small_on_large() const {
-  const auto small = [this](const io::transform &move) {
-    if (data_)
-      return read("bunny_1k.ply", move);
-    return app::of_mesh(all_, quick_ ? bodies::torus(10, 10) : bodies::torus(25, 20), move);
-  };
-  io::element_set to = large();
-  const mesh_extent from = extent_of(small({})), onto = extent_of(to);
-  io::transform move;
-  move.scale = onto.longest() / from.longest();
-  move.translate = {0, 0, 0};
-  for (std::size_t k = 0; k < 3; ++k)
-    (*move.translate)[k] = (onto.lo[k] + onto.hi[k]) / 2 - *move.scale * (from.lo[k] + from.hi[k]) / 2;
-  return {small(move), std::move(to)};
-}
-
 cpu_sets::two_sets cpu_sets::middle_in_large(double scale, double shift) const {
   const pose_of_middle at = data_    ? pose_of_middle{1000, 0, -100, 0}
                             : quick_ ? pose_of_middle{1, 0, 0, 0}
@@ -87,10 +71,6 @@ static cpu_sets::two_sets clouds(const catalogue &all, std::size_t n, double rad
   return {ball_cloud(all, n, 1, radius), ball_cloud(all, n, 2, radius)};
 }
 
-cpu_sets::two_sets cpu_sets::few_balls() const {
-  return quick_ ? clouds(all_, 1000, 0.05) : clouds(all_, 20'000, 0.0098);
-}
-
 cpu_sets::two_sets cpu_sets::balls() const {
   return quick_ ? clouds(all_, 2000, 0.05) : clouds(all_, 262'144, 0.0098);
 }
@@ -101,10 +81,10 @@ cpu_sets::two_sets cpu_sets::many_balls() const {
 
 std::string cpu_sets::in_words() const {
   if (data_)
-    return quick_ ? "The meshes are bunny_1k.ply, bunny_5k.ply and armadillo_5k.ply."
-                  : "The meshes are bunny_1k.ply, bunny_69k.ply and armadillo_345k.ply.";
-  return quick_ ? "The meshes are built in: rings and a knot, small."
-                : "The meshes are built in: a ring, an animal and a figure.";
+    return quick_ ? "The meshes are bunny_5k.ply and armadillo_5k.ply."
+                  : "The meshes are bunny_69k.ply and armadillo_345k.ply.";
+  return quick_ ? "The meshes are built in: a ring and a knot, small."
+                : "The meshes are built in: an animal and a figure.";
 }
 
 } // namespace meetc::bench

@@ -1,7 +1,7 @@
 // bench/cpu_sets.hpp: the sets that `meet bench cpu` measures.
 //
-// A small body (1,000 triangles), a middle one (69,451) and a large one (345,944), from files or built in, and segments
-// and balls that go with them. All are made again for each family, so none keeps memory that another needs.
+// A middle body (69,451 triangles) and a large one (345,944), from files or built in, and segments and balls that go with
+// them. All are made again for each family, so none keeps memory that another needs.
 #ifndef MEETC_BENCH_CPU_SETS_HPP
 #define MEETC_BENCH_CPU_SETS_HPP
 
@@ -18,20 +18,18 @@ namespace meetc::bench {
 
 class cpu_sets {
 public:
-  // Throws io::error where the folder lacks bunny_1k.ply, bunny_69k.ply or armadillo_345k.ply (quick: bunny_5k.ply and
-  // armadillo_5k.ply in the place of the last two).
+  // Throws io::error where the folder lacks bunny_69k.ply or armadillo_345k.ply (quick: bunny_5k.ply or
+  // armadillo_5k.ply).
   cpu_sets(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
 
   using two_sets = std::pair<io::element_set, io::element_set>;
 
-  two_sets small_on_large() const; // the small body, scaled so that its box's longest side is that of the large one
   // The middle body reaches into the large one. Both are scaled, then moved by `shift` along each axis.
   two_sets middle_in_large(double scale = 1, double shift = 0) const;
   two_sets segments_in_large() const; // segments as long as the box
   io::element_set large(const io::transform &move = {}) const;
-  two_sets few_balls() const, balls() const, many_balls() const; // in the cube [-1, 1)^3
+  two_sets balls() const, many_balls() const; // in the cube [-1, 1)^3
 
-  const char *small_name() const { return data_ ? "bunny" : "ring"; }
   const char *middle_name() const { return data_ ? "bunny" : "animal"; }
   const char *large_name() const { return data_ ? "armadillo" : "figure"; }
   std::string in_words() const;

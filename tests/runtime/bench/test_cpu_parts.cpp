@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 
 #include "bench/cpu_bars.hpp"
-#include "bench/every_pair.hpp"
+#include "bench/interleaved.hpp"
 #include "bench/list_difference.hpp"
 #include "bench/pair_families.hpp"
 
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 using namespace meetc::bench;
 using meetc::answer;
@@ -40,35 +39,6 @@ TEST_CASE("the lower quartile, and works that take turns") {
   CHECK(t.repetitions == 5);
   REQUIRE(t.seconds.size() == 2);
   CHECK(measure_interleaved({[] {}}, {1000, 1, 0, 0}).repetitions == 3); // no time for more
-}
-
-TEST_CASE("every pair: planted wrong answers are counted, of all pairs") {
-  constexpr std::size_t a = 300, b = 5000; // more than is timed, more than a tile
-  const auto divides = [](std::size_t i, std::size_t from, std::size_t n, answer *out) {
-    for (std::size_t k = 0; k < n; ++k)
-      out[k] = (from + k) % (i + 1) == 0 ? answer::yes : answer::no;
-  };
-  const std::vector<named_test> tests{
-      {"right", row_by_row(divides)},
-      {"wrong", row_by_row([&](std::size_t i, std::size_t from, std::size_t n, answer *out) {
-         divides(i, from, n, out);
-         for (std::size_t k = 0; k < n; ++k)
-           if (i == 299 && from + k == 4999) // no hit
-             out[k] = answer::yes;
-           else if (i < 2 && from + k == 0) // two hits
-             out[k] = answer::no;
-       })},
-      {"never", [](const pair_tile &t, answer *out) { std::fill_n(out, t.rows * t.n, answer::no); }}};
-  const every_pair_result r = measure_every_pair(a, b, row_by_row(divides), tests, 1000, {1, 1, 1});
-  CHECK(r.pairs == a * b);
-  std::uint64_t hits = 0;
-  for (std::size_t i = 0; i < a; ++i)
-    hits += (b + i) / (i + 1);
-  CHECK(r.hits == hits);
-  CHECK((r.of[0].false_hits == 0 && r.of[0].missed == 0 && r.of[0].hits == hits));
-  CHECK((r.of[1].false_hits == 1 && r.of[1].missed == 2 && r.of[1].hits == hits - 1));
-  CHECK((r.of[2].false_hits == 0 && r.of[2].missed == hits && r.of[2].hits == 0));
-  CHECK(r.of[0].seconds_a_pair > 0);
 }
 
 TEST_CASE("a bar is met at its limit, and not where nothing was measured") {
