@@ -33,7 +33,7 @@ private:
   std::size_t count_, wanted_;
 };
 
-void walk(const candidate_source &source, sampler &to) {
+void walk(const tree_pairs &source, sampler &to) {
   for (std::size_t u = 0; u < source.units(); ++u)
     source.yield(u, to);
   to.flush();

@@ -14,10 +14,6 @@
 namespace meetc {
 namespace {
 
-index_pair pair_of(const block_query &q, std::uint32_t theirs) {
-  return q.swapped ? index_pair{theirs, q.slot} : index_pair{q.slot, theirs};
-}
-
 // The first element that a mask names, in a block with this number.
 std::uint32_t first_of(std::uint32_t mask, std::uint32_t block) {
   return block * lanes + static_cast<std::uint32_t>(std::countr_zero(mask));
@@ -40,9 +36,6 @@ std::size_t by_element(const std::uint32_t *numbers, const std::uint32_t *elemen
   return n;
 }
 
-std::uint32_t touching_baseline(const box_block &block, const box &q) {
-  return touching(block, q);
-}
 std::size_t touched_baseline(const box_block *blocks, const std::uint32_t *numbers, std::size_t count, const box &q,
                              std::uint32_t *out) {
   std::size_t n = 0;
@@ -50,12 +43,6 @@ std::size_t touched_baseline(const box_block *blocks, const std::uint32_t *numbe
     for (std::uint32_t left = touching(blocks[numbers[i]], q); left != 0; left &= left - 1)
       out[n++] = first_of(left, numbers[i]);
   return n;
-}
-index_pair *pairs_baseline(const block_query &q, index_pair *out) {
-  for (std::size_t i = 0; i < q.count; ++i)
-    for (std::uint32_t left = touching(q.blocks[q.numbers[i]], q.around); left != 0; left &= left - 1)
-      *out++ = pair_of(q, q.numbers[i] * lanes + static_cast<std::uint32_t>(std::countr_zero(left)));
-  return out;
 }
 
 std::size_t meetings_baseline(const meeting_query &q, meeting *out) {
@@ -116,9 +103,6 @@ MEETC_PART_FOR("avx2") std::uint32_t mask_avx2(const box_block &block, const sid
   }
   return ~apart & 0xffff;
 }
-__attribute__((target("avx2"))) std::uint32_t touching_avx2(const box_block &block, const box &q) {
-  return mask_avx2(block, sides_avx2(q));
-}
 __attribute__((target("avx2"))) std::size_t touched_avx2(const box_block *blocks, const std::uint32_t *numbers,
                                                          std::size_t count, const box &q, std::uint32_t *out) {
   const sides_8 sides = sides_avx2(q);
@@ -127,13 +111,6 @@ __attribute__((target("avx2"))) std::size_t touched_avx2(const box_block *blocks
     for (std::uint32_t left = mask_avx2(blocks[numbers[i]], sides); left != 0; left &= left - 1)
       out[n++] = first_of(left, numbers[i]);
   return n;
-}
-__attribute__((target("avx2"))) index_pair *pairs_avx2(const block_query &q, index_pair *out) {
-  const sides_8 sides = sides_avx2(q.around);
-  for (std::size_t i = 0; i < q.count; ++i)
-    for (std::uint32_t left = mask_avx2(q.blocks[q.numbers[i]], sides); left != 0; left &= left - 1)
-      *out++ = pair_of(q, q.numbers[i] * lanes + static_cast<std::uint32_t>(std::countr_zero(left)));
-  return out;
 }
 __attribute__((target("avx2"))) std::size_t meetings_avx2(const meeting_query &q, meeting *out) {
   const sides_8 sides = sides_avx2(q.around);
@@ -176,9 +153,6 @@ MEETC_PART_FOR("avx512f") __mmask16 mask_avx512(const box_block &block, const si
   }
   return below & above;
 }
-__attribute__((target("avx512f"))) std::uint32_t touching_avx512(const box_block &block, const box &q) {
-  return mask_avx512(block, sides_avx512(q));
-}
 // The numbers block * lanes + lane of the lanes in a mask, at the front.
 MEETC_PART_FOR("avx512f") __m512i numbers_avx512(__mmask16 mask, std::uint32_t block) {
   const __m512i each = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
@@ -218,14 +192,6 @@ index_pair *store_avx512(__mmask16 mask, std::uint32_t block, const pairs_of_slo
     _mm512_storeu_si512(half == 0 ? out : out + lanes / 2, _mm512_or_si512(wide, of.mine));
   }
   return out + std::popcount(static_cast<unsigned>(mask));
-}
-__attribute__((target("avx512f"))) index_pair *pairs_avx512(const block_query &q, index_pair *out) {
-  const sides_16 sides = sides_avx512(q.around);
-  const pairs_of_slot of = slot_avx512(q.slot, q.swapped);
-  for (std::size_t i = 0; i < q.count; ++i)
-    if (const __mmask16 mask = mask_avx512(q.blocks[q.numbers[i]], sides); mask != 0)
-      out = store_avx512(mask, q.numbers[i], of, out);
-  return out;
 }
 __attribute__((target("avx512f"))) std::size_t meetings_avx512(const meeting_query &q, meeting *out) {
   const sides_16 sides = sides_avx512(q.around);
@@ -269,8 +235,8 @@ __attribute__((target("avx512f"))) index_pair *pairs_of_avx512(const meeting *me
 } // namespace
 
 const box_tests *box_tests_for(instruction_set set) {
-  static constexpr box_tests baseline{instruction_set::baseline, touching_baseline, touched_baseline, pairs_baseline,
-                                      meetings_baseline,         pairs_of_baseline};
+  static constexpr box_tests baseline{instruction_set::baseline, touched_baseline, meetings_baseline,
+                                      pairs_of_baseline};
   if (!runs_here(set))
     return nullptr;
   switch (set) {
@@ -278,13 +244,11 @@ const box_tests *box_tests_for(instruction_set set) {
     return &baseline;
 #if MEETC_TARGETS
   case instruction_set::avx2: {
-    static constexpr box_tests avx2{instruction_set::avx2, touching_avx2,    touched_avx2, pairs_avx2,
-                                    meetings_avx2,         pairs_of_baseline};
+    static constexpr box_tests avx2{instruction_set::avx2, touched_avx2, meetings_avx2, pairs_of_baseline};
     return &avx2;
   }
   case instruction_set::avx512: {
-    static constexpr box_tests avx512{instruction_set::avx512, touching_avx512, touched_avx512, pairs_avx512,
-                                      meetings_avx512,         pairs_of_avx512};
+    static constexpr box_tests avx512{instruction_set::avx512, touched_avx512, meetings_avx512, pairs_of_avx512};
     return &avx512;
   }
 #endif

@@ -14,16 +14,6 @@
 
 namespace meetc {
 
-// The pairs of one element with the elements of some blocks.
-struct block_query {
-  const box_block *blocks;      // of the other set, in the order of its slots
-  const std::uint32_t *numbers; // of the blocks that are asked
-  std::size_t count;
-  box around; // the element's box
-  std::uint32_t slot;
-  bool swapped; // the element is the second of each pair
-};
-
 // A block of elements against at most sixteen blocks of the other set.
 struct meeting_query {
   const box_block *walker, *others,
@@ -45,14 +35,10 @@ inline constexpr std::size_t most_meetings = std::size_t{lanes} * lanes;
 
 struct box_tests {
   instruction_set compiled_for;
-  // As touching().
-  std::uint32_t (*touching)(const box_block &block, const box &q);
   // Writes the numbers of the boxes in some blocks that may touch q, block by block, and returns how many there are. There
   // is room for count * lanes.
   std::size_t (*touched)(const box_block *blocks, const std::uint32_t *numbers, std::size_t count, const box &q,
                          std::uint32_t *out);
-  // Writes the pairs whose boxes may touch, block by block, and returns their end. There is room for count * lanes.
-  index_pair *(*pairs)(const block_query &q, index_pair *out);
   // Writes the meetings, element by element, and returns how many there are. There is room for most_meetings.
   std::size_t (*meetings)(const meeting_query &q, meeting *out);
   // Writes the pairs of n meetings, of which lane 0 is element `first`, and returns their end. There is room for n * lanes.

@@ -1,16 +1,13 @@
-// core/candidates.hpp: the sources of candidate pairs. Code that decides pairs does not know which source they come
-// from.
+// core/candidates.hpp: the search for candidate pairs, by the hierarchies of two sets.
 //
-// A source divides its work into units that may run in any order on any thread. Together they yield each candidate
+// The search divides its work into units that may run in any order on any thread. Together they yield each candidate
 // exactly once. A candidate is a pair whose boxes may touch, and of which, where that is asked for, an element with two
-// hull points may touch the other's box. Both sources yield the same candidates, but for those that a filter by signs rules
-// out. Pairs come in runs of one element, of either set, and a run is never split between two batches.
+// hull points may touch the other's box. Pairs come in runs of one element, of either set, and a run is never split between
+// two batches.
 #ifndef MEETC_CORE_CANDIDATES_HPP
 #define MEETC_CORE_CANDIDATES_HPP
 
-#include "core/affine_pairs.hpp"
 #include "core/candidate_operand.hpp"
-#include "core/pair_filter.hpp"
 #include "core/walk_cost.hpp"
 
 #include <optional>
@@ -39,37 +36,14 @@ protected:
   std::size_t size_ = 0, full_ = 0;
 };
 
-class candidate_source {
-public:
-  virtual ~candidate_source() = default;
-  virtual std::size_t units() const = 0;
-  virtual bool yield(std::size_t unit, pair_sink &sink) const = 0; // false: the sink asked to stop
-};
-
-// Tests every pair, or those that filters leave: that by balls, and where it leaves much, the one by signs. The sets and the
-// filters must outlive it.
-class all_pairs final : public candidate_source {
-public:
-  all_pairs(const element_set &a, const element_set &b, ruled_out_by what, const pair_filter *filter = nullptr,
-            const affine_pairs *signs = nullptr)
-      : a_(a, what), b_(b, what), filter_(filter), signs_(signs) {}
-  std::size_t units() const override;
-  bool yield(std::size_t unit, pair_sink &sink) const override;
-
-private:
-  candidate_operand a_, b_;
-  const pair_filter *filter_; // null: there is none
-  const affine_pairs *signs_; // likewise
-};
-
 // Walks the hierarchy of one set with each block of the other, or with each of its elements: which set walks, and how,
 // is what is expected to take fewer tests. The sets must outlive it. With `half` they are one set, and of two pairs that
 // differ only in their order it yields the one with a <= b.
-class tree_pairs final : public candidate_source {
+class tree_pairs {
 public:
   tree_pairs(const element_set &a, const element_set &b, ruled_out_by what, bool half = false);
-  std::size_t units() const override;
-  bool yield(std::size_t unit, pair_sink &sink) const override;
+  std::size_t units() const;
+  bool yield(std::size_t unit, pair_sink &sink) const; // false: the sink asked to stop
 
 private:
   candidate_operand a_, b_;

@@ -82,18 +82,8 @@ result find_touching(const prepared &a, const prepared &b, const predicate_info 
     by.side = 0; // the box is in the caller's units
 
   const int threads = thread_count(options.threads);
-  std::optional<pair_filter> filter;
-  if (options.all_pairs && pair_filter::pays(predicate, a.set(), b.set()))
-    filter.emplace(predicate, a.set(), b.set(), threads);
-  std::optional<affine_pairs> signs; // a plain rung answers for what its own signs reject
-  if (options.all_pairs && never_wrong(precision) && affine_pairs::pays(predicate, a.set().elements, b.set().elements))
-    signs.emplace(predicate, a.set().rows, a.set().elements, b.set().rows, b.set().elements, threads);
-  const all_pairs every(a.set(), b.set(), what_rules_out(precision), filter ? &*filter : nullptr,
-                        signs ? &*signs : nullptr);
-  const bool half =
-      &a == &b && predicate.symmetric && never_wrong(precision) && !options.all_pairs && !options.first_met;
-  const tree_pairs tree(a.set(), b.set(), what_rules_out(precision), half);
-  const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
+  const bool half = &a == &b && predicate.symmetric && never_wrong(precision) && !options.first_met;
+  const tree_pairs source(a.set(), b.set(), what_rules_out(precision), half);
   const auto answers = answers_for(predicate, options.want, options.first_met, options.owner_a, options.owner_b);
   std::vector<query_answer *> takers;
   for (const auto &answer : answers) {

@@ -6,8 +6,7 @@
 // A pair is decided where the closed boxes of its elements touch (the kind's box is never too small), by the
 // predicate's rung; `certified` is several rungs, each for what the one before left unsure. For exact and certified an
 // element with two hull points must also touch the other's box itself (core/two_points.hpp). A set against itself gives
-// every ordered pair (i, j), i = j included. The answer is the same for any number of threads and for either source of
-// candidates.
+// every ordered pair (i, j), i = j included. The answer is the same for any number of threads.
 #ifndef MEETC_CORE_COLLIDE_HPP
 #define MEETC_CORE_COLLIDE_HPP
 
@@ -27,9 +26,6 @@ struct collide_options {
   // Fill result::first_met as well, without a list. The predicate must know an order (predicate_info::first_met), the set a has
   // no owners, and `any` is not wanted. Which element is first is exact, of the hits that the rung finds.
   bool first_met = false;
-  // Look at every pair, without a hierarchy: by the filters of the kinds and of the predicate (kind_filter, affine_filter),
-  // then by boxes.
-  bool all_pairs = false;
   // The scene's box (catalogue::box): coordinates lie in [-box, box], lengths in [0, 2 box]; 0: there is none. No
   // answer depends on it. Where a set leaves it, the first rung of `certified` bounds each pair by itself.
   float box = 0;

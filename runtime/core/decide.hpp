@@ -17,7 +17,7 @@ struct decision_job {
   const element_set &a, &b;
   stored_operand stored_a, stored_b; // for by.stored_a and by.stored_b
   const cascade &by;
-  const candidate_source &source;
+  const tree_pairs &source;
   int threads;
   void (*progress)(void *context, double fraction); // may be null; called from the calling thread a few times a second
   void *progress_context;

@@ -81,9 +81,7 @@ status find_pairs(const predicate_info &predicate, rung precision, const view &a
     return s;
 
   stored_rows stored_a, stored_b;
-  const all_pairs every(l.a, l.b, what_rules_out(precision));
-  const tree_pairs tree(l.a, l.b, what_rules_out(precision));
-  const candidate_source &source = options.all_pairs ? static_cast<const candidate_source &>(every) : tree;
+  const tree_pairs source(l.a, l.b, what_rules_out(precision));
   // The answers write to the caller's arrays, and stop_at_first takes the place of all others.
   any_pair any;
   lent_pairs list(out.data, out.capacity);

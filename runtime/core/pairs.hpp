@@ -26,7 +26,6 @@ struct pairs_out {
 
 struct pairs_options {
   int threads = 0;            // 0: all cores; 1 starts no thread
-  bool all_pairs = false;     // test every pair of boxes, without a hierarchy
   bool stop_at_first = false; // *count becomes 0 or 1, no pair is written, and flags and counts stay 0
   float box = 0;              // as in collide_options
   // Called from the calling thread, about ten times a second, with a fraction from 0 to 1. May be null.

@@ -2,8 +2,7 @@
 #ifndef MEETC_CORE_PROBE_HPP
 #define MEETC_CORE_PROBE_HPP
 
-#include "core/box_tests.hpp"
-#include "core/candidates.hpp"
+#include "core/candidate_operand.hpp"
 #include "core/two_points.hpp"
 
 #include <bit>
@@ -27,23 +26,13 @@ public:
   // The element's points; there are some if it is tested by them.
   const two_points &points() const { return points_; }
 
-  // Writes the pairs with the elements of some blocks, at most sixteen for each, and returns the end of what is written.
-  index_pair *pairs_with(const std::uint32_t *blocks, std::size_t count, index_pair *out) const {
-    const box_block *const all = other_.set.boxes.levels[0].blocks;
-    const box_tests &tests = best_box_tests();
-    if (!one_.by_points && !other_.by_points)
-      return tests.pairs({all, blocks, count, box_, static_cast<std::uint32_t>(slot_), swapped_}, out);
-    for (std::size_t i = 0; i < count; ++i)
-      out = pairs_among(blocks[i], tests.touching(all[blocks[i]], box_), out);
-    return out;
-  }
-  // Writes the pairs with those elements of a block whose boxes it touches.
+  // Writes the pairs with those elements of a block whose boxes it touches, at most sixteen, and returns their end.
   index_pair *pairs_among(std::size_t block, std::uint32_t mask, index_pair *out) const {
     if (one_.by_points && mask != 0)
       mask &= touching(other_.set.boxes.levels[0].blocks[block], points_);
     return pairs_of(block, mask, out);
   }
-  // The same as pairs_with() for an element with points whose box holds most of the others: the points are tested first.
+  // The same without the mask, for an element with points whose box holds most of the others: the points are tested first.
   index_pair *pairs_by_points(std::size_t block, index_pair *out) const {
     const box_block &boxes = other_.set.boxes.levels[0].blocks[block];
     std::uint32_t mask = touching(boxes, points_);

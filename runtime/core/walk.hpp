@@ -2,6 +2,8 @@
 #ifndef MEETC_CORE_WALK_HPP
 #define MEETC_CORE_WALK_HPP
 
+#include "core/box_tests.hpp"
+#include "core/candidates.hpp"
 #include "core/probe.hpp"
 
 #include <algorithm>

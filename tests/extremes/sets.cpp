@@ -114,13 +114,13 @@ void ask_all(const subject &s, const family &f, random_numbers &random, set_coun
   judged j(s, f, to);
   const int threads = random.integer(1, 3);
   std::vector<std::byte> work(workspace(by, a.elements(), b.elements(), threads));
-  const bool every = random.one_in(3);
+  const bool near = random.one_in(3);
   j.query("pairs()", any_word(random), a, b, want, [&](pair_list &found) {
     found.resize(a.elements() * b.elements());
     std::uint64_t count = 0;
     pairs_out out{found.data(), found.size(), &count};
     pairs_options o;
-    o.threads = threads, o.all_pairs = every;
+    o.threads = threads;
     if (pairs(by, meetc::rung::certified, view_of(a), {}, view_of(b), {}, out, {work.data(), work.size()}, o) !=
         status::ok)
       count = 0;
@@ -129,9 +129,9 @@ void ask_all(const subject &s, const family &f, random_numbers &random, set_coun
   for (const meetc::rung r : {meetc::rung::certified, meetc::rung::exact})
     j.query(r == meetc::rung::exact ? "exact" : "certified", any_word(random), a, b, want, [&](pair_list &found) {
       const prepared x = prepare(view_of(a), *by.a, {}, threads),
-                     y = prepare(view_of(b), *by.b, {}, threads, every ? &x : nullptr);
+                     y = prepare(view_of(b), *by.b, {}, threads, near ? &x : nullptr);
       collide_options o;
-      o.threads = threads, o.all_pairs = !every;
+      o.threads = threads;
       found = collide(x, y, by, r, o).pairs;
     });
 }

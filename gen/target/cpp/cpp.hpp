@@ -32,7 +32,7 @@ std::size_t element_place(const std::vector<const lower::lowered_kind *> &elemen
 std::string shapes_header(const unit &u);
 // Touching balls as a sum of products; the unit has that form.
 std::string ball_form_header(const unit &u);
-// Whether the runtime's table has filters by enclosing balls.
+// Whether the namespace has the form of a filter by enclosing balls.
 bool filters_by_balls(const unit &u);
 
 // The table of kinds and predicates by which a runtime knows this namespace.

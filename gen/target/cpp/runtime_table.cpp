@@ -119,16 +119,15 @@ std::string shape_text(const lower::lowered_kind &k) {
                      e.rule ? rule_test(*e.rule, [](int i) { return fmt::format("row[{}]", i); }) : "true");
 }
 
-std::string kind_entry(const lower::lowered_kind &k, int stored, bool filtered) {
+std::string kind_entry(const lower::lowered_kind &k, int stored) {
   const lower::enclosure &e = *k.enclosed;
   const bool points_only =
       !e.mixes_points && std::all_of(k.reals.begin(), k.reals.end(), [](const auto &r) { return r.position; });
   const std::string name = identifier(k.name);
-  const std::string filter = filtered ? fmt::format(", &meetc::filter_of<{}_shape, ball_form>", name) : "";
   return fmt::format("  {{\"{}\", \"{}\", {}, {}_roles, {}, meetc::boxes_of<{}_shape>, {}, meetc::stored_count({}), "
-                     "{}, {}_hull, {}{}}},\n",
+                     "{}, {}_hull, {}}},\n",
                      k.name, csv_names(k), k.reals.size(), name, points_only ? k.points : 0, name,
-                     e.rule ? name + "_fault" : "nullptr", stored, e.hull.size(), name, e.pad, filter);
+                     e.rule ? name + "_fault" : "nullptr", stored, e.hull.size(), name, e.pad);
 }
 
 std::string kind_functions(const lower::lowered_kind &k) {
@@ -181,12 +180,7 @@ std::string box_literal(double box) {
 std::string runtime_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of kinds and predicates.");
-  const bool filtered = filters_by_balls(u);
-  if (filtered)
-    out += "#include <meetc/lane_filter.hpp>\n";
   out += "#include <meetc/table_entry.hpp>\n\n";
-  if (filtered)
-    out += fmt::format("#include <{}/ball_form.hpp>\n", space);
   out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
   out += fmt::format("\nMEETC_NAMESPACE({}) {{\n\n", space);
   std::string declared;
@@ -205,7 +199,7 @@ std::string runtime_source(const unit &u) {
   for (const lower::lowered_kind *k : kinds) {
     functions += kind_functions(*k);
     const auto count = stored.count.find(k->name);
-    entries += kind_entry(*k, count == stored.count.end() ? 0 : count->second, filtered);
+    entries += kind_entry(*k, count == stored.count.end() ? 0 : count->second);
   }
   if (!kinds.empty())
     out += functions + "const meetc::kind_info all_kinds[] = {\n" + entries + "};\n\n";

@@ -60,11 +60,9 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 #if defined(MEETC_PLAIN_INLINE)
 #define MEETC_INLINE inline
 #define MEETC_INLINED inline
-#define MEETC_INLINED_LAMBDA
 #else
 #define MEETC_INLINE __attribute__((always_inline)) inline
 #define MEETC_INLINED __attribute__((always_inline)) inline
-#define MEETC_INLINED_LAMBDA __attribute__((always_inline))
 #endif
 #define MEETC_LARGE
 #define MEETC_ROLLED

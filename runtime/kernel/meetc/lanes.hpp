@@ -7,7 +7,6 @@
 #define MEETC_LANES_HPP
 
 #include <meetc/float_lanes.hpp>
-#include <meetc/lane_margins.hpp>
 #include <meetc/lane_signs.hpp>
 #include <meetc/wide_lanes.hpp>
 

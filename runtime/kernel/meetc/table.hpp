@@ -5,62 +5,12 @@
 
 #include <meetc/logic.hpp>
 
-#include <cmath>
 #include <cstddef>
 
 namespace meetc {
 
 // The role of a stored number, by which a runtime can move and check an element without knowing its shape.
 enum class role : std::uint8_t { x, y, z, length, other };
-
-// The extent of a set in a filter: lo[k] > hi[k] on each axis where it is empty.
-struct filter_extent {
-  double lo[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, hi[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-};
-// A tile of a filter.
-struct near_tile {
-  std::uint32_t index;
-  std::uint32_t elements; // bit i: its element i is not ruled out
-};
-// A filter for queries that look at all pairs of two sets: it rules out that the closed boxes of two elements touch where
-// the balls around them do not, by a sum of products in lanes (lane_filter.hpp). The sum is taken in a frame, which the
-// extent of one of the two sets determines. All kinds of a catalogue have filters of one form.
-struct kind_filter {
-  int floats; // of an element
-  // Widens the extent by n rows.
-  void (*widen)(const float *rows, std::size_t n, filter_extent &all);
-  // The numbers of n elements, one element after another.
-  void (*singles)(const filter_extent &frame, const float *rows, std::size_t n, float *out);
-  // The same in tiles of filter_tile elements: number k of a tile's element i is at k * filter_tile + i. The last tile is
-  // filled up with numbers that touch nothing.
-  void (*tiles)(const filter_extent &frame, const float *rows, std::size_t n, float *out);
-  // Tiles again, in which an element stands for a whole tile: the ball around the boxes of its elements.
-  void (*groups)(const filter_extent &frame, const float *rows, std::size_t n, float *out);
-  // Writes those of `count` tiles whose elements are not all ruled out for one element of another set, in the same frame.
-  // There is room for `count`. Returns their end. `groups` are those of these tiles, of which the first is the first of a
-  // group tile; a tile whose ball is ruled out is left out. Null: each tile is looked at.
-  near_tile *(*near)(const float *single, const float *groups, const float *tiles, std::size_t count, near_tile *out);
-};
-inline constexpr int filter_tile = 16;
-
-// Where the numbers of a set's rows lie: number k from lo[k] to hi[k].
-struct field_ranges {
-  static constexpr int most = 16;
-  double lo[most], hi[most];
-};
-// A filter of a predicate for queries that look at all pairs of two sets: it rules out pairs that the reject stage proves
-// apart by signs that are affine in one object's numbers (affine_filter.hpp).
-struct affine_filter {
-  int of_a, of_b; // floats of an element
-  // The numbers of n elements of a, one element after another, and those of b in tiles, as kind_filter has them, but
-  // that elements behind the last repeat it. The ranges are those of the two sets. Returns false, and the numbers mean
-  // nothing, if one is out of its range or the arithmetic is not as bounds assume.
-  bool (*singles)(const field_ranges &a, const field_ranges &b, const float *rows, std::size_t n, float *out);
-  bool (*tiles)(const field_ranges &a, const field_ranges &b, const float *rows, std::size_t n, float *out);
-  // Writes those of `count` tiles of b whose elements are not all ruled out for one element of a. There is room for
-  // `count`. Returns their end.
-  near_tile *(*near)(const float *single, const float *tiles, std::size_t count, near_tile *out);
-};
 
 // One kind of element. A row is `fields` floats in the spec's store order.
 struct kind_info {
@@ -78,7 +28,6 @@ struct kind_info {
   int hull = 0;
   const int *hull_fields = nullptr;
   int pad = -1;
-  const kind_filter *filter = nullptr; // null: pairs of this kind are not filtered
 
   // The box of one row.
   void box(const float *row, float lo[3], float hi[3]) const {
@@ -171,7 +120,6 @@ struct predicate_info {
   // Which of two rows of b an element of a meets first on its way from its first point to its second, of rows that it meets:
   // -1, 1, or 0 for both at one point. It is exact, and a total order of any rows of b; null: not generated (first_met.hpp).
   int (*first_met)(const float *a, const float *b, const float *other) = nullptr;
-  const affine_filter *affine = nullptr; // null: no sign of the reject stage is of that sort
 };
 
 // All that a namespace offers to a runtime.

@@ -5,7 +5,6 @@
 
 #include <meetc/lane_decide.hpp>
 
-#include <meetc/affine_filter.hpp>
 #include <meetc/boxes.hpp>
 #include <meetc/decide.hpp>
 #include <meetc/rest.hpp>
@@ -298,7 +297,6 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.certify[2] = table_rung<certify_pairs<P, in_fp64x2>>;
     p.decide_last = table_rung<decide_last<P>>;
     p.certify_in_box = guarded<certify_pairs_in_box<P>>;
-    p.affine = affine_filter_of<P>();
     p.box_least = least_box<P>();
     p.box_most = most_box<P>();
   }

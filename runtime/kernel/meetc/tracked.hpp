@@ -1,8 +1,7 @@
 // Numbers that carry a bound of their own error: running error analysis.
 //
-// Problem: an exact rung needs signs that owe nothing to the bounds of the other rungs, and coefficients need a bound that
-// no compiler has computed beforehand.
-// Method: every operation adds what it can lose to the errors of its operands. V is double, or lanes of it.
+// Problem: an exact rung needs signs that owe nothing to the bounds of the other rungs.
+// Method: every operation adds what it can lose to the errors of its operands. V is lanes of double; tests use double.
 // Source: Wilkinson; Higham, "Accuracy and Stability of Numerical Algorithms", 3.3.
 #ifndef MEETC_TRACKED_HPP
 #define MEETC_TRACKED_HPP
@@ -15,11 +14,9 @@
 MEETC_NAMESPACE(meetc) {
 
 // v is within e of the true value, while no NaN occurs. A rounding counts as 2^-51 of the result, four times that to the
-// nearest, so that neither contraction to fma
-// nor the roundings of e itself matter, of which there are far fewer than 2^40. Of doubles, an underflow is counted as
-// 2^-1070. In lanes nothing underflows: they hold products of at most highest_degree differences of floats, each 0 or at
-// least 2^-149, so that no value but 0 is below 2^-894, no error but 0 below 2^-52 of it, and no product of two errors
-// below 2^-998.
+// nearest, so that neither contraction to fma nor the roundings of e itself matter, of which there are far fewer than 2^40.
+// Nothing underflows: values are products of at most highest_degree differences of floats, each 0 or at least 2^-149, so
+// that no value but 0 is below 2^-894, no error but 0 below 2^-52 of it, and no product of two errors below 2^-998.
 template <class V, int Rounding = -51> struct tracked_number { // tests use other roundings
   static constexpr int highest_degree = 6;
   V v = V(0.0), e = V(0.0);
@@ -35,8 +32,6 @@ template <int Rounding, class V> MEETC_INLINE tracked_number<V, Rounding> rounde
   constexpr double rounding = power_of_two(Rounding, 0.0);
   tracked_number<V, Rounding> r(v);
   r.e = multiply_add(V(rounding), magnitude_of(v), e);
-  if constexpr (std::is_same_v<V, double>)
-    r.e += 0x1p-1070;
   return r;
 }
 template <class V, int R> MEETC_INLINE tracked_number<V, R> operator-(tracked_number<V, R> a) {

@@ -59,7 +59,7 @@ std::vector<answer> all(meetc::decide_function decide, const std::vector<float> 
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> collided(const predicate_info &p, const std::vector<float> &a,
-                                                              const std::vector<float> &b, bool all_pairs) {
+                                                              const std::vector<float> &b) {
   const auto prepared = [](const kind_info &kind, const std::vector<float> &rows) {
     meetc::view v;
     v.data = rows.data();
@@ -68,7 +68,6 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> collided(const predicate_in
     return meetc::prepare(v, kind);
   };
   meetc::collide_options options;
-  options.all_pairs = all_pairs;
   options.threads = 1;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
   for (const meetc::index_pair &x :
@@ -103,10 +102,9 @@ TEST_CASE("sets in the plane collide as those in space with z = 0") {
     const predicate_info &flat = meetc::find_predicate(planar::catalogue(), c.planar),
                          &space = meetc::find_predicate(cga::catalogue(), c.spatial);
     const std::vector<float> a = rows_of(*flat.a, 700, 3, 0.125F), b = rows_of(*flat.b, 900, 4, 0.125F);
-    const auto truth = collided(space, in_space(*flat.a, a), in_space(*flat.b, b), false);
+    const auto truth = collided(space, in_space(*flat.a, a), in_space(*flat.b, b));
     INFO(c.planar);
     CHECK(truth.size() > 1000);
-    CHECK(collided(flat, a, b, false) == truth);
-    CHECK(collided(flat, a, b, true) == truth);
+    CHECK(collided(flat, a, b) == truth);
   }
 }

@@ -30,32 +30,30 @@ wanted from(std::vector<index_pair> pairs, std::size_t a, std::size_t b) {
 }
 
 void agree(const prepared &x, const prepared &y, const predicate_info &p, const wanted &want, collide_options o) {
-  for (const int threads : {1, 2, 7})
-    for (const bool every : {false, true}) {
-      o.threads = threads;
-      o.all_pairs = every;
-      const auto ask = [&](answer_kind kind) {
-        o.want = kind;
-        return collide(x, y, p, rung::fp32, o);
-      };
-      const result pairs = ask(answer_kind::pairs), count = ask(answer_kind::count), counts = ask(answer_kind::counts),
-                   flags = ask(answer_kind::flags), any = ask(answer_kind::any);
-      CHECK(same(pairs.pairs, want.pairs));
-      CHECK(counts.counts.a == want.counts_a);
-      CHECK(counts.counts.b == want.counts_b);
-      CHECK(flags.flags.a == want.flags_a);
-      CHECK(flags.flags.b == want.flags_b);
-      for (const result *r : {&pairs, &count, &counts, &flags})
-        CHECK(r->count == want.pairs.size());
-      CHECK(any.count == (want.pairs.empty() ? 0 : 1));
-      // What was not asked for is empty.
-      for (const result *r : {&count, &counts, &flags, &any})
-        CHECK(r->pairs.empty());
-      for (const result *r : {&pairs, &count, &counts, &any})
-        CHECK((r->flags.a.empty() && r->flags.b.empty()));
-      for (const result *r : {&pairs, &count, &flags, &any})
-        CHECK((r->counts.a.empty() && r->counts.b.empty()));
-    }
+  for (const int threads : {1, 2, 7}) {
+    o.threads = threads;
+    const auto ask = [&](answer_kind kind) {
+      o.want = kind;
+      return collide(x, y, p, rung::fp32, o);
+    };
+    const result pairs = ask(answer_kind::pairs), count = ask(answer_kind::count), counts = ask(answer_kind::counts),
+                 flags = ask(answer_kind::flags), any = ask(answer_kind::any);
+    CHECK(same(pairs.pairs, want.pairs));
+    CHECK(counts.counts.a == want.counts_a);
+    CHECK(counts.counts.b == want.counts_b);
+    CHECK(flags.flags.a == want.flags_a);
+    CHECK(flags.flags.b == want.flags_b);
+    for (const result *r : {&pairs, &count, &counts, &flags})
+      CHECK(r->count == want.pairs.size());
+    CHECK(any.count == (want.pairs.empty() ? 0 : 1));
+    // What was not asked for is empty.
+    for (const result *r : {&count, &counts, &flags, &any})
+      CHECK(r->pairs.empty());
+    for (const result *r : {&pairs, &count, &counts, &any})
+      CHECK((r->flags.a.empty() && r->flags.b.empty()));
+    for (const result *r : {&pairs, &count, &flags, &any})
+      CHECK((r->counts.a.empty() && r->counts.b.empty()));
+  }
 }
 
 void agree(const rows &a, const rows &b, const predicate_info &p) {

@@ -24,25 +24,23 @@ TEST_CASE("pairs of items, each once, sorted") {
   }
   const prepared x = prepare(view_of(a, boxes), boxes), y = prepare(view_of(b, boxes), boxes);
   const auto check = [&](const auto &want, bool use_a, bool use_b) {
-    for (const int threads : {1, 4})
-      for (const bool every : {false, true}) {
-        collide_options o;
-        o.threads = threads;
-        o.all_pairs = every;
-        if (use_a)
-          o.owner_a = owner_a;
-        if (use_b)
-          o.owner_b = owner_b;
-        const result r = collide(x, y, box_box_hit, rung::fp32, o);
-        REQUIRE(r.pairs.size() == want.size());
-        CHECK(std::equal(want.begin(), want.end(), r.pairs.begin(),
-                         [](const auto &w, index_pair p) { return w.first == p.a && w.second == p.b; }));
-        CHECK(r.count == want.size());
-        o.want = answer_kind::count;
-        const result counted = collide(x, y, box_box_hit, rung::fp32, o);
-        CHECK(counted.count == want.size());
-        CHECK(counted.pairs.empty());
-      }
+    for (const int threads : {1, 4}) {
+      collide_options o;
+      o.threads = threads;
+      if (use_a)
+        o.owner_a = owner_a;
+      if (use_b)
+        o.owner_b = owner_b;
+      const result r = collide(x, y, box_box_hit, rung::fp32, o);
+      REQUIRE(r.pairs.size() == want.size());
+      CHECK(std::equal(want.begin(), want.end(), r.pairs.begin(),
+                       [](const auto &w, index_pair p) { return w.first == p.a && w.second == p.b; }));
+      CHECK(r.count == want.size());
+      o.want = answer_kind::count;
+      const result counted = collide(x, y, box_box_hit, rung::fp32, o);
+      CHECK(counted.count == want.size());
+      CHECK(counted.pairs.empty());
+    }
   };
   check(both, true, true);
   check(left, true, false);

@@ -30,7 +30,7 @@ struct pair_of_sets {
       : by(p), a(some_rows(*p.a, 1)), b(some_rows(*p.b, 2)), set_a(prepare(view_of(a, *p.a), *p.a)),
         set_b(prepare(view_of(b, *p.b), *p.b)) {}
 };
-std::span<const pair_of_sets> all_pairs_of_sets() {
+std::span<const pair_of_sets> every_pair_of_sets() {
   static const std::vector<pair_of_sets> all = [] {
     std::vector<pair_of_sets> out;
     const catalogue &c = cga::catalogue();
@@ -41,7 +41,7 @@ std::span<const pair_of_sets> all_pairs_of_sets() {
   return all;
 }
 const pair_of_sets &one_pair() {
-  for (const pair_of_sets &p : all_pairs_of_sets())
+  for (const pair_of_sets &p : every_pair_of_sets())
     if (&p.by == &touching())
       return p;
   throw std::logic_error("no triangles");
@@ -74,12 +74,12 @@ void add(caller &to, const prepared &p) {
 // ---- queries ----
 
 void call_collide(caller &under) {
-  for (const pair_of_sets &p : all_pairs_of_sets())
+  for (const pair_of_sets &p : every_pair_of_sets())
     for (const rung precision : some_rungs)
       for (const answer_kind want : all_answers)
-        for (const bool every : {false, true}) {
+        for (const float box : {0.0F, 0x1p127F}) {
           collide_options o;
-          o.want = want, o.threads = 2, o.all_pairs = every, o.box = every ? 0x1p127F : 0;
+          o.want = want, o.threads = 2, o.box = box;
           o.first_met = p.by.first_met && want == answer_kind::pairs;
           result r;
           under([&] { r = collide(p.set_a, p.set_b, p.by, precision, o); });
@@ -93,7 +93,7 @@ void call_collide(caller &under) {
   under([&] { collide(one_pair().set_a, one_pair().set_b, touching(), rung::certified, wrong); });
 }
 void call_pairs(caller &under) {
-  for (const pair_of_sets &p : all_pairs_of_sets())
+  for (const pair_of_sets &p : every_pair_of_sets())
     for (const rung precision : some_rungs)
       for (const pose &at : {pose(), some_pose()}) {
         const view a = view_of(p.a, *p.by.a), b = view_of(p.b, *p.by.b);
@@ -158,7 +158,7 @@ void call_find_predicate(caller &under) {
 // ---- sets ----
 
 void call_prepare(caller &under) {
-  for (const pair_of_sets &p : all_pairs_of_sets())
+  for (const pair_of_sets &p : every_pair_of_sets())
     for (const pose &at : {pose(), some_pose(), some_pose(0x1p-149)})
       for (const prepared *near : {static_cast<const prepared *>(nullptr), &p.set_b}) {
         std::optional<prepared> made;
@@ -210,7 +210,7 @@ void call_input_error(caller &under) {
   under.answer += said;
 }
 void call_check(caller &under) {
-  for (const pair_of_sets &p : all_pairs_of_sets())
+  for (const pair_of_sets &p : every_pair_of_sets())
     for (const pose &at : {pose(), some_pose(), some_pose(0x1p127)})
       for (const float bad : {0.0F, inf, -0x1p-149F}) {
         rows r = p.a;
@@ -298,7 +298,7 @@ void call_movable(caller &under) {
   });
 }
 void call_move_rows(caller &under) {
-  for (const pair_of_sets &p : all_pairs_of_sets())
+  for (const pair_of_sets &p : every_pair_of_sets())
     for (const double grid : {0.0, 0x1p-149, 0x1p-10}) {
       rows r = p.a;
       const pose at = some_pose(grid);

@@ -119,70 +119,6 @@ void call_compute(caller &under) {
     compute(p.stored_b, b, nb), compute(p.plain_stored_b, b, nb);
   });
 }
-// By balls, and by signs of the reject stage.
-void add_tiles(caller &under, const near_tile *from, const near_tile *to) {
-  under.add(to - from);
-  for (; from != to; ++from)
-    under.add(from->index), under.add(from->elements);
-}
-constexpr std::size_t in_tiles(std::size_t n) {
-  return (n + filter_tile - 1) / filter_tile;
-}
-void call_kind_filter(caller &under) {
-  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &, std::size_t n, std::size_t) {
-    const kind_filter &f = *p.a->filter;
-    const auto floats = static_cast<std::size_t>(f.floats);
-    filter_extent extent;
-    std::vector<float> singles(n * floats), tiles(in_tiles(n) * floats * filter_tile),
-        groups(in_tiles(in_tiles(n)) * floats * filter_tile);
-    std::vector<near_tile> found(in_tiles(n));
-    under([&] {
-      f.widen(a.data(), n, extent);
-      f.singles(extent, a.data(), n, singles.data());
-      f.tiles(extent, a.data(), n, tiles.data());
-      f.groups(extent, a.data(), n, groups.data());
-    });
-    under.add(extent), under.add_all(singles), under.add_all(tiles), under.add_all(groups);
-    for (std::size_t i = 0; i < n; i += 7) {
-      near_tile *end = nullptr;
-      under([&] { end = f.near(singles.data() + i * floats, groups.data(), tiles.data(), in_tiles(n), found.data()); });
-      add_tiles(under, found.data(), end);
-    }
-  });
-}
-void call_affine_filter(caller &under) {
-  for_each_predicate([&](const predicate_info &p, const rows &a, const rows &b, std::size_t na, std::size_t nb) {
-    if (!p.affine)
-      return;
-    const affine_filter &f = *p.affine;
-    const auto ranges = [](const rows &r, std::size_t fields) {
-      field_ranges of{};
-      for (std::size_t k = 0; k < fields; ++k) {
-        of.lo[k] = of.hi[k] = static_cast<double>(r[k]);
-        for (std::size_t i = k; i < r.size(); i += fields)
-          of.lo[k] = std::min(of.lo[k], static_cast<double>(r[i])),
-          of.hi[k] = std::max(of.hi[k], static_cast<double>(r[i]));
-      }
-      return of;
-    };
-    const field_ranges of_a = ranges(a, static_cast<std::size_t>(p.a->fields)),
-                       of_b = ranges(b, static_cast<std::size_t>(p.b->fields));
-    const auto floats_a = static_cast<std::size_t>(f.of_a), floats_b = static_cast<std::size_t>(f.of_b);
-    std::vector<float> singles(na * floats_a), tiles(in_tiles(nb) * floats_b * filter_tile);
-    std::vector<near_tile> found(in_tiles(nb));
-    bool made[2];
-    under([&] {
-      made[0] = f.singles(of_a, of_b, a.data(), na, singles.data());
-      made[1] = f.tiles(of_a, of_b, b.data(), nb, tiles.data());
-    });
-    under.add(made), under.add_all(singles), under.add_all(tiles);
-    for (std::size_t i = 0; made[0] && made[1] && i < na; i += 7) {
-      near_tile *end = nullptr;
-      under([&] { end = f.near(singles.data() + i * floats_a, tiles.data(), in_tiles(nb), found.data()); });
-      add_tiles(under, found.data(), end);
-    }
-  });
-}
 
 constexpr entry all[] = {
     {"predicate_info::decide", call_decide},
@@ -193,14 +129,6 @@ constexpr entry all[] = {
     {"kind_info::boxes", call_boxes},
     {"kind_info::fault", call_fault},
     {"stored_values::compute", call_compute},
-    {"kind_filter::widen", call_kind_filter},
-    {"kind_filter::singles", call_kind_filter},
-    {"kind_filter::tiles", call_kind_filter},
-    {"kind_filter::groups", call_kind_filter},
-    {"kind_filter::near", call_kind_filter},
-    {"affine_filter::singles", call_affine_filter},
-    {"affine_filter::tiles", call_affine_filter},
-    {"affine_filter::near", call_affine_filter},
 };
 
 } // namespace
