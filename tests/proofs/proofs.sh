@@ -24,8 +24,14 @@ shift 3
   echo "SKIPPED: gappa was not found (Debian: apt install gappa); no error bound was proved"
   exit 77
 }
-limit=120 # seconds a proof
+limit=120 # seconds of a processor for a proof
 export check gappa limit
+# within SECONDS COMMAND...: for at most so many seconds of a processor, however busy the machine is.
+within() (
+  ulimit -t "$1"
+  shift
+  exec "$@"
+)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 if [ "$check" = coq ]; then
@@ -39,7 +45,7 @@ fi
 
 # The least c that Gappa finds for the script on stdin: "|v - e| in [0, 33b-25 {9.83477e-07, 2^(-19.9556)}]".
 best() {
-  sed 's/|v - e| <= .* }$/|v - e| in ? }/' | timeout "$limit" "$gappa" -Echange-threshold=0 -Eno-auto-dichotomy 2>&1 |
+  sed 's/|v - e| <= .* }$/|v - e| in ? }/' | within "$limit" "$gappa" -Echange-threshold=0 -Eno-auto-dichotomy 2>&1 |
     sed -nE 's/.*\|[ve] - e\| in \[0, 0\]/0/p; s/.*\|v - e\| in .*\{([0-9.e+-]*),.*/\1/p'
 }
 
@@ -54,7 +60,7 @@ refused() {
     echo "FAILED: $1: nothing to change: $2" >&2
     return 1
   }
-  said=$(timeout "$limit" "$gappa" <<<"$changed" 2>&1) && {
+  said=$(within "$limit" "$gappa" <<<"$changed" 2>&1) && {
     echo "FAILED: $1 is proved too: $2" >&2
     return 1
   }
@@ -105,7 +111,7 @@ one_filter() {
     changes+=('s/\|(s[xy][0-3])\| <= 1b/|\1| <= 64b/'
       's/(w[xy]) in \[0, 8\]/\1 in [-8, 8]/' 's/(d[xy][0-3]) in \[-1, 1\]/\1 in [-2, 2]/' 's/  F <= 0/  F <= 1/')
     # Gappa accepts a rule that is not an identity, but says so.
-    said=$(sed 's/(W0 + W1/(2 * W0 + W1/' <<<"$text" | timeout "$limit" "$gappa" 2>&1) || true
+    said=$(sed 's/(W0 + W1/(2 * W0 + W1/' <<<"$text" | within "$limit" "$gappa" 2>&1) || true
     [[ $said == *"not trivially equal"* ]] || bad "$1: Gappa does not check the rule"
     echo identity
     ;;
@@ -120,7 +126,7 @@ one_filter() {
       changes+=("s/\|$change\| <= 1b-150/|$change| <= 1b-125/")
     done
     changes+=('s/n - f <= 0/n - f <= 1/')
-    said=$(sed 's/\* E1 - f/* E2 - f/' <<<"$text" | timeout "$limit" "$gappa" 2>&1) || true
+    said=$(sed 's/\* E1 - f/* E2 - f/' <<<"$text" | within "$limit" "$gappa" 2>&1) || true
     [[ $said == *"not trivially equal"* ]] || bad "$1: Gappa does not check the rule"
     echo identity
     ;;
@@ -140,7 +146,7 @@ one_filter() {
         changes+=("s/$change/")
       fi
     done
-    said=$(sed -E 's/-> ([MPL]) \*/-> 2 * \1 */' <<<"$text" | timeout "$limit" "$gappa" 2>&1) || true
+    said=$(sed -E 's/-> ([MPL]) \*/-> 2 * \1 */' <<<"$text" | within "$limit" "$gappa" 2>&1) || true
     [[ $said == *"not trivially equal"* ]] || bad "$1: Gappa does not check the rule"
     echo identity
     ;;
@@ -172,13 +178,13 @@ one() {
   fi
   case $check in
   prove)
-    line=$(timeout "$limit" "$gappa" <<<"$text" 2>&1) || bad "$1 is not proved"
+    line=$(within "$limit" "$gappa" <<<"$text" 2>&1) || bad "$1 is not proved"
     [ -z "$line" ] || bad "$1: $line"
     echo proved
     ;;
   theorems)
     local used
-    used=$(timeout "$limit" "$gappa" -Bcoq <<<"$text" 2>/dev/null | grep -oE '\b(float|fixed|fix|flt|rel|enforce)_[a-z_]+' | sort -u) ||
+    used=$(within "$limit" "$gappa" -Bcoq <<<"$text" 2>/dev/null | grep -oE '\b(float|fixed|fix|flt|rel|enforce)_[a-z_]+' | sort -u) ||
       bad "$1: no proof to look at"
     for line in $used; do
       case $line in
@@ -216,7 +222,7 @@ one() {
   *) bad "no check '$check'" ;;
   esac
 }
-export -f one one_filter quarters refused best is
+export -f within one one_filter quarters refused best is
 
 # The same script may be in several folders; except for `prove`, it is checked once.
 mapfile -t scripts < <(

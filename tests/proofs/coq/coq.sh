@@ -10,7 +10,7 @@
 # script's proof for it, and Coq refuses a forgery, which is the script's proof with the quarter in place of the bound. The
 # forgeries are those of the scripts in $forge, a line each.
 
-coq_limit=300 # seconds for each file
+coq_limit=300 # seconds of a processor for each file
 coq_axioms=" ClassicalDedekindReals.sig_not_dec ClassicalDedekindReals.sig_forall_dec \
 FunctionalExtensionality.functional_extensionality_dep Classical_Prop.classic "
 
@@ -31,7 +31,7 @@ coq_start() {
 # another splitter and with a wider range.
 coq_dekker() {
   local said axiom change
-  said=$(cd "$2" && timeout "$coq_limit" "$1" -Q . "" dekker.v 2>&1) || {
+  said=$(cd "$2" && within "$coq_limit" "$1" -Q . "" dekker.v 2>&1) || {
     echo "FAILED: dekker.v: $said" >&2
     return 1
   }
@@ -43,7 +43,7 @@ coq_dekker() {
   done
   for change in 's/134217729/67108865/g' 's/radix2 [(]-969[)]/radix2 (-970)/'; do
     sed "$change" "$2/dekker.v" >"$2/other.v"
-    if (cd "$2" && timeout "$coq_limit" "$1" -Q . "" other.v) >/dev/null 2>&1; then
+    if (cd "$2" && within "$coq_limit" "$1" -Q . "" other.v) >/dev/null 2>&1; then
       echo "FAILED: Coq accepts dekker.v with $change" >&2
       return 1
     fi
@@ -58,7 +58,7 @@ coq_module() {
   local text least proof name n=0 formats=()
   text=$(cat)
   least=$(coq_least <<<"$text")
-  proof=$(timeout "$limit" "$gappa" -Bcoq <<<"$text" 2>/dev/null) || return 1
+  proof=$(within "$limit" "$gappa" -Bcoq <<<"$text" 2>/dev/null) || return 1
   if [ -n "$least" ]; then
     formats=(-e "/^Section /a Variable least : nat -> Z. Hypothesis finer : (forall i, least i <= $least)%Z."
       -e "s/refine \(float_absolute_wide_ne _ _ /refine (finer_absolute _ ($least) _ (finer _) /"
@@ -104,7 +104,7 @@ coq_file() {
 # coq_run FOLDER: compiles the file on stdin and prints Coq's output.
 coq_run() {
   cat >"$1/proof.v"
-  (cd "$1" && timeout "$coq_limit" "$coqc" -Q "$coq_folder" "" proof.v 2>&1)
+  (cd "$1" && within "$coq_limit" "$coqc" -Q "$coq_folder" "" proof.v 2>&1)
 }
 
 # one_coq FILE: prints a line for each check that passed.
