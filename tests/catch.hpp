@@ -3,6 +3,7 @@
 
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
+using Catch::Approx; // which version 2 has among all names
 #else
 #include <catch2/catch.hpp>
 #endif

@@ -110,7 +110,7 @@ std::vector<multivector> blade_images(const matrix &rows) {
   return images;
 }
 
-multivector apply(const std::vector<multivector> &images, const multivector &a) {
+multivector image_of(const std::vector<multivector> &images, const multivector &a) {
   multivector r(a.size());
   for (std::size_t m = 0; m < a.size(); ++m)
     if (a[m] != 0)
@@ -249,7 +249,7 @@ multivector dense_algebra::product(const multivector &a, const multivector &b, b
     throw std::invalid_argument("a multivector of another algebra");
   if (to_.empty())
     return orthogonal_product(a, b, contract);
-  return apply(from_, orthogonal_product(apply(to_, a), apply(to_, b), contract));
+  return image_of(from_, orthogonal_product(image_of(to_, a), image_of(to_, b), contract));
 }
 
 multivector dense_algebra::geometric(const multivector &a, const multivector &b) const {

@@ -39,7 +39,8 @@ inline rational number_of(const std::string &text) {
   return q;
 }
 
-template <class D> typename D::value apply(D &d, const std::string &f, const std::vector<typename D::value> &a) {
+template <class D>
+typename D::value call_function(D &d, const std::string &f, const std::vector<typename D::value> &a) {
   if (f == "gp")
     return d.geometric(a[0], a[1]);
   if (f == "wedge")
@@ -101,7 +102,7 @@ typename D::value evaluate(D &d, const expression &e, const std::vector<typename
   std::vector<typename D::value> arguments;
   for (std::size_t i = 0; i < e.parts.size(); ++i)
     arguments.push_back(part(i));
-  return apply(d, e.text, arguments);
+  return call_function(d, e.text, arguments);
 }
 
 // Multivectors of the oracle, in the declared basis.
