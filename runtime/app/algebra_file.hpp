@@ -1,4 +1,4 @@
-// app/algebra_file.hpp: where to find the algebra that comes with the program.
+// app/algebra_file.hpp: finds the algebra that comes with the program.
 //
 // The program may be installed, or run from a build tree, either this project's or that of a project that builds it.
 // Either may have been moved since. The places searched are therefore relative to the program's own file first, and
@@ -18,7 +18,7 @@ std::vector<std::filesystem::path> algebra_places(const std::filesystem::path &p
 // The same for the running program.
 std::vector<std::filesystem::path> algebra_places();
 
-// `asked`, or else the first of the places that is a file. Throws failure that names the places where there is none.
+// `asked`, or else the first of the places that is a file. If there is none, throws failure that lists the places.
 std::filesystem::path algebra_path(const std::optional<std::filesystem::path> &asked,
                                    const std::vector<std::filesystem::path> &places);
 

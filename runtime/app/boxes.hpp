@@ -1,4 +1,4 @@
-// app/boxes.hpp: how boxes lie relative to each other. Boxes are closed; a box with lo > hi is empty.
+// app/boxes.hpp: relations of two boxes. Boxes are closed; a box with lo > hi is empty.
 #ifndef MEETC_APP_BOXES_HPP
 #define MEETC_APP_BOXES_HPP
 

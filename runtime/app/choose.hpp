@@ -22,19 +22,19 @@ struct choice {
 // All predicates that fit, in the catalogue's order.
 std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind_info &b);
 
-// The predicate that is asked for. `mode` chooses among several, and is "solid" where it is not given. Throws failure
-// that lists what there is.
+// The predicate of that name; without a name the first that fits and answers for `mode`, by default "solid". Throws
+// failure that lists those that fit.
 choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
               const std::optional<std::string> &mode);
 
 // The name of a rung, such as "exact".
 const char *name_of(rung precision);
 
-// Throws failure where this build does not have the precision.
+// Throws failure if this build does not have the precision.
 rung precision_named(std::string_view name);
 
-// The same kernels, compiled for several instruction sets: for the best one that runs here, and for each (null: not in
-// this build, or not for this processor).
+// The same kernels, compiled for several instruction sets. best(): for the best one that this processor runs. of(): for
+// the given one; null if this build lacks it or this processor does not run it.
 struct kernel_library {
   const catalogue &(*best)();
   const catalogue *(*of)(instruction_set);

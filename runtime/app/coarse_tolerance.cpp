@@ -13,7 +13,7 @@ namespace meetc::app {
 
 namespace {
 
-// A pair takes some 10 ns of a core where nearly all of them touch, and these are only those with one corner in common.
+// A pair takes some 10 ns of one core if nearly all pairs touch. Pairs that share another corner come on top of these.
 constexpr std::uint64_t many_pairs = 100'000'000;
 
 using place = std::array<double, 3>;

@@ -1,4 +1,4 @@
-// app/coarse_tolerance.hpp: whether a tolerance is so coarse that a query takes long, known before it starts.
+// app/coarse_tolerance.hpp: warns before a query whose tolerance is so coarse that it will take long.
 #ifndef MEETC_APP_COARSE_TOLERANCE_HPP
 #define MEETC_APP_COARSE_TOLERANCE_HPP
 
@@ -10,11 +10,12 @@
 
 namespace meetc::app {
 
-// How many pairs of elements have their first points on one multiple of the grid, so that they touch once they are rounded.
-// Not less than `enough` is as good as more.
+// The number of pairs of elements whose first points round to one point of the grid, so that they touch once rounded.
+// Counting stops at `enough`: a result from there on means "at least so many".
 std::uint64_t pairs_at_one_point(const io::element_set &a, const io::element_set &b, double grid, std::uint64_t enough);
 
-// The warning for a query that will find so many pairs that it takes seconds; empty where it will not, or has no tolerance.
+// The warning for a query that will find so many pairs that it takes seconds. Empty for others, and without a
+// tolerance.
 std::string tolerance_warning(const io::element_set &a, const io::element_set &b, const query &q);
 
 } // namespace meetc::app

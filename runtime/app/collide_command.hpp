@@ -1,4 +1,4 @@
-// app/collide_command.hpp: `meet collide`: which elements of two files touch.
+// app/collide_command.hpp: `meet collide` finds the elements of two files that touch.
 #ifndef MEETC_APP_COLLIDE_COMMAND_HPP
 #define MEETC_APP_COLLIDE_COMMAND_HPP
 
@@ -27,7 +27,7 @@ struct collide_request {
   processor on = processor::cpu;
 };
 
-// Writes the files that are asked for and returns the text for standard output. If a set leaves the scene's box, a line
+// Writes the requested files and returns the text for standard output. If a set leaves the scene's box, a line
 // on standard error warns of it. Throws io::error.
 std::string collide(const catalogue &all, const collide_request &request);
 

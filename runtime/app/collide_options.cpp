@@ -14,7 +14,7 @@ namespace meetc::app {
 
 namespace {
 
-// Filled by CLI11. Where its own conversion would give a poorer message, the members are strings.
+// Filled by CLI11. Members are strings where CLI11's own conversion would give a poorer message.
 struct arguments {
   collide_request request;
   std::string precision = "certified", device = "auto", instruction_set = "auto";
@@ -31,13 +31,14 @@ void add_sets(CLI::App &c, arguments &to) {
 
 void add_question(CLI::App &c, arguments &to) {
   collide_request &q = to.request;
-  c.add_option("--predicate", q.predicate, "Which predicate decides, where several fit (meet inspect lists them)")
+  c.add_option("--predicate", q.predicate, "The predicate that decides, if several fit (meet inspect lists them)")
       ->type_name("NAME");
-  c.add_option("--mode", q.mode, "What a sphere is; solid is the default")->type_name("solid|surface");
+  c.add_option("--mode", q.mode, "Take spheres as solid balls, the default, or as surfaces")
+      ->type_name("solid|surface");
   c.add_option("--precision", to.precision,
-               "certified, the default, is never wrong: fp32 with proved bounds first, and what that leaves unsure "
-               "goes on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the sign "
-               "of what rounding leaves")
+               "certified, the default, is never wrong: fp32 with proved bounds comes first, and pairs that it leaves "
+               "unsure go on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the "
+               "sign of the rounded result")
       ->type_name("fp32|fp64|fp64x2|exact|certified");
   c.add_option("--tolerance", to.tolerance,
                "A length. An answer may then be wrong, but only where moving one element by at most this changes it: "
@@ -45,16 +46,16 @@ void add_question(CLI::App &c, arguments &to) {
       ->type_name("LENGTH");
   c.add_option(
        "--device", to.device,
-       "Where pairs are decided; auto, the default, is the processor that is expected to answer first, where a device "
-       "must be started")
+       "The processor that decides pairs; auto, the default, takes the one that is expected to answer first, the start "
+       "of a device included")
       ->type_name("auto|cpu|cuda");
   c.add_option("--devices", to.devices,
-               "Between how many CUDA devices the query is cut; 1 is the default. The answer is the same")
+               "The number of CUDA devices that share the query; 1 is the default. The answer is the same")
       ->type_name("N");
   c.add_option(
        "--instruction-set", to.instruction_set,
-       "For which processor the code that decides pairs on the CPU was compiled; auto, the default, is the best "
-       "that this one runs. Certified and exact answers do not depend on it")
+       "The instruction set of the code that decides pairs on the CPU; auto, the default, is the best that this "
+       "processor runs. Certified and exact answers do not depend on it")
       ->type_name("auto|baseline|avx2|avx512");
   for (const char side : {'a', 'b'})
     add_reading(c, side, side == 'a' ? to.a : to.b);
@@ -65,20 +66,20 @@ void add_question(CLI::App &c, arguments &to) {
 void add_answers(CLI::App &c, arguments &to) {
   collide_request &q = to.request;
   c.add_flag("--any", q.any,
-             "Only whether anything touches: stops at the first pair found, so that pairs is 0 or 1; "
-             "which pair is not told")
+             "Tell only whether anything touches: stop at the first pair found, so that pairs is 0 or 1, and do not "
+             "name it")
       ->disable_flag_override();
   c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")->type_name("out.csv");
   c.add_option(
        "--first", q.first,
-       "Write, for each segment that touches a triangle, the pair that it meets first on its way from its first "
-       "point to its second, and of several at one point that with the least index; sorted as --pairs are. The order "
+       "Write for each segment that touches a triangle the pair that it meets first on its way from its first "
+       "point to its second (of several at one point, the one with the least index), sorted like --pairs. The order "
        "is exact, among the triangles that the precision finds")
       ->type_name("out.csv");
   c.add_option("--color,--colour", q.colour,
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
-  c.add_option("--image", q.image, "Write a picture in which what touches stands out")->type_name("out.png");
+  c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
   c.add_flag("--json", q.json, "Print one JSON object instead of the summary")->disable_flag_override();
   c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
 }
@@ -86,7 +87,7 @@ void add_answers(CLI::App &c, arguments &to) {
 const collide_request &read(arguments &args) {
   collide_request &q = args.request;
   q.on = processor_named(args.device);
-  if (q.on == processor::best && args.instruction_set != "auto") // which is of a CPU
+  if (q.on == processor::best && args.instruction_set != "auto") // the option concerns the CPU alone
     q.on = processor::cpu;
   q.precision = precision_named(args.precision);
   if (args.tolerance)

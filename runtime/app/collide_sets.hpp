@@ -1,4 +1,4 @@
-// app/collide_sets.hpp: collides two sets with one predicate, and gathers all that a report or a picture needs.
+// app/collide_sets.hpp: collides two sets with one predicate, and gathers the data of a report and of a picture.
 #ifndef MEETC_APP_COLLIDE_SETS_HPP
 #define MEETC_APP_COLLIDE_SETS_HPP
 
@@ -20,8 +20,8 @@ struct side_answer {
 
 struct answers {
   std::vector<index_pair> list; // of items, sorted by a, then b; empty unless `keep`
-  // If asked for: for each item of the predicate's first set that touches something, the pair that it meets first; sorted
-  // likewise.
+  // With query::first: for each item of the predicate's first set that touches something, the pair that it meets first;
+  // sorted likewise.
   std::vector<index_pair> first;
   std::uint64_t pairs = 0;      // with `any` 0 or 1
   std::uint64_t candidates = 0; // pairs of elements that the predicate decided
@@ -30,14 +30,14 @@ struct answers {
   double prepare_seconds = 0, collide_seconds = 0;
   processor on = processor::cpu;  // which of the two answered
   device_account by_device;       // on processor::cuda
-  std::vector<std::string> notes; // on that choice, where it was made here
+  std::vector<std::string> notes; // on the choice of processor, if collide_sets() made it
 };
 
 struct query {
   choice by;
   rung precision = rung::certified;
-  // An answer may be wrong where moving one element by at most this changes it; 0: nowhere. `grid` is that to which
-  // numbers are rounded for its sake.
+  // An answer may be wrong only where moving one element by at most `tolerance` changes it; 0: never. For the sake of
+  // the tolerance, numbers are rounded to multiples of `grid`.
   double tolerance = 0, grid = 0;
   float box = 0;      // of the scene; 0: none
   bool any = false;   // stop at the first pair
@@ -45,14 +45,14 @@ struct query {
   bool first = false; // of each segment, the pair with the triangle that it meets first
   int threads = 0;    // 0: all cores
   processor on = processor::cpu; // best: the one that is expected to be the faster
-  int devices = 1;               // between which a device's query is cut
+  int devices = 1;               // the number of devices that share the query
   std::function<void(double fraction)> progress = {};
 };
 
-// Sets q.tolerance and q.grid. Throws failure where the predicate keeps no such tolerance.
+// Sets q.tolerance and q.grid. Throws failure if the predicate keeps no such tolerance.
 void set_tolerance(query &q, double tolerance);
 
-// Throws failure where the predicate was not generated for the precision or for `first`, and std::bad_alloc.
+// Throws failure if the predicate was not generated for the precision or for `first`, and std::bad_alloc.
 answers collide_sets(const io::element_set &a, const io::element_set &b, const query &q);
 
 } // namespace meetc::app

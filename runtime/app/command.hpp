@@ -1,4 +1,4 @@
-// app/command.hpp: what the program knows of a command.
+// app/command.hpp: a command as the program sees it.
 #ifndef MEETC_APP_COMMAND_HPP
 #define MEETC_APP_COMMAND_HPP
 

@@ -72,8 +72,7 @@ std::string demo(const catalogue &all, const fs::path &folder, int threads) {
     write_scene(folder, s, found, outputs, written);
   }
   outputs.commit();
-  out += "\nCertified answers, never wrong, on the CPU; a time is that of making both sets ready and of "
-         "finding every pair.\n";
+  out += "\nCertified answers, never wrong, on the CPU; a time covers preparing both sets and finding every pair.\n";
   for (const std::string &path : written)
     out += fmt::format("wrote {}\n", path);
   return out;

@@ -34,8 +34,9 @@ processor processor_named(std::string_view name) {
 }
 
 expected_seconds expected_on(std::size_t elements, int threads) {
-  // What an element takes in `meet bench cpu --only balls`, from 1 to 16 threads (docs/cpu.md), and where it is uploaded and
-  // ordered in `meet bench gpu --only growth` (docs/gpu.md); `start` is what --json says of a device's start on that machine.
+  // On the CPU an element takes `one_thread` in `meet bench cpu --only balls`, less by the factor threads^gain from 1
+  // to 16 threads (docs/cpu.md). On a device it takes `there` to be uploaded and ordered in `meet bench gpu --only
+  // growth` (docs/gpu.md), and `start` is the time of a device's start on that machine as --json tells it.
   constexpr double one_thread = 200e-9, gain = 0.82, start = 0.3, there = 2e-9;
   constexpr int most_threads = 16;
   const auto n = static_cast<double>(elements);

@@ -15,11 +15,11 @@ namespace meetc::app {
 
 enum class processor : std::uint8_t { cpu, cuda, best };
 
-// "auto" is the best. Throws failure for an unknown name, and for "cuda" where this build has no CUDA kernels.
+// "auto" is the best. Throws failure for an unknown name, and for "cuda" if this build has no CUDA kernels.
 processor processor_named(std::string_view name);
 
-// The seconds after which a query on so many elements is expected to be answered, from the elements as they were read, a
-// device's start and transfers included.
+// The expected seconds of a query on so many elements as they were read. A device's include its start and the
+// transfers.
 struct expected_seconds {
   double cpu, cuda;
 };

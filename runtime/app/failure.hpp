@@ -1,4 +1,4 @@
-// app/failure.hpp: why a command ends without a result, in one line.
+// app/failure.hpp: the error that ends a command without a result: a message of one line and an exit code.
 #ifndef MEETC_APP_FAILURE_HPP
 #define MEETC_APP_FAILURE_HPP
 

@@ -32,11 +32,11 @@ struct findings {
 findings find(const io::element_set &set);
 
 // The number of bits that the differences of two coordinates can span, in steps of the grid: the least n with every
-// |difference| <= 2^n steps. There is none where there are no points.
+// |difference| <= 2^n steps. None if there are no points.
 std::optional<int> difference_bits(const box &points, const grid &numbers);
 
-// The least power of two b with every coordinate in [-b, b] and every length in [0, 2 b]; 0 where all numbers are 0, or
-// where b is not a float32.
+// The least power of two b with every coordinate in [-b, b] and every length in [0, 2 b]; 0 if all numbers are 0, or if
+// b is not a float32.
 double box_for(const findings &x, const findings &y);
 
 box around(const box &x, const box &y);

@@ -40,11 +40,10 @@ std::array<double, 12> matrix_named(const std::string &option, const std::string
 } // namespace
 
 void add_reading(CLI::App &c, char side, input_arguments &to) {
-  c.add_option(option("format", side), to.format,
-               fmt::format("How {} is written, whatever its name says", letter(side)))
+  c.add_option(option("format", side), to.format, fmt::format("The format of {}, whatever its name says", letter(side)))
       ->type_name("ply|obj|off|stl|csv");
   c.add_option(option("kind", side), to.kind,
-               fmt::format("Which elements of {} are taken, where it holds several kinds", letter(side)))
+               fmt::format("The kind of element to take from {}, if it holds several", letter(side)))
       ->type_name("KIND");
 }
 

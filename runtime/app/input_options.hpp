@@ -1,4 +1,4 @@
-// app/input_options.hpp: the options that say how a file is read and moved, one set for each of A and B.
+// app/input_options.hpp: the options for reading and moving a file, one set for each of A and B.
 #ifndef MEETC_APP_INPUT_OPTIONS_HPP
 #define MEETC_APP_INPUT_OPTIONS_HPP
 
@@ -14,7 +14,7 @@ class App;
 
 namespace meetc::app {
 
-// As they are on the command line.
+// The options' values as they are on the command line.
 struct input_arguments {
   std::optional<std::string> format, kind, scale, matrix, translate;
 };
@@ -27,7 +27,7 @@ void add_moving(CLI::App &c, char side, input_arguments &to);
 // Throws io::error that names the option.
 io::read_options input_named(char side, const input_arguments &given);
 
-// Throws failure where both files are standard input or one pipe, which can be read once.
+// Throws failure if both files are standard input or one pipe, which can be read once.
 void check_inputs(const std::filesystem::path &a, const std::filesystem::path &b);
 
 } // namespace meetc::app

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int exact_window = 26; // bits of differences up to which fp64 with exact products decides
+constexpr int exact_window = 26; // fp64 with exact products decides differences of up to so many bits
 
 std::string power(int exponent) {
   return fmt::format("2^{}", exponent);
@@ -66,7 +66,7 @@ std::string faults_in_words(const io::element_set &set, const findings &f) {
   return out.empty() ? "none" : out;
 }
 
-// The least size of an element that has one, by which an algorithm with divisions would be limited. None here is.
+// The least size of the elements that have one. It limits algorithms that divide; the predicates here do not.
 std::string least_in_words(const io::element_set &set, const findings &f) {
   if (!std::isfinite(f.least_size))
     return "no element has a size";
@@ -189,15 +189,15 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   out += worth_of_scene(all, a, b, kept.front(), box, q.tolerance);
   const std::string text =
       scene_text(*q.scene, algebra, names, box, q.tolerance,
-                 fmt::format("What {} with {} require.", plural(a.kind->name), plural(b.kind->name)));
+                 fmt::format("The scene that {} with {} require.", plural(a.kind->name), plural(b.kind->name)));
   outputs.write(*q.scene, [&text](const fs::path &to) { io::write_file(to, text); });
   outputs.commit();
   return out + fmt::format("wrote {}\n", q.scene->string());
 }
 
 command add_inspect(CLI::App &program, const catalogue &all) {
-  CLI::App &c =
-      *program.add_subcommand("inspect", "Say what one file or two hold, what is degenerate, and which predicates fit");
+  CLI::App &c = *program.add_subcommand(
+      "inspect", "Describe one file or two: elements, degenerate ones, and the predicates that fit");
   const auto q = std::make_shared<inspect_request>();
   c.add_option("A", q->a, files_help)->required()->type_name("FILE");
   c.add_option("B", q->b, "The other set, if any")->type_name("FILE");

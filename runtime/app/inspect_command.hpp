@@ -1,5 +1,5 @@
-// app/inspect_command.hpp: `meet inspect`: what one file or two hold, which difficulties they may have, and the scene that
-// two require.
+// app/inspect_command.hpp: `meet inspect` describes one file or two: elements, box, grid, degenerate elements, the
+// predicates that fit, and the scene that two files require.
 #ifndef MEETC_APP_INSPECT_COMMAND_HPP
 #define MEETC_APP_INSPECT_COMMAND_HPP
 
@@ -15,7 +15,7 @@ namespace meetc::app {
 
 struct inspect_request {
   std::filesystem::path a;
-  std::optional<std::filesystem::path> b; // none: what A holds
+  std::optional<std::filesystem::path> b; // none: A alone is described
   io::read_options read_a, read_b;
   std::optional<std::filesystem::path> scene, algebra;
   double tolerance = 0; // of the scene; 0: none

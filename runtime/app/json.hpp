@@ -12,7 +12,7 @@ namespace meetc::app {
 
 using json = nlohmann::ordered_json;
 
-// The number in this text; null where there is none, as in "inf".
+// The number in this text; null if there is none, as in "inf".
 inline json number(const std::string &text) {
   json value = json::parse(text, nullptr, false);
   return value.is_number() ? value : json();

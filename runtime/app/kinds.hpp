@@ -1,4 +1,4 @@
-// app/kinds.hpp: the kinds of a catalogue, as readers take them.
+// app/kinds.hpp: the kinds of a catalogue as the list that readers take.
 #ifndef MEETC_APP_KINDS_HPP
 #define MEETC_APP_KINDS_HPP
 

@@ -12,10 +12,10 @@
 
 namespace meetc::app {
 
-// Throws failure where the build has no kind of that name.
+// Throws failure if the build has no kind of that name.
 const kind_info &kind_named(const catalogue &all, std::string_view name);
 
-// Moves the vertices as those of a file: in double, rounded once.
+// Moves the vertices like those of a file: in double, rounded once.
 io::element_set of_mesh(const catalogue &all, bodies::mesh m, const io::transform &move = {});
 io::element_set of_rows(const catalogue &all, std::string_view kind, std::vector<float> rows);
 

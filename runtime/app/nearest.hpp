@@ -1,4 +1,4 @@
-// app/nearest.hpp: what a user may have meant by a name that is not known.
+// app/nearest.hpp: suggests a known name for one that is not.
 #ifndef MEETC_APP_NEAREST_HPP
 #define MEETC_APP_NEAREST_HPP
 
@@ -8,7 +8,8 @@
 
 namespace meetc::app {
 
-// "; did you mean '--pairs'?" for the known name that the fewest changed letters make of `name`, or "" where none is near.
+// "; did you mean '--pairs'?" with the known name that the fewest changed letters make of `name`; "" if all of them
+// need half of the letters changed or more.
 std::string nearest(std::string_view name, const std::vector<std::string> &known);
 
 } // namespace meetc::app

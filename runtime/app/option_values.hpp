@@ -1,4 +1,4 @@
-// app/option_values.hpp: how the values of options are read that several commands share.
+// app/option_values.hpp: reads the values of options that several commands share.
 #ifndef MEETC_APP_OPTION_VALUES_HPP
 #define MEETC_APP_OPTION_VALUES_HPP
 
@@ -14,7 +14,7 @@ inline constexpr const char *files_help =
     "A mesh (.ply, .obj, .off, .stl), or a .csv whose first line names columns: "
     "x,y,z,r spheres; x0,y0,z0,x1,y1,z1 segments; x,y,z points; "
     "low_x,low_y,low_z,high_x,high_y,high_z boxes along the axes. "
-    "- is standard input, for one file. Of a mesh without faces the lines are segments, and the points points";
+    "- is standard input, for one file. A mesh without faces gives its lines as segments, or its points";
 
 // The value of --threads, from 0 (all cores) to the maximum of the core. Throws failure.
 int threads_named(const std::string &text);

@@ -19,7 +19,7 @@ io::rgb bytes(picture::colour c) {
 // Memory that a shape refers to.
 struct kept {
   std::vector<std::uint8_t> hit; // one for each element
-  std::vector<float> rows;       // used where the set's own rows do not serve
+  std::vector<float> rows;       // of what is drawn, if these are not the set's own
 };
 
 // The two triangles of each of its six faces.
@@ -27,7 +27,7 @@ constexpr std::size_t triangles_of_box = 12;
 void add_box(const float *row, std::vector<float> &to) {
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side)
-      for (const int corner : {0, 1, 3, 0, 3, 2}) { // bit by bit whether it is the greater along the two other axes
+      for (const int corner : {0, 1, 3, 0, 3, 2}) { // a bit for each other axis: 1 at the greater coordinate
         float p[3];
         p[axis] = row[3 * side + axis];
         for (int other = 0; other < 2; ++other) {
@@ -60,7 +60,7 @@ picture::shape shape_of(const painted &side, kept &keep) {
     s.what = picture::form::triangles;
     s.index = set.index;
     if (set.elements == 0)
-      s.rows = {}; // vertices alone are not rows
+      s.rows = {}; // without an index the vertices would be drawn as triangles
   } else if (lies_along_axes(*set.kind) && set.kind->hull == 8 && set.kind->fields == 6) {
     s.parts = triangles_of_box;
     s.whole = set.kind->name;

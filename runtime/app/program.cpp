@@ -40,7 +40,8 @@ void open_standard_streams() {
       static_cast<void>(::open("/dev/null", O_RDONLY));
 }
 
-// Input files are mapped, and another program may shorten one. Outputs have no name yet while inputs are read.
+// Input files are mapped. If another program shortens one, reading the lost pages raises SIGBUS. The program may end at
+// once, since no output has a name yet while inputs are read.
 extern "C" void end_after_lost_page(int) noexcept {
   constexpr std::string_view what = "meet: a file became shorter while it was read\n";
   static_cast<void>(!::write(STDERR_FILENO, what.data(), what.size()));
@@ -137,7 +138,7 @@ std::string in_one_line(const CLI::Error &e, const CLI::App &program, const std:
 }
 
 int obey(int argc, char **argv, const std::vector<add_command> &add) {
-  CLI::App parser("Which elements of two sets touch: meshes, segments, spheres and boxes, exactly.", "meet");
+  CLI::App parser("Find the touching elements of two sets, exactly: meshes, segments, spheres and boxes.", "meet");
   parser.set_version_flag("--version", "meet " MEETC_VERSION);
   parser.require_subcommand(1);
   std::vector<command> commands;

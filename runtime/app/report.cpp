@@ -16,8 +16,8 @@ namespace meetc::app {
 
 namespace {
 
-// Whether nothing touches and yet one set lies within a mesh's box. The report says so, since many expect containment
-// to count.
+// Whether nothing touches although one set lies within a mesh's box. The report says that meshes are surfaces, since
+// many users expect containment to count.
 bool may_be_contained(const collide_report &r) {
   const answers &f = r.found;
   return f.pairs == 0 &&
@@ -60,7 +60,7 @@ std::string rounded_line(const collide_report &r) {
   return out.empty() ? out : fmt::format("Rounded to float32: {}.\n", out);
 }
 
-// Which rungs were needed, and how many pairs each left unsure.
+// The rungs that were needed, each with the number of pairs that it left unsure.
 std::string rungs_line(const answers &f) {
   std::string out;
   std::uint64_t left = f.candidates;
@@ -83,7 +83,7 @@ std::string device_lines(const device_account &d) {
                      d.start_seconds, d.device_seconds, d.search, others, d.model);
 }
 
-// What a tolerance did to the numbers, and what that means.
+// The effect of a tolerance on the numbers and on the answer.
 std::string tolerance_lines(const query &q) {
   return fmt::format("Numbers were rounded to multiples of 2^{}: an answer may be wrong only where moving one element\n"
                      "by at most {:.3g} changes it. The boxes above are those of the rounded numbers.\n",
@@ -129,7 +129,7 @@ std::string summary(const collide_report &r) {
   out += '\n';
   out += answer_line(r);
   if (may_be_contained(r))
-    out += "Meshes are surfaces here: what lies wholly inside one does not touch it.\n";
+    out += "Meshes are surfaces here: an element that lies wholly inside one does not touch it.\n";
   out += fmt::format("\n{}: {} candidate pair{} decided\n", predicate_in_words(r.asked, f.on), grouped(f.candidates),
                      f.candidates == 1 ? "" : "s");
   if (r.asked.precision == rung::certified)

@@ -22,12 +22,12 @@ struct collide_report {
   std::vector<std::string> notes;
 };
 
-// On the files, on the choice of a processor, and on what was written.
+// The notes on the files, on the choice of a processor, and on the files written.
 std::vector<std::string> all_notes(const collide_report &r);
 
 std::string summary(const collide_report &r);
 
-// The warning for sets that leave the scene's box; empty where both lie in it.
+// The warning for sets that leave the scene's box; empty if both lie in it.
 std::string box_warning(const query &asked, const answers &found);
 
 // One JSON object and a newline.

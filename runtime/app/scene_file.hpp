@@ -9,8 +9,8 @@
 namespace meetc::app {
 
 // The text of a scene file that will lie at `at`. The namespace is the name of the file, made an identifier; the path
-// of the algebra is relative to the file. `box` 0: the scene states none. With a tolerance above 0 the scene asks for what
-// keeps it, and otherwise for certified answers.
+// of the algebra is relative to the file. `box` 0: the scene states none. With a tolerance above 0 the scene states it
+// and leaves the rungs to the generator; otherwise it asks for certified answers.
 std::string scene_text(const std::filesystem::path &at, const std::filesystem::path &algebra,
                        const std::vector<std::string> &predicates, double box, double tolerance,
                        const std::string &comment);

@@ -17,7 +17,7 @@ struct timed {
   double seconds = 0; // to prepare and to collide
 };
 
-// The least of three runs, or one that takes long.
+// The fastest of three runs, or of those up to the first that takes more than two seconds.
 timed run(const io::element_set &a, const io::element_set &b, const query &q) {
   timed out;
   for (int i = 0; i < 3; ++i) {
@@ -48,9 +48,9 @@ std::string worth_of_scene(const catalogue &all, const io::element_set &a, const
   q.by = by;
   const timed certified = run(a, b, q);
   std::string out = fmt::format(
-      "What the lines of the scene buy, by queries of {} with the kernels of this program\n"
+      "The gain from the lines of the scene, by queries of {} with the kernels of this program\n"
       "   kernels     no more than these files need, of {} predicates; meetc compare default.toml SCENE shows "
-      "what that saves\n"
+      "the saving\n"
       "   certified   {}: {} pairs; {}\n",
       by.predicate->name, all.predicate_count, milliseconds(certified.seconds), grouped(certified.found.pairs),
       unsure(certified.found));

@@ -1,4 +1,4 @@
-// app/scene_worth.hpp: what each line of a scene buys for two sets, measured by queries.
+// app/scene_worth.hpp: the gain from each line of a scene for two sets, measured by queries.
 #ifndef MEETC_APP_SCENE_WORTH_HPP
 #define MEETC_APP_SCENE_WORTH_HPP
 

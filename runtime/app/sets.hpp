@@ -1,4 +1,4 @@
-// app/sets.hpp: turns what a reader returns into what the core collides.
+// app/sets.hpp: turns sets as they were read into views and prepared sets, which the core collides.
 #ifndef MEETC_APP_SETS_HPP
 #define MEETC_APP_SETS_HPP
 

@@ -1,4 +1,4 @@
-// app/words.hpp: counts and boxes in a form for people.
+// app/words.hpp: counts and boxes as text for people.
 #ifndef MEETC_APP_WORDS_HPP
 #define MEETC_APP_WORDS_HPP
 

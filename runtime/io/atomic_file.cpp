@@ -18,7 +18,7 @@ namespace meetc::io {
 namespace fs = std::filesystem;
 
 atomic_file::atomic_file(fs::path target) : target_(std::move(target)) {
-  const control_word_guard guard; // the standard library computes how many parts a path has room for
+  const control_word_guard guard; // std::filesystem computes the room for a path's parts in floating point
   struct stat info {};
   const bool exists = ::stat(target_.c_str(), &info) == 0;
   if (exists && S_ISDIR(info.st_mode))
@@ -42,7 +42,7 @@ atomic_file::atomic_file(fs::path target) : target_(std::move(target)) {
     temporary_.clear();
     fail("cannot be written", code);
   }
-  // A replaced file keeps its mode. Where setting it is refused, the file gets the usual mode.
+  // A replaced file keeps its mode, or gets the usual one if the system refuses that.
   if (exists && !temporary_.empty())
     static_cast<void>(::fchmod(descriptor, info.st_mode & 07777));
   stream_ = ::fdopen(descriptor, "wb");

@@ -65,8 +65,7 @@ public:
 private:
   std::size_t elements() const { return part_.rows.size() / row_.size(); }
 
-  // A row of decimals without quotes, and of anything without quotes in the columns that are left out. False: any_row()
-  // must look.
+  // Reads a row without quotes: decimals, and any text in the columns that are left out. False: any_row() must read it.
   bool plain_row(rounded_numbers &moved) {
     const char separator = header_.separator;
     for (std::size_t k = 0; k < header_.fields.size(); ++k) {

@@ -21,7 +21,7 @@ struct vertex_lists {
   std::vector<std::uint32_t> counts;   // of each list; empty where all have `usual`
   std::size_t usual = 3, lists = 0;
 
-  // Says that the last n of `vertices` are a list.
+  // Makes the last n of `vertices` a list.
   void end_list(std::size_t n) {
     if (n != usual && counts.empty())
       counts.assign(lists, static_cast<std::uint32_t>(usual));

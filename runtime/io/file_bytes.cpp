@@ -55,7 +55,7 @@ void read_whole(int from, file_bytes &out) {
   out.bytes = std::shared_ptr<const char>(bytes.release(), [](const char *p) { delete[] p; });
 }
 
-// Whether what is no regular file is open already, so that opening it does not wait, and comes to an end.
+// Whether a file that is not regular can be read: it is open already, so that opening it does not wait, and it ends.
 bool may_end(const std::filesystem::path &path, mode_t mode) {
   const bool standard = is_standard_input(path);
   if (S_ISCHR(mode))
@@ -110,7 +110,7 @@ file_bytes load_file(const std::filesystem::path &path) {
   if (file.number < 0)
     throw error(fmt::format("{}: cannot be opened: {}", out.name, reason(errno)));
   const auto size = static_cast<std::size_t>(std::max<off_t>(info.st_size, 0));
-  // What a shell redirects may have been read in part.
+  // Standard input may be a regular file of which another program has read a part.
   const bool whole = S_ISREG(info.st_mode) && size > 0 && (!standard || ::lseek(STDIN_FILENO, 0, SEEK_CUR) == 0);
   if (!whole || !map_whole(file.number, size, out))
     read_whole(file.number, out);

@@ -21,13 +21,13 @@ struct file_bytes {
 // The name of standard input; "./-" is a file.
 inline constexpr const char *standard_input = "-";
 
-// Whether a path leads to standard input: "-", or /dev/stdin and what else is the same open file.
+// Whether a path leads to standard input: "-", or a name such as /dev/stdin of the same open file.
 bool is_standard_input(const std::filesystem::path &path);
 
-// Maps a regular file, and reads whole what cannot be mapped: standard input, and pipes that are open already, as
-// /dev/fd/N is. If another program shortens a mapped file, the system sends SIGBUS to this one; the program `meet` makes
-// a message of it. Throws io::error for a file that is missing, empty or unreadable, a folder, a device, or a pipe by a
-// name, which might wait for ever.
+// Maps a regular file. Reads standard input and pipes that are open already (/dev/fd/N) to their end, since these
+// cannot be mapped. If another program shortens a mapped file, the system sends SIGBUS to this one; the program `meet`
+// makes a message of it. Throws io::error for a file that is missing, empty or unreadable, a folder, a device, or a
+// pipe by a name, which might wait for ever.
 file_bytes load_file(const std::filesystem::path &path);
 
 } // namespace meetc::io

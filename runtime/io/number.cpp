@@ -17,8 +17,9 @@ bool strip_plus(std::string_view &text) {
   return !text.empty() && text.front() != '+' && text.front() != '-';
 }
 
-// std::from_chars reports only "out of range", for numbers too large and too small alike, without a value. strtod would give
-// one, but rounds as the x87's word says, which a caller's fesetround() leaves and no guard sets.
+// std::from_chars reports only "out of range", for numbers too large and too small alike, without a value. strtod would
+// give one, but it rounds as the x87 control word says, which a caller's fesetround() may have changed and no guard
+// sets.
 double beyond_range(std::string_view text) {
   const double magnitude = take_apart(text).point > 0 ? std::numeric_limits<double>::infinity() : 0;
   return text.front() == '-' ? -magnitude : magnitude;
@@ -54,7 +55,7 @@ decimal_digits take_apart(std::string_view text) {
   if (i < text.size()) {
     const std::string_view word = text.substr(i + 1);
     std::int64_t n = 0;
-    // A number whose exponent is longer is zero, infinite, or has as many digits, which no file holds.
+    // A number with a longer exponent is zero or infinite, or it has as many digits, which no file holds.
     if (!parse_integer(word, n) || n > most || n < -most)
       n = word.starts_with('-') ? -most : most;
     exponent = static_cast<long>(n);

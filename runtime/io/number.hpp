@@ -17,7 +17,7 @@ enum class precision : std::uint8_t { float32, float64 };
 bool parse_decimal(std::string_view text, precision target, double &out);
 
 // The magnitude of a finite decimal: 0.DIGITS * 10^point, without leading zeros; zero has no digits. The last written digit
-// has the weight 10^unit. An exponent beyond 10^9 counts as that.
+// has the weight 10^unit. An exponent beyond 10^9 counts as 10^9.
 struct decimal_digits {
   std::string digits;
   long point = 0, unit = 0;

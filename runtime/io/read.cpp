@@ -47,7 +47,7 @@ const format_entry *entry_named(std::string_view name) {
   return found == std::end(formats) ? nullptr : found;
 }
 
-// By the first bytes. A binary STL may begin with anything, but its size follows from its count.
+// The format by the first bytes. A binary STL may begin with any bytes, but its size follows from its count.
 const format_entry &entry_of(const file_bytes &file, char side) {
   const std::string_view text = file.text();
   const std::string start = lower_case(text.substr(0, 6));

@@ -16,10 +16,10 @@ namespace meetc::io {
 
 struct read_request {
   std::span<const kind_info *const> kinds;
-  std::string kind; // that is wanted; empty: what the file holds
+  std::string kind; // the wanted one; empty: the one that the file holds
   char side = 'b';  // the letter of the options that messages name
   work by;
-  const misplaced *fault = nullptr; // what the reader throws with its place in the file
+  const misplaced *fault = nullptr; // of an earlier reading; the reader throws it with its place in the file
 
   const kind_info *named(std::string_view name) const {
     for (const kind_info *const k : kinds)
@@ -27,7 +27,7 @@ struct read_request {
         return k;
     return nullptr;
   }
-  // As named(); throws where there is none with so many points and fields.
+  // Like named(), but throws if there is none with so many points and fields.
   const kind_info &need(const std::string &file, std::string_view name, int points, int fields) const;
 };
 

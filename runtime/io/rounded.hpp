@@ -1,4 +1,4 @@
-// How far rounding to float32 moves the numbers of a file.
+// The moves of a file's numbers by rounding to float32: how many, and the largest.
 #ifndef MEETC_IO_ROUNDED_HPP
 #define MEETC_IO_ROUNDED_HPP
 

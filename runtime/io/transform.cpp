@@ -19,7 +19,7 @@ namespace meetc::io {
 
 namespace {
 
-// Below are the functions of transform.hpp, as its entries call them under their guard.
+// The functions below do the work of those of transform.hpp, which call them under a guard of the control word.
 
 void check_numbers(const transform &of) {
   if (of.scale && !(std::isfinite(*of.scale) && *of.scale > 0))
@@ -57,7 +57,7 @@ std::optional<double> scale_of(const std::array<double, 12> &matrix) {
       most = std::max(most, std::abs(matrix[i]));
   if (!(most > 0))
     return std::nullopt;
-  // A power of two brings it near 1, so that no product overflows or underflows.
+  // A power of two brings the largest number near 1, so that no product overflows or underflows.
   int exponent = 0;
   std::frexp(most, &exponent);
   const auto dot = [&](std::size_t i, std::size_t j) {

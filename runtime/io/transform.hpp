@@ -35,10 +35,10 @@ struct transform {
 // The factor by which a matrix scales lengths if it is a similarity, perhaps with a rotation or a reflection: its
 // columns have equal lengths and right angles, to 2^-48 of their squared length (sixteen units in the last place, which
 // decimals with 17 digits and a product of some rotations computed in double satisfy). The result is the length of the
-// first column, sqrt((m00*m00 + m10*m10) + m20*m20) in double. There is none for any other matrix.
+// first column, sqrt((m00*m00 + m10*m10) + m20*m20) in double. None for any other matrix.
 std::optional<double> similarity_scale(const std::array<double, 12> &matrix);
 
-// A number that a transform took out of float32.
+// A number that a transform moved out of float32.
 struct misplaced {
   std::size_t row = 0; // of the set's data: a vertex, a facet or an element
   int field = 0;       // of the row

@@ -1,4 +1,4 @@
-// Writers. Each file is written whole or not at all (atomic_file.hpp); io::error names it.
+// Writers. Each writes its file whole or not at all (atomic_file.hpp) and throws io::error that names it.
 #ifndef MEETC_IO_WRITE_HPP
 #define MEETC_IO_WRITE_HPP
 

@@ -24,8 +24,8 @@ struct projection {
   std::array<vec, 3> axis{}; // camera axes in the world
   bool perspective = false;
   vec target{};                           // in camera space; the eye looks along z through it
-  double eye = 5;                         // the z of the eye, and its
-  double focus = 5;                       // distance from the target
+  double eye = 5;                         // the z of the eye
+  double focus = 5;                       // the distance of the eye from the target
   double zoom = 1, u0 = 0, v0 = 0;        // samples per unit; the point in the middle of the picture
   double half_width = 0, half_height = 0; // samples
 

@@ -16,7 +16,7 @@ std::uint32_t pack(const vec &n, std::size_t number, bool edge) {
          static_cast<std::uint32_t>(number + 1);
 }
 
-// Tested before shading, which is the expensive part.
+// Tested before shading, which takes most of the time.
 bool nearer(const layer &l, int x, int y, double near) {
   return static_cast<float>(near) >
          l.at[static_cast<std::size_t>(y) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(x)].near;

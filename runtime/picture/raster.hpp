@@ -12,8 +12,7 @@
 
 namespace meetc::picture::detail {
 
-// A sample: the nearness of the surface (larger is nearer), its normal and shape, and whether the edge of a mesh runs
-// here.
+// A sample: the nearness of the surface (larger is nearer), its normal and its shape, and a bit for an edge of a mesh.
 struct sample {
   float near;
   std::uint32_t bits; // normal x, y: 12 bits each; edge: 1; shape + 1: 6. 0: nothing

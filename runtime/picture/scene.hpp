@@ -1,4 +1,4 @@
-// picture/scene.hpp: what a picture shows.
+// picture/scene.hpp: the content of a picture, sets of elements with colours and hits.
 #ifndef MEETC_PICTURE_SCENE_HPP
 #define MEETC_PICTURE_SCENE_HPP
 
@@ -26,8 +26,8 @@ struct shape {
   colour base = palette::green;
   colour hit_colour = palette::yellow;
   std::string name; // for captions
-  const char *whole =
-      ""; // what so many elements together are, for captions, as a box is twelve triangles; empty: each is one
+  // For captions: the name of `parts` elements together, such as a box of twelve triangles; empty: each stands alone.
+  const char *whole = "";
   std::size_t parts = 1;
 };
 

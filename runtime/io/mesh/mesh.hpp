@@ -1,4 +1,4 @@
-// From vertices and lists of them to a set of triangles, segments or points: what OBJ, PLY and OFF have in common.
+// Makes vertices and lists of them a set of triangles, segments or points, for OBJ, PLY and OFF alike.
 #ifndef MEETC_IO_MESH_MESH_HPP
 #define MEETC_IO_MESH_MESH_HPP
 
@@ -13,7 +13,7 @@
 
 namespace meetc::io {
 
-// What a file, or a piece of one, holds.
+// The content of a file or of a piece of one.
 struct mesh_part {
   std::vector<float> xyz;
   vertex_lists faces, lines{{}, {}, 2, 0}, points{{}, {}, 1, 0};
@@ -36,9 +36,9 @@ template <class Part> mesh_part join_rows(std::vector<Part> &parts, int threads)
   return std::move(rows.front());
 }
 
-// The elements of the kind that is wanted; without a wish, the faces, else the lines or the points. What is left out is
-// noted, after `notes`. `vertices_are_points` says that the vertices of a file without faces are its points. Throws
-// io::error where nothing is usable, or where lines and points are and none is wanted.
+// The elements of the wanted kind; if no kind is wanted, the faces, else the lines or the points. A note on the parts
+// left out follows `notes`. `vertices_are_points`: the vertices of a file without faces are its points. Throws
+// io::error if nothing is usable, or if there are lines and points, no faces, and no wanted kind.
 element_set set_of(const std::string &file, mesh_part &&all, bool vertices_are_points,
                    const std::vector<std::string> &notes, const read_request &q);
 

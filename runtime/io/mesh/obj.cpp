@@ -19,7 +19,7 @@ namespace meetc::io {
 
 namespace {
 
-// Which of a part's indices count from the part's own first vertex, since they are relative to the last one so far.
+// The indices of a part that count from its own first vertex, since the file counts them from the last vertex so far.
 struct relative_vertices {
   std::vector<std::size_t> at; // places in vertex_lists::vertices
   std::int64_t least = 0;      // of them; -1 is the vertex before the part's first
@@ -29,11 +29,12 @@ struct obj_part {
   mesh_part mesh;
   relative_vertices faces, lines, points;
   std::uint32_t greatest = 0; // of the indices that count from the start of the file
-  bool any = false;           // whether there are such
+  bool any = false;           // whether there are indices from the start of the file
   skipped_statements skipped;
 };
 
-// Parses one piece. `alone`: the piece is the whole file, so that all indices are known and messages have their place.
+// Parses one piece. `alone`: the piece is the whole file, so that every index can be checked and messages name the
+// line.
 class obj_parser {
 public:
   obj_parser(const text_file &text, std::string_view piece, bool alone, const misplaced *fault)
@@ -166,7 +167,7 @@ private:
     part_.mesh.xyz.insert(part_.mesh.xyz.end(), p, p + 3);
   }
 
-  // An index that is not 0, of at most 9 digits; null where it is none.
+  // Reads an index of at most 9 digits that is not 0; null: it is not one.
   static const char *short_index(const char *p, std::int64_t &n) {
     const bool negative = *p == '-';
     p += negative;
@@ -210,7 +211,8 @@ private:
     fail(fmt::format("{} {}: {} has more than three parts", of, number, quote(whole)));
   }
 
-  // Counts from 1 at the start of the file, or from -1 at the last vertex so far. A vertex may follow its face.
+  // An index counts from 1 at the start of the file, or from -1 at the last vertex so far. A vertex may follow its
+  // face.
   void add_vertex(std::int64_t v, std::string_view of, std::size_t number, vertex_lists &to,
                   relative_vertices &relative) {
     const auto count = static_cast<std::int64_t>(vertices());
@@ -255,7 +257,7 @@ private:
   std::vector<forward> forward_;
 };
 
-// A piece must not start inside a statement that a backslash continues; comments are not told apart.
+// A piece must not start inside a statement that a backslash continues. A backslash after a comment counts as well.
 struct after_whole_statement {
   bool operator()(std::string_view, std::string_view before) const {
     before.remove_suffix(1);
@@ -265,7 +267,7 @@ struct after_whole_statement {
   }
 };
 
-// Makes the parts' relative indices absolute. False where an index leads to no vertex.
+// Makes the parts' relative indices absolute. False if an index leads to no vertex.
 bool resolve(std::vector<obj_part> &parts) {
   std::size_t vertices = 0;
   for (obj_part &p : parts) {

@@ -1,4 +1,4 @@
-// Which statements of an OBJ carry no geometry, and the note on those that were skipped.
+// The statements of an OBJ that carry no geometry, and the notes on those that were skipped.
 #ifndef MEETC_IO_MESH_OBJ_STATEMENTS_HPP
 #define MEETC_IO_MESH_OBJ_STATEMENTS_HPP
 
@@ -16,7 +16,7 @@ namespace meetc::io {
 
 class skipped_statements {
 public:
-  // A statement that starts at `at`. False where its keyword is none: it has a control character.
+  // Counts a statement that starts at `at`. False if its keyword cannot be one, since it has a control character.
   bool add(std::string_view key, const char *at);
   void add(const skipped_statements &later);
   // One note on the statements that no OBJ has, and one on free-form curves and surfaces; none on normals, groups,

@@ -13,7 +13,7 @@ namespace meetc::io {
 
 namespace {
 
-// The next line that says something, without a comment. False at the end of the file.
+// The next line that is not blank, without its comment. False at the end of the file.
 bool next_line(line_reader &lines, std::string_view &line) {
   while (lines.next(line)) {
     line = trim(line.substr(0, line.find('#')));
@@ -51,7 +51,7 @@ element_set read_off(const file_bytes &file, const read_request &q) {
     lines.fail("the file ends before the numbers of vertices and faces");
   const std::uint64_t vertices = take_count(lines, line, "vertices"), faces = take_count(lines, line, "faces");
   if (!trim(line).empty())
-    take_count(lines, line, "edges"); // of which nothing follows
+    take_count(lines, line, "edges"); // the file does not list them
   if (const std::string_view rest = trim(line); !rest.empty())
     lines.fail(fmt::format("{} after the numbers of vertices, faces and edges", quote(rest)));
   ply_header header;

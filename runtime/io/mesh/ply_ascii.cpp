@@ -1,7 +1,7 @@
 // The ascii body of a PLY, and that of an OFF: each line that is not blank is a row.
 //
-// A piece of the text must know which row it starts with, so the lines are counted first. Where they are not as many as
-// the header says, the text is read as one piece, which finds the place.
+// A piece of the text must know the number of its first row, so the lines are counted first. If their number is not
+// that of the header, the text is read as one piece, which finds the place of the fault.
 #include "io/error.hpp"
 #include "io/mesh/ply_rows.hpp"
 #include "io/text/cursor.hpp"
@@ -75,7 +75,7 @@ public:
     return std::move(part_);
   }
 
-  // All rows, and nothing else.
+  // Parses all rows, after which nothing may follow.
   mesh_part parse_alone() {
     for (const ply_element &e : layout_.header->elements) {
       if (e.properties.empty()) // takes no bytes, whatever the count
@@ -146,7 +146,7 @@ private:
         continue;
       }
       const auto slot = static_cast<std::size_t>(layout_.slots[k]);
-      if (!is_real(element_->properties[k].type)) { // must fit it
+      if (!is_real(element_->properties[k].type)) { // the value must fit the integer type
         const char *const from = c_.at;
         integer(element_->properties[k].type);
         c_.at = from;

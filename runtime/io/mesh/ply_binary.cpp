@@ -1,6 +1,6 @@
 // The binary body of a PLY, in either byte order.
 //
-// Where all rows of an element take the same number of bytes, because no list is in them or because each face has as many
+// If all rows of an element take the same number of bytes, because no list is in them or because each face has as many
 // corners as the first one, several threads read them. Otherwise the rows are read one after the other, which also finds
 // the place of a fault.
 #include "io/endian.hpp"
@@ -150,7 +150,7 @@ private:
     for_chunks(q_.by.threads, element_->count, rows_at_once, [&](int, std::size_t begin, std::size_t end) {
       float *out = &part_.xyz[3 * begin];
       const char *row = at_ + begin * stride;
-      float sum = 0; // of zeros, unless something is not finite
+      float sum = 0; // of 0 times each number, which is not 0 if one is not finite
       for (std::size_t i = begin; i < end; ++i, row += stride, out += 3)
         for (int c = 0; c < 3; ++c) {
           out[c] = plain ? load<float>(row + offset[c], Order)
@@ -217,7 +217,7 @@ private:
     part_.faces.end_list(n);
   }
 
-  // If the only list is that of the corners, and all have the length of the first one.
+  // Reads the faces on several threads if their only list is that of the corners and all have the length of the first.
   bool faces_in_parallel() {
     const ply_property &list = element_->properties[layout_.corners];
     std::size_t before = 0, stride = 0;
@@ -253,7 +253,7 @@ private:
                                         : load_integer<Order>(row, list.count_type) == n);
         const char *from = row + count_size;
         for (std::size_t k = 0; k < corners; ++k, from += size) {
-          // A negative index is too large.
+          // As an unsigned number, a negative index is too large.
           const std::uint32_t index = wide ? load<std::uint32_t>(from, Order)
                                            : static_cast<std::uint32_t>(load_integer<Order>(from, list.type));
           fine = fine && index < layout_.vertices();

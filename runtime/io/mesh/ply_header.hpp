@@ -1,4 +1,4 @@
-// The header of a PLY file: which elements follow, in which order and with which types.
+// The header of a PLY file: the elements that follow, in file order, with the types of their properties.
 #ifndef MEETC_IO_MESH_PLY_HEADER_HPP
 #define MEETC_IO_MESH_PLY_HEADER_HPP
 
@@ -41,7 +41,7 @@ struct ply_header {
   std::size_t body_offset = 0, body_line = 0;
 };
 
-// Throws io::error `FILE:LINE: what` where the header breaks the rules of the format. The elements "vertex" and "face"
+// Throws io::error `FILE:LINE: what` if the header breaks the rules of the format. The elements "vertex" and "face"
 // occur once each.
 ply_header read_ply_header(const file_bytes &file);
 

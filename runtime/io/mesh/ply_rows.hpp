@@ -1,4 +1,4 @@
-// Which rows of a PLY body are wanted, and in which of their properties the numbers are.
+// The wanted rows of a PLY body, and the properties that hold their numbers.
 #ifndef MEETC_IO_MESH_PLY_ROWS_HPP
 #define MEETC_IO_MESH_PLY_ROWS_HPP
 
@@ -14,17 +14,17 @@ namespace meetc::io {
 struct ply_layout {
   std::string file;
   const ply_header *header = nullptr;
-  const ply_element *vertex = nullptr, *face = nullptr; // face: null where the file has none
-  std::vector<int> slots;  // for each property of a vertex which coordinate it is: 0, 1, 2, or -1 for one to skip
+  const ply_element *vertex = nullptr, *face = nullptr; // face: null if the file has none
+  std::vector<int> slots;  // for each property of a vertex its coordinate: 0, 1, 2, or -1 for one to skip
   std::size_t corners = 0; // the property of a face that lists its corners
 
   std::size_t vertices() const { return vertex->count; }
 };
 
-// Throws io::error where the header is not that of a mesh or of points.
+// Throws io::error if the header is not that of a mesh or of points.
 ply_layout layout_of(const std::string &file, const ply_header &header);
 
-// What a list of corners says of a vertex that does not exist.
+// The message on a corner whose vertex does not exist.
 std::string describe_missing_vertex(std::int64_t index, std::size_t vertices);
 
 // Bodies. `offset` and `line` say where they start. OFF is read as ascii with comments and with colours after a row.

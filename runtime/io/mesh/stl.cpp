@@ -34,7 +34,7 @@ std::vector<float> read_binary(const file_bytes &file, std::size_t count, const 
   std::vector<float> rows(9 * count);
   std::atomic<bool> finite = true;
   for_chunks(q.by.threads, count, std::size_t{1} << 13, [&](int, std::size_t begin, std::size_t end) {
-    float *out = &rows[9 * begin], sum = 0; // of zeros, unless something is not finite
+    float *out = &rows[9 * begin], sum = 0; // of 0 times each number, which is not 0 if one is not finite
     const char *from = corners_of(file, begin);
     for (std::size_t i = begin; i < end; ++i, from += binary_facet, out += 9)
       for (std::size_t k = 0; k < 9; ++k) {
@@ -83,7 +83,7 @@ element_set read_stl(const file_bytes &file, const read_request &q) {
   if (!whole_header)
     throw error(fmt::format("{}: byte {}: neither ascii STL nor a whole header of binary STL ({} bytes)", file.name,
                             file.size, binary_header));
-  // As many bytes as more facets would take mean that the count is wrong.
+  // Surplus bytes that make whole facets mean that the count is wrong.
   if (count == 0 || file.size < wanted || (file.size - wanted) % binary_facet == 0)
     throw error(fmt::format("{}: byte 80: the header says {} facets, which take {} bytes, but the file has {}",
                             file.name, count, wanted, file.size));

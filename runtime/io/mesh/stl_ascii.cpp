@@ -106,7 +106,7 @@ private:
     }
   }
 
-  // False at endsolid, and at the end of a piece inside a solid.
+  // Reads a facet. False at endsolid, and at the end of a piece inside a solid.
   bool facet() {
     if (!skip()) {
       part_.solid_at_end = true;

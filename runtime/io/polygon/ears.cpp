@@ -41,8 +41,8 @@ bool ear_cutter::is_spike(std::uint32_t b) {
 }
 
 // Whether the edge from this corner meets the inside of the triangle at b. A separating line of a segment and a triangle, if
-// there is one, runs along a side of either. `strict`: or whether it starts inside the triangle's third side, so that a
-// triangle without area would be left there.
+// there is one, runs along a side of either. `strict`: an edge that starts inside the triangle's third side blocks too,
+// since taking the triangle would leave one without area there.
 bool ear_cutter::blocks(std::uint32_t edge, std::uint32_t b, bool strict) {
   if (edge == prev_[b] || edge == b)
     return false;
@@ -70,7 +70,7 @@ bool ear_cutter::blocks(std::uint32_t edge, std::uint32_t b, bool strict) {
 bool ear_cutter::is_ear(std::uint32_t b, bool strict) {
   if (turn_at(b) <= 0)
     return false;
-  // What was in the way last time often still is.
+  // The edge that blocked this corner last time often still does.
   if (alive_[blocker_[b]] && blocks(blocker_[b], b, strict))
     return false;
   for (std::uint32_t e = next_[b]; e != prev_[b]; e = next_[e])
@@ -81,7 +81,7 @@ bool ear_cutter::is_ear(std::uint32_t b, bool strict) {
   return true;
 }
 
-// The next corner to take, from b on: a spike, else an ear, else a corner that lies between its neighbours.
+// Finds the next corner to cut off, from b on: a spike, else an ear, else a corner that lies between its neighbours.
 bool ear_cutter::find(std::uint32_t &b) {
   while (!spikes_.empty()) {
     const std::uint32_t s = spikes_.back();

@@ -1,9 +1,10 @@
 // Cuts a polygon of any shape into triangles, by exact signs of its projection.
 //
 // The winding number of a point is the number of triangles that cover it, if every triangle turns left, whatever their
-// order: their boundaries add up to the polygon's. Triangles without area are the two edges that they take. So if no
-// triangle turns right, their closed union is the polygon's inside with all of its edges, which also holds for a bridge to
-// a hole, for repeated corners and for spikes. That is what is tested; which ear is taken decides only whether all are found.
+// order: their boundaries add up to the polygon's. A triangle without area is the two edges that it takes. So if no
+// triangle turns right, their closed union is the polygon's inside with all of its edges, which also holds for a bridge
+// to a hole, for repeated corners and for spikes. Only this is tested; the choice of ears decides only whether all are
+// found.
 #ifndef MEETC_IO_POLYGON_EARS_HPP
 #define MEETC_IO_POLYGON_EARS_HPP
 
@@ -17,9 +18,9 @@ namespace meetc::io {
 
 class ear_cutter {
 public:
-  // Writes n - 2 triangles, 3 numbers of corners each, for n >= 3 corners, of which the inside is to the left. Where the
-  // fan from the first corner does not turn right anywhere, as for every convex polygon, it is taken. Where no ear is
-  // left, because the polygon crosses itself, the rest is fanned, and the result is false.
+  // Writes n - 2 triangles, 3 numbers of corners each, for n >= 3 corners with the inside to their left. If the fan
+  // from the first corner turns right nowhere, as for every convex polygon, it is taken. If no ear is left, because the
+  // polygon crosses itself, the rest is fanned, and the result is false.
   bool cut(std::span<const projected> corners, std::uint32_t *triangles);
 
 private:

@@ -82,7 +82,7 @@ double polygon_plane::distance() const {
   if (axis_ < 0)
     return 0;
   double length = std::hypot(normal_[0], normal_[1], normal_[2]);
-  if (!(length > 4 * (error_[0] + error_[1] + error_[2]))) // cancelled
+  if (!(length > 4 * (error_[0] + error_[1] + error_[2]))) // the sums may have cancelled
     length = std::hypot(component(0).value(), component(1).value(), component(2).value());
   double most = 0;
   for (std::size_t i = 1; i < size(); ++i) {

@@ -1,5 +1,5 @@
-// The plane of a polygon of float32 corners: along which axis it is projected, how its corners turn there, and how far they
-// are from the plane through the first one. Signs are exact: in double with a bound, else by exact_sum.hpp.
+// The plane of a polygon of float32 corners: the axis of its projection, the turns of its corners there, and their
+// distance from the plane through the first one. Signs are exact: in double with a bound, else by exact_sum.hpp.
 #ifndef MEETC_IO_POLYGON_PLANE_HPP
 #define MEETC_IO_POLYGON_PLANE_HPP
 
@@ -24,7 +24,7 @@ public:
   // `corners`: 3 floats each.
   explicit polygon_plane(std::span<const float> corners);
 
-  // The axis along which the normal is largest, the least of several; -1 where the normal is zero. Exact.
+  // The axis along which the normal is largest, the least of several; -1 if the normal is zero. Exact.
   int axis() const { return axis_; }
   // The sign of the normal's largest component.
   int side() const { return side_; }

@@ -53,7 +53,7 @@ public:
     bool whole = true;
     if (plane.axis() >= 0) {
       whole = cut_along(plane.axis(), plane.side() < 0, triangles);
-    } else { // no area: along an axis, if there is one, in which it is more than a line
+    } else { // without area: projected along the first axis that leaves more than a line, or else along the last
       int axis = 0;
       while (axis < 2 && is_line(axis))
         ++axis;
@@ -128,7 +128,7 @@ void note(const findings &f, std::vector<std::string> &notes) {
     notes.push_back(std::move(text));
   }
   if (!f.crossing.empty())
-    notes.push_back(fmt::format("{} polygon{}: what is left where no corner can be cut off is fanned: {}",
+    notes.push_back(fmt::format("{} polygon{}: the rest, of which no corner can be cut off, is fanned: {}",
                                 f.crossing.size(), f.crossing.size() == 1 ? " crosses itself" : "s cross themselves",
                                 in_words(f.crossing)));
 }

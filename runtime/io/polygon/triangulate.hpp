@@ -11,7 +11,7 @@ namespace meetc::io {
 // Sets index, owner, items and polygons of a set whose `data` are the vertices of the file. Each polygon is projected along
 // the largest component of its exact Newell normal (the least axis on a tie) and cut there (ears.hpp). Adds notes on how
 // many polygons are not planar and on those that cross themselves. `faces` has lists of 3 vertices or more. Throws
-// io::error where there are too many triangles.
+// io::error if there are too many triangles.
 void cut_polygons(const std::string &file, vertex_lists &&faces, int threads, element_set &set);
 
 } // namespace meetc::io

@@ -1,5 +1,5 @@
-// A place in a piece of text (pieces.hpp), and what every format reads there. A line ends with LF; a CR before it is a
-// blank. Slow paths take whatever is not a plain number.
+// A place in a piece of text (pieces.hpp), and the reading of words and numbers there, for every format. A line ends
+// with LF; a CR before it is a blank. Slow paths read all words that are not plain numbers.
 #ifndef MEETC_IO_TEXT_CURSOR_HPP
 #define MEETC_IO_TEXT_CURSOR_HPP
 
@@ -37,7 +37,7 @@ struct cursor {
       ++at;
     return {from, static_cast<std::size_t>(at - from)};
   }
-  // What is left of the line, without blanks at its ends; moves to the line end.
+  // The rest of the line, without blanks at its ends; moves to the line end.
   std::string_view rest() {
     skip_blanks();
     const char *const from = at;

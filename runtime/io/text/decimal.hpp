@@ -5,7 +5,7 @@
 // is within 3/2 units in the last place of the decimal: w, the power and the product are each rounded once. Its float32
 // is that of the decimal unless a boundary between two float32 numbers lies within that distance, since rounding is
 // monotonic; the low bits of the double tell. About one in 10^7 random decimals is left, and goes to std::from_chars
-// with whatever is unusual: more than 19 digits, subnormal numbers, infinities, words.
+// with all that is unusual: more than 19 digits, subnormal numbers, infinities, words.
 #ifndef MEETC_IO_TEXT_DECIMAL_HPP
 #define MEETC_IO_TEXT_DECIMAL_HPP
 
@@ -19,7 +19,7 @@
 
 namespace meetc::io {
 
-// Bytes that must be readable after the end of a text, and the first of which ends a number.
+// The number of bytes that must be readable after the end of a text. The first of them ends a number.
 inline constexpr std::size_t text_slack = 16;
 
 // 10^0 to 10^27 in double, each rounded once (those up to 10^22 are exact).
@@ -28,7 +28,7 @@ inline constexpr double powers_of_ten[most_power + 1] = {1e0,  1e1,  1e2,  1e3, 
                                                          1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
                                                          1e20, 1e21, 1e22, 1e23, 1e24, 1e25, 1e26, 1e27};
 
-// Adds the move of w * 10^e to f, if there is one, where the double `read` is within 3/2 units of the decimal. Exact.
+// Adds the move from w * 10^e to f, if there is one. The double `read` is within 3/2 units of the decimal. Exact.
 void count_move(std::uint64_t w, int e, double read, float f, rounded_numbers &moved);
 
 // Reads the whole of a word, of any length. Returns false where it is no decimal number. Beyond the largest float32 the
@@ -71,9 +71,9 @@ inline const char *digits(const char *at, std::uint64_t &w) {
 
 } // namespace decimal_detail
 
-// Reads the decimal that starts at `at`, with one leading sign at most, and returns where it ends; null where it is none
-// or an unusual one, which read_decimal_word() then judges. The caller sees to it that the number ends there, and that
-// text_slack bytes follow.
+// Reads the decimal that starts at `at`, with one leading sign at most, and returns its end; null if it is none or an
+// unusual one, which read_decimal_word() then judges. The caller checks that the word ends there, and provides
+// text_slack bytes after the text.
 inline const char *read_decimal(const char *at, float &out, rounded_numbers &moved) {
   using namespace decimal_detail;
   const bool negative = *at == '-';
@@ -118,7 +118,8 @@ inline const char *read_decimal(const char *at, float &out, rounded_numbers &mov
     return nullptr;
   const auto whole = static_cast<double>(static_cast<std::int64_t>(w));
   const double d = e < 0 ? whole / powers_of_ten[-e] : whole * powers_of_ten[e];
-  // A boundary ends in a one and 28 zeros; 8 units are more than enough. Outside of the normal range others do.
+  // The low 29 bits of a boundary between two float32 numbers are a one and 28 zeros; d is within 3/2 units of the
+  // decimal, and 8 are left to be sure. Outside of the normal range boundaries have other bits.
   const auto low = static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(d)) & 0x1fffffffU;
   if (low - (0x10000000U - 8) <= 16 || !(d > 0x1.00001p-126 && d < 0x1.fffffcp127))
     return nullptr;

@@ -1,8 +1,8 @@
 // A text file cut into pieces at line ends, which several threads parse.
 //
-// Each piece ends with a line end and is followed by text_slack readable bytes, so that scanning needs no bounds. A piece
-// knows neither its line nor how many elements precede it. Where a piece has a fault, the whole text is parsed again as one
-// piece, which names the place; a result and a message are thus the same for any number of threads and pieces.
+// Each piece ends with a line end and is followed by text_slack readable bytes, so that scanning needs no bounds. A
+// piece knows neither its line nor how many elements precede it. If a piece has a fault, the whole text is parsed again
+// as one piece, which names the place; a result and a message are thus the same for any number of threads and pieces.
 #ifndef MEETC_IO_TEXT_PIECES_HPP
 #define MEETC_IO_TEXT_PIECES_HPP
 
@@ -19,7 +19,7 @@
 
 namespace meetc::io {
 
-// How a file is read in parallel.
+// The division of a file's parsing among threads.
 struct work {
   int threads = 1;
   std::size_t piece_bytes = 0; // 0: chosen by the size of the text
@@ -62,8 +62,8 @@ public:
   std::string_view whole() const;
 
   int threads() const { return by_.threads; }
-  // Throws io::error, whose message nobody reads, where a piece holds what a parser must not see: a carriage return alone,
-  // or a NUL.
+  // Throws io::error, whose message nobody reads, if a piece holds a byte that a parser must not see: a carriage return
+  // alone, or a NUL.
   void check_piece(std::string_view piece) const;
   // The line of a byte of a piece, or of whole().
   std::size_t line_of(const char *at) const;
@@ -91,8 +91,8 @@ struct at_any_line {
   bool operator()(std::string_view, std::string_view) const { return true; }
 };
 
-// parse(piece, alone) for each piece, on several threads; `alone` says that the piece is the whole text. Where a piece
-// throws io::error, the one part of the whole text, which may throw it with its place.
+// The results of parse(piece, i, alone) for each piece i, on several threads. If one throws io::error, the result of
+// parsing the whole text as one piece (alone), which may throw it with its place.
 template <class Part, class Parse>
 std::vector<Part> parse_pieces(const text_file &text, const std::vector<std::string_view> &pieces, const Parse &parse) {
   if (pieces.size() > 1) {

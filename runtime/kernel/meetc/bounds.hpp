@@ -74,14 +74,14 @@ template <class M> struct leaf_magnitude {
   }
 };
 
-// The number of different stored values of a kind whose predicates store `n` for the bounded rungs. Where these do without
-// fma, those of plain rungs follow.
+// The number of stored values of a kind whose predicates store `n` for the bounded rungs. If these rungs do without
+// fma, as many for the plain rungs follow, which use it.
 constexpr int stored_count(int n) {
   return MEETC_FUSES ? n : 2 * n;
 }
 
-// The signs that v can have when it is within `error` of the truth: all three where v is NaN or infinite. A value can
-// overflow where its bound does not, if the compiler contracts one of the two programs and not the other.
+// The signs that the true value can have if v is within `error` of it: all three if v is NaN or infinite. A value can
+// overflow although its bound does not, if the compiler contracts one of the two programs and not the other.
 template <class V, class E> MEETC_HD MEETC_INLINE sign_set within(const V &v, const E &error) {
   const auto x = leading(v), size = magnitude_of(x);
   const bool known = (size > error) & (size <= largest_finite(x));
@@ -164,7 +164,7 @@ template <class P, class A> struct bounded_signs {
       stage_magnitudes<Stage>(plain.a, plain.b, leaf, m);
     }
   }
-  // Their signs by the bound alone.
+  // The signs of the values by the bound alone. Returns whether all are known.
   template <class Stage> MEETC_HD MEETC_INLINE bool sort_out(const V *v, const M *m, sign_set *all) const {
     sign_set *s = all + Stage::first;
     int unsure = 0;
@@ -175,8 +175,8 @@ template <class P, class A> struct bounded_signs {
     return !unsure;
   }
 
-  // Unsure signs are zero where the grid says so: a homogeneous polynomial of degree k with integer coefficients is a
-  // multiple of g^k if its inputs are multiples of g, so a value less than g^k is zero. In fp32 that is never known.
+  // Finds zeros among the unsure signs by the grid: a homogeneous polynomial of degree k with integer coefficients is a
+  // multiple of g^k if its inputs are multiples of g, so a value less than g^k is zero. In fp32 this finds none.
   template <class Stage> MEETC_HD MEETC_INLINE bool zero_by_grid(const V *v, const M *m, sign_set *all) const {
     if constexpr (std::is_same_v<R, float>)
       return false;

@@ -1,4 +1,4 @@
-// The static filter: signs of values with an error bound that a box around all elements gives.
+// The static filter: signs of values, with an error bound from a box around all elements.
 #ifndef MEETC_BOXES_HPP
 #define MEETC_BOXES_HPP
 

@@ -1,5 +1,5 @@
-// The floating-point control word: under which words the error bounds hold, the word of the calling thread, and the guard that
-// each entry of the library holds.
+// The floating-point control word: the words under which the error bounds hold, the word of the calling thread, and the
+// guard that each entry of the library holds.
 //
 // Bounds assume rounding to nearest and gradual underflow. Exceptions must be masked as well: the arithmetic may
 // overflow (it then proves nothing) and must not end a program whose caller has unmasked them. The two tests are plain
@@ -98,8 +98,8 @@ inline bool exceptions_are_masked() {
 #endif
 
 // Sets the standard word, and at the end puts back the word that it found, with the flags of past exceptions as they were.
-// The flags go back before the masks: an exception that was masked when it was raised must not trap where the caller has
-// unmasked it. A standard word is not written again, which takes longer than reading it.
+// The flags go back before the masks: an exception that was masked when it was raised must not trap after the caller's
+// mask is back. A word that is standard already is not written, since writing takes longer than reading.
 class control_word_guard {
 public:
   control_word_guard() {
@@ -120,14 +120,14 @@ private:
   decltype(raised_flags()) flags_ = raised_flags();
 };
 
-// call(), out of line and with an effect that compilers cannot see through: none moves its arithmetic out of it.
+// Runs call() out of line, behind an effect that compilers cannot see through, so that none moves its arithmetic out.
 template <class Call> __attribute__((noinline)) decltype(auto) call_apart(const Call &call) {
   __asm__ volatile("" : : : "memory");
   return call();
 }
 
-// call() under the standard word, whatever the caller's is: the one way into the library. What call() needs it takes by
-// reference, since compilers do not know that arithmetic depends on the word.
+// Runs call() under the standard word, whatever the caller's is: the one way into the library. call() takes its
+// operands by reference, since compilers do not know that arithmetic depends on the word and may compute values early.
 template <class Call> decltype(auto) under_standard_word(const Call &call) {
   const control_word_guard guard;
   return call_apart(call);

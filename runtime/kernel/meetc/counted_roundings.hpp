@@ -1,12 +1,14 @@
-// One bound of the error for all values of a degree that owes nothing to the compiler: `exact` judges the compiler's.
+// One error bound for all values of a degree, found without the compiler's bounds, so that the rung exact can judge
+// those.
 //
-// Problem: values that carry their own errors (tracked.hpp) cost several times as much as values alone, and most pairs need
-// much less.
-// Method: a value that passes through n roundings on its longest way is off by at most (1 + 2^-53)^n - 1, which is below
-// n 2^-52, of what its program gives on magnitudes. That is at most c D^degree (unit_magnitudes.hpp), where D is a power of
-// two above all differences of the pair's numbers. Both n and c are found by running the emitted program at compile time.
-// A rounding counts as 2^-51, so that those of the bound itself, of which there are few, do not matter.
-// Limits: of doubles that hold floats, and of degrees up to 6, where nothing underflows (tracked.hpp says why).
+// Problem: values that carry their own errors (tracked.hpp) cost several times as much as values alone, and most pairs
+// need much less.
+// Method: let M be the value of the program on magnitudes. A value that passes through n roundings on its longest way
+// is off by at most (1 + 2^-53)^n - 1, which is below n 2^-52, times M, and M is at most c D^degree
+// (unit_magnitudes.hpp), where D is a power of two above all differences of the pair's numbers. Running the emitted
+// program at compile time gives n and c. A rounding counts as 2^-51, so that those of the bound itself, of which there
+// are few, do not matter.
+// Limits: doubles that hold floats, and degrees up to 6, for which nothing underflows (tracked.hpp says why).
 #ifndef MEETC_COUNTED_ROUNDINGS_HPP
 #define MEETC_COUNTED_ROUNDINGS_HPP
 
@@ -47,7 +49,7 @@ template <class P, class Stage> struct rounding_counts {
   }
 };
 
-// What power_errors() asks of an arithmetic. Tests count a rounding as less.
+// The arithmetic that power_errors() takes for this bound. Tests count a rounding as less.
 template <class P, int Rounding = -51> struct counted_roundings {
   using real = double;
   template <class Stage> static constexpr int floor() { return -149; }

@@ -1,13 +1,13 @@
-// Which elements of one set may touch any of another, by marks on a grid.
+// Finds the elements of one set that may touch an element of another, by marks on a grid.
 //
-// Problem: two meshes that reach into each other touch along a curve, and to put all of their elements into order takes longer
-// than to answer. Method: the box in which both sets lie is cut into cells. One set marks the cells that its boxes meet, and of
-// the other the elements that meet a marked cell are kept. A number's cell is a monotone function of it, so that boxes that
-// touch share a cell, whatever is rounded; no bound is needed.
-// An element of any size marks few cells: there are three levels of cells, each eight times as wide as the one before, and an
-// element marks those of the first level of which it meets at most eight along each axis. Small elements, which are those of the
-// first level, are kept if they meet a mark of any level; larger ones always. A long element with two points marks the narrowest
-// cells along its line instead, slab by slab.
+// Problem: two meshes that reach into each other touch along a curve, and sorting all of their elements takes longer
+// than answering. Method: the common part of both sets' boxes is cut into cells. One set marks the cells that its boxes
+// meet; the other keeps its elements that meet a marked cell. A number's cell is a monotone function of it, so boxes
+// that touch share a cell, whatever is rounded; no bound is needed. An element of any size marks few cells: there are
+// three levels of cells, each eight times as wide as the one before, and an element marks cells of the first level on
+// which it meets at most eight along each axis. Small elements, those of the first level, are kept if they meet a mark
+// of any level; larger ones always. A long element with two points marks the narrowest cells along its line instead,
+// slab by slab.
 // Limits: numbers are finite, as in box_of_row().
 #ifndef MEETC_CULL_GRID_HPP
 #define MEETC_CULL_GRID_HPP
@@ -18,12 +18,13 @@ namespace meetc::cuda {
 
 inline constexpr int cull_levels = 3, cull_shift = 3; // bits between two levels
 
-// The cells of a number along the axes, 10 bits each: 0 before all cells, then these from 1 on, and one more behind them.
+// The cells of a point along the axes, 10 bits each: 0 lies before all cells, 1 is the first cell, and one number more
+// than there are cells lies behind them.
 struct packed_cells {
   std::uint32_t bits;
   MEETC_HD std::uint32_t at(int axis) const { return bits >> (10 * axis) & 1023; }
 };
-inline constexpr std::uint32_t no_cells = ~0U; // of what is no point
+inline constexpr std::uint32_t no_cells = ~0U; // instead of packed_cells: not a point
 
 // Cells from the first to the last, both included.
 struct cell_range {
@@ -45,7 +46,7 @@ struct cell_range {
   MEETC_HD int level() const { return is_short(0) ? 0 : is_short(1) ? 1 : 2; }
 };
 
-// 2^bits cells along each axis of the box that two sets have in common, which may be empty.
+// 2^bits cells along each axis of the common box of two sets, which may be empty.
 struct cull_grid {
   float from[3], to[3];
   double low[3], scale[3];
@@ -63,12 +64,12 @@ struct cull_grid {
   }
 
   MEETC_HD double place(float x, int axis) const { return (static_cast<double>(x) - low[axis]) * scale[axis]; }
-  // Of a place, the nearest cell.
+  // The cell nearest to a place.
   MEETC_HD std::uint32_t cell(double place) const {
     const double last = static_cast<double>((1U << bits) - 1);
     return !(place > 0) ? 0 : static_cast<std::uint32_t>(place < last ? place : last);
   }
-  // Of packed_cells.
+  // The number of a cell in packed_cells.
   MEETC_HD std::uint32_t packed(float x, int axis) const {
     return x < from[axis] ? 0 : x > to[axis] ? (1U << bits) + 1 : cell(place(x, axis)) + 1;
   }
@@ -78,7 +79,7 @@ struct cull_grid {
       c.bits |= packed(point[k], k) << (10 * k);
     return c;
   }
-  // The cells that a box meets whose ends have these. Returns false where it lies beside all cells.
+  // The cells that a box with these cells at its ends meets. Returns false if it lies beside all cells.
   MEETC_HD bool range(const std::uint32_t (&least)[3], const std::uint32_t (&greatest)[3], cell_range &out) const {
     const std::uint32_t last = 1U << bits;
     bool meets = true;
@@ -96,8 +97,8 @@ struct cull_grid {
   }
 };
 
-// The marks of one set: for each level the cells that its elements of this level meet. Behind them is a word whose bits say which
-// levels have some.
+// The marks of one set: for each level the cells that its elements of this level meet. A word follows with a bit for
+// each level that has marks.
 struct cull_marks {
   std::uint32_t *words;
   int bits; // of a cell along an axis, on level 0
@@ -132,7 +133,7 @@ struct cull_marks {
       }
     return false;
   }
-  // Marks what an element of this level meets; set(word, mask) sets bits of a word.
+  // Marks the cells of an element of this level; set(word, mask) sets bits of a word.
   template <class Set> MEETC_HD void mark(const cell_range &r, int level, Set &&set) const {
     std::uint32_t *const marks = of(level);
     each(r.at(level), level, [&](std::uint32_t word, std::uint32_t mask) {
@@ -168,15 +169,16 @@ template <class Shape> MEETC_HD inline line_ends ends_of_line(const float *row) 
   return e;
 }
 
-// A segment with a radius, in the units of the cells. Its cells are those of which it meets what lies less than `width` around
-// them. For each axis `width` is the radius and a margin: 2^-20 of a cell, and 2^-45 of the largest number that is computed
-// with. A place is a difference of two float32 numbers times a factor, and all else here is some ten operations in double, so
-// that the error of each number is below 2^-48 of the largest one. That is the largest of the line, or the number of a cell or a
-// place of the other box, which is at most 2^9; the first term of the margin is for those.
+// A segment with a radius, in the units of the cells. It marks a cell if it meets the cell widened by `width` on all
+// sides. For each axis `width` is the radius and a margin: 2^-20 of a cell, and 2^-45 of the largest number in the
+// computation. A place is a difference of two float32 numbers times a factor, and some ten operations in double follow,
+// so the error of each number is below 2^-48 of the largest one. The largest is a number of the line, which the second
+// term of the margin covers, or the number of a cell or a place of the other box, which is at most 2^9, and which the
+// first term covers.
 struct cull_line {
-  double from[3], way[3], width[3],
-      per;   // the way from the first point to the second; 1 / way[along], 0 if that is short
-  int along; // the axis of the longest way
+  double from[3], way[3], width[3], // the first point, and the way from it to the second
+      per;                          // 1 / way[along], or 0 if that way is short
+  int along;                        // the axis of the longest way
 
   MEETC_HD cull_line(const cull_grid &g, const line_ends &of) : along(0) {
     double largest = 0, longest = -1;
@@ -202,7 +204,7 @@ struct cull_line {
   MEETC_HD std::uint32_t last_slab(const cull_grid &g) const {
     return g.cell((way[along] < 0 ? from[along] : from[along] + way[along]) + width[along]);
   }
-  // The cells of a slab that it meets within the box of all cells, where all lies that it can touch.
+  // The cells that it meets in a slab. Parts outside the grid count for the outermost cells, since they touch nothing.
   MEETC_HD cell_range in_slab(const cull_grid &g, std::uint32_t slab) const {
     double begin = 0, end = 1;
     if (per != 0) {

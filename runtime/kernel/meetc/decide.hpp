@@ -24,7 +24,7 @@ template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) 
   return P::usual(s);
 }
 
-// The same on sets of signs: the answer that every choice of signs from the sets gives, or unsure.
+// The same on sets of signs: the answer on which all choices of signs from the sets agree, or unsure.
 template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const Signs &signs) {
   found_signs<P> f;
   if (const progress at = find_usual<P>(signs, f); at != progress::open)

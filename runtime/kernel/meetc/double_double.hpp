@@ -38,7 +38,7 @@ template <bool Fused = true> MEETC_HD MEETC_INLINE double_words<Fused> two_sum(d
 #endif
 }
 
-// The same where |a| >= |b| or a = 0.
+// The same for |a| >= |b| or a = 0.
 template <bool Fused = true> MEETC_HD MEETC_INLINE double_words<Fused> fast_two_sum(double a, double b) {
 #if defined(__CUDA_ARCH__)
   const double s = __dadd_rn(a, b);
@@ -189,8 +189,8 @@ template <class A, class B, class C> MEETC_HD MEETC_INLINE constexpr C fma(const
   return times<C>(a, b) + c;
 }
 
-// a b + c in formulas, which promise a bound and not the same bits everywhere: rounded once where the target has the
-// instruction, and elsewhere a product and a sum, since fma() is a call there that takes as long as twenty products.
+// a b + c in formulas, which promise a bound and not the same bits everywhere: rounded once if the target has the
+// instruction, else a product and a sum, since fma() is then a call that takes as long as twenty products.
 #if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDA_ARCH__)
 MEETC_HD MEETC_INLINE float multiply_add(float a, float b, float c) {
   return __builtin_fmaf(a, b, c);

@@ -1,7 +1,7 @@
 // A ball around any bounded element, which is the hull of a few points, widened by a radius.
 //
-// A Shape says where the points and the radius of a kind lie in a row: fields, hull (the number of points), coordinate(),
-// pad; and it has a closed box, box().
+// A Shape describes the rows of a kind: fields, hull (the number of points), coordinate() and pad (the places of the
+// points and of the radius), and box(), the closed box of an element.
 #ifndef MEETC_ENCLOSING_HPP
 #define MEETC_ENCLOSING_HPP
 
@@ -53,7 +53,7 @@ template <class Shape> MEETC_HD inline void enclosing_ball(const float *row, dou
     ball[3] = (ball[3] + static_cast<double>(row[Shape::pad])) * (1 + 0x1p-50);
 }
 
-// What an object's ball encloses: the elements, or their boxes as well.
+// The content of an object's ball: the elements alone, or their boxes as well.
 enum class cover : std::uint8_t { element, box };
 
 // False for NaN.
@@ -92,7 +92,7 @@ template <class Shape> MEETC_HD inline void ball_of_box(const float *row, double
   ball[3] = std::sqrt(square) * (1 + 0x1p-48);
 }
 
-// A ball around what `c` names of each element in the object. The boxes of the elements must be finite.
+// A ball around the elements of an object or around their boxes, as `c` says. The boxes must be finite.
 template <class Shape>
 MEETC_HD inline void object_ball(cover c, const float *rows, std::uint32_t first, std::uint32_t end, double ball[4]) {
   const auto one = [&](std::uint32_t i, double out[4]) {

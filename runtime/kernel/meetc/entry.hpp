@@ -1,4 +1,4 @@
-// What emitted entry points call, for operands as they are stored.
+// The functions behind emitted entry points, for operands as they are stored.
 //
 // to_row() comes with the operands. It reads them after the check of the environment, and again on the rare paths, so
 // that the rows can stay in registers on the others. The rare paths are compiled in the generated library

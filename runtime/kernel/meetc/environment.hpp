@@ -1,4 +1,4 @@
-// What generated code assumes of the compiler and the machine, and how it is checked.
+// The assumptions of generated code about the compiler and the machine, and their checks.
 //
 // Bounds assume IEEE 754 binary32 and binary64, rounding to nearest, gradual underflow, an fma() that rounds once where
 // it is used, NaN and infinities that are kept, and sums that are not reassociated. They hold whether or not a product
@@ -47,7 +47,7 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 // MEETC_INLINED marks decisions over signs, which are a few instructions when inlined. MEETC_LARGE marks those of the
 // rare case, which a host may call.
 //
-// Where MEETC_PLAIN_INLINE is defined, the compiler chooses what it inlines: units compile about five times faster and
+// With MEETC_PLAIN_INLINE the compiler chooses the functions that it inlines: units compile about five times faster and
 // run slower. It is for programs all of whose units have the same flags for arithmetic, such as our own tests.
 #if defined(__CUDA_ARCH__)
 #define MEETC_NOINLINE
@@ -68,8 +68,8 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 #define MEETC_ROLLED
 #endif
 
-// Whether certified rungs use the fused multiply-add. It is a call of the C library where the processor's instruction is
-// not compiled in, and takes as long as twenty products, so these rungs then run a schedule without it, under bounds of
+// Whether certified rungs use the fused multiply-add. If the processor's instruction is not compiled in, it is a call
+// of the C library and takes as long as twenty products, so these rungs then run a schedule without it, under bounds of
 // its own. Plain rungs always use it, since they give the same answers everywhere. Both compilations of a CUDA source
 // must name the same device kernels, so its host code uses it as well.
 #if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDACC__)
@@ -80,8 +80,8 @@ static_assert(0x1.0000000000001p0 != 1, "meet: -fsingle-precision-constant short
 
 MEETC_NAMESPACE(meetc) {
 
-// The value x, hidden from the compiler: what is computed from it is neither contracted nor reassociated with what it
-// came from.
+// The value x, hidden from the compiler: arithmetic on the result is neither contracted nor reassociated with the
+// arithmetic that computed x.
 template <class T> MEETC_HD MEETC_INLINE T opaque(T x) {
 #if defined(__CUDA_ARCH__)
   return x; // device code uses intrinsics, which are never contracted
@@ -101,9 +101,9 @@ template <class T> MEETC_HD MEETC_INLINE T opaque(T x) {
 
 // Whether this function is compiled as the bounds assume. Flags that define a macro are refused above. Pragmas and
 // attributes define none, nor do clang's -fno-honor-nans and -fassociative-math. An optimiser that is allowed such
-// changes reduces the expressions below to constants, and one that is not cannot, so the checks leave no code where all
-// is well. Without an optimiser (-O0) they prove nothing; it is assumed that the compiler then computes what is
-// written. On the device standard_environment() tests the effect of the flags.
+// changes reduces the expressions below to constants, and one that is not cannot, so the checks leave no code if all is
+// well. Without an optimiser (-O0) they prove nothing; the compiler is then assumed to compute the program as written.
+// On the device standard_environment() tests the effect of the flags.
 //
 // No bool here is const, because the initialiser of a constant is evaluated before the optimiser runs.
 MEETC_HD MEETC_INLINE bool keeps_nan_and_infinity() {
@@ -163,7 +163,7 @@ MEETC_NOINLINE inline bool look_at_library_fma() {
 }
 #endif
 
-// Whether fma() rounds once. Plain rungs need it, and so do the certified ones of CUDA's host code. Where it is a call,
+// Whether fma() rounds once. Plain rungs need that, and so do the certified ones of CUDA's host code. If it is a call,
 // it is tested once in a process, or a few times if threads start together.
 MEETC_HD MEETC_INLINE bool fma_rounds_once() {
 #if defined(__FMA__) || defined(__FMA4__) || defined(__aarch64__) || defined(__CUDA_ARCH__)
@@ -174,7 +174,7 @@ MEETC_HD MEETC_INLINE bool fma_rounds_once() {
 #endif
 }
 
-// The checks for each function that computes something with a claimed bound.
+// The checks for each function that computes a value with a claimed bound.
 MEETC_HD MEETC_INLINE bool computes_as_bounded() {
 #if MEETC_FUSES
   return compiled_as_written() && fma_rounds_once();
@@ -196,7 +196,7 @@ __device__ inline float float_of(std::uint32_t bits) {
 // Whether arithmetic here and now does what the bounds assume. A library linked with -ffast-math can have set
 // flush-to-zero for the whole process; certified answers then come from the integers alone. On the device the flags of
 // the compilation decide: -ftz=true and --use_fast_math define no macro, but they mark each operation. ptxas knows the
-// marks and folds the difference to what the device would compute, so this costs nothing.
+// marks and folds the difference to the device's result, so this costs nothing.
 //
 // The control word is tested first: until it is known, not even a probe may compute.
 MEETC_HD MEETC_INLINE bool standard_environment() {
@@ -207,8 +207,8 @@ MEETC_HD MEETC_INLINE bool standard_environment() {
 #endif
 }
 
-// p again, for use after a check of the environment: everything read through it is read after the check. Otherwise
-// compilers may move arithmetic across changes of the control word, which they know nothing of.
+// p again, for use after a check of the environment: everything read through the result is read after the check.
+// Otherwise compilers may move arithmetic across changes of the control word, since they do not know of its effect.
 template <class T> MEETC_HD MEETC_INLINE const T *after_check(const T *p) {
 #if !defined(__CUDA_ARCH__)
   __asm__ volatile("" : "+r"(p) : : "memory");

@@ -40,7 +40,7 @@ template <class P> struct integer_signs {
   MEETC_HD integer_signs(const float *row_a, const float *row_b)
       : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
         bits(common.bits()) {}
-  // The same where the grid is known and the differences are integers below 2^of_differences on it.
+  // The same for a known grid on which the differences are integers below 2^of_differences.
   MEETC_HD integer_signs(const float *row_a, const float *row_b, grid of_both, int of_differences)
       : a(row_a), b(row_b), common(of_both), bits(of_differences < of_both.bits() ? of_differences : of_both.bits()) {}
 
@@ -55,8 +55,8 @@ template <class P> struct integer_signs {
 #endif
   }
 
-  // Whether values up to degree 2 are computed in 64 bits, and the others in 128. A stage is mixed where the values of one
-  // object, which have the type of the former, are of these degrees.
+  // Whether values up to degree 2 are computed in 64 bits, and the others in 128. A stage can mix the two if the values
+  // of one object, which have the shorter type, are of degree 2 at most.
   template <class Stage> MEETC_HD bool is_quick() const {
     return Stage::mixed && is_short<Stage>() && 2 * bits + Stage::growth <= 62 && common.bits() <= 62;
   }
@@ -148,16 +148,16 @@ private:
   }
 };
 
-// The exact rung. Each stage takes the cheapest way that is exact for the pair. Where the differences are short on
-// their common grid, values up to degree 2 are exact in fp64 and the rest in double-double, without a branch. Where the
-// values fit in 128 bits, integers decide. Elsewhere double-double with its bound is tried, and wide integers decide
-// what is left. In an environment that is not the standard one, integers decide everything.
+// The exact rung. Each stage takes the cheapest way that is exact for the pair. If the differences are short on
+// their common grid, values up to degree 2 are exact in fp64 and the rest in double-double, without a branch. If the
+// values fit in 128 bits, integers decide. Otherwise double-double with its bound is tried, and wide integers decide
+// the rest. In an environment that is not the standard one, integers decide everything.
 template <class P> struct exact_signs {
   const float *a, *b;
   grid common;
   bool standard;
   bool bound_failed; // double-double with its bound has not decided the pair, and is not tried again
-  int bits;          // of the differences on the grid where `standard`, of the numbers elsewhere
+  int bits;          // of the differences on the grid if `standard`, else of the numbers
   MEETC_HD exact_signs(const float *row_a, const float *row_b, bool after_fp64x2 = false)
       : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
         standard(standard_environment()), bound_failed(after_fp64x2), bits(common.bits()) {

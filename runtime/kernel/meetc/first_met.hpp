@@ -1,9 +1,9 @@
-// Which of two triangles a segment meets first, on its way from its point p to its point q.
+// Tells the triangle that a segment meets first of two, on its way from its point p to its point q.
 //
-// A triangle that the segment's line crosses is met where its plane is, and an emitted sign compares two planes (`Order`; see
-// predicates/order.toml). A triangle that lies along the line, or has no area, has no such plane; a wall then takes its place:
-// a triangle with float32 corners that the line crosses, and at the same point. All that is asked of walls are the exact
-// answers of the emitted predicate (`Touches`) and sign, so there is nothing to round.
+// The segment meets a triangle that its line crosses at the triangle's plane, and an emitted sign compares two planes
+// (`Order`; see predicates/order.toml). A triangle that lies along the line, or has no area, has no such plane; a wall
+// then takes its place: a triangle with float32 corners that the line crosses, and at the same point. Walls are judged
+// by the exact answers of the emitted predicate (`Touches`) and sign alone, so there is nothing to round.
 #ifndef MEETC_FIRST_MET_HPP
 #define MEETC_FIRST_MET_HPP
 
@@ -33,7 +33,7 @@ private:
     return t;
   }
 
-  // 0 where both are met at one point, or where one does not cross the line.
+  // 0 if both are met at one point, or if one does not cross the line.
   MEETC_HD static int crossing(const float *segment, const float *t, const float *u) {
     float pair[18];
     for (int i = 0; i < 9; ++i)
@@ -68,7 +68,7 @@ private:
     w.at[6 + k] = other_than(x[k]);
     return w;
   }
-  // The plane through x and y along an axis; it has no area where x - y is along it too.
+  // The plane through x and y along an axis; it has no area if x - y is along the axis too.
   MEETC_HD static triangle wall_through(const float *x, const float *y, int axis) {
     triangle w = of_corners(x, y, x);
     w.at[6 + axis] = other_than(x[axis]);
@@ -100,7 +100,8 @@ private:
     return crossing(segment, wall_at(segment, along).at, t.at) != 0 ||
            crossing(segment, t.at, wall_at(segment + 3, along).at) != 0;
   }
-  // What is met first of the edge from x to y, which lies in one plane with the line.
+  // Takes the wall through the first point that the segment meets on the edge from x to y, which lies in one plane with
+  // the line.
   MEETC_HD static void take_edge(const float *segment, int along, const float *x, const float *y, first_wall &to) {
     if (!touches(segment, of_corners(x, y, y).at))
       return;
@@ -116,8 +117,8 @@ private:
     // that begins there takes it.
     to.take(segment, wall_at(x, along));
   }
-  // A triangle that the line crosses at the point where the segment meets t first. Where it does not meet t: any that depends
-  // on the segment and t alone.
+  // A triangle that the line crosses at the first point that the segment and t have in common. If they have none: any
+  // triangle that depends on the segment and t alone.
   MEETC_HD static triangle entry(const float *segment, int along, const float *t) {
     const triangle whole = copy(t);
     if (crosses(segment, along, whole))
@@ -137,7 +138,8 @@ private:
   }
 };
 
-// For rows of the predicate's kinds; as predicate_info::first_met, and under any control word: walls are found by comparisons.
+// For rows of the predicate's kinds, with the result of predicate_info::first_met, under any control word: walls are
+// found by comparisons.
 template <class Touches, class Order> MEETC_HD int first_met(const float *segment, const float *t, const float *u) {
 #if !defined(__CUDA_ARCH__)
   return under_standard_word([&] { return segment_order<Touches, Order>::of(segment, t, u); });

@@ -56,7 +56,7 @@ MEETC_INLINE lanes operator-(lanes a, lanes b) {
 MEETC_INLINE lanes operator*(lanes a, lanes b) {
   return lanes(a.v * b.v);
 }
-// One rounding where certified rungs use the instruction; otherwise a product and a sum, as unfused<float>.
+// One rounding if certified rungs use the instruction; otherwise a product and a sum, as unfused<float>.
 MEETC_INLINE lanes fma(lanes a, lanes b, lanes c) {
 #if defined(__AVX512F__)
   return lanes(_mm512_fmadd_ps(a.v, b.v, c.v));
@@ -76,8 +76,8 @@ MEETC_INLINE lanes fma(lanes a, lanes b, lanes c) {
 #endif
 }
 
-// The lanes in which a comparison holds. It holds in none where an operand is NaN. Emitted code compares by ==, since a
-// spec may have a kind with the name of any function.
+// The lanes in which a comparison holds; it does not hold for NaN. Emitted code compares by ==, since a spec may have a
+// kind with the name of any function.
 #if defined(__AVX512F__)
 MEETC_INLINE lane_mask greater(lanes a, lanes b) {
   return _mm512_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ);
@@ -117,7 +117,7 @@ MEETC_INLINE lanes power_below(lanes a) {
   return lanes(reinterpret_cast<lanes::vector>(reinterpret_cast<bits>(a.v) & 0x7f800000));
 }
 
-// The larger one, or b where one of them is NaN.
+// The larger one, or b if one of them is NaN.
 MEETC_INLINE lanes larger(lanes a, lanes b) {
 #if defined(__AVX512F__)
   return lanes(_mm512_maskz_max_ps(0xffff, a.v, b.v));
@@ -146,7 +146,7 @@ MEETC_INLINE lanes smaller(lanes a, lanes b) {
 
 #if defined(__SSE2__) || defined(__AVX2__) || defined(__AVX512F__) || defined(__aarch64__)
 #define MEETC_TRANSPOSES 1
-// Within each part of four numbers: the first two of x and y in turn, and the last two.
+// For each part of four numbers: interleaves the first two of x and y, or the last two.
 #if defined(__AVX512F__)
 // The forms with a mask, of every lane: gcc 12 warns of an undefined value within the others.
 inline constexpr __mmask16 all_16 = 0xffff;

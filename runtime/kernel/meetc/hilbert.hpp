@@ -1,7 +1,7 @@
 // The order of points along Hilbert's curve.
 //
-// Blocks of neighbours along the curve have small boxes, for each two consecutive cells share a face. (Along Morton's curve,
-// blocks straddle its jumps.)
+// Blocks of neighbours along the curve have small boxes, since any two consecutive cells share a face. (Morton's curve
+// jumps, and a block across a jump has a large box.)
 #ifndef MEETC_HILBERT_HPP
 #define MEETC_HILBERT_HPP
 
@@ -38,8 +38,9 @@ MEETC_HD constexpr std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y,
          every_third_bit(axis[2] ^ flips);
 }
 
-// The same by a table, a step for each bit, where many places are wanted. From the first bits on, the steps before have exchanged
-// and inverted the axes for all lower bits; that is the state of a step, and its digit has the cell's bits along x, y and z.
+// The same by a table, for many places. It takes the cell's bits from the highest to the lowest, one of x, y and z at a
+// step, which are the step's digit. The state of a step is the exchange and inversion of the axes that the steps before
+// have made for all lower bits.
 class hilbert_steps {
 public:
   constexpr hilbert_steps() {

@@ -21,7 +21,7 @@
 
 namespace meetc {
 
-// The instruction sets that are told apart. `baseline` is what the whole program is compiled for: on x86-64 SSE2 unless
+// The instruction sets for which kernels are compiled. `baseline` is that of the whole program: on x86-64 SSE2 unless
 // its builder says more, on 64-bit Arm NEON.
 enum class instruction_set : std::uint8_t { baseline, avx2, avx512 };
 inline constexpr int instruction_set_count = 3;
@@ -31,7 +31,7 @@ constexpr const char *name_of(instruction_set s) {
   return names[static_cast<int>(s)];
 }
 
-// Whether this processor, and the operating system, run it.
+// Whether this processor and the operating system support it.
 inline bool runs_here(instruction_set s) {
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__)) && !defined(__CUDA_ARCH__)
   switch (s) {

@@ -29,7 +29,7 @@ MEETC_HD inline tree_box box_of(const joined_box &of) {
     b.low[k] = -from_above(of.below[k]), b.high[k] = from_above(of.above[k]);
   return b;
 }
-// What lies in both; low > high where nothing does.
+// The common part of both; low > high on some axis if it is empty.
 MEETC_HD inline tree_box common_box(const joined_box &a, const joined_box &b) {
   const tree_box x = box_of(a), y = box_of(b);
   tree_box c;

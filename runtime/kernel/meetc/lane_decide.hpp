@@ -1,15 +1,15 @@
 // Decides pairs in lanes: the rungs in fp32, for the runtime's table.
 //
-// Problem: most pairs are decided by the reject stage or in the usual case, by straight-line arithmetic that is the same
-// for all pairs.
-// Method: lane_count pairs at a time are brought into structure-of-arrays form. Where few of them survive the reject
-// stage, the survivors wait until they fill the lanes, and run it again together with the stage of the usual case. Equal
-// points are compared in lanes too, and before the reject stage while most pairs share some. What lanes leave open (rare
-// cases, unsure signs) goes to the caller's function, pair by pair. Lanes never decide what one pair's functions
-// (decide.hpp) would not, and never otherwise: their arithmetic is the same, operation by operation, and they know no
-// more of a sign.
-// In fp32 one bound for all values of a degree serves most pairs (power_bound.hpp). Where it leaves a sign unsure, the
-// bound of one pair's functions decides, which is never larger.
+// Problem: most pairs are decided by the reject stage or in the usual case, by straight-line arithmetic that is the
+// same for all pairs.
+// Method: lane_count pairs at a time are brought into structure-of-arrays form. If few of them survive the reject
+// stage, the survivors wait until they fill the lanes, and run it again together with the stage of the usual case.
+// Equal points are compared in lanes too, and before the reject stage while most pairs share some. Pairs that lanes
+// leave open (rare cases, unsure signs) go to the caller's function, one by one. Lanes decide no pair that the
+// functions for one pair (decide.hpp) would leave open, and none differently: their arithmetic is the same, operation
+// by operation, and they know no more of a sign. In fp32 one bound for all values of a degree serves most pairs
+// (power_bound.hpp). If it leaves a sign unsure, the bound of the functions for one pair decides, which is never
+// larger.
 #ifndef MEETC_LANE_DECIDE_HPP
 #define MEETC_LANE_DECIDE_HPP
 
@@ -27,13 +27,13 @@ template <> struct leaf_magnitude<lanes> {
   MEETC_INLINE lanes operator()(lanes difference) const { return leaf_at_least(difference, floor); }
 };
 
-// How lanes take signs from values: with the bounds of fp32, or as they are.
+// Two ways to take signs from values: with the bounds of fp32, and as they are.
 struct bounded_lanes {
   template <class Stage> static MEETC_INLINE void sort_out(const lanes *v, const lanes *m, sign_lanes *s) {
     lanes largest(0.0F);
     for (int i = 0; i < Stage::atoms; ++i)
       largest = larger(magnitude_of(v[i]), largest);
-    // Elsewhere values prove nothing.
+    // If a value is not finite, or the compilation is not sound, only zero magnitudes prove a sign, or nothing does.
     const lane_mask finite = ~greater(largest, lanes(largest_finite(0.0F))),
                     sound = computes_as_bounded() ? all_bits : 0;
     for (int i = 0; i < Stage::atoms; ++i) {
@@ -53,7 +53,7 @@ struct plain_lanes {
   static constexpr bool bounded = false;
 };
 
-// The numbers of lane_count pairs by lane, with the values that sets store: read, or computed where they are not there.
+// The numbers of lane_count pairs by lane, with the values that sets store: read, or computed if the sets lack them.
 template <class P> struct lane_tile {
   static constexpr int floats_a = stored_layout<P>::floats_a, floats_b = stored_layout<P>::floats_b;
   lanes row_a[P::inputs_a], row_b[P::inputs_b], stored_a[floats_a + 1], stored_b[floats_b + 1];
@@ -72,7 +72,7 @@ template <class P> struct lane_tile {
       gather_rows<P::inputs_a>(a.rows, at_a, row_a);
     gather_rows<P::inputs_b>(b.rows, at_b, row_b);
   }
-  // Where the sets do not store them, values alone are computed, and magnitudes by compute_magnitudes().
+  // If the sets do not store them, the values are computed here and the magnitudes by compute_magnitudes().
   MEETC_INLINE void load_stored(const row_array &a, const row_array &b) {
     if constexpr (floats_a > 0) {
       if (!a.stored)
@@ -269,7 +269,7 @@ private:
       signs_by_leaves<Stage>(t, s);
     }
   }
-  // The same by the magnitude of each value, where the bound by a power did not do.
+  // The same by the magnitude of each value, if the bound by a power left a sign unsure or was not tried.
   template <class Stage> MEETC_NOINLINE void signs_by_leaves(lane_tile<P> &t, sign_lanes *s) {
     if constexpr (Stage::atoms > 0) {
       t.template compute_magnitudes<Stage>(a_, b_);
@@ -281,7 +281,7 @@ private:
       skips_ = failures_;
     }
   }
-  // Begins a tile. Neighbours mostly are of one sort, so where the bound by a power did not do, it is not tried for some
+  // Begins a tile. Neighbouring pairs are mostly alike, so after a failure the bound by a power is not tried for some
   // tiles.
   MEETC_INLINE lanes begin(const lane_tile<P> &t) {
     if constexpr (has_power) {
@@ -319,14 +319,14 @@ private:
   answer *out_;
   const Open &open_;
   bool points_first_ = false;    // most pairs share points, as far as the last tile tells
-  bool by_power_ = false;        // how the signs of this tile are found
+  bool by_power_ = false;        // whether the bound by a power gives the signs of this tile
   int skips_ = 0, failures_ = 0; // tiles for which the bound by a power is not tried; how often it has failed
   int waiting_ = 0;
   std::size_t waiting_numbers_[lane_count];
   index_pair waiting_pairs_[lane_count];
 };
 
-// Decides n pairs in lanes; open(i) decides pair i where lanes do not.
+// Decides n pairs in lanes; open(i) decides pair i if lanes do not.
 template <class P, class How, class Open>
 void decide_in_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
                      const Open &open) {

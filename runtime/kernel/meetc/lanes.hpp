@@ -1,7 +1,7 @@
 // Numbers and signs of many pairs at a time.
 //
 // Include this before any header of generated predicates: these call meetc::fma(), meetc::both() and their like with
-// qualified names, which find only what is declared before them. Where the functions for lanes are declared later, a
+// qualified names, which find only functions declared before them. If the functions for lanes are declared later, a
 // general one may be found in their place.
 #ifndef MEETC_LANES_HPP
 #define MEETC_LANES_HPP

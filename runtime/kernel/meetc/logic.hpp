@@ -28,7 +28,8 @@ MEETC_HD MEETC_INLINED constexpr sign square(sign s) {
   return s * s;
 }
 
-// A set of possible signs, as a rung with an error bound knows it. Bit 0: negative, bit 1: zero, bit 2: positive.
+// The signs that a value can have, as a rung with an error bound knows it. Bit 0: negative, bit 1: zero, bit 2:
+// positive.
 struct sign_set {
   std::uint8_t bits;
   MEETC_HD static constexpr sign_set all() { return {7}; }
@@ -93,7 +94,7 @@ MEETC_HD MEETC_INLINED constexpr truth either(truth a, truth b) {
 MEETC_HD MEETC_INLINED constexpr truth negate(truth a) {
   return {static_cast<std::uint8_t>((a.bits & 1) << 1 | a.bits >> 1)};
 }
-// A plain bool, where a branch is always taken, combines with truths.
+// Makes a plain bool, the truth of a branch that is always taken, one that combines with truths.
 MEETC_HD MEETC_INLINED constexpr truth to_truth(truth a) {
   return a;
 }

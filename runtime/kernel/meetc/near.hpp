@@ -19,7 +19,7 @@ template <class A, class B> MEETC_HD inline bool boxes_touch(const float *a, con
   return touch;
 }
 
-// What the reject stage, certified in fp32, and equal points say of the pair. P must have such a stage.
+// The progress of the pair by the reject stage, certified in fp32, and by equal points. P must have such a stage.
 template <class P> MEETC_HD inline progress try_to_reject(const float *row_a, const float *row_b) {
   found_signs<P> f;
   return try_to_reject<P>(bounded_signs<P, in_fp32>(row_a, row_b), f);

@@ -1,8 +1,8 @@
 // One bound for all values of a degree, from a power of two above the differences of a pair's numbers, in lanes.
 //
-// unit_magnitudes.hpp has the proof. It costs a few operations, where a bound of each value by the magnitudes of its leaves
-// costs as much as the values, and it is larger by a factor of some ten. What it proves, the other proves too.
-// Users include lanes.hpp.
+// unit_magnitudes.hpp has the proof. This bound costs a few operations; a bound of each value by the magnitudes of its
+// leaves costs as much as the values. It is larger by a factor of some ten, so every sign that it proves the other
+// proves too. Users include lanes.hpp.
 #ifndef MEETC_POWER_BOUND_HPP
 #define MEETC_POWER_BOUND_HPP
 
@@ -14,8 +14,8 @@
 
 MEETC_NAMESPACE(meetc) {
 
-// By lane, the largest difference of two coordinates on one axis, or the largest magnitude of another number where that is
-// more. The difference is rounded, as those are that a program computes.
+// By lane, the largest difference of two coordinates on one axis, or the largest magnitude of another number if that is
+// more. The difference is rounded, like those in the program.
 template <class P, class L> MEETC_INLINE L extent_of(const L *a, const L *b) {
   L largest(0.0F), low[3], high[3];
   bool seen[3] = {false, false, false};
@@ -56,15 +56,15 @@ template <class P, class Stage, class A, class L> MEETC_INLINE void power_errors
   for (int i = 0; i < Stage::atoms; ++i)
     error[i] = L(A::template factor<Stage>(i)) * (L(static_cast<real>(unit.of[i])) * powers[Stage::degree_of(i)]);
 }
-// What they prove of the signs of the values v. Of zeros they prove nothing.
+// The signs of the values v that these errors prove. They prove no zeros.
 template <class P, class Stage, class A, class L>
 MEETC_INLINE void signs_by_power(const L *v, L extent, proved_lanes *s) {
   using real = typename A::real;
   L error[Stage::atoms];
   power_errors<P, Stage, A>(extent, error);
   lane_mask sound = computes_as_bounded() ? all_bits : 0;
-  // Values are no larger than magnitudes. Where one of the stage can overflow, nothing is proved of the others either, as by
-  // the bound by leaves.
+  // Values are no larger than magnitudes. If one value of the stage can overflow, nothing is proved of the others
+  // either, as with the bound by leaves.
   constexpr int highest = unit_magnitudes<P, Stage>().highest_power(std::numeric_limits<real>::max_exponent - 2);
   if constexpr (highest < 129) // no float is beyond 2^128
     sound &= ~greater(L(real(2)) * power_below(extent), L(1 / power_of_two(-highest, real(0))));

@@ -7,7 +7,7 @@
 
 MEETC_NAMESPACE(meetc) {
 
-// The answer where fp32 gives none, in any environment.
+// The answer for a pair that fp32 leaves unsure, in any environment.
 template <class P> MEETC_HD inline bool decide_rest(const float *row_a, const float *row_b) {
   if (!standard_environment())
     return decide<P>(integer_signs<P>(row_a, row_b));

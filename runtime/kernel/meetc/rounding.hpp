@@ -31,7 +31,7 @@ MEETC_HD inline float most_of(float a, float b) {
   return a < b ? b : a;
 }
 
-// The larger of m and |x|; NaN where x is NaN.
+// The larger of m and |x|; NaN if x is NaN.
 MEETC_HD MEETC_INLINE float larger(float m, float x) {
   const float a = magnitude_of(x);
   return a <= m ? m : a;

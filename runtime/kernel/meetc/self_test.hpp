@@ -1,10 +1,11 @@
-// Whether compiler and machine compute as the bounds assume: a test that runs where the answers are computed.
+// Tests whether compiler and machine compute as the bounds assume, on the thread and in the unit that compute the
+// answers.
 //
 // Most flags that break the arithmetic define a macro, and environment.hpp refuses them. Some define none
 // (-fassociative-math with clang, -ftz=true with nvcc, pragmas), and a library linked with -ffast-math flushes
-// subnormals for the whole process. self_test() detects their effects and says which it found. It allocates nothing,
-// takes well below a microsecond, and tests only the calling thread and this translation unit's flags: code with other
-// flags needs a test of its own.
+// subnormals for the whole process. self_test() detects their effects and names those that it finds. It allocates
+// nothing, takes well below a microsecond, and tests only the calling thread and this translation unit's flags: code
+// with other flags needs a test of its own.
 #ifndef MEETC_SELF_TEST_HPP
 #define MEETC_SELF_TEST_HPP
 
@@ -51,7 +52,7 @@ MEETC_HD constexpr const char *text_of(arithmetic_fault f) {
   case arithmetic_fault::two_product:
     return "two_product() is not exact";
   case arithmetic_fault::unmasked_exceptions:
-    return "floating-point exceptions are unmasked, and the rest was not looked at; feenableexcept() does that";
+    return "floating-point exceptions are unmasked, and the rest was not tested; feenableexcept() does that";
   }
   return "an unknown fault";
 }
@@ -176,7 +177,7 @@ MEETC_HD inline bool two_product_is_exact() {
 
 } // namespace self_test_parts
 
-// The faults of this thread's arithmetic, as bits; 0 where there are none.
+// The faults of this thread's arithmetic, as bits; 0 if there are none.
 MEETC_HD inline unsigned self_test() {
   namespace parts = self_test_parts;
 #if !defined(__CUDA_ARCH__)

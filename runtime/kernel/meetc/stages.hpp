@@ -3,8 +3,8 @@
 // A predicate P has stages (reject, common, rare; absent ones are no_stage), each a program from stored numbers to
 // values. object_a and object_b compute the fields_a and fields_b values of one object that sets store (stored.hpp);
 // pair() reads them and computes the rest. P::rejected, P::usual, P::needs_rare and P::whole are its decision, for sign
-// and for sign_set alike, and P::open is what is known of it without the rare stage. Signs are numbered over all
-// stages; a stage's own begin at Stage::first.
+// and for sign_set alike; P::open is the decision as far as it is known without the rare stage. Signs are numbered over
+// all stages; a stage's own begin at Stage::first.
 #ifndef MEETC_STAGES_HPP
 #define MEETC_STAGES_HPP
 

@@ -71,7 +71,7 @@ template <class P, class V = float> struct store_a {
     magnitudes_of<typename P::reject_stage>(numbers, out);
     magnitudes_of<typename P::common_stage>(numbers, out);
   }
-  // Parts of them, at their places.
+  // The values alone, at their places among the stored ones.
   MEETC_HD MEETC_INLINE static void values_from(const V *numbers, V *out) {
     values<typename P::reject_stage>(numbers, out);
     values<typename P::common_stage>(numbers, out + stored_layout<P>::reject_a);
@@ -103,7 +103,7 @@ template <class P, class V = float> struct store_b {
     magnitudes_of<typename P::reject_stage>(numbers, out);
     magnitudes_of<typename P::common_stage>(numbers, out);
   }
-  // Parts of them, at their places.
+  // The values alone, at their places among the stored ones.
   MEETC_HD MEETC_INLINE static void values_from(const V *numbers, V *out) {
     values<typename P::reject_stage>(numbers, out);
     values<typename P::common_stage>(numbers, out + stored_layout<P>::reject_b);

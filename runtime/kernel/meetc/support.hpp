@@ -1,7 +1,7 @@
-// meetc/support.hpp: what every generated header includes.
+// meetc/support.hpp: the one header that every generated header includes.
 //
-// Signs, three-valued answers, the arithmetic of the rungs as far as most pairs take it, and the plain types by which
-// generated code and a runtime communicate. For host and device, in C++20, with no dependency but a compiler.
+// Signs, three-valued answers, the arithmetic of the rungs that most pairs need, and the plain types in the interface
+// of generated code and a runtime. For host and device, in C++20, with no dependency but a compiler.
 #ifndef MEETC_SUPPORT_HPP
 #define MEETC_SUPPORT_HPP
 

@@ -35,7 +35,7 @@ template <class P> inline constexpr bool keeps_tolerance = requires {
 };
 
 // The multiple of 2^low nearest to a finite v; of two, the even one. Every step is exact, so that neither flags nor the
-// environment matter. The result is infinite where it exceeds float32.
+// environment matter. The result is infinite if it exceeds float32.
 MEETC_HD inline float nearest_multiple(float v, int low) {
   const decoded d = decode(v);
   const int drop = low - d.e; // bits below the step
@@ -80,15 +80,15 @@ template <class P> struct grid_signs {
   }
 };
 
-// What fp32 leaves open, of rows on the grid; by distance, the value in fp64, for environments in which the bound in fp32
-// does not hold. Few pairs need it.
+// The decision on a pair that fp32 leaves open: exact, of rows on the grid; by distance, from the value in fp64, for
+// environments in which the bound in fp32 does not hold. Few pairs need it.
 template <class P> MEETC_HD inline bool decide_tolerant_rest(const float *row_a, const float *row_b) {
   if constexpr (P::tolerance::rounds)
     return decide<P>(grid_signs<P>{row_a, row_b});
   else
     return decide<P>(plain_signs<P, double>(row_a, row_b));
 }
-// The decision on rows, which have been rounded where the rung rounds.
+// The decision on rows, which have been rounded if the rung rounds.
 template <class P> MEETC_HD inline bool decide_tolerant(const float *row_a, const float *row_b) {
   if (!standard_environment())
     return decide_tolerant_rest<P>(row_a, row_b);

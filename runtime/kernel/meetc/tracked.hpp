@@ -1,7 +1,8 @@
 // Numbers that carry a bound of their own error: running error analysis.
 //
-// Problem: an exact rung needs signs that owe nothing to the bounds of the other rungs.
-// Method: every operation adds what it can lose to the errors of its operands. V is lanes of double; tests use double.
+// Problem: the exact rung needs signs that do not depend on the bounds of the other rungs.
+// Method: every operation adds its largest rounding error to the errors of its operands. V is lanes of double; tests use
+// double.
 // Source: Wilkinson; Higham, "Accuracy and Stability of Numerical Algorithms", 3.3.
 #ifndef MEETC_TRACKED_HPP
 #define MEETC_TRACKED_HPP
@@ -13,10 +14,11 @@
 
 MEETC_NAMESPACE(meetc) {
 
-// v is within e of the true value, while no NaN occurs. A rounding counts as 2^-51 of the result, four times that to the
-// nearest, so that neither contraction to fma nor the roundings of e itself matter, of which there are far fewer than 2^40.
-// Nothing underflows: values are products of at most highest_degree differences of floats, each 0 or at least 2^-149, so
-// that no value but 0 is below 2^-894, no error but 0 below 2^-52 of it, and no product of two errors below 2^-998.
+// v is within e of the true value, while no NaN occurs. A rounding counts as 2^-51 of the result, four times that to
+// the nearest, so that neither contraction to fma nor the roundings of e itself matter, of which there are far fewer
+// than 2^40. Nothing underflows: values are products of at most highest_degree differences of floats, each 0 or at
+// least 2^-149, so that no value but 0 is below 2^-894, no error but 0 below 2^-52 of it, and no product of two errors
+// below 2^-998.
 template <class V, int Rounding = -51> struct tracked_number { // tests use other roundings
   static constexpr int highest_degree = 6;
   V v = V(0.0), e = V(0.0);

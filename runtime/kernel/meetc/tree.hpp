@@ -1,8 +1,8 @@
-// The hierarchy of boxes over a set on a device, as kernels and their stand-in on a host see it.
+// The bounding volume hierarchy over a set on a device, as kernels and their stand-in on a host see it.
 //
-// Every 32 consecutive elements, whose order is a spatial one, have a node with their boxes, every 32 nodes a node above with
-// the boxes around theirs, and so on up to one root. There are no pointers: the children of lane i of node n are in node
-// 32 n + i of the level below. A warp tests a node at once, one lane a box.
+// The elements are in a spatial order. Every 32 consecutive ones have a node with their boxes, every 32 nodes a node
+// above with the boxes around theirs, and so on up to one root. There are no pointers: the children of lane i of node n
+// are in node 32 n + i of the level below. A warp tests a node at once, one lane a box.
 //
 // Boxes are finite: an end beyond float32 becomes its largest number, which loses no pair, since clamping is monotone.
 // An empty lane, from +inf to -inf, touches none of them.
@@ -26,8 +26,8 @@ struct tree_node {
   ends of[3][tree_width]; // by axes, of each lane
 };
 
-// Where the levels lie in an array of nodes. Level 0 has the elements' boxes. A tree has at least two levels, and its
-// last is the root; that of no elements has none.
+// The places of the levels in an array of nodes. Level 0 has the elements' boxes. A tree has at least two levels, and
+// its last is the root; a tree without elements has no level.
 struct tree_shape {
   std::uint32_t first[tree_levels] = {}, count[tree_levels] = {}; // nodes
   int depth = 0;
@@ -45,8 +45,8 @@ struct tree_shape {
   MEETC_HD constexpr std::uint32_t nodes() const { return depth == 0 ? 0 : first[depth - 1] + 1; }
 };
 
-// How many levels are filled with the elements' boxes: all of those of a small set, since each kernel for the others costs a
-// start.
+// The number of levels that the kernel for the elements' boxes fills: all levels of a small set, since every further
+// kernel costs a launch.
 MEETC_HD constexpr int levels_with_boxes(std::uint32_t elements) {
   return elements <= std::uint32_t{1} << 20 ? 4 : 2;
 }

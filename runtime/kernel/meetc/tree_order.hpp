@@ -1,4 +1,4 @@
-// The spatial order of a set's elements, where a device makes it.
+// The spatial order of a set's elements, made on a device.
 #ifndef MEETC_TREE_ORDER_HPP
 #define MEETC_TREE_ORDER_HPP
 
@@ -7,13 +7,13 @@
 
 namespace meetc::cuda {
 
-// 2^bits cells along each axis of a cube around a set. Any number is in some cell, so that outliers lie in the outermost.
+// 2^bits cells along each axis of a cube around a set. Every number is in some cell; outliers lie in the outermost.
 struct hilbert_cells {
   float low[3], unit, scale; // numbers are multiplied by the power of two `unit`, so that the cube's size is no extreme
   int bits;
 
   hilbert_cells() = default;
-  // Of the box around the elements' boxes, whose ends are finite if there are elements.
+  // `around`: the box around the elements' boxes. Its ends are finite if there are elements.
   MEETC_HD hilbert_cells(const tree_box &around, int bits_) : bits(bits_) {
     float half = 0; // of the size
     for (int k = 0; k < 3; ++k) {
@@ -49,8 +49,9 @@ private:
   }
 };
 
-// Packed rows get their places by a box around every so many of them, from the first of these on. It need not be that around all:
-// a pass over all of them would take as long as the places do, and few that lie far away are then seldom among them.
+// Packed rows get their places by a box around a sample of them: row `first` and every `step` rows after it, at most
+// 1024. The box around all is not needed: a pass over all rows would take as long as finding their places. A sample
+// also seldom holds the few rows that lie far away.
 struct sample {
   std::uint32_t step, first;
 
@@ -59,13 +60,13 @@ struct sample {
     step = elements / most + (elements % most != 0 || elements == 0);
     first = step / 2;
   }
-  // How many there are of so many elements.
+  // The size of the sample of so many elements.
   MEETC_HD constexpr std::uint32_t of(std::uint32_t elements) const {
     return elements > first ? (elements - first - 1) / step + 1 : 0;
   }
 };
 
-// An element as it is ordered: by its place, and then by its number.
+// The sort key of an element: its place, and then its number.
 MEETC_HD constexpr std::uint64_t in_order(std::uint32_t place, std::uint32_t element) {
   return std::uint64_t{place} << 32 | element;
 }

@@ -1,12 +1,12 @@
-// How large the values of a stage are, in powers of the largest difference of a pair's numbers.
+// Bounds of a stage's values, in powers of the largest difference of a pair's numbers.
 //
-// Problem: a bound of the error that has a term for each leaf of the program costs as much as the values. Most pairs need
-// much less: a bound that is the same for all values of one degree.
-// Method: let no difference of two coordinates, and no other number of the pair, exceed D. Then a value of degree n, and
-// every value on the way to it, is at most c D^n. Here c is what the program gives if each leaf is 1, or 2 if it is a
-// difference of other numbers than coordinates, and each further subtraction adds. The emitted program is run on such
-// numbers at compile time. Where D is a power of two, c D^n is no less than what the program of magnitudes gives in
-// floating point, so a bound that holds for magnitudes holds for it: rounding is monotone, and multiplying by a power of
+// Problem: a bound of the error that has a term for each leaf of the program costs as much as the values. Most pairs
+// need much less: a bound that is the same for all values of one degree.
+// Method: let no difference of two coordinates, and no other number of the pair, exceed D. Then a value of degree n,
+// and every value on the way to it, is at most c D^n. Here c is the result of the program if each leaf is 1, or 2 if it
+// is a difference of other numbers than coordinates, and each further subtraction adds. The emitted program is run on
+// such numbers at compile time. If D is a power of two, c D^n is no less than the floating-point result of the program
+// of magnitudes, so a bound that holds for magnitudes holds for it: rounding is monotone, and multiplying by a power of
 // two commutes with it.
 #ifndef MEETC_UNIT_MAGNITUDES_HPP
 #define MEETC_UNIT_MAGNITUDES_HPP
@@ -45,7 +45,7 @@ struct unit_magnitude {
   friend constexpr unit_magnitude operator*(unit_magnitude a, unit_magnitude b) { return of(a.size() * b.size()); }
 };
 
-// Those of a stage's values. Where a coordinate occurs outside of a difference, they are infinite.
+// The magnitudes of a stage's values, infinite if a coordinate occurs outside of a difference.
 template <class P, class Stage> struct unit_magnitudes {
   double of[Stage::atoms] = {};
   double most = 0;
@@ -64,7 +64,7 @@ template <class P, class Stage> struct unit_magnitudes {
   }
   // Whether they are known, and are numbers in float32.
   constexpr bool usable() const { return most <= 0x1p24; }
-  // The largest k for which all are at most 2^limit where D is 2^k.
+  // The largest k such that all are at most 2^limit for D = 2^k.
   constexpr int highest_power(int limit) const {
     int k = 0;
     for (double size = most; size > 1; size *= 0.5)

@@ -3,8 +3,8 @@
 // While every sign is known, the logic of signs is used, which is several times faster than that of sets.
 //
 // Equal points settle some decisions: P::settled() says whether the polynomials of all signs, with these points put in,
-// leave no decision but a hit (gen/lower/settled.hpp). The points are compared where this can matter: where a sign of
-// the reject stage may be zero, where a bound leaves a sign open, and before the rare stage.
+// leave no decision but a hit (gen/lower/settled.hpp). The points are compared only if this can matter: if a sign of
+// the reject stage may be zero, if a bound leaves a sign open, and before the rare stage.
 #ifndef MEETC_USUAL_HPP
 #define MEETC_USUAL_HPP
 
@@ -54,7 +54,7 @@ template <class P> MEETC_HD MEETC_INLINE bool surely_rejected(found_signs<P> &f)
   return P::rejected(f.s);
 }
 
-// Where a pair stands after the reject stage and the stage of the usual case.
+// The progress of a pair after the reject stage and the stage of the usual case.
 enum class progress : std::uint8_t { miss, hit, open };
 
 // Runs the reject stage, which P must have.

@@ -1,5 +1,5 @@
-// Whether a number is one that a kind may hold: finite, and as its `where` says. The test uses bits alone, so the
-// answer depends neither on flags nor on the control word (which can make a negative subnormal number compare as zero).
+// Tests whether a kind may hold a number: it is finite and obeys the kind's `where`. The tests use bits alone, so their
+// answers depend neither on flags nor on the control word (which can make a negative subnormal number compare as zero).
 #ifndef MEETC_VALID_HPP
 #define MEETC_VALID_HPP
 

@@ -1,17 +1,16 @@
-// Decides pairs in lanes of doubles: the rung fp64 of `certified`, and what `exact` decides in lanes, for the runtime's
+// Decides pairs in lanes of doubles: the rung fp64 of `certified`, and the first part of `exact`, for the runtime's
 // table.
 //
-// Problem: pairs that fp32 leaves unsure are often degenerate: many of their signs are zero, which no bound can tell from
-// a small number.
-// Method: where the numbers of a pair are multiples of a step, and differ by so few steps that every value is below 2^53,
-// doubles are exact, and signs those of values. Otherwise signs come from values in fp64 with their bound. Where these are
-// unsure, the same program runs on integers modulo 2^64: on a common grid the value is an integer n, and the bound says
-// |n| < 2^62, so that the residue of n is n. This needs neither wide products nor that the values in fp64 are exact.
-// `exact` takes no bound of an error from the compiler, so that it judges the bounds of the other rungs: roundings are counted
-// (counted_roundings.hpp), and where that does not suffice its values carry their own errors (tracked.hpp). It compares equal
-// points first, takes doubles that are exact too, and leaves the rare stage open.
-// What this leaves open is decided pair by pair by the caller's function. A pair's answer does not depend on those that
-// share the lanes with it.
+// Problem: pairs that fp32 leaves unsure are often degenerate: many of their signs are zero, which no bound can tell
+// from a small number.
+// Method: if the numbers of a pair are multiples of a step, and differ by so few steps that every value is below 2^53,
+// doubles are exact, and the signs are those of the values. Otherwise signs come from values in fp64 with their bound.
+// If some are unsure, the same program runs on integers modulo 2^64: on a common grid the value is an integer n, and
+// the bound says |n| < 2^62, so that the residue of n is n. This needs neither wide products nor exact values in fp64.
+// `exact` uses no error bound of the compiler, so that it can judge the bounds of the other rungs: it counts roundings
+// (counted_roundings.hpp), and if that does not suffice its values carry their own errors (tracked.hpp). It compares
+// equal points first, takes doubles that are exact too, and leaves the rare stage open. The caller's function decides
+// the pairs that are left open, one by one. A pair's answer does not depend on those that share the lanes with it.
 #ifndef MEETC_WIDE_DECIDE_HPP
 #define MEETC_WIDE_DECIDE_HPP
 
@@ -32,7 +31,7 @@ template <> struct leaf_magnitude<wide_lanes> {
 // The numbers of wide_count pairs.
 template <class P> struct wide_rows {
   wide_lanes a[P::inputs_a], b[P::inputs_b];
-  wide_lanes extent; // extent_of() them
+  wide_lanes extent; // extent_of(a, b)
 
   MEETC_INLINE void measure() { extent = extent_of<P>(a, b); }
   // Calls f(number) for each number.
@@ -44,22 +43,22 @@ template <class P> struct wide_rows {
   }
 };
 
-// The pairs' numbers as integers, where they are multiples of a step of which differences are below 2^Span.
+// The pairs' numbers as integers, if they are multiples of a step and their differences are below 2^Span steps.
 template <class P> struct whole_rows {
   whole_lanes a[P::inputs_a], b[P::inputs_b];
   wide_lanes step;   // a power of two
-  lane_mask on_grid; // where they are
+  lane_mask on_grid; // the lanes in which they are
 
   template <int Span> MEETC_INLINE void take(const wide_rows<P> &r) {
     constexpr double least_step = power_of_two(1 - Span, 0.0);
     wide_lanes largest(0x1p-149);
     r.each([&](wide_lanes x) { largest = larger(magnitude_of(x), largest); });
     step = larger(power_below(r.extent) * wide_lanes(least_step), power_below(largest) * wide_lanes(0x1p-49));
-    // Where the numbers are much larger than their differences, the step is larger too, so the span is less.
+    // If the numbers are much larger than their differences, the step is larger too, so the span is less.
     on_grid = compiled_as_written() ? all_bits : 0;
     // 1 / step, a power of two as well: the exponents of the two add up to twice the bias.
     const wide_lanes steps = with_bits(wide_bits{} + (std::int64_t{2046} << 52) - bits_of(step));
-    for (int i = 0; i < P::inputs_a && on_grid != 0; ++i) // most pairs that are not on it are seen at once
+    for (int i = 0; i < P::inputs_a && on_grid != 0; ++i) // most pairs off the grid are found by the first numbers
       a[i] = integer(r.a[i] * steps);
     for (int i = 0; i < P::inputs_b && on_grid != 0; ++i)
       b[i] = integer(r.b[i] * steps);
@@ -74,12 +73,12 @@ private:
   }
 };
 
-// Residues have `bits` bits, and are read as signed integers. One below 2^limit is that of one integer below it, namely
-// itself. A bound in fp64 is about 2^-spare of the largest value. Tests use fewer bits, so that they see what a wrong limit
-// does, and more to spare, so that bounds do exceed the limit.
+// Residues have `bits` bits and are read as signed integers. An integer below 2^limit in magnitude is its own residue.
+// A bound in fp64 is about 2^-spare of the largest value. Tests use fewer bits, so that a wrong limit shows, and more
+// to spare, so that bounds do exceed the limit.
 template <int Bits, int Limit = Bits - 2, int Spare = 48, int Exact = 53> struct residue_width {
   static constexpr int bits = Bits, limit = Limit, spare = Spare;
-  static constexpr int exact = Exact; // doubles below 2^exact are
+  static constexpr int exact = Exact; // doubles below 2^exact hold every integer
   static MEETC_INLINE whole_lanes read(whole_lanes n) {
     if constexpr (bits == 64)
       return n;
@@ -88,15 +87,15 @@ template <int Bits, int Limit = Bits - 2, int Spare = 48, int Exact = 53> struct
   }
 };
 
-// The span of differences for which a stage's bounds are below 2^limit steps to the power of its degree. Where they are
-// not, they say so, so that a longer span is no less safe.
+// The span of differences for which a stage's bounds are below 2^limit steps to the power of its degree. A longer span
+// is no less safe, since each bound is compared with the limit.
 inline constexpr int longest_span = 50;
 template <class Stage, class Width> constexpr int bounded_span() {
   const int span = (Width::limit + Width::spare - Stage::growth) / Stage::degree;
   return span < longest_span ? span : longest_span;
 }
 
-// The most steps by which numbers can differ, if values below 2^Limit are exact; 0 where that is not known.
+// The most steps by which numbers can differ, if values below 2^Limit are exact; 0 if that is not known.
 template <class P, int Limit = 53> constexpr double exact_steps() {
   double most = 0x1p50;
   each_stage<P>([&most](auto stage) {
@@ -132,7 +131,7 @@ MEETC_NOINLINE void add_exact_signs(const wide_rows<P> *rows, int from, proved_l
   }
 }
 
-// How values get their errors: v[i] is within error[i] of the truth, and a magnitude of zero proves zero.
+// Two sources of errors: v[i] is within error[i] of the truth, and a magnitude of zero proves zero.
 struct emitted_bounds {
   static constexpr bool is_exact = false, by_power = true; // the power form comes first, in this arithmetic
   template <class P> using power = in_fp64;
@@ -167,9 +166,9 @@ template <class P, class Stage, class Width, class How = emitted_bounds> class w
 public:
   MEETC_INLINE explicit wide_signs(const wide_rows<P> &rows) : rows_(rows) {}
 
-  // What is proved of the stage's signs. Of pairs outside `wanted` it may be less. It is out of line, as add_exact_signs()
-  // is, since gcc 12 miscompiles the caller's loop over masks for AVX-512 where it can merge the two (unless -fno-tree-ter
-  // is given; tests/extremes sees it).
+  // The stage's signs as far as they are proved; for pairs outside `wanted` that may be less. It is out of line, as
+  // add_exact_signs() is, since gcc 12 miscompiles the caller's loop over masks for AVX-512 if it can merge the two
+  // (unless -fno-tree-ter is given; tests/extremes sees it).
   MEETC_NOINLINE void get(lane_mask wanted, proved_lanes *s) const {
     if constexpr (How::by_power && has_power_bound<P, Stage>()) {
       wide_lanes v[Stage::atoms];
@@ -192,7 +191,7 @@ private:
     wide_lanes v[Stage::atoms], error[Stage::atoms], m[Stage::atoms];
     How::template values<P, Stage>(rows_, v, error, m);
     const lane_mask finite = finite_lanes(v),
-                    sound = computes_as_bounded() ? all_bits : 0; // elsewhere values prove nothing
+                    sound = computes_as_bounded() ? all_bits : 0; // otherwise values prove nothing
     for (int i = 0; i < Stage::atoms; ++i) {
       const proved_lanes p = proved(v[i], error[i], m[i]);
       s[i] = {p.negative & finite & sound, p.zero & sound, p.positive & finite & sound};
@@ -255,10 +254,10 @@ private:
 
   void load(const index_pair *pairs, int n) {
     settled_ = 0;
-    // Neighbours mostly are of one sort, so where no pair of a block is exact, the next ones are not tried.
+    // Neighbouring pairs are mostly alike, so after a block without an exact pair the next ones are not tried.
     const bool tries = exact_ != 0 || number_++ % 16 == 0;
     exact_ = 0;
-    const int filled = (n + 7) / 8 * 8; // signs are found of eight at a time
+    const int filled = (n + 7) / 8 * 8; // the signs of eight pairs are found at a time
     for (int from = 0; from < filled; from += lane_count) {
       std::uint32_t at_a[lane_count], at_b[lane_count];
       for (int k = 0; k < lane_count; ++k) { // lanes from n on repeat the last pair
@@ -317,7 +316,7 @@ private:
     }
   }
 
-  // Adds those of the pairs of one vector, from bit `from` on.
+  // Adds the signs of the pairs of one vector, from bit `from` on.
   template <class Stage> MEETC_INLINE void add_signs(lane_mask wanted, int from, proved_lanes *to) const {
     constexpr lane_mask every = all_bits >> (block - wide_count);
     const lane_mask here = wanted >> from & every;
@@ -361,11 +360,11 @@ private:
   const Open &open_;
   wide_rows<P> rows_[block / wide_count];
   lane_mask settled_ = 0; // pairs that equal points settle
-  lane_mask exact_ = 0;   // those of which doubles are exact
+  lane_mask exact_ = 0;   // pairs whose values are exact in doubles
   unsigned number_ = 0;   // of blocks
 };
 
-// Decides n pairs in lanes of doubles; open(i) decides pair i where these do not.
+// Decides n pairs in lanes of doubles; open(i) decides pair i if these do not.
 template <class P, class Width = residue_width<64>, class How = emitted_bounds, class Open>
 void decide_in_wide_lanes(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
                           const Open &open) {

@@ -1,6 +1,6 @@
 // Several doubles as one number, and several integers modulo 2^64, on which emitted code runs unchanged: half as many as
-// the floats of float_lanes.hpp, whose masks serve here too. The masks' bits from wide_count on say nothing. Users include
-// lanes.hpp.
+// the floats of float_lanes.hpp, whose masks serve here too. The masks' bits from wide_count on have no meaning. Users
+// include lanes.hpp.
 #ifndef MEETC_WIDE_LANES_HPP
 #define MEETC_WIDE_LANES_HPP
 
@@ -39,7 +39,7 @@ MEETC_INLINE wide_lanes operator-(wide_lanes a, wide_lanes b) {
 MEETC_INLINE wide_lanes operator*(wide_lanes a, wide_lanes b) {
   return wide_lanes(a.v * b.v);
 }
-// One rounding where certified rungs use the instruction; otherwise a product and a sum, as unfused<double>.
+// One rounding if certified rungs use the instruction; otherwise a product and a sum, as unfused<double>.
 MEETC_INLINE wide_lanes fma(wide_lanes a, wide_lanes b, wide_lanes c) {
 #if defined(__AVX512F__)
   return wide_lanes(_mm512_fmadd_pd(a.v, b.v, c.v));
@@ -76,7 +76,7 @@ MEETC_INLINE lane_mask highest_bits(wide_bits m) {
   return bits;
 #endif
 }
-// The lanes in which a comparison holds. It holds in none where an operand is NaN.
+// The lanes in which a comparison holds; it does not hold for NaN.
 #if defined(__AVX512F__)
 MEETC_INLINE lane_mask greater(wide_lanes a, wide_lanes b) {
   return _mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ);
@@ -102,7 +102,7 @@ MEETC_INLINE wide_lanes with_bits(wide_bits b) {
 MEETC_INLINE wide_lanes magnitude_of(wide_lanes a) {
   return with_bits(bits_of(a) & 0x7fffffffffffffff);
 }
-// The larger one, or b where one of them is NaN.
+// The larger one, or b if one of them is NaN.
 MEETC_INLINE wide_lanes larger(wide_lanes a, wide_lanes b) {
 #if defined(__AVX512F__)
   return wide_lanes(_mm512_maskz_max_pd(0xff, a.v, b.v));
@@ -131,8 +131,8 @@ MEETC_INLINE wide_lanes power_below(wide_lanes a) {
   return with_bits(bits_of(a) & 0x7ff0000000000000);
 }
 
-// The signs of eight doubles, which lie in v[0], v[stride], … Each is zero or at least 2^-1022. A zero of either sign
-// counts as zero, and may count as negative too.
+// The signs of eight doubles in v[0], v[stride], … Each is zero or at least 2^-1022. A zero of either sign counts as
+// zero, and may count as negative too.
 inline constexpr int vectors_of_eight = 8 / wide_count;
 struct eight_signs {
   lane_mask negative, zero;

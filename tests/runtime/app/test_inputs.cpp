@@ -70,7 +70,7 @@ TEST_CASE("polygons that are not planar or cross themselves are told") {
   for (const std::string &text : {run({"inspect", "odd.obj"}).out, summary_of({"odd.obj", "cut.csv"})}) {
     CHECK(has(text, "1 of 2 polygons is not planar: a corner is 0.408 from the plane through the first one at most; "
                     "more than 2^-20 of the longest side: face 0"));
-    CHECK(has(text, "1 polygon crosses itself: what is left where no corner can be cut off is fanned: face 1"));
+    CHECK(has(text, "1 polygon crosses itself: the rest, of which no corner can be cut off, is fanned: face 1"));
   }
   CHECK(answer({"odd.obj", "cut.csv"})["notes"].size() == 2);
 }

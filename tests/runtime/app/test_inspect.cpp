@@ -77,7 +77,7 @@ TEST_CASE("the scene that the files require") {
   CHECK(has(scene, "[scene]\n"));
   CHECK(has(scene, "namespace = 'robot_cell'"));
   CHECK(has(scene, "rungs     = ['certified']"));
-  CHECK(has(s.out, "What the lines of the scene buy, by queries of ball_triangle"));
+  CHECK(has(s.out, "The gain from the lines of the scene, by queries of ball_triangle"));
   CHECK(has(s.out, "   box         "));
   CHECK_FALSE(has(s.out, "   tolerance   "));
   CHECK(has(scene,
