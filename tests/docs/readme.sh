@@ -46,7 +46,7 @@ shown 'Möller, his epsilon, fp32'
 # ---- the example, the links, and the files that are named ----
 [ "$(wc -l <docs/examples/tiny.toml)" -le 10 ]
 bad=0
-for page in README.md docs/*.md; do
+for page in README.md docs/*.md docs/measured/*.md; do
   while IFS= read -r link; do
     [ -e "$(dirname "$page")/${link%%#*}" ] || { echo "$page: broken link: $link"; bad=1; }
   done < <(grep -oE '\]\([^)# ]+[^) ]*\)' "$page" | sed -E 's/^\]\((.*)\)$/\1/' | grep -vE '^https?:' || true)
@@ -60,5 +60,5 @@ while IFS= read -r named; do
   *) continue ;;
   esac
   [ -e "$file" ] || { echo "README.md or docs/: no such file: $named"; bad=1; }
-done < <(grep -ohE '`[^`]+`' README.md docs/*.md | tr -d '`' | sort -u)
+done < <(grep -ohE '`[^`]+`' README.md docs/*.md docs/measured/*.md | tr -d '`' | sort -u)
 exit $bad
