@@ -1,7 +1,7 @@
 // Proven error bounds of the signs of a stage.
 //
-// Problem: the final, scheduled graph of a stage computes v^ in floating point; the sign that is wanted is that of
-// the exact v. Find E with |v^ - v| <= E, or rather with: v^ > E implies v > 0.
+// Problem: the final, scheduled graph of a stage computes v^ in floating point; the sign that is wanted is that of the
+// exact v. Find E with |v^ - v| <= E, or rather with: v^ > E implies v > 0.
 //
 // Method: two analyses of the same graph, node for node, in exact rationals, rounded outwards at the end.
 //   magnitude form  |v^ - v| <= K M: M is the graph itself, run on the absolute values of its leaves with every
@@ -16,6 +16,22 @@
 // A leaf is the difference of two stored numbers, or a stored number itself. Its one rounding is counted, so the bounds
 // cover the whole chain from the float32 input, including stored object values. The last rounding is not counted where
 // rounding is to nearest, since it is monotonic and keeps the sign of what it rounds.
+//
+// Underflow: a product may fall below the normal numbers. Its rounding error is then at most half the smallest
+// subnormal instead of u times the product, and that is at most u M, because the floor f of the leaves makes f^degree
+// far larger (in fp32 f^degree >= 2^-102). Overflow: there is no division, so if an operation on the way to v^
+// overflows, v^ is infinite or NaN, and if one on the way to M^ does, M^ is; neither then proves a sign.
+//
+// Contraction: a compiler may contract a product and a sum of the program of v^, of that of M^, of both or of neither.
+// Each contraction removes one factor (1 + delta) from some monomials and adds none, so theta and phi remain upper
+// bounds, each for its own program, and the argument about overflow is made for each program alone. In the box form a
+// contraction removes one error from the recurrence, which is monotonic in its errors. Without a fused multiply-add a
+// second schedule runs, in which every fma(a, b, c) is a b + c with two roundings; it has its own theta, phi, K, box
+// form and Gappa scripts.
+//
+// The box form: the rounding error of a value below 2^e is taken as half a unit in the last place there, and powers of
+// two commute with rounding. So the theorem is one about leaves in [-1, 1], in a float format whose least exponent
+// covers every scale that is allowed.
 //
 // Limits: stages must be homogeneous with integer constants (growth.hpp), under round to nearest and gradual underflow.
 // The emitted thresholds say where they hold; elsewhere a rung answers unsure.

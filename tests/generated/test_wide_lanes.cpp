@@ -134,7 +134,7 @@ template <int Limit> int wrong_by_midpoints() {
 } // namespace
 
 TEST_CASE("exact doubles at their limit: nothing is wrong, and sixteen times as much is seen") {
-  STATIC_REQUIRE(meetc::exact_steps<cga::triangle_triangle>() == 114'501); // as docs/numerics.md says
+  STATIC_REQUIRE(meetc::exact_steps<cga::triangle_triangle>() == 114'501); // as docs/proofs.md says
   CHECK(wrong_by_midpoints<53>() == 0);
   CHECK(wrong_by_midpoints<57>() > 0);
 }

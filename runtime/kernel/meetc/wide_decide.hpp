@@ -7,10 +7,15 @@
 // doubles are exact, and the signs are those of the values. Otherwise signs come from values in fp64 with their bound.
 // If some are unsure, the same program runs on integers modulo 2^64: on a common grid the value is an integer n, and
 // the bound says |n| < 2^62, so that the residue of n is n. This needs neither wide products nor exact values in fp64.
-// `exact` uses no error bound of the compiler, so that it can judge the bounds of the other rungs: it counts roundings
-// (counted_roundings.hpp), and if that does not suffice its values carry their own errors (tracked.hpp). It compares
-// equal points first, takes doubles that are exact too, and leaves the rare stage open. The caller's function decides
-// the pairs that are left open, one by one. A pair's answer does not depend on those that share the lanes with it.
+// Doubles that are exact come first, since integers modulo 2^64 are slow in lanes without an instruction that
+// multiplies them. The comparison is |v| + E < 2^62 g^k, for values of degree k on a grid of g. Its right side is a
+// power of two and exact, unless it underflows to less, which proves nothing. E leaves out the last rounding of v, and
+// the sum is rounded too; the factor of two between 2^62 and 2^63 has room for both. A value of degree 3 of differences
+// that span 34 bits qualifies, since its bound is about 2^-48 of the largest one. `exact` uses no error bound of the
+// compiler, so that it can judge the bounds of the other rungs: it counts roundings (counted_roundings.hpp), and if
+// that does not suffice its values carry their own errors (tracked.hpp). It compares equal points first, takes doubles
+// that are exact too, and leaves the rare stage open. The caller's function decides the pairs that are left open, one
+// by one. A pair's answer does not depend on those that share the lanes with it.
 #ifndef MEETC_WIDE_DECIDE_HPP
 #define MEETC_WIDE_DECIDE_HPP
 
