@@ -27,7 +27,7 @@ expected_seconds expected_on(std::size_t elements, int threads);
 // Whether this build has a device's kernels and they are expected to be the faster ones.
 bool device_expected(std::size_t elements, int threads);
 
-// How a device answered.
+// The device's own report on its answer.
 struct device_account {
   std::string device, model; // "NVIDIA H200"; what the filter assumes, such as "wgmma-f16-f32" or "none"
   int devices = 1;           // between which the query was cut; what follows is of the first, or of the slowest

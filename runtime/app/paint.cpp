@@ -19,7 +19,7 @@ io::rgb bytes(picture::colour c) {
 // Memory that a shape refers to.
 struct kept {
   std::vector<std::uint8_t> hit; // one for each element
-  std::vector<float> rows;       // of what is drawn, if these are not the set's own
+  std::vector<float> rows;       // to draw, if they are not the set's own
 };
 
 // The two triangles of each of its six faces.

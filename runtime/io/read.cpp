@@ -25,7 +25,7 @@ struct format_entry {
   file_format format;
   std::string_view name;
   element_set (*read)(const file_bytes &, const read_request &);
-  const char *item; // what an element of a mesh is called
+  const char *item; // the format's word for an element of a mesh
 };
 
 constexpr format_entry formats[] = {{file_format::ply, "ply", read_ply, "face"},

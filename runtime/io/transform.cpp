@@ -113,7 +113,7 @@ public:
 
   std::size_t fields() const { return roles_.size(); }
 
-  // Returns the first field that is then not finite, and what it was; -1: none.
+  // Returns the first field that is then not finite, with its former value in `read`; -1: none.
   int apply(float *row, float &read) const {
     for (std::size_t f = 0; f < roles_.size(); ++f) {
       if (roles_[f] == role::length) {

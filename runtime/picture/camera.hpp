@@ -17,14 +17,14 @@ struct camera {
   bool z_up = false;       // otherwise y points up
   bool perspective = true; // mild
   framing fit = framing::scene;
-  double margin = 0.05;     // share of the smaller side that is left free around what is fitted
+  double margin = 0.05;     // share of the smaller side that is left free around the fitted shapes
   int supersample = 2;      // samples along each axis of a pixel, 1..4
   double see_through = 0.6; // how strongly hidden hits shine through, 0..1
   bool smooth = true;       // smooth normals where the surface is smooth
 };
 
 // The camera turned about the upward axis, and by up to 30 degrees of elevation, to where the hit triangles show the
-// largest area. It considers their normals and where they lie on the body, but not what hides them. Without hit
+// largest area. It considers their normals and their places on the body, but not the shapes that hide them. Without hit
 // triangles it stays as it is.
 camera facing_hits(std::span<const shape> shapes, camera from);
 

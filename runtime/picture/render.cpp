@@ -93,7 +93,8 @@ image render(std::span<const shape> all_shapes, const camera &from, int width, i
   for (std::size_t i = 0; i < shapes.size(); ++i)
     draw(shapes[i], i, p, from, k, surface, marked);
 
-  // A hit lies on a surface. Where two surfaces cross it is slightly behind the other one, which is tolerated.
+  // A hit lies on a surface. At a crossing of two surfaces it may lie slightly behind the other one, and still counts
+  // as visible.
   const double forgiven = 2.5 * k / p.zoom;
   std::vector<std::uint8_t> drawn(surface.at.size());
   for (std::size_t i = 0; i < drawn.size(); ++i)
@@ -111,7 +112,7 @@ image render(std::span<const shape> all_shapes, const camera &from, int width, i
     const shape &of = shapes[s.shape()];
     return shade(s, hit ? of.hit_colour : of.base, hit);
   };
-  // Spheres fill areas, not curves. If many of them shone through, they would hide what is in front.
+  // Spheres fill areas, not curves. If many of them shone through, they would hide the shapes in front.
   std::vector<double> through;
   for (const shape &of : shapes)
     through.push_back((of.what == form::spheres ? 0.25 : 1) * std::clamp(from.see_through, 0.0, 1.0));

@@ -141,7 +141,7 @@ void cut_polygons(const std::string &file, vertex_lists &&faces, int threads, el
     set.index = std::move(faces.vertices);
     return;
   }
-  // Where each block of faces starts among corners and triangles.
+  // The start of each block of faces among corners and triangles.
   constexpr std::size_t block = 256;
   struct start {
     std::size_t corner, triangle;

@@ -1,11 +1,11 @@
 // Decimal text to float32, rounded once and exactly, which also tells whether the number moved.
 //
-// Problem: reading coordinates takes most of a program's time, and std::from_chars neither tells what rounding did nor
-// gives values below its range. Method: the digits make an integer w, and w * 10^e in double, with a table of powers,
-// is within 3/2 units in the last place of the decimal: w, the power and the product are each rounded once. Its float32
-// is that of the decimal unless a boundary between two float32 numbers lies within that distance, since rounding is
-// monotonic; the low bits of the double tell. About one in 10^7 random decimals is left, and goes to std::from_chars
-// with all that is unusual: more than 19 digits, subnormal numbers, infinities, words.
+// Problem: reading coordinates takes most of a program's time, and std::from_chars neither tells the move by rounding
+// nor gives values below its range. Method: the digits make an integer w, and w * 10^e in double, with a table of
+// powers, is within 3/2 units in the last place of the decimal: w, the power and the product are each rounded once. Its
+// float32 is that of the decimal unless a boundary between two float32 numbers lies within that distance, since
+// rounding is monotonic; the low bits of the double tell. About one in 10^7 random decimals is left, and goes to
+// std::from_chars with all that is unusual: more than 19 digits, subnormal numbers, infinities, words.
 #ifndef MEETC_IO_TEXT_DECIMAL_HPP
 #define MEETC_IO_TEXT_DECIMAL_HPP
 

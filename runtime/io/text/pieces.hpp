@@ -67,7 +67,7 @@ public:
   void check_piece(std::string_view piece) const;
   // The line of a byte of a piece, or of whole().
   std::size_t line_of(const char *at) const;
-  // How many bytes of the file follow a place in whole().
+  // The number of bytes of the file from a place in whole() on.
   std::size_t size_from(const char *at) const {
     return size_ - std::min(size_, static_cast<std::size_t>(at - whole_.data()));
   }
