@@ -15,10 +15,10 @@
 // the error is as large as the balls, and above, squares overflow, so that nothing is proved.
 //
 // Proof. Let M be the greatest magnitude of an end. The ends enclose the ball, and each is within one rounding and two
-// steps of it, so that l_k + h_k is within 5 2^-24 M + 2^-148 of 2 c_k, and C is within W = sqrt(3) (8 2^-24 M +
-// 2^-148) of 2c. The side s is, before its rounding, at least 2r and at most 11 2^-24 M + 2^-147 more; and m is at
-// least 2M, up to five roundings, since |l_k + h_k| + |h_k - l_k| is twice the larger magnitude of the two. From this
-// Gappa proves P >= (2r + W)(1 + 2^-21) and L (1 + 2^-21) + 2^-62 <= 2r - W (two_balls_most.gappa and
+// steps of it (tests/generated), so that l_k + h_k is within 5 2^-24 M + 2^-148 of 2 c_k, and C is within W = sqrt(3)
+// (8 2^-24 M + 2^-148) of 2c. The side s is, before its rounding, at least 2r and at most 11 2^-24 M + 2^-147 more; and
+// m is at least 2M, up to five roundings, since |l_k + h_k| + |h_k - l_k| is twice the larger magnitude of the two.
+// From this Gappa proves P >= (2r + W)(1 + 2^-21) and L (1 + 2^-21) + 2^-62 <= 2r - W (two_balls_most.gappa and
 // two_balls_least.gappa in tests/proofs). Let D be the exact distance of both C. If the balls touch, then D is at most
 // the sum of both 2r + W, so that D (1 + 2^-21) is at most the sum of both P, and Gappa proves q <= fl(P'^2)
 // (two_balls_apart.gappa). If they are apart, then D exceeds the sum of both 2r - W, hence that of both L times 1 +

@@ -48,7 +48,7 @@ void count_move_by_digits(std::string_view word, float f, rounded_numbers &moved
   const std::size_t point = exact.find('.');
   b.replace(static_cast<std::size_t>(most) - point, point, exact.substr(0, point));
   b.replace(static_cast<std::size_t>(most), 149, exact.substr(point + 1));
-  if (const long at = most - x.unit; at < static_cast<long>(size)) // half a unit, or less than one digit of the sum
+  if (const long at = most - x.unit; at < static_cast<long>(size)) // half a unit, or 0 if that is below the last digit
     half[static_cast<std::size_t>(at)] = '5';
   const std::string apart = difference(std::move(a), std::move(b));
   if (apart <= half)

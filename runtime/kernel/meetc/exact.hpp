@@ -148,21 +148,21 @@ private:
   }
 };
 
-// The exact rung. Each stage takes the cheapest way that is exact for the pair. 1. If the differences span few enough
-// bits of the pair's grid (the window; the lowest set bit tests it), values of
-//    degree 1 and 2 are exact in fp64 and the rest in double-double, without a branch. The generator proves the windows;
-//    the shipped ones are 26 bits for points, segments and triangles among themselves (degree 3), 25 for spheres and
-//    balls among themselves (degree 2), 23 for a sphere or ball with a segment (degree 4), and 7 for one with a triangle
-//    (degree 6, in fp64 alone, since a triangle's own values reach degree 3 and more).
-// 2. Otherwise integers of 64 or 128 bits decide if they are proved wide enough: the values need degree times b bits,
-// and
-//    the stage's growth, for differences of b bits, so 128 bits hold differences of 40 bits in degree 3. Coordinates are
-//    taken from the first one along their axis, so that large coordinates with short differences are short too. If values
-//    up to degree 2 fit in 64 bits and the others in 128, a product of two short numbers is one instruction; that is
-//    faster than double-double, and comes before step 1. Devices have no integers of 128 bits and leave this step out.
-// 3. For wider numbers double-double with its bound and the grid decides all that is not within about 2^-100 of zero.
-// 4. The rest is computed in as many 64-bit limbs as the degree asks for the grid of the pair (bytecode.hpp). In an
-// environment that is not the standard one, integers decide everything.
+// The exact rung. Each stage takes the cheapest way that is exact for the pair.
+//   1. If the differences span few enough bits of the pair's grid (the window; the lowest set bit tests it), values of
+//      degree 1 and 2 are exact in fp64 and the rest in double-double, without a branch. The generator proves the
+//      windows; the shipped ones are 26 bits for points, segments and triangles among themselves (degree 3), 25 for
+//      spheres and balls among themselves (degree 2), 23 for a sphere or ball with a segment (degree 4), and 7 for one
+//      with a triangle (degree 6, in fp64 alone, since a triangle's own values reach degree 3 and more).
+//   2. Otherwise integers of 64 or 128 bits decide if they are proved wide enough: the values need degree times b bits,
+//      and the stage's growth, for differences of b bits, so 128 bits hold differences of 40 bits in degree 3.
+//      Coordinates are taken from the first one along their axis, so that large coordinates with short differences are
+//      short too. If values up to degree 2 fit in 64 bits and the others in 128, a product of two short numbers is one
+//      instruction; that is faster than double-double, and comes before step 1. Devices have no integers of 128 bits
+//      and leave this step out.
+//   3. For wider numbers double-double with its bound and the grid decides all that is not within about 2^-100 of zero.
+//   4. The rest is computed in as many 64-bit limbs as the degree asks for the grid of the pair (bytecode.hpp).
+// In an environment that is not the standard one, integers decide everything.
 template <class P> struct exact_signs {
   const float *a, *b;
   grid common;
