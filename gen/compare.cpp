@@ -1,4 +1,4 @@
-// What scenes cost, beside each other: what a scene does not ask for is neither in its code nor in its programs.
+// The costs of scenes, beside each other: a scene's code and programs hold the requested kernels and nothing else.
 #include "gen/driver.hpp"
 #include "gen/ir/count.hpp"
 #include "gen/support/output.hpp"

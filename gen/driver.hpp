@@ -27,7 +27,7 @@ compiled_kernel compile(const compilation &c, const lower::request &r);
 void compile_all(compilation &c);                   // every kernel of the scene
 std::vector<target::file> emit_all(compilation &c); // moves the kernels out
 
-// What a target shows of one kernel.
+// A target's view of one kernel.
 std::string shown(const compilation &c, const compiled_kernel &k, const std::string &target);
 
 struct generate_options {

@@ -47,8 +47,8 @@ namespace meetc::bound {
 
 using ir::rational;
 
-// What is analysed: the programs of a kernel's signs, by stage, and the polynomials whose signs they are. All are
-// borrowed.
+// The subject of the analysis: the programs of a kernel's signs, by stage, and the polynomials whose signs they are.
+// All are borrowed.
 struct subject {
   const poly::ring &numbers; // the stored numbers of both operands
   const poly::local_origin &local;
@@ -65,7 +65,7 @@ struct leaf {
   auto operator<=>(const leaf &) const = default;
 };
 
-// How roundings count in one arithmetic.
+// The properties of an arithmetic that decide how roundings count.
 struct arithmetic {
   const char *name;
   int precision;    // u = 2^-precision

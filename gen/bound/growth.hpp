@@ -1,4 +1,4 @@
-// How large the values of a program can become, for the exact rung, which computes in integers.
+// Bounds of the values of a program, for the exact rung, which computes in integers.
 #pragma once
 #include "gen/ir/arena.hpp"
 

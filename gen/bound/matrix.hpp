@@ -4,7 +4,7 @@
 // unit computes D from parts in fp16. Find margins m(X), m(Y), to be subtracted from f and g, such that F <= 0 implies
 // D < 0.
 //
-// What is computed. Numbers are scaled and shifted so that |x|, |y|, |z|, r <= 2^11.
+// The computation. Numbers are scaled and shifted so that |x|, |y|, |z|, r <= 2^11.
 //   parts      f_k = h + l + error, h = f_k rounded to 11 bits, l = (f_k - h) rounded to 11 bits; parts below 2^-14 may
 //              be replaced by 0 (no operand is subnormal). Hence h = f_k (1 + e) + s and l = (f_k - h) (1 + e') + s'
 //              with |e|, |e'| <= 2^-11 and |s|, |s'| <= 2^-14. The same for g_k.

@@ -1,4 +1,4 @@
-// The domain that rebuilds a program, operation by operation. What changes programs derives from it and overrides members.
+// The domain that rebuilds a program, operation by operation. A pass derives from it and overrides members.
 #pragma once
 #include "gen/ir/fold.hpp"
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where an algebra may be: next to the scene, or where the shipped algebras are, in the share/ next to the program's
+// The places of an algebra: next to the scene, or where the shipped algebras are, in the share/ next to the program's
 // folder. The layout is the same in an install and in a build tree.
 std::vector<fs::path> algebra_places(const std::string &scene, const std::string &name) {
   std::vector<fs::path> out{fs::path(scene).parent_path() / name};

@@ -21,8 +21,8 @@ using ir::program;
 using poly::rational;
 using poly::residency;
 
-// How to choose a form: by the fewest operations; by the fewest operations for the pair, where objects keep their own
-// values (then by all operations); or by the fewest terms that can cancel (then by operations). The last is for signs,
+// The criterion for a form: the fewest operations; the fewest operations for the pair, if objects keep their own
+// values (then all operations); or the fewest terms that can cancel (then operations). The last is for signs,
 // whose error is bounded. It completes no squares: these save operations, but bring cancellation that the terms do not have,
 // or one rounding more. So a formula and a sign of one polynomial may have different forms.
 enum class prefer { operations, pair, accuracy };

@@ -1,12 +1,12 @@
-// Predicates that hold exactly where two closed balls touch.
+// Predicates that hold exactly if two closed balls touch.
 //
-// A search that compares the balls by their boxes (runtime/core/two_balls.hpp) has then decided most pairs. That is proved of the
-// decision: it is one comparison of the same polynomial, the square of the sum of the radii less that of the distance of the
-// centres, with zero.
+// A search that compares the balls by their boxes (runtime/core/two_balls.hpp) has then decided most pairs. That is
+// proved of the decision: it is one comparison of the same polynomial, the square of the sum of the radii less that of
+// the distance of the centres, with zero.
 //
-// Limits: a predicate is only called so where that proof succeeds. Each operand's hull must be one point with its coordinates as
-// they are stored. If it has a pad, that is the radius, and the kind's rule must say that it is not negative. There is no reject
-// stage.
+// Limits: a predicate is called so only if that proof succeeds. Each operand's hull must be one point with its
+// coordinates as they are stored. If it has a pad, that is the radius, and the kind's rule must say that it is not
+// negative. There is no reject stage.
 #pragma once
 #include "gen/lower/kernel.hpp"
 

@@ -1,13 +1,14 @@
 // Values of an expression, computed from values of its parts.
 //
-// Problem: the expansion of a product of products in the operands' numbers grows exponentially with its depth, while the
-// program that its author wrote grows with its length.
-// Method: an expression is expanded over the values that its names stand for, and each coefficient becomes a Horner scheme,
-// as long as it is short. Where it is long, its parts become values of the program first: the arguments of a call, and then
-// the operands of each product in the body of the function. What follows is expanded over those. Constants and signs are not
-// hidden in values, so that what they simplify is simplified.
-// Limits: relations between the values of parts are lost. A coefficient can therefore be zero without being seen as zero:
-// the arguments of a function with a domain, which asks for their grades, are rid of these, and the caller drops the others.
+// Problem: the expansion of a product of products in the operands' numbers grows exponentially with its depth, while
+// the program that its author wrote grows with its length.
+// Method: an expression is expanded over the values that its names stand for, and each coefficient becomes a Horner
+// scheme, as long as it is short. If it is long, its parts become values of the program first: the arguments of a call,
+// and then the operands of each product in the body of the function. The rest is expanded over those. Constants and
+// signs are not hidden in values, so that they still simplify the expressions that hold them.
+// Limits: relations between the values of parts are lost. A coefficient can therefore be zero without being seen as
+// zero: the arguments of a function with a domain, which asks for their grades, are rid of these, and the caller drops
+// the others.
 #pragma once
 #include "gen/lower/build.hpp"
 #include "gen/lower/expand.hpp"

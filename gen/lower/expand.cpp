@@ -236,7 +236,7 @@ void expander::check_index(const lang::expr &e, const environment &env) {
 }
 
 // M[E]: the coefficient of M along the blade E, which is a multiple of a basis blade of the working basis or else of the
-// declared one. What is the meaning does not depend on the basis of expansion.
+// declared one. The meaning does not depend on the basis of expansion.
 value expander::index(const lang::expr &e, const environment &env) {
   const multivector m = evaluate_multivector(*e.args[0], env);
   const multivector along = evaluate_multivector(*e.args[1], env);

@@ -8,9 +8,9 @@
 
 namespace meetc::lower {
 
-// What an operation costs in the search. `whole`: each counts, and a value of the pair is taken out first among equals, so
-// that what belongs to one object gathers in factors of that object. `pair`: only operations on values of the pair count,
-// and products and sums join what belongs to one object before the rest.
+// The price of an operation in the search. `whole`: each counts, and a value of the pair is taken out first among
+// equals, so that values of one object gather in factors of that object. `pair`: only operations on values of the pair
+// count, and products and sums join the values of one object before the rest.
 enum class price { whole, pair };
 
 // leaves[v] is the node of variable v; those of variables that do not occur may be -1.

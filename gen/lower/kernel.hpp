@@ -120,7 +120,7 @@ struct kernel {
 kernel compile(const lower::model &m, const request &r);
 std::vector<blade_maker> makers(const lower::model &m, const lang::kind &k);
 
-// How a program is run, which decides what is stored beside an object.
+// The use of a program, which decides the values that are stored beside an object.
 enum class use {
   once,  // on two single objects, or for few pairs of two sets, as a predicate's rare stage
   sets,  // for most pairs of two sets, whose objects the runtime prepares: a predicate's other stages
@@ -148,7 +148,7 @@ struct stored_ring {
 stored_ring stored_numbers(const lower::model &m, const std::vector<std::string> &names,
                            const std::vector<const lang::kind *> &kinds);
 
-// What a runtime must know of a bounded kind: the points of the hull as inputs by axis, the input of the pad (-1:
+// A bounded kind as a runtime must know it: the points of the hull as inputs by axis, the input of the pad (-1:
 // none), and the rule that a valid element obeys.
 struct enclosure {
   std::vector<std::vector<int>> hull;

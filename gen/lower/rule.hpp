@@ -29,7 +29,7 @@ std::optional<element_rule> rule_of(const model &m, const lang::kind &k);
 // Whether a row of stored numbers obeys a rule. x is not above y if no coordinate is greater.
 bool obeys(const std::optional<element_rule> &rule, const std::vector<rational> &row);
 
-// What the rules of all operands say of the stored numbers of a kernel.
+// The signs of a kernel's stored numbers that are known by the rules of all operands.
 struct known_signs {
   const poly::local_origin *local = nullptr; // borrowed; none: nothing is known
   std::vector<int> not_negative, positive;   // base variables; the former contain the latter

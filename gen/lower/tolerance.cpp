@@ -113,14 +113,14 @@ bool compares_a_distance(const tolerant_kernel &k) {
   return magnitude.size() == 1 && magnitude[0] == (differences + square(pads)).scaled(abs(content));
 }
 
-// What mends a wrong answer of such a kernel in plain fp32, in a box.
+// The move that mends a wrong answer of such a kernel in plain fp32, in a box.
 rational distance_error(const tolerant_kernel &k, const rational &box) {
   const bound::stage_bounds &b = k.bounds->common;
   const int theta = std::max(b.fp32[0].theta, b.unfused->bounds.fp32[0].theta);
   rational growth = 1;
   for (int i = 0; i < theta; ++i)
     growth *= 1 + bound::power_of_two(-bound::fp32.precision);
-  // Where an answer is wrong, d is within a thousandth of R, and R is the sum of two lengths of at most 2 box. The last
+  // If an answer is wrong, d is within a thousandth of R, and R is the sum of two lengths of at most 2 box. The last
   // term is more than the root of what underflows.
   return (growth - 1) * 8 * box * rational(1001, 1000) + bound::power_of_two(-70);
 }
@@ -222,7 +222,7 @@ tolerance_plan plan_tolerance(const model &m, const lang::scene &s, const std::v
                                  in_words(bound::power_of_two(most - 1 + grid_for(all, {}, tolerance)))));
   }
   const rational box(s.box);
-  // What keeps the tolerance by the grid; the others compare a distance in plain fp32, beside the grid.
+  // The kernels that keep the tolerance by the grid; the others compare a distance in plain fp32, beside the grid.
   std::set<std::size_t> by_grid;
   const auto beside = [&](const tolerant_kernel &k, const std::optional<int> &low) -> std::optional<tolerant_way> {
     tolerant_way w;

@@ -1,4 +1,4 @@
-// Which arithmetic keeps a scene's tolerance, kernel by kernel.
+// Plans the arithmetic that keeps a scene's tolerance, kernel by kernel.
 //
 // Problem: an answer may be wrong only where moving one operand by at most the tolerance changes it. Errors of signs say
 // little about that. Where a line passes beyond the corner of a needle, by little from the line through the needle's edge,
@@ -35,7 +35,7 @@ struct tolerant_way {
   rational reach;           // the largest |coordinate| after rounding; no length exceeds twice this
 };
 
-// What a scene's tolerance comes to.
+// The plan for a scene's tolerance.
 struct tolerance_plan {
   std::optional<int> low;                        // the grid's step, if some kernel needs the grid
   std::vector<std::optional<tolerant_way>> ways; // by kernel; none for formulas, signs and what keeps no tolerance

@@ -12,7 +12,7 @@
 
 namespace meetc::poly {
 
-// What a value depends on: nothing (a constant), one object, or the pair.
+// The scope of a value, which depends on nothing (a constant), on one object, or on the pair.
 enum class residency { scene = 0, a = 1, b = 2, pair = 3 }; // bitwise or joins two of them
 
 // One stored number of the two operands, in ring order.

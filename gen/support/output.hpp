@@ -1,4 +1,4 @@
-// What a command says on standard output.
+// A command's standard output.
 #pragma once
 #include "gen/support/source.hpp"
 
@@ -6,7 +6,8 @@
 
 namespace meetc {
 
-// What cannot be written is told by finish_output(), so that a command ends its work first and keeps its exit code.
+// Writes text. finish_output() tells of text that could not be written, so that a command ends its work first and keeps
+// its exit code.
 void say(std::string_view text);
 
 // Says a warning on standard error, with its place as in an error.

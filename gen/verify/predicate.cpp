@@ -27,7 +27,7 @@ struct sample {
   oracle::rational pad = 0;
 };
 
-// What is known of both operands.
+// The numbers and the enclosures of both operands, and the mode in which they touch.
 struct operands {
   std::array<std::size_t, 2> reals;
   std::array<lower::enclosure, 2> enclosures;
