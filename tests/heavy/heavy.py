@@ -129,7 +129,8 @@ def left(build):
 
 
 def write(build, sanitized):
-    """Writes the list, in which the tests under sanitizers are those of another build."""
+    """Writes the list of what has passed as it is, in which the tests under sanitizers are those of another build. Returns 1
+    where something has not passed."""
     prepare(build)
     old, new, missing = listed(build), {}, []
     for name in build.tests:
@@ -139,8 +140,6 @@ def write(build, sanitized):
             new[name] = entry
         else:
             missing.append(name)
-    if missing:
-        raise SystemExit("not written: these heavy tests have not passed as they are: " + " ".join(missing))
     new.update({n: e for n, e in old.items() if n.startswith("sanitize.") != sanitized})
     with open(list_file(build) + ".new", "w", encoding="utf-8") as file:
         file.write("# Written by `./dev test --long`: the hash of all that a heavy test consists of, when it passed; its "
@@ -148,6 +147,9 @@ def write(build, sanitized):
         for name, (digest, seconds) in sorted(new.items()):
             file.write(f"{digest} {seconds:5} {name}\n")
     os.rename(list_file(build) + ".new", list_file(build))
+    if missing:
+        print(f"{len(missing)} heavy tests have not passed as they are: " + " ".join(missing))
+    return 1 if missing else 0
 
 
 def main():
@@ -171,7 +173,7 @@ def main():
     elif asked.command == "left":
         left(build)
     elif asked.command == "write":
-        write(build, asked.sanitized)
+        sys.exit(write(build, asked.sanitized))
     else:
         print("\n".join(build.facts(asked.name)))
 

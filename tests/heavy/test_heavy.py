@@ -190,8 +190,12 @@ class Choice(unittest.TestCase):
         self.assertNotEqual(status, 0)
         self.assertIn("took too long", said)
         self.assertEqual(self.chosen(), ["good", "slow", "wrong"])
-        self.assertIn("wrong", self.call("write", self.folder)[1])
-        self.assertFalse(os.path.exists(os.path.join(self.root, "tests", "heavy.txt")))
+        os.makedirs(os.path.join(self.root, "tests"))
+        self.assertEqual(self.call("one", self.folder, "good")[0], 0)
+        status, said = self.call("write", self.folder)
+        self.assertEqual((status, said.strip()), (1, "2 heavy tests have not passed as they are: slow wrong"))
+        with open(os.path.join(self.root, "tests", "heavy.txt"), encoding="utf-8") as file:
+            self.assertEqual([line.split()[2] for line in file if not line.startswith("#")], ["good"])
 
     def test_what_is_too_late_is_named(self):
         self.chosen()
