@@ -182,21 +182,26 @@ bool takes_large_tile(hit_amount amount) {
   return amount == hit_amount::many && room_to_distribute<tile_of_many> <= cuda::shared_memory_of_block();
 }
 
-// Adds 1 to the counter `at`, once for all lanes with the same one.
-__device__ void count_one(unsigned long long *counters, std::uint32_t at) {
-  const unsigned alike = __match_any_sync(__activemask(), at);
+// Adds 1 to the counter `at` of each lane that is there, once for all with the same one. Of the whole warp.
+__device__ void count_each(unsigned long long *counters, bool there, std::uint32_t at) {
+  const unsigned lanes = __ballot_sync(~0U, there);
+  if (!there)
+    return;
+  const unsigned alike = __match_any_sync(lanes, at);
   if (threadIdx.x % 32 == __ffs(alike) - 1)
     atomicAdd(counters + at, static_cast<unsigned long long>(__popc(alike)));
 }
 __global__ void tally_kernel(hit_tally t) {
   cuda::begin();
-  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < t.n;
-       i += gridDim.x * std::size_t{threads}) {
-    const index_pair hit = t.hits[i];
+  const unsigned lane = threadIdx.x % 32;
+  for (std::size_t first = blockIdx.x * std::size_t{threads} + threadIdx.x - lane; first < t.n;
+       first += gridDim.x * std::size_t{threads}) { // a warp stays whole
+    const bool there = first + lane < t.n;
+    const index_pair hit = there ? t.hits[first + lane] : t.hits[first];
     if (t.counts_a)
-      count_one(t.counts_a, t.order_a[hit.a]);
+      count_each(t.counts_a, there, t.order_a[hit.a]);
     if (t.counts_b)
-      count_one(t.counts_b, t.of_instance > 0 ? hit.b / t.of_instance : t.order_b[hit.b]);
+      count_each(t.counts_b, there, t.of_instance > 0 ? hit.b / t.of_instance : t.order_b[hit.b]);
     if (t.flags_a)
       t.flags_a[t.order_a[hit.a]] = 1, t.flags_b[t.order_b[hit.b]] = 1;
   }
