@@ -143,8 +143,6 @@ std::vector<target::file> emit_all(compilation &c) {
   target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
   plan_tolerance(c, u);
   lower::enclose(*c.model, u.kinds);
-  if (!u.balls && !c.scene->says_backends) // drops defaults that need balls; the scene did not ask for them
-    std::erase_if(c.scene->backends, [](const std::string &name) { return target::find(name)->needs_balls; });
   return target::files_of(u);
 }
 

@@ -3,7 +3,8 @@
 #   meetc_add_kernels(robot_cell
 #     SCENE robot_cell.toml        # what to generate
 #     NAMESPACE cell               # its C++ namespace; #include <cell/cell.hpp>
-#     [BACKENDS cpp cuda c]        # what to compile; the scene must emit it. Default: cpp
+#     [BACKENDS cpp cuda c]        # what to compile; the scene must emit it. Default: cpp. cuda has the launchers of queries;
+#                                  # that of every pair as a product of matrices is every_pair, which brings cuda along
 #     [INSTRUCTION_SETS avx2 avx512] # compile the kernels for these as well; the program chooses when it starts
 #     [CHECKED_IN generated])      # compile the files of this folder instead; nothing is generated at build time
 #
@@ -75,9 +76,9 @@ function(meetc_add_kernels target)
     message(FATAL_ERROR "${me}: ${arg_KEYWORDS_MISSING_VALUES} has no value")
   endif()
   # The namespace names the files, so it must be one that meetc leaves unchanged (meetc refuses reserved words).
-  if(NOT arg_NAMESPACE MATCHES "^[A-Za-z]([A-Za-z0-9]|_[A-Za-z0-9])*$" OR arg_NAMESPACE MATCHES "^(meetc|std|cuda)$")
+  if(NOT arg_NAMESPACE MATCHES "^[A-Za-z]([A-Za-z0-9]|_[A-Za-z0-9])*$" OR arg_NAMESPACE MATCHES "^(meetc|std|cuda|every_pair)$")
     message(FATAL_ERROR "${me}: '${arg_NAMESPACE}' cannot be the NAMESPACE: letters, digits and single '_' inside, "
-      "not meetc, std or cuda")
+      "not meetc, std, cuda or every_pair")
   endif()
   set(space "${arg_NAMESPACE}")
 
@@ -88,11 +89,14 @@ function(meetc_add_kernels target)
   endif()
 
   foreach(backend IN LISTS arg_BACKENDS)
-    if(NOT backend MATCHES "^(cpp|cuda|c)$")
-      message(FATAL_ERROR "${me}: no backend '${backend}'; known: cpp, cuda, c")
+    if(NOT backend MATCHES "^(cpp|cuda|every_pair|c)$")
+      message(FATAL_ERROR "${me}: no backend '${backend}'; known: cpp, cuda, every_pair, c")
     endif()
   endforeach()
   get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if("every_pair" IN_LIST arg_BACKENDS AND NOT "cuda" IN_LIST arg_BACKENDS)
+    list(APPEND arg_BACKENDS cuda) # whose launchers decide what that leaves
+  endif()
   if("cuda" IN_LIST arg_BACKENDS)
     set(cuda ON)
     if(NOT "CUDA" IN_LIST languages)
@@ -136,8 +140,13 @@ function(meetc_add_kernels target)
     foreach(i RANGE 1 ${units})
       list(APPEND sources "${folder}/${space}/units/unit_${i}.cu")
     endforeach()
-    list(APPEND headers "${folder}/${space}/${space}_cuda.hpp" "${folder}/${space}/ball_form.hpp")
+    list(APPEND headers "${folder}/${space}/${space}_cuda.hpp")
     list(APPEND generate --require-backend cuda)
+  endif()
+  if("every_pair" IN_LIST arg_BACKENDS)
+    list(APPEND sources "${folder}/${space}/${space}_every_pair.cu")
+    list(APPEND headers "${folder}/${space}/${space}_every_pair.hpp" "${folder}/${space}/ball_form.hpp")
+    list(APPEND generate --require-backend every_pair)
   endif()
 
   # Files that were written by a plain `meetc generate` have no units; without meetc, each predicate's source is compiled.
@@ -272,7 +281,7 @@ function(meetc_install_kernels target)
   set(leave_out "")
   get_target_property(cuda ${target} meetc_cuda)
   if(NOT cuda) # the scene may emit launchers that this library does not hold
-    set(leave_out PATTERN "*_cuda.hpp" EXCLUDE)
+    set(leave_out PATTERN "*_cuda.hpp" EXCLUDE PATTERN "*_every_pair.hpp" EXCLUDE)
   endif()
   install(TARGETS ${target} EXPORT ${arg_EXPORT}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"

@@ -33,7 +33,7 @@ set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folde
 
 # The headers for users, below runtime/. What only other headers of the runtime need is not installed.
 set(MEETC_CORE_HEADERS answers.hpp check.hpp collide.hpp find.hpp memory.hpp pairs.hpp pose.hpp prepared.hpp status.hpp view.hpp)
-set(MEETC_DEVICE_HEADERS collide.hpp device.hpp given.hpp group.hpp memory.hpp poses.hpp search.hpp set.hpp tree.hpp)
+set(MEETC_DEVICE_HEADERS collide.hpp device.hpp given.hpp group.hpp memory.hpp poses.hpp set.hpp tree.hpp)
 set(MEETC_IO_HEADERS atomic_file.hpp element_set.hpp error.hpp read.hpp rounded.hpp transform.hpp write.hpp)
 
 option(MEETC_INSTALL "Make install rules for meetc" ${PROJECT_IS_TOP_LEVEL})
@@ -67,7 +67,12 @@ if(TARGET meet_core)
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   install(EXPORT meetc_runtime_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
-  install(FILES ${MEETC_KERNEL_HEADER_FILES} DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime)
+  set(of_every_pair ${MEETC_KERNEL_HEADER_FILES})
+  list(FILTER of_every_pair INCLUDE REGEX "/every_pair/[^/]+$")
+  set(of_kernels ${MEETC_KERNEL_HEADER_FILES})
+  list(REMOVE_ITEM of_kernels ${of_every_pair})
+  install(FILES ${of_kernels} DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime)
+  install(FILES ${of_every_pair} DESTINATION "${MEETC_INSTALL_HEADERS}/every_pair" COMPONENT meetc_runtime)
   list(TRANSFORM MEETC_CORE_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/runtime/core/" OUTPUT_VARIABLE headers)
   install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/core" COMPONENT meetc_runtime)
 endif()
@@ -80,7 +85,7 @@ if(TARGET meet_core AND TARGET meet_kernels)
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   set(launchers "")
   if(NOT TARGET meet_kernels_cuda) # the headers of launchers that no installed library holds
-    set(launchers PATTERN "*_cuda.hpp" EXCLUDE)
+    set(launchers PATTERN "*_cuda.hpp" EXCLUDE PATTERN "*_every_pair.hpp" EXCLUDE)
   endif()
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/generated/default/cga"
     DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime FILES_MATCHING PATTERN "*.hpp"
@@ -112,6 +117,8 @@ if(TARGET meet_device)
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   list(TRANSFORM MEETC_DEVICE_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/runtime/core/device/" OUTPUT_VARIABLE headers)
   install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/core/device" COMPONENT meetc_runtime)
+  install(FILES "${PROJECT_SOURCE_DIR}/runtime/core/device/every_pair/engine.hpp"
+    DESTINATION "${MEETC_INSTALL_HEADERS}/core/device/every_pair" COMPONENT meetc_runtime)
   install(EXPORT meetc_device_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
 endif()

@@ -104,7 +104,6 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
     throw spec_error(in.place(*t.get("rungs")), "the rung tolerant needs scene.tolerance, a length");
   if (t.contains("box"))
     s.box = box_size(in, *t.get("box"));
-  s.says_backends = t.contains("backends");
   s.backends = choices("backends", backends.known, backends.unless_said);
   return s;
 }

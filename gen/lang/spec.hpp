@@ -94,7 +94,6 @@ struct scene {
   std::vector<kernel_request> zero; // kernels that the scene says to be zero for all operands
   std::vector<rung> rungs;
   std::vector<std::string> backends;
-  bool says_backends = false; // false: the scene has the default backends
   bool asks(rung r) const { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); }
   // An answer of the rung tolerant may be wrong where moving one operand by at most this changes it; 0: not stated.
   double tolerance = 0;

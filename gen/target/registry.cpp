@@ -2,6 +2,7 @@
 #include "gen/target/c/c.hpp"
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cuda/cuda.hpp"
+#include "gen/target/every_pair/every_pair.hpp"
 #include "gen/target/gappa/gappa.hpp"
 #include "gen/target/json/json.hpp"
 #include "gen/target/latex/latex.hpp"
@@ -61,11 +62,16 @@ constexpr target table[] = {
      .what = "launchers on a CUDA device",
      .can = everything,
      .is_default = true,
-     .needs_balls = true,
      .files = cuda_files,
      .over = "cpp",
      .source = "_cuda.cu",
      .show = cuda_text},
+    {.name = "every_pair",
+     .what = "every pair of two sets as a product of matrices, on a CUDA device",
+     .can = everything,
+     .files = every_pair_files,
+     .over = "cuda",
+     .source = "_every_pair.cu"},
 };
 
 } // namespace
@@ -99,6 +105,14 @@ const lower::lowered_kind &unit::kind(const std::string &name) const {
 }
 
 namespace {
+// Whether a target is the one of this name, or one whose files that one includes.
+bool is_under(const target &t, const std::string &name) {
+  for (const target *at = find(name); at; at = at->over ? find(at->over) : nullptr)
+    if (at == &t)
+      return true;
+  return false;
+}
+
 // Throws an error if the scene asks for something that the target cannot carry.
 void check_carried(const target &t, const unit &u) {
   const auto refuse = [&](const lower::kernel &k, const char *what) {
@@ -122,9 +136,8 @@ void check_carried(const target &t, const unit &u) {
 
 std::vector<file> files_of(const unit &u) {
   const auto is_asked = [&](const target &t) {
-    return t.files && std::any_of(u.scene.backends.begin(), u.scene.backends.end(), [&](const std::string &name) {
-             return name == t.name || (find(name)->over && find(name)->over == std::string_view(t.name));
-           });
+    return t.files && std::any_of(u.scene.backends.begin(), u.scene.backends.end(),
+                                  [&](const std::string &name) { return is_under(t, name); });
   };
   std::vector<file> out = kernel_headers();
   for (const target &t : table)

@@ -55,8 +55,7 @@ struct target {
   const char *name; // as in a scene's `backends` and in `meetc show --emit=NAME`
   const char *what; // one line, for help
   carries can;
-  bool is_default = false;  // written if the scene names no backends
-  bool needs_balls = false; // it cannot do without the form of touching balls
+  bool is_default = false; // written if the scene names no backends
   // It shows polynomials, and so needs unit::shown and cannot carry a formula that is too long to be expanded.
   bool reads_polynomials = false;
   // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error if it cannot carry the

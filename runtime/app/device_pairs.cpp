@@ -69,16 +69,7 @@ device_options options_there(const collide_options &options) {
 }
 
 device_account account_of(const device &on, std::size_t devices, const device_result &r, seconds started) {
-  device_account out{on.facts().name,
-                     r.by == search::tree ? "none" : model_of(r.filter), // a hierarchy compares numbers alone
-                     static_cast<int>(devices),
-                     name_of(r.by),
-                     {},
-                     r.device_seconds,
-                     started.count()};
-  for (int i = 0; i < searches; ++i)
-    out.expected.emplace_back(name_of(static_cast<search>(i)), r.expected.of[i]);
-  return out;
+  return {on.facts().name, static_cast<int>(devices), r.device_seconds, started.count()};
 }
 
 device_pairs pairs_on_one(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,

@@ -8,8 +8,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace meetc::app {
 
@@ -29,12 +27,10 @@ bool device_expected(std::size_t elements, int threads);
 
 // The device's own report on its answer.
 struct device_account {
-  std::string device, model; // "NVIDIA H200"; what the filter assumes, such as "wgmma-f16-f32" or "none"
+  std::string device;        // "NVIDIA H200"
   int devices = 1;           // between which the query was cut; what follows is of the first, or of the slowest
-  std::string search;        // by which it found candidates
-  std::vector<std::pair<std::string, double>> expected; // the seconds that each search was expected to take
-  double device_seconds = 0;                            // for the kernels alone
-  double start_seconds = 0;                             // until the device was ready
+  double device_seconds = 0; // for the kernels alone
+  double start_seconds = 0;  // until the device was ready
 };
 struct device_pairs {
   result found;

@@ -74,13 +74,9 @@ std::string rungs_line(const answers &f) {
 }
 
 std::string device_lines(const device_account &d) {
-  std::string others;
-  for (const auto &[name, expected] : d.expected)
-    others += fmt::format("{}{} {:.2g} ms", others.empty() ? "" : ", ", name, expected * 1000);
-  return fmt::format("on {}: {:.3f} s to start, {:.6f} s of kernels\n"
-                     "candidates by {} (expected: {}); assumed of the matrix unit: {}\n",
+  return fmt::format("on {}: {:.3f} s to start, {:.6f} s of kernels\n",
                      d.devices > 1 ? fmt::format("{} devices, the first {}", d.devices, d.device) : d.device,
-                     d.start_seconds, d.device_seconds, d.search, others, d.model);
+                     d.start_seconds, d.device_seconds);
 }
 
 // The effect of a tolerance on the numbers and on the answer.

@@ -64,10 +64,6 @@ std::string as_json(const collide_report &r) {
   if (on_device) {
     out["device_name"] = f.by_device.device;
     out["devices"] = f.by_device.devices;
-    out["model"] = f.by_device.model;
-    out["search"] = f.by_device.search;
-    for (const auto &[name, expected] : f.by_device.expected)
-      out["expected_seconds"][name] = with_decimals(expected, 7);
   }
   if (const std::vector<std::string> notes = all_notes(r); !notes.empty())
     out["notes"] = notes;

@@ -10,7 +10,9 @@
 #if MEETC_WITH_CUDA
 #include "bench/measure.hpp"
 #include "cga/cga_cuda.hpp"
+#include "cga/cga_every_pair.hpp"
 #include "core/device/collide.hpp"
+#include "core/device/every_pair/engine.hpp"
 
 #include <chrono>
 #endif
@@ -23,7 +25,7 @@ namespace {
 
 class cuda_bench_device final : public bench_device {
 public:
-  cuda_bench_device() : on_(cga::cuda::catalogue()) {}
+  cuda_bench_device() : on_(cga::cuda::catalogue()), every_pair_(on_, cga::every_pair::catalogue()) {}
   std::string name() const override { return on_.facts().name; }
 
   device_time time(const device_job &job, int runs) override {
@@ -31,16 +33,28 @@ public:
       const io::element_set &first = job.by.swapped ? job.b : job.a, &second = job.by.swapped ? job.a : job.b;
       const prepared a = app::prepare(first), b = app::prepare(second);
       device_set on_a(on_, a), on_b(on_, b);
-      device_options o;
-      o.want = answer_kind::count;
-      o.by = job.brute_force ? search::every_pair : search::groups;
+      struct counted {
+        std::uint64_t pairs;
+        double device_seconds;
+      };
+      const auto count = [&](device_set &x, device_set &y) -> counted {
+        if (job.brute_force) {
+          const every_pair::outcome r =
+              every_pair_.collide(x, y, *job.by.predicate, job.precision, {.want = answer_kind::count});
+          return {r.count, r.device_seconds};
+        }
+        device_options o;
+        o.want = answer_kind::count;
+        const device_result r = meetc::collide(on_, x, y, *job.by.predicate, job.precision, o);
+        return {r.count, r.device_seconds};
+      };
       device_time out;
       std::vector<double> alone, whole;
       for (int i = 0; i <= runs; ++i) {
-        const device_result r = meetc::collide(on_, on_a, on_b, *job.by.predicate, job.precision, o);
+        const counted r = count(on_a, on_b);
         const auto start = std::chrono::steady_clock::now();
         device_set fresh_a(on_, a), fresh_b(on_, b);
-        out.pairs = meetc::collide(on_, fresh_a, fresh_b, *job.by.predicate, job.precision, o).count;
+        out.pairs = count(fresh_a, fresh_b).pairs;
         const std::chrono::duration<double> with = std::chrono::steady_clock::now() - start;
         if (i > 0)
           alone.push_back(r.device_seconds), whole.push_back(with.count());
@@ -55,6 +69,7 @@ public:
 
 private:
   device on_;
+  every_pair::engine every_pair_;
 };
 
 } // namespace

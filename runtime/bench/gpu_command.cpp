@@ -22,11 +22,11 @@ namespace {
 
 constexpr const char *rules =
     "A filter alone lists pairs whose enclosing balls may touch; a query is the whole: columns where the sets are new, "
-    "filter, boxes, rungs, sorted pairs. It looks at every pair of elements, or of groups of 8 neighbours, which it "
-    "takes apart where their balls touch; rates count pairs of elements either way. With transfers: from the host's "
-    "memory to the pairs in it, with the extent and the columns of both sets.";
+    "filter, boxes, rungs, sorted pairs. With transfers: from the host's memory to the pairs in it, with the extent "
+    "and "
+    "the columns of both sets.";
 
-// Whether --only leaves a table that has a name: "growth" or "poses"; "hard", "choice", "lbvh", "first", "memory" and
+// Whether --only leaves a table that has a name: "growth" or "poses"; "hard", "lbvh", "first", "memory" and
 // "group" are only measured if asked for. After a colon there may be a part of the names of the table's scenes.
 bool is_asked(const gpu_request &q, const char *name) {
   return q.only && q.only->substr(0, q.only->find(':')) == name;
@@ -62,13 +62,9 @@ std::string gpu(const catalogue &all, const gpu_request &q) {
     };
     std::vector<search_table> searches;
     if (is_meant(q, "growth"))
-      searches.push_back(
-          {"growth", "Growth with the sets, by search", scenes_of_table(q, growth_scenes(all, q.data, q.quick))});
+      searches.push_back({"growth", "Growth with the sets", scenes_of_table(q, growth_scenes(all, q.data, q.quick))});
     if (is_asked(q, "hard"))
       searches.push_back({"hard", "Sets that do not lie evenly", scenes_of_table(q, hard_scenes(all, q.quick))});
-    if (is_asked(q, "choice"))
-      searches.push_back({"choice", "The choice of a search, in scenes to which its model was not fitted",
-                          scenes_of_table(q, choice_scenes(all, q.quick))});
     const auto if_asked = [&](const char *name, const auto &scenes_with) {
       return is_asked(q, name) ? scenes_of_table(q, scenes_with(all, q.data, q.quick)) : std::vector<gpu_scene>{};
     };

@@ -84,7 +84,6 @@ table gpu_bench::measure_group(const std::vector<gpu_scene> &scenes, const std::
     const io::element_set &first = made_sets.first, &second = scene.itself ? first : made_sets.second;
     const predicate_info &p = find_predicate(all_, scene.predicate);
     device_options o;
-    o.by = search::tree;
     result expected;
     {
       const prepared a = app::prepare(first);

@@ -30,7 +30,6 @@ std::optional<chart> growth_chart(const app::json &results) {
     c.curves.push_back(std::move(k));
   };
   add("every pair", "every_first", curve_colours::red);
-  add("groups", "groups_first", curve_colours::cpu);
   add("hierarchy", "tree_first", curve_colours::gpu);
   return c;
 }

@@ -85,43 +85,4 @@ std::vector<gpu_scene> hard_scenes(const catalogue &all, bool quick) {
   return out;
 }
 
-std::vector<gpu_scene> choice_scenes(const catalogue &all, bool quick) {
-  const std::size_t part = quick ? 20 : 1;
-  std::vector<gpu_scene> out;
-  const auto add_balls = [&](const char *predicate, std::size_t a, std::size_t b, double touching) {
-    a = std::max<std::size_t>(1, a / part), b = std::max<std::size_t>(1, b / part);
-    out.push_back({fmt::format("{} of {} x {}", predicate, a, b), predicate, [&all, a, b, touching] {
-                     const double radius = radius_for(touching, std::max(a, b));
-                     return std::pair(app::of_rows(all, "sphere", balls(a, 11, radius)),
-                                      app::of_rows(all, "sphere", balls(b, 12, radius)));
-                   }});
-  };
-  add_balls("ball_ball", 3'000, 3'000, 0.5);
-  add_balls("ball_ball", 8'000, 8'000, 4);
-  add_balls("ball_ball", 30'000, 30'000, 2);
-  add_balls("ball_ball", 100'000, 100'000, 0.3);
-  add_balls("ball_ball", 500'000, 500'000, 3);
-  add_balls("ball_ball", 500, 2'000'000, 1);
-  add_balls("ball_ball", 2'000'000, 20, 1);
-  add_balls("ball_ball", 2'000, 5'000'000, 1);
-  add_balls("sphere_sphere", 50, 300'000, 1);
-  add_balls("ball_ball", 20'000, 3'000'000, 1);
-  add_balls("ball_ball", 8'000'000, 300, 1);
-  add_balls("ball_ball", 100, 12'000'000, 1);
-  add_balls("ball_ball", 6'500'000, 900, 1);
-  add_balls("sphere_sphere", 200'000, 50'000, 1);
-  const auto add_mesh = [&](std::size_t n, double share, int faces) {
-    n = std::max<std::size_t>(1, n / part);
-    out.push_back(
-        {fmt::format("{} segments of {:g} of the box x a body", n, share), "segment_triangle", [&all, n, share, faces] {
-           io::element_set mesh = app::of_mesh(all, bodies::blob(faces));
-           io::element_set segments = segments_in(all, mesh, n, share);
-           return std::pair(std::move(segments), std::move(mesh));
-         }});
-  };
-  add_mesh(40'000, 0.02, quick ? 20 : 150);
-  add_mesh(3'000, 0.3, quick ? 20 : 60);
-  return out;
-}
-
 } // namespace meetc::bench

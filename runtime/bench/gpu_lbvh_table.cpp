@@ -63,7 +63,6 @@ table gpu_bench::measure_lbvh(const std::vector<gpu_scene> &scenes, const std::f
     const io::element_set &first = made_sets.first, &second = scene.itself ? first : made_sets.second;
     const predicate_info &p = find_predicate(all_, scene.predicate);
     device_options o;
-    o.by = search::tree;
     std::vector<double> ordered, query;
     std::uint64_t found = 0;
     std::optional<device_set> a, its_own;

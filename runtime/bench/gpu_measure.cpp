@@ -6,6 +6,7 @@
 #include "core/find.hpp"
 
 #include <cga/cga_cuda.hpp>
+#include <cga/cga_every_pair.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,18 +23,9 @@ double pairs_a_clock(const device_facts &f) {
   return f.major >= 9 ? 128 : 64;
 }
 
-const char *name_of(cuda::filter f) {
-  switch (f) {
-  case cuda::filter::float32:
-    break;
-  case cuda::filter::mma:
-    return "mma.sync";
-  case cuda::filter::wgmma:
-    return "wgmma";
-  case cuda::filter::wgmma_half:
-    return "wgmma to fp16";
-  }
-  return "float32";
+const char *name_of(every_pair::filter f) {
+  static const char *const names[] = {"float32", "mma.sync", "wgmma"};
+  return names[static_cast<int>(f)];
 }
 
 std::vector<baseline> baselines_of(const std::string &predicate) {
@@ -49,15 +41,16 @@ std::vector<baseline> baselines_of(const std::string &predicate) {
 } // namespace
 
 gpu_bench::gpu_bench(const catalogue &all, bool quick)
-    : all_(all), quick_(quick), on_(cga::cuda::catalogue()), timer_(on_) {}
+    : all_(all), quick_(quick), on_(cga::cuda::catalogue()), every_pair_(on_, cga::every_pair::catalogue()),
+      timer_(on_) {}
 
-std::string gpu_bench::device_in_words() const {
+std::string gpu_bench::device_in_words() {
   const device_facts &f = on_.facts();
-  const cuda::probe_result &p = on_.probe();
+  const every_pair::probe_result &p = every_pair_.probe();
   return fmt::format("{}, compute capability {}.{}, {} multiprocessors. The probe tried {} sums: mma.sync left "
-                     "the model in {}, wgmma in {}, with results in fp16 in {}{}. Times are medians of {} warm runs.",
+                     "the model in {}, wgmma in {}{}. Times are medians of {} warm runs.",
                      f.name, f.major, f.minor, f.multiprocessors, app::grouped(p.cases), p.mma_faults, p.wgmma_faults,
-                     p.wgmma_half_faults, p.has_wgmma ? "" : " (this device has none)", runs);
+                     p.has_wgmma ? "" : " (this device has none)", runs);
 }
 
 table gpu_bench::measure(const gpu_scene &scene) {
@@ -93,29 +86,37 @@ table gpu_bench::measure(const gpu_scene &scene) {
       t.notes.emplace_back(
           "A part of B: its first elements, which lie together in space; the time is scaled to all of it.");
   }
-  for (const cuda::filter f :
-       {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma, cuda::filter::wgmma_half}) {
-    if (!on_.offers(f))
+  using every_pair::filter;
+  const auto by_every_pair = [&](filter f, rung precision) {
+    const auto ask = [&](device_set &x, device_set &y) -> counted {
+      const every_pair::outcome r = every_pair_.collide(x, y, p, precision, {.by = f, .balls = cover::element});
+      return {r.count, r.device_seconds};
+    };
+    return query(ask, a, b, on_a, on_b);
+  };
+  for (const filter f : {filter::float32, filter::mma, filter::wgmma}) {
+    if (!every_pair_.offers(f))
       continue;
     const filtered r = filter_alone(f, on_a, on_b);
     const double limit = pairs_a_clock(on_.facts()) * on_.facts().multiprocessors * r.hertz;
-    add(fmt::format("filter alone, {}, every pair", name_of(f)), r.found, r.seconds,
-        f == cuda::filter::float32 ? 0 : limit, 0);
-    if (f != cuda::filter::float32)
+    add(fmt::format("filter alone, {}, every pair", name_of(f)), r.found, r.seconds, f == filter::float32 ? 0 : limit,
+        0);
+    if (f != filter::float32)
       t.notes.push_back(fmt::format("{}: clock {:.0f} MHz in the run, so the limit is {:.1f} Tpairs/s.", name_of(f),
                                     r.hertz / 1e6, limit / 1e12));
-    if (f == on_.best_filter()) {
-      const whole_query plain = query(f, search::every_pair, rung::fp32, a, b, on_a, on_b, p);
+    if (f == every_pair_.best_filter()) {
+      const whole_query plain = by_every_pair(f, rung::fp32);
       add("query, plain fp32, every pair", plain.found, plain.seconds, limit, plain.with_transfers);
     }
-    const whole_query certified = query(f, search::every_pair, rung::certified, a, b, on_a, on_b, p);
+    const whole_query certified = by_every_pair(f, rung::certified);
     add(fmt::format("query, certified, {}, every pair", name_of(f)), certified.found, certified.seconds,
-        f == cuda::filter::float32 ? 0 : limit, certified.with_transfers);
-    const whole_query grouped = query(f, search::groups, rung::certified, a, b, on_a, on_b, p);
-    add(fmt::format("query, certified, {}, groups", name_of(f)), grouped.found, grouped.seconds, 0,
-        grouped.with_transfers);
+        f == filter::float32 ? 0 : limit, certified.with_transfers);
   }
-  const whole_query tree = query(on_.best_filter(), search::tree, rung::certified, a, b, on_a, on_b, p);
+  const auto by_hierarchy = [&](device_set &x, device_set &y) -> counted {
+    const device_result r = meetc::collide(on_, x, y, p, rung::certified);
+    return {r.count, r.device_seconds};
+  };
+  const whole_query tree = query(by_hierarchy, a, b, on_a, on_b);
   add("query, certified, hierarchy", tree.found, tree.seconds, 0, tree.with_transfers);
   return t;
 }
@@ -139,13 +140,10 @@ table gpu_bench::measure_tangent() {
     device_set on_a(on_, a), on_b(on_, b);
     std::uint64_t unsure = 0, found = 0;
     const auto time = [&](rung precision) {
-      device_options o;
-      o.want = answer_kind::count;
-      o.by = search::every_pair;
-      o.balls = cover::element; // the same filter for both
+      const every_pair::options count{.want = answer_kind::count, .balls = cover::element}; // the same filter for both
       std::vector<double> seconds;
       for (int i = 0; i <= runs; ++i) {
-        const device_result r = meetc::collide(on_, on_a, on_b, p, precision, o);
+        const every_pair::outcome r = every_pair_.collide(on_a, on_b, p, precision, count);
         if (i > 0)
           seconds.push_back(r.device_seconds);
         unsure = r.rungs.unsure[0];
@@ -204,19 +202,12 @@ std::uint64_t gpu_bench::counted_on_device() {
   return n;
 }
 
-gpu_bench::filtered gpu_bench::filter_alone(cuda::filter f, device_set &a, device_set &b) {
-  device_set &frame = b.elements() < a.elements() ? a : b;
-  const auto as = [&](device_set &s, bool first) {
-    return s.as(f, cuda::grouping::single, cover::element, first, frame);
-  };
-  const cuda::operand x = as(a, true), y = as(b, false);
+gpu_bench::filtered gpu_bench::filter_alone(every_pair::filter f, device_set &a, device_set &b) {
   list_.reserve(std::size_t{1} << 26, "a list of candidates");
   counts_.reserve(1, "a counter");
   const auto once = [&] {
     check(cudaMemsetAsync(counts_.data(), 0, sizeof(unsigned long long), on_.stream()), "clearing a counter");
-    check(on_.kernels().candidates(f, x, y, {0, a.elements(), 0, b.elements()},
-                                   {list_.data(), counts_.data(), list_.capacity()}, on_.stream()),
-          "starting the filter");
+    every_pair_.list_near(f, cover::element, a, b, {list_.data(), counts_.data(), list_.capacity()});
   };
   double seconds = timer_.seconds(once, runs);
   while (counted_on_device() > list_.capacity()) { // the filter stops early where the list is full
@@ -227,23 +218,19 @@ gpu_bench::filtered gpu_bench::filter_alone(cuda::filter f, device_set &a, devic
   return {found, seconds, timer_.clock_during(once, seconds)};
 }
 
-gpu_bench::whole_query gpu_bench::query(cuda::filter f, search by, rung precision, const prepared &a, const prepared &b,
-                                        device_set &on_a, device_set &on_b, const predicate_info &p) {
-  device_options o;
-  o.filter = f;
-  o.by = by;
-  o.balls = cover::element;
+gpu_bench::whole_query gpu_bench::query(const std::function<counted(device_set &, device_set &)> &ask,
+                                        const prepared &a, const prepared &b, device_set &on_a, device_set &on_b) {
   std::vector<double> seconds, whole;
   std::uint64_t found = 0;
   for (int i = 0; i <= runs; ++i) {
-    const device_result r = meetc::collide(on_, on_a, on_b, p, precision, o);
+    const counted r = ask(on_a, on_b);
     const auto start = std::chrono::steady_clock::now();
     device_set fresh_a(on_, a), fresh_b(on_, b);
-    const device_result again = meetc::collide(on_, fresh_a, fresh_b, p, precision, o);
+    const counted again = ask(fresh_a, fresh_b);
     const std::chrono::duration<double> with = std::chrono::steady_clock::now() - start;
-    if (again.count != r.count)
+    if (again.found != r.found)
       throw app::failure("bench gpu: two runs of one query differ", app::no_device);
-    found = r.count;
+    found = r.found;
     if (i > 0)
       seconds.push_back(r.device_seconds), whole.push_back(with.count());
   }

@@ -6,6 +6,7 @@
 #include "bench/gpu_scenes.hpp"
 #include "bench/gpu_timer.hpp"
 #include "bench/table.hpp"
+#include "core/device/every_pair/engine.hpp"
 #include "core/device/given.hpp"
 
 #include <cstdint>
@@ -20,10 +21,10 @@ public:
   // Throws device_error, as do all members.
   gpu_bench(const catalogue &all, bool quick);
 
-  std::string device_in_words() const;
+  std::string device_in_words();
   table measure(const gpu_scene &scene);
   table measure_tangent();
-  // Times the searches. Calls `progress` after each scene.
+  // Times a query, and every pair beside it where that is quick. Calls `progress` after each scene.
   table measure_searches(const std::string &name, const std::string &title, const std::vector<gpu_scene> &scenes,
                          const std::function<void()> &progress);
   // Times a hierarchy of the usual kind beside ours, likewise.
@@ -61,13 +62,19 @@ private:
                          const predicate_info &p);
   counted_pairs count(baseline by, const device_set &a, const device_set &b);
   std::uint64_t counted_on_device();
-  filtered filter_alone(cuda::filter f, device_set &a, device_set &b);
-  whole_query query(cuda::filter f, search by, rung precision, const prepared &a, const prepared &b, device_set &on_a,
-                    device_set &on_b, const predicate_info &p);
+  filtered filter_alone(every_pair::filter f, device_set &a, device_set &b);
+  // `ask` gives the pairs of two sets, and the device's seconds.
+  struct counted {
+    std::uint64_t found;
+    double device_seconds;
+  };
+  whole_query query(const std::function<counted(device_set &a, device_set &b)> &ask, const prepared &a,
+                    const prepared &b, device_set &on_a, device_set &on_b);
 
   const catalogue &all_;
   bool quick_;
   device on_;
+  every_pair::engine every_pair_;
   gpu_timer timer_;
   device_memory<index_pair> list_;
   device_memory<unsigned long long> counts_;

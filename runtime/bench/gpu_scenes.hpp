@@ -30,9 +30,6 @@ std::vector<gpu_scene> growth_scenes(const catalogue &all, const std::optional<s
 // A million elements that lie evenly, and as many that do not: far ones, clusters, sizes of many scales, copies.
 std::vector<gpu_scene> hard_scenes(const catalogue &all, bool quick);
 
-// Scenes to which the model of the searches' costs was not fitted.
-std::vector<gpu_scene> choice_scenes(const catalogue &all, bool quick);
-
 // Segments as long as a mesh, of which it is asked what they meet first.
 std::vector<gpu_scene> first_scenes(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
 

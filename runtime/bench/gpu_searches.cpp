@@ -1,4 +1,4 @@
-// How long the searches of a device take.
+// How long a query takes on a device as sets grow, and every pair beside it.
 #include "app/failure.hpp"
 #include "app/sets.hpp"
 #include "app/words.hpp"
@@ -16,11 +16,11 @@ namespace meetc::bench {
 namespace {
 
 constexpr int growth_runs = 5;
-constexpr int times_again = 4;    // the last of which is taken: then its kernels start as one
-constexpr double too_slow = 0.25; // seconds that a search may be expected to take
+constexpr int times_again = 4;      // the last of which is taken: then its kernels start as one
+constexpr double most_pairs = 3e12; // which every pair takes a quarter of a second for
 
 // Medians of seconds of certified queries that give sorted pairs on the device.
-struct search_times {
+struct query_times {
   double first = 0, posed = 0, again = 0, wall = 0;
 };
 
@@ -38,9 +38,6 @@ table gpu_bench::measure_searches(const std::string &name, const std::string &ti
                {"b", "elements of B"},
                {"pairs", "pairs"},
                {"every_first", "every pair: first,|ms"},
-               {"every_again", "every pair: again,|ms"},
-               {"groups_first", "groups: first,|ms"},
-               {"groups_again", "groups: again,|ms"},
                {"tree_first", "hierarchy: first,|ms"},
                {"tree_posed", "hierarchy: after|a pose, ms"},
                {"tree_again", "hierarchy: again,|ms"},
@@ -48,13 +45,12 @@ table gpu_bench::measure_searches(const std::string &name, const std::string &ti
                {"ordered", "both ordered|there, ms"},
                {"made_wall", "both made there,|wall clock, ms"},
                {"given", "given: all of it,|ms"},
-               {"given_wall", "given: all of it,|wall clock, ms"},
-               {"chosen", "chosen first"},
-               {"of_best", "chosen /|best"}};
+               {"given_wall", "given: all of it,|wall clock, ms"}};
   if (compared)
     t.columns.push_back({"of_even", "hierarchy: first /|even above"});
   t.notes.emplace_back(
-      "First: a query on sets that have only been uploaded, so that columns, or boxes, are made in it. After a pose: "
+      "First: a query on sets that have only been uploaded, so that boxes, and columns of every pair, are made in it. "
+      "After a pose: "
       "of "
       "B, whose boxes are made anew. Again: nothing is made, and all kernels start as one graph, since the same was "
       "asked some times before. Ordered there: "
@@ -78,8 +74,7 @@ table gpu_bench::measure_searches(const std::string &name, const std::string &ti
     const auto query = [&](device_set &on_a, device_set &on_b) {
       return meetc::collide(on_, on_a, on_b, p, rung::certified, o);
     };
-    const auto time = [&](search by) {
-      o.by = by;
+    const auto time = [&] {
       std::vector<double> fresh, posed, again, wall;
       for (int i = 0; i <= growth_runs; ++i) {
         device_set on_a(on_, a);
@@ -96,22 +91,29 @@ table gpu_bench::measure_searches(const std::string &name, const std::string &ti
         on_b.move(at);
         const device_result r_posed = query(on_a, on_b);
         if (r_again.count != r.count || found.value_or(r.count) != r.count)
-          throw app::failure("bench gpu: two searches differ", app::no_device);
+          throw app::failure("bench gpu: two queries differ", app::no_device);
         found = r.count;
         if (i > 0)
           fresh.push_back(r.device_seconds), again.push_back(r_again.device_seconds),
               posed.push_back(r_posed.device_seconds), wall.push_back(r.seconds);
       }
-      return search_times{median(fresh), median(posed), median(again), median(wall)};
+      return query_times{median(fresh), median(posed), median(again), median(wall)};
     };
-    const search_costs expected = [&] {
-      device_set on_a(on_, a);
-      std::optional<device_set> its_own;
-      o.by.reset();
-      return query(on_a, scene.itself ? on_a : its_own.emplace(on_, b)).expected;
-    }();
-    const search chosen = expected.least();
-    const search_times tree = time(search::tree);
+    const query_times tree = time();
+    const auto time_every_pair = [&] {
+      std::vector<double> fresh;
+      for (int i = 0; i <= growth_runs; ++i) {
+        device_set on_a(on_, a);
+        std::optional<device_set> its_own;
+        const every_pair::outcome r =
+            every_pair_.collide(on_a, scene.itself ? on_a : its_own.emplace(on_, b), p, rung::certified);
+        if (r.count != *found)
+          throw app::failure("bench gpu: a query and every pair differ", app::no_device);
+        if (i > 0)
+          fresh.push_back(r.device_seconds);
+      }
+      return median(fresh);
+    };
     std::vector<double> ordered, made;
     for (int i = 0; i <= growth_runs; ++i) {
       const auto start = std::chrono::steady_clock::now();
@@ -127,37 +129,22 @@ table gpu_bench::measure_searches(const std::string &name, const std::string &ti
     const given_times given = time_given(scene, first, second, p);
     if (given.found != *found)
       throw app::failure("bench gpu: sets in order and as they are given differ", app::no_device);
-    const auto time_if_quick = [&](search by) {
-      return !compared && expected.of[static_cast<int>(by)] < too_slow ? std::optional(time(by)) : std::nullopt;
-    };
-    const std::optional<search_times> groups = time_if_quick(search::groups), every = time_if_quick(search::every_pair);
-    const auto of_others = [&](const std::optional<search_times> &of, double search_times::*seconds) {
-      return of ? of_milliseconds((*of).*seconds) : missing("too slow");
-    };
-    double best = tree.first, taken = tree.first;
-    for (const auto &[by, of] : {std::pair(search::groups, groups), std::pair(search::every_pair, every)})
-      if (of) {
-        best = std::min(best, of->first);
-        taken = chosen == by ? of->first : taken;
-      }
+    const bool quick = static_cast<double>(a.elements()) * static_cast<double>(b.elements()) <= most_pairs;
     t.rows.push_back({of_words(scene.name), of_count(a.elements()), of_count(b.elements()), of_count(*found),
-                      of_others(every, &search_times::first), of_others(every, &search_times::again),
-                      of_others(groups, &search_times::first), of_others(groups, &search_times::again),
+                      compared ? missing("")
+                      : quick  ? of_milliseconds(time_every_pair())
+                               : missing("too slow"),
                       of_milliseconds(tree.first), of_milliseconds(tree.posed), of_milliseconds(tree.again),
                       of_milliseconds(tree.wall), of_milliseconds(median(ordered)), of_milliseconds(median(made)),
-                      of_milliseconds(given.device), of_milliseconds(given.wall), of_words(name_of(chosen)),
-                      of_ratio(taken / best)});
+                      of_milliseconds(given.device), of_milliseconds(given.wall)});
     if (scene.even)
       even = tree.first;
     if (compared)
       t.rows.back().push_back(of_ratio(tree.first / even));
     progress();
   }
-  if (compared) { // by the hierarchy alone: of such sets the others may have to look at nearly all pairs
-    const auto drop = [](auto &cells) {
-      cells.erase(cells.begin() + 16, cells.begin() + 18);
-      cells.erase(cells.begin() + 4, cells.begin() + 8);
-    };
+  if (compared) { // by the hierarchy alone
+    const auto drop = [](auto &cells) { cells.erase(cells.begin() + 4); };
     drop(t.columns);
     for (auto &row : t.rows)
       drop(row);

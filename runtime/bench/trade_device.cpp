@@ -7,7 +7,9 @@
 #if MEETC_WITH_CUDA
 #include "bench/gpu_timer.hpp"
 #include "cga/cga_cuda.hpp"
+#include "cga/cga_every_pair.hpp"
 #include "core/device/collide.hpp"
+#include "core/device/every_pair/engine.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -46,7 +48,7 @@ template <class T> std::vector<T> download(const device_memory<T> &from, std::si
 
 class cuda_trade_device final : public trade_device {
 public:
-  cuda_trade_device() : on_(cga::cuda::catalogue()) {}
+  cuda_trade_device() : on_(cga::cuda::catalogue()), every_pair_(on_, cga::every_pair::catalogue()) {}
   std::string name() const override { return on_.facts().name; }
 
   std::vector<trade_point> measure(const element_pairs &pairs, int repetitions) override {
@@ -58,7 +60,7 @@ public:
       for (const rung r : {rung::fp32, rung::certified})
         if (pairs.by->decide[static_cast<int>(r)])
           out.push_back(by_rung(pairs, exact, r, repetitions));
-      if (std::string_view(pairs.by->name) == "ball_ball" && on_.best_filter() != cuda::filter::float32)
+      if (std::string_view(pairs.by->name) == "ball_ball" && every_pair_.best_filter() != every_pair::filter::float32)
         out.push_back(by_filter(pairs, exact, repetitions));
       for (trade_point &p : out)
         p.on_device = true;
@@ -103,8 +105,6 @@ private:
     device_set a(on_, prepare_rows(*pairs.by->a, pairs.a.data(), pairs.count)),
         b(on_, prepare_rows(*pairs.by->b, pairs.b.data(), pairs.count));
     const auto n = static_cast<std::uint32_t>(pairs.count);
-    const cuda::operand x{a.rows(), n, cuda::grouping::single, nullptr},
-        y{b.rows(), n, cuda::grouping::single, nullptr};
     // Slot i of a set holds element order[i].
     std::vector<std::uint32_t> slot_b(n);
     const std::vector<std::uint32_t> order_a = orders(a), order_b = orders(b);
@@ -126,7 +126,7 @@ private:
       cuda::pair_list in{pairs_there.data(), nullptr, length};
       for (int s = 0; s < steps.count; ++s) {
         const cuda::pair_list unsure{left.data(), counts.data() + 1 + s, list.size()}; // the last step writes none
-        check(run.run(steps.of[s], x, y, in, {hits.data(), counts.data(), list.size()}, unsure, stream),
+        check(run.run(steps.of[s], a.rows(), b.rows(), in, {hits.data(), counts.data(), list.size()}, unsure, stream),
               "starting a decision step");
         in = unsure;
       }
@@ -153,17 +153,12 @@ private:
     const std::size_t n = std::min(pairs.count, filtered);
     device_set a(on_, prepare_rows(*pairs.by->a, pairs.a.data(), n)),
         b(on_, prepare_rows(*pairs.by->b, pairs.b.data(), n));
-    const cuda::filter by = on_.best_filter();
-    const cuda::operand x = a.as(by, cuda::grouping::single, cover::element, true, b),
-                        y = b.as(by, cuda::grouping::single, cover::element, false, b);
     device_memory<index_pair> kept;
     device_memory<unsigned long long> count;
     kept.reserve(n * n, "a list of candidates"), count.reserve(1, "a counter");
     const auto filter = [&] {
       check(cudaMemsetAsync(count.data(), 0, sizeof(unsigned long long), stream), "clearing counters");
-      check(on_.kernels().candidates(by, x, y, {0, x.objects(), 0, y.objects()}, {kept.data(), count.data(), n * n},
-                                     stream),
-            "starting the filter");
+      every_pair_.list_near(every_pair_.best_filter(), cover::element, a, b, {kept.data(), count.data(), n * n});
     };
     const double seconds = timer_.seconds(filter, repetitions);
     const std::vector<std::uint32_t> order_a = orders(a), order_b = orders(b);
@@ -187,6 +182,7 @@ private:
   }
 
   device on_;
+  every_pair::engine every_pair_;
   gpu_timer timer_{on_};
 };
 

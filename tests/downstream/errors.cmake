@@ -19,7 +19,7 @@ refuse("meetc_add_kernels(k SCENE scene.toml NAMESPACE cell CHECKED_IN)" "CHECKE
 refuse("meetc_add_kernels(k SCENE other.toml NAMESPACE cell)" "other.toml' is not there")
 refuse("meetc_add_kernels(k SCENE scene.toml NAMESPACE a::b)" "'a::b' cannot be the NAMESPACE")
 refuse("meetc_add_kernels(k SCENE scene.toml NAMESPACE meetc)" "'meetc' cannot be the NAMESPACE")
-refuse("meetc_add_kernels(k SCENE scene.toml NAMESPACE cell BACKENDS opencl)" "no backend 'opencl'; known: cpp, cuda, c")
+refuse("meetc_add_kernels(k SCENE scene.toml NAMESPACE cell BACKENDS opencl)" "no backend 'opencl'; known: cpp, cuda, every_pair, c")
 refuse("meetc_add_kernels(k SCENE scene.toml NAMESPACE cell BACKENDS cpp cuda)" "say enable_language(CUDA)")
 refuse("meetc_install_kernels(k)" "EXPORT is missing")
 refuse("meetc_install_kernels(k EXPORT set)" "no target of meetc_add_kernels")

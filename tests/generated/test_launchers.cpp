@@ -52,7 +52,7 @@ TEST_CASE("launchers: each is defined in one source, and the catalogue has every
       sources += text_of(entry.path());
 
   const std::vector<std::string> launchers = launchers_in(header);
-  CHECK(launchers.size() > 40);
+  CHECK(launchers.size() > 30);
   CHECK(launchers == all_in(sources, "\ncudaError_t (\\w+::\\w+)\\("));
 
   std::vector<std::string> kinds, predicates;
@@ -67,4 +67,17 @@ TEST_CASE("launchers: each is defined in one source, and the catalogue has every
   CHECK(all_in(sources, "\nmeetc::cuda::kind_launchers (\\w+)\\(\\) \\{") == kinds);
   CHECK(all_in(catalogue, "kinds::(\\w+)\\(\\),") == kinds);
   CHECK(all_in(catalogue, "\n  \\{\"(\\w+)\", [0-9]") == predicates);
+}
+
+TEST_CASE("launchers: the engine of every pair has the kinds of the other catalogue, each in its place") {
+  const auto in_order = [](const std::string &text, const char *expression) {
+    std::vector<std::string> out;
+    const std::regex wanted(expression);
+    for (std::sregex_iterator i(text.begin(), text.end(), wanted), end; i != end; ++i)
+      out.push_back((*i)[1]);
+    return out;
+  };
+  const std::vector<std::string> kinds = in_order(text_of(folder / "cga_cuda.cu"), "kinds::(\\w+)\\(\\),");
+  CHECK(kinds.size() == static_cast<std::size_t>(cga::catalogue().kind_count));
+  CHECK(in_order(text_of(folder / "cga_every_pair.cu"), "\\{\"(\\w+)\", meetc::every_pair::enclose<") == kinds);
 }

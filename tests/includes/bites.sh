@@ -29,11 +29,15 @@ sound() {
   put runtime/kernel/meetc/table.hpp '#include <cstdint>'
   put runtime/core/view.hpp '#include "meetc/table.hpp"'
   put runtime/core/device/set.hpp '#include "core/view.hpp"'
+  put runtime/core/device/every_pair/engine.hpp '#include "core/device/set.hpp"' '#include "meetc/every_pair/table.hpp"'
+  put runtime/kernel/meetc/every_pair/table.hpp '#include <meetc/table.hpp>'
+  put runtime/kernel/meetc/cuda_table.hpp '#include <meetc/table.hpp>'
   put runtime/io/read.hpp '#include "core/view.hpp"'
   put runtime/app/sets.cpp '#include "io/read.hpp"' '#include <cga/cga.hpp>'
   put runtime/bench/peers/peers.hpp '#include "meetc/table.hpp"'
   put runtime/main.cpp '#include "bench/table.hpp"'
-  put runtime/bench/table.hpp '#include "core/view.hpp"' '#include "bench/peers/peers.hpp"'
+  put runtime/bench/table.hpp '#include "core/view.hpp"' '#include "bench/peers/peers.hpp"' \
+    '#include "core/device/every_pair/engine.hpp"'
   put generated/default/cga/cga.hpp '#include <meetc/table.hpp>' '#include <cga/kinds.hpp>' '#include <cmath>'
   put generated/default/cga/kinds.hpp '#include <meetc/table.hpp>'
 }
@@ -68,6 +72,12 @@ refused "gen/target may not include runtime/kernel" gen/target/text.cpp '#includ
 refused "gen/target may not include generated" gen/target/text.cpp '#include <cga/cga.hpp>'
 refused "runtime/core may not include runtime/io" runtime/core/view.hpp '#include "io/read.hpp"'
 refused "runtime/core may not include runtime/core/device" runtime/core/view.hpp '#include "core/device/set.hpp"'
+refused "only benchmarks and tests include the engine of every pair" runtime/core/device/set.hpp \
+  '#include "meetc/every_pair/table.hpp"'
+refused "only benchmarks and tests include the engine of every pair" runtime/app/sets.cpp \
+  '#include "core/device/every_pair/engine.hpp"'
+refused "only benchmarks and tests include the engine of every pair" runtime/kernel/meetc/cuda_table.hpp \
+  '#include <meetc/every_pair/table.hpp>'
 refused "runtime/core may not include generated" runtime/core/view.hpp '#include <cga/cga.hpp>'
 refused "runtime/app may not include runtime/bench" runtime/app/sets.cpp '#include "bench/table.hpp"'
 refused "runtime/bench/peers may not include runtime/bench" runtime/bench/peers/peers.hpp '#include "bench/table.hpp"'

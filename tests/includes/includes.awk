@@ -111,6 +111,10 @@ function fault(text) {
   ++edges
   if (!((here, there) in may))
     fault(place ": " here " may not include " (there == "" ? "what lies in no room" : there) " (" target ")")
+  # The engine of every pair stands apart: sets, queries and their launchers know nothing of it.
+  if (target ~ /\/every_pair\// && file !~ /every_pair/ && (here == "runtime/core/device" || here == "runtime/core" || \
+      here == "runtime/app" || file ~ /^runtime\/kernel\/meetc\/cuda_/ || file ~ /_cuda[.](hpp|cu)$/))
+    fault(place ": only benchmarks and tests include the engine of every pair (" target ")")
   if (here != there)
     arrow[here, there] = 1
   follows[file] = follows[file] " " target

@@ -45,8 +45,6 @@ std::vector<file> cpp_files(const unit &u) {
                                                    open_header(u.scene, "file_all", headers) + close_header(u.scene)});
   out.push_back({space + "/header_only.hpp", header_only(u)});
   out.push_back({space + "/shapes.hpp", shapes_header(u)});
-  if (filters_by_balls(u))
-    out.push_back({space + "/ball_form.hpp", ball_form_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
   for (file &f : out)
@@ -55,9 +53,6 @@ std::vector<file> cpp_files(const unit &u) {
     return out;
   for (file &f : proof_files(u))
     out.push_back(std::move(f));
-  if (filters_by_balls(u))
-    for (file &f : filter_proofs(u))
-      out.push_back(std::move(f));
   return out;
 }
 

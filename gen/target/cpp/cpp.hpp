@@ -30,10 +30,6 @@ std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
 std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
                           std::size_t operand);
 std::string shapes_header(const unit &u);
-// Touching balls as a sum of products; the unit has that form.
-std::string ball_form_header(const unit &u);
-// Whether the namespace has the form of a filter by enclosing balls.
-bool filters_by_balls(const unit &u);
 
 // The table of kinds and predicates by which a runtime knows this namespace.
 std::string runtime_header(const unit &u);

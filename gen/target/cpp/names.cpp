@@ -143,6 +143,7 @@ std::string identifier(const std::string &name) {
                                            "std",
                                            "meetc",
                                            "cuda",
+                                           "every_pair",
                                            "predicates",
                                            "kinds",
                                            "linux",

@@ -26,10 +26,6 @@ const lower::kernel *order_of(const unit &u, const lower::kernel &predicate) {
   return at == u.kernels.end() ? nullptr : &*at;
 }
 
-bool filters_by_balls(const unit &u) {
-  return u.balls && !predicates_of(u).empty();
-}
-
 std::vector<const lower::lowered_kind *> element_kinds(const unit &u) {
   std::vector<const lower::lowered_kind *> out;
   for (const lower::lowered_kind &k : u.kinds)

@@ -1,5 +1,5 @@
 // The predicates on a CUDA device: a source with launchers for each predicate and one for each kind, and the catalogue through
-// which a runtime runs all-pairs queries. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
+// which a runtime runs queries on sets. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
 #include "gen/target/cuda/cuda.hpp"
 
 #include "gen/target/cpp/cpp.hpp"
@@ -23,13 +23,9 @@ std::string rungs_constant(const unit &u) {
 constexpr const char *parameters = "(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs, "
                                    "std::size_t n, meetc::answer *out, cudaStream_t stream)";
 
-constexpr const char *near_parameters =
-    "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b, "
-    "meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list kept, unsigned long long *touching, "
-    "cudaStream_t stream)";
 constexpr const char *run_parameters =
-    "(meetc::cuda::step which, const meetc::cuda::operand &a, const meetc::cuda::operand &b, "
-    "meetc::cuda::pair_list in, meetc::cuda::pair_list yes, meetc::cuda::pair_list unsure, cudaStream_t stream)";
+    "(meetc::cuda::step which, const float *a, const float *b, meetc::cuda::pair_list in, meetc::cuda::pair_list yes, "
+    "meetc::cuda::pair_list left, cudaStream_t stream)";
 
 constexpr const char *first_met_parameters = "(const meetc::cuda::first_met_job &job, cudaStream_t stream)";
 
@@ -39,23 +35,14 @@ std::string shape_of(const std::string &kind) {
 
 std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
-  std::string out =
-      "namespace {\n\nusing form = ball_form;\n\n"
-      "// A query with the predicate at this index of the catalogue.\n"
-      "template <int Place> cudaError_t pairs(const meetc::cuda::query &q, cudaStream_t stream) {\n"
-      "  return meetc::cuda::pairs(catalogue(), catalogue().predicates[Place], q, stream);\n}\n"
-      "template <int Place>\n"
-      "std::size_t workspace(std::uint32_t a, std::uint32_t b, unsigned long long list_capacity) {\n"
-      "  return meetc::cuda::query_workspace(catalogue(), catalogue().predicates[Place], a, b, list_capacity);\n"
-      "}\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
+  std::string out = "namespace {\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const std::string name = identifier(k->asked.asked->name);
-    out +=
-        fmt::format("  {{\"{0}\", {1}, {2}, {3}::near, {3}::run, pairs<{4}>, workspace<{4}>, {5}, {6}, {7}, {8}}},\n",
-                    k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name, count,
-                    !k->decision.reject.atoms.empty(), order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
-                    k->decision.by_boxes, k->decision.by_balls);
+    out += fmt::format(
+        "  {{\"{0}\", {1}, {2}, {3}::run, {4}, {5}, {6}, {7}}},\n", k->asked.asked->name, element_place(kinds, *k, 0),
+        element_place(kinds, *k, 1), name, !k->decision.reject.atoms.empty(),
+        order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr", k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
   out += "};\n\n} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {\n"
@@ -64,7 +51,6 @@ std::string catalogue_text(const unit &u) {
     out += fmt::format("    kinds::{}(),\n", identifier(k->name));
   return out + fmt::format("  }};\n"
                            "  static const meetc::cuda::catalogue c{{\"{}\", all_kinds, {}, all_predicates, {}, "
-                           "meetc::cuda::clear_extent, meetc::cuda::candidates<form>, meetc::cuda::probe, "
                            "meetc::launch_self_test}};\n"
                            "  return c;\n}}\n\n",
                            u.scene.space, kinds.size(), count);
@@ -78,7 +64,7 @@ std::string cuda_header(const unit &u) {
   out += fmt::format("#ifndef MEETC_{0}_cuda_HPP\n#define MEETC_{0}_cuda_HPP\n\n#include <meetc/cuda_table.hpp>\n"
                      "#include <meetc/support.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space);
-  out += "// What a runtime needs for queries on sets: every kind and predicate, the filter and its probe.\n"
+  out += "// What a runtime needs for queries on sets: every kind and predicate.\n"
          "const meetc::cuda::catalogue &catalogue();\n\n";
   if (u.asks(lang::rung::certified))
     out += "// Writes bits of meetc::arithmetic_fault to *faults (device memory): 0 if the arithmetic is as the bounds "
@@ -94,9 +80,9 @@ std::string cuda_header(const unit &u) {
              ? "certify() runs one bounded rung of `certified` (fp32, fp64,\n"
                "// fp64x2), which may answer unsure. The answers equal those of the CPU, bit for bit. An unknown rung "
                "gives\n"
-               "// cudaErrorInvalidValue. near() and run() are steps of a query on sets: see\n"
+               "// cudaErrorInvalidValue. run() is a step of a query on sets: see\n"
              : "The answers equal those of the CPU, bit for bit. An unknown rung\n"
-               "// gives cudaErrorInvalidValue. near() and run() are steps of a query on sets: see\n";
+               "// gives cudaErrorInvalidValue. run() is a step of a query on sets: see\n";
   out +=
       "// meetc::cuda::predicate_launchers. They compute anew what sets on a CPU store beside their rows, since the\n"
       "// rows are loaded in any case. All work is enqueued on the stream; nothing is allocated, waited for or "
@@ -105,7 +91,7 @@ std::string cuda_header(const unit &u) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
     if (u.asks(lang::rung::certified))
       out += fmt::format("  static cudaError_t certify{};\n", parameters);
-    out += fmt::format("  static cudaError_t near{};\n  static cudaError_t run{};\n", near_parameters, run_parameters);
+    out += fmt::format("  static cudaError_t run{};\n", run_parameters);
     if (order_of(u, *k))
       out += fmt::format("  static cudaError_t first_met{};\n", first_met_parameters);
     out += "};\n";
@@ -119,12 +105,9 @@ std::string cuda_header(const unit &u) {
 std::string cuda_catalogue(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The catalogue of launchers on a CUDA device.");
-  out +=
-      fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n"
-                  "#include <meetc/cuda_filter.hpp>\n#include <meetc/cuda_probe.hpp>\n#include <meetc/cuda_query.hpp>\n"
-                  "#include <meetc/cuda_sets.hpp>\n\n"
-                  "namespace {0} {{\nnamespace cuda {{\n\n",
-                  space);
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <meetc/self_test.hpp>\n\n"
+                     "namespace {0} {{\nnamespace cuda {{\n\n",
+                     space);
   out += catalogue_text(u);
   if (u.asks(lang::rung::certified))
     out += "cudaError_t self_test(unsigned *faults, cudaStream_t stream) {\n"
@@ -141,14 +124,14 @@ std::string cuda_kind(const unit &u, const lower::lowered_kind &k) {
   const std::string space = identifier(u.scene.space);
   std::string out =
       banner(u.scene, fmt::format("What a set of elements of the kind {} does on a CUDA device.", k.name));
-  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/ball_form.hpp>\n#include <{0}/shapes.hpp>\n"
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/shapes.hpp>\n"
                      "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_cull.hpp>\n"
                      "#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
                      "namespace {0} {{\nnamespace cuda {{\nnamespace kinds {{\n\n",
                      space);
   out += fmt::format("meetc::cuda::kind_launchers {2}() {{\n"
                      "  return {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::instances<{1}>, "
-                     "meetc::cuda::enclose<{1}>, meetc::cuda::columns<{1}, ball_form>, meetc::cuda::places<{1}>, "
+                     "meetc::cuda::places<{1}>, "
                      "meetc::cuda::gather<{1}>, "
                      "meetc::cuda::boxes<{1}>, meetc::cuda::arrange<{1}>, meetc::cuda::surround<{1}>, "
                      "meetc::cuda::sift<{1}>}};\n}}\n",
@@ -159,11 +142,10 @@ std::string cuda_kind(const unit &u, const lower::lowered_kind &k) {
 std::string cuda_launchers(const unit &u, const lower::kernel &k) {
   const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
   std::string out = banner(u.scene, fmt::format("Launchers of {} on a CUDA device.", k.asked.asked->name));
-  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n#include <{0}/shapes.hpp>\n"
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n"
                      "#include <meetc/cuda_steps.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space, k.asked.name());
   const std::string predicate = fmt::format("::{}::{}", space, name);
-  const std::string shapes = shape_of(k.asked.kinds[0]->name) + ", " + shape_of(k.asked.kinds[1]->name);
   out += fmt::format("cudaError_t {0}::decide{2} {{\n"
                      "  return meetc::cuda::decide_rows<{1}, rungs>(rung, a, b, pairs, n, out, stream);\n}}\n",
                      name, predicate, parameters);
@@ -171,11 +153,8 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
     out += fmt::format("cudaError_t {0}::certify{2} {{\n"
                        "  return meetc::cuda::certify_rows<{1}>(rung, a, b, pairs, n, out, stream);\n}}\n",
                        name, predicate, parameters);
-  out += fmt::format("cudaError_t {0}::near{3} {{\n"
-                     "  return meetc::cuda::near<{1}, {2}, rungs>(which, a, b, in, yes, kept, touching, stream);\n}}\n",
-                     name, predicate, shapes, near_parameters);
   out += fmt::format("cudaError_t {0}::run{2} {{\n"
-                     "  return meetc::cuda::run<{1}, rungs>(which, a, b, in, yes, unsure, stream);\n}}\n",
+                     "  return meetc::cuda::run<{1}, rungs>(which, a, b, in, yes, left, stream);\n}}\n",
                      name, predicate, run_parameters);
   return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n", space);
 }
@@ -204,11 +183,6 @@ std::vector<file> cuda_files(const unit &u) {
   const std::string space = identifier(u.scene.space);
   if (predicates_of(u).empty())
     return {}; // nothing to launch
-  if (!u.balls)
-    throw spec_error({},
-                     "the backend 'cuda' filters pairs by the balls around them, and no predicate of the algebra says "
-                     "when two balls touch by one sign that separates; import 'primitives/ball.toml', or ask for the "
-                     "backend 'cpp' alone");
   std::vector<file> out{{space + '/' + space + "_cuda.hpp", cuda_header(u)},
                         {space + '/' + space + "_cuda.cu", cuda_catalogue(u)}};
   for (const lower::kernel *k : predicates_of(u))

@@ -7,6 +7,7 @@
 #include "core/device/query.hpp"
 #include "core/device/tallies.hpp"
 #include "core/device/tree_kernels.hpp"
+#include "meetc/cuda_cascade.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -20,13 +21,6 @@ constexpr std::size_t first_capacity = std::size_t{1} << 22;
 void require(bool holds, const char *what) {
   if (!holds)
     throw std::invalid_argument(what);
-}
-
-const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const predicate_info &p) {
-  for (int i = 0; i < all.predicate_count; ++i)
-    if (std::strcmp(all.predicates[i].name, p.name) == 0)
-      return all.predicates[i];
-  throw device_error(std::string("no CUDA kernels were generated for ") + p.name);
 }
 
 // The rung that decides where tolerant is asked for: certified, if a set leaves the box that tolerant presumes.
@@ -59,17 +53,8 @@ public:
         cleared_(options.as_graph ? 0 : cleared.value_or(0)), first_(on.buffers()) {}
 
   device_result run() {
-    require(!options_.filter || on_.offers(*options_.filter),
-            "this device does not offer the filter that was asked for");
-    search_sizes sizes = a_.for_search(b_);
-    sizes.balls = predicate_.by_balls && never_wrong(precision_);
-    result_.expected = expected_costs(sizes);
-    result_.by = options_.by.value_or(result_.expected.least());
-    if (result_.by != search::tree)
-      result_.filter = options_.filter ? *options_.filter : on_.best_filter();
-    // A hierarchy visits half of the pairs of a set with itself where the other half has the same answers.
-    both_ways_ =
-        &a_ == &b_ && result_.by == search::tree && symmetric_ && never_wrong(precision_) && !options_.first_met;
+    // Half of the pairs of a set with itself are visited where the other half has the same answers.
+    both_ways_ = &a_ == &b_ && symmetric_ && never_wrong(precision_) && !options_.first_met;
     require(!options_.first_met || predicate_.first_met, "no CUDA kernel was generated for the order of hits");
     hits_.upload_owners();
     if (!clock_runs_)
@@ -79,13 +64,11 @@ public:
     if (tallies_)
       tallied_.start(options_.want, a_.numbers(), b_.numbers(), of_instances_, on_.stream());
     if (a_.elements() > 0 && b_.elements() > 0) {
-      result_.by == search::tree ? take_trees() : take_columns();
+      take_trees();
       take_room();
-      go_through({0, objects(a_), 0, objects(b_)});
-      if (both_ways_ && !walk_decides() && !walks_balls() &&
-          options_.want != answer_kind::any) // each element's box touches itself
-        for (std::uint64_t *const pairs : {&result_.near_balls, &result_.candidates})
-          *pairs = 2 * *pairs - a_.elements();
+      go_through({0, nodes(a_), 0, nodes(b_)});
+      if (both_ways_ && !walk_decides() && !walks_balls() && options_.want != answer_kind::any)
+        result_.candidates = 2 * result_.candidates - a_.elements(); // each element's box touches itself
     } else {
       mark_clock();
     }
@@ -107,24 +90,14 @@ public:
   }
 
 private:
-  std::uint32_t objects(const device_set &s) const {
-    const std::uint32_t size = object_size(result_.by);
-    return s.elements() / size + (s.elements() % size != 0);
-  }
-
-  void take_columns() {
-    device_set &frame = b_.elements() < a_.elements() ? a_ : b_;
-    const cover c = options_.balls.value_or(cuda::balls_for(precision_));
-    const cuda::grouping by = result_.by == search::groups ? cuda::grouping::group : cuda::grouping::single;
-    x_ = a_.as(result_.filter, by, c, true, frame);
-    y_ = b_.as(result_.filter, by, c, false, frame);
+  // Those with the elements' boxes.
+  static std::uint32_t nodes(const device_set &s) {
+    return s.elements() / cuda::tree_width + (s.elements() % cuda::tree_width != 0);
   }
 
   // The elements of the larger set walk, but those with two points before others. A plain rung may say yes where nothing
   // touches, so that its candidates are all pairs whose boxes touch.
   void take_trees() {
-    x_ = {a_.rows(), a_.elements(), cuda::grouping::single, nullptr};
-    y_ = {b_.rows(), b_.elements(), cuda::grouping::single, nullptr};
     const bool points = never_wrong(precision_) && !walk_decides(), by_points_a = points && has_two_points(a_.kind()),
                by_points_b = points && has_two_points(b_.kind());
     walk_.half = both_ways_;
@@ -166,8 +139,7 @@ private:
   }
   // Reserves room for the first lists, or keeps the existing lists.
   void take_room() {
-    const std::size_t wanted =
-        result_.by == search::tree ? std::max<std::size_t>(expected_in_list(), first_capacity) : first_capacity;
+    const std::size_t wanted = std::max<std::size_t>(expected_in_list(), first_capacity);
     const auto within_options = [this](std::size_t least) {
       return std::clamp(buffers_.first.capacity(), std::min(options_.list_capacity, least), options_.list_capacity);
     };
@@ -207,22 +179,19 @@ private:
            (!stores_ || seen(counter::hits) <= most);
   }
   bool overflowed() const { return !lists_hold(1); }
-  // This number of pairs of objects never overflows a list.
-  std::uint64_t always_fits() const {
-    const std::uint64_t size = object_size(result_.by);
-    return capacity_ / (size * size * (both_ways_ ? 2 : 1));
-  }
+  // This number of pairs of nodes never overflows a list.
+  std::uint64_t always_fits() const { return capacity_ / (cuda::tree_width * cuda::tree_width * (both_ways_ ? 2 : 1)); }
 
   void go_through(const cuda::part &whole) {
     std::vector<cuda::part> left{whole};
     std::uint64_t most = ~std::uint64_t{0}, done = 0; // the largest part that is worth trying, and the finished pairs
-    if (result_.by == search::tree && expected_in_list() > capacity_)
+    if (expected_in_list() > capacity_)
       most = area(whole) / (expected_in_list() / capacity_ + 1);
     while (!left.empty()) {
       const cuda::part p = left.back();
       left.pop_back();
       if (area(p) > most && area(p) > always_fits()) {
-        const auto [x, y] = halves(p, result_.by, walk_.swapped);
+        const auto [x, y] = halves(p, cuts_a(p, walk_.swapped), 1);
         left.push_back(y), left.push_back(x);
         continue;
       }
@@ -301,33 +270,19 @@ private:
       hits_.order(hits, buffers_.to_order(), count_only(counter::unordered).count, expected_hits_);
   }
 
-  // The steps that make hits of candidates.
   void decide_candidates(const cuda::pair_list &hits) {
-    const cudaStream_t stream = on_.stream();
-    cuda::pair_list in = list(buffers_.first, counter::candidates), out = list(buffers_.second, counter::kept);
-    if (!boxes_suffice()) {
-      const cuda::step first =
-          result_.by == search::tree ? cuda::step::reject : cuda::first_step(precision_); // a walk has tested the boxes
-      check(predicate_.near(first, x_, y_, in, hits, out, count_only(counter::touching).count, stream),
-            "starting the step that tests boxes");
-      std::swap(in, out);
-    }
-    const cuda::cascade_steps steps = cuda::steps_of(precision_);
-    for (int s = 0; s < steps.count; ++s) {
-      out.count = count_only(s == 0 ? counter::unsure_fp32 : counter::unsure_fp64).count;
-      check(predicate_.run(steps.of[s], x_, y_, in, hits, out, stream), "starting a decision step");
-      std::swap(in, out);
-    }
+    const cuda::cascade_lists lists{list(buffers_.first, counter::candidates), list(buffers_.second, counter::kept),
+                                    count_only(counter::unsure_fp32).count};
+    check(cuda::decide(predicate_, precision_, a_.rows(), b_.rows(), lists, hits, on_.stream()),
+          "starting a decision step");
   }
 
   // All that enqueue() makes the arguments of its launches of.
   launch_key launches_of(const cuda::part &p) const {
     launch_key k;
-    k.add(&predicate_, precision_, result_.by, result_.filter, options_.want, both_ways_, stores_, orders_,
-          expected_hits_, capacity_);
+    k.add(&predicate_, precision_, options_.want, both_ways_, stores_, orders_, expected_hits_, capacity_);
     k.add(p.first_a, p.end_a, p.first_b, p.end_b);
-    for (const cuda::operand *const o : {&x_, &y_})
-      k.add(o->rows, o->elements, o->by, o->columns);
+    k.add(a_.rows(), a_.elements(), b_.rows(), b_.elements());
     k.add(walk_.walker.nodes, walk_.walker.elements, walk_.tree.nodes, walk_.tree.elements, walk_.swapped, walk_.half,
           walk_.rows, walk_.fields, walk_.points.pad, walk_.found_walker, walk_.found_tree);
     for (const int field : walk_.points.of)
@@ -342,10 +297,10 @@ private:
   }
 
   // Boxes that touch are hits of such a predicate, and a walk compares boxes.
-  bool walk_decides() const { return result_.by == search::tree && predicate_.by_boxes && never_wrong(precision_); }
+  bool walk_decides() const { return predicate_.by_boxes && never_wrong(precision_); }
 
   // A walk compares balls by their boxes, which leaves few pairs to the rungs.
-  bool walks_balls() const { return result_.by == search::tree && predicate_.by_balls && never_wrong(precision_); }
+  bool walks_balls() const { return predicate_.by_balls && never_wrong(precision_); }
   // No list stops a walk that only counts, unless one hit is enough.
   cuda::pair_list of_walk(cuda::pair_list hits) const {
     if (only_counts())
@@ -353,17 +308,7 @@ private:
     return hits;
   }
 
-  // A walk's candidates are the pairs whose boxes touch, so that the step that tests boxes has nothing to do but to reject.
-  bool boxes_suffice() const {
-    return result_.by == search::tree &&
-           (cuda::first_step(precision_) == cuda::step::near_boxes || !predicate_.rejects);
-  }
-
   void find_candidates(const cuda::part &p, const cuda::pair_list &out) {
-    if (result_.by != search::tree) {
-      check(on_.kernels().candidates(result_.filter, x_, y_, p, out, on_.stream()), "starting the filter");
-      return;
-    }
     walk_.of = walk_.swapped ? cuda::part{p.first_b, p.end_b, p.first_a, p.end_a} : p;
     walk_.out = out;
     walk_.taken = buffers_.counts() + static_cast<int>(counter::taken);
@@ -372,11 +317,9 @@ private:
 
   // Takes the results of a part whose lists did not overflow.
   void take_part() {
-    const counter boxes_touch = walk_decides()  ? counter::hits
-                                : walks_balls() ? counter::touching
-                                                : counter::candidates;
-    result_.near_balls += seen(boxes_touch);
-    result_.candidates += seen(boxes_suffice() ? boxes_touch : counter::touching);
+    result_.candidates += seen(walk_decides()  ? counter::hits
+                               : walks_balls() ? counter::touching
+                                               : counter::candidates);
     result_.count += seen(counter::hits);
     result_.rungs.unsure[0] += seen(counter::unsure_fp32);
     result_.rungs.unsure[1] += seen(counter::unsure_fp64);
@@ -422,7 +365,6 @@ private:
   std::size_t cleared_;
   tallies tallied_;
   first_met_there first_;
-  cuda::operand x_{}, y_{};
   tree_walk walk_{};
   std::size_t capacity_ = 0;
   bool orders_ = false; // the hits of all are ordered with the kernels that find them
@@ -431,6 +373,13 @@ private:
 };
 
 } // namespace
+
+const cuda::predicate_launchers &launchers_of(const cuda::catalogue &all, const predicate_info &p) {
+  for (int i = 0; i < all.predicate_count; ++i)
+    if (std::strcmp(all.predicates[i].name, p.name) == 0)
+      return all.predicates[i];
+  throw device_error(std::string("no CUDA kernels were generated for ") + p.name);
+}
 
 void require_query(const device &on, const device_set &a, const device_set &b, const predicate_info &predicate,
                    rung precision, const device_options &options) {
@@ -441,7 +390,7 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
   require(a.is_on(on) && b.is_on(on), "a set is on another device");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
   require_first_met(predicate, options.want, options.first_met, options.owner_a);
-  require(options.list_capacity >= least_capacity, "a list holds at least 2^18 pairs");
+  require(options.list_capacity >= least_capacity, "a list holds at least 2^11 pairs");
 }
 
 device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,

@@ -4,23 +4,19 @@
 // The device finds pairs, and counts them, for each element too where that is asked for. Where there are owners, flags and
 // counts of items are made on the host from the list of pairs, so that their memory grows with the pairs.
 //
-// First the search finds candidates. Either the filter tests every pair of elements, or of groups of neighbours: a matrix
-// product whose signs tell which enclosing balls may touch. Or the elements of one set walk down a hierarchy of boxes over
-// the other, whose cost grows with the sets and the candidates. The tests of boxes, the reject stage and the rungs follow,
-// each from one list to the next. Where a list would overflow, the product or the walk is cut into parts, so memory is
-// bounded for any number of candidates and nothing is lost.
+// The elements of one set walk down a hierarchy of boxes over the other, which finds candidates: its cost grows with the sets and
+// with these. The reject stage and the rungs follow, each from one list to the next. Where a list would overflow, the walk is cut
+// into parts, so memory is bounded for any number of candidates and nothing is lost.
 //
-// result::candidates counts pairs whose boxes, and balls or two points where those were tested, touch, or are not proved to be
-// apart. There are fewer than on the CPU if a ball rules out more pairs, and rungs.unsure can be smaller too. A walk of balls
-// decides nearly all pairs itself, and these never count as unsure. The plain rungs can say yes where nothing touches, so for them
-// balls enclose boxes, and both devices decide the same pairs.
+// result::candidates counts pairs whose boxes, or two points where those were tested, touch, or are not proved to be apart. A walk
+// of balls compares these as well, so that there are fewer than on the CPU; it decides nearly all pairs itself, and those never
+// count as unsure.
 //
-// A set may be collided with itself. If the predicate is symmetric, the rung is never wrong and the search is a hierarchy,
-// only half of the pairs are tested, and their hits are turned round; rungs.unsure then counts that half.
+// A set may be collided with itself. If the predicate is symmetric and the rung is never wrong, only half of the pairs are tested,
+// and their hits are turned round; rungs.unsure then counts that half.
 #ifndef MEETC_CORE_DEVICE_COLLIDE_HPP
 #define MEETC_CORE_DEVICE_COLLIDE_HPP
 
-#include "core/device/search.hpp"
 #include "core/device/set.hpp"
 
 #include <optional>
@@ -32,25 +28,18 @@ struct device_options {
   // The item of each element; empty: each element is its own item. Answers are then about items, as in collide_options.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   bool first_met = false; // as in collide_options; the device's kernels must have been generated with the order as well
-  std::optional<cuda::filter> filter = {}; // empty: the fastest that the device offers
-  std::optional<search> by = {};           // empty: the one that is expected to be the fastest (search.hpp)
   // The same query, asked again on sets at the same addresses, starts its kernels as one (repeated.hpp says what other threads
   // must not do meanwhile).
   bool as_graph = false;
   // Of sets as they are given (given.hpp): elements that cannot touch are left out before the others are put into order. Empty:
   // where this is expected to pay.
   std::optional<bool> cull = {};
-  std::optional<cover> balls = {}; // empty: around boxes for the plain rungs (see above), else around elements
-  std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^18
+  std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^11
   std::function<void(double fraction)> progress = {};
 };
 
 struct device_result : result {
-  search by = search::groups;
-  search_costs expected = {};                  // by which it was chosen
-  cuda::filter filter = cuda::filter::float32; // of a search that has one
-  std::uint64_t near_balls = 0;                // pairs of objects that the search passed
-  std::uint64_t parts = 0;                     // parts of the product or of the walk that were run
+  std::uint64_t parts = 0; // parts of the walk that were run
   // From the first kernel to the last, with the allocations between them; without uploading sets, and without
   // downloading pairs where the device had the memory to sort them.
   double device_seconds = 0;

@@ -4,7 +4,7 @@
 #include "core/device/cull_kernels.hpp"
 #include "core/device/given.hpp"
 #include "core/two_points.hpp"
-#include "meetc/cuda_query.hpp"
+#include "meetc/cuda_cutter.hpp"
 #include "meetc/cull_grid.hpp"
 
 #include <algorithm>

@@ -44,29 +44,18 @@ public:
 
   const cuda::catalogue &kernels() const { return kernels_; }
   const device_facts &facts() const { return facts_; }
-  // What the matrix units were found to do, which is tried when it is first asked for.
-  const cuda::probe_result &probe() const;
-
-  // The fastest filter whose model the probe did not refute. wgmma_half is never chosen, only asked for.
-  cuda::filter best_filter() const;
-  bool offers(cuda::filter f) const;
-
   cudaStream_t stream() const;
   device_buffers &buffers() { return *buffers_; }
 
 private:
   const cuda::catalogue &kernels_;
   device_facts facts_;
-  mutable cuda::probe_result probe_{}; // no cases: it has not run
   void keep_freed_memory();
 
   cudaMemPool_t pool_ = nullptr;  // null: there is none
   std::uint64_t kept_before_ = 0; // what the pool kept of freed memory, in bytes
   std::unique_ptr<device_buffers> buffers_;
 };
-
-// The name of what a filter assumes: "mma-f16-f32", "wgmma-f16-f32", "wgmma-f16-f16", or "none".
-const char *model_of(cuda::filter f);
 
 // Throws device_error with the name of the call and the text that CUDA gives for the error.
 void check(cudaError_t e, const char *what);

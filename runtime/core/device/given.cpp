@@ -214,9 +214,7 @@ device_result find_touching(device &on, given_set &a, given_set &b, const predic
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  device_options by = options;
-  by.by = options.by.value_or(search::tree);
-  require_query(on, a.ordered(), b.ordered(), predicate, precision, by);
+  require_query(on, a.ordered(), b.ordered(), predicate, precision, options);
   if (left_there)
     *left_there = {};
   device_buffers &buffers = on.buffers();
@@ -244,8 +242,8 @@ device_result find_touching(device &on, given_set &a, given_set &b, const predic
     return (left_a.elements == 0 || is_order(seen.found[0], left_a.elements)) &&
            (&a == &b || left_b.elements == 0 || is_order(seen.found[1], left_b.elements));
   };
-  // A walk stops where there is no order, and its query reads what was found; others are asked afterwards, and so are none.
-  const bool walks = by.by == search::tree && left_a.elements > 0 && left_b.elements > 0;
+  // A walk stops where there is no order, and its query reads what was found; where there is none, it is read here.
+  const bool walks = left_a.elements > 0 && left_b.elements > 0;
   if (!walks) {
     check(cudaMemcpyAsync(&seen, buffers.notes.data(), sizeof seen, cudaMemcpyDeviceToHost, on.stream()),
           "ordering a set");
@@ -253,7 +251,7 @@ device_result find_touching(device &on, given_set &a, given_set &b, const predic
   }
   device_result r;
   if (walks || in_order())
-    r = query(on, a.ordered(), b.ordered(), predicate, precision, by, {}, left_there, cleared);
+    r = query(on, a.ordered(), b.ordered(), predicate, precision, options, {}, left_there, cleared);
   if (!in_order()) { // what was found means nothing
     double before = 0;
     if (left_there)
@@ -261,11 +259,11 @@ device_result find_touching(device &on, given_set &a, given_set &b, const predic
     device_set in_order_a(on, a);
     if (&a == &b) {
       before = elapsed();
-      r = query(on, in_order_a, in_order_a, predicate, precision, by, {}, left_there);
+      r = query(on, in_order_a, in_order_a, predicate, precision, options, {}, left_there);
     } else {
       device_set in_order_b(on, b);
       before = elapsed();
-      r = query(on, in_order_a, in_order_b, predicate, precision, by, {}, left_there);
+      r = query(on, in_order_a, in_order_b, predicate, precision, options, {}, left_there);
     }
     r.device_seconds += before;
   }

@@ -103,7 +103,6 @@ std::vector<index_pair> list_of(device_group &on, std::vector<device_result> &of
 void add_up(device_result &r, const device_result &more) {
   r.count += more.count;
   r.candidates += more.candidates;
-  r.near_balls += more.near_balls;
   r.parts += more.parts;
   for (int k = 0; k < bounded_rungs; ++k)
     r.rungs.unsure[k] += more.rungs.unsure[k];

@@ -81,8 +81,8 @@ private:
 };
 
 // A is cut and B is whole. Throws what collide() on one device throws; it knows no options.as_graph. Of the result, seconds are
-// the host's wall clock, device_seconds those of the device that took longest, candidates, near_balls, parts and rungs are
-// summed, and by, expected and filter are the first device's. options.progress tells of the first device.
+// the host's wall clock, device_seconds those of the device that took longest, candidates, parts and rungs are
+// summed. options.progress tells of the first device.
 device_result collide(device_group &on, group_set &a, group_set &b, const predicate_info &predicate, rung precision,
                       const device_options &options = {});
 

@@ -56,7 +56,7 @@ public:
       r.candidates += part.candidates;
       r.device_seconds += part.device_seconds;
       // As many as will probably not overflow the lists, by what these had.
-      const double each = static_cast<double>(std::max(part.near_balls, std::uint64_t{1})) / static_cast<double>(taken);
+      const double each = static_cast<double>(std::max(part.candidates, std::uint64_t{1})) / static_cast<double>(taken);
       at_once = static_cast<std::size_t>(std::clamp(lists_filled * static_cast<double>(options_.list_capacity) / each,
                                                     1.0, static_cast<double>(most)));
       if (progress)

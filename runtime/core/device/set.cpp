@@ -7,7 +7,7 @@
 #include "core/device/tree_kernels.hpp"
 #include "core/element_set.hpp"
 #include "core/two_points.hpp"
-#include "meetc/cuda_query.hpp"
+#include "meetc/cuda_cutter.hpp"
 #include "meetc/tree_order.hpp"
 
 #include <algorithm>
@@ -57,7 +57,6 @@ device_set::device_set(device &on, const kind_info &kind, std::size_t elements, 
       elements_(static_cast<std::uint32_t>(elements)), numbers_(elements_), grid_(grid), id_(next_version()) {
   if (elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
-  around_.reserve(1, "a set's extent");
 }
 
 device_set::device_set(device &on, const prepared &set) : device_set(on, set.kind(), set.elements(), set.set().grid) {
@@ -338,16 +337,6 @@ fault device_set::fault_of(const float *there, std::size_t element, const pose &
   return f;
 }
 
-const extent *device_set::around() {
-  if (around_of_ != version_) {
-    around_of_ = 0;
-    check(on_->kernels().clear_extent(around_.data(), on_->stream()), "starting a kernel");
-    check(launchers_->enclose(rows(), elements_, around_.data(), on_->stream()), "starting a kernel");
-    around_of_ = version_;
-  }
-  return around_.data();
-}
-
 void device_set::move(const pose &at) {
   const control_word_guard guard;
   if (elements_ > 0 && !order())
@@ -393,28 +382,6 @@ std::pair<float, float> device_set::reaches() const {
   check(cudaMemcpyAsync(seen, most.data(), sizeof seen, cudaMemcpyDeviceToHost, on_->stream()), "measuring a set");
   check(cudaStreamSynchronize(on_->stream()), "measuring a set");
   return {seen[0], seen[1]};
-}
-
-cuda::operand device_set::as(cuda::filter by, cuda::grouping g, cover c, bool first, device_set &frame) {
-  const made want{by == cuda::filter::float32, g, c, frame.version_, version_};
-  cuda::operand out{rows(), elements_, g, nullptr};
-  device_memory<std::byte> &columns = columns_[first];
-  if (want != have_[first]) {
-    const std::size_t bytes = matrix_padded(out.objects()) * (want.floats ? cuda::float_bytes : cuda::half_bytes);
-    have_[first] = {};
-    columns.reserve(bytes, "the filter's columns");
-    check(launchers_->columns(by, g, c, first, rows(), elements_, frame.around(), columns.data(), on_->stream()),
-          "starting a kernel");
-    have_[first] = want;
-  }
-  out.columns = columns.data();
-  return out;
-}
-
-search_sizes device_set::for_search(const device_set &b) const {
-  const bool same = &b == this; // there is one hierarchy to make
-  return {elements_, b.elements_, tree_of_ == version_, same || b.tree_of_ == b.version_,
-          has_two_points(*kind_) || has_two_points(*b.kind_)};
 }
 
 cuda::tree_view device_set::tree(cudaStream_t stream) {

@@ -6,7 +6,6 @@
 #define MEETC_CORE_DEVICE_SET_HPP
 
 #include "core/collide.hpp"
-#include "core/device/search.hpp"
 #include "core/device/tree.hpp"
 
 #include <optional>
@@ -86,26 +85,14 @@ public:
 
   const float *rows() const { return moved_ ? moved_rows_.data() : rows_.data(); }
   const std::uint32_t *order() const { return order_.data(); }
-  // The extent of all elements whose boxes are finite, in device memory.
-  const extent *around();
+  // Different for any other rows(), also those of other sets.
+  std::uint64_t version() const { return version_; }
 
-  // The columns that the filter reads, in the frame of `frame`, which is this set or the other. They are computed
-  // unless they exist already.
-  cuda::operand as(cuda::filter by, cuda::grouping g, cover c, bool first, device_set &frame);
-  // What this set, as A, and another say about a search.
-  search_sizes for_search(const device_set &b) const;
   bool has_tree() const { return tree_of_ == version_; }
   // The hierarchy of the boxes of rows(). It is made, on the stream, unless it exists already. The set has elements.
   cuda::tree_view tree(cudaStream_t stream);
 
 private:
-  struct made { // describes the contents of columns
-    bool floats = false;
-    cuda::grouping by = cuda::grouping::single;
-    cover of = cover::element;
-    std::uint64_t frame = 0, own = 0; // versions
-    bool operator==(const made &) const = default;
-  };
   device_set(device &on, const kind_info &kind, std::size_t elements, double grid);
   void upload(const prepared &set);
   void take_room_for_tree();
@@ -123,16 +110,12 @@ private:
   double grid_ = 0, moved_grid_ = 0, ordered_seconds_ = 0;
   bool moved_ = false;
   std::uint64_t id_;
-  std::uint64_t version_ = 0;   // the version of rows(), different from that of any other set
-  std::uint64_t around_of_ = 0; // of the version that around_ was made of
+  std::uint64_t version_ = 0;
   device_memory<float> rows_, moved_rows_;
   device_memory<std::uint32_t> order_;
-  device_memory<extent> around_;
   const cuda::order_findings *found_ = nullptr;
   device_memory<std::byte> space_;       // to put it into order
   device_memory<std::uint32_t> counted_; // for that too; what uses it leaves it 0
-  device_memory<std::byte> columns_[2];  // as Y, as X
-  made have_[2];
   device_tree tree_;
   std::uint64_t tree_of_ = 0; // version
 };

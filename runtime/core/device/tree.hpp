@@ -1,6 +1,6 @@
 // core/device/tree.hpp: a hierarchy of boxes over a set on a device, made there.
 //
-// Problem: the pairs of groups grow with the product of the sets. Method: a set's rows are in a spatial order, and every 32
+// Problem: most pairs of two sets are far apart, and to look at each costs the product of their sizes. Method: a set's rows are in a spatial order, and every 32
 // of them, and every 32 nodes, get a node (meetc/tree.hpp). After a pose the boxes are made again; the order stays.
 #ifndef MEETC_CORE_DEVICE_TREE_HPP
 #define MEETC_CORE_DEVICE_TREE_HPP

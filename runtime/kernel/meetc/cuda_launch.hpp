@@ -65,6 +65,16 @@ inline unsigned shared_memory_of_block() {
 }
 inline constexpr std::size_t least_shared_memory = 101376;
 
+// Lets the blocks of a kernel have so much dynamic shared memory. What is more than a block has unasked is asked for before each
+// launch, since a device that is reset forgets it.
+inline constexpr std::size_t shared_memory_unasked = 49152;
+template <auto Kernel, std::size_t Bytes> void allow_shared_memory() {
+  if constexpr (Bytes > shared_memory_unasked)
+    if (cudaFuncSetAttribute(Kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, static_cast<int>(Bytes)) !=
+        cudaSuccess)
+      cudaGetLastError(); // to start it will fail
+}
+
 // As many blocks of this kernel, which need so much dynamic shared memory, as the device runs at once.
 template <auto Kernel, unsigned Threads, std::size_t Bytes = 0> unsigned blocks_at_once() {
   static number_of_device there;
@@ -72,9 +82,7 @@ template <auto Kernel, unsigned Threads, std::size_t Bytes = 0> unsigned blocks_
     int which = 0, processors = 0, each = 0;
     cudaGetDevice(&which);
     cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, which);
-    if (Bytes > 0 && cudaFuncSetAttribute(Kernel, cudaFuncAttributeMaxDynamicSharedMemorySize,
-                                          static_cast<int>(Bytes)) != cudaSuccess)
-      cudaGetLastError(); // to start it will fail
+    allow_shared_memory<Kernel, Bytes>();
     cudaOccupancyMaxActiveBlocksPerMultiprocessor(&each, Kernel, static_cast<int>(Threads), Bytes);
     return processors > 0 && each > 0 ? static_cast<unsigned>(processors * each) : 1U;
   });
@@ -108,6 +116,7 @@ cudaError_t launch_together(unsigned blocks, cudaStream_t stream, const Argument
   together.id = cudaLaunchAttributeCooperative;
   together.val.cooperative = 1;
   cudaLaunchConfig_t how{};
+  allow_shared_memory<Kernel, Bytes>();
   const unsigned there = blocks_at_once<Kernel, Threads, Bytes>(), most = there < Threads ? there : Threads;
   how.gridDim = {blocks < most ? blocks : most, 1, 1}, how.blockDim = {Threads, 1, 1}, how.stream = stream;
   how.dynamicSmemBytes = Bytes;

@@ -1,24 +1,40 @@
-// Lists of pairs that whole warps append to. Included by nvcc only.
+// Lists of pairs: whole warps read their shares of one and append to others. Only the device knows how long a list is, so that
+// kernels are launched for the whole device and walk it in strides. Included by nvcc only.
 #ifndef MEETC_CUDA_LISTS_HPP
 #define MEETC_CUDA_LISTS_HPP
 
+#include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_table.hpp>
 
 namespace meetc::cuda {
 
-// Where this lane's n entries go. The whole warp reserves room with one addition.
-__device__ inline unsigned long long places(unsigned n, unsigned long long *count) {
-  const unsigned lane = threadIdx.x % 32;
-  unsigned up_to = n;
-  for (unsigned d = 1; d < 32; d *= 2) {
-    const unsigned below = __shfl_up_sync(~0U, up_to, d);
-    up_to += lane >= d ? below : 0;
-  }
-  unsigned long long at = 0;
-  if (lane == 31 && up_to > 0)
-    at = atomicAdd(count, static_cast<unsigned long long>(up_to));
-  return __shfl_sync(~0U, at, 31) + up_to - n;
+// ---- to read one ----
+
+inline constexpr int step_threads = 128, step_warps = step_threads / 32;
+// Enqueues a step for the whole device.
+template <auto Kernel, class... Arguments> cudaError_t launch_step(cudaStream_t stream, const Arguments &...arguments) {
+  return launch<Kernel>(blocks_at_once<Kernel, step_threads>(), step_threads, stream, arguments...);
 }
+
+// The number of pairs that a lane takes at once from a long list: their rows are loaded together, and counters are
+// updated less often. From a short list a lane takes one pair, so that all lanes have work.
+inline constexpr int step_pairs = 4;
+
+// The share of a list that a warp takes at a time, and where it begins.
+struct list_share {
+  unsigned long long n, at, stride;
+  unsigned each; // pairs for a lane
+  __device__ explicit list_share(const pair_list &l) : n(l.count && *l.count < l.capacity ? *l.count : l.capacity) {
+    const unsigned long long lanes = gridDim.x * std::size_t{step_threads};
+    each = n >= lanes * step_pairs ? step_pairs : 1;
+    at = (blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32) * each;
+    stride = lanes * each;
+  }
+  // The index of this lane's pair k; n or more if it has no such pair.
+  __device__ unsigned long long index(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
+};
+
+// ---- to append ----
 
 // lanes[k] becomes the lanes of this warp whose bit k is marked. Returns the number of all marks.
 template <int Each> __device__ inline unsigned marked(unsigned marks, unsigned (&lanes)[Each]) {
@@ -144,26 +160,6 @@ private:
 __device__ inline void write(const pair_list &to, unsigned long long at, std::uint32_t a, std::uint32_t b) {
   if (at < to.capacity)
     to.pairs[at] = {a, b};
-}
-
-// Drops the bits of pairs outside the part, since kernels compute whole tiles. pair(i) is the pair of bit i.
-template <class Pair> __device__ inline unsigned within(const part &of, unsigned bits, Pair &&pair) {
-  unsigned kept = bits;
-  for (unsigned left = bits; left; left &= left - 1) {
-    const index_pair p = pair(__ffs(left) - 1);
-    if (p.a >= of.end_a || p.b >= of.end_b)
-      kept &= ~(left & (~left + 1));
-  }
-  return kept;
-}
-// Appends the pairs whose bits are set. The whole warp must call it.
-template <class Pair>
-__device__ inline void append_bits(const part &of, unsigned bits, const pair_list &to, Pair &&pair) {
-  bits = within(of, bits, pair);
-  for (unsigned long long at = places(__popc(bits), to.count); bits; bits &= bits - 1, ++at) {
-    const index_pair p = pair(__ffs(bits) - 1);
-    write(to, at, p.a, p.b);
-  }
 }
 
 // Whether the list is full; all lanes of a warp get the same answer.

@@ -1,115 +1,19 @@
-// Work on one set on the device: its pose, its extent, and the columns that the filter reads. Included by nvcc only.
+// Work on one set on the device: its pose. Included by nvcc only.
 #ifndef MEETC_CUDA_SETS_HPP
 #define MEETC_CUDA_SETS_HPP
 
 #include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_table.hpp>
 #include <meetc/cuda_warp.hpp>
-#include <meetc/frame.hpp>
 #include <meetc/tolerant.hpp>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace meetc::cuda {
 
 inline constexpr int set_threads = 128;
 inline unsigned blocks_for(std::size_t n) {
   return static_cast<unsigned>((n + set_threads - 1) / set_threads);
-}
-
-static __global__ void clear_extent_kernel(extent *around) {
-  clear(*around, static_cast<int>(threadIdx.x));
-}
-inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
-  return launch_after<clear_extent_kernel>(1, 3, stream, around);
-}
-
-__device__ inline extent joined_in_warp(extent mine) {
-  for (int d = 16; d > 0; d /= 2)
-    for (int k = 0; k < 3; ++k) {
-      mine.low[k] = min(mine.low[k], __shfl_xor_sync(~0U, mine.low[k], d));
-      mine.high[k] = max(mine.high[k], __shfl_xor_sync(~0U, mine.high[k], d));
-    }
-  return mine;
-}
-__device__ inline extent no_extent() {
-  extent e;
-  for (int k = 0; k < 3; ++k)
-    clear(e, k);
-  return e;
-}
-__device__ inline extent extent_of(const interval (&mine)[3]) {
-  extent e;
-  for (int k = 0; k < 3; ++k)
-    e.low[k] = ordered(mine[k].lo), e.high[k] = ordered(mine[k].hi);
-  return e;
-}
-// The extent of what a block's threads bring, which all call it; the first warp gets it.
-template <unsigned Threads> __device__ extent joined_in_block(const extent &mine) {
-  __shared__ extent of_warps[Threads / 32];
-  const unsigned lane = threadIdx.x % 32;
-  const extent warp = joined_in_warp(mine);
-  if (lane == 0)
-    of_warps[threadIdx.x / 32] = warp;
-  __syncthreads();
-  return threadIdx.x < 32 ? joined_in_warp(lane < Threads / 32 ? of_warps[lane] : no_extent()) : warp;
-}
-
-template <class Shape>
-__global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows, unsigned n, extent *around) {
-  interval mine[3];
-  for (unsigned i = blockIdx.x * set_threads + threadIdx.x; i < n; i += gridDim.x * set_threads)
-    widen<Shape>(mine, rows + i * std::size_t{Shape::fields});
-  const extent all = joined_in_block<set_threads>(extent_of(mine));
-  if (threadIdx.x == 0)
-    for (int k = 0; k < 3; ++k)
-      atomicMin(&around->low[k], all.low[k]), atomicMax(&around->high[k], all.high[k]);
-}
-template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
-  if (n == 0)
-    return cudaSuccess;
-  const unsigned blocks = std::min(blocks_for(n), 1056U); // all change the same numbers
-  return launch_after<enclose_kernel<Shape>>(blocks, set_threads, stream, rows, n, around);
-}
-
-// Writes the padding too.
-template <class Shape, class Form, bool First, bool Halves>
-__global__ void __launch_bounds__(set_threads)
-    columns_kernel(grouping g, cover c, const float *rows, unsigned n, const extent *around, void *columns) {
-  const unsigned i = blockIdx.x * set_threads + threadIdx.x; // the grid is as long as the padded array
-  const std::uint32_t size = size_of(g);
-  double ball[4] = {0, 0, 0, 0};
-  placing where = placing::nowhere;
-  if (i < (n + size - 1) / size)
-    where = place_object<Shape>(frame_of(*around), c, rows, i * size, n - i * size < size ? n : i * size + size, ball);
-  if constexpr (Halves) {
-    alignas(16) std::uint16_t out[matrix_columns];
-    to_columns<Form, First>(ball, where, out);
-    auto *to = static_cast<std::uint16_t *>(columns);
-    for (int k = 0; k < matrix_columns; k += 8)
-      *reinterpret_cast<uint4 *>(to + matrix_place(i, k)) = *reinterpret_cast<const uint4 *>(out + k);
-  } else {
-    static_assert((Form::products + 1) * sizeof(float) == float_bytes);
-    float out[Form::products + 1];
-    to_floats<Form, First>(ball, where, out);
-    for (int k = 0; k <= Form::products; ++k)
-      static_cast<float *>(columns)[i * std::size_t{Form::products + 1} + k] = out[k];
-  }
-}
-template <class Shape, class Form>
-cudaError_t columns(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t n,
-                    const extent *around, void *out, cudaStream_t stream) {
-  if (n == 0)
-    return cudaSuccess;
-  const unsigned blocks = blocks_for(matrix_padded(operand{rows, n, g, nullptr}.objects()));
-  const auto start = [&]<bool First, bool Halves>(std::bool_constant<First>, std::bool_constant<Halves>) {
-    return launch_after<columns_kernel<Shape, Form, First, Halves>>(blocks, set_threads, stream, g, c, rows, n, around,
-                                                                    out);
-  };
-  if (by != filter::float32)
-    return first ? start(std::true_type(), std::true_type()) : start(std::false_type(), std::true_type());
-  return first ? start(std::true_type(), std::false_type()) : start(std::false_type(), std::false_type());
 }
 
 __device__ inline float moved(const double *m, double x, double y, double z) {

@@ -1,48 +1,19 @@
 // Decisions on lists of pairs.
 //
-// Each step reads one list and appends to others, so that the next step finds its pairs side by side. Only the device
-// knows how long a list is: kernels are launched for the whole device and walk the list in strides. Included by nvcc
-// only.
+// Each step reads one list and appends to others, so that the next step finds its pairs side by side. Included by nvcc only.
 #ifndef MEETC_CUDA_STEPS_HPP
 #define MEETC_CUDA_STEPS_HPP
 
-#include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_lists.hpp>
-#include <meetc/near.hpp>
+#include <meetc/decide.hpp>
 #include <meetc/tolerant.hpp>
 
 namespace meetc::cuda {
-
-inline constexpr int step_threads = 128, step_warps = step_threads / 32;
-// Enqueues a step for the whole device.
-template <auto Kernel, class... Arguments> cudaError_t launch_step(cudaStream_t stream, const Arguments &...arguments) {
-  return launch<Kernel>(blocks_at_once<Kernel, step_threads>(), step_threads, stream, arguments...);
-}
 
 // Where answers go: an array with one answer for each pair, or two lists.
 struct sink {
   answer *answers; // null: the lists
   pair_list yes, unsure;
-};
-
-// The number of pairs that a lane takes at once from a long list: their rows are loaded together, and counters are
-// updated less often. From a short list a lane takes one pair, so that all lanes have work.
-inline constexpr int step_pairs = 4;
-
-// The share of a list that a warp takes at a time, and where it begins.
-struct walk {
-  unsigned long long n, at, stride;
-  unsigned each; // pairs for a lane
-  // `times`: the number of pairs in each entry of the list.
-  __device__ explicit walk(const pair_list &l, unsigned times = 1)
-      : n((l.count && *l.count < l.capacity ? *l.count : l.capacity) * times) {
-    const unsigned long long lanes = gridDim.x * std::size_t{step_threads};
-    each = n >= lanes * step_pairs ? step_pairs : 1;
-    at = (blockIdx.x * std::size_t{step_threads} + threadIdx.x / 32 * 32) * each;
-    stride = lanes * each;
-  }
-  // The index of this lane's pair k; n or more if it has no such pair.
-  __device__ unsigned long long index(unsigned k) const { return k < each ? at + threadIdx.x % 32 + 32 * k : n; }
 };
 
 // Rows of so few numbers are loaded together for all pairs of a lane; others would take too many registers.
@@ -55,7 +26,7 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, co
   __shared__ index_pair rooms[step_warps][waiting_pairs];
   waiting_list<> hits(to.yes, rooms[threadIdx.x / 32]);
   // A warp stays whole, since a lane without pairs takes part as well.
-  for (walk w(in); w.at < w.n; w.at += w.stride) {
+  for (list_share w(in); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
     unsigned yes = 0, unsure = 0;
     const auto take = [&](int k, answer x) {
@@ -104,74 +75,41 @@ __global__ void __launch_bounds__(step_threads) decide_kernel(const float *a, co
     hits.flush_block<step_warps>();
 }
 
-// Pair i of the pairs of slots in a list of pairs of objects; false if a group has no such slot.
-__device__ inline bool slots_of(const index_pair *objects, unsigned long long i, const operand &a, const operand &b,
-                                index_pair &p) {
-  if (a.by == grouping::single) {
-    p = objects[i];
-    return true;
-  }
-  const index_pair q = objects[i / (group_size * group_size)];
-  const auto within = static_cast<std::uint32_t>(i % (group_size * group_size));
-  const index_pair slots{q.a * group_size + within / group_size, q.b * group_size + within % group_size};
-  const bool there = slots.a < a.elements && slots.b < b.elements;
-  p = there ? slots : index_pair{0, 0};
-  return there;
-}
-
-// Boxes: they are tested.
-template <class P, class A, class B, bool Boxes, bool Reject>
+// The pairs that the reject stage, certified in fp32, does not rule out, and that equal points do not settle, are kept.
+template <class P>
 __global__ void __launch_bounds__(step_threads)
-    near_kernel(operand a, operand b, pair_list in, pair_list yes, pair_list kept, unsigned long long *touching) {
+    reject_kernel(const float *a, const float *b, pair_list in, pair_list yes, pair_list kept) {
   begin();
-  constexpr bool rejects = Reject && P::reject_stage::atoms > 0;
-  constexpr bool settles = [] {
-    if constexpr (rejects) // a predicate without bounds knows no coincidences
-      return P::coincidences > 0;
-    else
-      return false;
-  }();
   constexpr unsigned room = waiting_pairs / 2;
   __shared__ index_pair rooms[step_warps][2][room];
   waiting_list<room> list(kept, rooms[threadIdx.x / 32][0]), hits(yes, rooms[threadIdx.x / 32][1]);
-  unsigned long long touched = 0;
-  for (walk w(in, a.by == grouping::group ? group_size * group_size : 1); w.at < w.n; w.at += w.stride) {
+  const bool standard = standard_environment();
+  for (list_share w(in); w.at < w.n; w.at += w.stride) {
     index_pair p[step_pairs] = {};
     unsigned keep = 0, hit = 0;
 #pragma unroll
-    for (int k = 0; k < step_pairs; ++k) {
-      const unsigned long long i = w.index(k);
-      const bool there = i < w.n && slots_of(in.pairs, i, a, b, p[k]);
-      bool touch = there;
-      if constexpr (Boxes)
-        touch = there && boxes_touch<A, B>(a.rows + std::size_t{p[k].a} * P::inputs_a,
-                                           b.rows + std::size_t{p[k].b} * P::inputs_b);
-      keep |= touch << k;
-    }
-    touched += __popc(keep);
-    if constexpr (rejects)
-      if (standard_environment()) {
-        MEETC_ROLLED
-        for (unsigned left = keep; left; left &= left - 1) {
-          const int k = __ffs(left) - 1;
-          index_pair q;
-          slots_of(in.pairs, w.index(k), a, b, q);
-          const progress at =
-              try_to_reject<P>(a.rows + std::size_t{q.a} * P::inputs_a, b.rows + std::size_t{q.b} * P::inputs_b);
-          keep &= ~(static_cast<unsigned>(at != progress::open) << k);
-          hit |= static_cast<unsigned>(at == progress::hit) << k;
-        }
+    for (int k = 0; k < step_pairs; ++k)
+      if (w.index(k) < w.n)
+        p[k] = in.pairs[w.index(k)], keep |= 1U << k;
+    if (standard) {
+      MEETC_ROLLED
+      for (unsigned left = keep; left; left &= left - 1) {
+        const int k = __ffs(left) - 1;
+        const index_pair q = in.pairs[w.index(k)];
+        found_signs<P> found;
+        const float *const row_a = a + std::size_t{q.a} * P::inputs_a, *const row_b =
+                                                                           b + std::size_t{q.b} * P::inputs_b;
+        const progress at = try_to_reject<P>(bounded_signs<P, in_fp32>(row_a, row_b), found);
+        keep &= ~(static_cast<unsigned>(at != progress::open) << k);
+        hit |= static_cast<unsigned>(at == progress::hit) << k;
       }
-    if constexpr (settles)
+    }
+    if constexpr (P::coincidences > 0)
       hits.append(hit, p);
     list.append(keep, p);
   }
   hits.flush();
   list.flush();
-  for (int d = 16; d > 0; d /= 2)
-    touched += __shfl_xor_sync(~0U, touched, d);
-  if (threadIdx.x % 32 == 0 && touched > 0)
-    atomicAdd(touching, touched);
 }
 
 template <class P, class T> struct plain_step {
@@ -266,9 +204,9 @@ cudaError_t answer_list(const float *a, const float *b, const index_pair *pairs,
   return launch<decide_kernel<P, Of>>(blocks, step_threads, stream, a, b, in, sink{out, {}, {}});
 }
 template <class P, class Of>
-cudaError_t decide_list(const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+cudaError_t decide_list(const float *a, const float *b, pair_list in, pair_list yes, pair_list unsure,
                         cudaStream_t stream) {
-  return launch_step<decide_kernel<P, Of>>(stream, a.rows, b.rows, in, sink{nullptr, yes, unsure});
+  return launch_step<decide_kernel<P, Of>>(stream, a, b, in, sink{nullptr, yes, unsure});
 }
 
 // The rungs that the scene asks for, as bits 1 << rung.
@@ -323,57 +261,42 @@ cudaError_t certify_rows(rung which, const float *a, const float *b, const index
   }
 }
 
-template <class P, class A, class B, unsigned Rungs>
-cudaError_t near(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list kept,
-                 unsigned long long *touching, cudaStream_t stream) {
-  if (which == step::near_boxes)
-    return launch_step<near_kernel<P, A, B, true, false>>(stream, a, b, in, yes, kept, touching);
-  if constexpr (asks(Rungs, rung::certified)) {
-    if (which == step::near_reject)
-      return launch_step<near_kernel<P, A, B, true, true>>(stream, a, b, in, yes, kept, touching);
-    if constexpr (P::reject_stage::atoms > 0)
-      if (which == step::reject)
-        return launch_step<near_kernel<P, A, B, false, true>>(stream, a, b, in, yes, kept, touching);
-  }
-  return cudaErrorInvalidValue;
-}
-
 template <class P, unsigned Rungs>
-cudaError_t run(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+cudaError_t run(step which, const float *a, const float *b, pair_list in, pair_list yes, pair_list left,
                 cudaStream_t stream) {
   constexpr bool certified = asks(Rungs, rung::certified);
   switch (which) {
-  case step::near_boxes:
-  case step::near_reject:
   case step::reject:
+    if constexpr (certified && P::reject_stage::atoms > 0)
+      return launch_step<reject_kernel<P>>(stream, a, b, in, yes, left);
     break;
   case step::plain_fp32:
     if constexpr (asks(Rungs, rung::fp32))
-      return decide_list<P, plain_step<P, float>>(a, b, in, yes, unsure, stream);
+      return decide_list<P, plain_step<P, float>>(a, b, in, yes, left, stream);
     break;
   case step::plain_fp64:
     if constexpr (asks(Rungs, rung::fp64))
-      return decide_list<P, plain_step<P, double>>(a, b, in, yes, unsure, stream);
+      return decide_list<P, plain_step<P, double>>(a, b, in, yes, left, stream);
     break;
   case step::plain_fp64x2:
     if constexpr (asks(Rungs, rung::fp64x2))
-      return decide_list<P, plain_step<P, double_double>>(a, b, in, yes, unsure, stream);
+      return decide_list<P, plain_step<P, double_double>>(a, b, in, yes, left, stream);
     break;
   case step::exact:
     if constexpr (asks(Rungs, rung::exact) || certified)
-      return decide_list<P, exact_step<P>>(a, b, in, yes, unsure, stream);
+      return decide_list<P, exact_step<P>>(a, b, in, yes, left, stream);
     break;
   case step::tolerant:
     if constexpr (asks(Rungs, rung::tolerant) && keeps_tolerance<P>)
-      return decide_list<P, tolerant_step<P>>(a, b, in, yes, unsure, stream);
+      return decide_list<P, tolerant_step<P>>(a, b, in, yes, left, stream);
     break;
   case step::certify_fp32:
     if constexpr (certified)
-      return decide_list<P, certify_step<P, in_fp32>>(a, b, in, yes, unsure, stream);
+      return decide_list<P, certify_step<P, in_fp32>>(a, b, in, yes, left, stream);
     break;
   case step::certify_rest:
     if constexpr (certified)
-      return launch_step<rest_kernel<P>>(stream, a.rows, b.rows, in, yes, unsure.count);
+      return launch_step<rest_kernel<P>>(stream, a, b, in, yes, left.count);
     break;
   }
   return cudaErrorInvalidValue;

@@ -5,8 +5,6 @@
 #ifndef MEETC_CUDA_TABLE_HPP
 #define MEETC_CUDA_TABLE_HPP
 
-#include <meetc/enclosing.hpp>
-#include <meetc/matrix.hpp>
 #include <meetc/table.hpp>
 #include <meetc/tree.hpp>
 
@@ -14,50 +12,13 @@
 
 namespace meetc::cuda {
 
-// A list that kernels append to, in any order. *count is the true number even where it exceeds the capacity (after
-// candidates() it is then some number above the capacity). Only some of the pairs are then written, and the caller
-// repeats the call with more room.
+// A list that kernels append to, in any order. *count is the true number even where it exceeds the capacity. Only some of
+// the pairs are then written, and the caller repeats the call with more room.
 struct pair_list {
   index_pair *pairs;
   unsigned long long *count;
   unsigned long long capacity;
   bool both_ways = false; // of hits: {a, b} is appended as {b, a} as well, unless a is b
-};
-
-// What the filter takes as one object: an element, or a group of neighbouring slots. With groups far fewer pairs are
-// tested; pairs of groups that may touch are then taken apart.
-enum class grouping : std::uint8_t { single, group };
-inline constexpr std::uint32_t group_size = 8;
-MEETC_HD constexpr std::uint32_t size_of(grouping g) {
-  return g == grouping::group ? group_size : 1;
-}
-
-// A set of rows of floats, with the columns that the filter reads, as X or as Y.
-struct operand {
-  const float *rows;
-  std::uint32_t elements;
-  grouping by;
-  const void *columns; // half_bytes or float_bytes for each of matrix_padded(objects) objects
-
-  MEETC_HD constexpr std::uint32_t objects() const { return elements / size_of(by) + (elements % size_of(by) != 0); }
-};
-inline constexpr std::size_t half_bytes = std::size_t{2} * matrix_columns, float_bytes = 20;
-
-// The units that can find the pairs whose enclosing balls may touch.
-enum class filter : std::uint8_t {
-  float32, // the form in float32; needs no assumption but IEEE arithmetic
-  mma,     // mma.sync, any device of capability 8.0 or more
-  wgmma,   // wgmma, a device of capability 9.0 with code for sm_90a
-  // wgmma with results in half precision, which is faster still. It assumes that the unit adds as it does for float32
-  // and rounds once at the end, where the vendor promises only half precision. It is never chosen unless asked for.
-  wgmma_half,
-};
-
-// What the probe found, in device memory.
-struct probe_result {
-  unsigned mma_faults, wgmma_faults, wgmma_half_faults; // cases in which the unit broke the model of matrix.hpp
-  unsigned has_wgmma;                                   // the device runs code for sm_90a
-  unsigned cases;                                       // tried on each unit
 };
 
 // Elements in the caller's device memory. With `index`, each element is a fixed number of indices into `vertices`
@@ -81,33 +42,11 @@ struct pose_matrix {
   int grid_low = 0;
 };
 
-// A query in the caller's memory. All pointers are device memory.
-struct query_result {
-  unsigned long long count; // the true number of touching pairs, even where it exceeds the capacity
-  // Above list_capacity: the workspace is too small, count is too low, and the room that is needed is not known.
-  unsigned long long candidates, kept;
-  // The first element with a bad index, a number that is not finite, or a broken rule of its kind, times 2^32, plus its
-  // slot; ~0 if all elements are good. If one is not, the rest means nothing.
-  unsigned long long bad_a, bad_b;
-};
-struct query {
-  rung precision; // not tolerant, which presumes of the sets what nothing here looks at
-  filter by;      // one that probe() did not refute
-  view a;
-  pose_matrix at_a;
-  view b;
-  pose_matrix at_b;
-  index_pair *pairs; // in any order; null: only count
-  unsigned long long capacity;
-  query_result *result;
-  void *workspace; // 256-byte aligned
-  std::size_t bytes;
-  unsigned long long list_capacity; // room for candidates between two stages
-};
-
 // What became of elements that were put into order.
 struct order_findings {
-  unsigned long long bad;       // as query_result::bad_a
+  // The first element with a bad index, a number that is not finite, or a broken rule of its kind, times 2^32, plus its slot; ~0
+  // where all elements are good. If one is not, the rest means nothing.
+  unsigned long long bad;
   unsigned long long crowded;   // elements before which at least tree_width others have the same place
   unsigned long long unordered; // above 0: too many lie too close to each other, and have no places
 };
@@ -185,7 +124,7 @@ struct sift_job {
   std::uint32_t *marked, *marks; // cull_marks::words_for(bits), all 0 at first; null: all is marked, nothing is to be
   std::uint32_t *kept;           // room for all that are looked at; in any order
   unsigned *count;               // 0 at first
-  unsigned long long *bad;       // 0 at first; the greatest of what is ~ of query_result::bad_a
+  unsigned long long *bad;       // 0 at first; the greatest of what is ~ of order_findings::bad
   // Where all passes have ended with this one: so many words that they have counted go to host memory, and then `there` becomes
   // 1, which the host sees sooner than the end of a copy. Null: not here.
   struct report {
@@ -199,7 +138,7 @@ struct sift_job {
 struct kind_launchers {
   const char *name;
   int fields;
-  // Writes packed rows in the pose `at`, in the order of the view; none where `rows` is null. *bad is as in query_result; there
+  // Writes packed rows in the pose `at`, in the order of the view; none where `rows` is null. *bad is as in order_findings; there
   // element i counts as element order[i] where order is not null. Widens *around, unless it is null, by the boxes of the rows.
   cudaError_t (*pose)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
                       unsigned long long *bad, joined_box *around, cudaStream_t stream);
@@ -207,14 +146,8 @@ struct kind_launchers {
   // the first of these that is no row of its kind, or ~0.
   cudaError_t (*instances)(const float *rows, std::uint32_t n, const pose_matrix *at, std::uint32_t poses, float *to,
                            unsigned long long *bad, cudaStream_t stream);
-  // Widens *around, which clear_extent() has emptied, by the balls around the finite boxes of the elements.
-  cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
-  // Writes the filter's columns of all objects in the frame of *around, as X (first) or as Y. With balls around boxes,
-  // the filter passes every pair whose boxes touch.
-  cudaError_t (*columns)(filter by, grouping g, cover c, bool first, const float *rows, std::uint32_t elements,
-                         const extent *around, void *columns, cudaStream_t stream);
   // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits), and its number. *bad, unless
-  // it is null, becomes less where a row is not good, as in query_result.
+  // it is null, becomes less where a row is not good, as in order_findings.
   cudaError_t (*places)(const float *rows, std::uint32_t elements, const joined_box *around, int bits,
                         std::uint32_t *places, std::uint32_t *numbers, unsigned long long *bad, cudaStream_t stream);
   // Brings rows into an order, and makes the two lowest levels of their tree.
@@ -231,17 +164,14 @@ struct kind_launchers {
   cudaError_t (*sift)(const sift_job &job, cudaStream_t stream) = nullptr;
 };
 
-inline constexpr std::uint32_t part_step = 64;
-// A part of the product of two sets' objects; first_a and first_b are multiples of part_step.
+// A part of the pairs of two sets: the pairs of their nodes, or of their elements, in two ranges.
 struct part {
   std::uint32_t first_a, end_a, first_b, end_b;
 };
 
 // The steps that run on a list of candidates.
 enum class step : std::uint8_t {
-  near_boxes,  // keeps the pairs whose closed boxes touch
-  near_reject, // ... that the reject stage, certified in fp32, does not rule out, and that equal points do not settle
-  reject,      // the same of pairs whose boxes are known to touch
+  reject, // keeps the pairs that the reject stage, certified in fp32, does not rule out, and that equal points do not settle
   plain_fp32,
   plain_fp64,
   plain_fp64x2,
@@ -251,8 +181,7 @@ enum class step : std::uint8_t {
   tolerant,
 };
 
-// The steps of a rung after first_step(): each step takes the pairs that the one before left unsure. count 0: there is
-// no such rung.
+// The steps that decide: each takes the pairs that the one before left unsure. count 0: there is no such rung.
 struct cascade_steps {
   step of[2];
   int count;
@@ -274,13 +203,6 @@ constexpr cascade_steps steps_of(rung precision) {
   }
   return {{}, 0};
 }
-constexpr step first_step(rung precision) {
-  return precision == rung::certified ? step::near_reject : step::near_boxes;
-}
-// Plain rungs can say yes where nothing touches. With balls around boxes they decide the same pairs as on the CPU.
-constexpr cover balls_for(rung precision) {
-  return never_wrong(precision) ? cover::element : cover::box;
-}
 
 // For each element of a set, the slot of the element of another set that it meets first.
 inline constexpr std::uint32_t no_slot = ~std::uint32_t{0};
@@ -300,23 +222,13 @@ MEETC_HD inline std::uint32_t number_of_b(const first_met_job &job, std::uint32_
 struct predicate_launchers {
   const char *name;
   int kind_a, kind_b; // indices of the catalogue's kinds
-  // Reads min(*in.count, in.capacity) pairs of objects, takes them apart into pairs of slots, and appends those that
-  // the step keeps to `kept`, and those whose equal points prove a hit to `yes`; the number of pairs whose boxes touch is
-  // added to *touching. `which` is near_boxes, near_reject or, if the
-  // predicate `rejects`, reject. Returns cudaErrorInvalidValue if the scene does not ask for
-  // the rung.
-  cudaError_t (*near)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list kept,
-                      unsigned long long *touching, cudaStream_t stream);
-  // Reads min(*in.count, in.capacity) pairs of slots; hits go to `yes`, and pairs that certify_fp32 cannot decide to
-  // `unsure`. certify_rest decides all, writes no such list, and adds to unsure.count[0] how many fp64 left to
-  // double-double, and to unsure.count[1] how many that left to the integers. Returns cudaErrorInvalidValue if the scene
-  // does not ask for the rung.
-  cudaError_t (*run)(step which, const operand &a, const operand &b, pair_list in, pair_list yes, pair_list unsure,
+  // Reads min(*in.count, in.capacity) pairs of slots of packed rows; hits go to `yes`, and pairs that reject keeps, or that
+  // certify_fp32 cannot decide, to `left`. certify_rest decides all, writes no such list, and adds to left.count[0] how many fp64
+  // left to double-double, and to left.count[1] how many that left to the integers. Returns cudaErrorInvalidValue if the scene
+  // does not ask for the rung, and for reject also unless the predicate `rejects`.
+  cudaError_t (*run)(step which, const float *a, const float *b, pair_list in, pair_list yes, pair_list left,
                      cudaStream_t stream);
-  // A whole query, and the bytes that it needs.
-  cudaError_t (*pairs)(const query &q, cudaStream_t stream);
-  std::size_t (*workspace)(std::uint32_t elements_a, std::uint32_t elements_b, unsigned long long list_capacity);
-  bool rejects = true; // near_reject drops more than near_boxes
+  bool rejects; // it has a reject stage
   // Looks at further hits. Null: not generated.
   cudaError_t (*first_met)(const first_met_job &job, cudaStream_t stream) = nullptr;
   bool by_boxes = false; // proved: it holds where the finite boxes of valid rows touch, and nowhere else
@@ -330,12 +242,6 @@ struct catalogue {
   int kind_count;
   const predicate_launchers *predicates;
   int predicate_count;
-  cudaError_t (*clear_extent)(extent *around, cudaStream_t stream);
-  // Appends the pairs of objects in the part whose enclosing balls may touch. Both operands are grouped alike. Once the
-  // list is full it stops early, and the count may leave pairs out.
-  cudaError_t (*candidates)(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream);
-  // Tests the model of the matrix units.
-  cudaError_t (*probe)(probe_result *out, cudaStream_t stream);
   // *faults becomes the bits of arithmetic_fault: what the device does not compute as the bounds assume.
   cudaError_t (*self_test)(unsigned *faults, cudaStream_t stream);
 };

@@ -1,11 +1,13 @@
 // Opens a device, which may or may not exist.
 #include <cell/cell_cuda.hpp>
-#include <core/device/collide.hpp>
+#include <cell/cell_every_pair.hpp>
+#include <core/device/every_pair/engine.hpp>
 #include <cstdio>
 
 int main() {
   try {
-    const meetc::device on(cell::cuda::catalogue());
+    meetc::device on(cell::cuda::catalogue());
+    const meetc::every_pair::engine brute(on, cell::every_pair::catalogue());
     std::printf("device: ready\n");
   } catch (const meetc::device_error &e) {
     std::printf("device: %s\n", e.what());

@@ -81,7 +81,7 @@ TEST_CASE("the emitted margins are the compiler's") {
   CHECK(same(form::margin_absolute, bound::margin_absolute));
 }
 
-TEST_CASE("scenes with predicates get the ball form, and those of formulas alone do not") {
+TEST_CASE("scenes with predicates get the ball form with every pair, and those of formulas alone do not") {
   const auto holds = [](const compilation &scene) {
     compilation c = load(scene.scene->files.front()->path);
     c.scene->backends = scene.scene->backends;
@@ -90,11 +90,12 @@ TEST_CASE("scenes with predicates get the ball form, and those of formulas alone
     return std::any_of(files.begin(), files.end(),
                        [&](const target::file &f) { return f.path == c.scene->space + "/ball_form.hpp"; });
   };
-  for (const std::vector<std::string> &backends : {std::vector<std::string>{"cpp", "cuda"}, {"cpp"}}) {
+  for (const std::vector<std::string> &backends :
+       {std::vector<std::string>{"cpp", "cuda", "every_pair"}, {"every_pair"}, {"cpp", "cuda"}, {"cpp"}}) {
     const spec_copy copy({"segment_triangle"});
     compilation c = copy.compile();
     c.scene->backends = backends;
-    CHECK(holds(c));
+    CHECK(holds(c) == (backends.back() == "every_pair"));
     const spec_copy formula({"meet(sphere, line)"}); // without a predicate there is nothing to filter
     c = formula.compile();
     c.scene->backends = backends;
@@ -128,7 +129,7 @@ TEST_CASE("the ball form is found by what a predicate says, not by its name, and
   }
 }
 
-TEST_CASE("an algebra without balls has no CUDA backend: an error where it is asked for, left out where it is not") {
+TEST_CASE("an algebra without balls has launchers on a device, and every pair is an error that says what is missing") {
   const auto files = [](const std::string &backends) {
     const spec_copy copy({"segment_triangle"});
     copy.replace("pga3.toml", "'primitives/ball.toml', ", "");
@@ -136,12 +137,44 @@ TEST_CASE("an algebra without balls has no CUDA backend: an error where it is as
     copy.replace("scenes/asked.toml", "kernels", backends + "kernels");
     compilation c = load(copy.scene().string());
     compile_all(c);
-    bool launchers = false;
+    std::vector<std::string> out;
     for (const target::file &f : emit_all(c))
-      launchers = launchers || f.path.ends_with(".cu");
-    return launchers;
+      if (f.path.ends_with(".cu"))
+        out.push_back(f.path.substr(f.path.find('/') + 1));
+    return out;
   };
-  CHECK_FALSE(files(""));
-  CHECK_FALSE(files("backends = ['cpp']\n"));
-  CHECK_THROWS_AS(files("backends = ['cpp', 'cuda']\n"), spec_error);
+  const std::vector<std::string> launchers = files("backends = ['cpp', 'cuda']\n");
+  CHECK(launchers.size() == 4); // the catalogue, the predicate, and two kinds
+  CHECK(std::find(launchers.begin(), launchers.end(), "src/segment_triangle.cu") != launchers.end());
+  CHECK(files("") == launchers);
+  CHECK(files("backends = ['cpp']\n").empty());
+  try {
+    files("backends = ['cpp', 'cuda', 'every_pair']\n");
+    FAIL("no error");
+  } catch (const spec_error &e) {
+    const std::string said = e.what();
+    INFO(said);
+    CHECK(said.find("the backend 'every_pair'") != std::string::npos);
+    CHECK(said.find("no predicate of the algebra says when two balls touch") != std::string::npos);
+    CHECK(said.find("import 'primitives/ball.toml'") != std::string::npos);
+  }
+}
+
+TEST_CASE("every pair is written beside the launchers that decide what it leaves, and only where it is asked for") {
+  const auto sources = [](const std::vector<std::string> &backends) {
+    const spec_copy copy({"segment_triangle"});
+    compilation c = copy.compile();
+    c.scene->backends = backends;
+    bool launchers = false, every_pair = false, headers = false;
+    for (const target::file &f : emit_all(c)) {
+      launchers = launchers || f.path.ends_with("_cuda.cu");
+      every_pair = every_pair || f.path.ends_with("_every_pair.cu");
+      headers = headers || f.path == "meetc/every_pair/table.hpp";
+    }
+    CHECK(headers);
+    return std::pair(launchers, every_pair);
+  };
+  CHECK(sources({"cpp", "cuda"}) == std::pair(true, false));
+  CHECK(sources({"every_pair"}) == std::pair(true, true));
+  CHECK(sources({"cpp"}) == std::pair(false, false));
 }

@@ -113,20 +113,19 @@ TEST_CASE("a file that cannot be written and a missing gnuplot are one-line erro
   ::setenv("PATH", path.c_str(), 1);
 }
 
-TEST_CASE("growth: the searches' times by the number of balls, without what was too slow or has no balls") {
+TEST_CASE("growth: the times by the number of balls, without what was too slow or has no balls") {
   const meetc::app::json results = meetc::app::json::parse(R"({"device": "A GPU, of some kind", "tables": [
     {"name": "ball_ball", "rows": []},
     {"name": "growth", "rows": [
-      {"scene": "balls, 40 x 40", "a": 40, "every_first": null, "groups_first": 3, "tree_first": 2},
-      {"scene": "balls, 10 x 10", "a": 10, "every_first": 0.5, "groups_first": 0.75, "tree_first": 1},
-      {"scene": "Bunny x Armadillo", "a": 70, "every_first": 1, "groups_first": 1, "tree_first": 1}]}]})");
+      {"scene": "balls, 40 x 40", "a": 40, "every_first": null, "tree_first": 2},
+      {"scene": "balls, 10 x 10", "a": 10, "every_first": 0.5, "tree_first": 1},
+      {"scene": "Bunny x Armadillo", "a": 70, "every_first": 1, "tree_first": 1}]}]})");
   const std::optional<chart> c = growth_chart(results);
   REQUIRE(c);
   CHECK(c->y_label == "Milliseconds, A GPU");
-  REQUIRE(c->curves.size() == 3);
+  REQUIRE(c->curves.size() == 2);
   CHECK(c->curves[0].points == points{{10, 0.5}});
-  CHECK(c->curves[1].points == points{{10, 0.75}, {40, 3}});
-  CHECK(c->curves[2].points == points{{10, 1}, {40, 2}});
+  CHECK(c->curves[1].points == points{{10, 1}, {40, 2}});
   CHECK(!growth_chart(meetc::app::json::parse(R"({"device": "", "tables": []})")));
 }
 
@@ -147,7 +146,7 @@ TEST_CASE("growth: a chart is drawn of a file, and what is no such file is refus
   CHECK(refusal(R"({"tables": []})").find("gpu.json: it has no table of growth") != std::string::npos);
   CHECK(!std::filesystem::exists(folder / "growth.png"));
   std::ofstream(file) << R"({"device": "A GPU, of some kind", "tables": [{"name": "growth", "rows": [
-    {"scene": "balls, 10 x 10", "a": 10, "every_first": 0.5, "groups_first": 0.75, "tree_first": 1}]}]})";
+    {"scene": "balls, 10 x 10", "a": 10, "every_first": 0.5, "tree_first": 1}]}]})";
   CHECK(draw_growth(file, folder).find("growth.png") != std::string::npos);
   CHECK(decode(bytes_of(folder / "growth.png")).width == 800);
   std::filesystem::remove_all(folder);

@@ -73,7 +73,6 @@ inline float number(std::mt19937_64 &random, int family) {
 long same_decisions();
 long same_formulas();
 long same_signs();
-long same_queries();
 long sound_arithmetic(); // faults that the self-test finds
 
 } // namespace cuda_test

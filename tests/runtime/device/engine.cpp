@@ -3,6 +3,8 @@
 #include "core/element_set.hpp"
 #include "core/normalised.hpp"
 
+#include <cga/cga_every_pair.hpp>
+
 #include "cuda_test.hpp"
 
 #include <algorithm>
@@ -15,19 +17,6 @@ using namespace meetc;
 const char *name_of(rung r) {
   static const char *const names[] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
   return names[static_cast<int>(r)];
-}
-const char *name_of(cuda::filter f) {
-  switch (f) {
-  case cuda::filter::float32:
-    return "float32";
-  case cuda::filter::mma:
-    return "mma";
-  case cuda::filter::wgmma:
-    return "wgmma";
-  case cuda::filter::wgmma_half:
-    return "wgmma to fp16";
-  }
-  return "";
 }
 void each_predicate(const std::function<void(const predicate_info &)> &f) {
   const catalogue &all = cga::catalogue();
@@ -129,22 +118,16 @@ rows_of same_rows(const kind_info &kind, std::size_t n) {
 
 namespace {
 
-bool same_pairs(const std::vector<index_pair> &x, const std::vector<index_pair> &y) {
-  return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(index_pair)) == 0);
-}
 bool before(index_pair x, index_pair y) {
   return x.a != y.a ? x.a < y.a : x.b < y.b;
 }
 
-std::string text(const range &r) {
-  return std::to_string(r.least) + " to " + std::to_string(r.most);
-}
-
 } // namespace
 
-comparison::comparison(device &on) : on_(on) {
-  for (const cuda::filter f : {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma, cuda::filter::wgmma_half})
-    if (on.offers(f))
+comparison::comparison(device &on) : on_(on), every_pair_(on, cga::every_pair::catalogue()) {
+  using every_pair::filter;
+  for (const filter f : {filter::float32, filter::mma, filter::wgmma})
+    if (every_pair_.offers(f))
       filters_.push_back(f);
 }
 
@@ -168,27 +151,13 @@ void comparison::require(const std::string &scene, bool holds, const std::string
     fail(of, what);
 }
 
-void comparison::add(const std::string &scene, const predicate_info &p, const device_result &r) {
+void comparison::add(const std::string &scene, const predicate_info &p, const result &r, std::uint64_t parts,
+                     double device_seconds) {
   line &l = at({scene, p.name});
   ++l.queries;
-  l.pairs += r.count, l.near_balls += r.near_balls, l.candidates += r.candidates, l.unsure += r.rungs.unsure[0];
-  l.most_parts = std::max(l.most_parts, r.parts);
-  l.device_ms += r.device_seconds * 1000;
-}
-
-std::string comparison::way::name() const {
-  if (given)
-    return culled ? "given, culled" : "given";
-  return by == search::tree ? meetc::name_of(by) : name_of(filter) + std::string(", ") + meetc::name_of(by);
-}
-
-std::vector<comparison::way> comparison::ways(const options &o) const {
-  std::vector<way> out{{search::tree, on_.best_filter()}};
-  for (const cuda::filter f : filters_)
-    for (const search by : {search::every_pair, search::groups})
-      if (o.all_filters || f == on_.best_filter())
-        out.push_back({by, f});
-  return out;
+  l.pairs += r.count, l.candidates += r.candidates, l.unsure += r.rungs.unsure[0];
+  l.most_parts = std::max(l.most_parts, parts);
+  l.device_ms += device_seconds * 1000;
 }
 
 bool fewer_candidates_on_cpu(const predicate_info &p) {
@@ -214,20 +183,20 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
 
 void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, device_set &da,
                       const prepared &b, device_set &db, std::span<const rung> rungs, const options &o) {
-  compare(scene, p, a, b, rungs, o, ways(o),
+  compare(scene, p, a, b, rungs, o, {{"a query"}},
           [&](const way &, rung r, const device_options &with) { return collide(on_, da, db, p, r, with); });
+  compare_every_pair(scene, p, a, da, b, db, rungs, o);
 }
 
 void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, given_set &ga,
                       const prepared &b, given_set &gb, std::span<const rung> rungs, const options &o) {
-  const std::vector<way> by{{search::tree, on_.best_filter(), true, false},
-                            {search::tree, on_.best_filter(), true, true}};
-  compare(scene, p, a, b, rungs, o, by, [&](const way &w, rung r, device_options &with) {
-    with.cull = w.culled;
-    // What is met first is asked without culling.
-    with.first_met = with.first_met && !w.culled;
-    return collide(on_, ga, gb, p, r, with);
-  });
+  compare(scene, p, a, b, rungs, o, {{"given"}, {"given, culled", true}},
+          [&](const way &w, rung r, device_options &with) {
+            with.cull = w.culled;
+            // What is met first is asked without culling.
+            with.first_met = with.first_met && !w.culled;
+            return collide(on_, ga, gb, p, r, with);
+          });
 }
 
 void comparison::compare(const std::string &scene, const predicate_info &p, const prepared &a, const prepared &b,
@@ -242,12 +211,10 @@ void comparison::compare(const std::string &scene, const predicate_info &p, cons
     for (const way &by : ways) {
       const auto fails = [&](const std::string &what) {
         fail(of, std::to_string(a.elements()) + " by " + std::to_string(b.elements()) + ", " + name_of(r) + ", " +
-                     by.name() + ": " + what);
+                     by.name + ": " + what);
       };
       device_options with;
-      with.by = by.by;
       with.owner_a = o.owner_a, with.owner_b = o.owner_b;
-      with.filter = by.filter;
       with.list_capacity = o.list_capacity;
       with.first_met = on_cpu.first_met;
       const device_result have = ask(by, r, with);
@@ -258,35 +225,23 @@ void comparison::compare(const std::string &scene, const predicate_info &p, cons
         fails("the count is " + std::to_string(have.count) + " and the list has " + std::to_string(have.pairs.size()));
       if (!std::is_sorted(have.pairs.begin(), have.pairs.end(), before))
         fails("the pairs are not sorted");
-      if (!same_pairs(want.pairs, have.pairs))
+      if (!same_list(want.pairs, have.pairs))
         fails(std::to_string(have.count) + " pairs, and the CPU has " + std::to_string(want.count));
       // The CPU's candidates are touching boxes, and the device's are among them; for the plain rungs they are the same.
-      // For the others balls rule out more on the device.
+      // For the others a walk of balls rules out more on the device.
       if ((have.candidates > want.candidates && !(never_wrong(r) && fewer_candidates_on_cpu(p))) ||
           (!never_wrong(r) && have.candidates != want.candidates))
         fails(std::to_string(have.candidates) + " candidates, and the CPU has " + std::to_string(want.candidates));
-      if (by.by != search::groups && have.near_balls < have.candidates)
-        fails("more candidates than near balls");
       // After fp32 the CPU's lanes find zeros by residues, and the device within windows.
       if (have.rungs.unsure[0] > want.rungs.unsure[0] && !fewer_unsure_on_cpu(p, a, b))
         fails(std::to_string(have.rungs.unsure[0]) + " unsure, and on the CPU " + std::to_string(want.rungs.unsure[0]));
-      if (o.expectations && r == rung::certified && by.by == search::every_pair) {
-        const expectation e = expect(p, a, b, by.filter);
-        const auto within = [&](const char *what, const range &may, std::uint64_t is) {
-          if (!may.holds(is))
-            fails(std::to_string(is) + " " + what + ", and the model allows " + text(may));
-        };
-        within("near balls", e.near_balls, have.near_balls);
-        within("candidates", e.candidates, have.candidates);
-        within("unsure", {0, e.most_unsure}, have.rungs.unsure[0]);
-      }
       if (!o.all_modes)
         continue;
       with.want = answer_kind::count;
       const device_result counted = ask(by, r, with);
       if (counted.count != have.count || !counted.pairs.empty())
         fails("counted " + std::to_string(counted.count) + ", listed " + std::to_string(have.count));
-      if (counted.candidates != have.candidates || counted.near_balls != have.near_balls)
+      if (counted.candidates != have.candidates)
         fails("counting looks at other candidates than listing");
       if (counted.first_met != want.first_met && with.first_met)
         fails("other elements are met first where pairs are only counted");
@@ -314,14 +269,14 @@ void comparison::compare(const std::string &scene, const predicate_info &p, cons
 }
 
 void comparison::print() const {
-  std::printf("\n%-26s %-18s %8s %12s %13s %12s %10s %6s %10s %s\n", "scene", "predicate", "queries", "pairs",
-              "near_balls", "candidates", "unsure", "parts", "device_ms", "different");
+  std::printf("\n%-26s %-18s %8s %12s %12s %10s %6s %10s %s\n", "scene", "predicate", "queries", "pairs", "candidates",
+              "unsure", "parts", "device_ms", "different");
   for (const key &k : order_) {
     const line &l = lines_.at(k);
-    std::printf("%-26s %-18s %8ld %12llu %13llu %12llu %10llu %6llu %10.2f %ld\n", k.first.c_str(), k.second.c_str(),
-                l.queries, static_cast<unsigned long long>(l.pairs), static_cast<unsigned long long>(l.near_balls),
-                static_cast<unsigned long long>(l.candidates), static_cast<unsigned long long>(l.unsure),
-                static_cast<unsigned long long>(l.most_parts), l.device_ms, l.differences);
+    std::printf("%-26s %-18s %8ld %12llu %12llu %10llu %6llu %10.2f %ld\n", k.first.c_str(), k.second.c_str(),
+                l.queries, static_cast<unsigned long long>(l.pairs), static_cast<unsigned long long>(l.candidates),
+                static_cast<unsigned long long>(l.unsure), static_cast<unsigned long long>(l.most_parts), l.device_ms,
+                l.differences);
   }
 }
 

@@ -1,5 +1,6 @@
 // Shared by the tests of whole queries on the device: sets, the CPU's answers next to the device's, and a table.
 #pragma once
+#include "core/device/every_pair/engine.hpp"
 #include "core/device/given.hpp"
 
 #include <cga/cga_runtime.hpp>
@@ -17,7 +18,7 @@ namespace cuda_test {
 using engine = std::mt19937_64;
 
 const char *name_of(meetc::rung r);
-const char *name_of(meetc::cuda::filter f);
+const char *name_of(meetc::every_pair::filter f);
 inline constexpr meetc::rung all_rungs[] = {meetc::rung::fp32, meetc::rung::fp64, meetc::rung::fp64x2,
                                             meetc::rung::exact, meetc::rung::certified};
 const meetc::predicate_info &predicate_named(std::string_view name);
@@ -55,7 +56,7 @@ rows_of family_rows(const meetc::kind_info &kind, std::size_t n, int family, eng
 // One row, n times.
 rows_of same_rows(const meetc::kind_info &kind, std::size_t n);
 
-// ---- what the filter may pass ----
+// ---- what a filter of every pair may pass ----
 
 // Counts that a device may give: `least` if every doubtful pair is dropped, `most` if every one is kept. In float32 no
 // pair is doubtful.
@@ -64,12 +65,12 @@ struct range {
   bool holds(std::uint64_t n) const { return least <= n && n <= most; }
 };
 struct expectation {
-  range near_balls, candidates;
+  range near, candidates;
   std::uint64_t most_unsure = 0; // in fp32
 };
 // Of `certified`, element by element, from the host's own columns, pair by pair.
 expectation expect(const meetc::predicate_info &p, const meetc::prepared &a, const meetc::prepared &b,
-                   meetc::cuda::filter by);
+                   meetc::every_pair::filter by);
 
 // ---- comparing ----
 
@@ -78,7 +79,7 @@ struct options {
   std::size_t list_capacity = std::size_t{1} << 25;
   bool all_modes = false; // count and any, too
   bool expectations = false;
-  bool all_filters = true; // else the best
+  bool all_filters = true; // of every pair; else the best
 };
 
 bool same_list(const std::vector<meetc::index_pair> &x, const std::vector<meetc::index_pair> &y);
@@ -87,7 +88,7 @@ bool is_in_order(const meetc::device_set &there, const meetc::prepared &set);
 
 struct line {
   long queries = 0, differences = 0;
-  std::uint64_t pairs = 0, near_balls = 0, candidates = 0, unsure = 0, most_parts = 0;
+  std::uint64_t pairs = 0, candidates = 0, unsure = 0, most_parts = 0;
   double device_ms = 0;
 };
 
@@ -96,21 +97,15 @@ public:
   explicit comparison(meetc::device &on);
 
   meetc::device &on() const { return on_; }
-  const std::vector<meetc::cuda::filter> &filters() const { return filters_; }
-  // The searches, those with a filter by the filters that the options ask for.
-  struct way {
-    meetc::search by;
-    meetc::cuda::filter filter;
-    bool given = false, culled = false; // sets as they are given
-    std::string name() const;
-  };
-  std::vector<way> ways(const options &o = {}) const;
+  meetc::every_pair::engine &every_pair() { return every_pair_; }
+  // Those that the device offers.
+  const std::vector<meetc::every_pair::filter> &filters() const { return filters_; }
 
-  // Compares every rung of `rungs` and every filter with the CPU, and sets as they are given, culled or not. Differences are
-  // counted under the scene's name and printed.
+  // Compares every rung of `rungs` with the CPU: by a query, by every pair with every filter, and by a query on sets as they are
+  // given, culled or not. Differences are counted under the scene's name and printed.
   void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
             const meetc::prepared &b, std::span<const meetc::rung> rungs, const options &o = {});
-  // The same for sets that are on the device already, in the poses in which a and b were prepared.
+  // The same, but for given sets, for sets that are on the device already, in the poses in which a and b were prepared.
   void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a, meetc::device_set &da,
             const meetc::prepared &b, meetc::device_set &db, std::span<const meetc::rung> rungs, const options &o = {});
   // The same for sets as they are given, which need not have the poses of a and b.
@@ -118,23 +113,35 @@ public:
             const meetc::prepared &b, meetc::given_set &gb, std::span<const meetc::rung> rungs, const options &o = {});
   // Any other condition.
   void require(const std::string &scene, bool holds, const std::string &what);
-  // The figures of one query, under the scene's name.
-  void add(const std::string &scene, const meetc::predicate_info &p, const meetc::device_result &r);
+  // The figures of one query, or of every pair, under the scene's name.
+  template <class Result> void add(const std::string &scene, const meetc::predicate_info &p, const Result &r) {
+    add(scene, p, r, r.parts, r.device_seconds);
+  }
 
   void print() const; // a line a scene and predicate
   long differences() const;
 
 private:
   using key = std::pair<std::string, std::string>;
+  struct way {
+    const char *name;
+    bool culled = false; // of sets as they are given
+  };
   using query = std::function<meetc::device_result(const way &, meetc::rung, meetc::device_options &)>;
   void compare(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
                const meetc::prepared &b, std::span<const meetc::rung> rungs, const options &o,
-               const std::vector<way> &by, const query &ask);
+               const std::vector<way> &ways, const query &ask);
+  void compare_every_pair(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
+                          meetc::device_set &da, const meetc::prepared &b, meetc::device_set &db,
+                          std::span<const meetc::rung> rungs, const options &o);
+  void add(const std::string &scene, const meetc::predicate_info &p, const meetc::result &r, std::uint64_t parts,
+           double device_seconds);
   void fail(const key &of, const std::string &what);
   line &at(const key &of);
 
   meetc::device &on_;
-  std::vector<meetc::cuda::filter> filters_;
+  meetc::every_pair::engine every_pair_;
+  std::vector<meetc::every_pair::filter> filters_;
   std::vector<key> order_;
   std::map<key, line> lines_;
   long printed_ = 0;
@@ -146,9 +153,12 @@ struct settings {
   bool small = false; // few and small sets, for tools that slow everything down
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
-  std::string part; // of the scenes: pairs, made, orders, given, poses, ends, group or words; empty: all
+  std::string
+      part; // of the scenes: pairs, every_pair, made, orders, given, poses, ends, group, words or reset; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
+void every_pair_scenes(comparison &with, const settings &s);
+void caller_scenes(comparison &with, const settings &s); // of every pair, too
 void made_scenes(comparison &with, const settings &s);
 void order_scenes(comparison &with, const settings &s);
 void given_scenes(comparison &with, const settings &s);
@@ -157,5 +167,7 @@ void end_scenes(comparison &with, const settings &s);
 void group_scenes(comparison &with, const settings &s);
 void word_scenes(comparison &with, const settings &s);
 void mesh_scenes(comparison &with, const settings &s);
+// Whether a device that was reset answers as it did before. No other device object may exist meanwhile.
+bool answers_after_reset();
 
 } // namespace cuda_test

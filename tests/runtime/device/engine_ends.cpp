@@ -1,5 +1,5 @@
-// The ends of float32: radii and coordinates of FLT_MAX, boxes that overflow, subnormals. Each scene by every
-// filter, grouping, rung and predicate, against the CPU's query and against the decision of every pair
+// The ends of float32: radii and coordinates of FLT_MAX, boxes that overflow, subnormals. Each scene by a query and
+// by every pair, with every filter, rung and predicate, against the CPU's query and against the decision of every pair
 // without any box.
 #include "engine.hpp"
 
@@ -125,7 +125,7 @@ private:
         const std::span<const rung> rungs = small_ ? std::span<const rung>(few_rungs) : all_rungs;
         hits += same(t.name, p, drawn(*p.a, m * times, t.numbers), drawn(*p.b, n * times, t.numbers), rungs);
         pairs += m * n * times * times;
-        // Some of them are among ordinary elements, with and without groups.
+        // Some of them are among ordinary elements.
         rows_of x = drawn(*p.a, m, t.numbers), y = ordinary(*p.b, 4 * n);
         const rows_of more = ordinary(*p.a, 3 * m), few = drawn(*p.b, 2, t.numbers);
         x.rows.insert(x.rows.end(), more.rows.begin(), more.rows.end());
@@ -142,7 +142,7 @@ private:
     const std::size_t n = small_ ? 2000 : 20000, m = small_ ? 100 : 1000;
     for (const bool owner_first : {true, false}) {
       rows_of x = ordinary(*p.a, owner_first ? n : m), y = ordinary(*p.b, owner_first ? m : n, 0.5);
-      const std::uint64_t before = near_balls(p, x, y);
+      const std::uint64_t before = near(p, x, y);
       std::uint64_t looked_at = 0;
       if (p.a->fields == 4)
         looked_at += y.size(), add_huge(x);
@@ -152,16 +152,13 @@ private:
         continue;
       const rung certified[] = {rung::certified};
       with_.same(scene, p, prepare(view_of(x), *p.a), prepare(view_of(y), *p.b), certified);
-      with_.require(scene, near_balls(p, x, y) == before + looked_at,
+      with_.require(scene, near(p, x, y) == before + looked_at,
                     std::string(p.name) + ": the frame is not that of the rest");
     }
   }
-  std::uint64_t near_balls(const predicate_info &p, const rows_of &x, const rows_of &y) {
+  std::uint64_t near(const predicate_info &p, const rows_of &x, const rows_of &y) {
     device_set a(with_.on(), prepare(view_of(x), *p.a)), b(with_.on(), prepare(view_of(y), *p.b));
-    device_options o;
-    o.by = search::every_pair;
-    o.want = answer_kind::count;
-    return collide(with_.on(), a, b, p, rung::certified, o).near_balls;
+    return with_.every_pair().collide(a, b, p, rung::certified, {.want = answer_kind::count}).near;
   }
 
   // A pose takes elements to the end of float32, where the box of one overflows, on all sides or on one, and

@@ -1,15 +1,27 @@
 // Whole queries on the device against the CPU's:
-//   test_cuda_pairs [--small] [--seed N] [--part pairs|made|orders|given|poses|ends|group|words] [--data FOLDER]
+//   test_cuda_pairs [--small] [--seed N] [--part NAME] [--data FOLDER], the parts as in `parts` below, or reset
 #include "engine.hpp"
 
 #include "cuda_test.hpp"
 
 #include <cga/cga_cuda.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 
 namespace {
+
+using namespace cuda_test;
+
+struct part {
+  const char *name;
+  void (*run)(comparison &, const settings &);
+};
+constexpr part parts[] = {{"pairs", pair_scenes},   {"every_pair", every_pair_scenes}, {"made", made_scenes},
+                          {"orders", order_scenes}, {"given", given_scenes},           {"poses", pose_scenes},
+                          {"ends", end_scenes},     {"group", group_scenes},           {"words", word_scenes}};
 
 bool read(int argc, char **argv, cuda_test::settings &s) {
   for (int i = 1; i < argc; ++i) {
@@ -28,41 +40,42 @@ bool read(int argc, char **argv, cuda_test::settings &s) {
     else
       return false;
   }
-  return s.part.empty() || s.part == "pairs" || s.part == "made" || s.part == "orders" || s.part == "given" ||
-         s.part == "poses" || s.part == "ends" || s.part == "group" || s.part == "words";
+  return s.part.empty() || s.part == "reset" ||
+         std::any_of(std::begin(parts), std::end(parts), [&s](const part &p) { return s.part == p.name; });
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
-  using namespace cuda_test;
   std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12); // what was found is seen also where the run is cut off
   settings s;
   if (!read(argc, argv, s)) {
-    std::fputs(
-        "usage: test_cuda_pairs [--small] [--seed N] [--part pairs|made|orders|given|poses|ends|group|words] [--data "
-        "FOLDER]\n",
-        stderr);
+    std::fputs("usage: test_cuda_pairs [--small] [--seed N] [--data FOLDER] [--part reset", stderr);
+    for (const part &p : parts)
+      std::fprintf(stderr, "|%s", p.name);
+    std::fputs("]\n", stderr);
     return 2;
   }
   if (no_device())
     return skipped;
   try {
+    if (s.data.empty() && (s.part.empty() || s.part == "reset")) {
+      const bool answers = answers_after_reset();
+      std::printf("a device that was reset answers %s\n", answers ? "as before" : "otherwise: DIFFERENT");
+      if (!answers || !s.part.empty())
+        return answers ? 0 : 1;
+    }
     meetc::device on(cga::cuda::catalogue());
-    const meetc::cuda::probe_result &probe = on.probe();
+    comparison with(on);
+    const meetc::every_pair::probe_result &probe = with.every_pair().probe();
     std::printf(
         "%s, %d.%d; of %u probe cases a unit mma.sync left the model in %u, wgmma (%s) in %u; best filter: %s\n",
         on.facts().name.c_str(), on.facts().major, on.facts().minor, probe.cases, probe.mma_faults,
-        probe.has_wgmma ? "there" : "not there", probe.wgmma_faults, name_of(on.best_filter()));
-    comparison with(on);
+        probe.has_wgmma ? "there" : "not there", probe.wgmma_faults, name_of(with.every_pair().best_filter()));
     if (s.data.empty()) {
-      const auto scenes = [&](const char *part, void (*run)(comparison &, const settings &)) {
-        if (s.part.empty() || s.part == part)
-          run(with, s);
-      };
-      scenes("pairs", pair_scenes), scenes("made", made_scenes), scenes("orders", order_scenes),
-          scenes("given", given_scenes), scenes("poses", pose_scenes), scenes("ends", end_scenes),
-          scenes("group", group_scenes), scenes("words", word_scenes);
+      for (const part &p : parts)
+        if (s.part.empty() || s.part == p.name)
+          p.run(with, s);
     } else {
       mesh_scenes(with, s);
     }

@@ -5,8 +5,8 @@
 
 #include <cga/ball_form.hpp>
 #include <cga/shapes.hpp>
-#include <meetc/frame.hpp>
-#include <meetc/matrix.hpp>
+#include <meetc/every_pair/frame.hpp>
+#include <meetc/every_pair/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,8 @@ template <bool First> std::vector<columns> columns_of(const prepared &p, const m
     std::vector<columns> out(p.elements());
     for (std::uint32_t i = 0; i < out.size(); ++i) {
       double ball[4];
-      const placing where = place_object<Shape>(frame, cover::element, p.set().rows, i, i + 1, ball);
+      const placing where =
+          place_element<Shape>(frame, cover::element, p.set().rows + i * std::size_t{Shape::fields}, ball);
       std::uint16_t halves[matrix_columns];
       to_columns<form, First>(ball, where, halves);
       for (int k = 0; k < matrix_columns; ++k)
@@ -65,8 +66,8 @@ template <bool First> std::vector<columns> columns_of(const prepared &p, const m
 struct verdict {
   bool must, may; // come out negative
 };
-verdict judge(const columns &x, const columns &y, cuda::filter by) {
-  if (by == cuda::filter::float32) {
+verdict judge(const columns &x, const columns &y, every_pair::filter by) {
+  if (by == every_pair::filter::float32) {
     const bool negative = std::signbit(bilinear<form>(x.floats, y.floats));
     return {negative, negative};
   }
@@ -91,7 +92,7 @@ std::vector<box> boxes_of(const prepared &p) {
 
 } // namespace
 
-expectation expect(const predicate_info &p, const prepared &a, const prepared &b, cuda::filter by) {
+expectation expect(const predicate_info &p, const prepared &a, const prepared &b, every_pair::filter by) {
   expectation out;
   if (a.elements() == 0 || b.elements() == 0)
     return out;
@@ -105,7 +106,7 @@ expectation expect(const predicate_info &p, const prepared &a, const prepared &b
       const verdict v = judge(x[i], y[j], by);
       if (!v.may)
         continue;
-      count(out.near_balls, v.must);
+      count(out.near, v.must);
       bool touch = true;
       for (int k = 0; k < 3; ++k)
         touch = touch && boxes_a[i].lo[k] <= boxes_b[j].hi[k] && boxes_b[j].lo[k] <= boxes_a[i].hi[k];

@@ -13,7 +13,7 @@ using namespace meetc;
 
 constexpr rung certified[] = {rung::certified};
 constexpr rung both[] = {rung::exact, rung::certified};
-constexpr std::size_t least_lists = std::size_t{1} << 18;
+constexpr std::size_t least_lists = std::size_t{1} << 11;
 
 prepared ready(const rows_of &r, const pose &at = {}) {
   return prepare(view_of(r), *r.kind, at);
@@ -22,10 +22,6 @@ prepared ready(const rows_of &r, const pose &at = {}) {
 // The size of an element at which it meets a few of the other set's elements.
 double size_for(std::size_t n) {
   return std::max(0.02, 0.7 / std::cbrt(static_cast<double>(n) + 1));
-}
-
-bool same(const std::vector<index_pair> &x, const std::vector<index_pair> &y) {
-  return x.size() == y.size() && (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(index_pair)) == 0);
 }
 
 template <class Error> bool throws(const std::function<void()> &f) {
@@ -119,7 +115,7 @@ void all_hits(comparison &with, const settings &s) {
   each_predicate([&](const predicate_info &p) {
     const prepared a = ready(same_rows(*p.a, 600)), b = ready(same_rows(*p.b, 600));
     options o;
-    o.list_capacity = least_lists;
+    o.list_capacity = std::size_t{1} << (s.small ? 15 : 18);
     o.all_modes = !s.small || std::strcmp(p.name, "ball_ball") == 0; // tallies over several parts
     with.same("600 alike, small lists", p, a, b, s.small ? std::span<const rung>(certified) : both, o);
     if (!s.small)
@@ -142,33 +138,37 @@ void all_hits(comparison &with, const settings &s) {
     answer hit;
     p.decide[static_cast<int>(rung::exact)](x.rows.data(), y.rows.data(), &first, 1, &hit);
     device_set a(with.on(), ready(x)), b(with.on(), ready(y));
-    for (const comparison::way &by : with.ways()) {
-      device_options o;
-      o.filter = by.filter;
-      o.by = by.by;
-      o.list_capacity = enlarged ? std::size_t{1} << 25 : least_lists;
-      const device_result r = collide(with.on(), a, b, p, rung::certified, o);
-      with.add(scene, p, r);
+    const auto is_every_pair = [&](const result &r) {
       bool right = r.count == (hit == answer::yes ? std::uint64_t{n} * n : 0) && r.count == r.pairs.size();
       for (std::size_t i = 0; right && i < r.pairs.size(); ++i)
         right = r.pairs[i].a == i / n && r.pairs[i].b == i % n;
-      with.require(scene, right, std::string(p.name) + ", " + by.name() + ": not every pair once");
-      const std::uint64_t objects = by.by == search::groups ? n / cuda::group_size : n;
-      with.require(scene, r.near_balls == objects * objects,
-                   std::string(p.name) + ": the search lost or repeated pairs");
-      // The first may find the lists too small, and try again.
-      with.require(scene, enlarged ? r.parts <= 2 : r.parts > 34, "the product was not cut as it should be");
+      return right;
+    };
+    device_options o;
+    every_pair::options how;
+    o.list_capacity = how.list_capacity = enlarged ? std::size_t{1} << 25 : std::size_t{1} << 18;
+    const device_result r = collide(with.on(), a, b, p, rung::certified, o);
+    with.add(scene, p, r);
+    with.require(scene, is_every_pair(r), std::string(p.name) + ": not every pair once");
+    // The first part may find the lists too small, and try again.
+    with.require(scene, enlarged ? r.parts <= 2 : r.parts > 34, "the walk was not cut as it should be");
+    for (const every_pair::filter f : with.filters()) {
+      how.by = f;
+      const every_pair::outcome brute = with.every_pair().collide(a, b, p, rung::certified, how);
+      with.add(scene, p, brute);
+      with.require(scene, is_every_pair(brute) && brute.near == std::uint64_t{n} * n,
+                   std::string(p.name) + ", " + name_of(f) + ": not every pair once");
+      with.require(scene, enlarged ? brute.parts <= 2 : brute.parts > 34, "the product was not cut as it should be");
     }
     // A walk that decides and only counts has no list that could be too short.
     if (std::strcmp(p.name, "ball_ball") == 0 || std::strcmp(p.name, "box_box") == 0)
       for (const answer_kind want : {answer_kind::count, answer_kind::any}) {
-        device_options o;
-        o.by = search::tree;
         o.want = want;
         o.list_capacity = least_lists;
-        const device_result r = collide(with.on(), a, b, p, rung::certified, o);
-        with.add(scene, p, r);
-        with.require(scene, r.parts == 1 && r.count == (want == answer_kind::any ? 1 : std::uint64_t{n} * n),
+        const device_result counted = collide(with.on(), a, b, p, rung::certified, o);
+        with.add(scene, p, counted);
+        with.require(scene,
+                     counted.parts == 1 && counted.count == (want == answer_kind::any ? 1 : std::uint64_t{n} * n),
                      std::string(p.name) + ": another count, or in parts");
       }
   });
@@ -219,7 +219,7 @@ void owners(comparison &with, const settings &s) {
   });
 }
 
-// The same query again, by other searches and with other queries in between.
+// The same query again, with other queries and every pair in between.
 void again(comparison &with, const settings &s) {
   engine random(s.seed + 6);
   const predicate_info &p = predicate_named("triangle_triangle"), &q = predicate_named("ball_triangle");
@@ -229,25 +229,30 @@ void again(comparison &with, const settings &s) {
                  z = ready(random_rows(*q.a, n / 2, at, random));
   device_set a(with.on(), x), b(with.on(), y), c(with.on(), z);
   std::vector<index_pair> first, self, balls;
-  for (int round = 0; round < (s.small ? 2 : 6); ++round)
-    for (const comparison::way &by : with.ways({.all_filters = true})) {
-      device_options o;
-      o.filter = by.filter;
-      o.by = by.by;
-      o.list_capacity = round % 2 ? least_lists : std::size_t{1} << 23;
-      const auto same_as = [&](std::vector<index_pair> &before, const device_result &r, const char *what) {
-        if (before.empty())
-          before = r.pairs;
-        with.require("asked again", same(before, r.pairs) && r.count == r.pairs.size() && r.count > 0,
-                     std::string(what) + ", " + by.name());
+  for (int round = 0; round < (s.small ? 2 : 6); ++round) {
+    const std::size_t capacity = round % 2 ? std::size_t{1} << 18 : std::size_t{1} << 23;
+    const auto same_as = [&](std::vector<index_pair> &before, const result &r, const char *what) {
+      if (before.empty())
+        before = r.pairs;
+      with.require("asked again", same_list(before, r.pairs) && r.count == r.pairs.size() && r.count > 0, what);
+    };
+    device_options o;
+    o.list_capacity = capacity;
+    same_as(first, collide(with.on(), a, b, p, rung::certified, o), "two sets");
+    same_as(self, collide(with.on(), a, a, p, rung::certified, o), "a set against itself");
+    same_as(balls, collide(with.on(), c, a, q, rung::certified, o), "another predicate");
+    for (const every_pair::filter f : with.filters()) {
+      const auto ask = [&](device_set &of_x, device_set &of_y, const predicate_info &by) {
+        return with.every_pair().collide(of_x, of_y, by, rung::certified, {.by = f, .list_capacity = capacity});
       };
-      same_as(first, collide(with.on(), a, b, p, rung::certified, o), "two sets");
-      same_as(self, collide(with.on(), a, a, p, rung::certified, o), "a set against itself");
-      same_as(balls, collide(with.on(), c, a, q, rung::certified, o), "another predicate"); // frames change places
+      same_as(first, ask(a, b, p), "every pair of two sets");
+      same_as(self, ask(a, a, p), "every pair of a set against itself");
+      same_as(balls, ask(c, a, q), "every pair by another predicate"); // frames change places
     }
+  }
   const auto on_cpu = [&](const char *what, const prepared &u, const prepared &v, const predicate_info &by,
                           const std::vector<index_pair> &have) {
-    with.require("asked again", same(collide(u, v, by, rung::certified).pairs, have), what);
+    with.require("asked again", same_list(collide(u, v, by, rung::certified).pairs, have), what);
   };
   on_cpu("two sets on the CPU", x, y, p, first);
   on_cpu("a set against itself on the CPU", x, x, p, self);
@@ -268,25 +273,22 @@ void repeated(comparison &with, const settings &s) {
     const prepared b_aside = prepare(view_of(y), *p.b, aside);
     const std::vector<index_pair> want = collide(a, b, p, rung::certified).pairs,
                                   want_aside = collide(a, b_aside, p, rung::certified).pairs;
-    for (const search by : {search::tree, search::groups}) {
-      device_options o, count;
-      o.by = count.by = by;
-      o.as_graph = count.as_graph = true;
-      count.want = answer_kind::count;
-      for (int round = 0; round < 8; ++round) {
-        const bool is_aside = round % 3 == 2;
-        db.move(is_aside ? aside : pose());
-        const std::vector<index_pair> &wanted = is_aside ? want_aside : want;
-        for (int i = 0; i < 3; ++i)
-          with.require("repeated", same(collide(with.on(), da, db, p, rung::certified, o).pairs, wanted),
-                       std::string(p.name) + ": other pairs");
-        with.require("repeated", collide(with.on(), da, db, p, rung::certified, count).count == wanted.size(),
-                     std::string(p.name) + ": another count");
-        with.require("repeated", same(collide(with.on(), da, db, p, rung::exact, o).pairs, wanted),
-                     std::string(p.name) + ": other pairs, exact");
-        if (round % 4 == 1)
-          collide(with.on(), da, same_size, p, rung::certified, o);
-      }
+    device_options o, count;
+    o.as_graph = count.as_graph = true;
+    count.want = answer_kind::count;
+    for (int round = 0; round < 8; ++round) {
+      const bool is_aside = round % 3 == 2;
+      db.move(is_aside ? aside : pose());
+      const std::vector<index_pair> &wanted = is_aside ? want_aside : want;
+      for (int i = 0; i < 3; ++i)
+        with.require("repeated", same_list(collide(with.on(), da, db, p, rung::certified, o).pairs, wanted),
+                     std::string(p.name) + ": other pairs");
+      with.require("repeated", collide(with.on(), da, db, p, rung::certified, count).count == wanted.size(),
+                   std::string(p.name) + ": another count");
+      with.require("repeated", same_list(collide(with.on(), da, db, p, rung::exact, o).pairs, wanted),
+                   std::string(p.name) + ": other pairs, exact");
+      if (round % 4 == 1)
+        collide(with.on(), da, same_size, p, rung::certified, o);
     }
   });
   // By turns nothing touches and all, which are more than few.
@@ -295,7 +297,6 @@ void repeated(comparison &with, const settings &s) {
     pose away;
     away.m[3] = 100;
     device_options o;
-    o.by = search::tree;
     o.as_graph = true;
     const std::size_t all = collide(with.on(), da, db, p, rung::certified, o).count;
     for (int round = 0; round < 6; ++round) {
@@ -343,7 +344,6 @@ void with_itself(comparison &with, const settings &s) {
         with.same("a set with itself, moved", p, moved, d, moved, d, certified, {.list_capacity = least_lists});
         if (crowded && n == 5000) {
           device_options cut;
-          cut.by = search::tree;
           cut.list_capacity = least_lists;
           with.require("a set with itself", collide(with.on(), d, d, p, rung::certified, cut).parts > 1,
                        "no query was cut into parts");
@@ -383,7 +383,7 @@ void refusals(comparison &with, const settings &s) {
   };
   device_options o;
   o.list_capacity = least_lists - 1;
-  refused("lists below 2^18", a, b, p, rung::certified, o);
+  refused("lists below 2^11", a, b, p, rung::certified, o);
   o.list_capacity = least_lists;
   refused("kinds the wrong way round", b, a, p, rung::certified, o);
   predicate_info without = p;
@@ -395,11 +395,6 @@ void refusals(comparison &with, const settings &s) {
   o.owner_a = {}, o.owner_b = few;
   refused("an owner map that is too long", a, b, p, rung::certified, o);
   o.owner_b = {};
-  for (const cuda::filter f : {cuda::filter::mma, cuda::filter::wgmma})
-    if (!with.on().offers(f)) {
-      o.filter = f;
-      refused("a filter that is not offered", a, b, p, rung::certified, o);
-    }
   predicate_info stranger = p;
   stranger.name = "stranger";
   with.require("refused", throws<device_error>([&] { collide(with.on(), a, b, stranger, rung::certified); }),

@@ -1,12 +1,15 @@
 // The hostile families of tests/extremes on the device:  test_cuda_extremes [--cases N] [--seed N] [--threads N]
 //
 // Every rung's launcher, pair by pair: certified answers are the truth of the integers or unsure, and all answers equal
-// the CPU's (see differ()). Then, for each family and predicate, a query on whole sets of such elements by every filter.
+// the CPU's (see differ()). Then, for each family and predicate, a query on whole sets of such elements, and every pair of them by every
+// filter.
 #include "core/device/collide.hpp"
+#include "core/device/every_pair/engine.hpp"
 #include "cuda_test.hpp"
 #include "launchers.hpp"
 #include "tests/extremes/families.hpp"
 
+#include <cga/cga_every_pair.hpp>
 #include <cga/cga_runtime.hpp>
 
 #include <algorithm>
@@ -40,7 +43,7 @@ struct cell {
   const subject *of;
   const predicate_info *predicate;
   long cases = 0, hits = 0, wrong = 0, different = 0, unsure[bounded_rungs] = {}, plain_wrong = 0;
-  std::uint64_t set_pairs = 0, near_balls = 0;
+  std::uint64_t set_pairs = 0, near = 0;
   long set_faults = 0;
   std::string first;
 };
@@ -129,7 +132,7 @@ void run_pairs(cell &c, const batch &in, std::mutex &lock) {
 }
 
 // All pairs of a few hundred such elements of either kind.
-void run_sets(cell &c, const batch &in, device &on) {
+void run_sets(cell &c, const batch &in, device &on, every_pair::engine &brute) {
   const predicate_info &p = *c.predicate;
   const auto set = [&](const std::vector<float> &rows, const kind_info &kind) {
     return prepare({rows.data(), 0, static_cast<std::size_t>(kind.fields) * sizeof(float), nullptr, in.n}, kind);
@@ -137,28 +140,26 @@ void run_sets(cell &c, const batch &in, device &on) {
   const prepared a = set(in.a, *p.a), b = set(in.b, *p.b);
   const result want = collide(a, b, p, rung::exact);
   device_set da(on, a), db(on, b);
-  const auto look = [&](search by, cuda::filter f) {
-    for (const rung r : {rung::certified, rung::exact}) {
-      device_options o;
-      o.by = by;
-      o.filter = f;
-      const device_result have = collide(on, da, db, p, r, o);
-      const bool same = have.pairs.size() == want.pairs.size() &&
-                        (want.pairs.empty() || std::memcmp(have.pairs.data(), want.pairs.data(),
-                                                           want.pairs.size() * sizeof(index_pair)) == 0);
-      c.set_faults += !same;
-      c.near_balls = have.near_balls;
-      if (!same && c.first.empty())
-        c.first = std::string("sets, by ") + name_of(by) + ", filter " + std::to_string(static_cast<int>(f)) +
-                  ", rung " + std::to_string(static_cast<int>(r)) + ": " + std::to_string(have.count) +
-                  " pairs, and the CPU has " + std::to_string(want.count);
-    }
+  const auto look = [&](const char *by, int filter, rung r, const result &have) {
+    const bool same = have.pairs.size() == want.pairs.size() &&
+                      (want.pairs.empty() ||
+                       std::memcmp(have.pairs.data(), want.pairs.data(), want.pairs.size() * sizeof(index_pair)) == 0);
+    c.set_faults += !same;
+    if (!same && c.first.empty())
+      c.first = std::string("sets, by ") + by + ", filter " + std::to_string(filter) + ", rung " +
+                std::to_string(static_cast<int>(r)) + ": " + std::to_string(have.count) + " pairs, and the CPU has " +
+                std::to_string(want.count);
   };
-  look(search::tree, cuda::filter::float32);
-  for (const cuda::filter f : {cuda::filter::float32, cuda::filter::mma, cuda::filter::wgmma})
-    if (on.offers(f))
-      for (const search by : {search::groups, search::every_pair}) // near_balls is that of every pair
-        look(by, f);
+  using every_pair::filter;
+  for (const rung r : {rung::certified, rung::exact}) {
+    look("a query", -1, r, collide(on, da, db, p, r));
+    for (const filter f : {filter::float32, filter::mma, filter::wgmma})
+      if (brute.offers(f)) {
+        const every_pair::outcome have = brute.collide(da, db, p, r, {.by = f});
+        look("every pair", static_cast<int>(f), r, have);
+        c.near = have.near;
+      }
+  }
   c.set_pairs = want.count;
 }
 
@@ -217,17 +218,18 @@ int main(int argc, char **argv) {
     std::vector<cell> cells = all_cells();
     run(cells, cases, seed, static_cast<unsigned>(threads));
     device on(cga::cuda::catalogue());
+    every_pair::engine brute(on, cga::every_pair::catalogue());
     for (std::size_t i = 0; i < cells.size(); ++i)
       run_sets(cells[i], make(cells[i], std::min<std::uint64_t>(300, cases / cells.size() + 2), mixed(seed + 77) + i),
-               on);
+               on, brute);
     std::printf("%-16s %-18s %9s %9s | %9s %8s %8s | %11s | %9s %10s | %s\n", "family", "predicate", "cases", "hits",
-                "fp32", "fp64", "fp64x2", "plain wrong", "set pairs", "near_balls",
+                "fp32", "fp64", "fp64x2", "plain wrong", "set pairs", "near",
                 "certified wrong, other than the CPU, set faults");
     long wrong = 0, different = 0, faults = 0, all = 0, unsure = 0, hits = 0;
     for (const cell &c : cells) {
       std::printf("%-16s %-18s %9ld %9ld | %9ld %8ld %8ld | %11ld | %9llu %10llu | %ld %ld %ld\n", c.from->name,
                   c.of->name, c.cases, c.hits, c.unsure[0], c.unsure[1], c.unsure[2], c.plain_wrong,
-                  static_cast<unsigned long long>(c.set_pairs), static_cast<unsigned long long>(c.near_balls), c.wrong,
+                  static_cast<unsigned long long>(c.set_pairs), static_cast<unsigned long long>(c.near), c.wrong,
                   c.different, c.set_faults);
       wrong += c.wrong, different += c.different, faults += c.set_faults, all += c.cases, unsure += c.unsure[0],
           hits += c.hits;

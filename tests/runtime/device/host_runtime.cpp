@@ -48,7 +48,7 @@ cudaError_t cudaGetLastError() {
   return cudaSuccess;
 }
 cudaError_t cudaMalloc(void **out, std::size_t bytes) {
-  *out = std::malloc(bytes);
+  *out = std::aligned_alloc(256, (bytes + 255) / 256 * 256);
   std::memset(*out, 0xa5, bytes); // as stale as device memory
   return cudaSuccess;
 }
@@ -71,6 +71,10 @@ cudaError_t cudaMemPoolSetAttribute(cudaMemPool_t, cudaMemPoolAttr, void *) {
   return cudaSuccess;
 }
 cudaError_t cudaDeviceSynchronize() {
+  return cudaSuccess;
+}
+cudaError_t cudaDeviceReset() {
+  host_warp::shared_memory_of.clear();
   return cudaSuccess;
 }
 cudaError_t cudaFree(void *data) {

@@ -256,7 +256,7 @@ meetc::matrix_frame frame_around(const std::vector<sphere> &set) {
   return meetc::frame_of(around);
 }
 meetc::placing place(const meetc::matrix_frame &frame, const sphere &s, meetc::cover c, ball &in_frame) {
-  return meetc::place_object<cga::sphere_shape>(frame, c, s.data(), 0, 1, in_frame.data());
+  return meetc::place_element<cga::sphere_shape>(frame, c, s.data(), in_frame.data());
 }
 
 bool touch(const sphere &a, const sphere &b) {

@@ -4,8 +4,8 @@
 
 #include <cga/ball_form.hpp>
 #include <cga/shapes.hpp>
-#include <meetc/frame.hpp>
-#include <meetc/matrix.hpp>
+#include <meetc/every_pair/frame.hpp>
+#include <meetc/every_pair/matrix.hpp>
 
 #include <array>
 #include <gmpxx.h>

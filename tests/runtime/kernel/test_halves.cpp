@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <limits>
-#include <meetc/matrix.hpp>
+#include <meetc/every_pair/matrix.hpp>
 #include <vector>
 
 using namespace meetc;

@@ -1,9 +1,9 @@
-// The filter's kernels on matrix units: a warp or warpgroup keeps the columns of many X in registers and streams those
+// The filters' kernels on matrix units: a warp or warpgroup keeps the columns of many X in registers and streams those
 // of Y past them. See matrix.hpp for what a sign proves. Included by nvcc only.
-#ifndef MEETC_CUDA_MATRIX_HPP
-#define MEETC_CUDA_MATRIX_HPP
+#ifndef MEETC_EVERY_PAIR_UNITS_HPP
+#define MEETC_EVERY_PAIR_UNITS_HPP
 
-#include <meetc/cuda_lists.hpp>
+#include <meetc/every_pair/tiles.hpp>
 
 #if defined(__CUDA_ARCH_FEAT_SM90_ALL)
 #define MEETC_HAS_WGMMA 1
@@ -11,7 +11,7 @@
 #define MEETC_HAS_WGMMA 0
 #endif
 
-namespace meetc::cuda {
+namespace meetc::every_pair {
 
 // ---- mma.sync ----
 
@@ -35,7 +35,7 @@ __device__ inline unsigned or3(unsigned x, unsigned y, unsigned z) {
 __device__ inline unsigned sign_bits(const mma_results &r) {
   return r.d[0] >> 31 | r.d[1] >> 31 << 1 | r.d[2] >> 31 << 2 | r.d[3] >> 31 << 3;
 }
-// The piece of a tile of 8 objects that this lane reads: columns 4 t .. 4 t + 3 of object g. Both operands number their
+// The piece of a tile of 8 elements that this lane reads: columns 4 t .. 4 t + 3 of element g. Both operands number their
 // columns in this way.
 __device__ inline unsigned mma_piece() {
   const unsigned lane = threadIdx.x % 32, g = lane / 4, t = lane % 4;
@@ -47,7 +47,7 @@ inline constexpr int mma_warps = 4;
 // A warp holds Rows tiles of 16 X, and tests the signs once for Steps tiles of 8 Y. Indices count tiles of 8.
 template <int Rows, int Steps>
 __global__ void __launch_bounds__(mma_warps * 32)
-    mma_kernel(const uint2 *a, const uint2 *b, part of, unsigned chunk, pair_list out) {
+    mma_kernel(const uint2 *a, const uint2 *b, cuda::part of, unsigned chunk, cuda::pair_list out) {
   const unsigned lane = threadIdx.x % 32;
   const unsigned row = of.first_a / 8 + (blockIdx.x * mma_warps + threadIdx.x / 32) * 2 * Rows;
   if (row * 8 >= of.end_a)
@@ -119,21 +119,6 @@ __device__ inline void multiply(float (&d)[32], const unsigned (&a)[4], unsigned
                  "+f"(d[24]), "+f"(d[25]), "+f"(d[26]), "+f"(d[27]), "+f"(d[28]), "+f"(d[29]), "+f"(d[30]), "+f"(d[31])
                : "r"(a[0]), "r"(a[1]), "r"(a[2]), "r"(a[3]), "l"(y));
 }
-// The same with results in half precision, two in a register, which halves the number of registers to test.
-__device__ inline void multiply(unsigned (&d)[16], const unsigned (&a)[4], unsigned long long y) {
-  asm volatile("{\n.reg .pred add;\nsetp.ne.b32 add, 0, 0;\n"
-               "wgmma.mma_async.sync.aligned.m64n64k16.f16.f16.f16 "
-               "{%0,%1,%2,%3,%4,%5,%6,%7,%8,%9,%10,%11,%12,%13,%14,%15}, {%16,%17,%18,%19}, %20, add, 1, 1, 0;\n}"
-               : "+r"(d[0]), "+r"(d[1]), "+r"(d[2]), "+r"(d[3]), "+r"(d[4]), "+r"(d[5]), "+r"(d[6]), "+r"(d[7]),
-                 "+r"(d[8]), "+r"(d[9]), "+r"(d[10]), "+r"(d[11]), "+r"(d[12]), "+r"(d[13]), "+r"(d[14]), "+r"(d[15])
-               : "r"(a[0]), "r"(a[1]), "r"(a[2]), "r"(a[3]), "l"(y));
-}
-__device__ inline unsigned bits_of(float x) {
-  return __float_as_uint(x);
-}
-__device__ inline unsigned bits_of(unsigned x) {
-  return x;
-}
 __device__ inline void wgmma_begin() {
   asm volatile("wgmma.fence.sync.aligned;" ::: "memory");
 }
@@ -150,12 +135,7 @@ __device__ inline void settle(float (&d)[32]) {
   for (int i = 0; i < 32; ++i)
     asm volatile("" : "+f"(d[i])::"memory");
 }
-__device__ inline void settle(unsigned (&d)[16]) {
-#pragma unroll
-  for (int i = 0; i < 16; ++i)
-    asm volatile("" : "+r"(d[i])::"memory");
-}
-// The descriptor without swizzle: pieces of 128 bytes; the next 8 columns follow after 128 bytes, the next 8 objects
+// The descriptor without swizzle: pieces of 128 bytes; the next 8 columns follow after 128 bytes, the next 8 elements
 // after 256.
 __device__ inline unsigned long long wgmma_operand(const void *shared) {
   const auto at = static_cast<unsigned>(__cvta_generic_to_shared(shared));
@@ -166,11 +146,11 @@ __device__ inline unsigned long long wgmma_operand(const void *shared) {
 inline constexpr int wgmma_rows = 8; // tiles of 64 X in a block
 static_assert(matrix_block == 64 * wgmma_rows);
 
-// A block is a warpgroup. Tiles of 64 Y pass through shared memory, two at a time. Half: results in half precision.
-template <bool Half>
+// A block is a warpgroup. Tiles of 64 Y pass through shared memory, two at a time. A template, so that it can stand in a header.
+template <int = 0>
 __global__ void __launch_bounds__(128)
-    wgmma_kernel([[maybe_unused]] const unsigned *a, [[maybe_unused]] const uint4 *b, [[maybe_unused]] part of,
-                 [[maybe_unused]] unsigned chunk, [[maybe_unused]] pair_list out) {
+    wgmma_kernel([[maybe_unused]] const unsigned *a, [[maybe_unused]] const uint4 *b, [[maybe_unused]] cuda::part of,
+                 [[maybe_unused]] unsigned chunk, [[maybe_unused]] cuda::pair_list out) {
 #if MEETC_HAS_WGMMA
   __shared__ __align__(128) uint4 tiles[2][128];
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32, g = lane / 4, t = lane % 4;
@@ -195,9 +175,8 @@ __global__ void __launch_bounds__(128)
     if (tile + 1 < end)
       fetch(tile + 1, now ^ 1);
     const unsigned long long y = wgmma_operand(tiles[now]);
-    unsigned rows = 0;                           // bit r: some result of row r is negative
-    constexpr unsigned results = Half ? 16 : 32; // registers
-    std::conditional_t<Half, unsigned, float> d[2][results];
+    unsigned rows = 0; // bit r: some result of row r is negative
+    float d[2][32];
     wgmma_begin();
     multiply(d[0], x[0], y);
     wgmma_commit();
@@ -214,11 +193,11 @@ __global__ void __launch_bounds__(128)
       settle(d[r % 2]);
       unsigned even = 0, odd = 0;
 #pragma unroll
-      for (unsigned i = 0; i < results; i += 4) {
-        even = or3(even, bits_of(d[r % 2][i]), bits_of(d[r % 2][i + 1]));
-        odd = or3(odd, bits_of(d[r % 2][i + 2]), bits_of(d[r % 2][i + 3]));
+      for (unsigned i = 0; i < 32; i += 4) {
+        even = or3(even, __float_as_uint(d[r % 2][i]), __float_as_uint(d[r % 2][i + 1]));
+        odd = or3(odd, __float_as_uint(d[r % 2][i + 2]), __float_as_uint(d[r % 2][i + 3]));
       }
-      rows |= ((even | odd) & (Half ? 0x80008000U : 0x80000000U)) != 0 ? 1U << r : 0;
+      rows |= ((even | odd) & 0x80000000U) != 0 ? 1U << r : 0;
     }
     rows = __reduce_or_sync(~0U, rows);
     if (rows && full(out))
@@ -250,6 +229,6 @@ __global__ void __launch_bounds__(128)
 #endif
 }
 
-} // namespace meetc::cuda
+} // namespace meetc::every_pair
 
 #endif

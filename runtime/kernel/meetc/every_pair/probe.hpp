@@ -6,13 +6,12 @@
 // any exponent; one large addend over small ones at every distance (what is lost in aligning); pairs that cancel except
 // for their last bits (what is lost before they cancel); ties; and a large sum that is taken away again in another
 // order. Included by nvcc only.
-#ifndef MEETC_CUDA_PROBE_HPP
-#define MEETC_CUDA_PROBE_HPP
+#ifndef MEETC_EVERY_PAIR_PROBE_HPP
+#define MEETC_EVERY_PAIR_PROBE_HPP
 
-#include <meetc/cuda_matrix.hpp>
-#include <meetc/self_test.hpp>
+#include <meetc/every_pair/units.hpp>
 
-namespace meetc::cuda {
+namespace meetc::every_pair {
 
 inline constexpr unsigned probe_rounds = 4, probe_blocks = 1024; // which fill a device
 
@@ -68,19 +67,6 @@ __device__ inline bool keeps_model(unsigned round, unsigned i, unsigned j, float
   }
   return std::fabs(static_cast<double>(result) - sum) <= 17 * 0x1p-23 * size;
 }
-// The same for results in half precision, which are rounded once more and infinite beyond 65504. The margins leave a
-// touching pair below -2^-14, so its sign survives.
-__device__ inline bool keeps_half_model(unsigned round, unsigned i, unsigned j, std::uint16_t result) {
-  double sum = 0, size = 0;
-  for (unsigned k = 0; k < matrix_columns; ++k) {
-    const double t = from_half(probe_value(true, round, i, k)) * from_half(probe_value(false, round, j, k));
-    sum += t, size += std::fabs(t);
-  }
-  const double off = 17 * 0x1p-23 * size + 0x1p-11 * std::fabs(sum) + 0x1p-14;
-  if ((result & 0x7c00) == 0x7c00) // infinite, not NaN
-    return (result & 0x3ff) == 0 && (result >> 15 ? -sum : sum) + off >= 65504;
-  return std::fabs(from_half(result) - sum) <= off;
-}
 // Columns 2 p and 2 p + 1 of a row.
 __device__ inline unsigned probe_pair(bool first, unsigned round, unsigned i, unsigned p) {
   return probe_value(first, round, i, 2 * p) | static_cast<unsigned>(probe_value(first, round, i, 2 * p + 1)) << 16;
@@ -90,7 +76,7 @@ __device__ inline unsigned probe_pair(bool first, unsigned round, unsigned i, un
 static __global__ void __launch_bounds__(128) probe_kernel(probe_result *out) {
   __shared__ __align__(128) std::uint16_t y[64 * matrix_columns];
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32, g = lane / 4, t = lane % 4;
-  unsigned mma_faults = 0, wgmma_faults = 0, wgmma_half_faults = 0, cases = 0;
+  unsigned mma_faults = 0, wgmma_faults = 0, cases = 0;
   for (unsigned r = 0; r < probe_rounds; ++r) {
     const unsigned round = blockIdx.x * probe_rounds + r, row = warp * 16 + g;
     __syncthreads();
@@ -119,21 +105,10 @@ static __global__ void __launch_bounds__(128) probe_kernel(probe_result *out) {
 #pragma unroll
     for (unsigned i = 0; i < 32; ++i)
       wgmma_faults += !keeps_model(round, row + i / 2 % 2 * 8, i / 4 * 8 + t * 2 + i % 2, d[i]);
-    unsigned h[16];
-    wgmma_begin();
-    multiply(h, x, wgmma_operand(y));
-    wgmma_commit();
-    wgmma_wait<0>();
-    settle(h);
-#pragma unroll
-    for (unsigned i = 0; i < 32; ++i)
-      wgmma_half_faults += !keeps_half_model(round, row + i / 2 % 2 * 8, i / 4 * 8 + t * 2 + i % 2,
-                                             static_cast<std::uint16_t>(h[i / 2] >> 16 * (i % 2)));
 #endif
   }
   atomicAdd(&out->mma_faults, mma_faults);
   atomicAdd(&out->wgmma_faults, wgmma_faults);
-  atomicAdd(&out->wgmma_half_faults, wgmma_half_faults);
   atomicAdd(&out->cases, cases);
   if (MEETC_HAS_WGMMA)
     out->has_wgmma = 1;
@@ -148,6 +123,6 @@ inline cudaError_t probe(probe_result *out, cudaStream_t stream) {
   return e;
 }
 
-} // namespace meetc::cuda
+} // namespace meetc::every_pair
 
 #endif

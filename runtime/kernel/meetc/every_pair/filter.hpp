@@ -1,14 +1,14 @@
-// The first stage of every all-pairs query: pairs whose enclosing balls may touch, by a matrix product of signs.
+// Pairs whose enclosing balls may touch, by a matrix product of signs.
 //
 // The sign bits of all results of a tile are OR-ed and tested once. Only a tile with a sign set is computed again, and
-// its pairs are appended to the list. See matrix.hpp for what a sign proves and cuda_table.hpp for the interface.
+// its pairs are appended to the list. See matrix.hpp for what a sign proves and table.hpp for the interface.
 // Included by nvcc only.
-#ifndef MEETC_CUDA_FILTER_HPP
-#define MEETC_CUDA_FILTER_HPP
+#ifndef MEETC_EVERY_PAIR_FILTER_HPP
+#define MEETC_EVERY_PAIR_FILTER_HPP
 
-#include <meetc/cuda_matrix.hpp>
+#include <meetc/every_pair/units.hpp>
 
-namespace meetc::cuda {
+namespace meetc::every_pair {
 
 // ---- float32 ----
 
@@ -17,7 +17,7 @@ inline constexpr int float_threads = 128, float_group = 8;
 // Each thread holds one X. The signs are tested once for eight Y.
 template <class Form>
 __global__ void __launch_bounds__(float_threads)
-    float_kernel(const float *a, const float *b, part of, unsigned chunk, pair_list out) {
+    float_kernel(const float *a, const float *b, cuda::part of, unsigned chunk, cuda::pair_list out) {
   constexpr int n = Form::products + 1;
   __shared__ float y[float_threads * n];
   const unsigned i = of.first_a + blockIdx.x * float_threads + threadIdx.x;
@@ -62,7 +62,8 @@ inline unsigned chunk_of(unsigned blocks_a, unsigned tiles, unsigned whole, unsi
 }
 
 template <int Rows, int Steps>
-cudaError_t launch_mma(const operand &a, const operand &b, const part &of, pair_list out, cudaStream_t stream) {
+cudaError_t launch_mma(const operand &a, const operand &b, const cuda::part &of, cuda::pair_list out,
+                       cudaStream_t stream) {
   constexpr unsigned rows = mma_warps * 16 * Rows;
   const unsigned blocks = (of.end_a - of.first_a + rows - 1) / rows;
   const unsigned tiles = (of.end_b - of.first_b + 7) / 8, chunk = chunk_of(blocks, tiles, Steps, 512);
@@ -72,10 +73,11 @@ cudaError_t launch_mma(const operand &a, const operand &b, const part &of, pair_
 }
 
 template <class Form>
-cudaError_t candidates(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t stream) {
+cudaError_t candidates(filter by, const operand &a, const operand &b, cuda::part of, cuda::pair_list out,
+                       cudaStream_t stream) {
   if (of.first_a >= of.end_a || of.first_b >= of.end_b)
     return cudaSuccess;
-  if (of.first_a % part_step != 0 || of.first_b % part_step != 0 || of.end_a > a.objects() || of.end_b > b.objects())
+  if (of.first_a % part_step != 0 || of.first_b % part_step != 0 || of.end_a > a.elements || of.end_b > b.elements)
     return cudaErrorInvalidValue;
   const unsigned rows = of.end_a - of.first_a;
   if (by == filter::float32) {
@@ -85,7 +87,7 @@ cudaError_t candidates(filter by, const operand &a, const operand &b, part of, p
         static_cast<const float *>(a.columns), static_cast<const float *>(b.columns), of, chunk, out);
     return cudaGetLastError();
   }
-  if (by != filter::mma && by != filter::wgmma && by != filter::wgmma_half)
+  if (by != filter::mma && by != filter::wgmma)
     return cudaErrorInvalidValue;
   // Few X do not justify the registers of a whole block.
   if (rows <= 16)
@@ -99,13 +101,10 @@ cudaError_t candidates(filter by, const operand &a, const operand &b, part of, p
   const dim3 grid(blocks, (tiles + chunk - 1) / chunk);
   const auto *x = static_cast<const unsigned *>(a.columns);
   const auto *y = static_cast<const uint4 *>(b.columns);
-  if (by == filter::wgmma)
-    wgmma_kernel<false><<<grid, 128, 0, stream>>>(x, y, of, chunk, out);
-  else
-    wgmma_kernel<true><<<grid, 128, 0, stream>>>(x, y, of, chunk, out);
+  wgmma_kernel<><<<grid, 128, 0, stream>>>(x, y, of, chunk, out);
   return cudaGetLastError();
 }
 
-} // namespace meetc::cuda
+} // namespace meetc::every_pair
 
 #endif

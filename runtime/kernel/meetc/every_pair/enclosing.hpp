@@ -2,8 +2,8 @@
 //
 // A Shape describes the rows of a kind: fields, hull (the number of points), coordinate() and pad (the places of the
 // points and of the radius), and box(), the closed box of an element.
-#ifndef MEETC_ENCLOSING_HPP
-#define MEETC_ENCLOSING_HPP
+#ifndef MEETC_EVERY_PAIR_ENCLOSING_HPP
+#define MEETC_EVERY_PAIR_ENCLOSING_HPP
 
 #include <meetc/environment.hpp>
 
@@ -53,7 +53,7 @@ template <class Shape> MEETC_HD inline void enclosing_ball(const float *row, dou
     ball[3] = (ball[3] + static_cast<double>(row[Shape::pad])) * (1 + 0x1p-50);
 }
 
-// The content of an object's ball: the elements alone, or their boxes as well.
+// The content of a ball: the element alone, or its box as well.
 enum class cover : std::uint8_t { element, box };
 
 // False for NaN.
@@ -64,17 +64,14 @@ MEETC_HD inline bool is_finite(double x) {
   return std::fabs(x) < HUGE_VAL;
 }
 
-// Whether the boxes of all these elements are finite. A box that is rounded outwards can exceed float32 although the
-// element's own numbers do not. Such a box gets no ball and takes no part in a frame.
-template <class Shape>
-MEETC_HD inline bool have_finite_boxes(const float *rows, std::uint32_t first, std::uint32_t end) {
+// Whether the element's box is finite. A box that is rounded outwards can exceed float32 although the element's own numbers do
+// not. Such an element gets no ball and takes no part in a frame.
+template <class Shape> MEETC_HD inline bool has_finite_box(const float *row) {
+  float lo[3], hi[3];
+  Shape::box(row, lo, hi);
   bool finite = true;
-  for (std::uint32_t i = first; i < end; ++i) {
-    float lo[3], hi[3];
-    Shape::box(rows + i * std::size_t{Shape::fields}, lo, hi);
-    for (int k = 0; k < 3; ++k)
-      finite &= is_finite(lo[k]) & is_finite(hi[k]);
-  }
+  for (int k = 0; k < 3; ++k)
+    finite &= is_finite(lo[k]) & is_finite(hi[k]);
   return finite;
 }
 
@@ -92,37 +89,12 @@ template <class Shape> MEETC_HD inline void ball_of_box(const float *row, double
   ball[3] = std::sqrt(square) * (1 + 0x1p-48);
 }
 
-// A ball around the elements of an object or around their boxes, as `c` says. The boxes must be finite.
-template <class Shape>
-MEETC_HD inline void object_ball(cover c, const float *rows, std::uint32_t first, std::uint32_t end, double ball[4]) {
-  const auto one = [&](std::uint32_t i, double out[4]) {
-    const float *row = rows + i * std::size_t{Shape::fields};
-    if (c == cover::box)
-      ball_of_box<Shape>(row, out);
-    else
-      enclosing_ball<Shape>(row, out);
-  };
-  if (end == first + 1)
-    return one(first, ball);
-  double lo[3], hi[3], each[4];
-  for (int k = 0; k < 3; ++k)
-    lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
-  for (std::uint32_t i = first; i < end; ++i) {
-    one(i, each);
-    for (int k = 0; k < 3; ++k)
-      lo[k] = std::fmin(lo[k], each[k] - each[3]), hi[k] = std::fmax(hi[k], each[k] + each[3]);
-  }
-  double reach = 0;
-  for (int k = 0; k < 3; ++k)
-    ball[k] = lo[k] / 2 + hi[k] / 2;
-  for (std::uint32_t i = first; i < end; ++i) {
-    one(i, each);
-    double square = 0;
-    for (int k = 0; k < 3; ++k)
-      square += (each[k] - ball[k]) * (each[k] - ball[k]);
-    reach = std::fmax(reach, std::sqrt(square) * (1 + 0x1p-48) + each[3]);
-  }
-  ball[3] = reach * (1 + 0x1p-50);
+// A ball around what `c` names. The element's box must be finite.
+template <class Shape> MEETC_HD inline void ball_around(cover c, const float *row, double ball[4]) {
+  if (c == cover::box)
+    ball_of_box<Shape>(row, ball);
+  else
+    enclosing_ball<Shape>(row, ball);
 }
 
 } // MEETC_NAMESPACE(meetc)

@@ -4,7 +4,7 @@
 #include <cga/shapes.hpp>
 #include <cmath>
 #include <limits>
-#include <meetc/near.hpp>
+#include <meetc/tree.hpp>
 
 namespace {
 
@@ -16,7 +16,7 @@ struct stored_box {
   }
 };
 bool touch(const float *a, const float *b) {
-  return meetc::boxes_touch<stored_box, stored_box>(a, b);
+  return meetc::cuda::box_of_row<stored_box>(a).touches(meetc::cuda::box_of_row<stored_box>(b));
 }
 
 constexpr float inf = std::numeric_limits<float>::infinity(), not_a_number = std::numeric_limits<float>::quiet_NaN(),

@@ -3,17 +3,17 @@
 // A form F(X, Y) = sum_k f_k(X) g_k(Y) + f(X) + g(Y) with few products fits into one matrix step. Each factor becomes
 // two halves, h + l; the products h h, h l and l h are kept, and an additive term takes two columns next to a constant.
 // What this loses, and what the unit's own addition may lose, is subtracted from the additive terms as a margin for
-// each object. For any two objects inside the frame, therefore,
+// each element. For any two elements inside the frame, therefore,
 //   F <= 0 implies that the unit's result is negative,
 // if the unit obeys the model: from 16 products t_i, each exact, it computes a sum that is within 17 2^-23 sum |t_i| of
 // their sum, in whatever order, with or without truncation and subnormals. No vendor promises that; probe()
-// (cuda_probe.hpp) can refute it and cannot prove it. Form holds the constants of the margin and says where they come
+// (probe.hpp) can refute it and cannot prove it. Form holds the constants of the margin and says where they come
 // from. Source of the splitting: Markidis et al., "NVIDIA Tensor Core Programmability, Performance and Precision",
 // 2018.
-#ifndef MEETC_MATRIX_HPP
-#define MEETC_MATRIX_HPP
+#ifndef MEETC_EVERY_PAIR_MATRIX_HPP
+#define MEETC_EVERY_PAIR_MATRIX_HPP
 
-#include <meetc/frame.hpp>
+#include <meetc/every_pair/frame.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -22,16 +22,16 @@
 MEETC_NAMESPACE(meetc) {
 
 inline constexpr int matrix_columns = 16;
-// Objects come in tiles of 8, and arrays have room for a whole block behind any object.
+// Elements come in tiles of 8, and arrays have room for a whole block behind any of them.
 inline constexpr int matrix_block = 512;
 
-// The index of column k of object i, in halves: a tile is two rows of eight 16-byte pieces, as the matrix units read
+// The index of column k of element i, in halves: a tile is two rows of eight 16-byte pieces, as the matrix units read
 // it.
 MEETC_HD constexpr std::size_t matrix_place(std::size_t i, int k) {
   return i / 8 * 128 + static_cast<std::size_t>(k / 8) * 64 + i % 8 * 8 + static_cast<std::size_t>(k % 8);
 }
-MEETC_HD constexpr std::size_t matrix_padded(std::size_t objects) {
-  return (objects + std::size_t{2} * matrix_block - 1) / matrix_block * matrix_block;
+MEETC_HD constexpr std::size_t matrix_padded(std::size_t elements) {
+  return (elements + std::size_t{2} * matrix_block - 1) / matrix_block * matrix_block;
 }
 
 // The bits of the half nearest to x, ties to even; 0 below the normal range, 2^-14. |x| <= 65504.
@@ -67,7 +67,7 @@ MEETC_HD inline std::uint16_t to_half_below(double x) {
 
 inline constexpr double matrix_constant = 256; // the factor of additive columns
 
-// The additive term of an object with features f (Form::products factors, then the term), less its margin.
+// The additive term of an element with features f (Form::products factors, then the term), less its margin.
 template <class Form> MEETC_HD inline double with_margin(const double *f) {
   double squares = 0, sizes = 0;
   for (int k = 0; k < Form::products; ++k)
@@ -77,9 +77,9 @@ template <class Form> MEETC_HD inline double with_margin(const double *f) {
                  Form::margin_absolute);
 }
 
-// The only term of an object that is not inside. The form's own additive term of one that is lies between -2.01 2^20
+// The only term of an element that is not inside. The form's own additive term of one that is lies between -2.01 2^20
 // and 6.01 2^20, since inputs are at most 2^11. The sum of two terms is therefore negative exactly where `placing` says
-// that the objects meet, and no rounding can change that.
+// that the elements meet, and no rounding can change that.
 MEETC_HD constexpr double term_outside(placing where) {
   switch (where) {
   case placing::nowhere:
@@ -93,9 +93,9 @@ MEETC_HD constexpr double term_outside(placing where) {
   }
 }
 
-// The columns of an object of X (First) or Y.
+// The columns of an element of X (First) or Y, by its ball.
 template <class Form, bool First>
-MEETC_HD inline void to_columns(const double *object, placing where, std::uint16_t *out) {
+MEETC_HD inline void to_columns(const double *ball, placing where, std::uint16_t *out) {
   static_assert(3 * Form::products + 4 <= matrix_columns, "the form needs more columns than one matrix step has");
   static_assert(Form::largest_input == matrix_reach && Form::additive_unit == matrix_constant,
                 "the form's margins are proved for another scaling");
@@ -109,9 +109,9 @@ MEETC_HD inline void to_columns(const double *object, placing where, std::uint16
   }
   double f[Form::products + 1];
   if constexpr (First)
-    Form::features_a(object, f);
+    Form::features_a(ball, f);
   else
-    Form::features_b(object, f);
+    Form::features_b(ball, f);
   for (int k = 0; k < Form::products; ++k) {
     const std::uint16_t high = to_half(f[k]), low = to_half(f[k] - from_half(high));
     std::uint16_t *const columns = out + std::size_t{3} * static_cast<std::size_t>(k);
@@ -128,27 +128,23 @@ MEETC_HD inline void to_columns(const double *object, placing where, std::uint16
 // The factors rounded to float32, and the additive term with a margin for that. Let S be the sum of (f_k^2 + g_k^2) / 2,
 // |f| and |g|, u = 2^-24. A product has at most 3 rounding errors, of its factors and, without fma, its own; a term then
 // goes through at most 5 additions. So the sum is within 8 u S (1 + 2^-19) = 2^-21 S (1 + 2^-19) of F, and the margins are
-// 2^-20 S and 2^-9 for what underflows. T is the number on which the features are computed.
-template <class Form, bool First, class T = double>
-MEETC_HD inline void to_floats(const double *object, placing where, float *out) {
+// 2^-20 S and 2^-9 for what underflows.
+template <class Form, bool First> MEETC_HD inline void to_floats(const double *ball, placing where, float *out) {
   for (int k = 0; k < Form::products; ++k)
     out[k] = 0;
   if (where != placing::inside) {
     out[Form::products] = static_cast<float>(term_outside(where));
     return;
   }
-  T x[Form::inputs], f[Form::products + 1];
-  for (int k = 0; k < Form::inputs; ++k)
-    x[k] = T(object[k]);
+  double f[Form::products + 1];
   if constexpr (First)
-    Form::features_a(x, f);
+    Form::features_a(ball, f);
   else
-    Form::features_b(x, f);
+    Form::features_b(ball, f);
   double squares = 0;
   for (int k = 0; k < Form::products; ++k) {
-    const double factor = f[k];
-    out[k] = static_cast<float>(factor);
-    squares += factor * factor;
+    out[k] = static_cast<float>(f[k]);
+    squares += f[k] * f[k];
   }
   const double term = f[Form::products], size = std::fabs(term);
   out[Form::products] = static_cast<float>(term - (0x1p-20 * (squares / 2 + size) + 0x1p-10));

@@ -3,6 +3,7 @@
 #include "gen/target/cpp/body.hpp"
 #include "gen/target/cpp/bounds.hpp"
 #include "gen/target/cpp/cpp.hpp"
+#include "gen/target/every_pair/every_pair.hpp"
 
 #include <fmt/format.h>
 

@@ -1,18 +1,18 @@
-// The cube in which an all-pairs filter evaluates its form. It is made from one set; each object of both sets has a
+// The cube in which a filter of every pair evaluates its form. It is made from one set; each element of both sets has a
 // place relative to it.
 //
 // Every thread widens one interval for each axis by its elements, intervals are joined, and the bits of their ends are
 // joined across the device by integer minima and maxima. There is one copy of this arithmetic, which kernels call as
 // well as their stand-in on a host.
 //
-// The invariant: an object is called `inside` or `apart` only where comparisons of finite numbers prove it. No
-// comparison with NaN holds, so an object with unknown numbers, or one that the frame was not made for, meets
+// The invariant: an element is called `inside` or `apart` only where comparisons of finite numbers prove it. No
+// comparison with NaN holds, so an element with unknown numbers, or one that the frame was not made for, meets
 // everything. In particular, an element whose box overflows float32 is left out of its own set's frame, which stays
 // that of the others, and is `everywhere`.
-#ifndef MEETC_FRAME_HPP
-#define MEETC_FRAME_HPP
+#ifndef MEETC_EVERY_PAIR_FRAME_HPP
+#define MEETC_EVERY_PAIR_FRAME_HPP
 
-#include <meetc/enclosing.hpp>
+#include <meetc/every_pair/enclosing.hpp>
 
 #include <cmath>
 #include <cstdint>
@@ -46,8 +46,8 @@ MEETC_HD inline interval joined(const interval &x, const interval &y) {
 
 // Widens the intervals of the three axes by the ball around an element's box, where that is finite.
 template <class Shape> MEETC_HD inline void widen(interval around[3], const float *row) {
-  if (!have_finite_boxes<Shape>(row, 0, 1))
-    return; // place_object() calls it everywhere
+  if (!has_finite_box<Shape>(row))
+    return; // place_element() calls it everywhere
   double ball[4];
   ball_of_box<Shape>(row, ball);
   for (int k = 0; k < 3; ++k)
@@ -102,14 +102,14 @@ MEETC_HD inline matrix_frame frame_of(const extent &e) {
   return frame_of(around);
 }
 
-// Where an object lies. The cube holds all elements of the set that the frame was made from, except those that are
-// `everywhere`. An object that does not reach the cube therefore touches none of the others.
+// Where an element lies. The cube holds all elements of the set that the frame was made from, except those that are
+// `everywhere`. An element that does not reach the cube therefore touches none of the others.
 enum class placing : std::uint8_t {
   inside,     // within reach in every number; the filter's bound is proved only for such balls
   apart,      // does not reach the cube: meets only what is everywhere
   astride,    // none of the others is proved: meets everything that is not apart
   everywhere, // some number is not finite, so the frame was not made for it: meets everything
-  nowhere,    // not an object, but padding behind the last: meets nothing
+  nowhere,    // not an element, but padding behind the last: meets nothing
 };
 // Transforms the ball x, y, z, r into the frame.
 MEETC_HD inline placing place_ball(const matrix_frame &frame, double ball[4]) {
@@ -125,13 +125,12 @@ MEETC_HD inline placing place_ball(const matrix_frame &frame, double ball[4]) {
   return inside ? placing::inside : !finite ? placing::everywhere : apart ? placing::apart : placing::astride;
 }
 
-// The object that consists of these elements, as a ball in the frame. There is no ball where it is `everywhere`.
+// The element as a ball in the frame. There is no ball where it is `everywhere`.
 template <class Shape>
-MEETC_HD inline placing place_object(const matrix_frame &frame, cover c, const float *rows, std::uint32_t first,
-                                     std::uint32_t end, double ball[4]) {
-  if (!have_finite_boxes<Shape>(rows, first, end))
+MEETC_HD inline placing place_element(const matrix_frame &frame, cover c, const float *row, double ball[4]) {
+  if (!has_finite_box<Shape>(row))
     return placing::everywhere;
-  object_ball<Shape>(c, rows, first, end, ball);
+  ball_around<Shape>(c, row, ball);
   return place_ball(frame, ball);
 }
 

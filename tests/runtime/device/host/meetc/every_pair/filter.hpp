@@ -1,15 +1,13 @@
 // The matrix unit on the host. Two of its filters are the extremes that its model allows: one drops every pair that it may drop,
 // the other keeps every pair that it may keep.
 #pragma once
-#include <meetc/cuda_table.hpp>
-#include <meetc/matrix.hpp>
-#include <meetc/near.hpp>
+#include <meetc/every_pair/table.hpp>
 
 #include <cmath>
 #include <cstring>
 #include <vector>
 
-namespace meetc::cuda {
+namespace meetc::every_pair {
 
 inline bool negative(filter by, const double *x, const double *y) {
   double sum = 0, size = 0;
@@ -19,9 +17,9 @@ inline bool negative(filter by, const double *x, const double *y) {
   return by == filter::mma ? sum + off < 0 : sum - off < 0;
 }
 
-// Whether all padding equals the first padded object.
+// Whether all padding equals the first padded element.
 template <class Form> bool padded_alike(filter by, const operand &o) {
-  const std::size_t first = o.objects();
+  const std::size_t first = o.elements;
   bool alike = true;
   for (std::size_t i = first + 1; i < matrix_padded(first); ++i)
     if (by == filter::float32)
@@ -35,12 +33,13 @@ template <class Form> bool padded_alike(filter by, const operand &o) {
 }
 
 template <class Form>
-cudaError_t candidates(filter by, const operand &a, const operand &b, part of, pair_list out, cudaStream_t) {
+cudaError_t candidates(filter by, const operand &a, const operand &b, cuda::part of, cuda::pair_list out,
+                       cudaStream_t) {
   // Where the part ends with the set, its padding is tested as well.
-  const auto end_of = [](std::uint32_t end, const operand &o) { return end == o.objects() ? end + 1 : end; };
+  const auto end_of = [](std::uint32_t end, const operand &o) { return end == o.elements ? end + 1 : end; };
   if (!padded_alike<Form>(by, a) || !padded_alike<Form>(by, b))
     return cudaErrorIllegalAddress;
-  if (of.first_a % part_step != 0 || of.first_b % part_step != 0 || of.end_a > a.objects() || of.end_b > b.objects())
+  if (of.first_a % part_step != 0 || of.first_b % part_step != 0 || of.end_a > a.elements || of.end_b > b.elements)
     return cudaErrorInvalidValue;
   const std::uint32_t end_a = end_of(of.end_a, a), end_b = end_of(of.end_b, b);
   const auto halves_of = [](const operand &o, std::uint32_t first, std::uint32_t end) {
@@ -61,7 +60,7 @@ cudaError_t candidates(filter by, const operand &a, const operand &b, part of, p
                                   static_cast<const float *>(b.columns) + j * std::size_t{Form::products + 1}))
                             : negative(by, &x[(i - of.first_a) * std::size_t{matrix_columns}],
                                        &y[(j - of.first_b) * std::size_t{matrix_columns}]);
-      if (keep && (i >= a.objects() || j >= b.objects()))
+      if (keep && (i >= a.elements || j >= b.elements))
         return cudaErrorIllegalAddress; // padding
       if (keep) {
         if (*out.count < out.capacity)
@@ -75,4 +74,4 @@ cudaError_t candidates(filter by, const operand &a, const operand &b, part of, p
   return cudaSuccess;
 }
 
-} // namespace meetc::cuda
+} // namespace meetc::every_pair
