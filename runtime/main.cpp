@@ -3,8 +3,8 @@
 #include "app/demo_command.hpp"
 #include "app/inspect_command.hpp"
 #include "app/program.hpp"
-#include "bench/command.hpp"
-#include "bench/trade_command.hpp"
+#include "bench/tables/command.hpp"
+#include "bench/tables/trade/command.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -35,9 +35,13 @@ sound() {
   put runtime/io/read.hpp '#include "core/view.hpp"'
   put runtime/app/sets.cpp '#include "io/read.hpp"' '#include <cga/cga.hpp>'
   put runtime/bench/peers/peers.hpp '#include "meetc/table.hpp"'
-  put runtime/main.cpp '#include "bench/table.hpp"'
-  put runtime/bench/table.hpp '#include "core/view.hpp"' '#include "bench/peers/peers.hpp"' \
+  put runtime/bench/baselines/vectors.hpp '#include "core/view.hpp"'
+  put runtime/bench/truth/distance.hpp '#include "bench/baselines/vectors.hpp"'
+  put runtime/bench/harness/table.hpp '#include "core/view.hpp"' '#include "bench/peers/peers.hpp"'
+  put runtime/bench/scenes/sets.hpp '#include "bench/truth/distance.hpp"'
+  put runtime/bench/tables/read.hpp '#include "bench/harness/table.hpp"' '#include "bench/scenes/sets.hpp"' \
     '#include "core/device/every_pair/engine.hpp"'
+  put runtime/main.cpp '#include "bench/tables/read.hpp"'
   put generated/default/cga/cga.hpp '#include <meetc/table.hpp>' '#include <cga/kinds.hpp>' '#include <cmath>'
   put generated/default/cga/kinds.hpp '#include <meetc/table.hpp>'
 }
@@ -79,13 +83,27 @@ refused "only benchmarks and tests include the engine of every pair" runtime/app
 refused "only benchmarks and tests include the engine of every pair" runtime/kernel/meetc/cuda_table.hpp \
   '#include <meetc/every_pair/table.hpp>'
 refused "runtime/core may not include generated" runtime/core/view.hpp '#include <cga/cga.hpp>'
-refused "runtime/app may not include runtime/bench" runtime/app/sets.cpp '#include "bench/table.hpp"'
-refused "runtime/bench/peers may not include runtime/bench" runtime/bench/peers/peers.hpp '#include "bench/table.hpp"'
+refused "runtime/app may not include runtime/bench/harness" runtime/app/sets.cpp '#include "bench/harness/table.hpp"'
+refused "runtime/bench/peers may not include runtime/bench/harness" runtime/bench/peers/peers.hpp '#include "bench/harness/table.hpp"'
+refused "runtime/bench/harness may not include runtime/bench/tables" runtime/bench/harness/table.hpp '#include "bench/tables/read.hpp"'
+refused "runtime/bench/truth may not include runtime/app" runtime/bench/truth/distance.hpp '#include "app/sets.cpp"'
+refused "runtime/bench/truth may not include runtime/core" runtime/bench/truth/distance.hpp '#include "core/view.hpp"'
+refused "this file lies in no room of the order" runtime/bench/new.hpp '#include <string>'
 refused "runtime/io may not include generated" runtime/io/read.hpp '#include <cga/cga.hpp>'
 refused "runtime/io may not include gen/support" runtime/io/read.hpp '#include "gen/support/source.hpp"'
 refused "generated may not include runtime/core" generated/default/cga/cga.hpp '#include "core/view.hpp"'
 refused "generated code includes <meetc/...> and its own files, not <fmt/format.h>" generated/default/cga/kinds.hpp '#include <fmt/format.h>'
 refused '"nowhere.hpp" is no file of this tree' gen/lang/load.hpp '#include "nowhere.hpp"'
 refused "this file lies in no room of the order" gen/somewhere/new.hpp '#include <string>'
+crowd() {
+  for i in {1..24}; do put runtime/bench/scenes/$i.hpp '#include <string>'; done
+  "$check" . >/dev/null
+  ! said=$(put runtime/bench/scenes/25.hpp '#include <string>' && "$check" . 2>&1) && [[ $said == *"runtime/bench/scenes: holds 26 files"* ]]
+}
+sound
+crowd || {
+  echo "FAILED: 26 files in a folder of benchmarks"
+  exit 1
+}
 refused "a cycle of includes: generated/default/cga/" generated/default/cga/kinds.hpp '#include <cga/cga.hpp>'
 echo "a sound tree passes, and each fault is reported"

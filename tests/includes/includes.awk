@@ -20,20 +20,27 @@ BEGIN {
     may["gen", room] = 1 # the driver and main
   }
   # The runtime, in its order; each may include the kernel headers.
-  split("kernel core core/device io picture bodies app bench/peers bench main", order_runtime, " ")
+  split("kernel core core/device io picture bodies app bench/peers bench/baselines bench/truth bench/harness bench/scenes" \
+        " bench/tables main", order_runtime, " ")
   for (i = 1; i in order_runtime; ++i) {
     rooms["runtime/" order_runtime[i]] = 1
     for (j = 1; j <= i; ++j)
       may["runtime/" order_runtime[i], "runtime/" order_runtime[j]] = 1
   }
+  # What a pair's truth is, tests use too, which have no program.
+  for (j = 2; order_runtime[j] != "bench/baselines"; ++j)
+    delete may["runtime/bench/truth", "runtime/" order_runtime[j]]
   # Only the program and its benchmarks know shapes and predicates. Generated code includes the kernel headers and its own.
   rooms["generated"] = 1
   may["generated", "generated"] = may["generated", "runtime/kernel"] = 1
-  may["runtime/app", "generated"] = may["runtime/bench", "generated"] = may["runtime/main", "generated"] = 1
+  may["runtime/app", "generated"] = may["runtime/bench/tables", "generated"] = may["runtime/main", "generated"] = 1
+  may["runtime/bench/truth", "generated"] = 1
 
   while ((getline file < files) > 0) {
     exists[file] = 1
     lives[room_of(file)] = 1
+    if (file ~ /^runtime\/bench\// && ++held[folder(file)] > 25)
+      crowded[folder(file)] = 1
   }
   close(files)
 }
@@ -157,6 +164,8 @@ END {
   for (file in follows)
     if (!state[file])
       visit(file, "")
+  for (room in crowded)
+    fault(room ": holds " held[room] " files, and a folder of benchmarks holds at most 25")
   if (!edges)
     fault("no include was read")
   if (draw) {

@@ -2,9 +2,9 @@
 #include "tests/catch.hpp"
 
 #include "app/failure.hpp"
-#include "bench/chart.hpp"
-#include "bench/gnuplot.hpp"
-#include "bench/gpu_growth_chart.hpp"
+#include "bench/harness/chart.hpp"
+#include "bench/harness/gnuplot.hpp"
+#include "bench/tables/gpu/growth_chart.hpp"
 #include "picture/image.hpp"
 
 #include <array>

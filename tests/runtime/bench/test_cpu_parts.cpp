@@ -1,10 +1,10 @@
 // What `meet bench cpu` is made of: counts of wrong answers, quartiles, bars and the families of pairs.
 #include "tests/catch.hpp"
 
-#include "bench/cpu_bars.hpp"
-#include "bench/interleaved.hpp"
-#include "bench/list_difference.hpp"
-#include "bench/pair_families.hpp"
+#include "bench/harness/interleaved.hpp"
+#include "bench/harness/list_difference.hpp"
+#include "bench/scenes/pair_families.hpp"
+#include "bench/tables/cpu/bars.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "app/failure.hpp"
 #include "app/made_sets.hpp"
-#include "bench/paper_parts.hpp"
+#include "bench/tables/paper/parts.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -1,13 +1,13 @@
 // What `meet trade` rests on: distances from being right, pairs near a contact, and proved distances.
 #include "tests/catch.hpp"
 
-#include "bench/distance.hpp"
-#include "bench/numbers.hpp"
-#include "bench/paper_way.hpp"
-#include "bench/proved_distance.hpp"
-#include "bench/trade_maps.hpp"
-#include "bench/trade_measure.hpp"
-#include "bench/trade_report.hpp"
+#include "bench/baselines/paper_way.hpp"
+#include "bench/tables/trade/maps.hpp"
+#include "bench/tables/trade/measure.hpp"
+#include "bench/tables/trade/report.hpp"
+#include "bench/truth/distance.hpp"
+#include "bench/truth/numbers.hpp"
+#include "bench/truth/proved_distance.hpp"
 #include "core/find.hpp"
 
 #include <cga/cga_runtime.hpp>

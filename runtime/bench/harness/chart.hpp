@@ -1,0 +1,42 @@
+// bench/harness/chart.hpp: curves of positive numbers over sizes, with both axes by powers of ten, as a PNG file.
+//
+// Method: a script for gnuplot. Limits: points that are not positive and finite are left out.
+#ifndef MEETC_BENCH_HARNESS_CHART_HPP
+#define MEETC_BENCH_HARNESS_CHART_HPP
+
+#include "picture/image.hpp"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace meetc::bench {
+
+namespace curve_colours {
+inline constexpr picture::colour red{206, 46, 38}; // for Möller's test, as in the paper
+inline constexpr picture::colour cpu{36, 92, 168};
+inline constexpr picture::colour search{120, 128, 138};
+inline constexpr picture::colour gpu{34, 142, 76};
+} // namespace curve_colours
+
+struct curve {
+  std::string name;
+  picture::colour ink;
+  std::vector<std::pair<double, double>> points; // sorted by x
+};
+
+struct chart {
+  std::string title, x_label, y_label;
+  std::vector<curve> curves;
+};
+
+// The script for gnuplot. The same chart always gives the same text.
+std::string script_of(const chart &c, int width, int height);
+
+// Sizes are in pixels. Throws app::failure where gnuplot is missing or fails.
+void write_chart(const std::filesystem::path &to, const chart &c, int width, int height);
+
+} // namespace meetc::bench
+
+#endif

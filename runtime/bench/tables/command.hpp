@@ -1,0 +1,16 @@
+// bench/tables/command.hpp: `meet bench` and its subcommands.
+#ifndef MEETC_BENCH_TABLES_COMMAND_HPP
+#define MEETC_BENCH_TABLES_COMMAND_HPP
+
+#include "app/choose.hpp"
+#include "app/command.hpp"
+#include "meetc/support.hpp"
+
+namespace meetc::bench {
+
+// The command and its options. The catalogue must outlive it.
+app::command add_bench(CLI::App &program, const catalogue &all, const app::kernel_library &kernels);
+
+} // namespace meetc::bench
+
+#endif
