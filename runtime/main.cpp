@@ -4,7 +4,6 @@
 #include "app/inspect_command.hpp"
 #include "app/program.hpp"
 #include "bench/tables/command.hpp"
-#include "bench/tables/trade/command.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -6,7 +6,7 @@
 
 namespace meetc::app {
 
-enum exit_code : int { done = 0, bad_input = 2, no_device = 3 };
+enum exit_code : int { done = 0, check_failed = 1, bad_input = 2, no_device = 3 };
 
 // Like io::error, which also means bad_input, but with another exit code where one applies.
 class failure : public io::error {

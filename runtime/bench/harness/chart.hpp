@@ -1,12 +1,12 @@
 // bench/harness/chart.hpp: curves of positive numbers over sizes, with both axes by powers of ten, as a PNG file.
 //
-// Method: a script for gnuplot. Limits: points that are not positive and finite are left out.
+// Limits: points that are not positive and finite are left out.
 #ifndef MEETC_BENCH_HARNESS_CHART_HPP
 #define MEETC_BENCH_HARNESS_CHART_HPP
 
+#include "bench/harness/plot.hpp"
 #include "picture/image.hpp"
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +23,7 @@ inline constexpr picture::colour gpu{34, 142, 76};
 struct curve {
   std::string name;
   picture::colour ink;
-  std::vector<std::pair<double, double>> points; // sorted by x
+  std::vector<std::pair<double, double>> points = {}; // sorted by x
 };
 
 struct chart {
@@ -31,11 +31,8 @@ struct chart {
   std::vector<curve> curves;
 };
 
-// The script for gnuplot. The same chart always gives the same text.
-std::string script_of(const chart &c, int width, int height);
-
-// Sizes are in pixels. Throws app::failure where gnuplot is missing or fails.
-void write_chart(const std::filesystem::path &to, const chart &c, int width, int height);
+// Sizes are in pixels.
+plot plot_of(const chart &c, int width, int height);
 
 } // namespace meetc::bench
 

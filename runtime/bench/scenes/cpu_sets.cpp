@@ -1,11 +1,8 @@
 #include "bench/scenes/cpu_sets.hpp"
 
 #include "app/failure.hpp"
-#include "app/kinds.hpp"
 #include "app/made_sets.hpp"
-#include "app/sets.hpp"
 #include "bench/scenes/scene_sets.hpp"
-#include "io/read.hpp"
 
 #include <fmt/format.h>
 
@@ -20,33 +17,23 @@ struct pose_of_middle {
 
 } // namespace
 
-cpu_sets::cpu_sets(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick)
-    : all_(all), data_(data), quick_(quick) {
-  if (data_ && !std::filesystem::is_directory(*data_))
-    throw app::failure(fmt::format("--data {}: is not a folder", data_->string()));
-}
-
-io::element_set cpu_sets::read(const char *name, const io::transform &move) const {
-  io::element_set set = io::read(*data_ / name, app::kinds_of(all_), move);
-  if (!app::is_mesh(set) || set.elements == 0)
-    throw app::failure(fmt::format("{}: holds no triangles", (*data_ / name).string()));
-  set.owner.clear(); // polygons as the triangles of their fans
-  set.items = set.elements;
-  return set;
+cpu_sets::cpu_sets(const scene_source &from) : from_(from) {
+  if (from_.data && !std::filesystem::is_directory(*from_.data))
+    throw app::failure(fmt::format("--data {}: is not a folder", from_.data->string()));
 }
 
 io::element_set cpu_sets::large(const io::transform &move) const {
-  if (data_)
-    return read(quick_ ? "armadillo_5k.ply" : "armadillo_345k.ply", move);
-  return app::of_mesh(all_, quick_ ? bodies::knot(100, 25) : bodies::figure(220), move);
+  if (from_.data)
+    return from_.read(from_.quick ? "armadillo_5k.ply" : "armadillo_345k.ply", move);
+  return app::of_mesh(from_.all, from_.quick ? bodies::knot(100, 25) : bodies::figure(220), move);
 }
 
-cpu_sets::two_sets cpu_sets::middle_in_large(double scale, double shift) const {
-  const pose_of_middle at = data_    ? pose_of_middle{1000, 0, -100, 0}
-                            : quick_ ? pose_of_middle{1, 0, 0, 0}
-                                     : pose_of_middle{1, -0.4, 0, 0};
+two_sets cpu_sets::middle_in_large(double scale, double shift) const {
+  const pose_of_middle at = from_.data    ? pose_of_middle{1000, 0, -100, 0}
+                            : from_.quick ? pose_of_middle{1, 0, 0, 0}
+                                          : pose_of_middle{1, -0.4, 0, 0};
   io::transform middle, large_body;
-  if (data_ || scale != 1 || shift != 0 || at.x != 0) {
+  if (from_.data || scale != 1 || shift != 0 || at.x != 0) {
     middle.scale = at.scale * scale;
     middle.translate = {at.x * scale + shift, at.y * scale + shift, at.z * scale + shift};
   }
@@ -54,37 +41,37 @@ cpu_sets::two_sets cpu_sets::middle_in_large(double scale, double shift) const {
     large_body.scale = scale;
     large_body.translate = {shift, shift, shift};
   }
-  if (data_)
-    return {read(quick_ ? "bunny_5k.ply" : "bunny_69k.ply", middle), large(large_body)};
-  return {app::of_mesh(all_, quick_ ? bodies::torus(40, 25) : bodies::blob(90), middle), large(large_body)};
+  if (from_.data)
+    return {from_.read(from_.quick ? "bunny_5k.ply" : "bunny_69k.ply", middle), large(large_body)};
+  return {app::of_mesh(from_.all, from_.quick ? bodies::torus(40, 25) : bodies::blob(90), middle), large(large_body)};
 }
 
-cpu_sets::two_sets cpu_sets::segments_in_large() const {
+two_sets cpu_sets::segments_in_large() const {
   io::element_set mesh = large();
-  io::element_set segments = segments_in(all_, mesh, quick_ ? 100 : 10'000, 1);
+  io::element_set segments = segments_in(from_.all, mesh, from_.quick ? 100 : 10'000, 1);
   return {std::move(segments), std::move(mesh)};
 }
 
 // Two clouds of n balls. About 4.3 r^3 of all pairs touch: 4 in a million for r = 0.0098, and 4.4 million of those of two
 // clouds of 4 million for r = 0.004.
-static cpu_sets::two_sets clouds(const catalogue &all, std::size_t n, double radius) {
+static two_sets clouds(const catalogue &all, std::size_t n, double radius) {
   return {ball_cloud(all, n, 1, radius), ball_cloud(all, n, 2, radius)};
 }
 
-cpu_sets::two_sets cpu_sets::balls() const {
-  return quick_ ? clouds(all_, 2000, 0.05) : clouds(all_, 262'144, 0.0098);
+two_sets cpu_sets::balls() const {
+  return from_.quick ? clouds(from_.all, 2000, 0.05) : clouds(from_.all, 262'144, 0.0098);
 }
 
-cpu_sets::two_sets cpu_sets::many_balls() const {
-  return quick_ ? clouds(all_, 4000, 0.04) : clouds(all_, 4'000'000, 0.004);
+two_sets cpu_sets::many_balls() const {
+  return from_.quick ? clouds(from_.all, 4000, 0.04) : clouds(from_.all, 4'000'000, 0.004);
 }
 
 std::string cpu_sets::in_words() const {
-  if (data_)
-    return quick_ ? "The meshes are bunny_5k.ply and armadillo_5k.ply."
-                  : "The meshes are bunny_69k.ply and armadillo_345k.ply.";
-  return quick_ ? "The meshes are built in: a ring and a knot, small."
-                : "The meshes are built in: an animal and a figure.";
+  if (from_.data)
+    return from_.quick ? "The meshes are bunny_5k.ply and armadillo_5k.ply."
+                       : "The meshes are bunny_69k.ply and armadillo_345k.ply.";
+  return from_.quick ? "The meshes are built in: a ring and a knot, small."
+                     : "The meshes are built in: an animal and a figure.";
 }
 
 } // namespace meetc::bench

@@ -5,14 +5,9 @@
 #ifndef MEETC_BENCH_SCENES_CPU_SETS_HPP
 #define MEETC_BENCH_SCENES_CPU_SETS_HPP
 
-#include "io/element_set.hpp"
-#include "io/transform.hpp"
-#include "meetc/support.hpp"
+#include "bench/scenes/scenes.hpp"
 
-#include <filesystem>
-#include <optional>
 #include <string>
-#include <utility>
 
 namespace meetc::bench {
 
@@ -20,9 +15,7 @@ class cpu_sets {
 public:
   // Throws io::error where the folder lacks bunny_69k.ply or armadillo_345k.ply (quick: bunny_5k.ply or
   // armadillo_5k.ply).
-  cpu_sets(const catalogue &all, const std::optional<std::filesystem::path> &data, bool quick);
-
-  using two_sets = std::pair<io::element_set, io::element_set>;
+  explicit cpu_sets(const scene_source &from);
 
   // The middle body reaches into the large one. Both are scaled, then moved by `shift` along each axis.
   two_sets middle_in_large(double scale = 1, double shift = 0) const;
@@ -30,15 +23,12 @@ public:
   io::element_set large(const io::transform &move = {}) const;
   two_sets balls() const, many_balls() const; // in the cube [-1, 1)^3
 
-  const char *middle_name() const { return data_ ? "bunny" : "animal"; }
-  const char *large_name() const { return data_ ? "armadillo" : "figure"; }
+  const char *middle_name() const { return from_.data ? "bunny" : "animal"; }
+  const char *large_name() const { return from_.data ? "armadillo" : "figure"; }
   std::string in_words() const;
 
 private:
-  io::element_set read(const char *name, const io::transform &move) const;
-  const catalogue &all_;
-  std::optional<std::filesystem::path> data_;
-  bool quick_;
+  const scene_source from_;
 };
 
 } // namespace meetc::bench

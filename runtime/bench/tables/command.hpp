@@ -1,4 +1,4 @@
-// bench/tables/command.hpp: `meet bench` and its subcommands.
+// bench/tables/command.hpp: `meet bench` and its subcommands, and `meet trade`.
 #ifndef MEETC_BENCH_TABLES_COMMAND_HPP
 #define MEETC_BENCH_TABLES_COMMAND_HPP
 
@@ -8,8 +8,9 @@
 
 namespace meetc::bench {
 
-// The command and its options. The catalogue must outlive it.
+// The commands and their options. The catalogue must outlive them.
 app::command add_bench(CLI::App &program, const catalogue &all, const app::kernel_library &kernels);
+app::command add_trade(CLI::App &program, const app::kernel_library &kernels);
 
 } // namespace meetc::bench
 

@@ -3,7 +3,6 @@
 
 #include "app/failure.hpp"
 #include "bench/harness/chart.hpp"
-#include "bench/harness/gnuplot.hpp"
 #include "bench/tables/gpu/growth_chart.hpp"
 #include "picture/image.hpp"
 
@@ -49,7 +48,7 @@ chart one_curve(points p) {
 // The columns and rows of the curve's own colour below the legend: first and last; the last is 0 without any.
 std::array<int, 4> drawn(const chart &c) {
   const std::filesystem::path file = here("drawn.png");
-  write_chart(file, c, 600, 400);
+  plot_of(c, 600, 400).draw(file);
   const image p = decode(bytes_of(file));
   std::filesystem::remove(file);
   REQUIRE(p.width == 600);
@@ -88,18 +87,20 @@ TEST_CASE("points that a logarithmic chart cannot show are left out") {
 TEST_CASE("the same chart is the same file, and its words are in the script") {
   const chart c = one_curve({{1000, 0.5}, {1e6, 2000}});
   const std::filesystem::path x = here("x.png"), y = here("y.png");
-  write_chart(x, c, 800, 450);
-  write_chart(y, c, 800, 450);
+  plot_of(c, 800, 450).draw(x);
+  plot_of(c, 800, 450).draw(y);
   CHECK(bytes_of(x) == bytes_of(y));
   std::filesystem::remove(x), std::filesystem::remove(y);
-  const std::string script = script_of(c, 800, 450);
-  for (const char *const part : {"set logscale xy", "'A title'", "'x of a ''chart'''", "'y_of it'", "'the_curve'",
-                                 "'1K' 1e3", "'1M' 1e6", "'0.1' 1e-1", "'10K' 1e4"})
-    CHECK(script.find(part) != std::string::npos);
+  const std::string values = plot_of(c, 800, 450).values();
+  for (const char *const part :
+       {"title_words = 'A title'", R"(x_words = 'x of a '."'".'chart'."'".'')", "y_words = 'y_of it'",
+        "names[1] = 'the_curve'", "x_low = 3\n", "x_high = 6\n", "y_low = -1\n", "y_high = 4\n"})
+    CHECK(values.find(part) != std::string::npos);
+  CHECK(plot("chart").set("line", "two\nlines").values() == "line = 'two lines'\n"); // no text becomes a command
 }
 
 TEST_CASE("a file that cannot be written and a missing gnuplot are one-line errors") {
-  CHECK_THROWS_AS(write_chart(here("no-such-folder") / "x.png", one_curve({{1, 1}}), 600, 400), meetc::app::failure);
+  CHECK_THROWS_AS(plot_of(one_curve({{1, 1}}), 600, 400).draw(here("no-such-folder") / "x.png"), meetc::app::failure);
   CHECK_NOTHROW(need_gnuplot());
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
@@ -109,7 +110,7 @@ TEST_CASE("a file that cannot be written and a missing gnuplot are one-line erro
   } catch (const meetc::app::failure &e) {
     CHECK(std::string(e.what()).find("gnuplot was not found") != std::string::npos);
   }
-  CHECK_THROWS_AS(write_chart(here("x.png"), one_curve({{1, 1}}), 600, 400), meetc::app::failure);
+  CHECK_THROWS_AS(plot_of(one_curve({{1, 1}}), 600, 400).draw(here("x.png")), meetc::app::failure);
   ::setenv("PATH", path.c_str(), 1);
 }
 

@@ -1,10 +1,8 @@
 // What `meet bench cpu` is made of: counts of wrong answers, quartiles, bars and the families of pairs.
 #include "tests/catch.hpp"
 
-#include "bench/harness/interleaved.hpp"
-#include "bench/harness/list_difference.hpp"
 #include "bench/scenes/pair_families.hpp"
-#include "bench/tables/cpu/bars.hpp"
+#include "bench/tables/cpu/cpu.hpp"
 
 #include <cga/cga_runtime.hpp>
 
@@ -15,32 +13,6 @@ using namespace meetc::bench;
 using meetc::answer;
 using meetc::index_pair;
 
-TEST_CASE("a list of pairs is compared with the exact one") {
-  const std::vector<index_pair> truth{{0, 1}, {0, 3}, {2, 0}};
-  const auto is = [&truth](const std::vector<index_pair> &found, std::uint64_t extra, std::uint64_t missed) {
-    const list_difference d = difference_of(found, truth);
-    return d.extra == extra && d.missed == missed;
-  };
-  CHECK(is({{2, 0}, {0, 3}, {0, 1}}, 0, 0)); // in any order
-  CHECK(is({}, 0, 3));
-  CHECK(is({{0, 1}, {0, 2}, {2, 0}}, 1, 1));
-  CHECK(is({{0, 1}, {0, 1}, {0, 3}, {2, 0}}, 1, 0)); // twice
-  CHECK(is({{5, 5}}, 1, 3));
-}
-
-TEST_CASE("the lower quartile, and works that take turns") {
-  CHECK(lower_quartile({}) == 0);
-  CHECK(lower_quartile({3}) == 3);
-  CHECK(lower_quartile({4, 1, 3, 2, 5}) == 2);
-  CHECK(lower_quartile({9, 1, 8, 2, 7, 3, 6, 4, 5}) == 3);
-  std::string order;
-  const interleaved_times t = measure_interleaved({[&] { order += 'a'; }, [&] { order += 'b'; }}, {5, 1, 10, 0});
-  CHECK(order == "abababababab"); // once to warm up
-  CHECK(t.repetitions == 5);
-  REQUIRE(t.seconds.size() == 2);
-  CHECK(measure_interleaved({[] {}}, {1000, 1, 0, 0}).repetitions == 3); // no time for more
-}
-
 TEST_CASE("a bar is met at its limit, and not where nothing was measured") {
   using side = bar::side;
   CHECK(bar{"w", "f", side::at_least, 2, "x", 2.0}.met());
@@ -48,8 +20,8 @@ TEST_CASE("a bar is met at its limit, and not where nothing was measured") {
   CHECK(bar{"w", "f", side::at_most, 1.15, "x", 1.15}.met());
   CHECK_FALSE(bar{"w", "f", side::at_most, 1.15, "x", 1.16}.met());
   CHECK_FALSE(bar{"w", "f", side::at_most, 1, "x", {}, "no such library"}.met());
-  const table t =
-      table_of({{"work", "figure", side::at_most, 1.15, "x", 1.5}, {"w", "f", side::at_least, 2, "ms", {}, "why"}});
+  const table t = table_of_bars(
+      {{"work", "figure", side::at_most, 1.15, "x", 1.5}, {"w", "f", side::at_least, 2, "ms", {}, "why"}});
   CHECK(as_markdown(t).find("| work | figure | ≤ 1.15 x | 1.50 x | **no** |") != std::string::npos);
   CHECK(as_markdown(t).find("| w | f | ≥ 2 ms | why | - |") != std::string::npos);
   CHECK(as_json(t)["rows"][0]["met"] == false);

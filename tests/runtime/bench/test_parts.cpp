@@ -1,46 +1,19 @@
-// Tables, brute force, and the interface to a device.
+// Brute force, and the rows of the paper's tables with and without a device.
 #include "tests/catch.hpp"
 
 #include "app/failure.hpp"
 #include "app/made_sets.hpp"
-#include "bench/tables/paper/parts.hpp"
+#include "bench/tables/paper/paper.hpp"
 
 #include <cga/cga_runtime.hpp>
 
-#include <array>
-#include <cmath>
+#include <fmt/format.h>
+
+#include <algorithm>
 
 using namespace meetc::app;
 using namespace meetc::bench;
 using namespace meetc::bodies;
-
-TEST_CASE("a table as text, Markdown and JSON") {
-  table t{"one", "A table", {{"n", "size|of it"}, {"r", "ratio"}}, {}, {"A note."}};
-  t.rows.push_back({of_count(1234567), of_ratio(0.5)});
-  t.rows.push_back({of_words("a \"b\""), missing("no device")});
-  CHECK(as_text(t) == "A table\n\n"
-                      "size\n"
-                      "of it          ratio\n"
-                      "1,234,567       0.50\n"
-                      "a \"b\"      no device\n"
-                      "\nA note.\n");
-  CHECK(as_markdown(t) == "## A table\n\n| size of it | ratio |\n|---|---:|\n| 1,234,567 | 0.50 |\n"
-                          "| a \"b\" | no device |\n\nA note.\n");
-  CHECK(as_json(t).dump() == R"({"name":"one","rows":[{"n":1234567,"r":0.5},{"n":"a \"b\"","r":null}]})");
-  CHECK(of_ratio(INFINITY).value.is_null());
-  CHECK(of_ratio(41.96).text == "42.0");
-  CHECK(of_ratio(12345.6).text == "12,346");
-}
-
-TEST_CASE("every measured cell is a number in JSON") {
-  CHECK(of_count(12).value == 12);
-  CHECK(of_ratio(41.96).value == 41.96);
-  CHECK(of_milliseconds(0.0025).value == 2.5);
-  CHECK(of_rate(2.5672e12).value == 2.5672);
-  CHECK(of_rate(2.5672e12).text == "2.57");
-  CHECK(of_share(0.4615).value == 0.4615);
-  CHECK(of_share(0.4615).text == "46.2 %");
-}
 
 TEST_CASE("brute force finds what the search finds, and its sample is a part of it") {
   const meetc::catalogue &all = cga::catalogue();
@@ -50,27 +23,31 @@ TEST_CASE("brute force finds what the search finds, and its sample is a part of 
   h.by = by;
   const std::uint64_t pairs = collide_sets(a, b, h).pairs;
   REQUIRE(pairs > 0);
-  yardstick clock;
-  const std::vector<meetc::decide_function> tests{
-      decide_by(by, meetc::rung::exact), decide_by(by, meetc::rung::fp32), classic::moller_0,
-      [](meetc::row_array, meetc::row_array, const meetc::index_pair *, std::size_t n, meetc::answer *out) {
-        std::fill_n(out, n, meetc::answer::no);
-      }};
-  const brute_force_times whole = time_brute_force(clock, tests, *by.predicate, a, b, 5'000'000, 1);
-  CHECK_FALSE(whole.sample);
-  CHECK(whole.pairs == 5'000'000);
-  CHECK(whole.of[0].yes == pairs);
-  CHECK(whole.of[0].wrong_yes + whole.of[0].wrong_no == 0);
-  CHECK(whole.of[3].wrong_no == pairs); // never yes
-  CHECK(whole.of[3].wrong_yes == 0);
-  const brute_force_times part = time_brute_force(clock, tests, *by.predicate, a, b, 200'000, 3);
-  CHECK(part.sample);
-  CHECK(part.pairs <= 200'000);
-  CHECK(part.pairs > 100'000);
-  CHECK(part.of[0].yes < pairs);
-  // Scaled to all pairs, so about the same. Rows differ by far less than a factor of 3.
-  CHECK(part.of[1].time < 3 * whole.of[1].time);
-  CHECK(part.of[1].time > whole.of[1].time / 3);
+  const meetc::predicate_info &p = *by.predicate;
+  const meetc::decide_function certified = p.decide[static_cast<int>(meetc::rung::certified)],
+                               never = [](meetc::row_array, meetc::row_array, const meetc::index_pair *, std::size_t n,
+                                          meetc::answer *out) { std::fill_n(out, n, meetc::answer::no); };
+  const brute_force whole(p, a, b, 5'000'000);
+  CHECK_FALSE(whole.is_sample());
+  CHECK(whole.pairs() == 5'000'000);
+  for (const meetc::rung r : {meetc::rung::certified, meetc::rung::exact}) {
+    const difference d = whole.compared(p.decide[static_cast<int>(r)], certified);
+    CHECK(d.found == pairs);
+    CHECK(d.wrong() == 0);
+  }
+  CHECK(whole.compared(never, certified).missed == pairs);
+  CHECK(whole.compared(never, certified).extra == 0);
+  CHECK(whole.compared(certified, never).extra == pairs);
+  const brute_force part(p, a, b, 200'000);
+  CHECK(part.is_sample());
+  CHECK(part.pairs() <= 200'000);
+  CHECK(part.pairs() > 100'000);
+  CHECK(part.share() == static_cast<double>(part.pairs()) / 5e6);
+  const std::uint64_t in_part = part.compared(certified, certified).found;
+  CHECK(in_part < pairs);
+  // Rows are left out evenly, so their hits are about as many as their share.
+  CHECK(static_cast<double>(in_part) > part.share() * static_cast<double>(pairs) / 3);
+  CHECK(static_cast<double>(in_part) < 3 * part.share() * static_cast<double>(pairs));
 }
 
 namespace {
@@ -79,10 +56,16 @@ class pretended final : public bench_device {
 public:
   explicit pretended(std::uint64_t pairs) : pairs_(pairs) {}
   std::string name() const override { return "a device of the tests"; }
-  device_time time(const device_job &job, int runs) override {
+  device_time time_every_pair(const device_job &job, int runs) override {
     CHECK(job.by.predicate->name == std::string_view("ball_ball"));
     CHECK(runs == 3);
     return {0.001, 0.004, pairs_};
+  }
+
+  std::vector<trade_point> measure(const element_pairs &, int) override { return {}; }
+  meetc::result query(const meetc::prepared &, const meetc::prepared &, const meetc::predicate_info &, meetc::rung,
+                      int) override {
+    return {};
   }
 
 private:
@@ -91,35 +74,46 @@ private:
 
 } // namespace
 
-TEST_CASE("a device's row: milliseconds and a ratio, another count than the CPU's is a failure") {
+TEST_CASE("a device's row: milliseconds and a ratio, another count than the CPU's is a failed check") {
   const meetc::catalogue &all = cga::catalogue();
   const meetc::io::element_set balls = of_rows(all, "sphere", sphere_cloud(10, 1, 0.1, 0.2));
   const paper_bodies bodies(all, {}, true);
-  yardstick by;
-  pretended right(42), wrong(41);
-  paper_context c{all, bodies, &right, by, true, 1, 3, 1000, [] {}};
-  const device_cells cells = ask_device(c, balls, balls, 42, 0.2 / by.seconds(1));
-  REQUIRE(cells.cells.size() == device_columns().size());
-  CHECK(cells.cells[0].text == "1");
-  CHECK(cells.cells[1].text == "4");
-  CHECK(cells.cells[2].text == "50.0"); // 0.2 s over 4 ms
-  CHECK(cells.time == Approx(0.004 / by.seconds(1)));
-  table t;
-  add_claim(c, {cells.core_over_gpu, 2000}, t);
-  REQUIRE(t.notes.size() == 1);
-  CHECK(t.notes[0].find("50.0 to 2,000.") != std::string::npos);
+  answers found;
+  paper_context c{all, bodies, nullptr, true, 1, 3, 1000, [] {}};
+  const std::vector<meetc::decide_function> tests = conformal_and(c, balls, balls, {classic::balls});
+  const paper_row without = measure_row(c, balls, balls, tests, found);
+  CHECK(without.pairs >= 10);
+  CHECK(without.pairs == found.list.size());
+  CHECK(without.wrong.size() == 3);
+  CHECK(without.search > 0);
+  const table none = table_of<paper_row>("t", "t", with_device({}), {without});
+  REQUIRE(none.rows[0].size() == 3);
+  CHECK(none.rows[0][0].text == "no device");
+  CHECK(claim_of(c, {without}).empty());
+  pretended right(without.pairs), wrong(without.pairs - 1);
+  c.device = &right;
+  paper_row with = measure_row(c, balls, balls, tests, found);
+  CHECK(with.core_over_device == Approx(with.core() / with.device_search));
+  with.core_over_device = 50;
+  const table t = table_of<paper_row>("t", "t", with_device({}), {with});
+  CHECK(t.rows[0][0].text == "1");
+  CHECK(t.rows[0][1].text == "4");
+  CHECK(t.rows[0][2].text == "50.0");
+  paper_row other = with;
+  other.core_over_device = 2000;
+  REQUIRE(claim_of(c, {with, other}).size() == 1);
+  CHECK(claim_of(c, {with, other})[0].find("50.0 to 2,000.") != std::string::npos);
   c.device = &wrong;
   try {
-    ask_device(c, balls, balls, 42, 1);
+    measure_row(c, balls, balls, tests, found);
     FAIL("no failure");
   } catch (const failure &e) {
-    CHECK(e.code() == no_device);
-    CHECK(std::string(e.what()).find("41 pairs found on the device, 42 on the CPU") != std::string::npos);
+    CHECK(e.code() == check_failed);
+    CHECK(std::string(e.what()) ==
+          fmt::format("10 spheres and 10 spheres: a device of the tests found {} hits, of which "
+                      "0 are false, and missed 1",
+                      without.pairs - 1));
   }
-  c.device = nullptr;
-  CHECK(ask_device(c, balls, balls, 42, 1).cells[0].text == "no device");
-  add_claim(c, {0}, t);
-  CHECK(t.notes.size() == 1);
   CHECK(bench_device_named("cpu") == nullptr);
   CHECK_THROWS_AS(bench_device_named("tpu"), failure);
 }

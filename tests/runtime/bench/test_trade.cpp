@@ -2,9 +2,9 @@
 #include "tests/catch.hpp"
 
 #include "bench/baselines/paper_way.hpp"
+#include "bench/tables/trade/cells.hpp"
 #include "bench/tables/trade/maps.hpp"
-#include "bench/tables/trade/measure.hpp"
-#include "bench/tables/trade/report.hpp"
+#include "bench/tables/trade/tables.hpp"
 #include "bench/truth/distance.hpp"
 #include "bench/truth/numbers.hpp"
 #include "bench/truth/proved_distance.hpp"
@@ -127,14 +127,14 @@ TEST_CASE("wrong answers are counted, and the farthest counts") {
   REQUIRE(exact == std::vector<answer>{answer::no, answer::no, answer::yes});
   const trade_method method{"mine", nullptr, rung::fp32};
   const wrongness all = wrongness_of(pairs, method, {answer::yes, answer::yes, answer::no}, exact);
-  CHECK(all.false_hits == 2);
-  CHECK(all.missed == 1);
+  CHECK(all.differs.extra == 2);
+  CHECK(all.differs.missed == 1);
   CHECK(all.farthest == Approx(1));
   CHECK(all.farthest_in_ulps == Approx(0x1p22)); // of 3
   REQUIRE(all.proved);
   CHECK(*all.proved > 0);
   const wrongness none = wrongness_of(pairs, method, exact, exact);
-  CHECK(none.false_hits + none.missed == 0);
+  CHECK(none.differs.wrong() == 0);
   CHECK(none.farthest == 0);
 }
 
@@ -145,13 +145,13 @@ TEST_CASE("losers: what is slower everywhere and never less wrong, and never wro
     trade_cell c{&p, family, family, 1, 10, {}};
     const double seconds[] = {fp32, fp64, fp64x2, exact, certified};
     for (const trade_method &m : methods_of(p)) {
-      trade_point point{m, seconds[static_cast<int>(*m.precision)], {}, {}};
-      point.wrong.missed = m.precision == rung::fp32 ? wrong32 : 0;
+      trade_point point{m, seconds[static_cast<int>(*m.precision)]};
+      point.wrong.differs.missed = m.precision == rung::fp32 ? wrong32 : 0;
       c.result.points.push_back(point);
     }
     return c;
   };
-  const table t = losers_of({cell("one", 1, 2, 5, 6, 3, 4), cell("two", 1, 2, 5, 6, 3, 0)});
+  const table t = table_of_losers({cell("one", 1, 2, 5, 6, 3, 4), cell("two", 1, 2, 5, 6, 3, 0)});
   std::vector<std::string> lines;
   for (const auto &row : t.rows)
     lines.push_back(row[1].text + ": " + row[2].text);

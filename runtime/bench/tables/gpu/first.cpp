@@ -1,8 +1,7 @@
 // What segments meet first, beside the nearest hits of a hierarchy of the usual kind.
-#include "app/sets.hpp"
 #include "bench/baselines/gpu_lbvh.hpp"
 #include "bench/tables/gpu/measure.hpp"
-#include "core/find.hpp"
+#include "bench/tables/gpu/sets.hpp"
 
 #include <algorithm>
 
@@ -13,8 +12,8 @@ namespace {
 constexpr int runs = 7;
 
 // Segments of which the baseline names another triangle than one that is met first, or none, or one where none is met.
-std::uint64_t wrong(const predicate_info &p, const io::element_set &segments, const io::element_set &mesh,
-                    const std::vector<std::uint32_t> &first, const std::vector<std::uint32_t> &baseline) {
+std::uint64_t wrong(const sets_here &sets, const std::vector<std::uint32_t> &first,
+                    const std::vector<std::uint32_t> &baseline) {
   std::uint64_t n = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (first[i] == baseline[i])
@@ -22,53 +21,43 @@ std::uint64_t wrong(const predicate_info &p, const io::element_set &segments, co
     float s[6], t[9], u[9];
     answer touches = answer::no;
     if (first[i] != no_element && baseline[i] != no_element) {
-      segments.row(i, s), mesh.row(first[i], t), mesh.row(baseline[i], u);
+      sets.a().row(i, s), sets.b().row(first[i], t), sets.b().row(baseline[i], u);
       const index_pair one{0, 0};
-      p.decide[static_cast<int>(rung::certified)](s, u, &one, 1, &touches);
+      sets.predicate.decide[static_cast<int>(rung::certified)](s, u, &one, 1, &touches);
     }
-    n += touches != answer::yes || p.first_met(s, t, u) != 0;
+    n += touches != answer::yes || sets.predicate.first_met(s, t, u) != 0;
   }
   return n;
 }
 
+std::vector<std::uint32_t> downloaded(const std::uint32_t *from, std::size_t n) {
+  std::vector<std::uint32_t> to(n);
+  check(cudaMemcpy(to.data(), from, n * sizeof *from, cudaMemcpyDeviceToHost), "downloading nearest hits");
+  return to;
+}
+
+struct row {
+  std::string scene;
+  std::uint64_t segments, pairs, meet, wrong;
+  double counted, first, usual;
+};
+
 } // namespace
 
-table gpu_bench::measure_first(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress) {
-  table t;
-  t.name = "first";
-  t.title = "What segments meet first";
-  t.columns = {{"scene", "scene"},
-               {"segments", "segments"},
-               {"pairs", "pairs"},
-               {"meet", "segments|that meet some"},
-               {"counted", "ours:|pairs counted, ms"},
-               {"first", "ours: and the|first ones, ms"},
-               {"lbvh", "LBVH:|nearest hits, ms"},
-               {"wrong", "LBVH: wrong|segments"},
-               {"ratio", "LBVH /|ours"}};
-  t.notes.emplace_back(
-      "On prepared sets, without building hierarchies. Ours: certified, over all pairs, with the least triangle where "
-      "several are met at one point; the device's time, with the naming of elements and without downloading. LBVH: "
-      "that "
-      "of `--only lbvh`, from the nearer child to the farther one and no farther than the nearest hit so far, with "
-      "Möller-Trumbore in plain fp32, epsilon 0, without naming and downloading. It is wrong about a segment where it "
-      "names a triangle that is not met, or not first, or none.");
-  for (const gpu_scene &scene : scenes) {
-    const auto [segments, mesh] = scene.make();
-    const predicate_info &p = find_predicate(all_, scene.predicate);
-    device_set a(on_, app::view_of(segments), *segments.kind), b(on_, app::view_of(mesh), *mesh.kind);
-    device_options o;
-    o.want = answer_kind::count;
+table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::function<void()> &progress) {
+  const auto measure_scene = [&](const scene &of) -> row {
+    const sets_here sets(of, all_);
+    sets_there there(on_, sets);
+    device_set &a = there.a(), &b = there.b();
     device_result last;
     const auto time = [&](bool first) {
+      device_options o;
+      o.want = answer_kind::count;
       o.first_met = first;
-      std::vector<double> seconds;
-      for (int i = 0; i <= runs; ++i) {
-        last = meetc::collide(on_, a, b, p, rung::certified, o);
-        if (i > 0)
-          seconds.push_back(last.device_seconds);
-      }
-      return median(seconds);
+      return medians_of<1>(runs, [&] {
+        last = meetc::collide(on_, a, b, sets.predicate, rung::certified, o);
+        return std::array{last.device_seconds};
+      })[0];
     };
     const double counted = time(false), ours = time(true);
 
@@ -81,26 +70,46 @@ table gpu_bench::measure_first(const std::vector<gpu_scene> &scenes, const std::
     const double usual = timer_.seconds(
         [&] { check(tree.first(a.rows(), a.elements(), nearest.data(), on_.stream()), "starting a baseline's query"); },
         runs);
-    const auto download = [&](const std::uint32_t *from, std::size_t n) {
-      std::vector<std::uint32_t> to(n);
-      check(cudaMemcpy(to.data(), from, n * sizeof *from, cudaMemcpyDeviceToHost), "downloading nearest hits");
-      return to;
-    };
-    const std::vector<std::uint32_t> of_slots = download(nearest.data(), a.elements()),
-                                     order_a = download(a.order(), a.elements()),
-                                     order_b = download(b.order(), b.elements());
+    const std::vector<std::uint32_t> of_slots = downloaded(nearest.data(), a.elements()),
+                                     order_a = downloaded(a.order(), a.elements()),
+                                     order_b = downloaded(b.order(), b.elements());
     std::vector<std::uint32_t> baseline(a.elements(), no_element);
     for (std::size_t i = 0; i < of_slots.size(); ++i)
       if (of_slots[i] != no_element)
         baseline[order_a[i]] = order_b[of_slots[i]];
     const auto none = std::count(last.first_met.begin(), last.first_met.end(), no_element);
-    t.rows.push_back({of_words(scene.name), of_count(a.elements()), of_count(last.count),
-                      of_count(a.elements() - static_cast<std::uint64_t>(none)), of_milliseconds(counted),
-                      of_milliseconds(ours), of_milliseconds(usual),
-                      of_count(wrong(p, segments, mesh, last.first_met, baseline)), of_ratio(usual / ours)});
+    return {of.name,
+            a.elements(),
+            last.count,
+            a.elements() - static_cast<std::uint64_t>(none),
+            wrong(sets, last.first_met, baseline),
+            counted,
+            ours,
+            usual};
+  };
+  std::vector<row> rows;
+  for (const scene &of : scenes) {
+    rows.push_back(measure_scene(of));
     progress();
   }
-  return t;
+  return table_of<row>(
+      "first", "What segments meet first",
+      {{"scene", "scene", of_words, &row::scene},
+       {"segments", "segments", of_count, &row::segments},
+       {"pairs", "pairs", of_count, &row::pairs},
+       {"meet", "segments|that meet some", of_count, &row::meet},
+       {"counted", "ours:|pairs counted, ms", of_milliseconds, &row::counted},
+       {"first", "ours: and the|first ones, ms", of_milliseconds, &row::first},
+       {"lbvh", "LBVH:|nearest hits, ms", of_milliseconds, &row::usual},
+       {"wrong", "LBVH: wrong|segments", of_count, &row::wrong},
+       {"ratio", "LBVH /|ours", [](const row &r) { return of_ratio(r.usual / r.first); }}},
+      rows,
+      {"On prepared sets, without building hierarchies. Ours: certified, over all pairs, with the least triangle where "
+       "several are met at one point; the device's time, with the naming of elements and without downloading. LBVH: "
+       "that "
+       "of `--only lbvh`, from the nearer child to the farther one and no farther than the nearest hit so far, with "
+       "Möller-Trumbore in plain fp32, epsilon 0, without naming and downloading. It is wrong about a segment where it "
+       "names a triangle that is not met, or not first, or none."});
 }
 
 } // namespace meetc::bench

@@ -48,7 +48,7 @@ std::string draw_growth(const std::filesystem::path &results, const std::filesys
   if (!c)
     throw io::error(fmt::format("{}: it has no table of growth", file.name));
   outputs.make_folder(folder);
-  outputs.write(to, [&c](const std::filesystem::path &at) { write_chart(at, *c, 800, 500); });
+  outputs.write(to, [&c](const std::filesystem::path &at) { plot_of(*c, 800, 500).draw(at); });
   outputs.commit();
   return fmt::format("wrote {}\n", to.string());
 }

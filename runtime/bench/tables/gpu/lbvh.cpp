@@ -1,13 +1,12 @@
 // The hierarchy of the usual kind beside ours.
 #include "app/failure.hpp"
-#include "app/sets.hpp"
 #include "bench/baselines/gpu_lbvh.hpp"
 #include "bench/tables/gpu/measure.hpp"
-#include "core/find.hpp"
+#include "bench/tables/gpu/sets.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <memory>
 
 namespace meetc::bench {
 
@@ -15,7 +14,7 @@ namespace {
 
 constexpr int runs = 7;
 
-std::optional<baseline> test_of(const std::string &predicate) {
+baseline test_of(const std::string &predicate) {
   if (predicate == "ball_ball")
     return baseline::balls_fp32;
   if (predicate == "triangle_triangle")
@@ -24,87 +23,86 @@ std::optional<baseline> test_of(const std::string &predicate) {
     return baseline::moller_trumbore_0_fp32;
   if (predicate == "box_box")
     return baseline::boxes_fp32;
-  return {};
+  throw app::failure(fmt::format("bench gpu: no classic test for {}", predicate));
 }
+
+struct row {
+  std::string scene;
+  std::uint64_t a = 0, b = 0, found = 0, accepted = 0;
+  double build = 0, query = 0, ordered = 0, first = 0, given = 0, given_wall = 0;
+};
 
 } // namespace
 
-table gpu_bench::measure_lbvh(const std::vector<gpu_scene> &scenes, const std::function<void()> &progress) {
-  table t;
-  t.name = "lbvh";
-  t.title = "A hierarchy of the usual kind beside ours";
-  t.columns = {{"scene", "scene"},
-               {"a", "elements of A"},
-               {"b", "elements of B"},
-               {"pairs", "pairs"},
-               {"accepted", "LBVH:|accepted in fp32"},
-               {"build", "LBVH:|build, ms"},
-               {"query", "LBVH:|query, ms"},
-               {"ordered", "ours: both|ordered, ms"},
-               {"first", "ours: boxes|and query, ms"},
-               {"given", "ours, given:|all of it, ms"},
-               {"given_wall", "ours, given:|wall clock, ms"},
-               {"ratio", "LBVH /|ours, given"}};
-  t.notes.emplace_back(
-      "LBVH: after Karras 2012, over the elements of B, with one thread for each element of A and the classic test in "
-      "plain fp32 at the leaves: distance of balls, Möller with epsilon 0, Möller-Trumbore with epsilon 0, comparisons "
-      "of boxes. Segments walk as rays do, through the boxes that they reach; all else walks with its box. Its pairs "
-      "stay unsorted. It is given the extent of B, and A in our spatial order, without their time. Of a set with "
-      "itself it looks at each pair of two elements once, and so counts less than half of the pairs. Ours: certified, "
-      "and sorted; both sets are ordered on the device and enclosed. Given: the same of sets that lie on the device as "
-      "they were uploaded, in one call, which leaves out what can touch nothing where that is expected to pay, orders "
-      "the rest and leaves sorted pairs on the device; the device's time is from its first kernel to its last and "
-      "contains what the host takes in between, and the wall clock is the call's.");
-  for (const gpu_scene &scene : scenes) {
-    const std::optional<baseline> by = test_of(scene.predicate);
-    if (!by)
-      throw app::failure(fmt::format("bench gpu: no classic test for {}", scene.predicate));
-    const auto made_sets = scene.make();
-    const io::element_set &first = made_sets.first, &second = scene.itself ? first : made_sets.second;
-    const predicate_info &p = find_predicate(all_, scene.predicate);
-    device_options o;
-    std::vector<double> ordered, query;
-    std::uint64_t found = 0;
-    std::optional<device_set> a, its_own;
-    for (int i = 0; i <= runs; ++i) {
-      its_own.reset(), a.reset(); // before there are others: two copies of the largest sets need not fit
-      a.emplace(on_, app::view_of(first), *first.kind);
-      device_set &b = scene.itself ? *a : its_own.emplace(on_, app::view_of(second), *second.kind);
-      const device_result r = meetc::collide(on_, *a, b, p, rung::certified, o);
-      found = r.count;
-      if (i > 0)
-        ordered.push_back(a->ordered_seconds() + (scene.itself ? 0 : b.ordered_seconds())),
-            query.push_back(r.device_seconds);
-    }
-    const given_times given = time_given(scene, first, second, p);
-    if (given.found != found)
-      throw app::failure("bench gpu: sets in order and as they are given differ", app::no_device);
-    device_set &b = scene.itself ? *a : *its_own;
+table gpu_bench::measure_lbvh(const std::vector<scene> &scenes, const std::function<void()> &progress) {
+  const auto measure_scene = [&](const scene &of) {
+    const baseline by = test_of(of.predicate);
+    const sets_here sets(of, all_);
+    row r{of.name};
+    std::unique_ptr<sets_there> there;
+    const auto [ordered, first] = medians_of<2>(runs, [&] {
+      there.reset(); // before there are others: two copies of the largest sets need not fit
+      there = std::make_unique<sets_there>(on_, sets);
+      const device_result d = meetc::collide(on_, there->a(), there->b(), sets.predicate, rung::certified);
+      r.found = d.count;
+      return std::array{there->ordered_seconds(), d.device_seconds};
+    });
+    const given_times given = time_given(sets);
+    require_truth(of.name, "a query of sets as they are given", difference_of(given.found, r.found));
+    device_set &a = there->a(), &b = there->b();
     baselines::lbvh_box within{};
     b.bounds(within.lo, within.hi);
     gpu_lbvh tree(b.elements(), static_cast<unsigned>(b.kind().fields));
-    const double build = timer_.seconds(
+    r.build = timer_.seconds(
         [&] { check(tree.build(b.rows(), within, on_.stream()), "building a baseline's hierarchy"); }, runs);
     counts_.reserve(1, "a counter");
-    list_.reserve(2 * found + 1024, "a baseline's pairs");
-    const double asked = timer_.seconds(
+    list_.reserve(2 * r.found + 1024, "a baseline's pairs");
+    r.query = timer_.seconds(
         [&] {
           check(cudaMemsetAsync(counts_.data(), 0, sizeof(unsigned long long), on_.stream()), "clearing a counter");
           const cudaError_t e =
-              scene.itself ? tree.query_itself(*by, list_.data(), list_.capacity(), counts_.data(), on_.stream())
-                           : tree.query(*by, a->rows(), a->elements(), list_.data(), list_.capacity(), counts_.data(),
-                                        on_.stream());
+              of.itself ? tree.query_itself(by, list_.data(), list_.capacity(), counts_.data(), on_.stream())
+                        : tree.query(by, a.rows(), a.elements(), list_.data(), list_.capacity(), counts_.data(),
+                                     on_.stream());
           check(e, "starting a baseline's query");
         },
         runs);
-    const std::uint64_t accepted = counted_on_device();
-    t.rows.push_back({of_words(scene.name), of_count(a->elements()), of_count(b.elements()), of_count(found),
-                      of_count(accepted), of_milliseconds(build), of_milliseconds(asked),
-                      of_milliseconds(median(ordered)), of_milliseconds(median(query)), of_milliseconds(given.device),
-                      of_milliseconds(given.wall), of_ratio((build + asked) / given.device)});
+    r.accepted = counted_on_device();
+    r.a = a.elements(), r.b = b.elements();
+    r.ordered = ordered, r.first = first, r.given = given.device, r.given_wall = given.wall;
+    return r;
+  };
+  std::vector<row> rows;
+  for (const scene &of : scenes) {
+    rows.push_back(measure_scene(of));
     progress();
   }
-  return t;
+  return table_of<row>(
+      "lbvh", "A hierarchy of the usual kind beside ours",
+      {{"scene", "scene", of_words, &row::scene},
+       {"a", "elements of A", of_count, &row::a},
+       {"b", "elements of B", of_count, &row::b},
+       {"pairs", "pairs", of_count, &row::found},
+       {"accepted", "LBVH:|accepted in fp32", of_count, &row::accepted},
+       {"build", "LBVH:|build, ms", of_milliseconds, &row::build},
+       {"query", "LBVH:|query, ms", of_milliseconds, &row::query},
+       {"ordered", "ours: both|ordered, ms", of_milliseconds, &row::ordered},
+       {"first", "ours: boxes|and query, ms", of_milliseconds, &row::first},
+       {"given", "ours, given:|all of it, ms", of_milliseconds, &row::given},
+       {"given_wall", "ours, given:|wall clock, ms", of_milliseconds, &row::given_wall},
+       {"ratio", "LBVH /|ours, given", [](const row &r) { return of_ratio((r.build + r.query) / r.given); }}},
+      rows,
+      {"LBVH: after Karras 2012, over the elements of B, with one thread for each element of A and the classic test in "
+       "plain fp32 at the leaves: distance of balls, Möller with epsilon 0, Möller-Trumbore with epsilon 0, "
+       "comparisons "
+       "of boxes. Segments walk as rays do, through the boxes that they reach; all else walks with its box. Its pairs "
+       "stay unsorted. It is given the extent of B, and A in our spatial order, without their time. Of a set with "
+       "itself it looks at each pair of two elements once, and so counts less than half of the pairs. Ours: certified, "
+       "and sorted; both sets are ordered on the device and enclosed. Given: the same of sets that lie on the device "
+       "as "
+       "they were uploaded, in one call, which leaves out what can touch nothing where that is expected to pay, orders "
+       "the rest and leaves sorted pairs on the device; the device's time is from its first kernel to its last and "
+       "contains what the host takes in between, and the wall clock is the call's."});
 }
 
 } // namespace meetc::bench

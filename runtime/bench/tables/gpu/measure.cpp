@@ -1,16 +1,14 @@
+// Kernels alone, and whole queries, on every pair and by the hierarchy.
 #include "bench/tables/gpu/measure.hpp"
 
-#include "app/failure.hpp"
-#include "app/sets.hpp"
 #include "app/words.hpp"
-#include "core/find.hpp"
+#include "bench/tables/gpu/sets.hpp"
 
 #include <cga/cga_cuda.hpp>
 #include <cga/cga_every_pair.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace meetc::bench {
 
@@ -38,10 +36,23 @@ std::vector<baseline> baselines_of(const std::string &predicate) {
   return {baseline::moller_trumbore_0_fp32};
 }
 
+// A kernel or a query; limit: pairs a second that the matrix unit allows, with_transfers: seconds. 0: neither applies.
+struct kernel_row {
+  std::string name;
+  std::optional<std::uint64_t> found;
+  double seconds, limit = 0, with_transfers = 0;
+};
+
+struct tangent_row {
+  std::string scene;
+  std::uint64_t balls, found;
+  double share, plain, certified;
+};
+
 } // namespace
 
-gpu_bench::gpu_bench(const catalogue &all, bool quick)
-    : all_(all), quick_(quick), on_(cga::cuda::catalogue()), every_pair_(on_, cga::every_pair::catalogue()),
+gpu_bench::gpu_bench(const scene_source &from)
+    : source_(from), all_(from.all), on_(cga::cuda::catalogue()), every_pair_(on_, cga::every_pair::catalogue()),
       timer_(on_) {}
 
 std::string gpu_bench::device_in_words() {
@@ -53,133 +64,118 @@ std::string gpu_bench::device_in_words() {
                      p.has_wgmma ? "" : " (this device has none)", runs);
 }
 
-table gpu_bench::measure(const gpu_scene &scene) {
-  const auto [first, second] = scene.make();
-  const prepared a = app::prepare(first), b = app::prepare(second);
+table gpu_bench::measure(const scene &of) {
+  using every_pair::filter;
+  const sets_here sets(of, all_);
+  const prepared a = app::prepare(sets.a()), b = app::prepare(sets.b());
   device_set on_a(on_, a), on_b(on_, b);
-  const predicate_info &p = find_predicate(all_, scene.predicate);
-  const double pairs = static_cast<double>(a.elements()) * static_cast<double>(b.elements());
-  table t;
-  t.name = scene.predicate;
-  t.title = fmt::format("{}: {} x {}", scene.name, app::counted(first), app::counted(second));
-  t.columns = {{"kernel", "kernel"},
-               {"found", "found"},
-               {"ms", "ms"},
-               {"tpairs", "Tpairs/s"},
-               {"ratio", "x first row"},
-               {"of_limit", "of the|limit"},
-               {"ms_with_transfers", "ms with|transfers"},
-               {"tpairs_with_transfers", "Tpairs/s with|transfers"}};
-  double first_seconds = 0;
-  const auto add = [&](const std::string &name, std::optional<std::uint64_t> found, double seconds, double limit,
-                       double whole) {
-    first_seconds = first_seconds > 0 ? first_seconds : seconds;
-    t.rows.push_back(
-        {of_words(name), found ? of_count(*found) : missing(""), of_milliseconds(seconds), of_rate(pairs / seconds),
-         of_ratio(first_seconds / seconds), limit > 0 ? of_share(pairs / seconds / limit) : missing(""),
-         whole > 0 ? of_milliseconds(whole) : missing(""), whole > 0 ? of_rate(pairs / whole) : missing("")});
-  };
-  for (const baseline by : baselines_of(scene.predicate)) {
+  std::vector<kernel_row> rows;
+  std::vector<std::string> notes;
+  for (const baseline by : baselines_of(of.predicate)) {
     const counted_pairs r = count(by, on_a, on_b);
-    add(fmt::format("{}{}", name_of(by), r.found ? "" : ", a part of B"), r.found, r.seconds, 0, 0);
-    if (!r.found && t.notes.empty())
-      t.notes.emplace_back(
+    rows.push_back({fmt::format("{}{}", name_of(by), r.found ? "" : ", a part of B"), r.found, r.seconds});
+    if (!r.found && notes.empty())
+      notes.emplace_back(
           "A part of B: its first elements, which lie together in space; the time is scaled to all of it.");
   }
-  using every_pair::filter;
+  const auto add_query = [&](const std::string &name, double limit, const auto &ask) {
+    const whole_query q = query(of.name + ": " + name, ask, a, b, on_a, on_b);
+    rows.push_back({name, q.found, q.seconds, limit, q.with_transfers});
+  };
   const auto by_every_pair = [&](filter f, rung precision) {
-    const auto ask = [&](device_set &x, device_set &y) -> counted {
-      const every_pair::outcome r = every_pair_.collide(x, y, p, precision, {.by = f, .balls = cover::element});
+    return [this, &sets, f, precision](device_set &x, device_set &y) -> asked {
+      const every_pair::outcome r =
+          every_pair_.collide(x, y, sets.predicate, precision, {.by = f, .balls = cover::element});
       return {r.count, r.device_seconds};
     };
-    return query(ask, a, b, on_a, on_b);
   };
   for (const filter f : {filter::float32, filter::mma, filter::wgmma}) {
     if (!every_pair_.offers(f))
       continue;
     const filtered r = filter_alone(f, on_a, on_b);
-    const double limit = pairs_a_clock(on_.facts()) * on_.facts().multiprocessors * r.hertz;
-    add(fmt::format("filter alone, {}, every pair", name_of(f)), r.found, r.seconds, f == filter::float32 ? 0 : limit,
-        0);
-    if (f != filter::float32)
-      t.notes.push_back(fmt::format("{}: clock {:.0f} MHz in the run, so the limit is {:.1f} Tpairs/s.", name_of(f),
-                                    r.hertz / 1e6, limit / 1e12));
-    if (f == every_pair_.best_filter()) {
-      const whole_query plain = by_every_pair(f, rung::fp32);
-      add("query, plain fp32, every pair", plain.found, plain.seconds, limit, plain.with_transfers);
-    }
-    const whole_query certified = by_every_pair(f, rung::certified);
-    add(fmt::format("query, certified, {}, every pair", name_of(f)), certified.found, certified.seconds,
-        f == filter::float32 ? 0 : limit, certified.with_transfers);
+    const double limit = f == filter::float32 ? 0 : pairs_a_clock(on_.facts()) * on_.facts().multiprocessors * r.hertz;
+    rows.push_back({fmt::format("filter alone, {}, every pair", name_of(f)), r.found, r.seconds, limit});
+    if (limit > 0)
+      notes.push_back(fmt::format("{}: clock {:.0f} MHz in the run, so the limit is {:.1f} Tpairs/s.", name_of(f),
+                                  r.hertz / 1e6, limit / 1e12));
+    if (f == every_pair_.best_filter())
+      add_query("query, plain fp32, every pair", limit, by_every_pair(f, rung::fp32));
+    add_query(fmt::format("query, certified, {}, every pair", name_of(f)), limit, by_every_pair(f, rung::certified));
   }
-  const auto by_hierarchy = [&](device_set &x, device_set &y) -> counted {
-    const device_result r = meetc::collide(on_, x, y, p, rung::certified);
+  add_query("query, certified, hierarchy", 0, [&](device_set &x, device_set &y) -> asked {
+    const device_result r = meetc::collide(on_, x, y, sets.predicate, rung::certified);
     return {r.count, r.device_seconds};
+  });
+  for (const kernel_row &r : rows)
+    if (r.name.starts_with("query, certified"))
+      require_truth(of.name, r.name, difference_of(*r.found, *rows.back().found));
+  const double pairs = static_cast<double>(a.elements()) * static_cast<double>(b.elements()),
+               first = rows.front().seconds;
+  const auto with_transfers = [](cell (*form)(double), double figure, bool there) {
+    return there ? form(figure) : missing("");
   };
-  const whole_query tree = query(by_hierarchy, a, b, on_a, on_b);
-  add("query, certified, hierarchy", tree.found, tree.seconds, 0, tree.with_transfers);
-  return t;
+  return table_of<kernel_row>(
+      of.predicate, fmt::format("{}: {} x {}", of.name, app::counted(sets.a()), app::counted(sets.b())),
+      {{"kernel", "kernel", of_words, &kernel_row::name},
+       {"found", "found", [](const kernel_row &r) { return r.found ? of_count(*r.found) : missing(""); }},
+       {"ms", "ms", of_milliseconds, &kernel_row::seconds},
+       {"tpairs", "Tpairs/s", of_rate, [pairs](const kernel_row &r) { return pairs / r.seconds; }},
+       {"ratio", "x first row", of_ratio, [first](const kernel_row &r) { return first / r.seconds; }},
+       {"of_limit", "of the|limit",
+        [=](const kernel_row &r) { return with_transfers(of_share, pairs / r.seconds / r.limit, r.limit > 0); }},
+       {"ms_with_transfers", "ms with|transfers",
+        [=](const kernel_row &r) { return with_transfers(of_milliseconds, r.with_transfers, r.with_transfers > 0); }},
+       {"tpairs_with_transfers", "Tpairs/s with|transfers",
+        [=](const kernel_row &r) { return with_transfers(of_rate, pairs / r.with_transfers, r.with_transfers > 0); }}},
+      rows, std::move(notes));
 }
 
 table gpu_bench::measure_tangent() {
-  table t;
-  t.name = "tangent";
-  t.title = "Unsure pairs: certified against plain fp32, balls";
-  t.columns = {{"scene", "scene"},
-               {"balls", "balls|a side"},
-               {"share", "unsure in fp32,|of all pairs"},
-               {"pairs", "pairs|touch"},
-               {"plain", "plain fp32,|ms"},
-               {"certified", "certified,|ms"},
-               {"ratio", "certified /|plain"}};
-  t.notes.emplace_back("Both count; the filter is the same. Unsure pairs touch in exactly one point.");
-  const predicate_info &p = find_predicate(all_, "ball_ball");
-  for (const auto &make : tangent_scenes(all_, quick_)) {
-    const tangent_scene s = make();
-    const prepared a = app::prepare(s.a), b = app::prepare(s.b);
+  std::vector<tangent_row> rows;
+  for (const scene &of : tangent_scenes(source_)) {
+    const sets_here sets(of, all_);
+    const prepared a = app::prepare(sets.a()), b = app::prepare(sets.b());
     device_set on_a(on_, a), on_b(on_, b);
-    std::uint64_t unsure = 0, found = 0;
+    every_pair::outcome last;
     const auto time = [&](rung precision) {
-      const every_pair::options count{.want = answer_kind::count, .balls = cover::element}; // the same filter for both
-      std::vector<double> seconds;
-      for (int i = 0; i <= runs; ++i) {
-        const every_pair::outcome r = every_pair_.collide(on_a, on_b, p, precision, count);
-        if (i > 0)
-          seconds.push_back(r.device_seconds);
-        unsure = r.rungs.unsure[0];
-        found = r.count;
-      }
-      return median(seconds);
+      const every_pair::options how{.want = answer_kind::count, .balls = cover::element}; // the same filter for both
+      return medians_of<1>(runs, [&] {
+        last = every_pair_.collide(on_a, on_b, sets.predicate, precision, how);
+        return std::array{last.device_seconds};
+      })[0];
     };
     const double plain = time(rung::fp32), certified = time(rung::certified);
     const double pairs = static_cast<double>(a.elements()) * static_cast<double>(b.elements());
-    t.rows.push_back({of_words(s.name),
-                      of_count(a.elements()),
-                      {fmt::format("{:.2g}", static_cast<double>(unsure) / pairs),
-                       fmt::format("{:.6g}", static_cast<double>(unsure) / pairs)},
-                      of_count(found),
-                      of_milliseconds(plain),
-                      of_milliseconds(certified),
-                      of_ratio(certified / plain)});
+    rows.push_back(
+        {of.name, a.elements(), last.count, static_cast<double>(last.rungs.unsure[0]) / pairs, plain, certified});
   }
-  return t;
+  const auto share = [](const tangent_row &r) -> cell {
+    return {fmt::format("{:.2g}", r.share), fmt::format("{:.6g}", r.share)};
+  };
+  return table_of<tangent_row>(
+      "tangent", "Unsure pairs: certified against plain fp32, balls",
+      {{"scene", "scene", of_words, &tangent_row::scene},
+       {"balls", "balls|a side", of_count, &tangent_row::balls},
+       {"share", "unsure in fp32,|of all pairs", share},
+       {"pairs", "pairs|touch", of_count, &tangent_row::found},
+       {"plain", "plain fp32,|ms", of_milliseconds, &tangent_row::plain},
+       {"certified", "certified,|ms", of_milliseconds, &tangent_row::certified},
+       {"ratio", "certified /|plain", of_ratio, [](const tangent_row &r) { return r.certified / r.plain; }}},
+      rows, {"Both count; the filter is the same. Unsure pairs touch in exactly one point."});
 }
 
-gpu_bench::given_times gpu_bench::time_given(const gpu_scene &scene, const io::element_set &a, const io::element_set &b,
-                                             const predicate_info &p) {
-  given_set given_a(on_, app::view_of(a), *a.kind);
+gpu_bench::given_times gpu_bench::time_given(const sets_here &sets) {
+  given_set given_a(on_, app::view_of(sets.a()), *sets.a().kind);
   std::optional<given_set> its_own;
-  given_set &given_b = scene.itself ? given_a : its_own.emplace(on_, app::view_of(b), *b.kind);
-  std::vector<double> seconds, wall;
+  given_set &given_b = sets.of.itself ? given_a : its_own.emplace(on_, app::view_of(sets.b()), *sets.b().kind);
   std::uint64_t found = 0;
-  for (int i = 0; i <= runs; ++i) {
+  const auto [device, wall] = medians_of<2>(runs, [&] {
     pairs_there pairs;
-    const device_result r = meetc::collide(on_, given_a, given_b, p, rung::certified, {}, &pairs);
+    const device_result r = meetc::collide(on_, given_a, given_b, sets.predicate, rung::certified, {}, &pairs);
     found = r.count;
-    if (i > 0)
-      seconds.push_back(r.device_seconds), wall.push_back(r.seconds);
-  }
-  return {found, median(seconds), median(wall)};
+    return std::array{r.device_seconds, r.seconds};
+  });
+  return {found, device, wall};
 }
 
 gpu_bench::counted_pairs gpu_bench::count(baseline by, const device_set &a, const device_set &b) {
@@ -218,23 +214,22 @@ gpu_bench::filtered gpu_bench::filter_alone(every_pair::filter f, device_set &a,
   return {found, seconds, timer_.clock_during(once, seconds)};
 }
 
-gpu_bench::whole_query gpu_bench::query(const std::function<counted(device_set &, device_set &)> &ask,
-                                        const prepared &a, const prepared &b, device_set &on_a, device_set &on_b) {
-  std::vector<double> seconds, whole;
+gpu_bench::whole_query gpu_bench::query(const std::string &what,
+                                        const std::function<asked(device_set &, device_set &)> &ask, const prepared &a,
+                                        const prepared &b, device_set &on_a, device_set &on_b) {
+  host_clock clock(0);
   std::uint64_t found = 0;
-  for (int i = 0; i <= runs; ++i) {
-    const counted r = ask(on_a, on_b);
-    const auto start = std::chrono::steady_clock::now();
+  const auto [seconds, with_transfers] = medians_of<2>(runs, [&] {
+    const asked r = ask(on_a, on_b);
+    clock.start();
     device_set fresh_a(on_, a), fresh_b(on_, b);
-    const counted again = ask(fresh_a, fresh_b);
-    const std::chrono::duration<double> with = std::chrono::steady_clock::now() - start;
-    if (again.found != r.found)
-      throw app::failure("bench gpu: two runs of one query differ", app::no_device);
+    const asked again = ask(fresh_a, fresh_b);
+    const double whole = clock.stop();
+    require_truth(what, "the same query on fresh sets", difference_of(again.found, r.found));
     found = r.found;
-    if (i > 0)
-      seconds.push_back(r.device_seconds), whole.push_back(with.count());
-  }
-  return {found, median(seconds), median(whole)};
+    return std::array{r.device_seconds, whole};
+  });
+  return {found, seconds, with_transfers};
 }
 
 } // namespace meetc::bench

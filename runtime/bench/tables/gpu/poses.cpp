@@ -1,6 +1,5 @@
 // One mesh against another in many poses, in one call.
 #include "core/device/poses.hpp"
-#include "app/failure.hpp"
 #include "app/sets.hpp"
 #include "app/words.hpp"
 #include "bench/tables/gpu/measure.hpp"
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 namespace meetc::bench {
@@ -123,60 +123,68 @@ table gpu_bench::measure_poses(const posed_meshes &meshes) {
       mixed.push_back(far[i]), mixed.push_back(near[i]);
   }
 
-  table t;
-  t.name = "poses";
-  t.title = fmt::format("{} in many poses x {}, in one call", app::counted(meshes.small), app::counted(meshes.large));
-  t.columns = {{"class", "poses that are"},         {"poses", "poses"},
-               {"touch", "of them touch"},          {"pairs", "pairs"},
-               {"candidates", "boxes touch"},       {"device", "counts: queries|alone, ms"},
-               {"wall", "counts: wall|clock, ms"},  {"any_device", "any: queries|alone, ms"},
-               {"any_wall", "any: wall|clock, ms"}, {"each", "any: for a|pose, us"},
-               {"as_cpu", "counts as on|the CPU"}};
-  t.notes.emplace_back(
-      fmt::format("Counts: of the pairs of each pose. Any: whether there is one. Near: moved from afar along a line "
-                  "until less than {:.2g} of both "
-                  "sets' size is left before they touch. The call also poses B and uploads the poses. Each count was "
-                  "compared with that of the CPU for B prepared in that pose.",
-                  std::ldexp(1, -halvings)));
-  const auto add = [&](const char *name, const std::vector<pose> &poses) {
-    const auto time = [&](answer_kind want, double &device, double &wall) {
-      std::vector<double> devices, walls;
-      poses_result r;
-      for (int i = 0; i <= pose_runs; ++i) {
-        r = ask(want, poses);
-        if (i > 0)
-          devices.push_back(r.device_seconds), walls.push_back(r.seconds);
-      }
-      device = median(devices), wall = median(walls);
-      return r;
+  struct row {
+    std::string name;
+    std::uint64_t poses, touch, pairs, candidates, alike;
+    double device, wall, any_device, any_wall;
+
+    double each_in_microseconds() const { return 1e6 * any_wall / static_cast<double>(poses); }
+  };
+  const auto measure_class = [&](const char *name, const std::vector<pose> &poses) -> row {
+    poses_result counted, any;
+    const auto time = [&](answer_kind want, poses_result &last) {
+      return medians_of<2>(pose_runs, [&] {
+        last = ask(want, poses);
+        return std::array{last.device_seconds, last.seconds};
+      });
     };
-    double device = 0, wall = 0, any_device = 0, any_wall = 0;
-    const poses_result r = time(answer_kind::count, device, wall), any = time(answer_kind::any, any_device, any_wall);
-    for (std::size_t i = 0; i < poses.size(); ++i)
-      if ((r.counts[i] > 0) != (any.counts[i] > 0))
-        throw app::failure("bench gpu: two answers about a pose differ", app::no_device);
-    std::atomic<std::size_t> alike{0};
+    const auto [device, wall] = time(answer_kind::count, counted);
+    const auto [any_device, any_wall] = time(answer_kind::any, any);
+    std::atomic<std::size_t> alike{0}, any_alike{0};
     for_chunks(thread_count(0), poses.size(), 4, [&](int, std::size_t begin, std::size_t end) {
       collide_options one;
       one.threads = 1;
       one.want = answer_kind::count;
       for (std::size_t i = begin; i < end; ++i) {
         const prepared there = prepare(app::view_of(meshes.small), *p.b, poses[i], 1);
-        alike += collide(a, there, p, rung::certified, one).count == r.counts[i];
+        alike += collide(a, there, p, rung::certified, one).count == counted.counts[i];
+        any_alike += (counted.counts[i] > 0) == (any.counts[i] > 0);
       }
     });
-    if (alike != poses.size())
-      throw app::failure("bench gpu: a count of a pose differs from the CPU's", app::no_device);
-    std::uint64_t pairs = 0;
-    for (const std::uint64_t n : r.counts)
-      pairs += n;
-    t.rows.push_back({of_words(name), of_count(poses.size()), of_count(touching(r.counts)), of_count(pairs),
-                      of_count(r.candidates), of_milliseconds(device), of_milliseconds(wall),
-                      of_milliseconds(any_device), of_milliseconds(any_wall),
-                      of_ratio(1e6 * any_wall / static_cast<double>(poses.size())), of_count(alike)});
+    require_truth("poses", "a count of a pose beside the CPU's", difference_of(alike, poses.size()));
+    require_truth("poses", "whether a pose touches, beside its count,", difference_of(any_alike, poses.size()));
+    return {name,
+            poses.size(),
+            touching(counted.counts),
+            std::accumulate(counted.counts.begin(), counted.counts.end(), std::uint64_t{0}),
+            counted.candidates,
+            alike,
+            device,
+            wall,
+            any_device,
+            any_wall};
   };
-  add("far", far), add("touching", touch), add("near misses", near), add("mixed", mixed);
-  return t;
+  return table_of<row>(
+      "poses",
+      fmt::format("{} in many poses x {}, in one call", app::counted(meshes.small), app::counted(meshes.large)),
+      {{"class", "poses that are", of_words, &row::name},
+       {"poses", "poses", of_count, &row::poses},
+       {"touch", "of them touch", of_count, &row::touch},
+       {"pairs", "pairs", of_count, &row::pairs},
+       {"candidates", "boxes touch", of_count, &row::candidates},
+       {"device", "counts: queries|alone, ms", of_milliseconds, &row::device},
+       {"wall", "counts: wall|clock, ms", of_milliseconds, &row::wall},
+       {"any_device", "any: queries|alone, ms", of_milliseconds, &row::any_device},
+       {"any_wall", "any: wall|clock, ms", of_milliseconds, &row::any_wall},
+       {"each", "any: for a|pose, us", of_ratio, &row::each_in_microseconds},
+       {"as_cpu", "counts as on|the CPU", of_count, &row::alike}},
+      std::vector<row>{measure_class("far", far), measure_class("touching", touch), measure_class("near misses", near),
+                       measure_class("mixed", mixed)},
+      {fmt::format(
+          "Counts: of the pairs of each pose. Any: whether there is one. Near: moved from afar along a line until "
+          "less than {:.2g} of both sets' size is left before they touch. The call also poses B and uploads the "
+          "poses. Each count was compared with that of the CPU for B prepared in that pose.",
+          std::ldexp(1, -halvings))});
 }
 
 } // namespace meetc::bench

@@ -1,38 +1,54 @@
 // bench/tables/paper/brute_force.hpp: every pair of two sets decided on one core, as in the paper.
 //
-// Method: each test is called for blocks of pairs of one row of a with many rows of b, and all tests take the same
-// blocks in turn. If there are more pairs than the budget allows, rows are left out evenly on both sides, and the time
-// is scaled by the number of pairs: the work of brute force is proportional to it.
+// Method: each test is called for blocks of pairs of one row of a with many rows of b. If there are more pairs than the
+// budget allows, rows are left out evenly on both sides: the work of brute force is proportional to the number of pairs.
 #ifndef MEETC_BENCH_TABLES_PAPER_BRUTE_FORCE_HPP
 #define MEETC_BENCH_TABLES_PAPER_BRUTE_FORCE_HPP
 
-#include "bench/harness/measure.hpp"
+#include "bench/harness/method.hpp"
 #include "io/element_set.hpp"
 #include "meetc/support.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace meetc::bench {
 
-struct brute_force_time {
-  double time = 0;                           // for all pairs, scaled from the sample; in yardsticks
-  std::uint64_t yes = 0;                     // in the sample
-  std::uint64_t wrong_yes = 0, wrong_no = 0; // compared with the first test, in the sample
-};
-struct brute_force_times {
-  std::vector<brute_force_time> of; // one for each test
-  std::uint64_t pairs = 0;          // in the sample
-  bool sample = false;              // true where not all pairs are in it
+class brute_force {
+public:
+  // a and b are the predicate's first and second set; what they store for it is computed here.
+  brute_force(const predicate_info &predicate, const io::element_set &a, const io::element_set &b,
+              std::uint64_t budget);
+
+  std::uint64_t pairs() const { return a_.count() * b_.count(); } // in the sample
+  bool is_sample() const { return share_ < 1; }
+  double share() const { return share_; } // of all pairs
+
+  void run(decide_function test) const; // on all pairs of the sample
+  // How the answers of a test differ from those of another one.
+  difference compared(decide_function test, decide_function truth) const;
+
+private:
+  // Rows with what a predicate wants stored beside them: for its plain rung, and for the others.
+  struct side {
+    std::vector<float> rows, plain, bounded;
+    std::size_t fields, floats;
+
+    side(const io::element_set &set, std::size_t stride, const stored_values &of_plain,
+         const stored_values &of_bounded);
+    std::size_t count() const { return rows.size() / fields; }
+    row_array from(std::size_t row, bool for_plain) const;
+  };
+  void decide(decide_function test, std::size_t i, std::size_t j, std::size_t n, answer *out) const;
+  template <class Take> void each_block(const Take &take) const;
+
+  decide_function plain_;
+  side a_, b_;
+  double share_;
+  std::vector<index_pair> one_with_many_; // (0, j)
 };
 
-// a and b are the predicate's first and second set; what they store for it is computed before the clock starts.
-brute_force_times time_brute_force(yardstick &by, std::span<const decide_function> tests,
-                                   const predicate_info &predicate, const io::element_set &a, const io::element_set &b,
-                                   std::uint64_t budget, int runs);
-
-// The classic tests as functions of rows, for time_brute_force().
+// The classic tests as functions of rows.
 namespace classic {
 extern const decide_function balls, moller, moller_0, guigue_devillers, moller_trumbore;
 }

@@ -1,9 +1,8 @@
 #include "bench/tables/trade/maps.hpp"
 
 #include "app/choose.hpp"
-#include "bench/harness/gnuplot.hpp"
 #include "bench/scenes/trade_families.hpp"
-#include "bench/tables/trade/measure.hpp"
+#include "bench/tables/trade/cells.hpp"
 #include "bench/truth/distance.hpp"
 #include "bench/truth/proved_distance.hpp"
 
@@ -21,15 +20,15 @@ constexpr int bits_step = 4;
 constexpr std::array wrong_rungs{rung::fp32, rung::fp64, rung::fp64x2};
 constexpr std::array unsure_rungs{rung::fp32, rung::fp64};
 
-struct column {
+struct map_column {
   std::string label;
   int scale;
   double offset;
 };
 
 // Scales from about 1e-38 to 4e37; offsets from 0 to 1e7 sizes.
-std::vector<column> columns_of(trade_maps::axis across) {
-  std::vector<column> out;
+std::vector<map_column> columns_of(trade_maps::axis across) {
+  std::vector<map_column> out;
   if (across == trade_maps::axis::scale) {
     constexpr int least = -126, most = 125, step = 12;
     for (int scale = least; scale <= most; scale += step)
@@ -58,10 +57,8 @@ double seen_share(const element_pairs &pairs, rung precision, const std::vector<
   for (std::size_t i = 0; i < pairs.count; ++i) {
     if (given[i] == exact[i])
       continue;
-    const float *const a = pairs.a.data() + i * static_cast<std::size_t>(p.a->fields), *const b =
-                                                                                           pairs.b.data() +
-                                                                                           i * static_cast<std::size_t>(
-                                                                                                   p.b->fields);
+    const float *const a = pairs.a.data() + i * static_cast<std::size_t>(p.a->fields);
+    const float *const b = pairs.b.data() + i * static_cast<std::size_t>(p.b->fields);
     const double seen = distance_from_change(p, a, b, exact[i] == answer::yes), limit = proved(a, b);
     most = std::max(most, limit > 0 ? seen / limit : seen > 0 ? HUGE_VAL : 0);
   }
@@ -73,8 +70,8 @@ double seen_share(const element_pairs &pairs, rung precision, const std::vector<
 trade_maps map_trade(const predicate_info &p, trade_maps::axis across, std::size_t n) {
   trade_maps out;
   out.across = across;
-  const std::vector<column> columns = columns_of(across);
-  for (const column &c : columns)
+  const std::vector<map_column> columns = columns_of(across);
+  for (const map_column &c : columns)
     out.columns.push_back(c.label);
   for (int bits = 0; bits <= nearest_bits; bits += bits_step)
     out.bits.push_back(bits);
@@ -86,7 +83,7 @@ trade_maps map_trade(const predicate_info &p, trade_maps::axis across, std::size
       out.maps.push_back({app::name_of(r), true, {}});
   std::uint64_t seed = 0;
   for (const int bits : out.bits)
-    for (const column &c : columns) {
+    for (const map_column &c : columns) {
       const element_pairs pairs = make_pairs(p, n, {c.scale, c.offset, true, bits, bits}, ++seed);
       const std::vector<answer> exact = decide_all(pairs, p.decide[static_cast<int>(rung::exact)]);
       for (trade_map &m : out.maps) {
@@ -104,41 +101,26 @@ trade_maps map_trade(const predicate_info &p, trade_maps::axis across, std::size
   return out;
 }
 
-void draw_maps(const std::filesystem::path &to, const std::string &title, const std::vector<trade_maps> &all) {
-  constexpr int panel_width = 330, panel_height = 300, head = 50;
-  std::size_t most = 0;
+plot plot_of_maps(const std::string &title, const std::vector<trade_maps> &all) {
+  std::vector<std::string> titles, words, ticks, widths, shares;
   for (const trade_maps &m : all)
-    most = std::max(most, m.maps.size());
-  std::string script =
-      fmt::format("set encoding utf8\n"
-                  "set terminal pngcairo noenhanced size {},{} background '#fcfcfb' font 'Sans,9'\n"
-                  "set multiplot layout {},{} title {}\n",
-                  panel_width * static_cast<int>(most), head + panel_height * static_cast<int>(all.size()), all.size(),
-                  most, gnuplot_string(title));
-  script +=
-      "set palette defined (0 '#f2f5f7', 0.001 '#cfe3f1', 0.05 '#8ab6d9', 0.25 '#f0c36a', 0.6 '#d9693a', 1 '#8e1b2c')\n"
-      "set cbrange [0:100]\nset format cb '%g %%'\nset tics out nomirror\nset border 3\nunset key\n";
-  for (const trade_maps &m : all)
-    for (std::size_t k = 0; k < most; ++k) {
-      if (k >= m.maps.size()) {
-        script += "set multiplot next\n";
-        continue;
-      }
-      const trade_map &map = m.maps[k];
-      std::string ticks;
-      const std::size_t every = m.columns.size() / 4 + 1;
-      for (std::size_t c = 0; c < m.columns.size(); c += every)
-        ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", m.columns[c], c);
-      script += fmt::format("set title '{} {}'\nset xlabel '{}'\nset ylabel 'nearness to a contact, bits'\n"
-                            "set xtics ({})\nset xrange [-0.5:{}]\nset yrange [{}:{}]\nset ytics 12\n$map << END\n",
-                            map.unsure ? "unsure in bounded" : "wrong in plain", map.rung,
-                            m.across == trade_maps::axis::scale ? "scale" : "distance from the origin, in sizes", ticks,
-                            static_cast<double>(m.columns.size()) - 0.5, -bits_step / 2, nearest_bits + bits_step / 2);
+    for (const trade_map &map : m.maps) {
+      titles.push_back(fmt::format("{} {}", map.unsure ? "unsure in bounded" : "wrong in plain", map.rung));
+      words.emplace_back(m.across == trade_maps::axis::scale ? "scale" : "distance from the origin, in sizes");
+      widths.push_back(fmt::format("{}", m.columns.size()));
+      ticks.emplace_back(), shares.emplace_back();
+      for (std::size_t c = 0; c < m.columns.size(); c += m.columns.size() / 4 + 1)
+        ticks.back() += fmt::format("{}\"{}\" {}", c == 0 ? "" : ", ", m.columns[c], c);
       for (std::size_t i = 0; i < map.share.size(); ++i)
-        script += fmt::format("{} {} {:.4f}\n", i % m.columns.size(), m.bits[i / m.columns.size()], 100 * map.share[i]);
-      script += "END\nplot $map using 1:2:3 with image\n";
+        shares.back() +=
+            fmt::format("{} {} {:.4f}\n", i % m.columns.size(), m.bits[i / m.columns.size()], 100 * map.share[i]);
     }
-  run_gnuplot(script + "unset multiplot\n", to);
+  plot out("maps");
+  out.set("words", title).set("rows", static_cast<double>(all.size()));
+  out.set("across", static_cast<double>(titles.size() / std::max<std::size_t>(all.size(), 1)));
+  out.list("titles", titles).list("x_words", words).list("ticks", ticks).list("columns", widths);
+  out.set("low", -bits_step / 2).set("high", nearest_bits + bits_step / 2).data("shares", shares);
+  return out;
 }
 
 } // namespace meetc::bench

@@ -3,10 +3,10 @@
 #ifndef MEETC_BENCH_TABLES_TRADE_MAPS_HPP
 #define MEETC_BENCH_TABLES_TRADE_MAPS_HPP
 
+#include "bench/harness/plot.hpp"
 #include "meetc/support.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,8 +32,8 @@ struct trade_maps {
 // what is unsure, which depends on the instruction set.
 trade_maps map_trade(const predicate_info &p, trade_maps::axis across, std::size_t n);
 
-// One picture with the maps of both axes. Throws app::failure where gnuplot is missing or fails.
-void draw_maps(const std::filesystem::path &to, const std::string &title, const std::vector<trade_maps> &all);
+// One picture with the maps of both axes.
+plot plot_of_maps(const std::string &title, const std::vector<trade_maps> &all);
 
 } // namespace meetc::bench
 
