@@ -27,7 +27,7 @@ BEGIN {
     for (j = 1; j <= i; ++j)
       may["runtime/" order_runtime[i], "runtime/" order_runtime[j]] = 1
   }
-  # What a pair's truth is, tests use too, which have no program.
+  # Tests, which have no program, also use the truth of a pair.
   for (j = 2; order_runtime[j] != "bench/baselines"; ++j)
     delete may["runtime/bench/truth", "runtime/" order_runtime[j]]
   # Only the program and its benchmarks know shapes and predicates. Generated code includes the kernel headers and its own.

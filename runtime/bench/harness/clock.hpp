@@ -1,4 +1,4 @@
-// bench/harness/clock.hpp: what measures the seconds of one piece of work.
+// bench/harness/clock.hpp: clocks for one piece of work.
 //
 // Problem: on a shared machine other processes take turns on the same cores, and a device works beside the host.
 // Method: one interface, of which there are three kinds: the time of this process on its cores, in which other processes

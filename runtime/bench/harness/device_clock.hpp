@@ -35,7 +35,7 @@ public:
     return static_cast<double>(ms) / 1000;
   }
 
-  // Of one work alone.
+  // The seconds of one work alone.
   double seconds(const std::function<void()> &work, int runs) {
     return take_turns(*this, {work}, {runs, 60, 0}).seconds[0];
   }

@@ -1,4 +1,4 @@
-// bench/harness/machine.hpp: what a table of CPU times must say of the machine and of the program.
+// bench/harness/machine.hpp: the machine and the program, for tables of CPU times.
 #ifndef MEETC_BENCH_HARNESS_MACHINE_HPP
 #define MEETC_BENCH_HARNESS_MACHINE_HPP
 

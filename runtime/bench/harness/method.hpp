@@ -1,6 +1,6 @@
 // bench/harness/method.hpp: methods that answer the same question about a scene, timed by turns and checked.
 //
-// A method is a name, what it does in steps that are timed apart, and how its answer differs from the truth of the scene.
+// A method is a name, steps that are timed apart, and the difference of its answer from the truth of the scene.
 // A method that promises the truth, and whose answer is another, ends the benchmark: its times would mean nothing.
 #ifndef MEETC_BENCH_HARNESS_METHOD_HPP
 #define MEETC_BENCH_HARNESS_METHOD_HPP

@@ -1,4 +1,4 @@
-// bench/harness/options.hpp: what the user may ask of a benchmark, and the options that say it.
+// bench/harness/options.hpp: a user's request to a benchmark, and the options that state it.
 #ifndef MEETC_BENCH_HARNESS_OPTIONS_HPP
 #define MEETC_BENCH_HARNESS_OPTIONS_HPP
 

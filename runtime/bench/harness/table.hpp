@@ -1,4 +1,4 @@
-// bench/harness/table.hpp: tables of results as data: columns that say what of a row they show, and rows of any type.
+// bench/harness/table.hpp: tables of results as data: columns, each with its view of a row, and rows of any type.
 // A table is written as text, as Markdown and as JSON.
 #ifndef MEETC_BENCH_HARNESS_TABLE_HPP
 #define MEETC_BENCH_HARNESS_TABLE_HPP
@@ -37,7 +37,7 @@ struct table {
   std::vector<std::string> notes;
 };
 
-// What a column shows of a row: a cell, or a member or a function of the row in one of the forms above.
+// A column shows a cell for each row, or a member or a function of the row in one of the forms above.
 template <class Row> struct column {
   std::string key, title; // as those of a heading
   std::function<cell(const Row &)> show;

@@ -1,4 +1,4 @@
-// bench/tables/device.hpp: what the paper's tables and `meet trade` ask of a device.
+// bench/tables/device.hpp: the questions of the paper's tables and of `meet trade` to a device.
 #ifndef MEETC_BENCH_TABLES_DEVICE_HPP
 #define MEETC_BENCH_TABLES_DEVICE_HPP
 

@@ -24,7 +24,7 @@ std::string cpu(const app::kernel_library &kernels, const request &q);
 // in the page cache; all memory is fresh in each run.
 std::string read(const catalogue &all, const request &q);
 
-// `meet trade`: what each rung costs, how often it is wrong, and how far.
+// `meet trade`: the cost of each rung, the number of its errors, and their size.
 std::string trade(const app::kernel_library &kernels, const request &q);
 
 } // namespace meetc::bench

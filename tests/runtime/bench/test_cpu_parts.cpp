@@ -1,4 +1,4 @@
-// What `meet bench cpu` is made of: counts of wrong answers, quartiles, bars and the families of pairs.
+// The parts of `meet bench cpu`: bars and the families of pairs.
 #include "tests/catch.hpp"
 
 #include "bench/scenes/pair_families.hpp"

@@ -1,4 +1,4 @@
-// What `meet trade` rests on: distances from being right, pairs near a contact, and proved distances.
+// The base of `meet trade`: distances from being right, pairs near a contact, and proved distances.
 #include "tests/catch.hpp"
 
 #include "bench/baselines/paper_way.hpp"

@@ -1,4 +1,4 @@
-// bench/tables/cpu/cpu.hpp: the families of `meet bench cpu`: what they share, and what each adds to the result.
+// bench/tables/cpu/cpu.hpp: the families of `meet bench cpu`: their common types, and the addition of each to the result.
 #ifndef MEETC_BENCH_TABLES_CPU_CPU_HPP
 #define MEETC_BENCH_TABLES_CPU_CPU_HPP
 

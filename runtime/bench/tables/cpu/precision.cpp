@@ -1,4 +1,4 @@
-// What certainty costs in a query: certified and exact beside plain fp32, both sets prepared.
+// The price of certainty in a query: certified and exact beside plain fp32, both sets prepared.
 #include "bench/tables/cpu/cpu.hpp"
 
 #include "app/choose.hpp"

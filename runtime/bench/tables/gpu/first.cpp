@@ -1,4 +1,4 @@
-// What segments meet first, beside the nearest hits of a hierarchy of the usual kind.
+// The first triangles that segments meet, beside the nearest hits of a hierarchy of the usual kind.
 #include "bench/baselines/gpu_lbvh.hpp"
 #include "bench/tables/gpu/measure.hpp"
 #include "bench/tables/gpu/sets.hpp"

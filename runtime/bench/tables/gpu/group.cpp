@@ -1,4 +1,4 @@
-// What several devices of one host gain: one query cut between them, beside the same query on the first of them.
+// The gain of several devices of one host: one query cut between them, beside the same query on the first of them.
 #include "core/device/group.hpp"
 #include "app/failure.hpp"
 #include "bench/tables/gpu/measure.hpp"
@@ -117,7 +117,7 @@ table gpu_bench::measure_group(const std::vector<scene> &scenes, const std::func
        {"count_group", "all: counted,|wall, ms", [](const row &r) { return of_milliseconds(r.all.count_wall); }},
        {"count_gain", "one / all,|wall", [](const row &r) { return of_ratio(r.one.count_wall / r.all.count_wall); }}},
       rows,
-      {"Of queries, certified, on sets that were queried before. A is cut between the devices and "
+      {"Certified queries, on sets that were queried before. A is cut between the devices and "
        "each "
        "has all of B; a set with itself is cut likewise, and looked at whole where one device looks at half. Pairs, "
        "ms: "

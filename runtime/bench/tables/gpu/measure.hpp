@@ -35,7 +35,7 @@ public:
   table measure_hard(const std::vector<scene> &scenes, const std::function<void()> &progress);
   // A hierarchy of the usual kind beside ours.
   table measure_lbvh(const std::vector<scene> &scenes, const std::function<void()> &progress);
-  // What segments meet first, beside the nearest hits of a hierarchy of the usual kind.
+  // The first triangles that segments meet, beside the nearest hits of a hierarchy of the usual kind.
   table measure_first(const std::vector<scene> &scenes, const std::function<void()> &progress);
   // The same queries on one device of this host and on all of them. Throws app::failure where there is one.
   table measure_group(const std::vector<scene> &scenes, const std::function<void()> &progress);

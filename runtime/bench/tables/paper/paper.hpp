@@ -1,4 +1,4 @@
-// bench/tables/paper/paper.hpp: the parts of `meet bench paper`: what they share, and what each adds to the result.
+// bench/tables/paper/paper.hpp: the parts of `meet bench paper`: their common types, and the addition of each to the result.
 #ifndef MEETC_BENCH_TABLES_PAPER_PAPER_HPP
 #define MEETC_BENCH_TABLES_PAPER_PAPER_HPP
 

@@ -1,4 +1,4 @@
-// bench/tables/trade/cells.hpp: what each method of deciding a predicate costs on a list of pairs, and how wrong it is there.
+// bench/tables/trade/cells.hpp: the cost of each method of deciding a predicate on a list of pairs, and its errors there.
 #ifndef MEETC_BENCH_TABLES_TRADE_CELLS_HPP
 #define MEETC_BENCH_TABLES_TRADE_CELLS_HPP
 
@@ -39,7 +39,7 @@ struct trade_point {
   trade_method method;
   double seconds = 0; // for one pair
   wrongness wrong = {};
-  std::optional<std::uint64_t> unsure = {}; // certified: what its first rung left unsure
+  std::optional<std::uint64_t> unsure = {}; // certified: the pairs that its first rung left unsure
   std::size_t pairs = 0;                    // of which the method was asked, the first ones; 0: all
   bool on_device = false;
 };

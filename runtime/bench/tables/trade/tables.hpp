@@ -1,4 +1,4 @@
-// bench/tables/trade/tables.hpp: what `meet trade` measured, as tables, as CSV and as a picture.
+// bench/tables/trade/tables.hpp: the results of `meet trade` as tables, as CSV and as a picture.
 #ifndef MEETC_BENCH_TABLES_TRADE_TABLES_HPP
 #define MEETC_BENCH_TABLES_TRADE_TABLES_HPP
 

@@ -7,8 +7,8 @@
 #include "bench/harness/report.hpp"
 #include "bench/scenes/scene_sets.hpp"
 #include "bench/scenes/trade_families.hpp"
-#include "bench/tables/tables.hpp"
 #include "bench/tables/device.hpp"
+#include "bench/tables/tables.hpp"
 #include "bench/tables/trade/maps.hpp"
 #include "bench/tables/trade/tables.hpp"
 #include "core/threads.hpp"
@@ -69,7 +69,7 @@ bool is_measured(const predicate_info &p) {
   return can_make_pairs(p) && p.decide[static_cast<int>(rung::exact)];
 }
 
-// What the numbers of a family are rounded to for its tolerance.
+// The tolerance to which the numbers of a family are rounded.
 constexpr double tolerated = 0x1p-20; // sizes
 
 // One predicate on a list of pairs, on the processor and on the device if there is one.
