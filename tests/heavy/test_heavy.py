@@ -25,7 +25,8 @@ def write(path, text):
 
 
 def read_by_compilers(build):
-    """What the compilers have read, as they told ninja: object -> files."""
+    """The files that compilers have read, as they told ninja: object -> files. An object that is older than one of them, or
+    than a file that is gone, is compiled anew before it is run, and is not among them."""
     said = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout
     found, current = {}, None
     for line in said.splitlines():
@@ -34,7 +35,12 @@ def read_by_compilers(build):
             current.append(os.path.realpath(path))
         elif ": #deps" in line:
             current = found.setdefault(line.split(": #deps")[0], []) if "(VALID)" in line else []
-    return found
+
+    def is_made(output, files):
+        made = os.path.getmtime(os.path.join(build, output))
+        return all(os.path.exists(f) and os.path.getmtime(f) <= made for f in files)
+
+    return {output: files for output, files in found.items() if is_made(output, files)}
 
 
 def copy_of(build, to):
