@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# readme.sh MEETC MEET SOURCE: the README's commands run, its measured figures are those of docs/gpu.md, its example is
+# readme.sh MEETC MEET SOURCE: the README's commands run, its measured figures are those of docs/measured/gpu.md, its example is
 # small, and every link of the README and docs/, and every file of this tree that they name, exists.
 set -euo pipefail
 meetc=$1 meet=$2
@@ -26,16 +26,16 @@ done <"$work/commands"
 [ -s "$work/room/touching.csv" ] && [ -s "$work/room/touching.png" ]
 
 # ---- the measured figures ----
-# cell METHOD COLUMN: a cell of the table of Bunny x Armadillo in docs/gpu.md.
+# cell METHOD COLUMN: a cell of the table of Bunny x Armadillo in docs/measured/gpu.md.
 cell() {
   awk -F ' *\\| *' -v method="$1" -v column="$2" \
-    '/^### /{on = /^### Bunny x Armadillo:/} on && $2 == method {print $column}' docs/gpu.md
+    '/^### /{on = /^### Bunny x Armadillo:/} on && $2 == method {print $column}' docs/measured/gpu.md
 }
 # shown METHOD: the row of the README that must show its count and its time, the latter to two or three digits.
 shown() {
   local count time
   count=$(cell "$1" 3) time=$(printf '%.3g' "$(cell "$1" 4)")
-  [ -n "$count" ] || { echo "docs/gpu.md has no row '$1'"; exit 1; }
+  [ -n "$count" ] || { echo "docs/measured/gpu.md has no row '$1'"; exit 1; }
   case $time in 0.???) time=$(printf '%.2f' "$time") ;; esac
   grep -q "| $count | $time ms |\$" README.md || { echo "README.md does not show '$count | $time ms' of '$1'"; exit 1; }
 }

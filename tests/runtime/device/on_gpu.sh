@@ -3,7 +3,7 @@
 #   on_gpu.sh BUILD OUT [DATA]
 # DATA: a folder of meshes; the default is built-in bodies. PARTS in the environment, some of "tests sanitizer bench
 # paper counters", selects these parts only. `./dev gpu` builds first and copies the tables into
-# docs/gpu.md. compute-sanitizer and ncu are used if they are found.
+# docs/measured/gpu.md. compute-sanitizer and ncu are used if they are found.
 set -uo pipefail
 build=${1:?the build folder is needed}
 out=${2:?a folder for the results is needed}
