@@ -1,8 +1,8 @@
 #include "tests/generated/tolerant/campaign.hpp"
 
 #include "bench/truth/distance.hpp"
-#include "bench/truth/numbers.hpp"
 #include "bench/truth/near_pairs.hpp"
+#include "bench/truth/numbers.hpp"
 #include "core/find.hpp"
 #include "core/pose.hpp"
 
