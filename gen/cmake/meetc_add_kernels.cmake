@@ -94,17 +94,19 @@ function(meetc_add_kernels target)
     endif()
   endforeach()
   get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  set(device_backend cuda) # as it was asked for
   if("every_pair" IN_LIST arg_BACKENDS AND NOT "cuda" IN_LIST arg_BACKENDS)
     list(APPEND arg_BACKENDS cuda) # whose launchers decide what that leaves
+    set(device_backend every_pair)
   endif()
   if("cuda" IN_LIST arg_BACKENDS)
     set(cuda ON)
     if(NOT "CUDA" IN_LIST languages)
-      message(FATAL_ERROR "${me}: BACKENDS cuda needs the language CUDA; say enable_language(CUDA) before this call, or "
+      message(FATAL_ERROR "${me}: BACKENDS ${device_backend} needs the language CUDA; say enable_language(CUDA) before this call, or "
         "project(${PROJECT_NAME} LANGUAGES CXX CUDA)")
     endif()
     if(CMAKE_CUDA_COMPILER_ID STREQUAL "NVIDIA" AND CMAKE_CUDA_COMPILER_VERSION VERSION_LESS 12)
-      message(FATAL_ERROR "${me}: BACKENDS cuda needs CUDA 12 or later (C++20); this is ${CMAKE_CUDA_COMPILER_VERSION}")
+      message(FATAL_ERROR "${me}: BACKENDS ${device_backend} needs CUDA 12 or later (C++20); this is ${CMAKE_CUDA_COMPILER_VERSION}")
     endif()
   else()
     set(cuda OFF)

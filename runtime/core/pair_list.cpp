@@ -77,8 +77,12 @@ std::vector<index_pair> sorted(std::vector<pair_list> lists, int threads) {
 std::vector<index_pair> sorted(std::span<const pair_span> lists, int threads) {
   const equal_parts parts(lists);
   std::vector<index_pair> out;
-  if (parts.size() == 0)
+  if (parts.size() < std::size_t{1} << 14) { // to start threads would take longer than to sort
+    for (const pair_span l : lists)
+      out.insert(out.end(), l.begin(), l.end());
+    sort_pairs(out);
     return out;
+  }
   std::vector<pair_key> keys(parts.count());
   for_chunks(threads, parts.count(), 1, [&](int, std::size_t p, std::size_t) {
     parts.each(p, [&](const index_pair *pairs, std::size_t n) {
@@ -100,7 +104,7 @@ std::vector<index_pair> sorted(std::span<const pair_span> lists, int threads) {
       [&](int worker, std::size_t, std::size_t n) {
         const auto w = static_cast<std::size_t>(worker);
         if (sizes[w] < n) {
-          sizes[w] = 2 * n;
+          sizes[w] = std::min(2 * n, parts.size());
           rooms[w] = allocate(sizes[w] * sizeof(index_pair));
         }
         return static_cast<index_pair *>(rooms[w].get());

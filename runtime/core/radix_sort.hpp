@@ -1,9 +1,9 @@
 // core/radix_sort.hpp: a stable sort by an unsigned key, on one thread or several.
 //
-// Method: on one thread, digit by digit, the lowest first. On several threads, the items are distributed to 256 buckets by
-// the highest bits of their keys, in parts: each part counts its items of each bucket, and then knows its places there. One
-// thread then sorts each bucket by the other bits. The order depends on the items alone. Limit: a bucket that has most items
-// keeps one thread busy.
+// Method: radix_sort() sorts on one thread, digit by digit, the lowest first. radix_sort_parts() distributes the items to 256
+// buckets by the highest bits of their keys, in parts: each part counts its items of each bucket, and then knows its places
+// there. One thread then sorts each bucket by the other bits. The order depends on the items alone. Limits: a bucket that has
+// most items keeps one thread busy, and the caller's stack holds 64 KiB of counts.
 // Source: Satish, Harris and Garland, "Designing Efficient Sorting Algorithms for Manycore GPUs", 2009 (counts by parts).
 #ifndef MEETC_CORE_RADIX_SORT_HPP
 #define MEETC_CORE_RADIX_SORT_HPP
@@ -58,9 +58,9 @@ template <class T, class Key> void radix_sort(T *data, T *scratch, std::size_t n
     std::copy(from, from + n, data);
 }
 
-// Items in up to most_sort_parts parts: each(part, visit) calls visit(items, count) for the pieces of a part, one after another,
+// Items come in up to most_sort_parts parts: each(part, visit) calls visit(items, count) for the pieces of a part, one after another,
 // and does so again when it is called again. With every part the items end as many as all are.
-inline constexpr std::size_t sort_buckets = 256, most_sort_parts = 64;
+inline constexpr std::size_t sort_buckets = 256, most_sort_parts = 32;
 
 // Sorts them into `to`, which does not overlap them, by the low `bits` bits of key(item). Items with one key stand in the order
 // of the parts. room(worker, begin, n) is room for n items while a bucket is sorted whose first place is `begin`.

@@ -4,7 +4,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room()
 file(COPY "${SOURCE}/docs/examples/library" DESTINATION "${ROOM}")
 file(READ "${ROOM}/library/CMakeLists.txt" lists)
-set(find "find_package(meetc 0.1 REQUIRED CONFIG COMPONENTS runtime io)\n")
+set(find "find_package(meetc 0.2 REQUIRED CONFIG COMPONENTS runtime io)\n")
 
 configure("${ROOM}/library" "-DCMAKE_PREFIX_PATH=${RUNTIME_PREFIX}")
 build("${ROOM}/library")

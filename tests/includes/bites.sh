@@ -97,12 +97,12 @@ refused '"nowhere.hpp" is no file of this tree' gen/lang/load.hpp '#include "now
 refused "this file lies in no room of the order" gen/somewhere/new.hpp '#include <string>'
 crowd() {
   for i in {1..24}; do put runtime/bench/scenes/$i.hpp '#include <string>'; done
-  "$check" . >/dev/null
+  "$check" . >/dev/null || return 1
   ! said=$(put runtime/bench/scenes/25.hpp '#include <string>' && "$check" . 2>&1) && [[ $said == *"runtime/bench/scenes: holds 26 files"* ]]
 }
 sound
 crowd || {
-  echo "FAILED: 26 files in a folder of benchmarks"
+  echo "FAILED: 25 or 26 files in a folder of benchmarks"
   exit 1
 }
 refused "a cycle of includes: generated/default/cga/" generated/default/cga/kinds.hpp '#include <cga/cga.hpp>'
