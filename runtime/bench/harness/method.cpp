@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace meetc::bench {
 
@@ -47,8 +48,11 @@ void require_truth(const std::string &scene, const std::string &method, const di
 
 measured_methods measure(const std::string &scene, clock &by, const std::vector<method> &all, const turns &how) {
   works steps;
-  for (const method &m : all)
+  for (const method &m : all) {
+    if (m.promises_truth && !m.answer)
+      throw std::logic_error(m.name + " promises the truth and gives no answer");
     steps.insert(steps.end(), m.steps.begin(), m.steps.end());
+  }
   const times timed = take_turns(by, steps, how);
   measured_methods out{{}, timed.repetitions};
   auto next = timed.seconds.begin();

@@ -32,7 +32,7 @@ struct method {
   std::string name;
   bool promises_truth = true;
   works steps;                        // in this order
-  std::function<difference()> answer; // after the last step; empty: nothing is to be compared
+  std::function<difference()> answer; // after the last step; empty: nothing is to be compared, and nothing promised
 };
 
 struct measured {

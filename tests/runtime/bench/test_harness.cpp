@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 #include <unistd.h>
 
 using namespace meetc::bench;
@@ -151,13 +152,14 @@ TEST_CASE("a method that promises the truth and gives another answer ends the be
   const measured_methods m = measure("a scene", by,
                                      {{"exact", true, steps, says({7, 0, 0})},
                                       {"fast", false, {steps[1]}, says({8, 2, 1})},
-                                      {"unasked", true, {steps[0]}, {}}},
+                                      {"unasked", false, {steps[0]}, {}}},
                                      {3, 1e6, 0});
   REQUIRE(m.of.size() == 3);
   CHECK(m.of[0].seconds == std::vector<double>{2, 3});
   CHECK(m.of[0].found.found == 7);
   CHECK(m.of[1].seconds == std::vector<double>{3});
   CHECK(m.of[1].found.wrong() == 3);
+  CHECK_THROWS_AS(measure("a scene", by, {{"unasked", true, {steps[0]}, {}}}, {3, 1e6, 0}), std::logic_error);
   for (const difference wrong : {difference{8, 1, 0}, difference{6, 0, 1}})
     try {
       measure("a scene", by, {{"fast", false, {steps[0]}, says({9, 2, 0})}, {"exact", true, {steps[0]}, says(wrong)}},
