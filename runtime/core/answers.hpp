@@ -33,7 +33,7 @@ inline constexpr std::uint32_t no_element = ~std::uint32_t{0};
 // Indexed by the elements (or items) of the two sets. Both are empty for other kinds of answers.
 template <class T> struct per_element { std::vector<T> a, b; };
 
-// What was not asked for is empty, except the count.
+// Every member but the count is empty unless it was asked for.
 struct result {
   std::vector<index_pair> pairs; // sorted by a, then b; no pair twice
   std::uint64_t count = 0;       // pairs, or pairs of items where there are owners; 0 or 1 for answer_kind::any

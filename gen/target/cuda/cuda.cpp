@@ -64,7 +64,7 @@ std::string cuda_header(const unit &u) {
   out += fmt::format("#ifndef MEETC_{0}_cuda_HPP\n#define MEETC_{0}_cuda_HPP\n\n#include <meetc/cuda_table.hpp>\n"
                      "#include <meetc/support.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space);
-  out += "// What a runtime needs for queries on sets: every kind and predicate.\n"
+  out += "// Every kind and predicate, as a runtime needs them for queries on sets.\n"
          "const meetc::cuda::catalogue &catalogue();\n\n";
   if (u.asks(lang::rung::certified))
     out += "// Writes bits of meetc::arithmetic_fault to *faults (device memory): 0 if the arithmetic is as the bounds "

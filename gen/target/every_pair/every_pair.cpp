@@ -1,5 +1,6 @@
-// The brute-force engine: the form of touching balls with the proofs of its margins, the columns of each kind, and the catalogue of
-// what a product of signs takes. The kernels are templates in runtime/kernel/meetc/every_pair; the pairs that it leaves go through the steps that the target cuda writes.
+// The brute-force engine: the form of touching balls with the proofs of its margins, the columns of each kind, and the catalogue
+// for a product of signs. The kernels are templates in runtime/kernel/meetc/every_pair; the pairs that it leaves go through the
+// steps that the target cuda writes.
 #include "gen/target/every_pair/every_pair.hpp"
 
 #include "gen/target/cpp/cpp.hpp"
@@ -17,7 +18,7 @@ std::string header(const unit &u) {
          fmt::format("#ifndef MEETC_{0}_every_pair_HPP\n#define MEETC_{0}_every_pair_HPP\n\n"
                      "#include <meetc/every_pair/table.hpp>\n#include <meetc/support.hpp>\n\n"
                      "namespace {0} {{\nnamespace every_pair {{\n\n"
-                     "// What the engine needs besides cuda::catalogue(), whose kinds these are.\n"
+                     "// The kinds of cuda::catalogue(), with the kernels that the engine needs besides.\n"
                      "const meetc::every_pair::catalogue &catalogue();\n\n"
                      "}} // namespace every_pair\n}} // namespace {0}\n\n#endif\n",
                      space);
@@ -26,7 +27,7 @@ std::string header(const unit &u) {
 std::string source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   const auto kinds = element_kinds(u);
-  std::string out = banner(u.scene, "The catalogue of what a product of signs takes on a CUDA device.") +
+  std::string out = banner(u.scene, "The catalogue for a product of signs on a CUDA device.") +
                     fmt::format("#include <{0}/{0}_every_pair.hpp>\n#include <{0}/ball_form.hpp>\n"
                                 "#include <{0}/shapes.hpp>\n#include <meetc/every_pair/filter.hpp>\n"
                                 "#include <meetc/every_pair/probe.hpp>\n#include <meetc/every_pair/sets.hpp>\n\n"

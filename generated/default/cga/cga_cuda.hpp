@@ -9,7 +9,7 @@
 namespace cga {
 namespace cuda {
 
-// What a runtime needs for queries on sets: every kind and predicate.
+// Every kind and predicate, as a runtime needs them for queries on sets.
 const meetc::cuda::catalogue &catalogue();
 
 // Writes bits of meetc::arithmetic_fault to *faults (device memory): 0 if the arithmetic is as the bounds assume.

@@ -9,7 +9,7 @@
 namespace cga {
 namespace every_pair {
 
-// What the engine needs besides cuda::catalogue(), whose kinds these are.
+// The kinds of cuda::catalogue(), with the kernels that the engine needs besides.
 const meetc::every_pair::catalogue &catalogue();
 
 } // namespace every_pair

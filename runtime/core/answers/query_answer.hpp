@@ -23,8 +23,8 @@ public:
 
   // Called once, before the first batch.
   virtual void start(const queried_sets &sets) = 0;
-  // Takes n hits in any order: pairs of slots where by_slots() holds, else pairs of the caller's elements. A worker passes
-  // only its own number, and different workers call at the same time.
+  // Takes n hits in any order: pairs of slots where by_slots() holds, else pairs of the caller's elements. If needs_pairs() is
+  // false, only n means something. A worker passes only its own number, and different workers call at the same time.
   virtual void take(int worker, const index_pair *hits, std::size_t n) = 0;
   // Called once, after the last batch: fills its part of the result. Throws std::bad_alloc.
   virtual void finish(result &r) = 0;

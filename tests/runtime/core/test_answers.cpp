@@ -46,7 +46,7 @@ void agree(const prepared &x, const prepared &y, const predicate_info &p, const 
     for (const result *r : {&pairs, &count, &counts, &flags})
       CHECK(r->count == want.pairs.size());
     CHECK(any.count == (want.pairs.empty() ? 0 : 1));
-    // What was not asked for is empty.
+    // All else is empty.
     for (const result *r : {&count, &counts, &flags, &any})
       CHECK(r->pairs.empty());
     for (const result *r : {&pairs, &count, &counts, &any})

@@ -193,7 +193,7 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
   compare(scene, p, a, b, rungs, o, {{"given"}, {"given, culled", true}},
           [&](const way &w, rung r, device_options &with) {
             with.cull = w.culled;
-            // What is met first is asked without culling.
+            // A query for the first element met does not cull.
             with.first_met = with.first_met && !w.culled;
             return collide(on_, ga, gb, p, r, with);
           });

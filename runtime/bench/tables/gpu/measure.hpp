@@ -53,7 +53,7 @@ private:
     std::uint64_t found;
     double seconds, hertz;
   };
-  // What a query found, and the device's seconds; or medians of these, and of a query with transfers.
+  // The answer of a query with the device's seconds, or with medians of these and of a query with transfers.
   struct asked {
     std::uint64_t found;
     double device_seconds;

@@ -39,7 +39,7 @@ public:
   // The kernels are of the namespace of on.kernels().
   engine(device &on, const catalogue &kernels) : on_(on), kernels_(kernels) {}
 
-  // What the matrix units were found to do, which is tried when it is first asked for. Throws device_error, as all below.
+  // The probe of the matrix units, which runs when it is first asked for. Throws device_error, as all below.
   const probe_result &probe();
   bool offers(filter f);
   // The fastest filter whose model the probe did not refute.

@@ -21,7 +21,7 @@ enum class filter : std::uint8_t {
   wgmma,   // wgmma, a device of capability 9.0 with code for sm_90a
 };
 
-// What the probe found.
+// The findings of the probe.
 struct probe_result {
   unsigned mma_faults, wgmma_faults; // cases in which the unit broke the model of matrix.hpp
   unsigned has_wgmma;                // the device runs code for sm_90a
