@@ -19,3 +19,11 @@ The slowest tests, seconds:
      0.0 gen.lang/a case: of two"
 found=$("$(dirname "$0")/slowest.sh" "$folder" 1500000000 "$folder/log")
 diff <(echo "$expected") <(echo "$found")
+
+# More lines than a pipe holds are no failure.
+awk -v lines="$folder/log" 'BEGIN { for (i = 1; i <= 20000; ++i) {
+  printf "10\t510\t2000000000000000000\ta_unit_with_a_long_name/%d.cpp.o\thash\n", i
+  printf "  %d/20000 Test #%d: a.test.with.a.long.name.%d ....   Passed    0.50 sec\n", i, i, i >>lines
+} }' >>"$folder/.ninja_log"
+found=$("$(dirname "$0")/slowest.sh" "$folder" 1500000000 "$folder/log")
+[ "$(wc -l <<<"$found")" -eq 22 ]
