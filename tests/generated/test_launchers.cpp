@@ -63,10 +63,10 @@ TEST_CASE("launchers: each is defined in one source, and the catalogue has every
     predicates.push_back(here.predicates[i].name);
   std::sort(kinds.begin(), kinds.end());
   std::sort(predicates.begin(), predicates.end());
-  CHECK(all_in(header, "kind_launchers (\\w+)\\(\\);") == kinds);
-  CHECK(all_in(sources, "\nmeetc::cuda::kind_launchers (\\w+)\\(\\) \\{") == kinds);
+  CHECK(all_in(header, "set_launchers (\\w+)\\(\\);") == kinds);
+  CHECK(all_in(sources, "\nmeetc::cuda::set_launchers (\\w+)\\(\\) \\{") == kinds);
   CHECK(all_in(catalogue, "kinds::(\\w+)\\(\\),") == kinds);
-  CHECK(all_in(catalogue, "\n  \\{\"(\\w+)\", [0-9]") == predicates);
+  CHECK(all_in(catalogue, "\n  \\{\\.name = \"(\\w+)\",\n   \\.kind_a") == predicates);
 }
 
 TEST_CASE("launchers: the engine of every pair has the kinds of the other catalogue, each in its place") {
@@ -79,5 +79,5 @@ TEST_CASE("launchers: the engine of every pair has the kinds of the other catalo
   };
   const std::vector<std::string> kinds = in_order(text_of(folder / "cga_cuda.cu"), "kinds::(\\w+)\\(\\),");
   CHECK(kinds.size() == static_cast<std::size_t>(cga::catalogue().kind_count));
-  CHECK(in_order(text_of(folder / "cga_every_pair.cu"), "\\{\"(\\w+)\", meetc::every_pair::enclose<") == kinds);
+  CHECK(in_order(text_of(folder / "cga_every_pair.cu"), "\\{\\.name = \"(\\w+)\",\\s+\\.enclose") == kinds);
 }

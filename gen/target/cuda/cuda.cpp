@@ -39,21 +39,26 @@ std::string catalogue_text(const unit &u) {
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const std::string name = identifier(k->asked.asked->name);
-    out += fmt::format(
-        "  {{\"{0}\", {1}, {2}, {3}::run, {4}, {5}, {6}, {7}}},\n", k->asked.asked->name, element_place(kinds, *k, 0),
-        element_place(kinds, *k, 1), name, !k->decision.reject.atoms.empty(),
-        order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr", k->decision.by_boxes, k->decision.by_balls);
+    out += fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
+                       "   .pairs = {{.run = {3}::run, .first_met = {4}}},\n   .rejects = {5},\n   .by_boxes = {6},\n"
+                       "   .by_balls = {7}}},\n",
+                       k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
+                       order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
+                       !k->decision.reject.atoms.empty(), k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
   out += "};\n\n} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {\n"
-         "  static const meetc::cuda::kind_launchers all_kinds[] = {\n";
+         "  static const meetc::cuda::set_launchers all_kinds[] = {\n";
   for (const lower::lowered_kind *k : kinds)
     out += fmt::format("    kinds::{}(),\n", identifier(k->name));
   return out + fmt::format("  }};\n"
-                           "  static const meetc::cuda::catalogue c{{\"{}\", all_kinds, {}, all_predicates, {}, "
-                           "meetc::launch_self_test}};\n"
+                           "  static const meetc::cuda::catalogue c{{.kinds = all_kinds,\n"
+                           "                                        .kind_count = {},\n"
+                           "                                        .predicates = all_predicates,\n"
+                           "                                        .predicate_count = {},\n"
+                           "                                        .self_test = meetc::launch_self_test}};\n"
                            "  return c;\n}}\n\n",
-                           u.scene.space, kinds.size(), count);
+                           kinds.size(), count);
 }
 
 } // namespace
@@ -83,10 +88,9 @@ std::string cuda_header(const unit &u) {
                "// cudaErrorInvalidValue. run() is a step of a query on sets: see\n"
              : "The answers equal those of the CPU, bit for bit. An unknown rung\n"
                "// gives cudaErrorInvalidValue. run() is a step of a query on sets: see\n";
-  out +=
-      "// meetc::cuda::predicate_launchers. They compute anew what sets on a CPU store beside their rows, since the\n"
-      "// rows are loaded in any case. All work is enqueued on the stream; nothing is allocated, waited for or "
-      "thrown.\n";
+  out += "// meetc::cuda::pair_launchers. They compute anew what sets on a CPU store beside their rows, since the\n"
+         "// rows are loaded in any case. All work is enqueued on the stream; nothing is allocated, waited for or "
+         "thrown.\n";
   for (const lower::kernel *k : predicates_of(u)) {
     out += fmt::format("struct {} {{\n  static cudaError_t decide{};\n", identifier(k->asked.asked->name), parameters);
     if (u.asks(lang::rung::certified))
@@ -98,7 +102,7 @@ std::string cuda_header(const unit &u) {
   }
   out += "\n// The launchers of each kind, for the catalogue.\nnamespace kinds {\n";
   for (const lower::lowered_kind *k : element_kinds(u))
-    out += fmt::format("meetc::cuda::kind_launchers {}();\n", identifier(k->name));
+    out += fmt::format("meetc::cuda::set_launchers {}();\n", identifier(k->name));
   return out + fmt::format("}} // namespace kinds\n\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
@@ -129,12 +133,16 @@ std::string cuda_kind(const unit &u, const lower::lowered_kind &k) {
                      "#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
                      "namespace {0} {{\nnamespace cuda {{\nnamespace kinds {{\n\n",
                      space);
-  out += fmt::format("meetc::cuda::kind_launchers {2}() {{\n"
-                     "  return {{\"{0}\", {1}::fields, meetc::cuda::pose_rows<{1}>, meetc::cuda::instances<{1}>, "
-                     "meetc::cuda::places<{1}>, "
-                     "meetc::cuda::gather<{1}>, "
-                     "meetc::cuda::boxes<{1}>, meetc::cuda::arrange<{1}>, meetc::cuda::surround<{1}>, "
-                     "meetc::cuda::sift<{1}>}};\n}}\n",
+  out += fmt::format("meetc::cuda::set_launchers {2}() {{\n"
+                     "  return {{.name = \"{0}\",\n"
+                     "          .fields = {1}::fields,\n"
+                     "          .pose = meetc::cuda::pose_rows<{1}>,\n"
+                     "          .instances = meetc::cuda::instances<{1}>,\n"
+                     "          .sift = meetc::cuda::sift<{1}>,\n"
+                     "          .arrange = meetc::cuda::arrange<{1}>,\n"
+                     "          .places = meetc::cuda::places<{1}>,\n"
+                     "          .gather = meetc::cuda::gather<{1}>,\n"
+                     "          .boxes = meetc::cuda::boxes<{1}>}};\n}}\n",
                      k.name, shape_of(k.name), identifier(k.name));
   return out + fmt::format("\n}} // namespace kinds\n}} // namespace cuda\n}} // namespace {}\n", space);
 }

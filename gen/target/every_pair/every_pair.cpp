@@ -33,17 +33,21 @@ std::string source(const unit &u) {
                                 "#include <meetc/every_pair/probe.hpp>\n#include <meetc/every_pair/sets.hpp>\n\n"
                                 "namespace {0} {{\nnamespace every_pair {{\n\n"
                                 "const meetc::every_pair::catalogue &catalogue() {{\n"
-                                "  static const meetc::every_pair::kind_launchers all_kinds[] = {{\n",
+                                "  static const meetc::every_pair::set_launchers all_kinds[] = {{\n",
                                 space);
   for (const lower::lowered_kind *k : kinds)
-    out += fmt::format("    {{\"{0}\", meetc::every_pair::enclose<{1}_shape>, "
-                       "meetc::every_pair::columns<{1}_shape, ball_form>}},\n",
+    out += fmt::format("    {{.name = \"{0}\",\n     .enclose = meetc::every_pair::enclose<{1}_shape>,\n"
+                       "     .columns = meetc::every_pair::columns<{1}_shape, ball_form>}},\n",
                        k->name, identifier(k->name));
-  return out + fmt::format("  }};\n  static const meetc::every_pair::catalogue c{{\"{0}\", all_kinds, {1}, "
-                           "meetc::every_pair::clear_extent, meetc::every_pair::candidates<ball_form>, "
-                           "meetc::every_pair::touching, meetc::every_pair::probe}};\n  return c;\n}}\n\n"
-                           "}} // namespace every_pair\n}} // namespace {2}\n",
-                           u.scene.space, kinds.size(), space);
+  return out +
+         fmt::format(
+             "  }};\n  static const meetc::every_pair::catalogue c{{.kinds = all_kinds,\n"
+             "                                              .kind_count = {},\n"
+             "                                              .candidates = meetc::every_pair::candidates<ball_form>,\n"
+             "                                              .touching = meetc::every_pair::touching,\n"
+             "                                              .probe = meetc::every_pair::probe}};\n  return c;\n}}\n\n"
+             "}} // namespace every_pair\n}} // namespace {}\n",
+             kinds.size(), space);
 }
 
 } // namespace

@@ -27,7 +27,7 @@ inline constexpr unsigned rungs = 1U << static_cast<int>(meetc::rung::fp32) |
 // rows are packed floats in the spec's store order. certify() runs one bounded rung of `certified` (fp32, fp64,
 // fp64x2), which may answer unsure. The answers equal those of the CPU, bit for bit. An unknown rung gives
 // cudaErrorInvalidValue. run() is a step of a query on sets: see
-// meetc::cuda::predicate_launchers. They compute anew what sets on a CPU store beside their rows, since the
+// meetc::cuda::pair_launchers. They compute anew what sets on a CPU store beside their rows, since the
 // rows are loaded in any case. All work is enqueued on the stream; nothing is allocated, waited for or thrown.
 struct segment_segment {
   static cudaError_t decide(meetc::rung rung, const float *a, const float *b, const meetc::index_pair *pairs,
@@ -121,11 +121,11 @@ struct box_box {
 
 // The launchers of each kind, for the catalogue.
 namespace kinds {
-meetc::cuda::kind_launchers point();
-meetc::cuda::kind_launchers sphere();
-meetc::cuda::kind_launchers segment();
-meetc::cuda::kind_launchers triangle();
-meetc::cuda::kind_launchers box();
+meetc::cuda::set_launchers point();
+meetc::cuda::set_launchers sphere();
+meetc::cuda::set_launchers segment();
+meetc::cuda::set_launchers triangle();
+meetc::cuda::set_launchers box();
 } // namespace kinds
 
 } // namespace cuda

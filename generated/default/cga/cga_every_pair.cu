@@ -11,17 +11,28 @@ namespace cga {
 namespace every_pair {
 
 const meetc::every_pair::catalogue &catalogue() {
-  static const meetc::every_pair::kind_launchers all_kinds[] = {
-    {"point", meetc::every_pair::enclose<point_shape>, meetc::every_pair::columns<point_shape, ball_form>},
-    {"sphere", meetc::every_pair::enclose<sphere_shape>, meetc::every_pair::columns<sphere_shape, ball_form>},
-    {"segment", meetc::every_pair::enclose<segment_shape>, meetc::every_pair::columns<segment_shape,
-        ball_form>},
-    {"triangle", meetc::every_pair::enclose<triangle_shape>, meetc::every_pair::columns<triangle_shape,
-        ball_form>},
-    {"box", meetc::every_pair::enclose<box_shape>, meetc::every_pair::columns<box_shape, ball_form>},
+  static const meetc::every_pair::set_launchers all_kinds[] = {
+    {.name = "point",
+     .enclose = meetc::every_pair::enclose<point_shape>,
+     .columns = meetc::every_pair::columns<point_shape, ball_form>},
+    {.name = "sphere",
+     .enclose = meetc::every_pair::enclose<sphere_shape>,
+     .columns = meetc::every_pair::columns<sphere_shape, ball_form>},
+    {.name = "segment",
+     .enclose = meetc::every_pair::enclose<segment_shape>,
+     .columns = meetc::every_pair::columns<segment_shape, ball_form>},
+    {.name = "triangle",
+     .enclose = meetc::every_pair::enclose<triangle_shape>,
+     .columns = meetc::every_pair::columns<triangle_shape, ball_form>},
+    {.name = "box",
+     .enclose = meetc::every_pair::enclose<box_shape>,
+     .columns = meetc::every_pair::columns<box_shape, ball_form>},
   };
-  static const meetc::every_pair::catalogue c{"cga", all_kinds, 5, meetc::every_pair::clear_extent,
-      meetc::every_pair::candidates<ball_form>, meetc::every_pair::touching, meetc::every_pair::probe};
+  static const meetc::every_pair::catalogue c{.kinds = all_kinds,
+                                              .kind_count = 5,
+                                              .candidates = meetc::every_pair::candidates<ball_form>,
+                                              .touching = meetc::every_pair::touching,
+                                              .probe = meetc::every_pair::probe};
   return c;
 }
 

@@ -149,7 +149,8 @@ private:
       cuda::pair_list in{pairs_there.data(), nullptr, length};
       for (int s = 0; s < steps.count; ++s) {
         const cuda::pair_list unsure{left.data(), counts.data() + 1 + s, list.size()}; // the last step writes none
-        check(run.run(steps.of[s], a.rows(), b.rows(), in, {hits.data(), counts.data(), list.size()}, unsure, stream),
+        check(run.pairs.run(steps.of[s], a.rows(), b.rows(), in, {hits.data(), counts.data(), list.size()}, unsure,
+                            stream),
               "starting a decision step");
         in = unsure;
       }

@@ -54,7 +54,7 @@ public:
   device_result run() {
     // Half of the pairs of a set with itself are visited where the other half has the same answers.
     both_ways_ = &a_ == &b_ && symmetric_ && never_wrong(precision_) && !options_.first_met;
-    require(!options_.first_met || predicate_.first_met, "no CUDA kernel was generated for the order of hits");
+    require(!options_.first_met || predicate_.pairs.first_met, "no CUDA kernel was generated for the order of hits");
     hits_.upload_owners();
     if (!clock_runs_)
       check(cudaEventRecord(buffers_.events[0], on_.stream()), "starting a clock");

@@ -40,9 +40,6 @@ bool cull_pays(const given_set &a, const given_set &b) {
 }
 
 bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, culled &out) {
-  for (const given_set *const s : {&a, &b})
-    if (!s->launchers().surround || !s->launchers().sift)
-      return false;
   const bool lines_a = by_lines && has_two_points(a.kind()), lines_b = by_lines && has_two_points(b.kind());
   const bool b_first = lines_a == lines_b ? b.elements() < a.elements() : lines_b;
   const given_set *const sets[2] = {b_first ? &b : &a, b_first ? &a : &b};
@@ -77,7 +74,8 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
     if (sets[s]->there().index)
       corners.of[s] = sets[s]->there();
     else
-      check(sets[s]->launchers().surround(sets[s]->there(), corners.at[s], found->around + s, stream),
+      check(sets[s]->launchers().pose(sets[s]->there(), corners.at[s], nullptr, nullptr, nullptr, found->around + s,
+                                      stream),
             "starting a kernel");
   }
   check(surround_vertices(corners, found->around, stream), "starting a kernel");

@@ -38,7 +38,7 @@ struct culled {
 bool cull_pays(const given_set &a, const given_set &b);
 
 // Waits for the device. With `by_lines`, pairs may be left out that do not touch although their boxes do. Returns false where
-// there is too little memory, or a kind has no kernels for it. Throws device_error.
+// there is too little memory. Throws device_error.
 bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, culled &out);
 
 } // namespace meetc

@@ -15,7 +15,8 @@ void first_met_there::start(const device_set &a, cudaStream_t stream) {
 
 void first_met_there::add(const cuda::predicate_launchers &by, const device_set &a, const device_set &b,
                           const std::uint32_t *owner_b, const index_pair *hits, std::size_t n, cudaStream_t stream) {
-  check(by.first_met({a.rows(), b.rows(), b.order(), owner_b, hits, n, slots_.data()}, stream), "starting a kernel");
+  check(by.pairs.first_met({a.rows(), b.rows(), b.order(), owner_b, hits, n, slots_.data()}, stream),
+        "starting a kernel");
 }
 
 void first_met_there::name(const device_set &a, const device_set &b, cudaStream_t stream) {

@@ -24,7 +24,7 @@ std::size_t bytes_of(const kind_info &kind, std::size_t rows, std::size_t stride
 
 } // namespace
 
-const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_info &kind) {
+const cuda::set_launchers &launchers_of(const cuda::catalogue &all, const kind_info &kind) {
   for (int k = 0; k < all.kind_count; ++k)
     if (std::strcmp(all.kinds[k].name, kind.name) == 0 && all.kinds[k].fields == kind.fields)
       return all.kinds[k];
@@ -141,9 +141,8 @@ std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view 
   constexpr float least_share = 0.125F; // of the device
   device_buffers &buffers = on.buffers();
   const cudaStream_t stream = on.stream();
-  const bool both = &a != &b, alike = both && &a.launchers() == &b.launchers() &&
-                                      can_arrange(a.launchers(), left_a.elements) &&
-                                      can_arrange(b.launchers(), left_b.elements);
+  const bool both = &a != &b, alike = both && &a.launchers() == &b.launchers() && can_arrange(left_a.elements) &&
+                                      can_arrange(left_b.elements);
   const float all = static_cast<float>(left_a.elements) + static_cast<float>(left_b.elements);
   const std::size_t cleared = counters + hit_pairs::room_to_order;
   buffers.take_notes(cleared - counters);

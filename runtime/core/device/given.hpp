@@ -19,7 +19,7 @@ void require_pose(const kind_info &kind, const pose &at);
 // The view with its stride stated. Throws input_error where it cannot hold elements of the kind.
 view require_view(const view &elements, const kind_info &kind);
 // Throws device_error if the catalogue lacks the kind.
-const cuda::kind_launchers &launchers_of(const cuda::catalogue &all, const kind_info &kind);
+const cuda::set_launchers &launchers_of(const cuda::catalogue &all, const kind_info &kind);
 
 class given_set {
 public:
@@ -37,7 +37,7 @@ public:
   static std::unique_ptr<given_set> if_it_fits(device &on, const view &elements, const kind_info &kind, const pose &at);
 
   const kind_info &kind() const { return *kind_; }
-  const cuda::kind_launchers &launchers() const { return *launchers_; }
+  const cuda::set_launchers &launchers() const { return *launchers_; }
   std::uint32_t elements() const { return there_.elements; }
   const pose &at() const { return at_; }
   const cuda::view &there() const { return there_; }
@@ -61,7 +61,7 @@ private:
 
   device *on_;
   const kind_info *kind_;
-  const cuda::kind_launchers *launchers_;
+  const cuda::set_launchers *launchers_;
   pose at_;
   cuda::view there_{};
   device_memory<std::byte> data_;

@@ -42,8 +42,8 @@ bool are_packed_rows(const cuda::view &v, const pose &at, std::size_t row_bytes)
 
 } // namespace
 
-bool can_arrange(const cuda::kind_launchers &kind, std::uint32_t elements) {
-  return kind.arrange && elements > 0 && elements <= cuda::most_to_arrange;
+bool can_arrange(std::uint32_t elements) {
+  return elements > 0 && elements <= cuda::most_to_arrange;
 }
 
 void require_movable(const kind_info &kind, const pose &at) {
@@ -176,7 +176,7 @@ std::optional<cuda::arrange_job> device_set::plan_order(const order_request &r, 
 // The job of one kernel, where there is one for so many elements, and memory for it. Once it has run the set is in order.
 std::optional<cuda::arrange_job> device_set::plan(const order_request &r, cudaStream_t stream) {
   const std::uint32_t n = elements_;
-  if (!can_arrange(*launchers_, n))
+  if (!can_arrange(n))
     return {};
   cuda::arrange_job job{};
   job.from = r.elements, job.at = cuda_pose(r.at), job.share = r.share;
@@ -221,13 +221,12 @@ bool device_set::sort(const cuda::view &there, const pose &at, int bits, cuda::o
   float *posed = nullptr;
   std::uint32_t *places = nullptr, *sorted = nullptr, *numbers = nullptr;
   cuda::joined_box *around = nullptr;
-  unsigned long long *bad_of_some = nullptr;
   void *sorting = nullptr;
   for (const bool planned : {true, false}) {
     cuda::cutter from(space_.data(), space_.capacity());
     posed = packed ? nullptr : from.take<float>(n * fields);
     places = from.take<std::uint32_t>(n), sorted = from.take<std::uint32_t>(n), numbers = from.take<std::uint32_t>(n);
-    around = from.take<cuda::joined_box>(1), bad_of_some = from.take<unsigned long long>(1);
+    around = from.take<cuda::joined_box>(1);
     sorting = from.take<std::byte>(need);
     if (planned && !space_.grow(from.used(), 0, on_->stream()))
       return false;
@@ -241,7 +240,7 @@ bool device_set::sort(const cuda::view &there, const pose &at, int bits, cuda::o
     cuda::view some = there;
     some.data += taken.first * fields, some.elements = taken.of(n), some.stride_bytes *= taken.step;
     check(cudaMemsetAsync(&found->bad, 0xff, sizeof found->bad, stream), "ordering a set");
-    check(launchers_->pose(some, cuda_pose(at), nullptr, nullptr, bad_of_some, around, stream), "starting a kernel");
+    check(launchers_->pose(some, cuda_pose(at), nullptr, nullptr, nullptr, around, stream), "starting a kernel");
   } else {
     check(launchers_->pose(there, cuda_pose(at), nullptr, posed, &found->bad, around, stream), "starting a kernel");
   }

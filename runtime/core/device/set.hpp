@@ -20,7 +20,7 @@ class given_set;
 void require_movable(const kind_info &kind, const pose &at);
 
 // Whether one kernel puts so many elements into order.
-bool can_arrange(const cuda::kind_launchers &kind, std::uint32_t elements);
+bool can_arrange(std::uint32_t elements);
 
 class device_set {
 public:
@@ -104,7 +104,7 @@ private:
 
   device *on_;
   const kind_info *kind_;
-  const cuda::kind_launchers *launchers_;
+  const cuda::set_launchers *launchers_;
   std::uint32_t elements_ = 0, numbers_ = 0;
   std::optional<std::pair<float, float>> reaches_; // of rows_, where they are known
   double grid_ = 0, moved_grid_ = 0, ordered_seconds_ = 0;

@@ -4,7 +4,7 @@
 
 namespace meetc {
 
-void device_tree::make(const cuda::kind_launchers &kind, const float *rows, std::uint32_t n, cudaStream_t stream) {
+void device_tree::make(const cuda::set_launchers &kind, const float *rows, std::uint32_t n, cudaStream_t stream) {
   nodes_.reserve(cuda::tree_shape(n).nodes(), "a hierarchy");
   check(kind.boxes(rows, n, nodes_.data(), arrived(stream), stream), "starting a kernel");
   check(enclose_levels(nodes_.data(), n, cuda::levels_with_boxes(n), stream), "starting a kernel");

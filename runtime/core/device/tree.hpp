@@ -12,7 +12,7 @@ namespace meetc {
 class device_tree {
 public:
   // The tree over n >= 1 rows on the device. Enqueues work, and throws device_error.
-  void make(const cuda::kind_launchers &kind, const float *rows, std::uint32_t n, cudaStream_t stream);
+  void make(const cuda::set_launchers &kind, const float *rows, std::uint32_t n, cudaStream_t stream);
 
   // Takes the memory of the tree over n rows, if it is there.
   void take_room(std::uint32_t n, cudaStream_t stream) { nodes_.grow(cuda::tree_shape(n).nodes(), 0, stream); }

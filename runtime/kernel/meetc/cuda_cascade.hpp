@@ -23,7 +23,7 @@ inline cudaError_t decide(const predicate_launchers &p, rung precision, const fl
     return cudaErrorInvalidValue;
   pair_list in = lists.candidates, out = lists.kept;
   const auto run = [&](step which) {
-    const cudaError_t e = p.run(which, rows_a, rows_b, in, hits, out, stream);
+    const cudaError_t e = p.pairs.run(which, rows_a, rows_b, in, hits, out, stream);
     const pair_list done = in;
     in = out, out = done;
     return e;

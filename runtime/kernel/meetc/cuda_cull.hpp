@@ -28,28 +28,6 @@ template <class Shape> constexpr bool is_hull_of_vertices() {
   return Shape::pad < 0 && Shape::hull > 2 && Shape::fields == 3 * Shape::hull;
 }
 
-template <class Shape>
-__global__ void __launch_bounds__(cull_threads) surround_kernel(view v, pose_matrix at, joined_box *around) {
-  begin();
-  tree_box all; // empty
-  for (std::size_t i = blockIdx.x * std::size_t{cull_threads} + threadIdx.x; i < v.elements;
-       i += gridDim.x * std::size_t{cull_threads}) {
-    float row[Shape::fields];
-    posed_element<Shape>(v, at, static_cast<std::uint32_t>(i), row);
-    all.widen(box_of_row<Shape>(row));
-  }
-  join_boxes<cull_threads>(all, around);
-}
-template <class Shape>
-cudaError_t surround(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) {
-  if (v.elements == 0)
-    return cudaSuccess;
-  if (!can_be_indexed<Shape>(v))
-    return cudaErrorInvalidValue;
-  return launch<surround_kernel<Shape>>(blocks_to_cull<surround_kernel<Shape>>(v.elements), cull_threads, stream, v, at,
-                                        around);
-}
-
 // The cells of some elements of a thread, whose memory is on its way at once.
 inline constexpr unsigned cull_each = 2;
 struct sifted {

@@ -118,7 +118,7 @@ __global__ void __launch_bounds__(set_threads) pose_kernel(view v, pose_matrix a
     const auto i = static_cast<std::uint32_t>(base + lane);
     float row[fields];
     if (i < v.elements && i >= base) {
-      if (!posed_element<Shape>(v, at, i, row))
+      if (!posed_element<Shape>(v, at, i, row) && bad)
         atomicMin(bad, static_cast<unsigned long long>(order ? order[i] : number_in(v, i)) << 32 | i);
       if (around)
         all.widen(box_of_row<Shape>(row));
@@ -134,7 +134,7 @@ __global__ void __launch_bounds__(set_threads) pose_kernel(view v, pose_matrix a
 template <class Shape>
 cudaError_t pose_rows(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
                       unsigned long long *bad, joined_box *around, cudaStream_t stream) {
-  const cudaError_t e = cudaMemsetAsync(bad, 0xff, sizeof *bad, stream);
+  const cudaError_t e = bad ? cudaMemsetAsync(bad, 0xff, sizeof *bad, stream) : cudaSuccess;
   if (e != cudaSuccess || v.elements == 0)
     return e;
   if (!can_be_indexed<Shape>(v))

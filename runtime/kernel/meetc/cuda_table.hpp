@@ -134,34 +134,48 @@ struct sift_job {
   } at_end;
 };
 
-// One kind of element.
-struct kind_launchers {
-  const char *name;
-  int fields;
+// A member of a table that its initialiser must state: without it the table does not compile.
+template <class T> class stated {
+public:
+  constexpr stated(T value) : value_(value) {}
+  constexpr operator T() const { return value_; }
+
+private:
+  T value_;
+};
+
+// The launchers for sets of one kind of element.
+struct set_launchers {
+  stated<const char *> name;
+  stated<int> fields;
   // Writes packed rows in the pose `at`, in the order of the view; none where `rows` is null. *bad is as in order_findings; there
-  // element i counts as element order[i] where order is not null. Widens *around, unless it is null, by the boxes of the rows.
-  cudaError_t (*pose)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
-                      unsigned long long *bad, joined_box *around, cudaStream_t stream);
+  // element i counts as element order[i] where order is not null. Where `bad` is null, nothing is checked. Widens *around, unless
+  // it is null, by the boxes of the rows.
+  stated<cudaError_t (*)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
+                         unsigned long long *bad, joined_box *around, cudaStream_t stream)>
+      pose;
   // Writes n rows in each of `poses` poses, which lie in device memory, one pose after another: n * poses rows. *bad becomes
   // the first of these that is no row of its kind, or ~0.
-  cudaError_t (*instances)(const float *rows, std::uint32_t n, const pose_matrix *at, std::uint32_t poses, float *to,
-                           unsigned long long *bad, cudaStream_t stream);
+  stated<cudaError_t (*)(const float *rows, std::uint32_t n, const pose_matrix *at, std::uint32_t poses, float *to,
+                         unsigned long long *bad, cudaStream_t stream)>
+      instances;
+  // Keeps the elements that a pass over one of two sets does not rule out.
+  stated<cudaError_t (*)(const sift_job &job, cudaStream_t stream)> sift;
+  // pose() and places() at once, the order, and where can_arrange_tree() the tree as well, of 1 to most_to_arrange elements; of one
+  // set, or of two beside each other. `jobs` is host memory.
+  stated<cudaError_t (*)(const arrange_job *jobs, int count, cudaStream_t stream)> arrange;
   // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits), and its number. *bad, unless
   // it is null, becomes less where a row is not good, as in order_findings.
-  cudaError_t (*places)(const float *rows, std::uint32_t elements, const joined_box *around, int bits,
-                        std::uint32_t *places, std::uint32_t *numbers, unsigned long long *bad, cudaStream_t stream);
+  stated<cudaError_t (*)(const float *rows, std::uint32_t elements, const joined_box *around, int bits,
+                         std::uint32_t *places, std::uint32_t *numbers, unsigned long long *bad, cudaStream_t stream)>
+      places;
   // Brings rows into an order, and makes the two lowest levels of their tree.
-  cudaError_t (*gather)(const gather_job &job, cudaStream_t stream);
+  stated<cudaError_t (*)(const gather_job &job, cudaStream_t stream)> gather;
   // Fills the first levels_with_boxes() levels of the tree over the rows, as far as there are such. *arrived is 0 before and
   // after.
-  cudaError_t (*boxes)(const float *rows, std::uint32_t elements, tree_node *nodes, unsigned *arrived,
-                       cudaStream_t stream);
-  // pose() and places() at once, the order, and where can_arrange_tree() the tree as well, of 1 to most_to_arrange elements; of one
-  // set, or of two beside each other. `jobs` is host memory. Null: not generated.
-  cudaError_t (*arrange)(const arrange_job *jobs, int count, cudaStream_t stream) = nullptr;
-  // Widens *around by the boxes of the elements. Null, as sift(): not generated.
-  cudaError_t (*surround)(const view &v, const pose_matrix &at, joined_box *around, cudaStream_t stream) = nullptr;
-  cudaError_t (*sift)(const sift_job &job, cudaStream_t stream) = nullptr;
+  stated<cudaError_t (*)(const float *rows, std::uint32_t elements, tree_node *nodes, unsigned *arrived,
+                         cudaStream_t stream)>
+      boxes;
 };
 
 // A part of the pairs of two sets: the pairs of their nodes, or of their elements, in two ranges.
@@ -219,31 +233,35 @@ MEETC_HD inline std::uint32_t number_of_b(const first_met_job &job, std::uint32_
   return job.owner_b ? job.owner_b[job.order_b[slot]] : job.order_b[slot];
 }
 
-struct predicate_launchers {
-  const char *name;
-  int kind_a, kind_b; // indices of the catalogue's kinds
+// The launchers of one predicate for lists of pairs.
+struct pair_launchers {
   // Reads min(*in.count, in.capacity) pairs of slots of packed rows; hits go to `yes`, and pairs that reject keeps, or that
   // certify_fp32 cannot decide, to `left`. certify_rest decides all, writes no such list, and adds to left.count[0] how many fp64
   // left to double-double, and to left.count[1] how many that left to the integers. Returns cudaErrorInvalidValue if the scene
   // does not ask for the rung, and for reject also unless the predicate `rejects`.
-  cudaError_t (*run)(step which, const float *a, const float *b, pair_list in, pair_list yes, pair_list left,
-                     cudaStream_t stream);
-  bool rejects; // it has a reject stage
-  // Looks at further hits. Null: not generated.
-  cudaError_t (*first_met)(const first_met_job &job, cudaStream_t stream) = nullptr;
-  bool by_boxes = false; // proved: it holds where the finite boxes of valid rows touch, and nowhere else
-  // Proved: both operands are balls, or points, and it holds where these touch, and nowhere else.
-  bool by_balls = false;
+  stated<cudaError_t (*)(step which, const float *a, const float *b, pair_list in, pair_list yes, pair_list left,
+                         cudaStream_t stream)>
+      run;
+  // Looks at further hits. Null: the predicate knows no order.
+  stated<cudaError_t (*)(const first_met_job &job, cudaStream_t stream)> first_met;
+};
+
+struct predicate_launchers {
+  stated<const char *> name;
+  stated<int> kind_a, kind_b; // indices of the catalogue's kinds
+  pair_launchers pairs;
+  stated<bool> rejects;  // it has a reject stage
+  stated<bool> by_boxes; // proved: it holds where the finite boxes of valid rows touch, and nowhere else
+  stated<bool> by_balls; // proved: both operands are balls, or points, and it holds where these touch, and nowhere else
 };
 
 struct catalogue {
-  const char *space;
-  const kind_launchers *kinds;
-  int kind_count;
-  const predicate_launchers *predicates;
-  int predicate_count;
+  stated<const set_launchers *> kinds;
+  stated<int> kind_count;
+  stated<const predicate_launchers *> predicates;
+  stated<int> predicate_count;
   // *faults becomes the bits of arithmetic_fault: what the device does not compute as the bounds assume.
-  cudaError_t (*self_test)(unsigned *faults, cudaStream_t stream);
+  stated<cudaError_t (*)(unsigned *faults, cudaStream_t stream)> self_test;
 };
 
 } // namespace meetc::cuda

@@ -9,7 +9,7 @@
 #error "meetc needs C++20: compile with -std=c++20"
 #endif
 
-#define MEETC_SUPPORT_VERSION 14
+#define MEETC_SUPPORT_VERSION 15
 
 #include <meetc/entry.hpp>
 #include <meetc/rounding.hpp>

@@ -11,10 +11,16 @@ namespace cga {
 namespace cuda {
 namespace kinds {
 
-meetc::cuda::kind_launchers box() {
-  return {"box", box_shape::fields, meetc::cuda::pose_rows<box_shape>, meetc::cuda::instances<box_shape>,
-      meetc::cuda::places<box_shape>, meetc::cuda::gather<box_shape>, meetc::cuda::boxes<box_shape>,
-      meetc::cuda::arrange<box_shape>, meetc::cuda::surround<box_shape>, meetc::cuda::sift<box_shape>};
+meetc::cuda::set_launchers box() {
+  return {.name = "box",
+          .fields = box_shape::fields,
+          .pose = meetc::cuda::pose_rows<box_shape>,
+          .instances = meetc::cuda::instances<box_shape>,
+          .sift = meetc::cuda::sift<box_shape>,
+          .arrange = meetc::cuda::arrange<box_shape>,
+          .places = meetc::cuda::places<box_shape>,
+          .gather = meetc::cuda::gather<box_shape>,
+          .boxes = meetc::cuda::boxes<box_shape>};
 }
 
 } // namespace kinds

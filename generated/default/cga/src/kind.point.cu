@@ -11,11 +11,16 @@ namespace cga {
 namespace cuda {
 namespace kinds {
 
-meetc::cuda::kind_launchers point() {
-  return {"point", point_shape::fields, meetc::cuda::pose_rows<point_shape>,
-      meetc::cuda::instances<point_shape>, meetc::cuda::places<point_shape>, meetc::cuda::gather<point_shape>,
-      meetc::cuda::boxes<point_shape>, meetc::cuda::arrange<point_shape>, meetc::cuda::surround<point_shape>,
-      meetc::cuda::sift<point_shape>};
+meetc::cuda::set_launchers point() {
+  return {.name = "point",
+          .fields = point_shape::fields,
+          .pose = meetc::cuda::pose_rows<point_shape>,
+          .instances = meetc::cuda::instances<point_shape>,
+          .sift = meetc::cuda::sift<point_shape>,
+          .arrange = meetc::cuda::arrange<point_shape>,
+          .places = meetc::cuda::places<point_shape>,
+          .gather = meetc::cuda::gather<point_shape>,
+          .boxes = meetc::cuda::boxes<point_shape>};
 }
 
 } // namespace kinds

@@ -11,12 +11,16 @@ namespace cga {
 namespace cuda {
 namespace kinds {
 
-meetc::cuda::kind_launchers segment() {
-  return {"segment", segment_shape::fields, meetc::cuda::pose_rows<segment_shape>,
-      meetc::cuda::instances<segment_shape>, meetc::cuda::places<segment_shape>,
-      meetc::cuda::gather<segment_shape>, meetc::cuda::boxes<segment_shape>,
-      meetc::cuda::arrange<segment_shape>, meetc::cuda::surround<segment_shape>,
-      meetc::cuda::sift<segment_shape>};
+meetc::cuda::set_launchers segment() {
+  return {.name = "segment",
+          .fields = segment_shape::fields,
+          .pose = meetc::cuda::pose_rows<segment_shape>,
+          .instances = meetc::cuda::instances<segment_shape>,
+          .sift = meetc::cuda::sift<segment_shape>,
+          .arrange = meetc::cuda::arrange<segment_shape>,
+          .places = meetc::cuda::places<segment_shape>,
+          .gather = meetc::cuda::gather<segment_shape>,
+          .boxes = meetc::cuda::boxes<segment_shape>};
 }
 
 } // namespace kinds

@@ -11,11 +11,16 @@ namespace cga {
 namespace cuda {
 namespace kinds {
 
-meetc::cuda::kind_launchers sphere() {
-  return {"sphere", sphere_shape::fields, meetc::cuda::pose_rows<sphere_shape>,
-      meetc::cuda::instances<sphere_shape>, meetc::cuda::places<sphere_shape>,
-      meetc::cuda::gather<sphere_shape>, meetc::cuda::boxes<sphere_shape>, meetc::cuda::arrange<sphere_shape>,
-      meetc::cuda::surround<sphere_shape>, meetc::cuda::sift<sphere_shape>};
+meetc::cuda::set_launchers sphere() {
+  return {.name = "sphere",
+          .fields = sphere_shape::fields,
+          .pose = meetc::cuda::pose_rows<sphere_shape>,
+          .instances = meetc::cuda::instances<sphere_shape>,
+          .sift = meetc::cuda::sift<sphere_shape>,
+          .arrange = meetc::cuda::arrange<sphere_shape>,
+          .places = meetc::cuda::places<sphere_shape>,
+          .gather = meetc::cuda::gather<sphere_shape>,
+          .boxes = meetc::cuda::boxes<sphere_shape>};
 }
 
 } // namespace kinds

@@ -11,12 +11,16 @@ namespace cga {
 namespace cuda {
 namespace kinds {
 
-meetc::cuda::kind_launchers triangle() {
-  return {"triangle", triangle_shape::fields, meetc::cuda::pose_rows<triangle_shape>,
-      meetc::cuda::instances<triangle_shape>, meetc::cuda::places<triangle_shape>,
-      meetc::cuda::gather<triangle_shape>, meetc::cuda::boxes<triangle_shape>,
-      meetc::cuda::arrange<triangle_shape>, meetc::cuda::surround<triangle_shape>,
-      meetc::cuda::sift<triangle_shape>};
+meetc::cuda::set_launchers triangle() {
+  return {.name = "triangle",
+          .fields = triangle_shape::fields,
+          .pose = meetc::cuda::pose_rows<triangle_shape>,
+          .instances = meetc::cuda::instances<triangle_shape>,
+          .sift = meetc::cuda::sift<triangle_shape>,
+          .arrange = meetc::cuda::arrange<triangle_shape>,
+          .places = meetc::cuda::places<triangle_shape>,
+          .gather = meetc::cuda::gather<triangle_shape>,
+          .boxes = meetc::cuda::boxes<triangle_shape>};
 }
 
 } // namespace kinds

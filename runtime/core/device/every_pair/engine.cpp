@@ -157,7 +157,7 @@ filter engine::best_filter() {
   return filter::float32;
 }
 
-const kind_launchers &engine::launchers_of(const kind_info &kind) const {
+const set_launchers &engine::launchers_of(const kind_info &kind) const {
   for (int k = 0; k < kernels_.kind_count; ++k)
     if (std::strcmp(kernels_.kinds[k].name, kind.name) == 0)
       return kernels_.kinds[k];
@@ -168,7 +168,6 @@ const extent *engine::around(device_set &frame) {
   around_.reserve(1, "a set's extent");
   if (around_of_ != frame.version()) {
     around_of_ = 0;
-    check(kernels_.clear_extent(around_.data(), on_.stream()), "starting a kernel");
     check(launchers_of(frame.kind()).enclose(frame.rows(), frame.elements(), around_.data(), on_.stream()),
           "starting a kernel");
     around_of_ = frame.version();

@@ -69,7 +69,7 @@ private:
     operand x, y;
   };
 
-  const kind_launchers &launchers_of(const kind_info &kind) const;
+  const set_launchers &launchers_of(const kind_info &kind) const;
   const extent *around(device_set &frame);
   two_operands operands(filter by, cover balls, device_set &a, device_set &b);
   operand columns(filter by, cover balls, bool first, device_set &of, device_set &frame);

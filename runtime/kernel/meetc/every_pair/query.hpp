@@ -43,7 +43,7 @@ struct query_memory {
   unsigned long long *unsure;
   unsigned *arrived;
 
-  static query_memory of(cuda::cutter &from, const cuda::kind_launchers &of_a, const cuda::kind_launchers &of_b,
+  static query_memory of(cuda::cutter &from, const cuda::set_launchers &of_a, const cuda::set_launchers &of_b,
                          std::uint32_t a, std::uint32_t b, unsigned long long list) {
     query_memory m{};
     m.rows_a = from.take<float>(a * static_cast<std::size_t>(of_a.fields));
@@ -72,8 +72,8 @@ inline std::size_t query_workspace(const cuda::catalogue &kinds, const cuda::pre
 // `p` is a predicate of `kinds`, whose namespace `all` is of too. Returns cudaErrorInvalidValue where the query cannot be.
 inline cudaError_t pairs(const cuda::catalogue &kinds, const catalogue &all, const cuda::predicate_launchers &p,
                          const query &q, cudaStream_t stream) {
-  const cuda::kind_launchers &a = kinds.kinds[p.kind_a], &b = kinds.kinds[p.kind_b];
-  const kind_launchers &columns_a = all.kinds[p.kind_a], &columns_b = all.kinds[p.kind_b];
+  const cuda::set_launchers &a = kinds.kinds[p.kind_a], &b = kinds.kinds[p.kind_b];
+  const set_launchers &columns_a = all.kinds[p.kind_a], &columns_b = all.kinds[p.kind_b];
   cuda::cutter from(q.workspace, q.bytes);
   const query_memory m = query_memory::of(from, a, b, q.a.elements, q.b.elements, q.list_capacity);
   if (cuda::steps_of(q.precision).count == 0 || q.precision == rung::tolerant || !from.fits() || !q.workspace ||
@@ -91,7 +91,6 @@ inline cudaError_t pairs(const cuda::catalogue &kinds, const catalogue &all, con
   then([&] { return a.boxes(m.rows_a, q.a.elements, m.boxes_a, m.arrived, stream); });
   then([&] { return b.boxes(m.rows_b, q.b.elements, m.boxes_b, m.arrived, stream); });
   const cover c = balls_for(q.precision);
-  then([&] { return all.clear_extent(m.around, stream); });
   then([&] {
     return q.b.elements < q.a.elements ? columns_a.enclose(m.rows_a, q.a.elements, m.around, stream)
                                        : columns_b.enclose(m.rows_b, q.b.elements, m.around, stream);

@@ -16,9 +16,6 @@ inline constexpr int set_threads = 128;
 static __global__ void clear_extent_kernel(extent *around) {
   clear(*around, static_cast<int>(threadIdx.x));
 }
-inline cudaError_t clear_extent(extent *around, cudaStream_t stream) {
-  return cuda::launch_after<clear_extent_kernel>(1, 3, stream, around);
-}
 
 __device__ inline extent joined_in_warp(extent mine) {
   for (int d = 16; d > 0; d /= 2)
@@ -62,8 +59,9 @@ __global__ void __launch_bounds__(set_threads) enclose_kernel(const float *rows,
       atomicMin(&around->low[k], all.low[k]), atomicMax(&around->high[k], all.high[k]);
 }
 template <class Shape> cudaError_t enclose(const float *rows, std::uint32_t n, extent *around, cudaStream_t stream) {
-  if (n == 0)
-    return cudaSuccess;
+  const cudaError_t e = cuda::launch_after<clear_extent_kernel>(1, 3, stream, around);
+  if (e != cudaSuccess || n == 0)
+    return e;
   const unsigned blocks = std::min((n + set_threads - 1) / set_threads, 1056U); // all change the same numbers
   return cuda::launch_after<enclose_kernel<Shape>>(blocks, set_threads, stream, rows, n, around);
 }

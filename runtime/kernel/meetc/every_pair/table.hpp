@@ -41,35 +41,36 @@ constexpr std::size_t column_bytes(filter by, std::uint32_t elements) {
 // A part of the product begins at multiples of this many elements.
 inline constexpr std::uint32_t part_step = 64;
 
-// The lowest boxes of a set, as cuda::kind_launchers::boxes makes them.
+// The lowest boxes of a set, as cuda::set_launchers::boxes makes them.
 struct boxes_of_two {
   const cuda::tree_node *a, *b;
 };
 
-// One kind of element.
-struct kind_launchers {
-  const char *name;
-  // Widens *around, which clear_extent() has emptied, by the balls around the finite boxes of the elements.
-  cudaError_t (*enclose)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream);
+// The launchers for sets of one kind of element.
+struct set_launchers {
+  cuda::stated<const char *> name;
+  // *around becomes what encloses the balls around the finite boxes of the elements.
+  cuda::stated<cudaError_t (*)(const float *rows, std::uint32_t elements, extent *around, cudaStream_t stream)> enclose;
   // Writes the columns of all elements in the frame of *around, as X (first) or as Y. With balls around boxes, the filter
   // passes every pair whose boxes touch.
-  cudaError_t (*columns)(filter by, cover c, bool first, const float *rows, std::uint32_t elements,
-                         const extent *around, void *columns, cudaStream_t stream);
+  cuda::stated<cudaError_t (*)(filter by, cover c, bool first, const float *rows, std::uint32_t elements,
+                               const extent *around, void *columns, cudaStream_t stream)>
+      columns;
 };
 
 struct catalogue {
-  const char *space;
-  const kind_launchers *kinds; // that of cuda::catalogue::kinds at each index
-  int kind_count;
-  cudaError_t (*clear_extent)(extent *around, cudaStream_t stream);
+  cuda::stated<const set_launchers *> kinds; // that of cuda::catalogue::kinds at each index
+  cuda::stated<int> kind_count;
   // Appends the pairs of elements in the part whose enclosing balls may touch. Once the list is full it stops early; the count
   // is then some number above the capacity.
-  cudaError_t (*candidates)(filter by, const operand &a, const operand &b, cuda::part of, cuda::pair_list out,
-                            cudaStream_t stream);
+  cuda::stated<cudaError_t (*)(filter by, const operand &a, const operand &b, cuda::part of, cuda::pair_list out,
+                               cudaStream_t stream)>
+      candidates;
   // Appends to `out` the first min(*in.count, in.capacity) pairs whose boxes touch.
-  cudaError_t (*touching)(const boxes_of_two &boxes, cuda::pair_list in, cuda::pair_list out, cudaStream_t stream);
+  cuda::stated<cudaError_t (*)(const boxes_of_two &boxes, cuda::pair_list in, cuda::pair_list out, cudaStream_t stream)>
+      touching;
   // Tests the model of the matrix units.
-  cudaError_t (*probe)(probe_result *out, cudaStream_t stream);
+  cuda::stated<cudaError_t (*)(probe_result *out, cudaStream_t stream)> probe;
 };
 
 // Plain rungs can say yes where nothing touches. With balls around boxes they decide the same pairs as a hierarchy.
