@@ -3,8 +3,8 @@
 #define MEETC_CORE_DEVICE_BUFFERS_HPP
 
 #include "core/device/cull.hpp"
+#include "core/device/hit_history.hpp"
 #include "core/device/memory.hpp"
-#include "core/device/repeated.hpp"
 #include "core/device/transfers.hpp"
 
 #include <cstdint>
@@ -44,7 +44,7 @@ struct device_buffers {
   device_memory<std::uint64_t> keys, more_keys;  // hits as sortable numbers
   device_memory<std::byte> sort_space;
   device_memory<std::uint32_t> first_slots, first_numbers; // what is met first
-  repeated_launches repeated;
+  hit_history hits_before;
   transfers moving;
   cudaStream_t stream = nullptr; // of all queries
   cudaStream_t beside = nullptr; // for work on one set while the query's stream works on the other

@@ -49,7 +49,7 @@ public:
                  (!hits_.owned() && (options.want == answer_kind::counts || options.want == answer_kind::flags))),
         keep_(tallies_ || options.want == answer_kind::pairs || (options.want != answer_kind::any && hits_.owned())),
         stores_(keep_ || options.first_met), left_there_(left_there), clock_runs_(cleared),
-        cleared_(options.as_graph ? 0 : cleared.value_or(0)), first_(on.buffers()) {}
+        cleared_(cleared.value_or(0)), first_(on.buffers()) {}
 
   device_result run() {
     // Half of the pairs of a set with itself are visited where the other half has the same answers.
@@ -220,27 +220,19 @@ private:
   void try_part(const cuda::part &p, bool is_all) {
     const cudaStream_t stream = on_.stream();
     orders_ = is_all && keep_ && !tallies_ && hits_.can_order(capacity_);
-    std::uint64_t *hits_before = nullptr; // plus 1
     if (orders_) {
-      launch_key query;
-      query.add(&a_, &b_, a_.numbers(), b_.numbers(), &predicate_,
-                precision_); // also when these were put into order anew
-      hits_before = &buffers_.repeated.note(query);
+      const std::optional<std::uint64_t> before = buffers_.hits_before.of(&a_, &b_);
       // At first, that about as many elements of A touch one; but then they are not said to be few.
-      expected_hits_ =
-          *hits_before > 0 ? amount_of(*hits_before - 1) : std::max(amount_of(a_.numbers()), hit_amount::some);
+      expected_hits_ = before ? amount_of(*before) : std::max(amount_of(a_.numbers()), hit_amount::some);
     }
-    if (is_all && options_.as_graph)
-      buffers_.repeated.run(stream, launches_of(p), [&] { enqueue(p); });
-    else
-      enqueue(p);
+    enqueue(p);
     mark_clock();
     check(cudaMemcpyAsync(&buffers_.seen->of_query, buffers_.notes.data(), sizeof(query_notes), cudaMemcpyDeviceToHost,
                           stream),
           "reading counters");
     check(cudaStreamSynchronize(stream), "colliding");
-    if (hits_before)
-      *hits_before = seen(counter::hits) + 1;
+    if (orders_)
+      buffers_.hits_before.note(&a_, &b_, seen(counter::hits));
     ++result_.parts;
   }
 
@@ -274,25 +266,6 @@ private:
                                     count_only(counter::unsure_fp32).count};
     check(cuda::decide(predicate_, precision_, a_.rows(), b_.rows(), lists, hits, on_.stream()),
           "starting a decision step");
-  }
-
-  // All that enqueue() makes the arguments of its launches of.
-  launch_key launches_of(const cuda::part &p) const {
-    launch_key k;
-    k.add(&predicate_, precision_, options_.want, both_ways_, stores_, orders_, expected_hits_, capacity_);
-    k.add(p.first_a, p.end_a, p.first_b, p.end_b);
-    k.add(a_.rows(), a_.elements(), b_.rows(), b_.elements());
-    k.add(walk_.walker.nodes, walk_.walker.elements, walk_.tree.nodes, walk_.tree.elements, walk_.swapped, walk_.half,
-          walk_.rows, walk_.fields, walk_.points.pad, walk_.found_walker, walk_.found_tree);
-    for (const int field : walk_.points.of)
-      k.add(field);
-    k.add(buffers_.notes.data());
-    for (const device_memory<index_pair> *const m : {&buffers_.first, &buffers_.second, &buffers_.hits})
-      k.add(m->data(), m->capacity());
-    if (orders_)
-      k.add(a_.order(), b_.order(), a_.numbers(), b_.numbers(), buffers_.keys.data(), buffers_.more_keys.data(),
-            buffers_.to_order());
-    return k;
   }
 
   // Boxes that touch are hits of such a predicate, and a walk compares boxes.
@@ -359,9 +332,8 @@ private:
   bool tallies_, keep_; // hits are counted by item; they are kept until then, or for their list
   bool stores_;         // they are written to a list of the device, for either of these or for the first ones
   pairs_there *left_there_;
-  bool clock_runs_; // the caller has started it
-  // So many numbers the caller has cleared for the first part. A graph does so itself, each time that it starts.
-  std::size_t cleared_;
+  bool clock_runs_;     // the caller has started it
+  std::size_t cleared_; // so many numbers the caller has cleared for the first part
   tallies tallied_;
   first_met_there first_;
   tree_walk walk_{};

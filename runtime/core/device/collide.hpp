@@ -28,9 +28,6 @@ struct device_options {
   // The item of each element; empty: each element is its own item. Answers are then about items, as in collide_options.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   bool first_met = false; // as in collide_options; the device's kernels must have been generated with the order as well
-  // The same query, asked again on sets at the same addresses, starts its kernels as one (repeated.hpp says what other threads
-  // must not do meanwhile).
-  bool as_graph = false;
   // Of sets as they are given (given.hpp): elements that cannot touch are left out before the others are put into order. Empty:
   // where this is expected to pay.
   std::optional<bool> cull = {};

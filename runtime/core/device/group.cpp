@@ -260,7 +260,6 @@ device_result find_touching(device_group &on, group_set &a, group_set &b, const 
   const auto start = std::chrono::steady_clock::now();
   require(a.is_on(on) && b.is_on(on), "a set is on another group of devices");
   require(a.how() == spread::cut && b.how() == spread::whole, "a group needs its first set cut and its second whole");
-  require(!options.as_graph, "a group of devices starts no graphs");
   const bool owned = !options.owner_a.empty();
   require(!owned || options.owner_a.size() == a.elements(), "an owner map needs one item for each element");
   std::vector<device_result> of(on.size());

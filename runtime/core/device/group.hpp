@@ -80,7 +80,7 @@ private:
   std::vector<std::unique_ptr<device_set>> parts_;
 };
 
-// A is cut and B is whole. Throws what collide() on one device throws; it knows no options.as_graph. Of the result, seconds are
+// A is cut and B is whole. Throws what collide() on one device throws. Of the result, seconds are
 // the host's wall clock, device_seconds those of the device that took longest, candidates, parts and rungs are
 // summed. options.progress tells of the first device.
 device_result collide(device_group &on, group_set &a, group_set &b, const predicate_info &predicate, rung precision,

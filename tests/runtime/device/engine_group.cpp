@@ -110,11 +110,9 @@ public:
       return false;
     };
     require(refused([&] { collide(on_, b, a, p, rung::certified); }), "a whole first set is not refused");
-    device_options o;
-    o.as_graph = true;
-    require(refused([&] { collide(on_, a, b, p, rung::certified, o); }), "graphs are not refused");
     const std::vector<std::uint32_t> few(x.size() - 1);
-    o = {}, o.owner_a = few;
+    device_options o;
+    o.owner_a = few;
     require(refused([&] { collide(on_, a, b, p, rung::certified, o); }), "owners of other elements are not refused");
     require(refused([&] { device_group(on_[0].kernels(), {}); }), "a group of no device is not refused");
     const int missing[] = {0, 4711};

@@ -234,7 +234,6 @@ void of_hits(comparison &with, const settings &s) {
       const std::string scene = "orders of hits";
       for (int again = 0; again < 4; ++again) {
         device_options o;
-        o.as_graph = again == 2;
         if (again == 3) // in parts, whose hits are brought to their places together
           o.list_capacity = std::size_t{1} << 18;
         const device_result have = collide(with.on(), da, db, p, rung::certified, o);
@@ -268,9 +267,7 @@ void of_other_numbers_of_hits(comparison &with, const settings &s) {
     at.m[3] = 64 * static_cast<float>(k);
     db.move(at);
     for (int again = 0; again < 2; ++again) {
-      device_options o;
-      o.as_graph = again > 0;
-      const device_result have = collide(with.on(), da, db, p, rung::certified, o);
+      const device_result have = collide(with.on(), da, db, p, rung::certified);
       with.add("other numbers of hits", p, have);
       bool right = have.pairs.size() == heaps[k] * others;
       for (std::size_t i = 0; right && i < have.pairs.size(); ++i)

@@ -259,7 +259,7 @@ void again(comparison &with, const settings &s) {
   on_cpu("another predicate on the CPU", z, x, q, balls);
 }
 
-// The same queries so often that their kernels start as one, with others, moves and other wants in between.
+// The same queries again and again, with others, moves and other wants in between.
 void repeated(comparison &with, const settings &s) {
   engine random(s.seed + 8);
   const std::size_t n = s.small ? 120 : 3000;
@@ -274,7 +274,6 @@ void repeated(comparison &with, const settings &s) {
     const std::vector<index_pair> want = collide(a, b, p, rung::certified).pairs,
                                   want_aside = collide(a, b_aside, p, rung::certified).pairs;
     device_options o, count;
-    o.as_graph = count.as_graph = true;
     count.want = answer_kind::count;
     for (int round = 0; round < 8; ++round) {
       const bool is_aside = round % 3 == 2;
@@ -296,8 +295,7 @@ void repeated(comparison &with, const settings &s) {
     device_set da(with.on(), ready(same_rows(*p.a, 60))), db(with.on(), ready(same_rows(*p.b, 60)));
     pose away;
     away.m[3] = 100;
-    device_options o;
-    o.as_graph = true;
+    const device_options o;
     const std::size_t all = collide(with.on(), da, db, p, rung::certified, o).count;
     for (int round = 0; round < 6; ++round) {
       db.move(round % 2 ? away : pose());

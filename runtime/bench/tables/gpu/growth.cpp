@@ -10,7 +10,6 @@ namespace meetc::bench {
 namespace {
 
 constexpr int growth_runs = 5;
-constexpr int times_again = 4;      // the last of which is taken: then its kernels start as one
 constexpr double most_pairs = 3e12; // which every pair takes a quarter of a second for
 
 // Sets on the device, as they were prepared on the host.
@@ -44,21 +43,16 @@ gpu_bench::query_times gpu_bench::time_query(const scene &of, bool beside_every_
   const prepared &b = of.itself ? a : other.emplace(app::prepare(sets.b()));
   query_times out;
   out.scene = of.name, out.a = a.elements(), out.b = b.elements();
-  const auto collide = [&](prepared_there &there, bool as_graph) {
-    device_options o;
-    o.as_graph = as_graph;
-    return meetc::collide(on_, there.a, there.b(), sets.predicate, rung::certified, o);
+  const auto collide = [&](prepared_there &there) {
+    return meetc::collide(on_, there.a, there.b(), sets.predicate, rung::certified);
   };
   const auto [first, again, posed, wall] = medians_of<4>(growth_runs, [&] {
     prepared_there there(on_, a, b);
-    const device_result r = collide(there, false);
-    device_result r_again;
-    for (int times = 0; times < times_again; ++times)
-      r_again = collide(there, true);
+    const device_result r = collide(there), r_again = collide(there);
     pose at;
     at.m[3] = 0x1p-20;
     there.b().move(at);
-    const device_result r_posed = collide(there, false);
+    const device_result r_posed = collide(there);
     require_truth(of.name, "a query that is asked again", difference_of(r_again.count, r.count));
     if (out.found > 0)
       require_truth(of.name, "a query of sets that are made again", difference_of(r.count, out.found));
@@ -112,9 +106,8 @@ template <class Row> columns<Row> query_columns(const columns<Row> &every_pair, 
 constexpr const char *rules =
     "First: a query on sets that have only been uploaded, so that boxes, and columns of every pair, are made in it. "
     "After "
-    "a pose: of B, whose boxes are made anew. Again: nothing is made, and all kernels start as one graph, since the "
-    "same "
-    "was asked some times before. Ordered there: elements as they are given are moved, checked and ordered on the "
+    "a pose: of B, whose boxes are made anew. Again: nothing is made. Ordered there: elements as they are given are "
+    "moved, checked and ordered on the "
     "device; "
     "made there also has them uploaded from ordinary memory. Times are of the device until the pairs are sorted there, "
     "but "
