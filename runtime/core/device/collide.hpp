@@ -20,8 +20,25 @@
 #include "core/device/set.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace meetc {
+
+// A sorted list of pairs in device memory. Null where there is none.
+class pairs_there {
+public:
+  const index_pair *data() const { return size_ > 0 ? reinterpret_cast<const index_pair *>(memory_.data()) : nullptr; }
+  index_pair *data() { return size_ > 0 ? reinterpret_cast<index_pair *>(memory_.data()) : nullptr; }
+  std::size_t size() const { return size_; }
+  // Takes the first n pairs of this memory, and leaves its own memory there.
+  void exchange(device_memory<std::uint64_t> &from, std::size_t n) { std::swap(memory_, from), size_ = n; }
+  void clear() { size_ = 0; }
+
+private:
+  static_assert(sizeof(index_pair) == sizeof(std::uint64_t));
+  device_memory<std::uint64_t> memory_;
+  std::size_t size_ = 0;
+};
 
 struct device_options {
   answer_kind want = answer_kind::pairs;
@@ -31,6 +48,9 @@ struct device_options {
   // Of sets as they are given (given.hpp): elements that cannot touch are left out before the others are put into order. Empty:
   // where this is expected to pay.
   std::optional<bool> cull = {};
+  // The list of pairs of elements stays on the device: it becomes this one, and the result has none. Where the device lacked the
+  // memory to sort it, it is in the result all the same, and this one is empty. Null: it is in the result.
+  pairs_there *leave_there = nullptr;
   std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^11
   std::function<void(double fraction)> progress = {};
 };
@@ -40,13 +60,6 @@ struct device_result : result {
   // From the first kernel to the last, with the allocations between them; without uploading sets, and without
   // downloading pairs where the device had the memory to sort them.
   double device_seconds = 0;
-};
-
-// A sorted list of pairs that lies on a device, until the next query there, and no longer than the device. Null where there is
-// none: the result has the pairs then, if they were asked for.
-struct pairs_there {
-  index_pair *pairs = nullptr;
-  std::size_t n = 0;
 };
 
 // Throws what collide() on the CPU throws, and device_error.

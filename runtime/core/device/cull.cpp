@@ -66,7 +66,7 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
     if (planned && !buffers.cull_space.grow(from.used(), 0, stream))
       return false;
   }
-  check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
+  buffers.start_clock();
   check(cudaMemsetAsync(buffers.cull_space.data(), 0, zeroed, stream), "clearing marks");
   vertices_of_two corners{};
   for (int s = 0; s < 2; ++s) {

@@ -1,7 +1,7 @@
 #include "core/device/given.hpp"
 
+#include "core/device/answers/answers_for.hpp"
 #include "core/device/buffers.hpp"
-#include "core/device/hits.hpp"
 #include "core/device/query.hpp"
 #include "core/rows.hpp"
 
@@ -134,18 +134,15 @@ device_set &given_set::ordered() {
 namespace {
 
 // Puts the sets, or what is left of them, into order and makes their hierarchies, both at once. `common` is that of
-// order_request. Starts the clock unless it runs.
-// Returns how many numbers are cleared for the query.
-std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a, const cuda::view &left_b,
-                       const cuda::joined_box *common, bool clock_runs) {
+// order_request. Starts the clock unless it runs, and clears the counts of the device's buffers.
+void order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a, const cuda::view &left_b,
+                const cuda::joined_box *common, bool clock_runs) {
   constexpr float least_share = 0.125F; // of the device
   device_buffers &buffers = on.buffers();
   const cudaStream_t stream = on.stream();
   const bool both = &a != &b, alike = both && &a.launchers() == &b.launchers() && can_arrange(left_a.elements) &&
                                       can_arrange(left_b.elements);
   const float all = static_cast<float>(left_a.elements) + static_cast<float>(left_b.elements);
-  const std::size_t cleared = counters + hit_pairs::room_to_order;
-  buffers.take_notes(cleared - counters);
   const auto request = [&](given_set &s, const cuda::view &left) {
     const float share = std::clamp(static_cast<float>(left.elements) / all, least_share, 1 - least_share);
     const bool first = &s == &a;
@@ -154,12 +151,12 @@ std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view 
                                      s.elements(),
                                      both ? share : 1,
                                      buffers.found() + (first ? 0 : 1),
-                                     {buffers.counts(), first ? cleared : 0},
+                                     first ? buffers.counts() : std::span<unsigned long long>(),
                                      common};
   };
   const auto start_clock = [&] {
     if (!clock_runs)
-      check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
+      buffers.start_clock();
   };
   if (alike) { // by one kernel
     const std::optional<cuda::arrange_job> job_a = a.ordered().plan_order(request(a, left_a), stream),
@@ -173,7 +170,7 @@ std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view 
     }
     for (given_set *const s : {&a, &b})
       s->ordered().tree(stream);
-    return cleared;
+    return;
   }
   const auto order = [&](given_set &s, const cuda::view &left, cudaStream_t on_stream) {
     s.ordered().order(request(s, left), on_stream);
@@ -192,7 +189,6 @@ std::size_t order_both(device &on, given_set &a, given_set &b, const cuda::view 
   order(a, left_a, stream);
   if (both)
     follow(buffers.beside, buffers.joined, stream);
-  return cleared;
 }
 
 // Also after an error no kernel works on a set, or on what culling left, when a query has ended.
@@ -208,14 +204,14 @@ private:
 };
 
 device_result find_touching(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
-                            const device_options &options, pairs_there *left_there) {
+                            const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  if (options.leave_there)
+    options.leave_there->clear();
   require_query(on, a.ordered(), b.ordered(), predicate, precision, options);
-  if (left_there)
-    *left_there = {};
   device_buffers &buffers = on.buffers();
   const wait_for ended(buffers.beside);
   cuda::view left_a = a.there(), left_b = b.there();
@@ -235,35 +231,29 @@ device_result find_touching(device &on, given_set &a, given_set &b, const predic
   // Where little was left out, that box may be far larger than the elements, which one vertex can make it.
   const bool few_left =
       culls && std::uint64_t{left_a.elements} + left_b.elements < (std::uint64_t{a.elements()} + b.elements()) / 2;
-  const std::size_t cleared = order_both(on, a, b, left_a, left_b, few_left ? left.around : nullptr, culls);
-  query_notes &seen = buffers.seen->of_query;
+  order_both(on, a, b, left_a, left_b, few_left ? left.around : nullptr, culls);
+  const query_notes &seen = buffers.seen->of_query;
   const auto in_order = [&] {
     return (left_a.elements == 0 || is_order(seen.found[0], left_a.elements)) &&
            (&a == &b || left_b.elements == 0 || is_order(seen.found[1], left_b.elements));
   };
   // A walk stops where there is no order, and its query reads what was found; where there is none, it is read here.
   const bool walks = left_a.elements > 0 && left_b.elements > 0;
-  if (!walks) {
-    check(cudaMemcpyAsync(&seen, buffers.notes.data(), sizeof seen, cudaMemcpyDeviceToHost, on.stream()),
-          "ordering a set");
-    check(cudaStreamSynchronize(on.stream()), "ordering a set");
-  }
+  if (!walks)
+    buffers.read_notes("ordering a set");
   device_result r;
+  const auto ask = [&](device_set &x, device_set &y, bool clock_runs) {
+    return query(on, x, y, predicate, precision, options,
+                 on_device::answers_for(launchers_of(on.kernels(), predicate).pairs, options), clock_runs);
+  };
   if (walks || in_order())
-    r = query(on, a.ordered(), b.ordered(), predicate, precision, options, {}, left_there, cleared);
+    r = ask(a.ordered(), b.ordered(), true);
   if (!in_order()) { // what was found means nothing
-    double before = 0;
-    if (left_there)
-      *left_there = {};
     device_set in_order_a(on, a);
-    if (&a == &b) {
-      before = elapsed();
-      r = query(on, in_order_a, in_order_a, predicate, precision, options, {}, left_there);
-    } else {
-      device_set in_order_b(on, b);
-      before = elapsed();
-      r = query(on, in_order_a, in_order_b, predicate, precision, options, {}, left_there);
-    }
+    std::optional<device_set> other;
+    device_set &in_order_b = &a == &b ? in_order_a : other.emplace(on, b);
+    const double before = elapsed();
+    r = ask(in_order_a, in_order_b, false);
     r.device_seconds += before;
   }
   r.seconds = elapsed();
@@ -273,8 +263,8 @@ device_result find_touching(device &on, given_set &a, given_set &b, const predic
 } // namespace
 
 device_result collide(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
-                      const device_options &options, pairs_there *left_there) {
-  return under_standard_word([&] { return find_touching(on, a, b, predicate, precision, options, left_there); });
+                      const device_options &options) {
+  return under_standard_word([&] { return find_touching(on, a, b, predicate, precision, options); });
 }
 
 } // namespace meetc

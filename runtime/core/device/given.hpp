@@ -71,10 +71,9 @@ private:
 
 // collide() of sets as they are given. The answers are the same, and so is what is thrown; input_error is thrown as by the
 // constructor of device_set, of A before B. device_seconds
-// runs from the given elements to the sorted pairs, and contains what the host takes in between. Where `left_there` is not null,
-// and pairs are asked for, their list stays on the device, if they could be sorted there; else it is in the result.
+// runs from the given elements to the sorted pairs, and contains what the host takes in between.
 device_result collide(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
-                      const device_options &options = {}, pairs_there *left_there = nullptr);
+                      const device_options &options = {});
 
 } // namespace meetc
 

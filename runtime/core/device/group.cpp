@@ -1,9 +1,11 @@
 #include "core/device/group.hpp"
 
 #include "core/answers.hpp"
+#include "core/device/answers/answers_for.hpp"
+#include "core/device/answers/hit_keys.hpp"
+#include "core/device/answers/kernels.hpp"
 #include "core/device/buffers.hpp"
 #include "core/device/given.hpp"
-#include "core/device/kernels.hpp"
 #include "core/device/query.hpp"
 #include "core/pair_list.hpp"
 
@@ -77,25 +79,26 @@ void join(device_result &r, const device_result &more) {
 }
 
 // All devices' lists of pairs, one after another, each where it belongs at once. first(i): what is added to the elements of A.
-std::vector<index_pair> list_of(device_group &on, std::vector<device_result> &of, const std::vector<pairs_there> &left,
+std::vector<index_pair> list_of(device_group &on, std::vector<device_result> &of, std::vector<pairs_there> &left,
                                 const std::function<std::size_t(std::size_t)> &first) {
   std::vector<std::size_t> begin{0};
   for (std::size_t i = 0; i < of.size(); ++i)
-    begin.push_back(begin.back() + of[i].pairs.size() + left[i].n); // one of them
+    begin.push_back(begin.back() + of[i].pairs.size() + left[i].size()); // one of them
   std::vector<index_pair> out;
   if (begin.back() == 0)
     return out;
-  make_room(out, begin.back());
+  on_device::make_room(out, begin.back());
   on.on_each([&](std::size_t i) {
     const auto by = static_cast<std::uint32_t>(first(i));
     index_pair *const to = out.data() + begin[i];
     for (std::size_t k = 0; k < of[i].pairs.size(); ++k)
       to[k] = {of[i].pairs[k].a + by, of[i].pairs[k].b};
-    if (left[i].n == 0)
+    if (left[i].size() == 0)
       return;
-    check(renumber(left[i].pairs, left[i].n, by, on[i].stream()), "starting a kernel");
-    on[i].buffers().moving.download(to, left[i].pairs, left[i].n * sizeof(index_pair), on[i].stream(),
+    check(on_device::renumber(left[i].data(), left[i].size(), by, on[i].stream()), "starting a kernel");
+    on[i].buffers().moving.download(to, left[i].data(), left[i].size() * sizeof(index_pair), on[i].stream(),
                                     "downloading pairs");
+    left[i].exchange(on[i].buffers().more_keys, 0); // its memory goes back
   });
   return out;
 }
@@ -273,8 +276,8 @@ device_result find_touching(device_group &on, group_set &a, group_set &b, const 
     }
     if (i > 0)
       o.progress = nullptr;
-    require_query(on[i], a.part(i), b.part(i), predicate, precision, o);
-    of[i] = query(on[i], a.part(i), b.part(i), predicate, precision, o, {}, &left[i]);
+    o.leave_there = &left[i];
+    of[i] = collide(on[i], a.part(i), b.part(i), predicate, precision, o);
   });
   std::vector<index_pair> pairs = list_of(on, of, left, [&](std::size_t i) { return owned ? 0 : a.first(i); });
   device_result r = std::move(of[0]);

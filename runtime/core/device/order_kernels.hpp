@@ -1,5 +1,5 @@
-// core/device/order_kernels.hpp: the kernels that order a set on a device and depend on no kind of element. They only enqueue
-// work.
+// core/device/order_kernels.hpp: the kernels that order and measure a set on a device and depend on no kind of element. They only
+// enqueue work.
 #ifndef MEETC_CORE_DEVICE_ORDER_KERNELS_HPP
 #define MEETC_CORE_DEVICE_ORDER_KERNELS_HPP
 
@@ -15,6 +15,11 @@ namespace meetc {
 cudaError_t sort_places(void *space, std::size_t &bytes, const std::uint32_t *places, std::uint32_t *sorted,
                         const std::uint32_t *numbers, std::uint32_t *slots, std::uint32_t n, int bits,
                         cudaStream_t stream);
+
+// The largest magnitudes of the numbers of rows of `fields` floats, as float32: most[1] of those whose bit is set in
+// `lengths`, and most[0] of the others, among them all from the 64th on. most is device memory.
+cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
+                    cudaStream_t stream);
 
 } // namespace meetc
 

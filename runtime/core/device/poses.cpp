@@ -1,5 +1,6 @@
 #include "core/device/poses.hpp"
 
+#include "core/device/answers/element_numbers.hpp"
 #include "core/device/query.hpp"
 #include "core/pose.hpp"
 
@@ -47,7 +48,8 @@ public:
         some.push_back(poses[i]);
       counts.assign(of.size(), 0);
       device_set instances(b, some, of);
-      const device_result part = query(on_, a_, instances, predicate_, precision_, options_, counts);
+      std::unique_ptr<on_device::query_answer> answers[] = {std::make_unique<on_device::instance_counts>(counts)};
+      const device_result part = query(on_, a_, instances, predicate_, precision_, options_, answers);
       for (std::size_t i = 0; i < of.size(); ++i)
         r.counts[of[i]] = counts[i];
       for (int i = 0; i < bounded_rungs; ++i)

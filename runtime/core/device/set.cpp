@@ -2,7 +2,6 @@
 
 #include "core/device/buffers.hpp"
 #include "core/device/given.hpp"
-#include "core/device/kernels.hpp"
 #include "core/device/order_kernels.hpp"
 #include "core/device/tree_kernels.hpp"
 #include "core/element_set.hpp"
@@ -118,13 +117,13 @@ bool device_set::make(const given_set &elements) {
   there.reserve(1, "what a set's order is");
   cuda::order_findings found{};
   const auto timed = [&](auto &&enqueue) {
-    check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
+    buffers.start_clock();
     if (!enqueue())
       return false;
-    check(cudaEventRecord(buffers.events[1], stream), "stopping a clock");
+    buffers.mark_clock();
     check(cudaMemcpyAsync(&found, there.data(), sizeof found, cudaMemcpyDeviceToHost, stream), "ordering a set");
     check(cudaStreamSynchronize(stream), "ordering a set");
-    ordered_seconds_ += buffers.between();
+    ordered_seconds_ += buffers.clocked();
     return true;
   };
   const std::optional<cuda::arrange_job> job =

@@ -176,12 +176,22 @@ void stay_there(comparison &with, const settings &s) {
       here(with.on(), view_of(x), *p.a);
   const device_result want = collide(with.on(), here, here, p, rung::certified);
   pairs_there pairs;
-  const device_result have = collide(with.on(), there, there, p, rung::certified, {}, &pairs);
-  std::vector<index_pair> down(pairs.n);
-  check(cudaMemcpy(down.data(), pairs.pairs, pairs.n * sizeof(index_pair), cudaMemcpyDeviceToHost), "a test");
+  device_options o;
+  o.leave_there = &pairs;
+  for (const answer_kind other :
+       {answer_kind::pairs, answer_kind::count}) { // what another query finds is no list of this one
+    o.want = other;
+    collide(with.on(), here, here, p, rung::certified, o);
+  }
+  with.require("given there", pairs.size() == 0, "a list where none was asked for");
+  o.want = answer_kind::pairs;
+  const device_result have = collide(with.on(), there, there, p, rung::certified, o);
+  collide(with.on(), here, there, p, rung::certified); // the list outlives the next query
+  std::vector<index_pair> down(pairs.size());
+  check(cudaMemcpy(down.data(), pairs.data(), down.size() * sizeof(index_pair), cudaMemcpyDeviceToHost), "a test");
   with.require("given there",
-               have.pairs.empty() && have.count == want.count && pairs.n == want.pairs.size() &&
-                   std::memcmp(down.data(), want.pairs.data(), pairs.n * sizeof(index_pair)) == 0,
+               have.pairs.empty() && have.count == want.count && pairs.size() == want.pairs.size() &&
+                   std::memcmp(down.data(), want.pairs.data(), down.size() * sizeof(index_pair)) == 0,
                "another list");
 }
 

@@ -169,9 +169,10 @@ gpu_bench::given_times gpu_bench::time_given(const sets_here &sets) {
   std::optional<given_set> its_own;
   given_set &given_b = sets.of.itself ? given_a : its_own.emplace(on_, app::view_of(sets.b()), *sets.b().kind);
   std::uint64_t found = 0;
+  pairs_there pairs;
+  const device_options leaves_pairs{.leave_there = &pairs};
   const auto [device, wall] = medians_of<2>(runs, [&] {
-    pairs_there pairs;
-    const device_result r = meetc::collide(on_, given_a, given_b, sets.predicate, rung::certified, {}, &pairs);
+    const device_result r = meetc::collide(on_, given_a, given_b, sets.predicate, rung::certified, leaves_pairs);
     found = r.count;
     return std::array{r.device_seconds, r.seconds};
   });

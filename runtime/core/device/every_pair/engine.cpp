@@ -1,7 +1,7 @@
 #include "core/device/every_pair/engine.hpp"
 
-#include "core/device/buffers.hpp"
-#include "core/device/hits.hpp"
+#include "core/device/answers/element_pairs.hpp"
+#include "core/device/lists.hpp"
 #include "core/device/parts.hpp"
 #include "core/device/query.hpp"
 #include "meetc/every_pair/query.hpp"
@@ -17,7 +17,6 @@
 namespace meetc::every_pair {
 namespace {
 
-constexpr std::size_t first_capacity = std::size_t{1} << 22;
 constexpr std::size_t least_list = std::size_t{part_step} * part_step; // the pairs of a part that is cut no further
 
 void require(bool holds, const char *what) {
@@ -30,19 +29,11 @@ class product_query {
 public:
   product_query(device &on, const catalogue &kernels, device_set &a, device_set &b,
                 const cuda::predicate_launchers &predicate, const options &how, const part_steps &steps)
-      : on_(on), kernels_(kernels), buffers_(on.buffers()), a_(a), b_(b), predicate_(predicate), how_(how),
-        steps_(steps), hits_(on, a, b, {}, {}) {}
+      : on_(on), kernels_(kernels), buffers_(on.buffers()), a_(a), b_(b), predicate_(predicate), steps_(steps),
+        lists_(buffers_, 0, how.list_capacity, how.want == answer_kind::pairs) {}
 
-  void run(outcome &r) {
-    buffers_.take_notes(0);
-    const std::size_t least = std::min(how_.list_capacity, first_capacity);
-    buffers_.first.reserve(least, "a list of candidates");
-    buffers_.second.reserve(least, "a list of candidates");
-    if (lists_hits())
-      buffers_.hits.reserve(least, "a list of hits");
-    capacity_ = std::min(buffers_.first.capacity(), how_.list_capacity);
-    if (!enlarge_lists(capacity_))
-      capacity_ = least;
+  // `pairs` has started; null: they are only counted.
+  void run(on_device::query_answer *pairs, outcome &r) {
     std::vector<cuda::part> left{{0, a_.elements(), 0, b_.elements()}};
     for (std::uint64_t most = ~std::uint64_t{0}; !left.empty();) { // the largest part that is worth trying
       const cuda::part p = left.back();
@@ -54,36 +45,17 @@ public:
       }
       try_part(p);
       ++r.parts;
-      if (overflowed()) {
+      if (!lists_.hold(1)) { // no later list is longer than that of the filter
         left.push_back(p);
-        if (capacity_ == how_.list_capacity || !enlarge_lists(how_.list_capacity))
+        if (!lists_.take_more_room())
           most = area(p) / 4;
         continue;
       }
-      take_part(r);
+      take_part(pairs, r);
     }
-    const auto stop_clock = [this] { check(cudaEventRecord(buffers_.events[1], on_.stream()), "stopping a clock"); };
-    if (lists_hits())
-      hits_.finish(how_.want, r, stop_clock, nullptr);
-    else
-      stop_clock();
   }
 
 private:
-  bool lists_hits() const { return how_.want == answer_kind::pairs; }
-  unsigned long long seen(counter c) const { return buffers_.seen->of_query.counts[static_cast<int>(c)]; }
-  unsigned long long *count(counter c) { return buffers_.counts() + static_cast<int>(c); }
-
-  // Returns false where there is too little memory.
-  bool enlarge_lists(std::size_t capacity) {
-    const cudaStream_t stream = on_.stream();
-    if (!buffers_.first.grow(capacity, 0, stream) || !buffers_.second.grow(capacity, 0, stream) ||
-        (lists_hits() && !buffers_.hits.grow(capacity, 0, stream)))
-      return false;
-    capacity_ = capacity;
-    return true;
-  }
-
   // Between whole blocks of the filter's kernels where a side has several.
   static std::pair<cuda::part, cuda::part> cut(const cuda::part &p) {
     const std::uint32_t a = p.end_a - p.first_a, b = p.end_b - p.first_b;
@@ -91,29 +63,25 @@ private:
   }
 
   void try_part(const cuda::part &p) {
-    const cudaStream_t stream = on_.stream();
-    steps_.near = {buffers_.first.data(), count(counter::candidates), capacity_};
-    steps_.touching = {buffers_.second.data(), count(counter::touching), capacity_};
-    steps_.kept = count(counter::kept), steps_.unsure = count(counter::unsure_fp32);
-    const cuda::pair_list hits{lists_hits() ? buffers_.hits.data() : nullptr, count(counter::hits),
-                               lists_hits() ? capacity_ : 0};
-    check(cudaMemsetAsync(buffers_.counts(), 0, counters * sizeof(unsigned long long), stream), "clearing counters");
-    check(decide_part(kernels_, predicate_, steps_, p, hits, stream), "starting a part of a product");
-    check(cudaMemcpyAsync(&buffers_.seen->of_query, buffers_.notes.data(), sizeof(query_notes), cudaMemcpyDeviceToHost,
-                          stream),
-          "reading counters");
-    check(cudaStreamSynchronize(stream), "deciding every pair");
+    const cuda::pair_list near = lists_.candidates(), second = lists_.kept();
+    steps_.near = near;
+    steps_.touching = {second.pairs, buffers_.count_of(counter::touching), second.capacity};
+    steps_.kept = second.count, steps_.unsure = buffers_.count_of(counter::unsure_fp32);
+    buffers_.clear_counts();
+    check(decide_part(kernels_, predicate_, steps_, p, lists_.hits(), on_.stream()), "starting a part of a product");
+    buffers_.mark_clock();
+    buffers_.read_notes("deciding every pair");
   }
-  bool overflowed() const { return seen(counter::candidates) > capacity_; } // no later list is longer
-  void take_part(outcome &r) {
+  void take_part(on_device::query_answer *pairs, outcome &r) {
+    const auto seen = [this](counter c) { return buffers_.seen_of(c); };
     r.near += seen(counter::candidates);
     r.candidates += seen(counter::touching);
     r.count += seen(counter::hits);
     r.rungs.unsure[0] += seen(counter::unsure_fp32);
     r.rungs.unsure[1] += seen(counter::unsure_fp64);
     r.rungs.unsure[2] += seen(counter::unsure_fp64x2);
-    if (lists_hits() && seen(counter::hits) > 0)
-      hits_.add(buffers_.hits.data(), seen(counter::hits));
+    if (pairs)
+      pairs->take({buffers_.hits.data(), static_cast<std::size_t>(seen(counter::hits)), false});
   }
 
   device &on_;
@@ -121,10 +89,8 @@ private:
   device_buffers &buffers_;
   device_set &a_, &b_;
   const cuda::predicate_launchers &predicate_;
-  const options &how_;
   part_steps steps_;
-  hit_pairs hits_;
-  std::size_t capacity_ = 0;
+  query_lists lists_;
 };
 
 } // namespace
@@ -217,14 +183,25 @@ outcome engine::collide(device_set &a, device_set &b, const predicate_info &pred
   if (a.elements() > 0 && b.elements() > 0) {
     device_buffers &buffers = on_.buffers();
     const cudaStream_t stream = on_.stream();
-    check(cudaEventRecord(buffers.events[0], stream), "starting a clock");
+    buffers.start_clock();
     const two_operands of = operands(r.by, how.balls.value_or(balls_for(precision)), a, b);
     part_steps steps{};
     steps.by = r.by, steps.precision = precision;
     steps.x = of.x, steps.y = of.y, steps.rows_a = a.rows(), steps.rows_b = b.rows();
     steps.boxes = {a.tree(stream).nodes, b.tree(stream).nodes};
-    product_query(on_, kernels_, a, b, meetc::launchers_of(on_.kernels(), predicate), how, steps).run(r);
-    r.device_seconds = buffers.between();
+    product_query product(on_, kernels_, a, b, meetc::launchers_of(on_.kernels(), predicate), how, steps);
+    device_result listed;
+    on_device::element_pairs pairs;
+    const bool lists = how.want == answer_kind::pairs;
+    if (lists)
+      pairs.start({on_, a, b});
+    product.run(lists ? &pairs : nullptr, r);
+    if (lists) {
+      pairs.finish();
+      pairs.download(listed);
+      r.pairs = std::move(listed.pairs);
+    }
+    r.device_seconds = buffers.clocked();
   }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return r;

@@ -1,13 +1,13 @@
-// core/device/kernels.hpp: the device kernels of the engine itself, which know no shapes.
-#ifndef MEETC_CORE_DEVICE_KERNELS_HPP
-#define MEETC_CORE_DEVICE_KERNELS_HPP
+// core/device/answers/kernels.hpp: the kernels of answers, which know no shapes. They only enqueue work.
+#ifndef MEETC_CORE_DEVICE_ANSWERS_KERNELS_HPP
+#define MEETC_CORE_DEVICE_ANSWERS_KERNELS_HPP
 
 #include "meetc/cuda_table.hpp"
 #include "meetc/support.hpp"
 
 #include <cuda_runtime_api.h>
 
-namespace meetc {
+namespace meetc::on_device {
 
 // A pair as a number, item_a 2^bits_b + item_b, so that their order is the same. The shorter, the fewer steps to sort.
 MEETC_HD inline std::uint64_t key_of(index_pair p, int bits_b) {
@@ -54,10 +54,10 @@ cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t str
 struct hit_tally {
   const index_pair *hits; // of slots
   std::size_t n;
-  const std::uint32_t *order_a, *order_b;
-  unsigned long long *counts_a, *counts_b;
-  std::uint8_t *flags_a, *flags_b; // both or none
-  std::uint32_t of_instance;
+  const std::uint32_t *order_a = nullptr, *order_b = nullptr;
+  unsigned long long *counts_a = nullptr, *counts_b = nullptr;
+  std::uint8_t *flags_a = nullptr, *flags_b = nullptr; // both or none
+  std::uint32_t of_instance = 0;
 };
 cudaError_t tally(const hit_tally &t, cudaStream_t stream);
 
@@ -88,11 +88,6 @@ cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys
 cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to,
                          unsigned long long *kept, std::size_t n, cudaStream_t stream);
 
-// The largest magnitudes of the numbers of rows of `fields` floats, as float32: most[1] of those whose bit is set in
-// `lengths`, and most[0] of the others, among them all from the 64th on. most is device memory.
-cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
-                    cudaStream_t stream);
-
-} // namespace meetc
+} // namespace meetc::on_device
 
 #endif

@@ -1,4 +1,4 @@
-#include "core/device/kernels.hpp"
+#include "core/device/answers/kernels.hpp"
 
 #include "core/device/blocks.hpp"
 
@@ -8,7 +8,7 @@
 #include <meetc/cuda_launch.hpp>
 #include <meetc/cuda_table.hpp>
 
-namespace meetc {
+namespace meetc::on_device {
 namespace {
 
 __global__ void keys_kernel(const index_pair *slots, std::size_t n, const std::uint32_t *order_a,
@@ -27,25 +27,6 @@ __global__ void pairs_kernel(std::uint64_t *keys, std::size_t n, int bits_b) {
   cuda::begin();
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads})
     reinterpret_cast<index_pair *>(keys)[i] = pair_of(keys[i], bits_b);
-}
-
-__global__ void reaches_kernel(const float *rows, std::size_t numbers, unsigned fields, std::uint64_t lengths,
-                               unsigned *most) {
-  unsigned of[2] = {0, 0}; // magnitudes, whose order is that of their bits
-  for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < numbers;
-       i += gridDim.x * std::size_t{threads}) {
-    const unsigned bits = __float_as_uint(rows[i]) & 0x7fffffff;
-    const auto field = static_cast<unsigned>(i % fields);
-    const bool length = field < 64 && (lengths >> field & 1) != 0;
-    of[length] = bits > of[length] ? bits : of[length];
-  }
-  for (int k = 0; k < 2; ++k) {
-    unsigned warp = of[k];
-    for (int d = 16; d > 0; d /= 2)
-      warp = max(warp, __shfl_xor_sync(~0U, warp, d));
-    if (threadIdx.x % 32 == 0)
-      atomicMax(most + k, warp);
-  }
 }
 
 constexpr unsigned few_threads = 1024;
@@ -256,15 +237,6 @@ cudaError_t order_keys(const key_order &o, cudaStream_t stream) {
       order_threads, stream, o);
 }
 
-cudaError_t reaches(const float *rows, std::size_t n, unsigned fields, std::uint64_t lengths, float *most,
-                    cudaStream_t stream) {
-  const cudaError_t e = cudaMemsetAsync(most, 0, 2 * sizeof(float), stream);
-  if (e != cudaSuccess || n == 0)
-    return e;
-  return cuda::launch_after<reaches_kernel>(blocks_for(n * fields), threads, stream, rows, n * fields, fields, lengths,
-                                            reinterpret_cast<unsigned *>(most));
-}
-
 cudaError_t to_keys(const index_pair *slots, std::size_t n, const std::uint32_t *order_a, const std::uint32_t *owner_a,
                     const std::uint32_t *order_b, const std::uint32_t *owner_b, int bits_b, std::uint64_t *keys,
                     cudaStream_t stream) {
@@ -291,4 +263,4 @@ cudaError_t drop_repeats(void *space, std::size_t &bytes, const std::uint64_t *k
   return cub::DeviceSelect::Unique(space, bytes, keys, to, kept, static_cast<std::int64_t>(n), stream);
 }
 
-} // namespace meetc
+} // namespace meetc::on_device

@@ -1,0 +1,58 @@
+// core/device/answers/hit_keys.hpp: a list of pairs of items, as numbers that are gathered part by part and sorted at the end.
+//
+// Where the device lacks the memory for that, the host sorts.
+#ifndef MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
+#define MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
+
+#include "core/device/answers/query_answer.hpp"
+#include "core/device/memory.hpp"
+
+#include <span>
+#include <vector>
+
+namespace meetc::on_device {
+
+// All members enqueue their work on the device's stream and throw device_error.
+class hit_keys {
+public:
+  // Owners: the item of each element; empty: each element is its own item. Throws std::invalid_argument where a map has not one
+  // item for each element.
+  hit_keys(const queried_sets &sets, std::span<const std::uint32_t> owner_a, std::span<const std::uint32_t> owner_b);
+
+  // Adds n hits, pairs of slots.
+  void add(const index_pair *hits, std::size_t n);
+  // Waits. Sorts the pairs, and drops repeats where there are owners. `crowded`: too many are known to be of items near each other.
+  void sort(bool crowded);
+
+  // After sort(): the number of pairs, and their list. That is on the device, or null where the host has sorted it.
+  std::size_t size() const { return here_.empty() ? keys_ : here_.size(); }
+  const index_pair *there() const;
+  std::vector<index_pair> take_list();
+
+private:
+  struct side {
+    const device_set &set;
+    device_memory<std::uint32_t> owners;
+    int bits; // of the largest item's number
+    side(const device_set &of, std::span<const std::uint32_t> from, cudaStream_t stream);
+  };
+  void spill();
+  unsigned long long counted(); // at the first of the query's counters
+  bool order_there(int bits);
+  bool sort_there(bool crowded);
+
+  device &on_;
+  bool owned_;
+  side a_, b_;
+  std::size_t keys_ = 0;
+  std::vector<index_pair> here_;
+};
+
+// Pairs from device memory.
+std::vector<index_pair> download_pairs(device &on, const index_pair *from, std::size_t n);
+// Room for n pairs, in which nothing is kept.
+void make_room(std::vector<index_pair> &pairs, std::size_t n);
+
+} // namespace meetc::on_device
+
+#endif
