@@ -149,8 +149,8 @@ private:
       cuda::pair_list in{pairs_there.data(), nullptr, length};
       for (int s = 0; s < steps.count; ++s) {
         const cuda::pair_list unsure{left.data(), counts.data() + 1 + s, list.size()}; // the last step writes none
-        check(run.pairs.run(steps.of[s], a.rows(), b.rows(), in, {hits.data(), counts.data(), list.size()}, unsure,
-                            stream),
+        check(run.pairs.run(steps.of[s], a.rows().data(), b.rows().data(), in,
+                            {hits.data(), counts.data(), list.size()}, unsure, stream),
               "starting a decision step");
         in = unsure;
       }
@@ -200,7 +200,7 @@ private:
 
   std::vector<std::uint32_t> orders(const device_set &of) const {
     std::vector<std::uint32_t> out(of.elements());
-    check(cudaMemcpy(out.data(), of.order(), out.size() * sizeof(std::uint32_t), cudaMemcpyDeviceToHost),
+    check(cudaMemcpy(out.data(), of.rows().order(), out.size() * sizeof(std::uint32_t), cudaMemcpyDeviceToHost),
           "downloading an order");
     return out;
   }

@@ -75,6 +75,9 @@ struct device_buffers {
   }
   void start_clock() const { check(cudaEventRecord(clock[0], stream), "starting a clock"); }
   void mark_clock() const { check(cudaEventRecord(clock[1], stream), "stopping a clock"); } // the last mark counts
+  // Work on `beside` between the two is that of one set, while the stream works on the other.
+  void fork() const { follow(stream, forked, beside); }
+  void join() const { follow(beside, joined, stream); }
   // Waits for the stream.
   void read_notes(const char *what) const {
     check(cudaMemcpyAsync(&seen->of_query, notes.data(), sizeof(query_notes), cudaMemcpyDeviceToHost, stream), what);
@@ -101,6 +104,13 @@ struct device_buffers {
     check(cudaMemsetAsync(notes.data(), 0, sizeof(notes_there), stream), "clearing counters"); // all are read, always
   }
 
+private:
+  static void follow(cudaStream_t from, cudaEvent_t mark, cudaStream_t to) {
+    check(cudaEventRecord(mark, from), "joining streams");
+    check(cudaStreamWaitEvent(to, mark, 0), "joining streams");
+  }
+
+public:
   ~device_buffers() {
     for (const cudaEvent_t e : {clock[0], clock[1], forked, joined})
       if (e)

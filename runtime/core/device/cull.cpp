@@ -33,21 +33,21 @@ bool has_come(std::uint32_t &there, cudaStream_t stream) {
 
 } // namespace
 
-bool cull_pays(const given_set &a, const given_set &b) {
+bool cull_pays(const given_elements &a, const given_elements &b) {
   constexpr std::uint64_t fewest = std::uint64_t{1} << 17; // fewer are in order sooner
   const bool mesh = a.there().index || b.there().index;    // its elements leave most cells empty
-  return &a != &b && mesh && std::uint64_t{a.elements()} + b.elements() >= fewest;
+  return &a != &b && mesh && std::uint64_t{a.there().elements} + b.there().elements >= fewest;
 }
 
-bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, culled &out) {
+bool cull(device &on, const given_elements &a, const given_elements &b, bool by_lines, culled &out) {
   const bool lines_a = by_lines && has_two_points(a.kind()), lines_b = by_lines && has_two_points(b.kind());
-  const bool b_first = lines_a == lines_b ? b.elements() < a.elements() : lines_b;
-  const given_set *const sets[2] = {b_first ? &b : &a, b_first ? &a : &b};
+  const bool b_first = lines_a == lines_b ? b.there().elements < a.there().elements : lines_b;
+  const given_elements *const sets[2] = {b_first ? &b : &a, b_first ? &a : &b};
   const bool again = !lines_a && !lines_b;
   device_buffers &buffers = on.buffers();
   const cudaStream_t stream = on.stream();
   cuda::sift_job job{};
-  job.bits = bits_for(std::max(a.elements(), b.elements()));
+  job.bits = bits_for(std::max(a.there().elements, b.there().elements));
   job.by_lines = by_lines;
   const std::size_t words = cuda::cull_marks::words_for(job.bits);
   cull_findings *found = nullptr;
@@ -59,8 +59,9 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
     found = from.take<cull_findings>(1);
     marks[0] = from.take<std::uint32_t>(words), marks[1] = from.take<std::uint32_t>(again ? words : 0);
     zeroed = from.used();
-    kept[0] = from.take<std::uint32_t>(sets[0]->elements()), kept[1] = from.take<std::uint32_t>(sets[1]->elements());
-    kept[2] = from.take<std::uint32_t>(again ? sets[0]->elements() : 0);
+    kept[0] = from.take<std::uint32_t>(sets[0]->there().elements),
+    kept[1] = from.take<std::uint32_t>(sets[1]->there().elements);
+    kept[2] = from.take<std::uint32_t>(again ? sets[0]->there().elements : 0);
     for (int s = 0; s < 2; ++s)
       vertices[s] = from.take<std::uint32_t>(sets[s]->there().index ? sets[s]->there().vertices : 0);
     if (planned && !buffers.cull_space.grow(from.used(), 0, stream))
@@ -70,12 +71,12 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
   check(cudaMemsetAsync(buffers.cull_space.data(), 0, zeroed, stream), "clearing marks");
   vertices_of_two corners{};
   for (int s = 0; s < 2; ++s) {
-    corners.at[s] = cuda_pose(sets[s]->at());
+    corners.at[s] = cuda_pose(sets[s]->at);
     if (sets[s]->there().index)
       corners.of[s] = sets[s]->there();
     else
-      check(sets[s]->launchers().pose(sets[s]->there(), corners.at[s], nullptr, nullptr, nullptr, found->around + s,
-                                      stream),
+      check(launchers_of(on.kernels(), sets[s]->kind())
+                .pose(sets[s]->there(), corners.at[s], nullptr, nullptr, nullptr, found->around + s, stream),
             "starting a kernel");
   }
   check(surround_vertices(corners, found->around, stream), "starting a kernel");
@@ -90,7 +91,7 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
     if (pass == last)
       job.at_end = {reinterpret_cast<const std::uint32_t *>(found), reinterpret_cast<std::uint32_t *>(&seen.culled),
                     sizeof seen.culled / sizeof(std::uint32_t), &seen.culled_there, &found->arrived};
-    check(sets[set]->launchers().sift(job, stream), "starting a kernel");
+    check(launchers_of(on.kernels(), sets[set]->kind()).sift(job, stream), "starting a kernel");
   };
   job.marks = marks[0];
   sift(0, 0);
@@ -104,11 +105,15 @@ bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, cul
     check(cudaMemcpyAsync(&seen.culled, found, sizeof seen.culled, cudaMemcpyDeviceToHost, stream), "culling");
     check(cudaStreamSynchronize(stream), "culling");
   }
+  for (const bool of_b : {false, true}) // of A before B
+    if (seen.culled.bad[of_b != b_first] != 0)
+      (of_b ? b : a).refuse();
   const int of_first = again ? 2 : 0;
-  const cull_findings &all = seen.culled;
-  out = {kept[of_first], kept[1], all.kept[of_first], all.kept[1], found->around, all.bad[0] != 0, all.bad[1] != 0};
+  out = {kept[of_first], kept[1], seen.culled.kept[of_first], seen.culled.kept[1]};
   if (b_first)
-    out = {out.b, out.a, out.elements_b, out.elements_a, out.around, out.bad_b, out.bad_a};
+    out = {out.b, out.a, out.elements_b, out.elements_a};
+  if (std::uint64_t{out.elements_a} + out.elements_b < (std::uint64_t{a.there().elements} + b.there().elements) / 2)
+    out.common = found->around;
   return true;
 }
 

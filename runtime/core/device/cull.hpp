@@ -16,7 +16,7 @@
 namespace meetc {
 
 class device;
-class given_set;
+class given_elements;
 
 // In device memory, all 0 at first. Of two sets the one that marks first is 0.
 struct cull_findings {
@@ -26,20 +26,29 @@ struct cull_findings {
   unsigned long long bad[2];
 };
 
-// What is left of two sets: how many, and which, in device memory until the next query.
+// What is left of two sets, in device memory until the next query.
 struct culled {
-  const std::uint32_t *a = nullptr, *b = nullptr;
+  const std::uint32_t *a = nullptr, *b = nullptr; // these elements
   std::uint32_t elements_a = 0, elements_b = 0;
-  const cuda::joined_box *around = nullptr; // of both, two boxes, likewise
-  bool bad_a = false, bad_b = false;        // an element that is none of its kind was found, among all
+  // The boxes around both sets, if few elements are left. Else the box that these have in common may be far larger than the
+  // elements, which one vertex can make it.
+  const cuda::joined_box *common = nullptr;
+
+  // The views of both become those of what is left, or of nothing if nothing is left of one.
+  void keep_only(cuda::view &of_a, cuda::view &of_b) const {
+    const bool some = elements_a > 0 && elements_b > 0;
+    of_a.only = a, of_a.elements = some ? elements_a : 0;
+    of_b.only = b, of_b.elements = some ? elements_b : 0;
+  }
 };
 
 // Whether culling is expected to take less time than it saves, which depends on what kind of sets these are and how large.
-bool cull_pays(const given_set &a, const given_set &b);
+bool cull_pays(const given_elements &a, const given_elements &b);
 
-// Waits for the device. With `by_lines`, pairs may be left out that do not touch although their boxes do. Returns false where
-// there is too little memory. Throws device_error.
-bool cull(device &on, const given_set &a, const given_set &b, bool by_lines, culled &out);
+// Waits for the device, and starts the clock of a query. With `by_lines`, pairs may be left out that do not touch although their boxes do. Returns false where
+// there is too little memory. Throws device_error, and the input_error of an element that is none of its kind, also of one that is
+// left out.
+bool cull(device &on, const given_elements &a, const given_elements &b, bool by_lines, culled &out);
 
 } // namespace meetc
 

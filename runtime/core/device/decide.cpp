@@ -117,7 +117,7 @@ private:
   }
 
   void certify(const cuda::pair_list &hits) {
-    check(cuda::decide(job_.by, job_.precision, job_.a.rows(), job_.b.rows(),
+    check(cuda::decide(job_.by, job_.precision, job_.a.data(), job_.b.data(),
                        {lists_.candidates(), lists_.kept(), buffers_.count_of(counter::unsure_fp32)}, hits,
                        job_.on.stream()),
           "starting a decision step");

@@ -14,7 +14,7 @@ using device_answers = std::span<const std::unique_ptr<on_device::query_answer>>
 
 struct decision_job {
   device &on;
-  device_set &a, &b; // with elements
+  device_rows &a, &b; // with elements
   const cuda::predicate_launchers &by;
   rung precision;
   bool half;              // a and b are one set, and of each pair of elements one order is looked at

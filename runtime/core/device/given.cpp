@@ -1,16 +1,14 @@
 #include "core/device/given.hpp"
 
-#include "core/device/answers/answers_for.hpp"
 #include "core/device/buffers.hpp"
-#include "core/device/query.hpp"
 #include "core/rows.hpp"
+#include "meetc/joined_box.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace meetc {
 namespace {
@@ -50,16 +48,7 @@ cuda::pose_matrix cuda_pose(const pose &at) {
   });
 }
 
-given_set::given_set(device &on, const kind_info &kind, const pose &at)
-    : on_(&on), kind_(&kind), launchers_(&launchers_of(on.kernels(), kind)), at_(at) {
-  require_pose(kind, at);
-}
-given_set::~given_set() = default;
-given_set::given_set(given_set &&) noexcept = default;
-
-given_set::given_set(device &on, const view &elements, const kind_info &kind, const pose &at)
-    : given_set(on, kind, at) {
-  const control_word_guard guard;
+given_elements::given_elements(device &on, const view &elements, const kind_info &kind) : given_elements(on, kind) {
   if (elements.elements > most || (elements.index && elements.vertices > most))
     throw std::length_error(text(status::too_many_elements));
   if (!upload(require_view(elements, kind)))
@@ -67,23 +56,30 @@ given_set::given_set(device &on, const view &elements, const kind_info &kind, co
   check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may change the elements now
 }
 
-std::unique_ptr<given_set> given_set::if_it_fits(device &on, const view &stated, const kind_info &kind,
-                                                 const pose &at) {
-  const control_word_guard guard;
-  const view elements = require_view(stated, kind);
-  const std::size_t n = elements.elements, given = elements.index ? elements.vertices : n,
-                    packed = n * static_cast<std::size_t>(kind.fields) * sizeof(float);
-  if (n > most || given > most)
-    return nullptr;
-  if (bytes_of(kind, given, elements.stride_bytes, elements.index != nullptr) > 4 * packed + (std::size_t{1} << 20))
-    return nullptr;
-  std::unique_ptr<given_set> out(new given_set(on, kind, at));
-  return out->upload(elements) ? std::move(out) : nullptr;
+given_elements::given_elements(device &on, const cuda::view &there, const kind_info &kind) : given_elements(on, kind) {
+  if (there.only)
+    throw std::invalid_argument("a given set has all of its elements");
+  there_ = there;
+  there_.stride_bytes =
+      require_view({there.data, there.vertices, there.stride_bytes, there.index, there.elements}, kind).stride_bytes;
 }
 
-bool given_set::upload(const view &elements) {
-  const std::size_t given = elements.index ? elements.vertices : elements.elements,
-                    bytes = bytes_of(*kind_, given, elements.stride_bytes, elements.index != nullptr),
+std::optional<given_elements> given_elements::if_it_fits(device &on, const view &stated, const kind_info &kind) {
+  const view elements = require_view(stated, kind);
+  const std::size_t n = elements.elements, rows = elements.index ? elements.vertices : n,
+                    packed = n * static_cast<std::size_t>(kind.fields) * sizeof(float);
+  if (n > most || rows > most ||
+      bytes_of(kind, rows, elements.stride_bytes, elements.index != nullptr) > 4 * packed + (std::size_t{1} << 20))
+    return {};
+  given_elements out(on, kind);
+  if (!out.upload(elements))
+    return {};
+  return out;
+}
+
+bool given_elements::upload(const view &elements) {
+  const std::size_t rows = elements.index ? elements.vertices : elements.elements,
+                    bytes = bytes_of(*kind_, rows, elements.stride_bytes, elements.index != nullptr),
                     indices = elements.index ? elements.elements * static_cast<std::size_t>(kind_->points) : 0;
   const cudaStream_t stream = on_->stream();
   if (!data_.grow(bytes, 0, stream) || !index_.grow(indices, 0, stream))
@@ -97,16 +93,13 @@ bool given_set::upload(const view &elements) {
   return true;
 }
 
-given_set::given_set(device &on, const cuda::view &there, const kind_info &kind, const pose &at)
-    : given_set(on, kind, at) {
-  if (there.only)
-    throw std::invalid_argument("a given set has all of its elements");
-  there_ = there;
-  there_.stride_bytes =
-      require_view({there.data, there.vertices, there.stride_bytes, there.index, there.elements}, kind).stride_bytes;
-}
+struct given_elements::copy {
+  std::vector<std::byte> data;
+  std::vector<std::uint32_t> index;
+  view elements; // of these
+};
 
-given_set::copy given_set::download() const {
+given_elements::copy given_elements::download() const {
   copy c;
   const bool indexed = there_.index != nullptr;
   c.data.resize(bytes_of(*kind_, indexed ? there_.vertices : there_.elements, there_.stride_bytes, indexed));
@@ -120,151 +113,26 @@ given_set::copy given_set::download() const {
   return c;
 }
 
-void given_set::refuse() const {
-  if (const fault f = meetc::check(download().elements, *kind_, at_))
+prepared given_elements::prepare_here(int threads) const {
+  return prepare(download().elements, *kind_, at, threads);
+}
+
+void given_elements::refuse() const {
+  if (const fault f = meetc::check(download().elements, *kind_, at))
     throw input_error(f, *kind_);
 }
 
-device_set &given_set::ordered() {
-  if (!ordered_)
-    ordered_ = std::make_unique<device_set>(*on_, *kind_);
-  return *ordered_;
-}
-
-namespace {
-
-// Puts the sets, or what is left of them, into order and makes their hierarchies, both at once. `common` is that of
-// order_request. Starts the clock unless it runs, and clears the counts of the device's buffers.
-void order_both(device &on, given_set &a, given_set &b, const cuda::view &left_a, const cuda::view &left_b,
-                const cuda::joined_box *common, bool clock_runs) {
-  constexpr float least_share = 0.125F; // of the device
-  device_buffers &buffers = on.buffers();
-  const cudaStream_t stream = on.stream();
-  const bool both = &a != &b, alike = both && &a.launchers() == &b.launchers() && can_arrange(left_a.elements) &&
-                                      can_arrange(left_b.elements);
-  const float all = static_cast<float>(left_a.elements) + static_cast<float>(left_b.elements);
-  const auto request = [&](given_set &s, const cuda::view &left) {
-    const float share = std::clamp(static_cast<float>(left.elements) / all, least_share, 1 - least_share);
-    const bool first = &s == &a;
-    return device_set::order_request{left,
-                                     s.at(),
-                                     s.elements(),
-                                     both ? share : 1,
-                                     buffers.found() + (first ? 0 : 1),
-                                     first ? buffers.counts() : std::span<unsigned long long>(),
-                                     common};
-  };
-  const auto start_clock = [&] {
-    if (!clock_runs)
-      buffers.start_clock();
-  };
-  if (alike) { // by one kernel
-    const std::optional<cuda::arrange_job> job_a = a.ordered().plan_order(request(a, left_a), stream),
-                                           job_b = b.ordered().plan_order(request(b, left_b), stream);
-    start_clock();
-    if (job_a && job_b) {
-      const cuda::arrange_job jobs[2] = {*job_a, *job_b};
-      check(a.launchers().arrange(jobs, 2, stream), "starting a kernel");
-    } else if (job_a || job_b) {
-      check(a.launchers().arrange(job_a ? &*job_a : &*job_b, 1, stream), "starting a kernel");
-    }
-    for (given_set *const s : {&a, &b})
-      s->ordered().tree(stream);
-    return;
-  }
-  const auto order = [&](given_set &s, const cuda::view &left, cudaStream_t on_stream) {
-    s.ordered().order(request(s, left), on_stream);
-    if (left.elements > 0)
-      s.ordered().tree(on_stream);
-  };
-  const auto follow = [](cudaStream_t from, cudaEvent_t mark, cudaStream_t to) {
-    check(cudaEventRecord(mark, from), "joining streams");
-    check(cudaStreamWaitEvent(to, mark, 0), "joining streams");
-  };
-  start_clock();
-  if (both) {
-    follow(stream, buffers.forked, buffers.beside);
-    order(b, left_b, buffers.beside);
-  }
-  order(a, left_a, stream);
-  if (both)
-    follow(buffers.beside, buffers.joined, stream);
-}
-
-// Also after an error no kernel works on a set, or on what culling left, when a query has ended.
-class wait_for {
-public:
-  explicit wait_for(cudaStream_t stream) : stream_(stream) {}
-  ~wait_for() { cudaStreamSynchronize(stream_); }
-  wait_for(const wait_for &) = delete;
-  wait_for &operator=(const wait_for &) = delete;
-
-private:
-  cudaStream_t stream_;
-};
-
-device_result find_touching(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
-                            const device_options &options) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [start] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  if (options.leave_there)
-    options.leave_there->clear();
-  require_query(on, a.ordered(), b.ordered(), predicate, precision, options);
-  device_buffers &buffers = on.buffers();
-  const wait_for ended(buffers.beside);
-  cuda::view left_a = a.there(), left_b = b.there();
-  culled left;
-  // Whether `tolerant` decides depends on all elements, and what is met first is said of all.
-  const bool culls = options.cull.value_or(cull_pays(a, b)) && &a != &b && precision != rung::tolerant &&
-                     !options.first_met && cull(on, a, b, never_wrong(precision), left);
-  if (culls) {
-    if (left.bad_a)
-      a.refuse();
-    if (left.bad_b)
-      b.refuse();
-    const bool some = left.elements_a > 0 && left.elements_b > 0;
-    left_a.only = left.a, left_a.elements = some ? left.elements_a : 0;
-    left_b.only = left.b, left_b.elements = some ? left.elements_b : 0;
-  }
-  // Where little was left out, that box may be far larger than the elements, which one vertex can make it.
-  const bool few_left =
-      culls && std::uint64_t{left_a.elements} + left_b.elements < (std::uint64_t{a.elements()} + b.elements()) / 2;
-  order_both(on, a, b, left_a, left_b, few_left ? left.around : nullptr, culls);
-  const query_notes &seen = buffers.seen->of_query;
-  const auto in_order = [&] {
-    return (left_a.elements == 0 || is_order(seen.found[0], left_a.elements)) &&
-           (&a == &b || left_b.elements == 0 || is_order(seen.found[1], left_b.elements));
-  };
-  // A walk stops where there is no order, and its query reads what was found; where there is none, it is read here.
-  const bool walks = left_a.elements > 0 && left_b.elements > 0;
-  if (!walks)
-    buffers.read_notes("ordering a set");
-  device_result r;
-  const auto ask = [&](device_set &x, device_set &y, bool clock_runs) {
-    return query(on, x, y, predicate, precision, options,
-                 on_device::answers_for(launchers_of(on.kernels(), predicate).pairs, options), clock_runs);
-  };
-  if (walks || in_order())
-    r = ask(a.ordered(), b.ordered(), true);
-  if (!in_order()) { // what was found means nothing
-    device_set in_order_a(on, a);
-    std::optional<device_set> other;
-    device_set &in_order_b = &a == &b ? in_order_a : other.emplace(on, b);
-    const double before = elapsed();
-    r = ask(in_order_a, in_order_b, false);
-    r.device_seconds += before;
-  }
-  r.seconds = elapsed();
-  return r;
-}
-
-} // namespace
-
-device_result collide(device &on, given_set &a, given_set &b, const predicate_info &predicate, rung precision,
-                      const device_options &options) {
-  return under_standard_word([&] { return find_touching(on, a, b, predicate, precision, options); });
+cuda::tree_box given_elements::bounds() const {
+  device_memory<cuda::joined_box> around;
+  around.reserve(1, "a box");
+  cuda::joined_box found{};
+  check(cudaMemsetAsync(around.data(), 0, sizeof found, on_->stream()), "measuring a set");
+  check(launchers_of(on_->kernels(), *kind_)
+            .pose(there_, cuda_pose(at), nullptr, nullptr, nullptr, around.data(), on_->stream()),
+        "starting a kernel");
+  check(cudaMemcpyAsync(&found, around.data(), sizeof found, cudaMemcpyDeviceToHost, on_->stream()), "measuring a set");
+  check(cudaStreamSynchronize(on_->stream()), "measuring a set");
+  return box_of(found);
 }
 
 } // namespace meetc

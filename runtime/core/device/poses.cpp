@@ -24,7 +24,7 @@ constexpr std::uint32_t sample = 16, least_sampled = 16 * sample;
 
 class poses_query {
 public:
-  poses_query(device &on, device_set &a, const predicate_info &p, rung precision, const device_options &options)
+  poses_query(device &on, device_rows &a, const predicate_info &p, rung precision, const device_options &options)
       : on_(on), a_(a), predicate_(p), precision_(precision), options_(options) {
     options_.want = answer_kind::count;
     options_.owner_a = options_.owner_b = {};
@@ -32,7 +32,7 @@ public:
   }
 
   // Fills the counts of these poses, which are numbers in r.counts.
-  void count(const device_set &b, std::span<const pose> poses, std::span<const std::size_t> numbers, bool few_expected,
+  void count(const device_rows &b, std::span<const pose> poses, std::span<const std::size_t> numbers, bool few_expected,
              poses_result &r, const std::function<void(double)> &progress) {
     const std::size_t room = std::min(most_elements, on_.facts().bytes / bytes_of_element);
     const std::size_t most = std::max<std::size_t>(1, room / std::max<std::size_t>(b.elements(), 1));
@@ -47,7 +47,8 @@ public:
       for (const std::size_t i : of)
         some.push_back(poses[i]);
       counts.assign(of.size(), 0);
-      device_set instances(b, some, of);
+      device_rows instances(on_, b.kind());
+      instances.take_instances(b, some, of);
       std::unique_ptr<on_device::query_answer> answers[] = {std::make_unique<on_device::instance_counts>(counts)};
       const device_result part = query(on_, a_, instances, predicate_, precision_, options_, answers);
       for (std::size_t i = 0; i < of.size(); ++i)
@@ -68,7 +69,7 @@ public:
 
 private:
   device &on_;
-  device_set &a_;
+  device_rows &a_;
   const predicate_info &predicate_;
   rung precision_;
   device_options options_;
@@ -78,35 +79,38 @@ private:
 struct enclosed {
   float lo[3], hi[3];
   double longest; // of its lengths
-  enclosed(const device_set &b) {
-    device_set as_uploaded(b, 1);
-    as_uploaded.bounds(lo, hi);
+  enclosed(device &on, const device_rows &b) {
+    device_rows as_uploaded(on, b.kind());
+    as_uploaded.take_part(b, 1);
+    const cuda::tree_box around = as_uploaded.bounds();
+    std::copy_n(around.low, 3, lo);
+    std::copy_n(around.high, 3, hi);
     longest = static_cast<double>(as_uploaded.reaches().second);
   }
 };
 // Whether poses of this set may be proved apart without posing it.
-bool can_be_enclosed(const device_set &b) {
+bool can_be_enclosed(const device_rows &b) {
   const kind_info &kind = b.kind();
-  return b.elements() > 0 && b.order() &&
-         std::find(kind.roles, kind.roles + kind.fields, role::z) != kind.roles + kind.fields;
+  return b.elements() > 0 && std::find(kind.roles, kind.roles + kind.fields, role::z) != kind.roles + kind.fields;
 }
 
 // Of one pair of bodies: fills the counts of these poses, which are numbers in r.counts.
-void count_poses(poses_query &ask, device_set &a, const device_set &b, const std::optional<enclosed> &around_b,
-                 std::span<const pose> poses, std::vector<std::size_t> left, bool any,
-                 const std::function<void(double)> &progress, poses_result &r) {
+void count_poses(device &on, poses_query &ask, device_rows &a, const device_rows &b,
+                 const std::optional<enclosed> &around_b, std::span<const pose> poses, std::vector<std::size_t> left,
+                 bool any, const std::function<void(double)> &progress, poses_result &r) {
   if (around_b && a.elements() > 0) {
-    float from[3], to[3];
-    a.bounds(from, to);
+    const cuda::tree_box around = a.bounds();
     std::erase_if(left, [&](std::size_t i) {
-      return proved_apart(poses[i], around_b->lo, around_b->hi, around_b->longest, from, to);
+      return proved_apart(poses[i], around_b->lo, around_b->hi, around_b->longest, around.low, around.high);
     });
   }
   if (left.empty())
     return;
   const std::vector<std::size_t> asked = left;
   if (any && b.elements() >= least_sampled) {
-    ask.count(device_set(b, sample), poses, left, true, r, {});
+    device_rows some(on, b.kind());
+    some.take_part(b, sample);
+    ask.count(some, poses, left, true, r, {});
     std::erase_if(left, [&r](std::size_t i) { return r.counts[i] > 0; });
   }
   ask.count(b, poses, left, any, r, progress);
@@ -133,13 +137,16 @@ poses_result count_configurations(device &on, std::span<device_set *const> a, st
       throw std::invalid_argument("pose " + std::to_string(i) + ": " + e.what());
     }
   for (device_set *const body : a)
-    for (const device_set *const other : b)
+    for (const device_set *const other : b) {
+      if (body->as_given() || other->as_given())
+        throw std::invalid_argument("many poses are asked of sets that are in order");
       require_query(on, *body, *other, predicate, precision, options);
+    }
   // A plain rung may say that what is far apart touches.
   std::vector<std::optional<enclosed>> around(b.size());
   for (std::size_t j = 0; j < b.size(); ++j)
-    if (never_wrong(precision) && a.size() * poses.size() > b.size() && can_be_enclosed(*b[j]))
-      around[j].emplace(*b[j]);
+    if (never_wrong(precision) && a.size() * poses.size() > b.size() && can_be_enclosed(b[j]->rows()))
+      around[j].emplace(on, b[j]->rows());
   poses_result all;
   all.counts.reserve(a.size() * poses.size());
   double done = 0;
@@ -149,12 +156,12 @@ poses_result count_configurations(device &on, std::span<device_set *const> a, st
   for (device_set *const body : a) {
     poses_result r; // of all poses
     r.counts.resize(poses.size());
-    poses_query ask(on, *body, predicate, precision, options);
+    poses_query ask(on, body->rows(), predicate, precision, options);
     for (std::size_t j = 0; j < b.size(); ++j, ++done) {
       std::vector<std::size_t> numbers;
       for (std::size_t i = j; i < poses.size(); i += b.size())
         numbers.push_back(i);
-      count_poses(ask, *body, *b[j], around[j], poses, std::move(numbers), any, progress, r);
+      count_poses(on, ask, body->rows(), b[j]->rows(), around[j], poses, std::move(numbers), any, progress, r);
     }
     all.counts.insert(all.counts.end(), r.counts.begin(), r.counts.end());
     for (int i = 0; i < bounded_rungs; ++i)

@@ -17,10 +17,10 @@ void require(bool holds, const char *what) {
 }
 
 // The rung that decides where tolerant is asked for: certified, if a set leaves the box that tolerant presumes.
-rung tolerant_or_certified(const device_set &a, const device_set &b, const predicate_info &p, rung_report &report) {
+rung tolerant_or_certified(const device_rows &a, const device_rows &b, const predicate_info &p, rung_report &report) {
   const tolerance_info &t = p.tolerance;
   require(t.fits(a.grid()) && t.fits(b.grid()), text(status::not_on_grid));
-  const auto leaves = [&t](const device_set &s) {
+  const auto leaves = [&t](const device_rows &s) {
     const auto [reach, longest] = s.reaches();
     return !t.holds(reach, longest);
   };
@@ -51,10 +51,14 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
   require_first_met(predicate, options.want, options.first_met, options.owner_a);
   require(!options.first_met || launchers_of(on.kernels(), predicate).pairs.first_met,
           "no CUDA kernel was generated for the order of hits");
+  const auto fit = [](std::span<const std::uint32_t> owners, const device_set &of) {
+    return owners.empty() || owners.size() == of.elements();
+  };
+  require(fit(options.owner_a, a) && fit(options.owner_b, b), "an owner map needs one item for each element");
   require(options.list_capacity >= least_capacity, "a list holds at least 2^11 pairs");
 }
 
-device_result query(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
+device_result query(device &on, device_rows &a, device_rows &b, const predicate_info &predicate, rung precision,
                     const device_options &options, device_answers answers, bool clock_runs) {
   const auto start = std::chrono::steady_clock::now();
   device_result r;

@@ -171,14 +171,14 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
                       std::span<const rung> rungs, const options &o) {
   device_set da(on_, a), db(on_, b);
   same(scene, p, a, da, b, db, rungs, o);
-  const auto grid = [](const prepared &set) {
-    pose at;
-    at.grid = set.set().grid;
-    return at;
-  };
   const rows_of x = rows_in(a), y = rows_in(b);
-  given_set ga(on_, view_of(x), *x.kind, grid(a)), gb(on_, view_of(y), *y.kind, grid(b));
-  same(scene, p, a, ga, b, gb, rungs, o);
+  device_set ga = device_set::given(on_, view_of(x), *x.kind), gb = device_set::given(on_, view_of(y), *y.kind);
+  for (const auto &[set, from] : {std::pair(&ga, &a), std::pair(&gb, &b)}) {
+    pose at;
+    at.grid = from->set().grid;
+    set->move(at);
+  }
+  same_given(scene, p, a, ga, b, gb, rungs, o);
 }
 
 void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, device_set &da,
@@ -188,8 +188,8 @@ void comparison::same(const std::string &scene, const predicate_info &p, const p
   compare_every_pair(scene, p, a, da, b, db, rungs, o);
 }
 
-void comparison::same(const std::string &scene, const predicate_info &p, const prepared &a, given_set &ga,
-                      const prepared &b, given_set &gb, std::span<const rung> rungs, const options &o) {
+void comparison::same_given(const std::string &scene, const predicate_info &p, const prepared &a, device_set &ga,
+                            const prepared &b, device_set &gb, std::span<const rung> rungs, const options &o) {
   compare(scene, p, a, b, rungs, o, {{"given"}, {"given, culled", true}},
           [&](const way &w, rung r, device_options &with) {
             with.cull = w.culled;

@@ -1,7 +1,7 @@
 // Shared by the tests of whole queries on the device: sets, the CPU's answers next to the device's, and a table.
 #pragma once
+#include "core/device/collide.hpp"
 #include "core/device/every_pair/engine.hpp"
-#include "core/device/given.hpp"
 
 #include <cga/cga_runtime.hpp>
 
@@ -108,9 +108,10 @@ public:
   // The same, but for given sets, for sets that are on the device already, in the poses in which a and b were prepared.
   void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a, meetc::device_set &da,
             const meetc::prepared &b, meetc::device_set &db, std::span<const meetc::rung> rungs, const options &o = {});
-  // The same for sets as they are given, which need not have the poses of a and b.
-  void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a, meetc::given_set &ga,
-            const meetc::prepared &b, meetc::given_set &gb, std::span<const meetc::rung> rungs, const options &o = {});
+  // The same for given sets.
+  void same_given(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
+                  meetc::device_set &ga, const meetc::prepared &b, meetc::device_set &gb,
+                  std::span<const meetc::rung> rungs, const options &o = {});
   // Any other condition.
   void require(const std::string &scene, bool holds, const std::string &what);
   // The figures of one query, or of every pair, under the scene's name.

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace cuda_test {
 namespace {
@@ -38,16 +39,31 @@ sheet waves(std::uint32_t n, float size, float at, float height, float of_waves)
   return s;
 }
 
-// Whatever the scene, the list of pairs is the one that two sets in order have.
-void same_as_ordered(comparison &with, const std::string &scene, const predicate_info &p, given_set &a, given_set &b,
+// The same elements, given and in order.
+struct both_sets {
+  device_set given, in_order;
+  both_sets(device &on, const view &v, const kind_info &kind, const pose &at = {})
+      : given(device_set::given(on, v, kind)), in_order(on, v, kind, at) {
+    given.move(at);
+  }
+};
+
+// Whatever the scene, the list of pairs is the one that two sets in order have, also where one of them is in order.
+void same_as_ordered(comparison &with, const std::string &scene, const predicate_info &p, both_sets &a, both_sets &b,
                      bool some) {
-  device_set in_order_a(with.on(), a), in_order_b(with.on(), b);
+  for (both_sets *const s : {&a, &b}) {
+    float have[2][3], want[2][3];
+    s->given.bounds(have[0], have[1]), s->in_order.bounds(want[0], want[1]);
+    with.require(scene, std::memcmp(have, want, sizeof want) == 0, "another box around all elements");
+  }
   for (const rung r : all_rungs) {
-    const device_result want = collide(with.on(), in_order_a, in_order_b, p, r);
-    for (const bool culled : {false, true}) {
+    const device_result want = collide(with.on(), a.in_order, b.in_order, p, r);
+    for (const auto &[of_a, of_b, culled] :
+         {std::tuple(&a.given, &b.given, false), std::tuple(&a.given, &b.given, true),
+          std::tuple(&a.given, &b.in_order, false), std::tuple(&a.in_order, &b.given, true)}) {
       device_options o;
       o.cull = culled;
-      const device_result have = collide(with.on(), a, b, p, r, o);
+      const device_result have = collide(with.on(), *of_a, *of_b, p, r, o);
       with.add(scene, p, have);
       with.require(scene,
                    have.pairs.size() == want.pairs.size() &&
@@ -65,7 +81,7 @@ void meshes(comparison &with, const settings &s) {
   const std::uint32_t n = s.small ? 20 : 300;
   const sheet x = waves(n, 1, 0, 0, 0.1F), y = waves(n + 7, 1, 0.3F, 0.02F, 0), far = waves(n, 1, 5, 0, 0.1F),
               above = waves(n, 1, 0, 0.5F, 0), flat = waves(n, 1, 0.5F, 0.02F, 0);
-  given_set a(with.on(), x.of(), *p.a), b(with.on(), y.of(), *p.b), c(with.on(), far.of(), *p.b),
+  both_sets a(with.on(), x.of(), *p.a), b(with.on(), y.of(), *p.b), c(with.on(), far.of(), *p.b),
       d(with.on(), above.of(), *p.b), e(with.on(), flat.of(), *p.b);
   same_as_ordered(with, "given, meshes that cross", p, a, b, true);
   same_as_ordered(with, "given, meshes that cross", p, b, a, true);
@@ -74,10 +90,11 @@ void meshes(comparison &with, const settings &s) {
   same_as_ordered(with, "given, in one plane", p, b, e, true);
   pose near;
   near.m[3] = -4.5;
-  given_set moved(with.on(), far.of(), *p.b, near);
+  both_sets moved(with.on(), far.of(), *p.b, near);
   same_as_ordered(with, "given, in a pose", p, b, moved, true);
   same_as_ordered(with, "given, with itself", p, a, a, true);
-  with.require("given, culling", cull_pays(a, b) == !s.small && !cull_pays(a, a), "culled where it does not pay");
+  with.require("given, culling", cull_pays(*a.given.as_given(), *b.given.as_given()) == !s.small,
+               "culled where it does not pay");
 }
 
 // Segments of all lengths and directions, as lines that mark their cells; some leave the other's box, or touch only it.
@@ -99,11 +116,11 @@ void lines(comparison &with, const settings &s) {
       for (std::size_t k = 0; k < 3; ++k)
         of.rows.push_back(from[k] + length * way[k]);
     }
-    given_set segments(with.on(), view_of(of), *p.a), mesh(with.on(), x.of(), *p.b);
+    both_sets segments(with.on(), view_of(of), *p.a), mesh(with.on(), x.of(), *p.b);
     same_as_ordered(with, "given, segments x mesh", p, segments, mesh, true);
     same_as_ordered(with, "given, segments", q, segments, segments, true);
     const rows_of balls = random_rows(*r.a, 300, {1, 0.05, 1, 0}, random);
-    given_set of_balls(with.on(), view_of(balls), *r.a);
+    both_sets of_balls(with.on(), view_of(balls), *r.a);
     same_as_ordered(with, "given, balls x segments", r, of_balls, segments, true);
   }
 }
@@ -138,7 +155,7 @@ void refused(comparison &with, const settings &) {
     rows_of x = random_rows(*p.a, 100, {1, 0.1, 1, 0}, random), y = random_rows(*p.b, 100, {1, 0.1, 1, 0}, random);
     y.rows[50 * static_cast<std::size_t>(p.b->fields)] = std::numeric_limits<float>::quiet_NaN();
     y.rows[70 * static_cast<std::size_t>(p.b->fields) + 1] = std::numeric_limits<float>::infinity();
-    given_set a(with.on(), view_of(x), *p.a), b(with.on(), view_of(y), *p.b);
+    device_set a = device_set::given(with.on(), view_of(x), *p.a), b = device_set::given(with.on(), view_of(y), *p.b);
     for (const bool culled : {false, true}) {
       device_options o;
       o.cull = culled;
@@ -154,7 +171,7 @@ void refused(comparison &with, const settings &) {
   const predicate_info &p = predicate_named("triangle_triangle");
   sheet x = waves(5, 1, 0, 0, 0);
   x.index[40] = 1000;
-  given_set a(with.on(), x.of(), *p.a);
+  device_set a = device_set::given(with.on(), x.of(), *p.a);
   bool thrown = false;
   try {
     collide(with.on(), a, a, p, rung::certified);
@@ -172,8 +189,8 @@ void stay_there(comparison &with, const settings &s) {
   device_memory<float> rows;
   rows.reserve(x.rows.size(), "a test");
   check(cudaMemcpy(rows.data(), x.rows.data(), x.rows.size() * sizeof(float), cudaMemcpyHostToDevice), "a test");
-  given_set there(with.on(), cuda::view{rows.data(), 4 * sizeof(float), nullptr, 0, 500}, *p.a),
-      here(with.on(), view_of(x), *p.a);
+  device_set there = device_set::given(with.on(), cuda::view{rows.data(), 4 * sizeof(float), nullptr, 0, 500}, *p.a),
+             here = device_set::given(with.on(), view_of(x), *p.a);
   const device_result want = collide(with.on(), here, here, p, rung::certified);
   pairs_there pairs;
   device_options o;
@@ -203,7 +220,7 @@ void again_and_again(comparison &with, const settings &s) {
     for (const std::size_t n : {400U, 401U, 90U}) {
       const rows_of x = random_rows(*p.a, n, {1, 0.1, 1, 0}, random),
                     y = random_rows(*p.b, n / 2, {1, 0.1, 1, 0}, random);
-      given_set a(with.on(), view_of(x), *p.a), b(with.on(), view_of(y), *p.b);
+      device_set a = device_set::given(with.on(), view_of(x), *p.a), b = device_set::given(with.on(), view_of(y), *p.b);
       const result want = collide(prepare(view_of(x), *p.a), prepare(view_of(y), *p.b), p, rung::certified);
       for (int times = 0; times < 5; ++times) {
         const device_result have = collide(with.on(), a, b, p, rung::certified);
@@ -219,7 +236,7 @@ void many_balls(comparison &with, std::size_t n, engine &random) {
   rows_of balls = random_rows(*q.a, n, {1, 0.01, 1, 0}, random);
   const rows_of others = random_rows(*q.b, 3000, {1, 0.01, 1, 0}, random);
   const result want = collide(prepare(view_of(balls), *q.a), prepare(view_of(others), *q.b), q, rung::certified);
-  given_set of_others(with.on(), view_of(others), *q.b);
+  device_set of_others = device_set::given(with.on(), view_of(others), *q.b);
   device_memory<float> rows;
   rows.reserve(5 * n + 4, "a test");
   const auto upload = [&](std::size_t first, std::size_t stride) {
@@ -231,13 +248,13 @@ void many_balls(comparison &with, std::size_t n, engine &random) {
     return cuda::view{rows.data() + first, stride * sizeof(float), nullptr, 0, static_cast<std::uint32_t>(n)};
   };
   for (const auto &[first, stride] : {std::pair<std::size_t, std::size_t>{0, 4}, {1, 4}, {0, 5}}) {
-    given_set there(with.on(), upload(first, stride), *q.a);
+    device_set there = device_set::given(with.on(), upload(first, stride), *q.a);
     const device_result have = collide(with.on(), there, of_others, q, rung::certified);
     with.add("given, many balls", q, have);
     with.require("given, many balls", have.count > 0 && same_list(have.pairs, want.pairs), "another list");
   }
   balls.rows[4 * 123'457] = std::numeric_limits<float>::quiet_NaN(); // not among those that the box is made of
-  given_set bad(with.on(), upload(0, 4), *q.a);
+  device_set bad = device_set::given(with.on(), upload(0, 4), *q.a);
   std::string said;
   try {
     collide(with.on(), bad, of_others, q, rung::certified);
@@ -253,7 +270,7 @@ void large(comparison &with, const settings &s) {
     return;
   const predicate_info &p = predicate_named("triangle_triangle");
   const sheet x = waves(900, 1, 0, 0, 0.1F), y = waves(907, 1, 0, 2e-7F, 0.1F);
-  given_set a(with.on(), x.of(), *p.a), b(with.on(), y.of(), *p.b);
+  device_set a = device_set::given(with.on(), x.of(), *p.a), b = device_set::given(with.on(), y.of(), *p.b);
   device_options o;
   o.cull = true;
   const device_result culled = collide(with.on(), a, b, p, rung::certified, o);

@@ -50,8 +50,8 @@ void made(comparison &with, const settings &s) {
       device_set da(with.on(), x, *p.a, at_a), db(with.on(), y, *p.b, at_b);
       const std::string what = std::string(p.name) + ": ";
       with.require(scene, same_box(da, a) && same_box(db, b), what + "another box around all elements");
-      with.require(scene, da.reaches() == std::pair(a.set().reach, a.set().longest), what + "another reach");
-      with.require(scene, da.grid() == at.grid, what + "another grid");
+      with.require(scene, da.rows().reaches() == std::pair(a.set().reach, a.set().longest), what + "another reach");
+      with.require(scene, da.rows().grid() == at.grid, what + "another grid");
       for (const auto &[there, set] : {std::pair(&da, &a), std::pair(&db, &b)})
         with.require(scene, there->ordered_seconds() == 0 || is_in_order(*there, *set), what + "another order");
       options o;

@@ -1,7 +1,7 @@
 // Orders that the blocks of a kernel make together, of elements and of hits, of as many as change what a block does.
 #include "engine.hpp"
 
-#include "core/device/given.hpp"
+#include "core/device/collide.hpp"
 #include "core/element_set.hpp"
 
 #include "meetc/tree_order.hpp"
@@ -26,7 +26,7 @@ bool is_in_order(const device_set &there, const prepared &set) {
   const auto download = [](auto &to, const auto *from) {
     check(cudaMemcpy(to.data(), from, to.size() * sizeof to[0], cudaMemcpyDeviceToHost), "a test");
   };
-  download(order, there.order()), download(rows, there.rows());
+  download(order, there.rows().order()), download(rows, there.rows().data());
   for (std::size_t i = 0; i < n; ++i)
     std::memcpy(&want[set.set().order[i] * fields], set.set().rows + i * fields, fields * sizeof(float));
   for (std::size_t i = 0; i < n; ++i)
@@ -59,12 +59,12 @@ namespace {
 // Whether each lane of each node has the box around what is below it, and is empty where that is nothing.
 bool has_its_tree(device_set &there, cudaStream_t stream) {
   const std::size_t n = there.elements(), fields = static_cast<std::size_t>(there.kind().fields);
-  const cuda::tree_view tree = there.tree(stream);
+  const cuda::tree_view tree = there.rows().tree(stream);
   std::vector<cuda::tree_node> nodes(tree.shape.nodes());
   std::vector<float> rows(n * fields);
   check(cudaStreamSynchronize(stream), "a test");
   check(cudaMemcpy(nodes.data(), tree.nodes, nodes.size() * sizeof nodes[0], cudaMemcpyDeviceToHost), "a test");
-  check(cudaMemcpy(rows.data(), there.rows(), rows.size() * sizeof rows[0], cudaMemcpyDeviceToHost), "a test");
+  check(cudaMemcpy(rows.data(), there.rows().data(), rows.size() * sizeof rows[0], cudaMemcpyDeviceToHost), "a test");
   const auto same = [](const cuda::tree_box &x, const cuda::tree_box &y) {
     return std::equal(x.low, x.low + 3, y.low) && std::equal(x.high, x.high + 3, y.high);
   };
@@ -132,7 +132,8 @@ void of_elements(comparison &with, const settings &s) {
       const device_result have = collide(with.on(), da, db, p, rung::certified);
       with.add(scene, p, have);
       with.require(scene, same_list(have.pairs, want.pairs), what + "another list");
-      given_set ga(with.on(), view_of(x), *p.a), gb(with.on(), view_of(y), *p.b);
+      device_set ga = device_set::given(with.on(), view_of(x), *p.a),
+                 gb = device_set::given(with.on(), view_of(y), *p.b);
       for (const bool culls : {false, true}) {
         device_options o;
         o.cull = culls;
@@ -153,7 +154,7 @@ void too_close(comparison &with, const settings &s) {
     for (std::size_t i = 0; i < x.rows.size() - static_cast<std::size_t>(20 * p.a->fields); ++i)
       x.rows[i] /= s.small ? 4096 : 64; // all but twenty
     const prepared a = prepare(view_of(x), *p.a), b = prepare(view_of(y), *p.b);
-    given_set ga(with.on(), view_of(x), *p.a), gb(with.on(), view_of(y), *p.b);
+    device_set ga = device_set::given(with.on(), view_of(x), *p.a), gb = device_set::given(with.on(), view_of(y), *p.b);
     collide_options here;
     device_options there;
     for (const answer_kind want : {answer_kind::pairs, answer_kind::counts, answer_kind::flags, answer_kind::any}) {
@@ -189,7 +190,8 @@ void far_vertices(comparison &with, const settings &s) {
   };
   std::vector<float> points_x, points_y;
   std::vector<std::uint32_t> index_x, index_y;
-  given_set gx(with.on(), mesh(x, points_x, index_x), *p.a), gy(with.on(), mesh(y, points_y, index_y), *p.b);
+  device_set gx = device_set::given(with.on(), mesh(x, points_x, index_x), *p.a),
+             gy = device_set::given(with.on(), mesh(y, points_y, index_y), *p.b);
   const result want = collide(prepare(view_of(x), *p.a), prepare(view_of(y), *p.b), p, rung::certified);
   device_options o;
   o.cull = true;

@@ -33,7 +33,7 @@ pose turned(double scale, double x, double y, double z) {
 bool same_rows_there(const device_set &there, const prepared &uploaded, const prepared &moved) {
   const auto fields = static_cast<std::size_t>(there.kind().fields);
   std::vector<float> rows(there.elements() * fields);
-  cuda_test::check(cudaMemcpy(rows.data(), there.rows(), rows.size() * sizeof(float), cudaMemcpyDeviceToHost),
+  cuda_test::check(cudaMemcpy(rows.data(), there.rows().data(), rows.size() * sizeof(float), cudaMemcpyDeviceToHost),
                    "copy rows");
   std::vector<std::uint32_t> slot(moved.elements());
   for (std::uint32_t s = 0; s < slot.size(); ++s)

@@ -58,7 +58,9 @@ void of_predicate(comparison &with, const predicate_info &p, double scale, engin
     x.bounds(low, high);
     const device_result as_it_is = collide(with.on(), x, y, p, rung::certified),
                         again = collide(with.on(), of_prepared, y, p, rung::certified);
-    given_set given_a(with.on(), view_of(a), *p.a), given_b(with.on(), view_of(b), *p.b, at);
+    device_set given_a = device_set::given(with.on(), view_of(a), *p.a),
+               given_b = device_set::given(with.on(), view_of(b), *p.b);
+    given_b.move(at);
     const device_result given = collide(with.on(), given_a, given_b, p, rung::certified);
     device_options count;
     count.want = answer_kind::count;

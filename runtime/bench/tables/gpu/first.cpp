@@ -64,15 +64,17 @@ table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::func
     baselines::lbvh_box within{};
     b.bounds(within.lo, within.hi);
     gpu_lbvh tree(b.elements(), static_cast<unsigned>(b.kind().fields));
-    check(tree.build(b.rows(), within, on_.stream()), "building a baseline's hierarchy");
+    check(tree.build(b.rows().data(), within, on_.stream()), "building a baseline's hierarchy");
     device_memory<std::uint32_t> nearest;
     nearest.reserve(a.elements(), "a baseline's nearest hits");
     const double usual = timer_.seconds(
-        [&] { check(tree.first(a.rows(), a.elements(), nearest.data(), on_.stream()), "starting a baseline's query"); },
+        [&] {
+          check(tree.first(a.rows().data(), a.elements(), nearest.data(), on_.stream()), "starting a baseline's query");
+        },
         runs);
     const std::vector<std::uint32_t> of_slots = downloaded(nearest.data(), a.elements()),
-                                     order_a = downloaded(a.order(), a.elements()),
-                                     order_b = downloaded(b.order(), b.elements());
+                                     order_a = downloaded(a.rows().order(), a.elements()),
+                                     order_b = downloaded(b.rows().order(), b.elements());
     std::vector<std::uint32_t> baseline(a.elements(), no_element);
     for (std::size_t i = 0; i < of_slots.size(); ++i)
       if (of_slots[i] != no_element)

@@ -54,7 +54,7 @@ table gpu_bench::measure_lbvh(const std::vector<scene> &scenes, const std::funct
     b.bounds(within.lo, within.hi);
     gpu_lbvh tree(b.elements(), static_cast<unsigned>(b.kind().fields));
     r.build = timer_.seconds(
-        [&] { check(tree.build(b.rows(), within, on_.stream()), "building a baseline's hierarchy"); }, runs);
+        [&] { check(tree.build(b.rows().data(), within, on_.stream()), "building a baseline's hierarchy"); }, runs);
     counts_.reserve(1, "a counter");
     list_.reserve(2 * r.found + 1024, "a baseline's pairs");
     r.query = timer_.seconds(
@@ -62,7 +62,7 @@ table gpu_bench::measure_lbvh(const std::vector<scene> &scenes, const std::funct
           check(cudaMemsetAsync(counts_.data(), 0, sizeof(unsigned long long), on_.stream()), "clearing a counter");
           const cudaError_t e =
               of.itself ? tree.query_itself(by, list_.data(), list_.capacity(), counts_.data(), on_.stream())
-                        : tree.query(by, a.rows(), a.elements(), list_.data(), list_.capacity(), counts_.data(),
+                        : tree.query(by, a.rows().data(), a.elements(), list_.data(), list_.capacity(), counts_.data(),
                                      on_.stream());
           check(e, "starting a baseline's query");
         },

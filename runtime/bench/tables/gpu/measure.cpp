@@ -165,9 +165,10 @@ table gpu_bench::measure_tangent() {
 }
 
 gpu_bench::given_times gpu_bench::time_given(const sets_here &sets) {
-  given_set given_a(on_, app::view_of(sets.a()), *sets.a().kind);
-  std::optional<given_set> its_own;
-  given_set &given_b = sets.of.itself ? given_a : its_own.emplace(on_, app::view_of(sets.b()), *sets.b().kind);
+  device_set given_a = device_set::given(on_, app::view_of(sets.a()), *sets.a().kind);
+  std::optional<device_set> its_own;
+  device_set &given_b =
+      sets.of.itself ? given_a : its_own.emplace(device_set::given(on_, app::view_of(sets.b()), *sets.b().kind));
   std::uint64_t found = 0;
   pairs_there pairs;
   const device_options leaves_pairs{.leave_there = &pairs};
@@ -185,7 +186,8 @@ gpu_bench::counted_pairs gpu_bench::count(baseline by, const device_set &a, cons
   const auto m = static_cast<std::size_t>(share * b.elements());
   const auto once = [&] {
     check(cudaMemsetAsync(counts_.data(), 0, sizeof(unsigned long long), on_.stream()), "clearing a counter");
-    check(count_pairs(by, a.rows(), a.elements(), b.rows(), m, counts_.data(), on_.stream()), "starting a baseline");
+    check(count_pairs(by, a.rows().data(), a.elements(), b.rows().data(), m, counts_.data(), on_.stream()),
+          "starting a baseline");
   };
   const double seconds = timer_.seconds(once, runs) / share;
   if (share < 1)

@@ -7,8 +7,8 @@
 #include "bench/harness/method.hpp"
 #include "bench/harness/table.hpp"
 #include "bench/scenes/scenes.hpp"
+#include "core/device/collide.hpp"
 #include "core/device/every_pair/engine.hpp"
-#include "core/device/given.hpp"
 
 #include <cstdint>
 #include <functional>

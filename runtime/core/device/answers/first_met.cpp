@@ -10,7 +10,7 @@ void first_met::start(const queried_sets &sets) {
   static_assert(no_element == cuda::no_slot);
   on_ = &sets.on, a_ = &sets.a, b_ = &sets.b;
   slots_ = &on_->buffers().first_slots, numbers_ = &on_->buffers().first_numbers;
-  upload_owners(owner_b_, b_->numbers(), owners_there_, on_->stream());
+  upload_owners(owner_b_, owners_there_, on_->stream());
   slots_->reserve(a_->elements(), "what is met first");
   numbers_->reserve(a_->elements(), "what is met first");
   if (a_->elements() > 0) // all bits: no_slot
@@ -19,7 +19,7 @@ void first_met::start(const queried_sets &sets) {
 }
 
 void first_met::take(const part_hits &hits) {
-  check(by_.first_met({a_->rows(), b_->rows(), b_->order(), owners_there_.data(), hits.pairs, hits.n, slots_->data()},
+  check(by_.first_met({a_->data(), b_->data(), b_->order(), owners_there_.data(), hits.pairs, hits.n, slots_->data()},
                       on_->stream()),
         "starting a kernel");
 }

@@ -26,11 +26,11 @@ std::vector<index_pair> download_pairs(device &on, const index_pair *from, std::
   return out;
 }
 
-hit_keys::side::side(const device_set &of, std::span<const std::uint32_t> from, cudaStream_t stream)
+hit_keys::side::side(const device_rows &of, std::span<const std::uint32_t> from, cudaStream_t stream)
     : set(of), bits(std::bit_width(!from.empty()      ? *std::max_element(from.begin(), from.end())
                                    : of.numbers() > 0 ? of.numbers() - 1
                                                       : 0)) {
-  upload_owners(from, of.numbers(), owners, stream);
+  upload_owners(from, owners, stream);
 }
 
 hit_keys::hit_keys(const queried_sets &sets, std::span<const std::uint32_t> owner_a,

@@ -15,8 +15,7 @@ namespace meetc::on_device {
 // All members enqueue their work on the device's stream and throw device_error.
 class hit_keys {
 public:
-  // Owners: the item of each element; empty: each element is its own item. Throws std::invalid_argument where a map has not one
-  // item for each element.
+  // Owners: the item of each element; empty: each element is its own item.
   hit_keys(const queried_sets &sets, std::span<const std::uint32_t> owner_a, std::span<const std::uint32_t> owner_b);
 
   // Adds n hits, pairs of slots.
@@ -31,10 +30,10 @@ public:
 
 private:
   struct side {
-    const device_set &set;
+    const device_rows &set;
     device_memory<std::uint32_t> owners;
     int bits; // of the largest item's number
-    side(const device_set &of, std::span<const std::uint32_t> from, cudaStream_t stream);
+    side(const device_rows &of, std::span<const std::uint32_t> from, cudaStream_t stream);
   };
   void spill();
   unsigned long long counted(); // at the first of the query's counters

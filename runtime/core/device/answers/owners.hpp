@@ -5,17 +5,14 @@
 #include "core/device/memory.hpp"
 
 #include <span>
-#include <stdexcept>
 
 namespace meetc::on_device {
 
-// Enqueues. Without owners nothing is uploaded. Throws std::invalid_argument where there is not one item for each element.
-inline void upload_owners(std::span<const std::uint32_t> owners, std::size_t elements, device_memory<std::uint32_t> &to,
+// Enqueues. Without owners nothing is uploaded.
+inline void upload_owners(std::span<const std::uint32_t> owners, device_memory<std::uint32_t> &to,
                           cudaStream_t stream) {
   if (owners.empty())
     return;
-  if (owners.size() != elements)
-    throw std::invalid_argument("an owner map needs one item for each element");
   to.reserve(owners.size(), "an owner map");
   check(cudaMemcpyAsync(to.data(), owners.data(), owners.size_bytes(), cudaMemcpyHostToDevice, stream),
         "uploading owners");

@@ -12,7 +12,7 @@ namespace meetc::on_device {
 // The sets whose rows the query reads.
 struct queried_sets {
   device &on;
-  const device_set &a, &b;
+  const device_rows &a, &b;
 };
 
 // The hits of a part of the query, in device memory: pairs of slots in any order.

@@ -27,7 +27,7 @@ void require(bool holds, const char *what) {
 // The parts of a product, from the filter to the list of hits.
 class product_query {
 public:
-  product_query(device &on, const catalogue &kernels, device_set &a, device_set &b,
+  product_query(device &on, const catalogue &kernels, const device_rows &a, const device_rows &b,
                 const cuda::predicate_launchers &predicate, const options &how, const part_steps &steps)
       : on_(on), kernels_(kernels), buffers_(on.buffers()), a_(a), b_(b), predicate_(predicate), steps_(steps),
         lists_(buffers_, 0, how.list_capacity, how.want == answer_kind::pairs) {}
@@ -87,7 +87,7 @@ private:
   device &on_;
   const catalogue &kernels_;
   device_buffers &buffers_;
-  device_set &a_, &b_;
+  const device_rows &a_, &b_;
   const cuda::predicate_launchers &predicate_;
   part_steps steps_;
   query_lists lists_;
@@ -130,24 +130,24 @@ const set_launchers &engine::launchers_of(const kind_info &kind) const {
   throw device_error(std::string("no kernels for every pair were generated for the kind ") + kind.name);
 }
 
-const extent *engine::around(device_set &frame) {
+const extent *engine::around(const device_rows &frame) {
   around_.reserve(1, "a set's extent");
   if (around_of_ != frame.version()) {
     around_of_ = 0;
-    check(launchers_of(frame.kind()).enclose(frame.rows(), frame.elements(), around_.data(), on_.stream()),
+    check(launchers_of(frame.kind()).enclose(frame.data(), frame.elements(), around_.data(), on_.stream()),
           "starting a kernel");
     around_of_ = frame.version();
   }
   return around_.data();
 }
 
-operand engine::columns(filter by, cover balls, bool first, device_set &of, device_set &frame) {
+operand engine::columns(filter by, cover balls, bool first, const device_rows &of, const device_rows &frame) {
   const made want{by == filter::float32, balls, frame.version(), of.version()};
   columns_of_set &c = columns_[first];
   if (want != c.have) {
     c.have = {};
     c.memory.reserve(column_bytes(by, of.elements()), "the filter's columns");
-    check(launchers_of(of.kind()).columns(by, balls, first, of.rows(), of.elements(), around(frame), c.memory.data(),
+    check(launchers_of(of.kind()).columns(by, balls, first, of.data(), of.elements(), around(frame), c.memory.data(),
                                           on_.stream()),
           "starting a kernel");
     c.have = want;
@@ -155,13 +155,13 @@ operand engine::columns(filter by, cover balls, bool first, device_set &of, devi
   return {of.elements(), c.memory.data()};
 }
 
-engine::two_operands engine::operands(filter by, cover balls, device_set &a, device_set &b) {
-  device_set &frame = b.elements() < a.elements() ? a : b;
+engine::two_operands engine::operands(filter by, cover balls, const device_rows &a, const device_rows &b) {
+  const device_rows &frame = b.elements() < a.elements() ? a : b;
   return {columns(by, balls, true, a, frame), columns(by, balls, false, b, frame)};
 }
 
 void engine::list_near(filter by, cover balls, device_set &a, device_set &b, const cuda::pair_list &out) {
-  const two_operands of = operands(by, balls, a, b);
+  const two_operands of = operands(by, balls, a.rows(), b.rows());
   check(kernels_.candidates(by, of.x, of.y, {0, a.elements(), 0, b.elements()}, out, on_.stream()),
         "starting the filter");
 }
@@ -176,25 +176,24 @@ outcome engine::collide(device_set &a, device_set &b, const predicate_info &pred
   require(precision != rung::tolerant, "every pair is not decided within a tolerance");
   require(how.list_capacity >= least_list, "a list holds at least 2^12 pairs");
   require(!how.by || offers(*how.by), "this device does not offer the filter that was asked for");
-  for (const device_set *const s : {&a, &b})
-    require(s->elements() == 0 || s->order(), "a set in several poses is for collide_poses() alone");
+  require(!a.as_given() && !b.as_given(), "every pair is asked of sets that are in order");
   outcome r;
   r.by = how.by ? *how.by : best_filter();
   if (a.elements() > 0 && b.elements() > 0) {
     device_buffers &buffers = on_.buffers();
     const cudaStream_t stream = on_.stream();
     buffers.start_clock();
-    const two_operands of = operands(r.by, how.balls.value_or(balls_for(precision)), a, b);
+    const two_operands of = operands(r.by, how.balls.value_or(balls_for(precision)), a.rows(), b.rows());
     part_steps steps{};
     steps.by = r.by, steps.precision = precision;
-    steps.x = of.x, steps.y = of.y, steps.rows_a = a.rows(), steps.rows_b = b.rows();
-    steps.boxes = {a.tree(stream).nodes, b.tree(stream).nodes};
-    product_query product(on_, kernels_, a, b, meetc::launchers_of(on_.kernels(), predicate), how, steps);
+    steps.x = of.x, steps.y = of.y, steps.rows_a = a.rows().data(), steps.rows_b = b.rows().data();
+    steps.boxes = {a.rows().tree(stream).nodes, b.rows().tree(stream).nodes};
+    product_query product(on_, kernels_, a.rows(), b.rows(), meetc::launchers_of(on_.kernels(), predicate), how, steps);
     device_result listed;
     on_device::element_pairs pairs;
     const bool lists = how.want == answer_kind::pairs;
     if (lists)
-      pairs.start({on_, a, b});
+      pairs.start({on_, a.rows(), b.rows()});
     product.run(lists ? &pairs : nullptr, r);
     if (lists) {
       pairs.finish();

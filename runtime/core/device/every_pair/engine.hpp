@@ -10,6 +10,7 @@
 #ifndef MEETC_CORE_DEVICE_EVERY_PAIR_ENGINE_HPP
 #define MEETC_CORE_DEVICE_EVERY_PAIR_ENGINE_HPP
 
+#include "core/answers.hpp"
 #include "core/device/set.hpp"
 #include "meetc/every_pair/table.hpp"
 
@@ -70,9 +71,9 @@ private:
   };
 
   const set_launchers &launchers_of(const kind_info &kind) const;
-  const extent *around(device_set &frame);
-  two_operands operands(filter by, cover balls, device_set &a, device_set &b);
-  operand columns(filter by, cover balls, bool first, device_set &of, device_set &frame);
+  const extent *around(const device_rows &frame);
+  two_operands operands(filter by, cover balls, const device_rows &a, const device_rows &b);
+  operand columns(filter by, cover balls, bool first, const device_rows &of, const device_rows &frame);
 
   device &on_;
   const catalogue &kernels_;
