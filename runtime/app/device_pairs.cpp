@@ -99,8 +99,9 @@ device_pairs pairs_on_several(const io::element_set &a, const io::element_set &b
   const auto start = std::chrono::steady_clock::now();
   device_group on(cga::cuda::catalogue(), numbers);
   const auto ready = std::chrono::steady_clock::now();
-  group_set set_a(on, view_of(a), *a.kind, spread::cut, at, options.threads),
-      set_b(on, view_of(b), *b.kind, spread::whole, at, options.threads);
+  const auto [how_a, how_b] = spread_for(a.elements, b.elements, options.first_met);
+  group_set set_a(on, view_of(a), *a.kind, how_a, at, options.threads),
+      set_b(on, view_of(b), *b.kind, how_b, at, options.threads);
   device_pairs out;
   set_a.bounds(out.around_a.lo, out.around_a.hi);
   set_b.bounds(out.around_b.lo, out.around_b.hi);
@@ -118,7 +119,7 @@ device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b,
   pose at;
   at.grid = grid;
   try {
-    return devices > 1 ? pairs_on_several(a, b, predicate, precision, at, devices, options)
+    return devices > 1 && &a != &b ? pairs_on_several(a, b, predicate, precision, at, devices, options)
                        : pairs_on_one(a, b, predicate, precision, at, options);
   } catch (const device_error &e) {
     throw failure(e.what(), no_device);

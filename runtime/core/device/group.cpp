@@ -67,20 +67,23 @@ template <class T> void append(std::vector<T> &to, const std::vector<T> &more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-// What device i found of elements (or items) of A that no other device has seen.
-void join(device_result &r, const device_result &more) {
-  append(r.flags.a, more.flags.a);
-  append(r.counts.a, more.counts.a);
+// Numbers of elements of the set that is cut follow one another; each device has some for all of the other one's.
+template <class T, class Join> void join(per_element<T> &r, const per_element<T> &more, bool cut_a, const Join &one) {
+  append(cut_a ? r.a : r.b, cut_a ? more.a : more.b);
+  std::vector<T> &all = cut_a ? r.b : r.a;
+  const std::vector<T> &others = cut_a ? more.b : more.a;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    one(all[k], others[k]);
+}
+void join(device_result &r, const device_result &more, bool cut_a) {
+  join(r.flags, more.flags, cut_a, [](std::uint8_t &flag, std::uint8_t other) { flag |= other; });
+  join(r.counts, more.counts, cut_a, [](std::uint64_t &count, std::uint64_t other) { count += other; });
   append(r.first_met, more.first_met);
-  for (std::size_t k = 0; k < r.flags.b.size(); ++k)
-    r.flags.b[k] |= more.flags.b[k];
-  for (std::size_t k = 0; k < r.counts.b.size(); ++k)
-    r.counts.b[k] += more.counts.b[k];
 }
 
-// All devices' lists of pairs, one after another, each where it belongs at once. first(i): what is added to the elements of A.
+// All devices' lists of pairs, one after another, whose elements become the caller's by adding `first` of each device.
 std::vector<index_pair> list_of(device_group &on, std::vector<device_result> &of, std::vector<pairs_there> &left,
-                                const std::function<std::size_t(std::size_t)> &first) {
+                                const std::vector<index_pair> &first) {
   std::vector<std::size_t> begin{0};
   for (std::size_t i = 0; i < of.size(); ++i)
     begin.push_back(begin.back() + of[i].pairs.size() + left[i].size()); // one of them
@@ -89,10 +92,10 @@ std::vector<index_pair> list_of(device_group &on, std::vector<device_result> &of
     return out;
   on_device::make_room(out, begin.back());
   on.on_each([&](std::size_t i) {
-    const auto by = static_cast<std::uint32_t>(first(i));
+    const index_pair by = first[i];
     index_pair *const to = out.data() + begin[i];
     for (std::size_t k = 0; k < of[i].pairs.size(); ++k)
-      to[k] = {of[i].pairs[k].a + by, of[i].pairs[k].b};
+      to[k] = {of[i].pairs[k].a + by.a, of[i].pairs[k].b + by.b};
     if (left[i].size() == 0)
       return;
     check(on_device::renumber(left[i].data(), left[i].size(), by, on[i].stream()), "starting a kernel");
@@ -262,34 +265,46 @@ device_result find_touching(device_group &on, group_set &a, group_set &b, const 
                             rung precision, const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
   require(a.is_on(on) && b.is_on(on), "a set is on another group of devices");
-  require(a.how() == spread::cut && b.how() == spread::whole, "a group needs its first set cut and its second whole");
-  const bool owned = !options.owner_a.empty();
-  require(!owned || options.owner_a.size() == a.elements(), "an owner map needs one item for each element");
+  require(a.how() != b.how(), "a group needs one set cut and the other whole");
+  require(!options.leave_there, "a group leaves no list on a device");
+  const bool cut_a = a.how() == spread::cut;
+  require(cut_a || !options.first_met, "a group needs the set cut of which it is asked what it meets first");
+  const group_set &cut = cut_a ? a : b;
+  const std::span<const std::uint32_t> owners = cut_a ? options.owner_a : options.owner_b;
+  const bool owned = !owners.empty();
+  require(!owned || owners.size() == cut.elements(), "an owner map needs one item for each element");
   std::vector<device_result> of(on.size());
   std::vector<pairs_there> left(on.size());
+  std::vector<index_pair> first(on.size());
   on.on_each([&](std::size_t i) {
     device_options o = options;
+    const auto begin = static_cast<std::uint32_t>(cut.first(i));
     if (owned) {
-      o.owner_a = options.owner_a.subspan(a.first(i), a.part(i).elements());
+      (cut_a ? o.owner_a : o.owner_b) = owners.subspan(begin, (cut_a ? a : b).part(i).elements());
       if (o.want != answer_kind::any)
         o.want = answer_kind::pairs;
+    } else {
+      first[i] = cut_a ? index_pair{begin, 0} : index_pair{0, begin};
     }
     if (i > 0)
       o.progress = nullptr;
     o.leave_there = &left[i];
     of[i] = collide(on[i], a.part(i), b.part(i), predicate, precision, o);
   });
-  std::vector<index_pair> pairs = list_of(on, of, left, [&](std::size_t i) { return owned ? 0 : a.first(i); });
+  std::vector<index_pair> pairs = list_of(on, of, left, first);
   device_result r = std::move(of[0]);
   for (std::size_t i = 1; i < of.size(); ++i) {
     add_up(r, of[i]);
-    join(r, of[i]);
+    join(r, of[i], cut_a);
   }
   r.pairs = std::move(pairs);
-  if (options.want == answer_kind::any)
+  if (!cut_a || owned) {
+    const pair_span lists[] = {r.pairs};
+    r.pairs = sorted(lists, thread_count(0));
+  }
+  if (options.want == answer_kind::any) {
     r.count = std::min<std::uint64_t>(r.count, 1);
-  else if (owned) {
-    sort_pairs(r.pairs);
+  } else if (owned) {
     drop_repeats(r.pairs);
     answer_from_list(options.want, items(options.owner_a, a.elements()), items(options.owner_b, b.elements()), r);
   }

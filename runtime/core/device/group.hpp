@@ -1,13 +1,13 @@
 // core/device/group.hpp: one query, cut between several CUDA devices of one host. The answers are those of one device.
 //
-// A's elements are cut, in the caller's order, into as many slices as there are devices, and each device has all of B. Every
-// pair of elements is thus looked at by one device: lists follow one another, and counts add up. Each device has a thread of the
-// host, which uploads to it, asks it, and downloads what it found. A slice of neighbours costs least to search, as the faces
-// of a mesh mostly are.
+// The elements of one set are cut, in the caller's order, into as many slices as there are devices, and each device has all of the
+// other. Every pair of elements is thus looked at by one device: lists are joined, and counts add up. The larger set is to be cut,
+// since each device walks and orders all of the other one. Each device has a thread of the host, which uploads to it, asks it, and
+// downloads what it found. A slice of neighbours costs least to search, as the faces of a mesh mostly are.
 //
-// Where A has owners, each device lists its pairs of items, and the lists are joined on the host, because two slices may hold
-// elements of one item. A set that is collided with itself is looked at whole: the half that one device leaves out lies in
-// other slices.
+// Where the set that is cut has owners, each device lists its pairs of items, because two slices may hold elements of one item. A
+// set that is collided with itself is looked at whole: the half that one device leaves out lies in other slices. One device answers
+// that sooner.
 #ifndef MEETC_CORE_DEVICE_GROUP_HPP
 #define MEETC_CORE_DEVICE_GROUP_HPP
 
@@ -16,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace meetc {
@@ -48,9 +49,14 @@ private:
 };
 
 enum class spread : std::uint8_t {
-  cut,   // each device has a slice: a query's first set
-  whole, // each device has all elements: its second
+  cut,   // each device has a slice
+  whole, // each device has all elements
 };
+// How two sets of so many elements are to be spread: the larger is cut, or the first where it is asked what that meets first.
+constexpr std::pair<spread, spread> spread_for(std::size_t elements_a, std::size_t elements_b, bool first_met) {
+  return elements_a >= elements_b || first_met ? std::pair(spread::cut, spread::whole)
+                                               : std::pair(spread::whole, spread::cut);
+}
 
 // A set on the devices of a group. All members throw what those of device_set throw; faults name the caller's elements.
 class group_set {
@@ -80,8 +86,8 @@ private:
   std::vector<std::unique_ptr<device_set>> parts_;
 };
 
-// A is cut and B is whole. Throws what collide() on one device throws. Of the result, seconds are
-// the host's wall clock, device_seconds those of the device that took longest, candidates, parts and rungs are
+// One set is cut and the other whole; what is met first is asked of a set that is cut. Throws what collide() on one device throws,
+// and std::invalid_argument for options.leave_there. Of the result, seconds are the host's wall clock, device_seconds those of the device that took longest, candidates, parts and rungs are
 // summed. options.progress tells of the first device.
 device_result collide(device_group &on, group_set &a, group_set &b, const predicate_info &predicate, rung precision,
                       const device_options &options = {});

@@ -47,8 +47,11 @@ public:
   void same(const std::string &what, const predicate_info &p, const view &x, const view &y, const pose &at,
             const owners &o) {
     const prepared a = prepare(x, *p.a, at), b = prepare(y, *p.b, at);
-    group_set ga(on_, x, *p.a, spread::cut, at), gb(on_, y, *p.b, spread::whole, at);
-    same(what, p, a, ga, b, gb, o);
+    for (const bool cut_a : {true, false}) {
+      group_set ga(on_, x, *p.a, cut_a ? spread::cut : spread::whole, at),
+          gb(on_, y, *p.b, cut_a ? spread::whole : spread::cut, at);
+      same(what + (cut_a ? ", A is cut" : ", B is cut"), p, a, ga, b, gb, o);
+    }
   }
   void same(const std::string &what, const predicate_info &p, const prepared &a, group_set &ga, const prepared &b,
             group_set &gb, const owners &o) {
@@ -59,7 +62,8 @@ public:
       here.want = there.want = want;
       here.owner_a = there.owner_a = o.a;
       here.owner_b = there.owner_b = o.b;
-      here.first_met = there.first_met = p.first_met && o.a.empty() && want != answer_kind::any;
+      here.first_met = there.first_met =
+          p.first_met && o.a.empty() && want != answer_kind::any && ga.how() == spread::cut;
       const result expected = collide(a, b, p, rung::certified, here);
       const device_result have = collide(on_, ga, gb, p, rung::certified, there);
       require(same_answer(have, expected), std::string(p.name) + ", " + what + ", " + o.name +
@@ -109,7 +113,22 @@ public:
       }
       return false;
     };
-    require(refused([&] { collide(on_, b, a, p, rung::certified); }), "a whole first set is not refused");
+    require(refused([&] { collide(on_, a, a, p, rung::certified); }), "two sets that are cut are not refused");
+    require(refused([&] { collide(on_, b, b, p, rung::certified); }), "two whole sets are not refused");
+    pairs_there pairs;
+    device_options leaves;
+    leaves.leave_there = &pairs;
+    require(refused([&] { collide(on_, a, b, p, rung::certified, leaves); }), "a list that is left there is not refused");
+    const predicate_info &q = predicate_named("segment_triangle");
+    const rows_of segments = same_rows(*q.a, 5);
+    group_set whole(on_, view_of(segments), *q.a, spread::whole);
+    device_options first;
+    first.first_met = true;
+    require(refused([&] { collide(on_, whole, a, q, rung::certified, first); }),
+            "a whole set is asked what it meets first");
+    require(spread_for(3, 2, false).first == spread::cut && spread_for(2, 3, false).first == spread::whole &&
+                spread_for(2, 3, true).first == spread::cut,
+            "another set than the larger is cut");
     const std::vector<std::uint32_t> few(x.size() - 1);
     device_options o;
     o.owner_a = few;

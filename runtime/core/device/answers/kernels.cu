@@ -195,16 +195,18 @@ __global__ void name_kernel(const std::uint32_t *slots, std::uint32_t n, const s
     named[order_a[i]] = slots[i] == cuda::no_slot ? cuda::no_slot : order_b[slots[i]];
 }
 
-__global__ void renumber_kernel(index_pair *pairs, std::size_t n, std::uint32_t by) {
+__global__ void renumber_kernel(index_pair *pairs, std::size_t n, index_pair by) {
   cuda::begin();
   for (std::size_t i = blockIdx.x * std::size_t{threads} + threadIdx.x; i < n; i += gridDim.x * std::size_t{threads})
-    pairs[i].a += by;
+    pairs[i].a += by.a, pairs[i].b += by.b;
 }
 
 } // namespace
 
-cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream) {
-  return n == 0 || by == 0 ? cudaSuccess : cuda::launch<renumber_kernel>(blocks_for(n), threads, stream, pairs, n, by);
+cudaError_t renumber(index_pair *pairs, std::size_t n, index_pair by, cudaStream_t stream) {
+  return n == 0 || (by.a == 0 && by.b == 0)
+             ? cudaSuccess
+             : cuda::launch<renumber_kernel>(blocks_for(n), threads, stream, pairs, n, by);
 }
 
 cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,

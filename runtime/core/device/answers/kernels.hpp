@@ -65,8 +65,8 @@ cudaError_t tally(const hit_tally &t, cudaStream_t stream);
 cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::uint32_t *order_a,
                        const std::uint32_t *order_b, std::uint32_t *named, cudaStream_t stream);
 
-// Adds `by` to the first element of n pairs.
-cudaError_t renumber(index_pair *pairs, std::size_t n, std::uint32_t by, cudaStream_t stream);
+// Adds `by` to the elements of n pairs.
+cudaError_t renumber(index_pair *pairs, std::size_t n, index_pair by, cudaStream_t stream);
 
 // Puts keys into order, which become pairs where they are. Keys are below 2^bits and differ from each other.
 inline constexpr std::uint32_t most_keys_to_order = cuda::counted_to_distribute << 18;
