@@ -117,8 +117,8 @@ private:
   }
 
   const cuda::predicate_launchers &launchers_of(const predicate_info &p) const {
-    const cuda::catalogue &all = on_.kernels();
-    return *std::find_if(all.predicates, all.predicates + all.predicate_count,
+    const cuda::predicate_launchers *const first = on_.kernels().predicates;
+    return *std::find_if(first, first + on_.kernels().predicate_count,
                          [&p](const auto &l) { return std::strcmp(l.name, p.name) == 0; });
   }
 
