@@ -2,58 +2,14 @@
 #ifndef MEETC_CORE_DEVICE_WARP_WALK_HPP
 #define MEETC_CORE_DEVICE_WARP_WALK_HPP
 
-#include "core/device/hit_buffer.hpp"
-#include "core/device/packet_cells.hpp"
 #include "core/device/tree_kernels.hpp"
 #include "core/device/walk_plan.hpp"
+#include "core/device/warp_room.hpp"
 #include "core/two_balls.hpp"
 #include "meetc/cuda_lists.hpp"
 #include "meetc/cuda_warp.hpp"
 
 namespace meetc::cuda {
-
-inline constexpr unsigned walk_threads = 128, walk_warps = walk_threads / tree_width;
-// The children of its nodes have boxes of 1024 elements. To it, so many packets at least go down together first.
-inline constexpr int coarse_level = 2;
-inline constexpr unsigned least_together = 4;
-// Fewer than 32 boxes wait before two leaves are looked at, each of which adds 32 at most.
-inline constexpr unsigned waiting_size = 3 * tree_width;
-
-// Of one warp, in shared memory.
-struct warp_room {
-  // Boxes of the tree's elements that wait: the ends of each axis together, and in z.z the bits of their slots. Balls that are
-  // tested lie in the place of their boxes: `least` in z.w, the rest in xy.
-  float4 xy[waiting_size], z[waiting_size];
-  packet_cells in_packet;     // of the packet that goes down
-  cell_box cells[tree_width]; // of those that are tested
-  index_pair hits[hits_size];
-  // Nodes that some of the items touch which go down together, and these items as bits.
-  std::uint32_t near[tree_width], near_items[tree_width];
-};
-
-__device__ inline float longest_side(const tree_box &b) {
-  return fmaxf(fmaxf(b.high[0] - b.low[0], b.high[1] - b.low[1]), b.high[2] - b.low[2]);
-}
-// Half of the area of its faces; 0 if it is empty.
-__device__ inline float half_area(const tree_box &b) {
-  const float x = b.high[0] - b.low[0], y = b.high[1] - b.low[1], z = b.high[2] - b.low[2];
-  return x >= 0 ? x * y + y * z + z * x : 0;
-}
-__device__ inline tree_box from_lane(const tree_box &b, unsigned lane) {
-  tree_box out;
-  for (int k = 0; k < 3; ++k)
-    out.low[k] = __shfl_sync(~0U, b.low[k], lane), out.high[k] = __shfl_sync(~0U, b.high[k], lane);
-  return out;
-}
-__device__ inline two_points from_lane(const two_points &t, unsigned lane) {
-  two_points out;
-  for (int k = 0; k < 3; ++k) {
-    out.enter[k] = __shfl_sync(~0U, t.enter[k], lane);
-    out.leave[k] = __shfl_sync(~0U, t.leave[k], lane);
-    out.per[k] = __shfl_sync(~0U, t.per[k], lane);
-  }
-  return out;
-}
 
 // One warp. A packet of 32 neighbours goes down together, its box against the 32 boxes of a node, one lane a box. What is
 // left at the bottom waits until there are 32, so that the last test, of each element's own box, runs full. Elements that are
@@ -148,10 +104,10 @@ private:
         if (found == items && listed > tree_width)
           break;
       } else {
-        enter_later(level, node, children);
+        later_.enter(level, node, children);
         --level;
       }
-      if (!next_child(top, level, node))
+      if (!later_.next(top, level, node))
         break;
     }
     listed_ = listed <= tree_width ? listed : 0;
@@ -256,10 +212,10 @@ private:
       if (level == 1) {
         leaves<Single>(node, touching);
       } else {
-        enter_later(level, node, touching);
+        later_.enter(level, node, touching);
         --level;
       }
-      if (!next_child(plan_.start, level, node))
+      if (!later_.next(plan_.start, level, node))
         return;
     }
   }
@@ -280,26 +236,6 @@ private:
     if (plan_.cut)
       touching &= __ballot_sync(~0U, is_in_part(level, node * tree_width + lane_));
     return !Single && sparse_ ? touched_by_some(touching, b) : touching;
-  }
-
-  // These children of a node of this level are still to be entered.
-  __device__ void enter_later(int level, std::uint32_t node, unsigned children) {
-    if (static_cast<int>(lane_) == level)
-      node_of_level_ = node, left_of_level_ = children;
-  }
-  // The next child of the lowest level above this one, up to `top`, that has one left. Returns false where none has.
-  __device__ bool next_child(int top, int &level, std::uint32_t &node) {
-    const unsigned levels = (2U << top) - (2U << level);
-    const unsigned have = __ballot_sync(~0U, left_of_level_ != 0) & levels;
-    if (have == 0)
-      return false;
-    level = __ffs(have) - 1;
-    const unsigned left = __shfl_sync(~0U, left_of_level_, level);
-    node = __shfl_sync(~0U, node_of_level_, level) * tree_width + __ffs(left) - 1;
-    if (static_cast<int>(lane_) == level)
-      left_of_level_ = left & (left - 1);
-    --level;
-    return true;
   }
 
   // Whether a child of a node of this level has a node of level 0 that is to be tested.
@@ -431,8 +367,7 @@ private:
   const float2 *of_lane_; // this lane's ends in the tree's first node
   tree_box own_, around_; // of this lane's element, and of the packet, or of the element that goes alone
   cell_box own_cells_{};  // of this lane's element
-  std::uint32_t node_of_level_ = 0,
-                left_of_level_ = 0; // of this lane's level the node, and its lanes still to be entered
+  nodes_to_enter later_;
   std::uint32_t slot_ = 0, single_slot_ = 0;
   std::uint32_t least_ = 0;   // the first slot of the tree with which this lane's element is paired
   std::uint32_t first_b_ = 0; // of the tree's nodes of level 0 the first that is tested

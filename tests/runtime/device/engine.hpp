@@ -155,9 +155,10 @@ struct settings {
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
   std::string
-      part; // of the scenes: pairs, every_pair, made, orders, given, poses, ends, group, words or reset; empty: all
+      part; // of the scenes: pairs, again, every_pair, made, orders, given, poses, ends, group, words or reset; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
+void again_scenes(comparison &with, const settings &s);
 void every_pair_scenes(comparison &with, const settings &s);
 void caller_scenes(comparison &with, const settings &s); // of every pair, too
 void made_scenes(comparison &with, const settings &s);
