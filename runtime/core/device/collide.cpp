@@ -30,8 +30,8 @@ bool culls(const device_set &a, const device_set &b, rung precision, const devic
          options.cull.value_or(cull_pays(*a.as_given(), *b.as_given()));
 }
 
-device_result find_touching(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
-                            const device_options &options) {
+device_result find_touching(const device &on, device_set &a, device_set &b, const predicate_info &predicate,
+                            rung precision, const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -75,9 +75,10 @@ device_result find_touching(device &on, device_set &a, device_set &b, const pred
 
 } // namespace
 
-device_result collide(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
+device_result collide(const device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                       const device_options &options) {
   return under_standard_word([&] {
+    const auto lock = on.use();
     if (options.leave_there)
       options.leave_there->clear();
     require_query(on, a, b, predicate, precision, options);

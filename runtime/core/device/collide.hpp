@@ -65,7 +65,7 @@ struct device_result : result {
 
 // Throws what collide() on the CPU throws, device_error, and what is wrong with a given set, of A before B, as the constructor of a
 // set in order does.
-device_result collide(device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
+device_result collide(const device &on, device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                       const device_options &options = {});
 
 } // namespace meetc

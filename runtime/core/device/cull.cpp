@@ -39,7 +39,7 @@ bool cull_pays(const given_elements &a, const given_elements &b) {
   return &a != &b && mesh && std::uint64_t{a.there().elements} + b.there().elements >= fewest;
 }
 
-bool cull(device &on, const given_elements &a, const given_elements &b, bool by_lines, culled &out) {
+bool cull(const device &on, const given_elements &a, const given_elements &b, bool by_lines, culled &out) {
   const bool lines_a = by_lines && has_two_points(a.kind()), lines_b = by_lines && has_two_points(b.kind());
   const bool b_first = lines_a == lines_b ? b.there().elements < a.there().elements : lines_b;
   const given_elements *const sets[2] = {b_first ? &b : &a, b_first ? &a : &b};

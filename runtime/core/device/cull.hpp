@@ -48,7 +48,7 @@ bool cull_pays(const given_elements &a, const given_elements &b);
 // Waits for the device, and starts the clock of a query. With `by_lines`, pairs may be left out that do not touch although their boxes do. Returns false where
 // there is too little memory. Throws device_error, and the input_error of an element that is none of its kind, also of one that is
 // left out.
-bool cull(device &on, const given_elements &a, const given_elements &b, bool by_lines, culled &out);
+bool cull(const device &on, const given_elements &a, const given_elements &b, bool by_lines, culled &out);
 
 } // namespace meetc
 

@@ -13,7 +13,7 @@ namespace meetc {
 using device_answers = std::span<const std::unique_ptr<on_device::query_answer>>;
 
 struct decision_job {
-  device &on;
+  const device &on;
   device_rows &a, &b; // with elements
   const cuda::predicate_launchers &by;
   rung precision;

@@ -3,6 +3,8 @@
 #include "core/device/buffers.hpp"
 #include "meetc/self_test.hpp"
 
+#include <atomic>
+
 namespace meetc {
 namespace {
 
@@ -44,23 +46,18 @@ std::string refusal(cudaError_t looking, int count, int driver, const device_fac
   return "";
 }
 
+// Of the last free that failed.
+static std::atomic<cudaError_t> failed_free{cudaSuccess};
+
 void check(cudaError_t e, const char *what) {
-  if (e == cudaSuccess)
+  if (e == cudaSuccess && failed_free.load(std::memory_order_relaxed) == cudaSuccess)
     return;
   cudaGetLastError(); // clears an error that can be cleared
-  throw device_error(std::string("CUDA: ") + what + ": " + cudaGetErrorString(e) + on_the_cpu);
-}
-
-// The process's pool keeps what is freed: a query allocates for each set that it sees, and the driver takes long for that.
-void device::keep_freed_memory() {
-  int number = 0;
-  std::uint64_t all = ~std::uint64_t{0};
-  if (cudaGetDevice(&number) == cudaSuccess && cudaDeviceGetDefaultMemPool(&pool_, number) == cudaSuccess &&
-      cudaMemPoolGetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &kept_before_) == cudaSuccess &&
-      cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all) == cudaSuccess)
-    return;
-  cudaGetLastError(); // there are devices without a pool
-  pool_ = nullptr;
+  const cudaError_t freed = failed_free.exchange(cudaSuccess);
+  if (e == cudaSuccess)
+    e = freed, what = "freeing memory";
+  if (e != cudaSuccess)
+    throw device_error(std::string("CUDA: ") + what + ": " + cudaGetErrorString(e) + on_the_cpu);
 }
 
 void *try_allocate_on_device(std::size_t bytes) {
@@ -81,12 +78,22 @@ void *try_allocate_on_device(std::size_t bytes) {
   return data;
 }
 
-void free_on_device(void *data) {
+void free_on_device(void *data) noexcept {
   if (!data)
     return;
   const control_word_guard guard;
-  cudaDeviceSynchronize(); // memory of the pool may be in use
-  cudaFree(data);          // an error here has been reported where it arose
+  int now = 0;
+  cudaPointerAttributes of{};
+  const auto done = [](cudaError_t e) {
+    if (e != cudaSuccess && e != cudaErrorCudartUnloading) // which is no error at the process's end
+      failed_free = e;
+    return e == cudaSuccess;
+  };
+  if (!done(cudaGetDevice(&now)) || !done(cudaPointerGetAttributes(&of, data)) || !done(cudaSetDevice(of.device)))
+    return;
+  done(cudaDeviceSynchronize()); // memory of the pool may be in use
+  done(cudaFree(data));
+  done(cudaSetDevice(now));
 }
 
 void *allocate_on_device(std::size_t bytes, const char *what_for) {
@@ -99,8 +106,46 @@ void *allocate_on_device(std::size_t bytes, const char *what_for) {
                      what_for + ", " + std::to_string(free >> 20) + " MiB free" + on_the_cpu);
 }
 
-device::device(const cuda::catalogue &kernels)
-    : kernels_(kernels), facts_(under_standard_word(find)), buffers_(std::make_unique<device_buffers>()) {
+// The process's pool keeps what is freed: a query allocates for each set that it sees, and the driver takes long for that.
+class kept_memory {
+public:
+  kept_memory() = default;
+  kept_memory(const kept_memory &) = delete;
+  kept_memory &operator=(const kept_memory &) = delete;
+
+  void keep() {
+    int number = 0;
+    std::uint64_t all = ~std::uint64_t{0};
+    if (cudaGetDevice(&number) == cudaSuccess && cudaDeviceGetDefaultMemPool(&pool_, number) == cudaSuccess &&
+        cudaMemPoolGetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &before_) == cudaSuccess &&
+        cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all) == cudaSuccess)
+      return;
+    cudaGetLastError(); // there are devices without a pool
+    pool_ = nullptr;
+  }
+  ~kept_memory() {
+    if (!pool_)
+      return;
+    cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &before_);
+    cudaMemPoolTrimTo(pool_, before_);
+  }
+
+private:
+  cudaMemPool_t pool_ = nullptr; // null: there is none
+  std::uint64_t before_ = 0;     // what the pool kept of freed memory, in bytes
+};
+
+struct device::state {
+  const cuda::catalogue &kernels;
+  device_facts facts;
+  std::recursive_mutex in_use;
+  kept_memory pool;
+  device_buffers buffers; // which go before the pool does
+
+  explicit state(const cuda::catalogue &of) : kernels(of), facts(under_standard_word(find)) {}
+};
+
+device::device(const cuda::catalogue &kernels) : state_(std::make_shared<state>(kernels)) {
   const control_word_guard guard; // also for what the driver computes
   device_memory<unsigned> found;
   found.reserve(1, "the self-test");
@@ -110,22 +155,26 @@ device::device(const cuda::catalogue &kernels)
   for (unsigned bit = 1; bit <= fault_bits; bit <<= 1)
     if (faults & bit)
       throw device_error(
-          std::string("the CUDA device ") + facts_.name +
+          std::string("the CUDA device ") + facts().name +
           " does not compute as the error bounds assume: " + text_of(static_cast<arithmetic_fault>(bit)) + on_the_cpu);
-  buffers_->create();
-  keep_freed_memory();
+  state_->buffers.create();
+  state_->pool.keep();
 }
 
-device::~device() {
-  buffers_.reset();
-  if (pool_) {
-    cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &kept_before_);
-    cudaMemPoolTrimTo(pool_, kept_before_);
-  }
+const cuda::catalogue &device::kernels() const {
+  return state_->kernels;
 }
-
+const device_facts &device::facts() const {
+  return state_->facts;
+}
 cudaStream_t device::stream() const {
-  return buffers_->stream;
+  return state_->buffers.stream;
+}
+device_buffers &device::buffers() const {
+  return state_->buffers;
+}
+std::unique_lock<std::recursive_mutex> device::use() const {
+  return std::unique_lock(state_->in_use);
 }
 
 } // namespace meetc

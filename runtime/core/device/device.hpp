@@ -8,6 +8,7 @@
 #include "meetc/cuda_table.hpp"
 
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -31,33 +32,31 @@ std::string refusal(cudaError_t looking, int count, int driver, const device_fac
 
 struct device_buffers;
 
-// The current CUDA device, with a stream and buffers that queries share; it runs one query at a time. Uploaded sets
-// must not outlive it. While it exists, the process's default pool of device memory keeps what is freed.
+// The current CUDA device, with a stream and buffers that queries share. A copy is the same device, and a set has one, so that what
+// a set needs lives as long as the set. While there is one, the process's default pool of device memory keeps what is freed.
+//
+// It runs one query at a time: threads that ask it at once wait for each other.
 class device {
 public:
   // Throws device_error where there is no device, where it or its driver is too old, or where its arithmetic is not as
-  // the bounds assume.
+  // the bounds assume. The table must stay, as that of a generated namespace does.
   explicit device(const cuda::catalogue &kernels);
-  ~device();
-  device(const device &) = delete;
-  device &operator=(const device &) = delete;
 
-  const cuda::catalogue &kernels() const { return kernels_; }
-  const device_facts &facts() const { return facts_; }
+  const cuda::catalogue &kernels() const;
+  const device_facts &facts() const;
   cudaStream_t stream() const;
-  device_buffers &buffers() { return *buffers_; }
+  device_buffers &buffers() const;
+  // Whoever works on its stream or with its buffers holds this lock, which a thread may take again.
+  [[nodiscard]] std::unique_lock<std::recursive_mutex> use() const;
+  bool operator==(const device &) const = default;
 
 private:
-  const cuda::catalogue &kernels_;
-  device_facts facts_;
-  void keep_freed_memory();
-
-  cudaMemPool_t pool_ = nullptr;  // null: there is none
-  std::uint64_t kept_before_ = 0; // what the pool kept of freed memory, in bytes
-  std::unique_ptr<device_buffers> buffers_;
+  struct state;
+  std::shared_ptr<state> state_;
 };
 
-// Throws device_error with the name of the call and the text that CUDA gives for the error.
+// Throws device_error with the name of the call and the text that CUDA gives for the error. A free that has failed before, where
+// nobody could be told, is told here.
 void check(cudaError_t e, const char *what);
 
 } // namespace meetc

@@ -48,7 +48,8 @@ cuda::pose_matrix cuda_pose(const pose &at) {
   });
 }
 
-given_elements::given_elements(device &on, const view &elements, const kind_info &kind) : given_elements(on, kind) {
+given_elements::given_elements(const device &on, const view &elements, const kind_info &kind)
+    : given_elements(on, kind) {
   if (elements.elements > most || (elements.index && elements.vertices > most))
     throw std::length_error(text(status::too_many_elements));
   if (!upload(require_view(elements, kind)))
@@ -56,7 +57,8 @@ given_elements::given_elements(device &on, const view &elements, const kind_info
   check(cudaStreamSynchronize(on.stream()), "uploading a set"); // the caller may change the elements now
 }
 
-given_elements::given_elements(device &on, const cuda::view &there, const kind_info &kind) : given_elements(on, kind) {
+given_elements::given_elements(const device &on, const cuda::view &there, const kind_info &kind)
+    : given_elements(on, kind) {
   if (there.only)
     throw std::invalid_argument("a given set has all of its elements");
   there_ = there;
@@ -64,7 +66,7 @@ given_elements::given_elements(device &on, const cuda::view &there, const kind_i
       require_view({there.data, there.vertices, there.stride_bytes, there.index, there.elements}, kind).stride_bytes;
 }
 
-std::optional<given_elements> given_elements::if_it_fits(device &on, const view &stated, const kind_info &kind) {
+std::optional<given_elements> given_elements::if_it_fits(const device &on, const view &stated, const kind_info &kind) {
   const view elements = require_view(stated, kind);
   const std::size_t n = elements.elements, rows = elements.index ? elements.vertices : n,
                     packed = n * static_cast<std::size_t>(kind.fields) * sizeof(float);
@@ -81,10 +83,10 @@ bool given_elements::upload(const view &elements) {
   const std::size_t rows = elements.index ? elements.vertices : elements.elements,
                     bytes = bytes_of(*kind_, rows, elements.stride_bytes, elements.index != nullptr),
                     indices = elements.index ? elements.elements * static_cast<std::size_t>(kind_->points) : 0;
-  const cudaStream_t stream = on_->stream();
+  const cudaStream_t stream = on_.stream();
   if (!data_.grow(bytes, 0, stream) || !index_.grow(indices, 0, stream))
     return false;
-  transfers &moving = on_->buffers().moving;
+  transfers &moving = on_.buffers().moving;
   moving.upload(data_.data(), elements.data, bytes, stream, "uploading a set");
   moving.upload(index_.data(), elements.index, indices * sizeof(std::uint32_t), stream, "uploading a set");
   there_ = {reinterpret_cast<const float *>(data_.data()), elements.stride_bytes,
@@ -104,9 +106,9 @@ given_elements::copy given_elements::download() const {
   const bool indexed = there_.index != nullptr;
   c.data.resize(bytes_of(*kind_, indexed ? there_.vertices : there_.elements, there_.stride_bytes, indexed));
   c.index.resize(indexed ? there_.elements * static_cast<std::size_t>(kind_->points) : 0);
-  transfers &moving = on_->buffers().moving;
-  moving.download(c.data.data(), there_.data, c.data.size(), on_->stream(), "downloading a set");
-  moving.download(c.index.data(), there_.index, c.index.size() * sizeof(std::uint32_t), on_->stream(),
+  transfers &moving = on_.buffers().moving;
+  moving.download(c.data.data(), there_.data, c.data.size(), on_.stream(), "downloading a set");
+  moving.download(c.index.data(), there_.index, c.index.size() * sizeof(std::uint32_t), on_.stream(),
                   "downloading a set");
   c.elements = {reinterpret_cast<const float *>(c.data.data()), there_.vertices, there_.stride_bytes,
                 indexed ? c.index.data() : nullptr, there_.elements};
@@ -126,12 +128,12 @@ cuda::tree_box given_elements::bounds() const {
   device_memory<cuda::joined_box> around;
   around.reserve(1, "a box");
   cuda::joined_box found{};
-  check(cudaMemsetAsync(around.data(), 0, sizeof found, on_->stream()), "measuring a set");
-  check(launchers_of(on_->kernels(), *kind_)
-            .pose(there_, cuda_pose(at), nullptr, nullptr, nullptr, around.data(), on_->stream()),
+  check(cudaMemsetAsync(around.data(), 0, sizeof found, on_.stream()), "measuring a set");
+  check(launchers_of(on_.kernels(), *kind_)
+            .pose(there_, cuda_pose(at), nullptr, nullptr, nullptr, around.data(), on_.stream()),
         "starting a kernel");
-  check(cudaMemcpyAsync(&found, around.data(), sizeof found, cudaMemcpyDeviceToHost, on_->stream()), "measuring a set");
-  check(cudaStreamSynchronize(on_->stream()), "measuring a set");
+  check(cudaMemcpyAsync(&found, around.data(), sizeof found, cudaMemcpyDeviceToHost, on_.stream()), "measuring a set");
+  check(cudaStreamSynchronize(on_.stream()), "measuring a set");
   return box_of(found);
 }
 

@@ -23,11 +23,11 @@ class given_elements {
 public:
   // Copies the elements there. Throws also input_error where the view cannot hold elements of the kind, and std::length_error (2^32
   // elements or vertices, or more).
-  given_elements(device &on, const view &elements, const kind_info &kind);
+  given_elements(const device &on, const view &elements, const kind_info &kind);
   // Elements that the caller has there, and keeps there.
-  given_elements(device &on, const cuda::view &there, const kind_info &kind);
+  given_elements(const device &on, const cuda::view &there, const kind_info &kind);
   // Whether to copy these costs little: they do not lie far apart in memory, and the device has the memory.
-  static std::optional<given_elements> if_it_fits(device &on, const view &elements, const kind_info &kind);
+  static std::optional<given_elements> if_it_fits(const device &on, const view &elements, const kind_info &kind);
 
   const kind_info &kind() const { return *kind_; }
   const cuda::view &there() const { return there_; }
@@ -42,11 +42,11 @@ public:
 
 private:
   struct copy;
-  given_elements(device &on, const kind_info &kind) : on_(&on), kind_(&kind) {}
+  given_elements(const device &on, const kind_info &kind) : on_(on), kind_(&kind) {}
   bool upload(const view &elements); // false: too little memory
   copy download() const;
 
-  device *on_;
+  device on_;
   const kind_info *kind_;
   cuda::view there_{};
   device_memory<std::byte> data_;

@@ -8,14 +8,12 @@
 #include "core/device/given.hpp"
 #include "core/device/query.hpp"
 #include "core/pair_list.hpp"
+#include "core/threads.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <exception>
-#include <mutex>
 #include <stdexcept>
-#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -41,17 +39,6 @@ public:
 private:
   int before_ = 0;
 };
-
-// Frees what lies on each device while that is the current one.
-template <class T> void release(std::span<const int> numbers, std::vector<std::unique_ptr<T>> &of) {
-  int before = 0;
-  cudaGetDevice(&before);
-  for (std::size_t i = numbers.size(); i-- > 0;) {
-    cudaSetDevice(numbers[i]); // an error here has been reported where it arose
-    of[i].reset();
-  }
-  cudaSetDevice(before);
-}
 
 view slice_of(view elements, const kind_info &kind, std::size_t first, std::size_t n) {
   if (elements.index)
@@ -82,7 +69,7 @@ void join(device_result &r, const device_result &more, bool cut_a) {
 }
 
 // All devices' lists of pairs, one after another, whose elements become the caller's by adding `first` of each device.
-std::vector<index_pair> list_of(device_group &on, std::vector<device_result> &of, std::vector<pairs_there> &left,
+std::vector<index_pair> list_of(const device_group &on, std::vector<device_result> &of, std::vector<pairs_there> &left,
                                 const std::vector<index_pair> &first) {
   std::vector<std::size_t> begin{0};
   for (std::size_t i = 0; i < of.size(); ++i)
@@ -119,55 +106,13 @@ void add_up(device_result &r, const device_result &more) {
 
 } // namespace
 
-// A thread for each device but the first. They cost a query less than threads that are started for it.
-class device_group::waiting_threads {
-public:
-  explicit waiting_threads(std::size_t devices) {
-    for (std::size_t i = 1; i < devices; ++i)
-      threads_.emplace_back([this, i](const std::stop_token &stop) { take_turns(i, stop); });
-  }
-
-  // work(i) must not throw.
-  void run(const std::function<void(std::size_t)> &work) {
-    {
-      const std::scoped_lock lock(mutex_);
-      work_ = &work, left_ = threads_.size(), ++turn_;
-    }
-    begins_.notify_all();
-    work(0);
-    std::unique_lock lock(mutex_);
-    ends_.wait(lock, [this] { return left_ == 0; });
-  }
-
-private:
-  void take_turns(std::size_t i, const std::stop_token &stop) {
-    std::unique_lock lock(mutex_);
-    for (std::uint64_t seen = 0; begins_.wait(lock, stop, [&] { return turn_ != seen; });) {
-      seen = turn_;
-      lock.unlock();
-      (*work_)(i);
-      lock.lock();
-      if (--left_ == 0)
-        ends_.notify_one();
-    }
-  }
-
-  std::mutex mutex_;
-  std::condition_variable_any begins_;
-  std::condition_variable ends_;
-  const std::function<void(std::size_t)> *work_ = nullptr; // that of this turn
-  std::uint64_t turn_ = 0;
-  std::size_t left_ = 0;              // threads that have not ended it
-  std::vector<std::jthread> threads_; // the last member: stopped and joined first
-};
-
 device_group::device_group(const cuda::catalogue &kernels, std::span<const int> numbers)
-    : numbers_(numbers.begin(), numbers.end()), devices_(numbers.size()) {
+    : devices_(std::make_shared<std::vector<numbered>>()) {
   const control_word_guard guard; // which the threads that it starts inherit
-  require(!numbers_.empty() && *std::min_element(numbers_.begin(), numbers_.end()) >= 0,
+  require(!numbers.empty() && *std::min_element(numbers.begin(), numbers.end()) >= 0,
           "a group of devices needs their numbers, from 0 on");
   int count = 0;
-  const int last = *std::max_element(numbers_.begin(), numbers_.end());
+  const int last = *std::max_element(numbers.begin(), numbers.end());
   if (cudaGetDeviceCount(&count) != cudaSuccess || count == 0) {
     cudaGetLastError();
     const device says_why(kernels); // throws
@@ -175,96 +120,75 @@ device_group::device_group(const cuda::catalogue &kernels, std::span<const int> 
   if (last >= count)
     throw device_error("there is no CUDA device number " + std::to_string(last) + " here: the last one is number " +
                        std::to_string(count - 1));
-  threads_ = std::make_unique<waiting_threads>(size());
-  try {
-    on_each([&](std::size_t i) { devices_[i] = std::make_unique<device>(kernels); });
-  } catch (...) {
-    release<device>(numbers_, devices_);
-    throw;
-  }
+  for (const int number : numbers)
+    devices_->push_back({number, {}});
+  on_each([&](std::size_t i) { (*devices_)[i].on.emplace(kernels); });
 }
 
-device_group::~device_group() {
-  release<device>(numbers_, devices_);
-}
-
-void device_group::on_each(const std::function<void(std::size_t)> &work) {
+void device_group::on_each(const std::function<void(std::size_t)> &work) const {
   std::vector<std::exception_ptr> thrown(size());
   const auto run = [&](std::size_t i) {
     try {
-      const current_device now(numbers_[i]);
+      const current_device now((*devices_)[i].number);
       work(i);
     } catch (...) {
       thrown[i] = std::current_exception();
     }
   };
-  threads_->run(run);
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < size(); ++i)
+      others.emplace_back(run, i);
+    run(0);
+  }
   for (const std::exception_ptr &e : thrown)
     if (e)
       std::rethrow_exception(e);
 }
 
-group_set::group_set(device_group &on, const view &elements, const kind_info &kind, spread how, const pose &at,
-                     int threads)
-    : on_(&on), how_(how), elements_(elements.elements), parts_(on.size()) {
-  const view all = require_view(elements, kind);
-  try {
-    on.on_each([&](std::size_t i) {
-      const std::size_t from = first(i), end = how_ == spread::cut ? elements_ * (i + 1) / parts_.size() : elements_;
-      try {
-        parts_[i] = std::make_unique<device_set>(on[i], slice_of(all, kind, from, end - from), kind, at, threads);
-      } catch (const input_error &e) {
-        fault f = e.where;
-        f.element += from;
-        throw input_error(f, kind);
-      }
-    });
-  } catch (...) {
-    release<device_set>(on.numbers(), parts_);
-    throw;
-  }
-}
-
-group_set::~group_set() {
-  release<device_set>(on_->numbers(), parts_);
-}
-
-void group_set::move(const pose &at) {
-  on_->on_each([&](std::size_t i) {
+// Faults name the caller's elements.
+void group_set::on_each_part(const std::function<void(std::size_t)> &work) const {
+  on_.on_each([&](std::size_t i) {
     try {
-      parts_[i]->move(at);
+      work(i);
     } catch (const input_error &e) {
       fault f = e.where;
       f.element += first(i);
-      throw input_error(f, parts_[i]->kind());
+      throw input_error(f, *kind_);
     }
   });
 }
 
+group_set::group_set(const device_group &on, const view &elements, const kind_info &kind, spread how, const pose &at,
+                     int threads)
+    : on_(on), kind_(&kind), how_(how), elements_(elements.elements), parts_(on.size()) {
+  const view all = require_view(elements, kind);
+  on_each_part([&](std::size_t i) {
+    const view some = how_ == spread::cut ? slice_of(all, kind, begin(i), begin(i + 1) - begin(i)) : all;
+    parts_[i].emplace(on_[i], some, kind, at, threads);
+  });
+}
+
+void group_set::move(const pose &at) {
+  on_each_part([&](std::size_t i) { parts_[i]->move(at); });
+}
+
 void group_set::bounds(float lo[3], float hi[3]) {
-  std::vector<float> of(6 * parts_.size());
-  const control_word_guard guard;
-  on_->on_each([&](std::size_t i) { parts_[i]->bounds(&of[6 * i], &of[6 * i + 3]); });
-  std::copy_n(of.data(), 3, lo);
-  std::copy_n(of.data() + 3, 3, hi);
-  for (std::size_t i = 1; i < parts_.size(); ++i) {
-    const float *const other = &of[6 * i];
-    if (other[0] > other[3]) // nothing is there
-      continue;
-    const bool none = lo[0] > hi[0];
-    for (int k = 0; k < 3; ++k) {
-      lo[k] = none ? other[k] : std::min(lo[k], other[k]);
-      hi[k] = none ? other[3 + k] : std::max(hi[k], other[3 + k]);
-    }
-  }
+  std::vector<cuda::tree_box> boxes(parts_.size());
+  on_each_part([&](std::size_t i) { parts_[i]->bounds(boxes[i].low, boxes[i].high); });
+  cuda::tree_box all; // empty
+  for (const cuda::tree_box &box : boxes)
+    all.widen(box);
+  std::copy_n(all.low, 3, lo);
+  std::copy_n(all.high, 3, hi);
 }
 
 namespace {
 
-device_result find_touching(device_group &on, group_set &a, group_set &b, const predicate_info &predicate,
+device_result find_touching(const device_group &on, group_set &a, group_set &b, const predicate_info &predicate,
                             rung precision, const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
-  require(a.is_on(on) && b.is_on(on), "a set is on another group of devices");
+  require(a.on() == on && b.on() == on, "a set is on another group of devices");
   require(a.how() != b.how(), "a group needs one set cut and the other whole");
   require(!options.leave_there, "a group leaves no list on a device");
   const bool cut_a = a.how() == spread::cut;
@@ -314,8 +238,8 @@ device_result find_touching(device_group &on, group_set &a, group_set &b, const 
 
 } // namespace
 
-device_result collide(device_group &on, group_set &a, group_set &b, const predicate_info &predicate, rung precision,
-                      const device_options &options) {
+device_result collide(const device_group &on, group_set &a, group_set &b, const predicate_info &predicate,
+                      rung precision, const device_options &options) {
   return under_standard_word([&] { return find_touching(on, a, b, predicate, precision, options); });
 }
 

@@ -15,37 +15,35 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace meetc {
 
-// It runs one query at a time. Its sets must not outlive it.
+// A copy is the same group, and a set has one.
 class device_group {
 public:
   // The devices with these numbers of CUDA. One that stands there twice runs two parts of a query at once. Throws
   // std::invalid_argument where there is no number or a negative one, device_error where there is no such device, and what
   // device() throws.
   device_group(const cuda::catalogue &kernels, std::span<const int> numbers);
-  ~device_group();
-  device_group(const device_group &) = delete;
-  device_group &operator=(const device_group &) = delete;
 
-  std::size_t size() const { return numbers_.size(); }
-  std::span<const int> numbers() const { return numbers_; }
-  device &operator[](std::size_t i) { return *devices_[i]; }
+  std::size_t size() const { return devices_->size(); }
+  const device &operator[](std::size_t i) const { return *(*devices_)[i].on; }
+  bool operator==(const device_group &) const = default;
 
   // Calls work(i) for each device while that is the current one of its thread; work(0) runs on the calling thread, and others on
-  // threads that wait for it. Once all have ended, the exception of the first device that threw one is thrown again.
-  void on_each(const std::function<void(std::size_t i)> &work);
+  // threads that end with it. Once all have ended, the exception of the first device that threw one is thrown again.
+  void on_each(const std::function<void(std::size_t i)> &work) const;
 
 private:
-  class waiting_threads;
-
-  std::vector<int> numbers_;
-  std::unique_ptr<waiting_threads> threads_;
-  std::vector<std::unique_ptr<device>> devices_;
+  struct numbered {
+    int number;
+    std::optional<device> on;
+  };
+  std::shared_ptr<std::vector<numbered>> devices_;
 };
 
 enum class spread : std::uint8_t {
@@ -61,15 +59,12 @@ constexpr std::pair<spread, spread> spread_for(std::size_t elements_a, std::size
 // A set on the devices of a group. All members throw what those of device_set throw; faults name the caller's elements.
 class group_set {
 public:
-  group_set(device_group &on, const view &elements, const kind_info &kind, spread how, const pose &at = {},
+  group_set(const device_group &on, const view &elements, const kind_info &kind, spread how, const pose &at = {},
             int threads = 0);
-  ~group_set();
-  group_set(const group_set &) = delete;
-  group_set &operator=(const group_set &) = delete;
 
   std::size_t elements() const { return elements_; }
   spread how() const { return how_; }
-  bool is_on(const device_group &g) const { return on_ == &g; }
+  const device_group &on() const { return on_; }
   // After a device_error or input_error, some devices have the old pose and others the new one; the set may be moved again.
   void move(const pose &at);
   // The closed box around all elements; lo > hi where there are none.
@@ -77,20 +72,24 @@ public:
 
   // What device i has, and the caller's number of its first element.
   device_set &part(std::size_t i) { return *parts_[i]; }
-  std::size_t first(std::size_t i) const { return how_ == spread::cut ? elements_ * i / parts_.size() : 0; }
+  std::size_t first(std::size_t i) const { return how_ == spread::cut ? begin(i) : 0; }
 
 private:
-  device_group *on_;
+  std::size_t begin(std::size_t i) const { return elements_ * i / parts_.size(); }
+  void on_each_part(const std::function<void(std::size_t i)> &work) const;
+
+  device_group on_;
+  const kind_info *kind_;
   spread how_;
   std::size_t elements_;
-  std::vector<std::unique_ptr<device_set>> parts_;
+  std::vector<std::optional<device_set>> parts_;
 };
 
 // One set is cut and the other whole; what is met first is asked of a set that is cut. Throws what collide() on one device throws,
 // and std::invalid_argument for options.leave_there. Of the result, seconds are the host's wall clock, device_seconds those of the device that took longest, candidates, parts and rungs are
 // summed. options.progress tells of the first device.
-device_result collide(device_group &on, group_set &a, group_set &b, const predicate_info &predicate, rung precision,
-                      const device_options &options = {});
+device_result collide(const device_group &on, group_set &a, group_set &b, const predicate_info &predicate,
+                      rung precision, const device_options &options = {});
 
 } // namespace meetc
 

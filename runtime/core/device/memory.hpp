@@ -12,8 +12,8 @@ namespace meetc {
 void *allocate_on_device(std::size_t bytes, const char *what_for);
 // Returns null where there is too little memory.
 void *try_allocate_on_device(std::size_t bytes);
-// Waits for all that the device has to do. Null is nothing.
-void free_on_device(void *data);
+// Waits for all that the device has to do. Null is nothing. An error is told by the next check().
+void free_on_device(void *data) noexcept;
 
 // Uninitialised memory for objects of a trivial type.
 template <class T> class device_memory {

@@ -50,7 +50,7 @@ void order_together(std::span<const needed_elements> sets, const device_buffers 
 
 } // namespace
 
-void order(device &on, std::span<const needed_elements> sets, const cuda::joined_box *common, bool clock_runs) {
+void order(const device &on, std::span<const needed_elements> sets, const cuda::joined_box *common, bool clock_runs) {
   const device_buffers &buffers = on.buffers();
   const bool two = sets.size() > 1;
   if (two && &sets[0].of->rows().launchers() == &sets[1].of->rows().launchers() &&
@@ -75,7 +75,7 @@ void order(device &on, std::span<const needed_elements> sets, const cuda::joined
     buffers.join();
 }
 
-bool are_in_order(device &on, std::span<const needed_elements> sets) {
+bool are_in_order(const device &on, std::span<const needed_elements> sets) {
   const query_notes &seen = on.buffers().seen->of_query;
   for (std::size_t i = 0; i < sets.size(); ++i)
     if (const std::uint32_t n = sets[i].elements.elements; n > 0 && !is_order(seen.found[i], n))

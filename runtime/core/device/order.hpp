@@ -17,10 +17,10 @@ struct needed_elements {
 // One set or two. Makes their hierarchies too, both at once; only enqueues, on the device's streams. `common` is that of
 // order_request. Starts the clock unless it runs, and clears the counts of the device's buffers, whose `found` becomes what is found
 // of each. Throws device_error.
-void order(device &on, std::span<const needed_elements> sets, const cuda::joined_box *common, bool clock_runs);
+void order(const device &on, std::span<const needed_elements> sets, const cuda::joined_box *common, bool clock_runs);
 
 // Whether all are in order, by what a query has read of the device's notes.
-bool are_in_order(device &on, std::span<const needed_elements> sets);
+bool are_in_order(const device &on, std::span<const needed_elements> sets);
 
 } // namespace meetc
 

@@ -24,7 +24,7 @@ constexpr std::uint32_t sample = 16, least_sampled = 16 * sample;
 
 class poses_query {
 public:
-  poses_query(device &on, device_rows &a, const predicate_info &p, rung precision, const device_options &options)
+  poses_query(const device &on, device_rows &a, const predicate_info &p, rung precision, const device_options &options)
       : on_(on), a_(a), predicate_(p), precision_(precision), options_(options) {
     options_.want = answer_kind::count;
     options_.owner_a = options_.owner_b = {};
@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  device &on_;
+  const device &on_;
   device_rows &a_;
   const predicate_info &predicate_;
   rung precision_;
@@ -79,7 +79,7 @@ private:
 struct enclosed {
   float lo[3], hi[3];
   double longest; // of its lengths
-  enclosed(device &on, const device_rows &b) {
+  enclosed(const device &on, const device_rows &b) {
     device_rows as_uploaded(on, b.kind());
     as_uploaded.take_part(b, 1);
     const cuda::tree_box around = as_uploaded.bounds();
@@ -95,7 +95,7 @@ bool can_be_enclosed(const device_rows &b) {
 }
 
 // Of one pair of bodies: fills the counts of these poses, which are numbers in r.counts.
-void count_poses(device &on, poses_query &ask, device_rows &a, const device_rows &b,
+void count_poses(const device &on, poses_query &ask, device_rows &a, const device_rows &b,
                  const std::optional<enclosed> &around_b, std::span<const pose> poses, std::vector<std::size_t> left,
                  bool any, const std::function<void(double)> &progress, poses_result &r) {
   if (around_b && a.elements() > 0) {
@@ -119,9 +119,9 @@ void count_poses(device &on, poses_query &ask, device_rows &a, const device_rows
       r.counts[i] = r.counts[i] > 0;
 }
 
-poses_result count_configurations(device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
-                                  std::span<const pose> poses, const predicate_info &predicate, rung precision,
-                                  const device_options &options) {
+poses_result count_configurations(const device &on, std::span<device_set *const> a,
+                                  std::span<const device_set *const> b, std::span<const pose> poses,
+                                  const predicate_info &predicate, rung precision, const device_options &options) {
   const auto start = std::chrono::steady_clock::now();
   const bool any = options.want == answer_kind::any;
   if (!any && options.want != answer_kind::count)
@@ -178,17 +178,20 @@ poses_result count_configurations(device &on, std::span<device_set *const> a, st
 
 } // namespace
 
-poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
+poses_result collide_poses(const device &on, device_set &a, const device_set &b, std::span<const pose> poses,
                            const predicate_info &predicate, rung precision, const device_options &options) {
   device_set *const bodies_a[] = {&a};
   const device_set *const bodies_b[] = {&b};
   return collide_bodies(on, bodies_a, bodies_b, poses, predicate, precision, options);
 }
 
-poses_result collide_bodies(device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
+poses_result collide_bodies(const device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
                             std::span<const pose> poses, const predicate_info &predicate, rung precision,
                             const device_options &options) {
-  return under_standard_word([&] { return count_configurations(on, a, b, poses, predicate, precision, options); });
+  return under_standard_word([&] {
+    const auto lock = on.use();
+    return count_configurations(on, a, b, poses, predicate, precision, options);
+  });
 }
 
 } // namespace meetc

@@ -29,14 +29,14 @@ struct poses_result {
 // what device_set::move() throws for a pose, with its number in the text; poses count from 0. With answer_kind::any an element
 // that leaves float32 in a pose is no error where a sixteenth of the elements has told that the pose touches, and one that breaks
 // a rule of its kind is none where the pose is proved to keep the sets apart.
-poses_result collide_poses(device &on, device_set &a, const device_set &b, std::span<const pose> poses,
+poses_result collide_poses(const device &on, device_set &a, const device_set &b, std::span<const pose> poses,
                            const predicate_info &predicate, rung precision, const device_options &options = {});
 
 // Bodies against bodies in many configurations, each of which has a pose for every body of B. poses[k * b.size() + j] is that of
 // body j in configuration k. counts[i * poses.size() + k * b.size() + j] of the result is that of collide_poses() for body i of A
 // and that pose. Throws what that throws, with a pose's place in `poses`, and std::invalid_argument where a configuration lacks
 // poses.
-poses_result collide_bodies(device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
+poses_result collide_bodies(const device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
                             std::span<const pose> poses, const predicate_info &predicate, rung precision,
                             const device_options &options = {});
 

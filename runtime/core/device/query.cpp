@@ -46,7 +46,7 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
     return x.fields == y.fields && std::strcmp(x.name, y.name) == 0;
   };
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
-  require(a.is_on(on) && b.is_on(on), "a set is on another device");
+  require(a.on() == on && b.on() == on, "a set is on another device");
   require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
   require_first_met(predicate, options.want, options.first_met, options.owner_a);
   require(!options.first_met || launchers_of(on.kernels(), predicate).pairs.first_met,
@@ -58,7 +58,7 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
   require(options.list_capacity >= least_capacity, "a list holds at least 2^11 pairs");
 }
 
-device_result query(device &on, device_rows &a, device_rows &b, const predicate_info &predicate, rung precision,
+device_result query(const device &on, device_rows &a, device_rows &b, const predicate_info &predicate, rung precision,
                     const device_options &options, device_answers answers, bool clock_runs) {
   const auto start = std::chrono::steady_clock::now();
   device_result r;

@@ -14,7 +14,7 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
                    rung precision, const device_options &options);
 
 // After require_query(). `clock_runs`: the caller has started the clock of device_seconds and has cleared the device's counts.
-device_result query(device &on, device_rows &a, device_rows &b, const predicate_info &predicate, rung precision,
+device_result query(const device &on, device_rows &a, device_rows &b, const predicate_info &predicate, rung precision,
                     const device_options &options, device_answers answers, bool clock_runs = false);
 
 } // namespace meetc

@@ -23,8 +23,8 @@ void require_movable(const kind_info &kind, const pose &at) {
     throw std::invalid_argument("a pose's length scale is negative or not a number");
 }
 
-device_rows::device_rows(device &on, const kind_info &kind)
-    : on_(&on), kind_(&kind), launchers_(&launchers_of(on.kernels(), kind)), version_(next_version()) {}
+device_rows::device_rows(const device &on, const kind_info &kind)
+    : on_(on), kind_(&kind), launchers_(&launchers_of(on.kernels(), kind)), version_(next_version()) {}
 
 // All that was is forgotten, but its memory.
 void device_rows::resize(std::size_t elements, double grid) {
@@ -42,11 +42,11 @@ void device_rows::upload(const prepared &set) {
   const std::size_t floats = std::size_t{elements_} * static_cast<std::size_t>(kind_->fields);
   data_.reserve(floats, "a set's elements");
   order_.reserve(elements_, "a set's order");
-  transfers &moving = on_->buffers().moving;
-  moving.upload(data_.data(), set.set().rows, floats * sizeof(float), on_->stream(), "uploading a set");
-  moving.upload(order_.data(), set.set().order, elements_ * sizeof(std::uint32_t), on_->stream(), "uploading a set");
+  transfers &moving = on_.buffers().moving;
+  moving.upload(data_.data(), set.set().rows, floats * sizeof(float), on_.stream(), "uploading a set");
+  moving.upload(order_.data(), set.set().order, elements_ * sizeof(std::uint32_t), on_.stream(), "uploading a set");
   reaches_ = {set.set().reach, set.set().longest};
-  check(cudaStreamSynchronize(on_->stream()), "uploading a set"); // the caller may now change the memory
+  check(cudaStreamSynchronize(on_.stream()), "uploading a set"); // the caller may now change the memory
   take_room_for_tree();
 }
 
@@ -56,7 +56,7 @@ void device_rows::take_part(const device_rows &of, std::uint32_t n) {
     const std::size_t bytes = each * sizeof *to.data();
     to.reserve(elements_ * each, "a part of a set");
     check(cudaMemcpy2DAsync(to.data(), bytes, from.data(), n * bytes, bytes, elements_, cudaMemcpyDeviceToDevice,
-                            on_->stream()),
+                            on_.stream()),
           "taking a part of a set");
   };
   strided(data_, of.data_, static_cast<std::size_t>(kind_->fields));
@@ -75,7 +75,7 @@ void device_rows::take_instances(const device_rows &of, std::span<const pose> po
                      std::ranges::all_of(poses, [&](const pose &at) { return grid_of(at) == grid_of(poses.front()); });
   resize(of.elements_ * poses.size(), alike ? grid_of(poses.front()) : 0);
   const auto fields = static_cast<std::size_t>(kind_->fields);
-  const cudaStream_t stream = on_->stream();
+  const cudaStream_t stream = on_.stream();
   device_memory<cuda::pose_matrix> there;
   device_memory<unsigned long long> bad;
   there.reserve(matrices.size(), "poses");
@@ -92,7 +92,7 @@ void device_rows::take_instances(const device_rows &of, std::span<const pose> po
     return;
   // Again, in this pose alone: the first element that is named is then that of the caller.
   const std::size_t at = *first / of.elements_;
-  device_rows alone(*on_, *kind_);
+  device_rows alone(on_, *kind_);
   alone.take_part(of, 1);
   try {
     alone.move(poses[at]);
@@ -103,8 +103,8 @@ void device_rows::take_instances(const device_rows &of, std::span<const pose> po
 
 std::optional<unsigned long long> device_rows::first_bad(const device_memory<unsigned long long> &noted) const {
   unsigned long long first = 0;
-  check(cudaMemcpyAsync(&first, noted.data(), sizeof first, cudaMemcpyDeviceToHost, on_->stream()), "moving a set");
-  check(cudaStreamSynchronize(on_->stream()), "moving a set");
+  check(cudaMemcpyAsync(&first, noted.data(), sizeof first, cudaMemcpyDeviceToHost, on_.stream()), "moving a set");
+  check(cudaStreamSynchronize(on_.stream()), "moving a set");
   return first == ~0ULL ? std::nullopt : std::optional(first);
 }
 
@@ -141,7 +141,7 @@ void device_rows::move(const pose &at) {
   to.reserve(elements_ * fields, "a set under a pose");
   bad.reserve(1, "a set under a pose");
   check(launchers_->pose({data_.data(), fields * sizeof(float), nullptr, 0, elements_}, cuda_pose(at), order_.data(),
-                         to.data(), bad.data(), nullptr, on_->stream()),
+                         to.data(), bad.data(), nullptr, on_.stream()),
         "starting a kernel");
   if (const auto first = first_bad(bad)) {
     const auto slot = static_cast<std::size_t>(*first & 0xffffffff);
@@ -161,18 +161,18 @@ std::pair<float, float> device_rows::reaches() const {
     lengths |= static_cast<std::uint64_t>(kind_->roles[f] == role::length) << f;
   device_memory<float> most;
   most.reserve(2, "a set's reach");
-  check(meetc::reaches(data(), elements_, static_cast<unsigned>(kind_->fields), lengths, most.data(), on_->stream()),
+  check(meetc::reaches(data(), elements_, static_cast<unsigned>(kind_->fields), lengths, most.data(), on_.stream()),
         "starting a kernel");
   float seen[2] = {0, 0};
-  check(cudaMemcpyAsync(seen, most.data(), sizeof seen, cudaMemcpyDeviceToHost, on_->stream()), "measuring a set");
-  check(cudaStreamSynchronize(on_->stream()), "measuring a set");
+  check(cudaMemcpyAsync(seen, most.data(), sizeof seen, cudaMemcpyDeviceToHost, on_.stream()), "measuring a set");
+  check(cudaStreamSynchronize(on_.stream()), "measuring a set");
   return {seen[0], seen[1]};
 }
 
 // Most queries want the hierarchy, and to wait for memory takes longer than to make that of a small set.
 void device_rows::take_room_for_tree() {
   if (elements_ > 0)
-    tree_.take_room(elements_, on_->stream());
+    tree_.take_room(elements_, on_.stream());
 }
 
 cuda::tree_view device_rows::tree(cudaStream_t stream) {
@@ -188,12 +188,12 @@ cuda::tree_box device_rows::bounds() {
   cuda::tree_box all; // empty
   if (elements_ == 0)
     return all;
-  const cuda::tree_view view = tree(on_->stream());
+  const cuda::tree_view view = tree(on_.stream());
   cuda::tree_node root;
   check(cudaMemcpyAsync(&root, view.nodes + view.shape.first[view.shape.depth - 1], sizeof root, cudaMemcpyDeviceToHost,
-                        on_->stream()),
+                        on_.stream()),
         "measuring a set");
-  check(cudaStreamSynchronize(on_->stream()), "measuring a set");
+  check(cudaStreamSynchronize(on_.stream()), "measuring a set");
   for (std::uint32_t lane = 0; lane < cuda::tree_width; ++lane)
     all.widen(cuda::box_of(root, lane));
   return all;

@@ -24,7 +24,7 @@ bool can_arrange(std::uint32_t elements);
 class device_rows {
 public:
   // No elements. Throws device_error also if the catalogue lacks the kind.
-  device_rows(device &on, const kind_info &kind);
+  device_rows(const device &on, const kind_info &kind);
 
   const kind_info &kind() const { return *kind_; }
   const cuda::set_launchers &launchers() const { return *launchers_; }
@@ -94,7 +94,7 @@ private:
   std::optional<unsigned long long> first_bad(const device_memory<unsigned long long> &noted) const;
   fault fault_of(const float *there, std::size_t element, const pose &at) const;
 
-  device *on_;
+  device on_;
   const kind_info *kind_;
   const cuda::set_launchers *launchers_;
   std::uint32_t elements_ = 0, numbers_ = 0;

@@ -44,8 +44,8 @@ double device_rows::make(const given_elements &elements, int threads) {
 
 // Returns false where the set is for the host to order.
 bool device_rows::order_there(const given_elements &elements, double &seconds) {
-  const cudaStream_t stream = on_->stream();
-  const device_buffers &buffers = on_->buffers();
+  const cudaStream_t stream = on_.stream();
+  const device_buffers &buffers = on_.buffers();
   if (!take_room())
     return false; // a set that is ordered needs a third of it
   device_memory<cuda::order_findings> there;
@@ -81,7 +81,7 @@ bool device_rows::order_there(const given_elements &elements, double &seconds) {
 
 // Returns false where there is too little memory, as sort() does.
 bool device_rows::take_room() {
-  const cudaStream_t stream = on_->stream();
+  const cudaStream_t stream = on_.stream();
   return data_.grow(elements_ * static_cast<std::size_t>(kind_->fields), 0, stream) &&
          order_.grow(elements_, 0, stream);
 }
@@ -118,11 +118,11 @@ std::optional<cuda::arrange_job> device_rows::plan(const order_request &r, cudaS
     job.posed = packed ? nullptr : from.take<float>(n * fields);
     job.boxes = packed || job.common ? nullptr : from.take<cuda::tree_box>(cuda::most_blocks_to_arrange);
     job.keys.keys = from.take<std::uint64_t>(n), job.keys.by_cell = from.take<std::uint64_t>(n);
-    if (planned && !space_.grow(from.used(), 0, on_->stream()))
+    if (planned && !space_.grow(from.used(), 0, on_.stream()))
       return {};
   }
   if (counted_.capacity() == 0) {
-    if (!counted_.grow(cuda::counted_to_distribute, 0, on_->stream()))
+    if (!counted_.grow(cuda::counted_to_distribute, 0, on_.stream()))
       return {};
     check(cudaMemsetAsync(counted_.data(), 0, cuda::counted_to_distribute * sizeof(std::uint32_t), stream),
           "ordering a set");
@@ -156,7 +156,7 @@ bool device_rows::sort(const cuda::view &there, const pose &at, int bits, cuda::
     places = from.take<std::uint32_t>(n), sorted = from.take<std::uint32_t>(n), numbers = from.take<std::uint32_t>(n);
     around = from.take<cuda::joined_box>(1);
     sorting = from.take<std::byte>(need);
-    if (planned && !space_.grow(from.used(), 0, on_->stream()))
+    if (planned && !space_.grow(from.used(), 0, on_.stream()))
       return false;
   }
   take_room_for_tree();

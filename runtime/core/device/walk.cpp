@@ -17,7 +17,7 @@ std::uint32_t lowest_nodes(const device_rows &s) {
 namespace {
 
 // The trees of both, made beside each other where neither is there.
-void take_trees(device &on, device_rows &walker, device_rows &tree, tree_walk &w) {
+void take_trees(const device &on, device_rows &walker, device_rows &tree, tree_walk &w) {
   device_buffers &buffers = on.buffers();
   const bool beside = &tree != &walker && !tree.has_tree() && !walker.has_tree();
   if (beside)
@@ -33,7 +33,7 @@ void take_trees(device &on, device_rows &walker, device_rows &tree, tree_walk &w
 
 // The elements of the larger set walk, but those with two points before others. A plain rung may say yes where nothing touches, so
 // that its candidates are all pairs whose boxes touch.
-tree_walk walk_of(device &on, device_rows &a, device_rows &b, rung precision, walk_lists what, bool half) {
+tree_walk walk_of(const device &on, device_rows &a, device_rows &b, rung precision, walk_lists what, bool half) {
   const bool points = never_wrong(precision) && what != walk_lists::hits,
              by_points_a = points && has_two_points(a.kind()), by_points_b = points && has_two_points(b.kind());
   tree_walk w{};

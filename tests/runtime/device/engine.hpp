@@ -155,7 +155,7 @@ struct settings {
   std::uint64_t seed = 1;
   std::string data; // a folder of meshes: those are compared, and nothing else
   std::string
-      part; // of the scenes: pairs, again, every_pair, made, orders, given, poses, ends, group, words or reset; empty: all
+      part; // of the scenes: pairs, again, every_pair, made, orders, given, poses, ends, group, device, words or reset; empty: all
 };
 void pair_scenes(comparison &with, const settings &s);
 void again_scenes(comparison &with, const settings &s);
@@ -164,6 +164,7 @@ void caller_scenes(comparison &with, const settings &s); // of every pair, too
 void made_scenes(comparison &with, const settings &s);
 void order_scenes(comparison &with, const settings &s);
 void given_scenes(comparison &with, const settings &s);
+void device_scenes(comparison &with, const settings &s);
 void pose_scenes(comparison &with, const settings &s);
 void end_scenes(comparison &with, const settings &s);
 void group_scenes(comparison &with, const settings &s);

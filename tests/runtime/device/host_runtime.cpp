@@ -5,6 +5,14 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <set>
+
+namespace {
+
+std::mutex of_device;
+std::set<void *> allocated;
+
+} // namespace
 
 extern "C" {
 
@@ -20,8 +28,8 @@ cudaError_t cudaGetDevice(int *device) {
   *device = 0;
   return cudaSuccess;
 }
-cudaError_t cudaSetDevice(int) {
-  return cudaSuccess;
+cudaError_t cudaSetDevice(int device) {
+  return device >= 0 ? cudaSuccess : cudaErrorInvalidDevice;
 }
 cudaError_t cudaGetDeviceProperties(cudaDeviceProp *p, int) {
   *p = {};
@@ -49,6 +57,10 @@ cudaError_t cudaGetLastError() {
 }
 cudaError_t cudaMalloc(void **out, std::size_t bytes) {
   *out = std::aligned_alloc(256, (bytes + 255) / 256 * 256);
+  {
+    const std::lock_guard lock(of_device);
+    allocated.insert(*out);
+  }
   std::memset(*out, 0xa5, bytes); // as stale as device memory
   return cudaSuccess;
 }
@@ -77,7 +89,18 @@ cudaError_t cudaDeviceReset() {
   host_warp::shared_memory_of.clear();
   return cudaSuccess;
 }
+cudaError_t cudaPointerGetAttributes(cudaPointerAttributes *of, const void *data) {
+  const std::lock_guard lock(of_device);
+  *of = {};
+  const bool there = allocated.count(const_cast<void *>(data)) > 0;
+  of->type = there ? cudaMemoryTypeDevice : cudaMemoryTypeUnregistered;
+  of->device = there ? 0 : cudaInvalidDeviceId;
+  return cudaSuccess;
+}
 cudaError_t cudaFree(void *data) {
+  const std::lock_guard lock(of_device);
+  if (data && allocated.erase(data) == 0)
+    return cudaErrorInvalidValue;
   std::free(data);
   return cudaSuccess;
 }

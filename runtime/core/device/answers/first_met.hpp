@@ -23,7 +23,7 @@ public:
 private:
   const cuda::pair_launchers &by_;
   std::span<const std::uint32_t> owner_b_;
-  device *on_ = nullptr;
+  const device *on_ = nullptr;
   const device_rows *a_ = nullptr, *b_ = nullptr;
   device_memory<std::uint32_t> owners_there_;                          // of b; without memory there are none
   device_memory<std::uint32_t> *slots_ = nullptr, *numbers_ = nullptr; // slots of b by slots of a; numbers by numbers

@@ -19,7 +19,7 @@ void make_room(std::vector<index_pair> &pairs, std::size_t n) {
   pairs.resize(n);
 }
 
-std::vector<index_pair> download_pairs(device &on, const index_pair *from, std::size_t n) {
+std::vector<index_pair> download_pairs(const device &on, const index_pair *from, std::size_t n) {
   std::vector<index_pair> out;
   make_room(out, n);
   on.buffers().moving.download(out.data(), from, n * sizeof(index_pair), on.stream(), "downloading pairs");

@@ -40,7 +40,7 @@ private:
   bool order_there(int bits);
   bool sort_there(bool crowded);
 
-  device &on_;
+  const device &on_;
   bool owned_;
   side a_, b_;
   std::size_t keys_ = 0;
@@ -48,7 +48,7 @@ private:
 };
 
 // Pairs from device memory.
-std::vector<index_pair> download_pairs(device &on, const index_pair *from, std::size_t n);
+std::vector<index_pair> download_pairs(const device &on, const index_pair *from, std::size_t n);
 // Room for n pairs, in which nothing is kept.
 void make_room(std::vector<index_pair> &pairs, std::size_t n);
 

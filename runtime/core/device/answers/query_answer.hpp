@@ -11,7 +11,7 @@ namespace meetc::on_device {
 
 // The sets whose rows the query reads.
 struct queried_sets {
-  device &on;
+  const device &on;
   const device_rows &a, &b;
 };
 

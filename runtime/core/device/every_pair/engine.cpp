@@ -27,7 +27,7 @@ void require(bool holds, const char *what) {
 // The parts of a product, from the filter to the list of hits.
 class product_query {
 public:
-  product_query(device &on, const catalogue &kernels, const device_rows &a, const device_rows &b,
+  product_query(const device &on, const catalogue &kernels, const device_rows &a, const device_rows &b,
                 const cuda::predicate_launchers &predicate, const options &how, const part_steps &steps)
       : on_(on), kernels_(kernels), buffers_(on.buffers()), a_(a), b_(b), predicate_(predicate), steps_(steps),
         lists_(buffers_, 0, how.list_capacity, how.want == answer_kind::pairs) {}
@@ -84,7 +84,7 @@ private:
       pairs->take({buffers_.hits.data(), static_cast<std::size_t>(seen(counter::hits)), false});
   }
 
-  device &on_;
+  const device &on_;
   const catalogue &kernels_;
   device_buffers &buffers_;
   const device_rows &a_, &b_;
@@ -97,6 +97,7 @@ private:
 
 const probe_result &engine::probe() {
   const control_word_guard guard;
+  const auto lock = on_.use();
   if (probe_.cases == 0) {
     device_memory<probe_result> found;
     found.reserve(1, "the probe");
@@ -161,6 +162,7 @@ engine::two_operands engine::operands(filter by, cover balls, const device_rows 
 }
 
 void engine::list_near(filter by, cover balls, device_set &a, device_set &b, const cuda::pair_list &out) {
+  const auto lock = on_.use();
   const two_operands of = operands(by, balls, a.rows(), b.rows());
   check(kernels_.candidates(by, of.x, of.y, {0, a.elements(), 0, b.elements()}, out, on_.stream()),
         "starting the filter");
@@ -169,6 +171,7 @@ void engine::list_near(filter by, cover balls, device_set &a, device_set &b, con
 outcome engine::collide(device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                         const options &how) {
   const control_word_guard guard;
+  const auto lock = on_.use();
   const auto start = std::chrono::steady_clock::now();
   require_query(on_, a, b, predicate, precision, {});
   require(how.want == answer_kind::pairs || how.want == answer_kind::count,

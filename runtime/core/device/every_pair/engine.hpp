@@ -33,12 +33,12 @@ struct outcome : result { // candidates: the pairs that the filter passes and wh
   double device_seconds = 0;
 };
 
-// The engine of one device, which it must not outlive. It runs one query at a time, and none while collide() runs one there. The
+// The engine of one device. It runs one query at a time, and none while collide() runs one there: threads wait for each other. The
 // columns of the last two sets stay, and are not computed again unless these have moved.
 class engine {
 public:
   // The kernels are of the namespace of on.kernels().
-  engine(device &on, const catalogue &kernels) : on_(on), kernels_(kernels) {}
+  engine(const device &on, const catalogue &kernels) : on_(on), kernels_(kernels) {}
 
   // The probe of the matrix units, which runs when it is first asked for. Throws device_error, as all below.
   const probe_result &probe();
@@ -75,7 +75,7 @@ private:
   two_operands operands(filter by, cover balls, const device_rows &a, const device_rows &b);
   operand columns(filter by, cover balls, bool first, const device_rows &of, const device_rows &frame);
 
-  device &on_;
+  device on_;
   const catalogue &kernels_;
   probe_result probe_{}; // no cases: it has not run
   device_memory<extent> around_;
