@@ -33,7 +33,8 @@ set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folde
 
 # The headers for users, below runtime/. What only other headers of the runtime need is not installed.
 set(MEETC_CORE_HEADERS answers.hpp check.hpp collide.hpp find.hpp memory.hpp pairs.hpp pose.hpp prepared.hpp status.hpp view.hpp)
-set(MEETC_DEVICE_HEADERS collide.hpp device.hpp given.hpp group.hpp memory.hpp poses.hpp set.hpp tree.hpp)
+set(MEETC_DEVICE_HEADERS collide.hpp device.hpp group.hpp poses.hpp set.hpp every_pair/engine.hpp memory/memory.hpp set/given.hpp
+  set/rows.hpp walk/tree.hpp)
 set(MEETC_IO_HEADERS atomic_file.hpp element_set.hpp error.hpp read.hpp rounded.hpp transform.hpp write.hpp)
 
 option(MEETC_INSTALL "Make install rules for meetc" ${PROJECT_IS_TOP_LEVEL})
@@ -115,10 +116,11 @@ if(TARGET meet_device)
   install(TARGETS ${libraries} EXPORT meetc_device_targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
-  list(TRANSFORM MEETC_DEVICE_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/runtime/core/device/" OUTPUT_VARIABLE headers)
-  install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/core/device" COMPONENT meetc_runtime)
-  install(FILES "${PROJECT_SOURCE_DIR}/runtime/core/device/every_pair/engine.hpp"
-    DESTINATION "${MEETC_INSTALL_HEADERS}/core/device/every_pair" COMPONENT meetc_runtime)
+  foreach(header IN LISTS MEETC_DEVICE_HEADERS)
+    get_filename_component(room ${header} DIRECTORY)
+    install(FILES "${PROJECT_SOURCE_DIR}/runtime/core/device/${header}"
+      DESTINATION "${MEETC_INSTALL_HEADERS}/core/device/${room}" COMPONENT meetc_runtime)
+  endforeach()
   install(EXPORT meetc_device_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
 endif()

@@ -4,7 +4,7 @@
 
 #include "bench/baselines/gpu_baselines.hpp"
 #include "bench/baselines/lbvh.hpp"
-#include "core/device/memory.hpp"
+#include "core/device/memory/memory.hpp"
 #include "meetc/table.hpp"
 
 namespace meetc::bench {

@@ -4,7 +4,7 @@
 
 #include "bench/baselines/gpu_baselines.hpp"
 #include "bench/harness/turns.hpp"
-#include "core/device/memory.hpp"
+#include "core/device/memory/memory.hpp"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
 #include "core/device/device.hpp"
 
-#include "core/device/buffers.hpp"
+#include "core/device/memory/buffers.hpp"
 #include "meetc/self_test.hpp"
 
 #include <atomic>

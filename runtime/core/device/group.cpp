@@ -4,9 +4,9 @@
 #include "core/device/answers/answers_for.hpp"
 #include "core/device/answers/hit_keys.hpp"
 #include "core/device/answers/kernels.hpp"
-#include "core/device/buffers.hpp"
-#include "core/device/given.hpp"
-#include "core/device/query.hpp"
+#include "core/device/memory/buffers.hpp"
+#include "core/device/query/query.hpp"
+#include "core/device/set/given.hpp"
 #include "core/pair_list.hpp"
 #include "core/threads.hpp"
 

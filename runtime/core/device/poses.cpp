@@ -1,7 +1,7 @@
 #include "core/device/poses.hpp"
 
 #include "core/device/answers/element_numbers.hpp"
-#include "core/device/query.hpp"
+#include "core/device/query/query.hpp"
 #include "core/pose.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_SET_HPP
 #define MEETC_CORE_DEVICE_SET_HPP
 
-#include "core/device/rows.hpp"
+#include "core/device/set/rows.hpp"
 
 namespace meetc {
 

@@ -1,7 +1,7 @@
 // A device itself: threads that share it, sets that outlive the last name of it, and frees that fail.
 #include "engine.hpp"
 
-#include "core/device/memory.hpp"
+#include "core/device/memory/memory.hpp"
 
 #include <cga/cga_cuda.hpp>
 

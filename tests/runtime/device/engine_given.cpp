@@ -1,7 +1,7 @@
 // Sets as they are given, which a query puts into order, and which are culled before: what the other scenes do not have.
 #include "engine.hpp"
 
-#include "core/device/cull.hpp"
+#include "core/device/set/cull.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Sets that are made on the device, and one set in many poses.
 #include "engine.hpp"
 
+#include "core/device/memory/transfers.hpp"
 #include "core/device/poses.hpp"
-#include "core/device/transfers.hpp"
 #include "core/element_set.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "core/device/answers/element_pairs.hpp"
 
-#include "core/device/buffers.hpp"
+#include "core/device/memory/buffers.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include "core/device/answers/kernels.hpp"
 #include "core/device/answers/owners.hpp"
-#include "core/device/buffers.hpp"
+#include "core/device/memory/buffers.hpp"
 
 namespace meetc::on_device {
 

@@ -4,7 +4,7 @@
 #define MEETC_CORE_DEVICE_ANSWERS_FIRST_MET_HPP
 
 #include "core/device/answers/query_answer.hpp"
-#include "core/device/memory.hpp"
+#include "core/device/memory/memory.hpp"
 
 #include <span>
 

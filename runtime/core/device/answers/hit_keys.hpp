@@ -5,7 +5,7 @@
 #define MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
 
 #include "core/device/answers/query_answer.hpp"
-#include "core/device/memory.hpp"
+#include "core/device/memory/memory.hpp"
 
 #include <span>
 #include <vector>

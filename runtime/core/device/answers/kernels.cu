@@ -1,6 +1,6 @@
 #include "core/device/answers/kernels.hpp"
 
-#include "core/device/blocks.hpp"
+#include "core/device/memory/blocks.hpp"
 
 #include <cub/cub.cuh>
 #include <meetc/cuda_distribute.hpp>
