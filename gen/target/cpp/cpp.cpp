@@ -40,6 +40,10 @@ std::vector<file> cpp_files(const unit &u) {
     if (u.kernels[i].is_predicate)
       add_parts(u, i, out);
   }
+  if (!formulas_on_columns(u).empty()) {
+    out.push_back({space + "/detail/columns.hpp", columns_header(u)});
+    out.push_back({space + "/src/formulas.cpp", formulas_source(u)});
+  }
   std::sort(headers.begin() + 1, headers.end());
   out.push_back({space + '/' + space + ".hpp", banner(u.scene, "Everything that the scene asks for.") +
                                                    open_header(u.scene, "file_all", headers) + close_header(u.scene)});

@@ -7,7 +7,7 @@
 
 MEETC_NAMESPACE(cga) {
 
-namespace detail { // each is defined in the source of its predicate
+namespace detail { // each is defined in the source of its predicate, or in that of all formulas
 meetc::predicate_info segment_segment_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
     int number_b);
 meetc::predicate_info point_triangle_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
@@ -32,6 +32,7 @@ meetc::predicate_info sphere_triangle_info(const meetc::kind_info *a, const meet
     int number_b);
 meetc::predicate_info box_box_info(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,
     int number_b);
+const meetc::formula_info *formulas();
 } // namespace detail
 
 namespace {
@@ -86,7 +87,8 @@ const meetc::catalogue &compiled_catalogue() {
     detail::sphere_triangle_info(&all_kinds[1], &all_kinds[3], -1, 1),
     detail::box_box_info(&all_kinds[4], &all_kinds[4], -1, -1),
   };
-  static const meetc::catalogue c{"cga", all_kinds, 5, all_predicates, 11, 0.0f, MEETC_COMPILED_FOR};
+  static const meetc::catalogue c{"cga", all_kinds, 5, all_predicates, 11, detail::formulas(), 28, 0.0f,
+      MEETC_COMPILED_FOR};
   return c;
 }
 

@@ -38,6 +38,8 @@ struct lanes {
   lanes() = default;
   MEETC_INLINE explicit lanes(vector x) : v(x) {}
   MEETC_INLINE explicit lanes(float x) : v(vector{} + x) {}
+  template <class Integer>
+  requires std::is_integral_v<Integer> MEETC_INLINE explicit lanes(Integer x) : lanes(static_cast<float>(x)) {}
   MEETC_INLINE static lanes from(const float *p) { // of lane_count floats
     lanes r;
     __builtin_memcpy(&r.v, p, sizeof r.v);
@@ -55,6 +57,9 @@ MEETC_INLINE lanes operator-(lanes a, lanes b) {
 }
 MEETC_INLINE lanes operator*(lanes a, lanes b) {
   return lanes(a.v * b.v);
+}
+MEETC_INLINE lanes operator/(lanes a, lanes b) { // of constants
+  return lanes(a.v / b.v);
 }
 // One rounding if certified rungs use the instruction; otherwise a product and a sum, as unfused<float>.
 MEETC_INLINE lanes fma(lanes a, lanes b, lanes c) {

@@ -3,6 +3,7 @@
 #ifndef MEETC_TABLE_HPP
 #define MEETC_TABLE_HPP
 
+#include <meetc/formula_table.hpp>
 #include <meetc/logic.hpp>
 
 #include <cstddef>
@@ -129,6 +130,8 @@ struct catalogue {
   int kind_count;
   const predicate_info *predicates;
   int predicate_count;
+  const formula_info *formulas;
+  int formula_count;
   // The scene's box: every coordinate lies in [-box, box], every length in [0, 2 box]. 0: the scene states none.
   float box;
   instruction_set compiled_for = instruction_set::baseline;

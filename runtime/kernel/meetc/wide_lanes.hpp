@@ -20,6 +20,9 @@ struct wide_lanes {
   wide_lanes() = default;
   MEETC_INLINE explicit wide_lanes(vector x) : v(x) {}
   MEETC_INLINE explicit wide_lanes(double x) : v(vector{} + x) {}
+  template <class Integer>
+  requires std::is_integral_v<Integer> MEETC_INLINE explicit wide_lanes(Integer x)
+      : wide_lanes(static_cast<double>(x)) {}
   MEETC_INLINE static wide_lanes from(const float *p) { // of wide_count floats
     typedef float half __attribute__((vector_size(4 * wide_count)));
     half h;
@@ -38,6 +41,9 @@ MEETC_INLINE wide_lanes operator-(wide_lanes a, wide_lanes b) {
 }
 MEETC_INLINE wide_lanes operator*(wide_lanes a, wide_lanes b) {
   return wide_lanes(a.v * b.v);
+}
+MEETC_INLINE wide_lanes operator/(wide_lanes a, wide_lanes b) { // of constants
+  return wide_lanes(a.v / b.v);
 }
 // One rounding if certified rungs use the instruction; otherwise a product and a sum, as unfused<double>.
 MEETC_INLINE wide_lanes fma(wide_lanes a, wide_lanes b, wide_lanes c) {
