@@ -7,6 +7,7 @@
 #include "app/kinds.hpp"
 #include "app/output_files.hpp"
 #include "app/paint.hpp"
+#include "app/pair_values.hpp"
 #include "app/progress.hpp"
 #include "app/report.hpp"
 #include "app/sets.hpp"
@@ -35,14 +36,18 @@ void check_picture(const fs::path &to) {
 }
 
 void check_outputs(const collide_request &q, output_files &outputs) {
-  if (q.any && (q.pairs || q.first || q.colour || q.image))
-    throw failure("--any stops at the first pair and keeps none; --pairs, --first, --color and --image need them all");
+  if (q.any && (q.pairs || q.first || q.colour || q.image || !q.evaluate.empty()))
+    throw failure(
+        "--any stops at the first pair and keeps none; --pairs, --first, --evaluate, --color and --image need "
+        "them all");
   if (q.first && q.tolerance > 0)
     throw failure("--first is exact and goes with no --tolerance");
   if (q.pairs)
     outputs.expect(*q.pairs);
   if (q.first)
     outputs.expect(*q.first);
+  if (!q.evaluate.empty())
+    outputs.expect(q.evaluate[1]);
   if (q.image) {
     outputs.expect(*q.image);
     check_picture(*q.image);
@@ -72,7 +77,8 @@ void write_colours(const collide_request &q, const painted &a, const painted &b,
   }
 }
 
-void write_all(const collide_request &q, output_files &outputs, collide_report &report) {
+void write_all(const collide_request &q, const std::optional<formula_choice> &formula, output_files &outputs,
+               collide_report &report) {
   const painted a{report.a, report.found.a.hit, q.a.filename().string(), picture::palette::green,
                   picture::palette::yellow};
   const painted b{report.b, report.found.b.hit, q.b.filename().string(), picture::palette::blue,
@@ -85,6 +91,13 @@ void write_all(const collide_request &q, output_files &outputs, collide_report &
   };
   write_list(q.pairs, report.found.list);
   write_list(q.first, report.found.first);
+  if (formula) {
+    const fs::path values = q.evaluate[1];
+    outputs.write(values, [&](const fs::path &to) {
+      write_pair_values(to, *formula, report.a, report.b, report.found.list, q.threads);
+    });
+    report.written.push_back(values.string());
+  }
   if (q.colour)
     write_colours(q, a, b, outputs, report);
   if (q.image) {
@@ -112,13 +125,16 @@ std::string collide(const catalogue &all, const collide_request &q) {
   const io::element_set &b = other ? *other : a;
   const std::chrono::duration<double> read = std::chrono::steady_clock::now() - start;
 
+  std::optional<formula_choice> formula;
+  if (!q.evaluate.empty())
+    formula = choose_formula(all, a, b, q.evaluate[0], q.precision == rung::fp32);
   query h;
   h.by = choose(all, *a.kind, *b.kind, q.predicate, q.mode);
   h.precision = q.precision;
   set_tolerance(h, q.tolerance);
   h.box = all.box;
   h.any = q.any;
-  h.keep = q.pairs.has_value();
+  h.keep = q.pairs.has_value() || !q.evaluate.empty();
   h.first = q.first.has_value();
   h.threads = q.threads;
   h.devices = q.devices;
@@ -145,7 +161,7 @@ std::string collide(const catalogue &all, const collide_request &q) {
                         name_of(all.compiled_for),
                         {},
                         {}};
-  write_all(q, outputs, report);
+  write_all(q, formula, outputs, report);
   return q.json ? as_json(report) : summary(report);
 }
 

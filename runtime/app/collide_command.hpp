@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace meetc::app {
 
@@ -22,6 +23,7 @@ struct collide_request {
   io::read_options read_a, read_b;
   bool any = false, json = false;
   std::optional<std::filesystem::path> pairs, first, colour, image;
+  std::vector<std::string> evaluate; // a formula and the file for its values, or none
   int threads = 0;
   int devices = 1;
   processor on = processor::cpu;

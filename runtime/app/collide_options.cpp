@@ -76,6 +76,13 @@ void add_answers(CLI::App &c, arguments &to) {
        "point to its second (of several at one point, the one with the least index), sorted like --pairs. The order "
        "is exact, among the triangles that the precision finds")
       ->type_name("out.csv");
+  c.add_option(
+       "--evaluate", q.evaluate,
+       "Write the value of a formula of the scene, such as 'norm2(meet(sphere, sphere))', for each pair, sorted "
+       "like --pairs: in float64, or in float32 with --precision fp32, within the error that the formula's "
+       "header states")
+      ->option_text("FORMULA out.csv")
+      ->expected(1, 2);
   c.add_option("--color,--colour", q.colour,
                "Write a.ply and b.ply with touched faces in bright colours into this folder")
       ->type_name("DIR");
@@ -98,6 +105,8 @@ const collide_request &read(arguments &args) {
     q.devices = devices_named(*args.devices);
   if (q.devices > 1 && q.on != processor::cuda)
     throw failure(fmt::format("--devices {}: needs --device cuda", q.devices));
+  if (q.evaluate.size() == 1)
+    throw failure(fmt::format("--evaluate '{}': the file for the values is missing", q.evaluate[0]));
   q.read_a = input_named('a', args.a);
   q.read_b = input_named('b', args.b);
   q.read_a.threads = q.read_b.threads = q.threads;

@@ -129,15 +129,20 @@ std::vector<std::uint32_t> slots_of(const prepared &p) {
 
 } // namespace
 
-const formula_info &formula_named(const catalogue &all, std::string_view text) {
+const formula_info *find_formula(const catalogue &all, std::string_view text) {
   const std::string wanted = without_spaces(text);
+  for (int i = 0; i < all.formula_count; ++i)
+    if (without_spaces(all.formulas[i].name) == wanted)
+      return &all.formulas[i];
+  return nullptr;
+}
+
+const formula_info &formula_named(const catalogue &all, std::string_view text) {
+  if (const formula_info *const f = find_formula(all, text))
+    return *f;
   std::string known;
-  for (int i = 0; i < all.formula_count; ++i) {
-    const formula_info &f = all.formulas[i];
-    if (without_spaces(f.name) == wanted)
-      return f;
-    known += (known.empty() ? "" : "; ") + std::string(f.name);
-  }
+  for (int i = 0; i < all.formula_count; ++i)
+    known += (i == 0 ? "" : "; ") + std::string(all.formulas[i].name);
   throw std::invalid_argument("no formula '" + std::string(text) + "'; " + all.space + " has " +
                               (known.empty() ? "none" : known));
 }

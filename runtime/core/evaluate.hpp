@@ -17,7 +17,9 @@
 
 namespace meetc {
 
-// The formula that the scene asks for by this text, whatever its spaces. Throws std::invalid_argument, which lists all.
+// The formula that the scene asks for by this text, whatever its spaces; null: there is none.
+const formula_info *find_formula(const catalogue &all, std::string_view text);
+// The same; throws std::invalid_argument, which lists all, where there is none.
 const formula_info &formula_named(const catalogue &all, std::string_view text);
 
 // The objects of one operand: a column for each of its stored numbers.

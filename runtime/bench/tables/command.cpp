@@ -87,17 +87,30 @@ app::command add_read(CLI::App &bench, const catalogue &all) {
   return command_of(c, q, [&all](const request &asked) { return read(all, asked); });
 }
 
+app::command add_formulas(CLI::App &bench, const app::kernel_library &kernels) {
+  CLI::App &c = *bench.add_subcommand("formulas", "Formulas on sets, beside the least that moving their numbers takes");
+  const auto q = std::make_shared<request>();
+  q->threads = 2;
+  add_instruction_set(c, *q, "Measure this one; auto, the default: the best that runs here");
+  add_threads(c, *q, "Threads; 0 is all cores, 2 the default");
+  add_repetitions(c, *q, "How often the works take turns, by default 21");
+  add_quick(c, *q, "Few values, to see that it runs");
+  add_json(c, *q, "table");
+  return command_of(c, q, [kernels](const request &asked) { return formulas(kernels, asked); });
+}
+
 } // namespace
 
 app::command add_bench(CLI::App &program, const catalogue &all, const app::kernel_library &kernels) {
   CLI::App &c = *program.add_subcommand(
-      "bench", "Measure: the paper's tables and figures again, the CUDA device, the CPU, and the readers");
+      "bench", "Measure: the paper's tables and figures again, the CUDA device, the CPU, the readers, and formulas");
   c.require_subcommand(1);
   app::command out{&c, {}};
   out.parts.push_back(add_paper(c, all));
   out.parts.push_back(add_gpu(c, all));
   out.parts.push_back(add_cpu(c, kernels));
   out.parts.push_back(add_read(c, all));
+  out.parts.push_back(add_formulas(c, kernels));
   out.part_is_missing = "what to measure is needed";
   return out;
 }

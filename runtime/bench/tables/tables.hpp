@@ -24,6 +24,10 @@ std::string cpu(const app::kernel_library &kernels, const request &q);
 // in the page cache; all memory is fresh in each run.
 std::string read(const catalogue &all, const request &q);
 
+// `meet bench formulas`: formulas on columns beside a copy of as many bytes, and on listed rows beside a loop that gathers the
+// same numbers and writes as many.
+std::string formulas(const app::kernel_library &kernels, const request &q);
+
 // `meet trade`: the cost of each rung, the number of its errors, and their size.
 std::string trade(const app::kernel_library &kernels, const request &q);
 
