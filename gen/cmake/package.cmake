@@ -32,7 +32,7 @@ endif()
 set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folder of the algebras that come with meetc")
 
 # The headers for users, below runtime/. What only other headers of the runtime need is not installed.
-set(MEETC_CORE_HEADERS answers.hpp check.hpp collide.hpp find.hpp memory.hpp pairs.hpp pose.hpp prepared.hpp status.hpp view.hpp)
+set(MEETC_CORE_HEADERS answers.hpp check.hpp collide.hpp evaluate.hpp find.hpp memory.hpp pairs.hpp pose.hpp prepared.hpp status.hpp view.hpp)
 set(MEETC_DEVICE_HEADERS collide.hpp device.hpp given.hpp group.hpp memory.hpp poses.hpp set.hpp tree.hpp)
 set(MEETC_IO_HEADERS atomic_file.hpp element_set.hpp error.hpp read.hpp rounded.hpp transform.hpp write.hpp)
 
