@@ -1,5 +1,6 @@
-// The predicates on a CUDA device: a source with launchers for each predicate and one for each kind, and the catalogue through
-// which a runtime runs queries on sets. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
+// Predicates and formulas on a CUDA device: a source with launchers for each predicate, one for each kind and one for all
+// formulas, and the catalogue through which a runtime runs queries on sets. The kernels themselves are templates in
+// runtime/kernel/meetc/cuda_*.hpp.
 #include "gen/target/cuda/cuda.hpp"
 
 #include "gen/target/cpp/cpp.hpp"
@@ -35,30 +36,41 @@ std::string shape_of(const std::string &kind) {
 
 std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
-  std::string out = "namespace {\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
+  const std::size_t formulas = formulas_on_columns(u).size();
+  std::string predicates;
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const std::string name = identifier(k->asked.asked->name);
-    out += fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
-                       "   .pairs = {{.run = {3}::run, .first_met = {4}}},\n   .rejects = {5},\n   .by_boxes = {6},\n"
-                       "   .by_balls = {7}}},\n",
-                       k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
-                       order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
-                       !k->decision.reject.atoms.empty(), k->decision.by_boxes, k->decision.by_balls);
+    predicates +=
+        fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
+                    "   .pairs = {{.run = {3}::run, .first_met = {4}}},\n   .rejects = {5},\n   .by_boxes = {6},\n"
+                    "   .by_balls = {7}}},\n",
+                    k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
+                    order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr", !k->decision.reject.atoms.empty(),
+                    k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
-  out += "};\n\n} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {\n"
-         "  static const meetc::cuda::set_launchers all_kinds[] = {\n";
+  std::string out;
+  if (count)
+    out += "namespace {\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n" + predicates +
+           "};\n\n} // namespace\n\n";
+  out += "const meetc::cuda::catalogue &catalogue() {\n";
+  if (!kinds.empty())
+    out += "  static const meetc::cuda::set_launchers all_kinds[] = {\n";
   for (const lower::lowered_kind *k : kinds)
     out += fmt::format("    kinds::{}(),\n", identifier(k->name));
-  return out + fmt::format("  }};\n"
-                           "  static const meetc::cuda::catalogue c{{.kinds = all_kinds,\n"
+  if (!kinds.empty())
+    out += "  };\n";
+  return out + fmt::format("  static const meetc::cuda::catalogue c{{.kinds = {},\n"
                            "                                        .kind_count = {},\n"
-                           "                                        .predicates = all_predicates,\n"
+                           "                                        .predicates = {},\n"
                            "                                        .predicate_count = {},\n"
+                           "                                        .formulas = {},\n"
+                           "                                        .formula_count = {},\n"
                            "                                        .self_test = meetc::launch_self_test}};\n"
                            "  return c;\n}}\n\n",
-                           kinds.size(), count);
+                           kinds.empty() ? "nullptr" : "all_kinds", kinds.size(), count ? "all_predicates" : "nullptr",
+                           count, formulas ? "detail::formulas()" : "nullptr", formulas);
 }
 
 } // namespace
@@ -103,7 +115,11 @@ std::string cuda_header(const unit &u) {
   out += "\n// The launchers of each kind, for the catalogue.\nnamespace kinds {\n";
   for (const lower::lowered_kind *k : element_kinds(u))
     out += fmt::format("meetc::cuda::set_launchers {}();\n", identifier(k->name));
-  return out + fmt::format("}} // namespace kinds\n\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
+  out += "} // namespace kinds\n";
+  if (!formulas_on_columns(u).empty())
+    out += "\n// The launchers of each formula, for the catalogue.\nnamespace detail {\n"
+           "const meetc::cuda::formula_launchers *formulas();\n} // namespace detail\n";
+  return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
 std::string cuda_catalogue(const unit &u) {
@@ -181,15 +197,18 @@ std::string cuda_order(const unit &u, const lower::kernel &k, const lower::kerne
 }
 
 std::string cuda_text(const unit &u, std::size_t kernel) {
-  if (!u.kernels[kernel].is_predicate || u.kernels[kernel].is_sign)
-    throw spec_error({},
-                     "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
+  if (u.kernels[kernel].is_sign)
+    throw spec_error({}, "only predicates and formulas have CUDA launchers; a sign's header (--emit=cpp) is host and "
+                         "device code");
+  if (!u.kernels[kernel].is_predicate)
+    return broken_lines(cuda_formulas(u));
   return broken_lines(cuda_launchers(u, u.kernels[kernel]));
 }
 
 std::vector<file> cuda_files(const unit &u) {
   const std::string space = identifier(u.scene.space);
-  if (predicates_of(u).empty())
+  const bool formulas = !formulas_on_columns(u).empty();
+  if (predicates_of(u).empty() && !formulas)
     return {}; // nothing to launch
   std::vector<file> out{{space + '/' + space + "_cuda.hpp", cuda_header(u)},
                         {space + '/' + space + "_cuda.cu", cuda_catalogue(u)}};
@@ -200,6 +219,8 @@ std::vector<file> cuda_files(const unit &u) {
       out.push_back({fmt::format("{}/src/{}.cu", space, order->asked.name()), cuda_order(u, *k, *order)});
   for (const lower::lowered_kind *k : element_kinds(u))
     out.push_back({fmt::format("{}/src/{}.cu", space, kind_source(k->name)), cuda_kind(u, *k)});
+  if (formulas)
+    out.push_back({space + "/src/formulas.cu", cuda_formulas(u)});
   for (file &f : out)
     f.text = broken_lines(f.text);
   return out;

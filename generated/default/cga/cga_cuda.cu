@@ -102,6 +102,8 @@ const meetc::cuda::catalogue &catalogue() {
                                         .kind_count = 5,
                                         .predicates = all_predicates,
                                         .predicate_count = 11,
+                                        .formulas = detail::formulas(),
+                                        .formula_count = 28,
                                         .self_test = meetc::launch_self_test};
   return c;
 }

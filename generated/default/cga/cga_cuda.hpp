@@ -128,6 +128,11 @@ meetc::cuda::set_launchers triangle();
 meetc::cuda::set_launchers box();
 } // namespace kinds
 
+// The launchers of each formula, for the catalogue.
+namespace detail {
+const meetc::cuda::formula_launchers *formulas();
+} // namespace detail
+
 } // namespace cuda
 } // namespace cga
 

@@ -255,11 +255,26 @@ struct predicate_launchers {
   stated<bool> by_balls; // proved: both operands are balls, or points, and it holds where these touch, and nowhere else
 };
 
+// The launchers of one formula, as formula_info describes it: `rows`, the columns' numbers and the values are device memory;
+// `in` and `out`, which name the columns, are host memory.
+struct formula_launchers {
+  stated<const char *> name;
+  stated<int> number_count, result_count;
+  stated<cudaError_t (*)(const column *in, const std::uint32_t *rows, std::size_t n, float *const *out,
+                         cudaStream_t stream)>
+      float32;
+  stated<cudaError_t (*)(const column *in, const std::uint32_t *rows, std::size_t n, double *const *out,
+                         cudaStream_t stream)>
+      float64;
+};
+
 struct catalogue {
   stated<const set_launchers *> kinds;
   stated<int> kind_count;
   stated<const predicate_launchers *> predicates;
   stated<int> predicate_count;
+  stated<const formula_launchers *> formulas; // in the order of the host's catalogue
+  stated<int> formula_count;
   // *faults becomes the bits of arithmetic_fault: what the device does not compute as the bounds assume.
   stated<cudaError_t (*)(unsigned *faults, cudaStream_t stream)> self_test;
 };
