@@ -27,27 +27,6 @@ void evaluate_some(const formula_info &f, const column *in, const std::uint32_t 
   f.float64(in, rows, n, out);
 }
 
-// The columns of all operands.
-std::vector<column> all_columns(const formula_info &f, std::span<const operand_columns> operands) {
-  const std::string name = f.name;
-  if (operands.size() != static_cast<std::size_t>(f.operand_count))
-    throw std::invalid_argument(name + " takes " + std::to_string(f.operand_count) + " operands, not " +
-                                std::to_string(operands.size()));
-  std::vector<column> out;
-  for (std::size_t k = 0; k < operands.size(); ++k) {
-    const formula_operand &of = f.operands[k];
-    if (operands[k].numbers.size() != static_cast<std::size_t>(of.number_count))
-      throw std::invalid_argument(name + ": operand " + std::to_string(k) + ", a " + of.kind + ", has the columns " +
-                                  of.numbers + "; here are " + std::to_string(operands[k].numbers.size()));
-    for (const column &c : operands[k].numbers) {
-      if (!c.data && operands[k].objects != 0)
-        throw std::invalid_argument(name + ": operand " + std::to_string(k) + " has a column without data");
-      out.push_back(c);
-    }
-  }
-  return out;
-}
-
 // n values, each of the next rows if there are any.
 template <class Number>
 void evaluate_all(const formula_info &f, const std::vector<column> &in, const std::uint32_t *rows, std::size_t n,
@@ -74,47 +53,15 @@ void evaluate_all(const formula_info &f, const std::vector<column> &in, const st
 template <class Number>
 void evaluate_columns(const formula_info &f, std::span<const operand_columns> operands, std::span<Number *const> out,
                       int threads) {
-  const std::vector<column> in = all_columns(f, operands);
-  for (const operand_columns &o : operands)
-    if (o.objects != operands[0].objects)
-      throw std::invalid_argument(std::string(f.name) + ": the operands have " + std::to_string(operands[0].objects) +
-                                  " and " + std::to_string(o.objects) + " objects");
-  evaluate_all(f, in, nullptr, operands[0].objects, out, threads);
-}
-
-void check_rows(const formula_info &f, std::span<const operand_columns> operands, std::span<const std::uint32_t> rows,
-                int threads) {
-  const auto each = static_cast<std::size_t>(f.operand_count);
-  if (rows.size() % each != 0)
-    throw std::invalid_argument(std::string(f.name) + ": " + std::to_string(rows.size()) + " rows are no multiple of " +
-                                std::to_string(each) + " operands");
-  std::atomic<std::size_t> bad{rows.size()};
-  for_chunks(thread_count(threads), rows.size() / each, std::size_t{1} << 16,
-             [&](int, std::size_t begin, std::size_t end) {
-               for (std::size_t k = 0; k < each; ++k) {
-                 bool all = true;
-                 for (std::size_t i = begin; i < end; ++i)
-                   all &= rows[i * each + k] < operands[k].objects;
-                 for (std::size_t i = begin; !all && i < end; ++i)
-                   if (rows[i * each + k] >= operands[k].objects) {
-                     std::size_t least = bad.load();
-                     while (i * each + k < least && !bad.compare_exchange_weak(least, i * each + k)) {
-                     }
-                     break;
-                   }
-               }
-             });
-  if (const std::size_t at = bad.load(); at < rows.size())
-    throw std::out_of_range(std::string(f.name) + ": value " + std::to_string(at / each) + " takes object " +
-                            std::to_string(rows[at]) + " of operand " + std::to_string(at % each) + ", which has " +
-                            std::to_string(operands[at % each].objects));
+  const std::vector<column> in = columns_of(f, operands);
+  evaluate_all(f, in, nullptr, common_objects(f, operands), out, threads);
 }
 
 template <class Number>
 void evaluate_rows(const formula_info &f, std::span<const operand_columns> operands,
                    std::span<const std::uint32_t> rows, std::span<Number *const> out, int threads) {
-  const std::vector<column> in = all_columns(f, operands);
-  check_rows(f, operands, rows, threads);
+  const std::vector<column> in = columns_of(f, operands);
+  require_rows(f, operands, rows, threads);
   evaluate_all(f, in, rows.data(), rows.size() / static_cast<std::size_t>(f.operand_count), out, threads);
 }
 
@@ -150,6 +97,62 @@ const formula_info &formula_named(const catalogue &all, std::string_view text) {
 void columns_of(const float *rows, std::span<column> into) {
   for (std::size_t k = 0; k < into.size(); ++k)
     into[k] = {rows ? rows + k : nullptr, static_cast<std::ptrdiff_t>(into.size())};
+}
+
+std::vector<column> columns_of(const formula_info &f, std::span<const operand_columns> operands) {
+  const std::string name = f.name;
+  if (operands.size() != static_cast<std::size_t>(f.operand_count))
+    throw std::invalid_argument(name + " takes " + std::to_string(f.operand_count) + " operands, not " +
+                                std::to_string(operands.size()));
+  std::vector<column> out;
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    const formula_operand &of = f.operands[k];
+    if (operands[k].numbers.size() != static_cast<std::size_t>(of.number_count))
+      throw std::invalid_argument(name + ": operand " + std::to_string(k) + ", a " + of.kind + ", has the columns " +
+                                  of.numbers + "; here are " + std::to_string(operands[k].numbers.size()));
+    for (const column &c : operands[k].numbers) {
+      if (!c.data && operands[k].objects != 0)
+        throw std::invalid_argument(name + ": operand " + std::to_string(k) + " has a column without data");
+      out.push_back(c);
+    }
+  }
+  return out;
+}
+
+std::size_t common_objects(const formula_info &f, std::span<const operand_columns> operands) {
+  for (const operand_columns &o : operands)
+    if (o.objects != operands[0].objects)
+      throw std::invalid_argument(std::string(f.name) + ": the operands have " + std::to_string(operands[0].objects) +
+                                  " and " + std::to_string(o.objects) + " objects");
+  return operands[0].objects;
+}
+
+void require_rows(const formula_info &f, std::span<const operand_columns> operands, std::span<const std::uint32_t> rows,
+                  int threads) {
+  const auto each = static_cast<std::size_t>(f.operand_count);
+  if (rows.size() % each != 0)
+    throw std::invalid_argument(std::string(f.name) + ": " + std::to_string(rows.size()) + " rows are no multiple of " +
+                                std::to_string(each) + " operands");
+  std::atomic<std::size_t> bad{rows.size()};
+  for_chunks(thread_count(threads), rows.size() / each, std::size_t{1} << 16,
+             [&](int, std::size_t begin, std::size_t end) {
+               for (std::size_t k = 0; k < each; ++k) {
+                 bool all = true;
+                 for (std::size_t i = begin; i < end; ++i)
+                   all &= rows[i * each + k] < operands[k].objects;
+                 for (std::size_t i = begin; !all && i < end; ++i)
+                   if (rows[i * each + k] >= operands[k].objects) {
+                     std::size_t least = bad.load();
+                     while (i * each + k < least && !bad.compare_exchange_weak(least, i * each + k)) {
+                     }
+                     break;
+                   }
+               }
+             });
+  if (const std::size_t at = bad.load(); at < rows.size())
+    throw std::out_of_range(std::string(f.name) + ": value " + std::to_string(at / each) + " takes object " +
+                            std::to_string(rows[at]) + " of operand " + std::to_string(at % each) + ", which has " +
+                            std::to_string(operands[at % each].objects));
 }
 
 void evaluate(const formula_info &formula, std::span<const operand_columns> operands, std::span<float *const> out,
@@ -201,8 +204,7 @@ formula_values<Number> evaluate(const formula_info &formula, const prepared &a, 
   std::vector<Number *> into;
   for (int k = 0; k < formula.result_count; ++k)
     into.push_back(out.numbers.data() + static_cast<std::size_t>(k) * out.count);
-  evaluate_all(formula, all_columns(formula, operands), rows.data(), out.count, std::span<Number *const>(into),
-               threads);
+  evaluate_all(formula, columns_of(formula, operands), rows.data(), out.count, std::span<Number *const>(into), threads);
   return out;
 }
 template formula_values<float> evaluate(const formula_info &, const prepared &, const prepared &,

@@ -54,6 +54,14 @@ template <class Number> struct formula_values {
   std::span<const Number> column(int k) const { return {numbers.data() + static_cast<std::size_t>(k) * count, count}; }
 };
 
+// The columns of all operands, one after another. Throws std::invalid_argument where the operands are not as the formula's, and,
+// for values column by column, where they have different numbers of objects.
+std::vector<column> columns_of(const formula_info &formula, std::span<const operand_columns> operands);
+std::size_t common_objects(const formula_info &formula, std::span<const operand_columns> operands);
+// Throws std::invalid_argument or std::out_of_range where these are no rows of the operands.
+void require_rows(const formula_info &formula, std::span<const operand_columns> operands,
+                  std::span<const std::uint32_t> rows, int threads = 0);
+
 // The values for pairs of elements of two prepared sets, as they were posed when they were prepared: pairs[i].a is an element
 // of a, the formula's first operand. Throws std::invalid_argument where the formula does not take these two kinds, and
 // std::out_of_range for an element that a set does not hold.

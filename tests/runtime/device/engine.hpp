@@ -166,6 +166,7 @@ void pose_scenes(comparison &with, const settings &s);
 void end_scenes(comparison &with, const settings &s);
 void group_scenes(comparison &with, const settings &s);
 void word_scenes(comparison &with, const settings &s);
+void formula_scenes(comparison &with, const settings &s);
 void mesh_scenes(comparison &with, const settings &s);
 // Whether a device that was reset answers as it did before. No other device object may exist meanwhile.
 bool answers_after_reset();
