@@ -37,7 +37,7 @@ std::string open_header(const lang::scene &s, const std::string &name, const std
     out += fmt::format("#include <meetc/{}>\n", i);
   for (const std::string &i : includes)
     out += fmt::format("#include <{}/{}>\n", space, i);
-  return out + fmt::format("\nstatic_assert(MEETC_SUPPORT_VERSION == 14, \"meetc/support.hpp is of another version; "
+  return out + fmt::format("\nstatic_assert(MEETC_SUPPORT_VERSION == 15, \"meetc/support.hpp is of another version; "
                            "regenerate\");\n\nMEETC_NAMESPACE({}) {{\n\n",
                            space);
 }

@@ -35,7 +35,7 @@
 #include <cga/detail/sphere_triangle_rest.hpp>
 #include <cga/detail/box_box_rest.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 14, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 

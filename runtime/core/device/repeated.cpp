@@ -1,6 +1,6 @@
-#include "core/device/repeated.hpp"
+#include "meet/core/device/repeated.hpp"
 
-#include "core/device/device.hpp"
+#include "meet/core/device/device.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -5,9 +5,9 @@
 #define MEETC_3_cga_detail_ball_ball_rest_HPP
 
 #include <meetc/support.hpp>
-#include <meetc/rest.hpp>
+#include <meetc/decide/rest.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 14, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 

@@ -5,12 +5,12 @@
 #define MEETC_3_cga_detail_triangle_triangle_rest_HPP
 
 #include <meetc/support.hpp>
-#include <meetc/rest.hpp>
+#include <meetc/decide/rest.hpp>
 #include <cga/detail/point_triangle_rest.hpp>
 #include <cga/detail/segment_segment_rest.hpp>
 #include <cga/detail/segment_triangle_rest.hpp>
 
-static_assert(MEETC_SUPPORT_VERSION == 14, "meetc/support.hpp is of another version; regenerate");
+static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
 
 MEETC_NAMESPACE(cga) {
 
