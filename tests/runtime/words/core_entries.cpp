@@ -1,10 +1,10 @@
 #include "entries.hpp"
 #include "sets.hpp"
 
-#include "core/collide.hpp"
-#include "core/element_set.hpp"
-#include "core/find.hpp"
-#include "core/normalised.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/query/find.hpp"
+#include "meet/core/sets/element_set.hpp"
+#include "meet/core/sets/normalised.hpp"
 
 #include <cmath>
 #include <limits>
