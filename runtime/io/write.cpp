@@ -1,8 +1,8 @@
-#include "io/write.hpp"
+#include "meet/io/write.hpp"
 
-#include "core/plural.hpp"
-#include "io/atomic_file.hpp"
-#include "io/endian.hpp"
+#include "meet/core/views/plural.hpp"
+#include "meet/io/files/atomic_file.hpp"
+#include "meet/io/files/endian.hpp"
 
 #include <fmt/format.h>
 

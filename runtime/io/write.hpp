@@ -2,8 +2,8 @@
 #ifndef MEETC_IO_WRITE_HPP
 #define MEETC_IO_WRITE_HPP
 
-#include "io/element_set.hpp"
-#include "io/error.hpp"
+#include "meet/io/elements/element_set.hpp"
+#include "meet/io/files/error.hpp"
 
 #include <array>
 #include <cstdint>

@@ -22,10 +22,11 @@ build("${ROOM}/geometry")
 run("${ROOM}/geometry-build/geometry")
 expect("square 1024, coefficient of e1^n 16 hit 1")
 
-# Everything that is installed lies in one folder of its own.
-file(GLOB headers RELATIVE "${RUNTIME_PREFIX}/include" "${RUNTIME_PREFIX}/include/*")
-if(NOT headers STREQUAL "meetc")
-  fail("installed beside include/meetc: ${headers}")
+# Everything that is installed lies in one folder of its own, and adds three names to a program's path.
+file(GLOB headers RELATIVE "${RUNTIME_PREFIX}/include" "${RUNTIME_PREFIX}/include/*" "${RUNTIME_PREFIX}/include/meetc/*")
+list(SORT headers)
+if(NOT headers STREQUAL "meetc;meetc/cga;meetc/meet;meetc/meetc")
+  fail("installed: ${headers}")
 endif()
 
 # The same project with meetc added in other ways. It is only configured, since the main build has compiled the same code.

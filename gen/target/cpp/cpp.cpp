@@ -2,7 +2,6 @@
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
-#include "gen/target/gappa/gappa.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -53,10 +52,6 @@ std::vector<file> cpp_files(const unit &u) {
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
   for (file &f : out)
     f.text = broken_lines(f.text);
-  if (!u.asks(lang::rung::certified))
-    return out;
-  for (file &f : proof_files(u))
-    out.push_back(std::move(f));
   return out;
 }
 

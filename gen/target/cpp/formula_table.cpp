@@ -90,7 +90,7 @@ std::string columns_header(const unit &u) {
 std::string formulas_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of formulas.") +
-                    fmt::format("#include <meetc/formula_columns.hpp>\n\n#include <{0}/detail/columns.hpp>\n\n"
+                    fmt::format("#include <meetc/simd/formula_columns.hpp>\n\n#include <{0}/detail/columns.hpp>\n\n"
                                 "MEETC_NAMESPACE({0}) {{\nnamespace detail {{\n\n",
                                 space);
   std::string operands, entries;

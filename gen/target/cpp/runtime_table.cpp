@@ -176,7 +176,7 @@ std::string box_literal(double box) {
 std::string runtime_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of kinds and predicates.");
-  out += "#include <meetc/table_entry.hpp>\n\n";
+  out += "#include <meetc/table/table_entry.hpp>\n\n";
   out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
   out += fmt::format("\nMEETC_NAMESPACE({}) {{\n\n", space);
   std::string declared;

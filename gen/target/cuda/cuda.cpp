@@ -1,11 +1,10 @@
 // Predicates and formulas on a CUDA device: a source with launchers for each predicate, one for each kind and one for all
 // formulas, and the catalogue through which a runtime runs queries on sets. The kernels themselves are templates in
-// runtime/kernel/meetc/cuda_*.hpp.
+// runtime/kernel/meetc/cuda.
 #include "gen/target/cuda/cuda.hpp"
 
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
-#include "gen/target/gappa/gappa.hpp"
 
 #include <fmt/format.h>
 
@@ -78,7 +77,7 @@ std::string catalogue_text(const unit &u) {
 std::string cuda_header(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "Launchers on a CUDA device.");
-  out += fmt::format("#ifndef MEETC_{0}_cuda_HPP\n#define MEETC_{0}_cuda_HPP\n\n#include <meetc/cuda_table.hpp>\n"
+  out += fmt::format("#ifndef MEETC_{0}_cuda_HPP\n#define MEETC_{0}_cuda_HPP\n\n#include <meetc/cuda/table.hpp>\n"
                      "#include <meetc/support.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space);
   out += "// Every kind and predicate, as a runtime needs them for queries on sets.\n"
@@ -125,7 +124,7 @@ std::string cuda_header(const unit &u) {
 std::string cuda_catalogue(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The catalogue of launchers on a CUDA device.");
-  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <meetc/self_test.hpp>\n\n"
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <meetc/number/self_test.hpp>\n\n"
                      "namespace {0} {{\nnamespace cuda {{\n\n",
                      space);
   out += catalogue_text(u);
@@ -145,8 +144,8 @@ std::string cuda_kind(const unit &u, const lower::lowered_kind &k) {
   std::string out =
       banner(u.scene, fmt::format("What a set of elements of the kind {} does on a CUDA device.", k.name));
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/shapes.hpp>\n"
-                     "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_cull.hpp>\n"
-                     "#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
+                     "#include <meetc/cuda/arrange.hpp>\n#include <meetc/cuda/cull.hpp>\n"
+                     "#include <meetc/cuda/sets.hpp>\n#include <meetc/cuda/tree.hpp>\n\n"
                      "namespace {0} {{\nnamespace cuda {{\nnamespace kinds {{\n\n",
                      space);
   out += fmt::format("meetc::cuda::set_launchers {2}() {{\n"
@@ -167,7 +166,7 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
   const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
   std::string out = banner(u.scene, fmt::format("Launchers of {} on a CUDA device.", k.asked.asked->name));
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n"
-                     "#include <meetc/cuda_steps.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
+                     "#include <meetc/cuda/steps.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space, k.asked.name());
   const std::string predicate = fmt::format("::{}::{}", space, name);
   out += fmt::format("cudaError_t {0}::decide{2} {{\n"
@@ -188,7 +187,7 @@ std::string cuda_order(const unit &u, const lower::kernel &k, const lower::kerne
   const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
   return banner(u.scene, fmt::format("In which order the hits of {} lie, on a CUDA device.", k.asked.asked->name)) +
          fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n#include <{0}/{2}.hpp>\n"
-                     "#include <meetc/cuda_first_met.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n"
+                     "#include <meetc/cuda/first_met.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n"
                      "cudaError_t {3}::first_met{4} {{\n"
                      "  return meetc::cuda::first_met<::{0}::{3}, ::{0}::{5}_sign>(job, stream);\n}}\n"
                      "\n}} // namespace cuda\n}} // namespace {0}\n",

@@ -15,7 +15,7 @@ std::string cuda_formulas(const unit &u) {
                            identifier(k->asked.name()), k->asked.text);
   return banner(u.scene, "Launchers of formulas on a CUDA device.") +
          fmt::format(
-             "#include <{0}/{0}_cuda.hpp>\n#include <{0}/detail/columns.hpp>\n#include <meetc/cuda_formula.hpp>\n\n"
+             "#include <{0}/{0}_cuda.hpp>\n#include <{0}/detail/columns.hpp>\n#include <meetc/cuda/formula.hpp>\n\n"
              "namespace {0} {{\nnamespace cuda {{\nnamespace detail {{\n\n"
              "const meetc::cuda::formula_launchers *formulas() {{\n"
              "  static const meetc::cuda::formula_launchers all[] = {{\n{1}  }};\n  return all;\n}}\n\n"

@@ -3,7 +3,7 @@
 #ifndef MEETC_cga_cuda_HPP
 #define MEETC_cga_cuda_HPP
 
-#include <meetc/cuda_table.hpp>
+#include <meetc/cuda/table.hpp>
 #include <meetc/support.hpp>
 
 namespace cga {

@@ -2,9 +2,9 @@
 #ifndef MEETC_BENCH_HARNESS_DEVICE_CLOCK_HPP
 #define MEETC_BENCH_HARNESS_DEVICE_CLOCK_HPP
 
-#include "bench/baselines/gpu_baselines.hpp"
-#include "bench/harness/turns.hpp"
-#include "core/device/memory.hpp"
+#include "meet/bench/baselines/gpu_baselines.hpp"
+#include "meet/bench/harness/turns.hpp"
+#include "meet/core/device/memory.hpp"
 
 #include <functional>
 

@@ -1,15 +1,15 @@
-#include "bench/tables/device.hpp"
+#include "meet/bench/tables/device.hpp"
 
-#include "app/device_pairs.hpp"
-#include "app/failure.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/query/device_pairs.hpp"
 
 #if MEETC_WITH_CUDA
-#include "app/sets.hpp"
-#include "bench/harness/device_clock.hpp"
 #include "cga/cga_cuda.hpp"
 #include "cga/cga_every_pair.hpp"
-#include "core/device/collide.hpp"
-#include "core/device/every_pair/engine.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/bench/harness/device_clock.hpp"
+#include "meet/core/device/collide.hpp"
+#include "meet/core/device/every_pair/engine.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // How long formulas on sets take, beside the least that moving their numbers takes.
-#include "bench/harness/method.hpp"
-#include "bench/harness/report.hpp"
-#include "bench/tables/tables.hpp"
-#include "core/evaluate.hpp"
-#include "core/threads.hpp"
+#include "meet/bench/harness/method.hpp"
+#include "meet/bench/harness/report.hpp"
+#include "meet/bench/tables/tables.hpp"
+#include "meet/core/query/evaluate.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #ifndef MEETC_BENCH_TABLES_TABLES_HPP
 #define MEETC_BENCH_TABLES_TABLES_HPP
 
-#include "app/choose.hpp"
-#include "bench/harness/options.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/bench/harness/options.hpp"
 
 #include <string>
 

@@ -2,10 +2,10 @@
 #ifndef MEETC_CORE_DEVICE_BUFFERS_HPP
 #define MEETC_CORE_DEVICE_BUFFERS_HPP
 
-#include "core/device/cull.hpp"
-#include "core/device/hit_history.hpp"
-#include "core/device/memory.hpp"
-#include "core/device/transfers.hpp"
+#include "meet/core/device/cull.hpp"
+#include "meet/core/device/hit_history.hpp"
+#include "meet/core/device/memory.hpp"
+#include "meet/core/device/transfers.hpp"
 
 #include <cstdint>
 

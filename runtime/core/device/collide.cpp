@@ -1,13 +1,13 @@
-#include "core/device/collide.hpp"
+#include "meet/core/device/collide.hpp"
 
-#include "core/device/buffers.hpp"
-#include "core/device/first_met.hpp"
-#include "core/device/hits.hpp"
-#include "core/device/parts.hpp"
-#include "core/device/query.hpp"
-#include "core/device/tallies.hpp"
-#include "core/device/tree_kernels.hpp"
-#include "meetc/cuda_cascade.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meet/core/device/first_met.hpp"
+#include "meet/core/device/hits.hpp"
+#include "meet/core/device/parts.hpp"
+#include "meet/core/device/query.hpp"
+#include "meet/core/device/tallies.hpp"
+#include "meet/core/device/tree_kernels.hpp"
+#include "meetc/cuda/cascade.hpp"
 
 #include <algorithm>
 #include <chrono>

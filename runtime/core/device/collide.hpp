@@ -1,5 +1,5 @@
 // core/device/collide.hpp: which elements of two sets touch, on a CUDA device. The answers are those of
-// core/collide.hpp.
+// core/query/collide.hpp.
 //
 // The device finds pairs, and counts them, for each element too where that is asked for. Where there are owners, flags and
 // counts of items are made on the host from the list of pairs, so that their memory grows with the pairs.
@@ -17,7 +17,7 @@
 #ifndef MEETC_CORE_DEVICE_COLLIDE_HPP
 #define MEETC_CORE_DEVICE_COLLIDE_HPP
 
-#include "core/device/set.hpp"
+#include "meet/core/device/set.hpp"
 
 #include <optional>
 

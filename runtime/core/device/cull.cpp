@@ -1,11 +1,11 @@
-#include "core/device/cull.hpp"
+#include "meet/core/device/cull.hpp"
 
-#include "core/device/buffers.hpp"
-#include "core/device/cull_kernels.hpp"
-#include "core/device/given.hpp"
-#include "core/two_points.hpp"
-#include "meetc/cuda_cutter.hpp"
-#include "meetc/cull_grid.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meet/core/device/cull_kernels.hpp"
+#include "meet/core/device/given.hpp"
+#include "meet/core/hierarchy/two_points.hpp"
+#include "meetc/cuda/cull_grid.hpp"
+#include "meetc/cuda/cutter.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
-#include "core/device/device.hpp"
+#include "meet/core/device/device.hpp"
 
-#include "core/device/buffers.hpp"
-#include "meetc/self_test.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meetc/number/self_test.hpp"
 
 namespace meetc {
 namespace {

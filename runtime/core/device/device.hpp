@@ -5,7 +5,7 @@
 #ifndef MEETC_CORE_DEVICE_DEVICE_HPP
 #define MEETC_CORE_DEVICE_DEVICE_HPP
 
-#include "meetc/cuda_table.hpp"
+#include "meetc/cuda/table.hpp"
 
 #include <memory>
 #include <stdexcept>

@@ -1,6 +1,6 @@
-#include "core/device/evaluate.hpp"
+#include "meet/core/device/evaluate.hpp"
 
-#include "core/device/memory.hpp"
+#include "meet/core/device/memory.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -1,12 +1,12 @@
 // core/device/evaluate.hpp: the values of a formula, computed on a device.
 //
-// These are the values of core/evaluate.hpp on a CPU with the fused multiply-add, bit for bit. Whoever has columns in device
+// These are the values of core/query/evaluate.hpp on a CPU with the fused multiply-add, bit for bit. Whoever has columns in device
 // memory calls formula_launchers::float32 and float64 of the namespace's catalogue, which neither copy nor wait.
 #ifndef MEETC_CORE_DEVICE_EVALUATE_HPP
 #define MEETC_CORE_DEVICE_EVALUATE_HPP
 
-#include "core/device/device.hpp"
-#include "core/evaluate.hpp"
+#include "meet/core/device/device.hpp"
+#include "meet/core/query/evaluate.hpp"
 
 namespace meetc {
 

@@ -1,6 +1,6 @@
-#include "core/device/first_met.hpp"
+#include "meet/core/device/first_met.hpp"
 
-#include "core/device/kernels.hpp"
+#include "meet/core/device/kernels.hpp"
 
 namespace meetc {
 

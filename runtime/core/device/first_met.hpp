@@ -3,10 +3,10 @@
 #ifndef MEETC_CORE_DEVICE_FIRST_MET_HPP
 #define MEETC_CORE_DEVICE_FIRST_MET_HPP
 
-#include "core/collide.hpp"
-#include "core/device/buffers.hpp"
-#include "core/device/set.hpp"
-#include "meetc/cuda_table.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meet/core/device/set.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meetc/cuda/table.hpp"
 
 #include <span>
 

@@ -1,9 +1,9 @@
-#include "core/device/given.hpp"
+#include "meet/core/device/given.hpp"
 
-#include "core/device/buffers.hpp"
-#include "core/device/hits.hpp"
-#include "core/device/query.hpp"
-#include "core/rows.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meet/core/device/hits.hpp"
+#include "meet/core/device/query.hpp"
+#include "meet/core/views/rows.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -5,7 +5,7 @@
 #ifndef MEETC_CORE_DEVICE_GIVEN_HPP
 #define MEETC_CORE_DEVICE_GIVEN_HPP
 
-#include "core/device/collide.hpp"
+#include "meet/core/device/collide.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,11 +1,11 @@
-#include "core/device/group.hpp"
+#include "meet/core/device/group.hpp"
 
-#include "core/answers.hpp"
-#include "core/device/buffers.hpp"
-#include "core/device/given.hpp"
-#include "core/device/kernels.hpp"
-#include "core/device/query.hpp"
-#include "core/pair_list.hpp"
+#include "meet/core/answers/answers.hpp"
+#include "meet/core/answers/pair_list.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meet/core/device/given.hpp"
+#include "meet/core/device/kernels.hpp"
+#include "meet/core/device/query.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
-#include "core/device/hits.hpp"
+#include "meet/core/device/hits.hpp"
 
-#include "core/answers.hpp"
-#include "core/memory.hpp"
-#include "core/pair_list.hpp"
+#include "meet/core/answers/answers.hpp"
+#include "meet/core/answers/pair_list.hpp"
+#include "meet/core/views/memory.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -5,11 +5,11 @@
 #ifndef MEETC_CORE_DEVICE_HITS_HPP
 #define MEETC_CORE_DEVICE_HITS_HPP
 
-#include "core/device/buffers.hpp"
-#include "core/device/kernels.hpp"
-#include "core/device/query.hpp"
-#include "core/device/set.hpp"
-#include "meetc/cuda_table.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meet/core/device/kernels.hpp"
+#include "meet/core/device/query.hpp"
+#include "meet/core/device/set.hpp"
+#include "meetc/cuda/table.hpp"
 
 #include <functional>
 #include <span>

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_MEMORY_HPP
 #define MEETC_CORE_DEVICE_MEMORY_HPP
 
-#include "core/device/device.hpp"
+#include "meet/core/device/device.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "core/device/order_kernels.hpp"
+#include "meet/core/device/order_kernels.hpp"
 
 #include <cub/cub.cuh>
 

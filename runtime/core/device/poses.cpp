@@ -1,7 +1,7 @@
-#include "core/device/poses.hpp"
+#include "meet/core/device/poses.hpp"
 
-#include "core/device/query.hpp"
-#include "core/pose.hpp"
+#include "meet/core/device/query.hpp"
+#include "meet/core/views/pose.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
-#include "core/device/query.hpp"
+#include "meet/core/device/query.hpp"
 
-#include "core/device/parts.hpp"
+#include "meet/core/device/parts.hpp"
 
 #include <cstring>
 #include <stdexcept>

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_QUERY_HPP
 #define MEETC_CORE_DEVICE_QUERY_HPP
 
-#include "core/device/collide.hpp"
+#include "meet/core/device/collide.hpp"
 
 #include <optional>
 #include <span>

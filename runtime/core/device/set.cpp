@@ -1,14 +1,14 @@
-#include "core/device/set.hpp"
+#include "meet/core/device/set.hpp"
 
-#include "core/device/buffers.hpp"
-#include "core/device/given.hpp"
-#include "core/device/kernels.hpp"
-#include "core/device/order_kernels.hpp"
-#include "core/device/tree_kernels.hpp"
-#include "core/element_set.hpp"
-#include "core/two_points.hpp"
-#include "meetc/cuda_cutter.hpp"
-#include "meetc/tree_order.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meet/core/device/given.hpp"
+#include "meet/core/device/kernels.hpp"
+#include "meet/core/device/order_kernels.hpp"
+#include "meet/core/device/tree_kernels.hpp"
+#include "meet/core/hierarchy/two_points.hpp"
+#include "meet/core/sets/element_set.hpp"
+#include "meetc/cuda/cutter.hpp"
+#include "meetc/volume/tree_order.hpp"
 
 #include <algorithm>
 #include <atomic>

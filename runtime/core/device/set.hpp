@@ -5,8 +5,8 @@
 #ifndef MEETC_CORE_DEVICE_SET_HPP
 #define MEETC_CORE_DEVICE_SET_HPP
 
-#include "core/collide.hpp"
-#include "core/device/tree.hpp"
+#include "meet/core/device/tree.hpp"
+#include "meet/core/query/collide.hpp"
 
 #include <optional>
 #include <span>
@@ -51,7 +51,7 @@ public:
   std::uint32_t numbers() const { return numbers_; }
   bool is_on(const device &d) const { return on_ == &d; }
 
-  // Moves the set to this pose, which replaces its last one. The arithmetic is that of core/pose.hpp, bit for bit.
+  // Moves the set to this pose, which replaces its last one. The arithmetic is that of core/views/pose.hpp, bit for bit.
   // Throws input_error where a number leaves float32, std::invalid_argument where the kind cannot be moved, and
   // device_error. After an exception other than device_error the set is as it was before.
   void move(const pose &at);

@@ -1,6 +1,6 @@
-#include "core/device/tallies.hpp"
+#include "meet/core/device/tallies.hpp"
 
-#include "core/device/kernels.hpp"
+#include "meet/core/device/kernels.hpp"
 
 namespace meetc {
 

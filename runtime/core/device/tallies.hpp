@@ -2,9 +2,9 @@
 #ifndef MEETC_CORE_DEVICE_TALLIES_HPP
 #define MEETC_CORE_DEVICE_TALLIES_HPP
 
-#include "core/answers.hpp"
-#include "core/collide.hpp"
-#include "core/device/memory.hpp"
+#include "meet/core/answers/answers.hpp"
+#include "meet/core/device/memory.hpp"
+#include "meet/core/query/collide.hpp"
 
 #include <span>
 

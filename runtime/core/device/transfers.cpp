@@ -1,7 +1,7 @@
-#include "core/device/transfers.hpp"
+#include "meet/core/device/transfers.hpp"
 
-#include "core/device/device.hpp"
-#include "core/threads.hpp"
+#include "meet/core/device/device.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <algorithm>
 #include <cstring>

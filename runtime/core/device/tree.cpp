@@ -1,6 +1,6 @@
-#include "core/device/tree.hpp"
+#include "meet/core/device/tree.hpp"
 
-#include "core/device/tree_kernels.hpp"
+#include "meet/core/device/tree_kernels.hpp"
 
 namespace meetc {
 

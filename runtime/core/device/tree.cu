@@ -1,8 +1,8 @@
-#include "core/device/tree_kernels.hpp"
-#include "core/device/warp_walk.hpp"
+#include "meet/core/device/tree_kernels.hpp"
+#include "meet/core/device/warp_walk.hpp"
 
-#include <meetc/cuda_launch.hpp>
-#include <meetc/cuda_tree.hpp>
+#include <meetc/cuda/launch.hpp>
+#include <meetc/cuda/tree.hpp>
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_WALK_PLAN_HPP
 #define MEETC_CORE_DEVICE_WALK_PLAN_HPP
 
-#include "core/device/tree_kernels.hpp"
+#include "meet/core/device/tree_kernels.hpp"
 
 namespace meetc::cuda {
 

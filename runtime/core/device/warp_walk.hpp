@@ -2,13 +2,13 @@
 #ifndef MEETC_CORE_DEVICE_WARP_WALK_HPP
 #define MEETC_CORE_DEVICE_WARP_WALK_HPP
 
-#include "core/device/hit_buffer.hpp"
-#include "core/device/packet_cells.hpp"
-#include "core/device/tree_kernels.hpp"
-#include "core/device/walk_plan.hpp"
-#include "core/two_balls.hpp"
-#include "meetc/cuda_lists.hpp"
-#include "meetc/cuda_warp.hpp"
+#include "meet/core/device/hit_buffer.hpp"
+#include "meet/core/device/packet_cells.hpp"
+#include "meet/core/device/tree_kernels.hpp"
+#include "meet/core/device/walk_plan.hpp"
+#include "meet/core/hierarchy/two_balls.hpp"
+#include "meetc/cuda/lists.hpp"
+#include "meetc/cuda/warp.hpp"
 
 namespace meetc::cuda {
 

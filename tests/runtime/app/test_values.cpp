@@ -1,8 +1,8 @@
 // `meet collide --evaluate`: the values of a formula for the pairs that touch, and its refusals.
 #include "fixture.hpp"
 
-#include "app/failure.hpp"
-#include "app/pair_values.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/output/pair_values.hpp"
 
 #include <cmath>
 #include <random>

@@ -3,8 +3,8 @@
 #include "tests/catch.hpp"
 #include "tests/runtime/formulas/fused.hpp"
 
-#include "core/collide.hpp"
-#include "core/evaluate.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/query/evaluate.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <cga/detail/columns.hpp>

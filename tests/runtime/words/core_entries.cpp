@@ -1,11 +1,11 @@
 #include "entries.hpp"
 #include "sets.hpp"
 
-#include "core/collide.hpp"
-#include "core/element_set.hpp"
-#include "core/evaluate.hpp"
-#include "core/find.hpp"
-#include "core/normalised.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/query/evaluate.hpp"
+#include "meet/core/query/find.hpp"
+#include "meet/core/sets/element_set.hpp"
+#include "meet/core/sets/normalised.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // How long a query takes on a device as sets grow, and where they do not lie evenly, and every pair beside it.
-#include "bench/tables/gpu/measure.hpp"
-#include "bench/tables/gpu/sets.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/bench/tables/gpu/sets.hpp"
 
 #include <memory>
 #include <optional>

@@ -2,10 +2,10 @@
 #ifndef MEETC_BENCH_TABLES_GPU_SETS_HPP
 #define MEETC_BENCH_TABLES_GPU_SETS_HPP
 
-#include "app/sets.hpp"
-#include "bench/scenes/scenes.hpp"
-#include "core/device/set.hpp"
-#include "core/find.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/bench/scenes/scenes.hpp"
+#include "meet/core/device/set.hpp"
+#include "meet/core/query/find.hpp"
 
 #include <optional>
 #include <utility>

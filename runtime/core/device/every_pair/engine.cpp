@@ -1,9 +1,9 @@
-#include "core/device/every_pair/engine.hpp"
+#include "meet/core/device/every_pair/engine.hpp"
 
-#include "core/device/buffers.hpp"
-#include "core/device/hits.hpp"
-#include "core/device/parts.hpp"
-#include "core/device/query.hpp"
+#include "meet/core/device/buffers.hpp"
+#include "meet/core/device/hits.hpp"
+#include "meet/core/device/parts.hpp"
+#include "meet/core/device/query.hpp"
 #include "meetc/every_pair/query.hpp"
 
 #include <algorithm>
