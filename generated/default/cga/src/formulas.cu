@@ -2,7 +2,7 @@
 // Launchers of formulas on a CUDA device.
 #include <cga/cga_cuda.hpp>
 #include <cga/detail/columns.hpp>
-#include <meetc/cuda_formula.hpp>
+#include <meetc/cuda/formula.hpp>
 
 namespace cga {
 namespace cuda {
