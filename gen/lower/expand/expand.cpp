@@ -151,6 +151,8 @@ value expander::evaluate(const lang::expr &e, const environment &env) {
   case op::outer:
   case op::inner:
     return arithmetic(e, env);
+  case op::builtin:
+    return builtin(*lang::find_builtin(e.text), e, env);
   case op::logical_not:
     return {truth{signs_.negate(truth_of(*e.args[0], env))}};
   case op::logical_and:
@@ -195,6 +197,17 @@ value expander::name(const lang::expr &e, const environment &env) {
   }
   if (model_.spec().find_kind(e.text))
     throw spec_error(e.where, fmt::format("'{}' is a kind, not a value", e.text));
+  if (const std::vector<std::string> named = lang::vectors_of_name(model_.spec(), e.text); !named.empty()) {
+    multivector m = number(1);
+    for (const std::string &v : named) {
+      lang::expr one = e;
+      one.text = v;
+      m = algebra::outer(m, evaluate_multivector(one, {}));
+    }
+    return {m};
+  }
+  if (e.text == "I")
+    return {pseudoscalar(e.where)};
   throw spec_error(e.where, fmt::format("unknown name '{}'", e.text));
 }
 
@@ -250,13 +263,6 @@ value expander::index(const lang::expr &e, const environment &env) {
     if (c)
       out.add(0, c->scaled(1 / weight.constant()));
     return value{out};
-  };
-  const bool working = basis_ == &model_.working();
-  const auto in_working = [&](const multivector &x) {
-    return working ? x : algebra::outermorphism(x, model_.to_working());
-  };
-  const auto in_declared = [&](const multivector &x) {
-    return working ? algebra::outermorphism(x, model_.to_declared()) : x;
   };
   if (auto v = coefficient(in_working(m), in_working(along)))
     return *v;

@@ -1,6 +1,8 @@
 // Expansion: evaluates expressions of a spec on symbolic operands. Numbers become exact polynomials in the operands'
 // stored numbers; signs and truths become a decision.
 #pragma once
+#include "gen/algebra/operators.hpp"
+#include "gen/lang/operators.hpp"
 #include "gen/lower/expand/decision.hpp"
 #include "gen/lower/expand/model.hpp"
 
@@ -99,6 +101,19 @@ private:
   value compare(const lang::expr &e, const environment &env);
   value quantify(const lang::expr &e, const environment &env);
   value arithmetic(const lang::expr &e, const environment &env);
+  void charge_product(const multivector &x, const multivector &y, const location &where);
+  value checked(const multivector &m, const location &where) const; // throws where it is too long or too large
+  // Operators of the language.
+  value builtin(const lang::builtin &of, const lang::expr &e, const environment &env);
+  multivector pseudoscalar(const location &where);
+  std::pair<multivector, rational> squared_pseudoscalar(const location &where);
+  multivector complement(const multivector &m, bool right, const lang::expr &e);
+  multivector inverse(const multivector &v, const lang::expr &of);
+  int grade_of(const lang::expr &e, const environment &env);
+  // From the basis of expansion, and into it.
+  multivector in_declared(const multivector &m) const;
+  multivector in_working(const multivector &m) const;
+  multivector in_expansion(const multivector &declared) const;
   environment bind(const object &o) const;
   environment bind(const lang::predicate &p, const std::vector<value> &args, const location &where);
   int truth_of(const lang::expr &e, const environment &env);
@@ -108,5 +123,9 @@ private:
   poly::poly scalar_of(const multivector &m, const location &where) const;
   static std::string describe(const value &v);
 };
+
+// The expression that an operator stands for, by the parity of its versor. `call` is what the author wrote.
+const lang::expr &body_of(const lang::builtin &of, algebra::parity versor, const lang::expr &call);
+std::size_t versor_argument(const lang::builtin &of); // its place, and 0 where there is no versor
 
 } // namespace meetc::lower

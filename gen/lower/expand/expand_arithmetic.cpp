@@ -42,6 +42,19 @@ bool is_factor(const lang::expr &e, const std::string &text) {
   return e.kind == op::name || e.kind == op::call || (closed > 0 && closed + 1 == text.size());
 }
 
+// What a number after '^' may have been meant to say: a power.
+std::string meant(const std::string &factor, const lang::expr &exponent) {
+  const std::string n = lang::print(exponent);
+  if (n == "-1" || n == "(-1)")
+    return fmt::format("write inverse({}) for an inverse, and '*' to scale", factor);
+  if (n.size() != 1 || n[0] < '2' || n[0] > '9')
+    return "write '*' to scale";
+  std::string power = factor;
+  for (int i = 1; i < n[0] - '0'; ++i)
+    power += '*' + factor;
+  return fmt::format("write {} for a {}, and '*' to scale", power, n == "2" ? "square" : "power");
+}
+
 // A^2 is no square, and A | 2 is hardly ever meant.
 void refuse_number(const lang::expr &e, const lang::algebra &spec, const environment &env) {
   for (std::size_t i = 0; i < 2; ++i)
@@ -49,13 +62,11 @@ void refuse_number(const lang::expr &e, const lang::algebra &spec, const environ
       const lang::expr &other = *e.args[1 - i];
       const std::string text = lang::print(other);
       const std::string factor = is_factor(other, text) ? text : '(' + text + ')';
-      throw spec_error(e.where,
-                       e.kind == op::outer
-                           ? fmt::format("'^' is the outer product, which a number only scales: write {0}*{0} for "
-                                         "a square, and '*' to scale",
-                                         factor)
-                           : "'|' is the inner product, and a number has none with what is no number: write '*' "
-                             "to scale");
+      throw spec_error(e.where, e.kind == op::outer
+                                    ? "'^' is the outer product, which a number only scales: " +
+                                          (i == 1 ? meant(factor, *e.args[1]) : "write '*' to scale")
+                                    : "'|' is the inner product, and a number has none with what is no number: "
+                                      "write '*' to scale");
     }
 }
 
@@ -77,43 +88,45 @@ value expander::arithmetic(const lang::expr &e, const environment &env) {
     refuse_number(e, model_.spec(), env);
   const multivector x = blade_of(a, e.args[0]->where), y = blade_of(b, e.args[1]->where);
   if (e.kind == op::multiply || e.kind == op::outer || e.kind == op::inner)
-    charge(4 * x.terms().size() * y.terms().size() + length(x) * length(y) / 64, e.where);
-  multivector out;
+    charge_product(x, y, e.where);
   switch (e.kind) {
   case op::add:
-    out = x + y;
-    break;
+    return checked(x + y, e.where);
   case op::subtract:
-    out = x - y;
-    break;
+    return checked(x - y, e.where);
   case op::multiply:
-    out = algebra::geometric(*basis_, x, y);
-    break;
+    return checked(algebra::geometric(*basis_, x, y), e.where);
   case op::outer:
-    out = algebra::outer(x, y);
-    break;
+    return checked(algebra::outer(x, y), e.where);
   case op::inner:
-    out = algebra::inner(*basis_, x, y);
+    return checked(algebra::inner(*basis_, x, y), e.where);
+  default:
     break;
-  default: {
-    const poly::poly divisor = scalar_of(y, e.args[1]->where);
-    if (divisor.is_zero() || !divisor.is_constant())
-      throw spec_error(e.args[1]->where, "only a number other than 0 divides");
-    out = x.scaled(1 / divisor.constant());
   }
-  }
-  if (length(out) > most_terms)
-    throw too_long(e.where, fmt::format("this expands to more than {} terms", most_terms));
-  for (const auto &[at, c] : out.terms()) {
+  const multivector by = inverse(y, *e.args[1]);
+  if (by.is_scalar())
+    return checked(x.scaled(by.terms().begin()->second.constant()), e.where);
+  charge_product(x, by, e.where);
+  return checked(algebra::geometric(*basis_, x, by), e.where);
+}
+
+void expander::charge_product(const multivector &x, const multivector &y, const location &where) {
+  charge(4 * x.terms().size() * y.terms().size() + length(x) * length(y) / 64, where);
+}
+
+value expander::checked(const multivector &m, const location &where) const {
+  if (length(m) > most_terms)
+    throw too_long(where, fmt::format("this expands to more than {} terms", most_terms));
+  for (const auto &[at, c] : m.terms()) {
     if (c.total_degree() > most_degree)
-      throw spec_error(e.where, fmt::format("this is of a degree above {}", most_degree));
+      throw spec_error(where, fmt::format("this is of a degree above {}", most_degree));
     if (c.is_constant()) {
       const rational q = c.constant();
       if (mpz_sizeinbase(q.get_num_mpz_t(), 2) + mpz_sizeinbase(q.get_den_mpz_t(), 2) > most_bits_)
-        throw spec_error(e.where, fmt::format("this number has more than {} bits", most_bits_));
+        throw spec_error(where, fmt::format("this number has more than {} bits", most_bits_));
     }
   }
-  return {out};
+  return {m};
 }
 
 } // namespace meetc::lower

@@ -49,9 +49,13 @@ value expander::call(const lang::expr &e, const environment &env) {
   const lang::predicate *asked = model_.spec().find_predicate(e.text);
   const lang::kind *made = model_.spec().find_kind(e.text);
   const std::size_t want = defined ? defined->params.size() : asked ? asked->of.size() : made ? made->store.size() : 1;
+  const lang::builtin *of_language = lang::called_builtin(model_.spec(), e);
+  if (of_language && of_language->params.size() == e.args.size())
+    return builtin(*of_language, e, env);
+  if (of_language)
+    lang::refuse_arguments(e, of_language->params.size());
   if (e.args.size() != want && (defined || asked || made || e.text == "sign" || e.text == "grade"))
-    throw spec_error(
-        e.where, fmt::format("'{}' takes {} argument{}, not {}", e.text, want, want == 1 ? "" : "s", e.args.size()));
+    lang::refuse_arguments(e, want);
   const long before = signs_.mark();
   const auto described = [&](value v) {
     if (const auto *s = std::get_if<sign_value>(&v.is))

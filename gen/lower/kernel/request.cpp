@@ -26,14 +26,17 @@ lang::expr_ptr rename(const lower::model &m, const lang::expr_ptr &e, request &r
     r.kinds.push_back(k);
     return std::make_shared<lang::expr>(std::move(renamed));
   }
-  if (e->kind == lang::op::call && e->text != "sign" && e->text != "grade" && !m.spec().find_function(e->text)) {
+  if (e->kind == lang::op::call && e->text != "sign" && e->text != "grade" && !m.spec().find_function(e->text) &&
+      !lang::called_builtin(m.spec(), *e)) {
     std::vector<std::string> known;
     for (const lang::function &f : m.spec().functions)
+      known.push_back(f.name);
+    for (const lang::builtin &f : lang::builtins())
       known.push_back(f.name);
     throw spec_error(e->where, fmt::format("no function '{}'; functions: {}{}", e->text, join(known, ", "),
                                            nearest(e->text, known)));
   }
-  if (e->kind == lang::op::call)
+  if (e->kind == lang::op::call || e->kind == lang::op::builtin)
     r.function += (r.function.empty() ? "" : "_") + e->text;
   lang::expr out = *e;
   for (lang::expr_ptr &arg : out.args)
@@ -72,7 +75,7 @@ request resolve(const lower::model &m, const lang::expr_ptr &what) {
     }
     return r;
   }
-  if (what->kind != lang::op::call)
+  if (what->kind != lang::op::call && what->kind != lang::op::builtin)
     throw spec_error(what->where, "a kernel is a predicate's name or a function applied to kinds");
   r.body = rename(m, what, r);
   return r;

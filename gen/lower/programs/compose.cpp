@@ -179,6 +179,8 @@ bool composer::is_value(const lang::expr &e) const {
 // f(parts): the parts become values, and the body of f is composed of them.
 node_values composer::of_call(const lang::expr &e, const scope &names) {
   const lang::function *f = model_.spec().find_function(e.text);
+  if (const lang::builtin *of = lang::called_builtin(model_.spec(), e); of && of->params.size() == e.args.size())
+    return of_builtin(*of, e, names);
   if (!f || f->params.size() != e.args.size())
     return expanded(e, names, most_steps, false);
   scope inner;
@@ -200,8 +202,27 @@ node_values composer::of_call(const lang::expr &e, const scope &names) {
   return compose(*f->body, inner);
 }
 
+// The arguments become values, and then the operator is taken of them. One that asks for grades gets no zeros.
+node_values composer::of_builtin(const lang::builtin &of, const lang::expr &e, const scope &names) {
+  scope inner = names;
+  lang::expr over = e;
+  const std::size_t values = of.does == lang::operation::grade_part ? 1 : e.args.size();
+  for (std::size_t i = 0; i < values; ++i) {
+    const std::string name = of.body ? of.params[i] : part_name(i);
+    node_values argument = compose(*e.args[i], names);
+    if (of.does == lang::operation::of_versor && i == versor_argument(of))
+      argument = without_zeros(code_, argument);
+    inner.emplace_back(name, std::move(argument));
+    over.args[i] = std::make_shared<lang::expr>(name_of_part(*e.args[i], i));
+  }
+  if (!of.body)
+    return expanded(over, inner, most_steps, false);
+  const scope parameters(inner.end() - static_cast<std::ptrdiff_t>(values), inner.end());
+  return compose(body_of(of, algebra::parity_of(parameters[versor_argument(of)].second), e), parameters);
+}
+
 node_values composer::of_parts(const lang::expr &e, const scope &names) {
-  if (e.kind == kind::call)
+  if (e.kind == kind::call || e.kind == kind::builtin)
     return of_call(e, names);
   // The index of a coefficient and a divisor are constants.
   const bool products = e.kind == kind::multiply || e.kind == kind::outer || e.kind == kind::inner ||
@@ -235,7 +256,8 @@ node_values composer::composed(const lang::expr &e, const scope &names) {
   const parts which = std::exchange(parts_, parts_ == parts::arguments ? parts::long_ones : parts_);
   if (is_value(e))
     return expanded(e, names, most_steps, false);
-  if (which == parts::long_ones || (which == parts::arguments && e.kind != kind::call)) {
+  const bool is_call = e.kind == kind::call || e.kind == kind::builtin;
+  if (which == parts::long_ones || (which == parts::arguments && !is_call)) {
     try {
       return expanded(e, names, most_steps_tried, true);
     } catch (const spec_error &) {
@@ -247,7 +269,7 @@ node_values composer::composed(const lang::expr &e, const scope &names) {
   try {
     return of_parts(e, names);
   } catch (spec_error &error) {
-    if (e.kind == kind::call)
+    if (is_call)
       error.add_step(lang::print(e), e.where);
     throw;
   }

@@ -48,6 +48,7 @@ private:
   node_values expanded(const lang::expr &e, const scope &names, long most_steps, bool is_short);
   node_values of_parts(const lang::expr &e, const scope &names);
   node_values of_call(const lang::expr &e, const scope &names);
+  node_values of_builtin(const lang::builtin &of, const lang::expr &e, const scope &names);
   bool is_value(const lang::expr &e) const;
   void charge(long steps, const location &where);
   int degree(node_id id) const;
