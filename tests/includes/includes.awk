@@ -5,7 +5,7 @@
 # A room may include itself and the rooms before it. This table has the exceptions.
 BEGIN {
   # The generator, in its order. `oracle` is a judge that is independent of the others.
-  split("support lang algebra poly ir bound lower passes target", order_gen, " ")
+  split("support lang algebra poly ir search bound lower passes target", order_gen, " ")
   for (i = 1; i in order_gen; ++i) {
     rooms["gen/" order_gen[i]] = 1
     for (j = 1; j <= i; ++j)
