@@ -8,7 +8,7 @@ BEGIN {
   # Folders that are still to be divided.
   held_at_most["runtime/core/device"] = 45
   # The generator, in its order. `oracle` is a judge that is independent of the others.
-  split("support lang algebra poly ir bound lower/expand lower/programs lower/kernel lower/predicate lower passes" \
+  split("support lang algebra poly ir search bound lower/expand lower/programs lower/kernel lower/predicate lower passes" \
         " target target/cpp target/gappa target/c target/cuda target/every_pair target/json target/latex target/text" \
         " target/registry", order_gen, " ")
   for (i = 1; i in order_gen; ++i) {

@@ -3,6 +3,7 @@
 #include "gen/ir/residue.hpp"
 #include "gen/lower/kernel/compile.hpp"
 #include "gen/lower/programs/compose.hpp"
+#include "gen/search/searched_forms.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -94,6 +95,9 @@ public:
           forms.back().push_back(it->second);
         }
       }
+    if (whole_)
+      for (const search::found_program &f : searched(code))
+        forms.push_back(f.outputs);
     if (out_.result.empty()) { // identically zero
       out_.result = {0};
       out_.polynomials = {poly::poly(*out_.numbers)};
@@ -131,6 +135,21 @@ private:
     }
   }
 
+  // The programs that a search finds for the expanded values.
+  std::vector<search::found_program> searched(builder &code) const {
+    search::product_subject subject{model_.working(), *out_.numbers, {}, out_.result, out_.polynomials};
+    std::vector<node_id> leaves;
+    for (const auto &blades : supports_) {
+      multivector operand;
+      for (const blade b : blades) {
+        operand.add(b, poly::poly::variable(*out_.numbers, static_cast<int>(leaves.size())));
+        leaves.push_back(code.nodes().input(static_cast<int>(leaves.size())));
+      }
+      subject.operands.push_back(std::move(operand));
+    }
+    return search::searched_forms(code.nodes(), subject, leaves, poly::price::whole);
+  }
+
   std::optional<node_values> composed(builder &code, parts which) const {
     composer::scope names;
     int first = 0;
@@ -139,7 +158,7 @@ private:
       first += static_cast<int>(supports_[i].size());
     }
     try {
-      return composer(model_, code, which).compose(*request_.body, names);
+      return composer(model_, code, which, out_.polynomials).compose(*request_.body, names);
     } catch (const spec_error &) { // where it expands, it is not this way's to refuse
       if (!whole_ && which == parts::arguments)
         throw;

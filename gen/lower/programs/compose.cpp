@@ -1,6 +1,8 @@
 #include "gen/lower/programs/compose.hpp"
 
+#include "gen/ir/count.hpp"
 #include "gen/ir/residue.hpp"
+#include "gen/search/searched_forms.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -168,7 +170,50 @@ node_values composer::expanded(const lang::expr &e, const scope &names, long mos
     degrees_[n.kind == ir::op::negate ? n.a : id] = highest;
     out.emplace(at, id);
   }
+  if (!is_short)
+    return out;
+  search::product_subject subject{model_.working(), ring, {}, {}, {}};
+  for (const auto &[name, value] : env)
+    subject.operands.push_back(std::get<multivector>(value.is));
+  for (const auto &[at, c] : found.terms()) {
+    subject.result.push_back(at);
+    subject.values.push_back(c);
+  }
+  if (subject.values == searched_ || !repeats_an_operand(subject))
+    return out;
+  std::vector<node_id> leaves = of.leaves();
+  if (inputs) {
+    leaves.clear();
+    for (int v = 0; v < ring.size(); ++v)
+      leaves.push_back(code_.nodes().input(v));
+  }
+  const node_values plain = out;
+  for (const search::found_program &f : search::searched_forms(code_.nodes(), subject, leaves, poly::price::whole)) {
+    node_values other;
+    for (std::size_t i = 0; i < subject.result.size(); ++i)
+      other.emplace(subject.result[i], f.outputs[i]);
+    out = cheaper(out, other);
+  }
+  for (const auto &[at, id] : out) {
+    const auto bare = [&](node_id x) { return code_.nodes().at(x).kind == ir::op::negate ? code_.nodes().at(x).a : x; };
+    degrees_[bare(id)] = degrees_.at(bare(plain.at(at)));
+  }
   return out;
+}
+
+node_values composer::cheaper(const node_values &x, const node_values &y) const {
+  node_values same; // y, with the coefficients of x alone
+  std::vector<node_id> of_x, of_y;
+  for (const auto &[at, id] : x) {
+    const auto it = y.find(at);
+    if (it == y.end())
+      return x;
+    same.emplace(at, it->second);
+    of_x.push_back(id);
+    of_y.push_back(it->second);
+  }
+  const auto cost = [&](const std::vector<node_id> &of) { return ir::count(code_.nodes(), of).total(); };
+  return cost(of_y) < cost(of_x) ? same : x;
 }
 
 // Whether the expression is a value already, or nothing but numbers, so that there is no part to compute first.
@@ -259,7 +304,17 @@ node_values composer::composed(const lang::expr &e, const scope &names) {
   const bool is_call = e.kind == kind::call || e.kind == kind::builtin;
   if (which == parts::long_ones || (which == parts::arguments && !is_call)) {
     try {
-      return expanded(e, names, most_steps_tried, true);
+      const node_values found = expanded(e, names, most_steps_tried, true);
+      if (e.kind != kind::call)
+        return found;
+      composer as_written(model_, code_, parts::all);
+      as_written.steps_ = steps_;
+      as_written.degrees_ = degrees_;
+      try {
+        return cheaper(found, as_written.of_parts(e, names));
+      } catch (const spec_error &) { // it is expanded all the same
+        return found;
+      }
     } catch (const spec_error &) {
       // Either it is long, or it is not defined for values whose relations are lost. Its parts tell which.
       if (steps_ > most_steps)

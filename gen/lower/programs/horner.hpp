@@ -5,13 +5,14 @@
 // and so is sharing between the parts.
 #pragma once
 #include "gen/ir/arena.hpp"
+#include "gen/poly/price.hpp"
 
 namespace meetc::lower {
 
 // The price of an operation in the search. `whole`: each counts, and a value of the pair is taken out first among
 // equals, so that values of one object gather in factors of that object. `pair`: only operations on values of the pair
 // count, and products and sums join the values of one object before the rest.
-enum class price { whole, pair };
+using poly::price;
 
 // leaves[v] is the node of variable v; those of variables that do not occur may be -1.
 ir::node_id horner(ir::arena &nodes, const poly::poly &p, const std::vector<ir::node_id> &leaves, price by);
