@@ -1,7 +1,7 @@
 #include "gen/driver.hpp"
 #include "gen/ir/print.hpp"
+#include "gen/lower/predicate/settled.hpp"
 #include "gen/lower/separated.hpp"
-#include "gen/lower/settled.hpp"
 #include "gen/passes/passes.hpp"
 #include "gen/support/output.hpp"
 #include "gen/target/text/text.hpp"

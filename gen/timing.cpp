@@ -6,7 +6,7 @@ namespace meetc {
 
 std::string timing_program(const std::string &space) {
   return fmt::format("#include <{0}/{0}_runtime.hpp>\n"
-                     "#include <meetc/tolerant.hpp>\n"
+                     "#include <meetc/decide/tolerant.hpp>\n"
                      "#include <algorithm>\n"
                      "#include <chrono>\n"
                      "#include <cstdio>\n"

@@ -1,9 +1,9 @@
 // The program `meet`: which commands it has, and on which kernels they work.
-#include "app/collide_command.hpp"
-#include "app/demo_command.hpp"
-#include "app/inspect_command.hpp"
-#include "app/program.hpp"
-#include "bench/tables/command.hpp"
+#include "meet/app/commands/collide_command.hpp"
+#include "meet/app/commands/demo_command.hpp"
+#include "meet/app/commands/inspect_command.hpp"
+#include "meet/app/commands/program.hpp"
+#include "meet/bench/tables/command/command.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -77,7 +77,7 @@ struct arithmetic {
 // Products are assumed to have a relative rounding error; the floors of stage_bounds keep them above the subnormals.
 inline constexpr arithmetic fp32{"fp32", 24, 24, true, true, true};
 inline constexpr arithmetic fp64{"fp64", 53, 53, true, true, true};
-// Double-double: every operation is within 2^-102 of its result (runtime/kernel/meetc/double_double.hpp). M is in fp64.
+// Double-double: every operation is within 2^-102 of its result (runtime/kernel/meetc/number/double_double.hpp). M is in fp64.
 inline constexpr arithmetic fp64x2{"fp64x2", 102, 106, false, false, false};
 
 // The roundings on the way to a value (theta) and to its computed magnitude (phi), which is always in fp32 or fp64.
@@ -134,7 +134,7 @@ struct kernel_bounds {
   stage_bounds reject, common, rare; // empty where the predicate lacks the stage
   std::array<stage_bounds *, 3> stages() { return {&reject, &common, &rare}; }
   std::vector<coincidence> coincidences; // at most most_coincidences
-  // Sets of them, as bits: where all of a set hold, the decision is a hit (gen/lower/settled.hpp).
+  // Sets of them, as bits: where all of a set hold, the decision is a hit (gen/lower/predicate/settled.hpp).
   std::vector<std::uint32_t> settled_by;
   // For each input: its axis if it occurs only in differences with inputs of the same axis, else -1.
   std::vector<int> axes;

@@ -1,24 +1,33 @@
-# The kernel headers: MEETC_KERNEL_HEADER_FILES. meetc packs them, and an install has them.
+# The kernel headers: MEETC_KERNEL_HEADERS, their names below meetc/, and the file of each, by meetc_kernel_header(). meetc packs
+# them, and an install has them.
 #
 # A build knows beforehand of support.hpp alone that meetc writes it (meetc_add_kernels.cmake). A line with the content of all
 # of them makes it change whenever one does, so that a build compiles what includes them in the same run.
-block(PROPAGATE MEETC_KERNEL_HEADER_FILES)
-  set(folder ${PROJECT_SOURCE_DIR}/runtime/kernel/meetc)
-  file(GLOB MEETC_KERNEL_HEADER_FILES ${folder}/*.hpp ${folder}/every_pair/*.hpp)
+set(MEETC_KERNEL_FOLDER ${PROJECT_SOURCE_DIR}/runtime/kernel/meetc)
+set(MEETC_SUPPORT_HEADER ${PROJECT_BINARY_DIR}/kernel_headers/support.hpp)
+
+# meetc_kernel_header(OUT NAME): the file with the header of that name, as "decide/exact.hpp".
+function(meetc_kernel_header out name)
+  set(${out} ${MEETC_KERNEL_FOLDER}/${name} PARENT_SCOPE)
+  if(name STREQUAL "support.hpp")
+    set(${out} ${MEETC_SUPPORT_HEADER} PARENT_SCOPE)
+  endif()
+endfunction()
+
+block(PROPAGATE MEETC_KERNEL_HEADERS)
   # A folder is newer than what was configured from it when a file has come or gone.
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder} ${folder}/every_pair
-    ${MEETC_KERNEL_HEADER_FILES})
+  file(GLOB_RECURSE MEETC_KERNEL_HEADERS LIST_DIRECTORIES true RELATIVE ${MEETC_KERNEL_FOLDER} ${MEETC_KERNEL_FOLDER}/*)
+  list(TRANSFORM MEETC_KERNEL_HEADERS PREPEND ${MEETC_KERNEL_FOLDER}/ OUTPUT_VARIABLE read)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${MEETC_KERNEL_FOLDER} ${read})
+  list(FILTER MEETC_KERNEL_HEADERS INCLUDE REGEX "[.]hpp$")
   set(all "")
-  foreach(header IN LISTS MEETC_KERNEL_HEADER_FILES)
-    file(READ ${header} text)
+  foreach(name IN LISTS MEETC_KERNEL_HEADERS)
+    file(READ ${MEETC_KERNEL_FOLDER}/${name} text)
     string(APPEND all "${text}")
   endforeach()
   string(SHA256 content "${all}")
   string(SUBSTRING ${content} 0 16 content)
-  file(READ ${PROJECT_SOURCE_DIR}/runtime/kernel/meetc/support.hpp text)
-  set(support ${PROJECT_BINARY_DIR}/kernel_headers/support.hpp)
-  file(CONFIGURE OUTPUT ${support} @ONLY
+  file(READ ${MEETC_KERNEL_FOLDER}/support.hpp text)
+  file(CONFIGURE OUTPUT ${MEETC_SUPPORT_HEADER} @ONLY
     CONTENT "${text}// The headers in this folder have the content ${content}.\n")
-  list(REMOVE_ITEM MEETC_KERNEL_HEADER_FILES ${PROJECT_SOURCE_DIR}/runtime/kernel/meetc/support.hpp)
-  list(APPEND MEETC_KERNEL_HEADER_FILES ${support})
 endblock()

@@ -32,10 +32,12 @@ endif()
 set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folder of the algebras that come with meetc")
 
 # The headers for users, below runtime/. What only other headers of the runtime need is not installed.
-set(MEETC_CORE_HEADERS answers.hpp check.hpp collide.hpp find.hpp memory.hpp pairs.hpp pose.hpp prepared.hpp status.hpp view.hpp)
-set(MEETC_DEVICE_HEADERS collide.hpp device.hpp group.hpp poses.hpp set.hpp every_pair/engine.hpp memory/memory.hpp set/given.hpp
-  set/rows.hpp walk/tree.hpp)
-set(MEETC_IO_HEADERS atomic_file.hpp element_set.hpp error.hpp read.hpp rounded.hpp transform.hpp write.hpp)
+set(MEETC_CORE_HEADERS answers/answers.hpp query/collide.hpp query/evaluate.hpp query/find.hpp query/pairs.hpp sets/prepared.hpp views/check.hpp
+  views/memory.hpp views/pose.hpp views/status.hpp views/view.hpp)
+set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp evaluate.hpp every_pair/engine.hpp group.hpp memory/device.hpp
+  memory/memory.hpp poses.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp)
+set(MEETC_IO_HEADERS elements/element_set.hpp elements/transform.hpp files/atomic_file.hpp files/error.hpp read.hpp
+  text/rounded.hpp write.hpp)
 
 option(MEETC_INSTALL "Make install rules for meetc" ${PROJECT_IS_TOP_LEVEL})
 if(NOT MEETC_INSTALL)
@@ -44,8 +46,17 @@ endif()
 
 set(MEETC_INSTALL_CMAKE "${CMAKE_INSTALL_LIBDIR}/cmake/meetc")
 set(MEETC_INSTALL_ALGEBRA "${CMAKE_INSTALL_DATADIR}/meetc/algebra_spec")
-# All headers are in one folder: the kernels' are <meetc/...>, the runtime's are <core/...> and <io/...>.
+# All headers are below one folder, which has three: the kernels' are <meetc/...>, the runtime's <meet/...>, and the shipped
+# predicates' <cga/...>.
 set(MEETC_INSTALL_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/meetc")
+
+# meetc_install_headers(FROM TO NAME ...): headers below the folder FROM, into the folder TO.
+function(meetc_install_headers from to)
+  foreach(name IN LISTS ARGN)
+    cmake_path(GET name PARENT_PATH folder)
+    install(FILES "${from}/${name}" DESTINATION "${MEETC_INSTALL_HEADERS}/${to}/${folder}" COMPONENT meetc_runtime)
+  endforeach()
+endfunction()
 
 set(MEETC_INSTALL_COMPONENTS "")
 if(TARGET meetc)
@@ -68,14 +79,11 @@ if(TARGET meet_core)
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   install(EXPORT meetc_runtime_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
-  set(of_every_pair ${MEETC_KERNEL_HEADER_FILES})
-  list(FILTER of_every_pair INCLUDE REGEX "/every_pair/[^/]+$")
-  set(of_kernels ${MEETC_KERNEL_HEADER_FILES})
-  list(REMOVE_ITEM of_kernels ${of_every_pair})
-  install(FILES ${of_kernels} DESTINATION "${MEETC_INSTALL_HEADERS}" COMPONENT meetc_runtime)
-  install(FILES ${of_every_pair} DESTINATION "${MEETC_INSTALL_HEADERS}/every_pair" COMPONENT meetc_runtime)
-  list(TRANSFORM MEETC_CORE_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/runtime/core/" OUTPUT_VARIABLE headers)
-  install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/core" COMPONENT meetc_runtime)
+  set(rooms ${MEETC_KERNEL_HEADERS})
+  list(REMOVE_ITEM rooms support.hpp)
+  meetc_install_headers("${MEETC_KERNEL_FOLDER}" meetc ${rooms})
+  install(FILES "${MEETC_SUPPORT_HEADER}" DESTINATION "${MEETC_INSTALL_HEADERS}/meetc" COMPONENT meetc_runtime)
+  meetc_install_headers("${PROJECT_SOURCE_DIR}/runtime/core" meet/core ${MEETC_CORE_HEADERS})
 endif()
 
 # The predicates of the shipped scene, compiled: the namespace cga, by <cga/cga.hpp> and <cga/cga_runtime.hpp>.
@@ -101,8 +109,7 @@ if(TARGET meet_io)
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
   install(EXPORT meetc_io_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
-  list(TRANSFORM MEETC_IO_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/runtime/io/" OUTPUT_VARIABLE headers)
-  install(FILES ${headers} DESTINATION "${MEETC_INSTALL_HEADERS}/io" COMPONENT meetc_runtime)
+  meetc_install_headers("${PROJECT_SOURCE_DIR}/runtime/io" meet/io ${MEETC_IO_HEADERS})
 endif()
 
 # A separate export set, so that the runtime is found without CUDA.
@@ -116,11 +123,7 @@ if(TARGET meet_device)
   install(TARGETS ${libraries} EXPORT meetc_device_targets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT meetc_runtime
     INCLUDES DESTINATION "${MEETC_INSTALL_HEADERS}")
-  foreach(header IN LISTS MEETC_DEVICE_HEADERS)
-    get_filename_component(room ${header} DIRECTORY)
-    install(FILES "${PROJECT_SOURCE_DIR}/runtime/core/device/${header}"
-      DESTINATION "${MEETC_INSTALL_HEADERS}/core/device/${room}" COMPONENT meetc_runtime)
-  endforeach()
+  meetc_install_headers("${PROJECT_SOURCE_DIR}/runtime/core/device" meet/core/device ${MEETC_DEVICE_HEADERS})
   install(EXPORT meetc_device_targets NAMESPACE meet::
     DESTINATION "${MEETC_INSTALL_CMAKE}" COMPONENT meetc_runtime)
 endif()

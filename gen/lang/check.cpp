@@ -1,4 +1,5 @@
 // Checks names: duplicates, unknown ones, kinds that contain themselves, functions that call themselves.
+#include "gen/lang/operators.hpp"
 #include "gen/lang/spec.hpp"
 
 #include <algorithm>
@@ -177,8 +178,9 @@ private:
     // They are collected first, because a walk within a walk would use stack for every level of every expression.
     std::vector<const named_expr *> others;
     walk(*c.body, [&](const expr &e) {
-      if (e.kind == op::name)
-        if (const named_expr *other = a_.find_constant(e.text))
+      const builtin *called = called_builtin(a_, e);
+      if (e.kind == op::name || (called && called->needs_pseudoscalar()))
+        if (const named_expr *other = a_.find_constant(called ? "I" : e.text))
           others.push_back(other);
     });
     for (const named_expr *other : others)
@@ -224,7 +226,7 @@ private:
     done_.insert(name);
   }
   void expression(const expr &e, const scope &s) const {
-    if (e.kind == op::name && !s.count(e.text) && !declared_.count(e.text)) {
+    if (e.kind == op::name && !s.count(e.text) && !declared_.count(e.text) && !is_value(e)) {
       std::vector<std::string> known(s.begin(), s.end());
       for (const auto &[name, where] : declared_)
         known.push_back(name);
@@ -240,9 +242,20 @@ private:
     for (const expr_ptr &arg : e.args)
       expression(*arg, inner);
   }
+  // What has a value without a declaration: I, and a basis blade such as e12.
+  bool is_value(const expr &e) const {
+    const std::vector<std::string> vectors = vectors_of_name(a_, e.text);
+    for (auto v = vectors.begin(); v != vectors.end(); ++v)
+      if (std::find(vectors.begin(), v, *v) != v)
+        throw spec_error(e.where,
+                         fmt::format("'{}' has the vector {} twice; a basis blade has different ones", e.text, *v));
+    return e.text == "I" || !vectors.empty();
+  }
   void call(const expr &e) const {
     std::size_t want = 1;
-    if (e.text == "sign" || e.text == "grade") {
+    if (const builtin *of_language = called_builtin(a_, e)) {
+      want = of_language->params.size();
+    } else if (e.text == "sign" || e.text == "grade") {
     } else if (const function *called = a_.find_function(e.text)) {
       want = called->params.size();
     } else if (const predicate *asked = a_.find_predicate(e.text)) {
@@ -250,7 +263,9 @@ private:
     } else if (const kind *made = a_.find_kind(e.text)) {
       want = made->store.size();
     } else {
-      std::vector<std::string> known{"sign", "grade"};
+      std::vector<std::string> known{"sign"};
+      for (const builtin &b : builtins())
+        known.push_back(b.name);
       for (const function &f : a_.functions)
         known.push_back(f.name);
       for (const predicate &p : a_.predicates)
@@ -259,9 +274,8 @@ private:
         known.push_back(k.name);
       throw spec_error(e.where, fmt::format("unknown function '{}'{}", e.text, nearest(e.text, known)));
     }
-    if (e.args.size() != want)
-      throw spec_error(
-          e.where, fmt::format("'{}' takes {} argument{}, not {}", e.text, want, want == 1 ? "" : "s", e.args.size()));
+    if (e.kind == op::call && e.args.size() != want)
+      refuse_arguments(e, want);
   }
 };
 } // namespace

@@ -1,6 +1,7 @@
 // A hand-written recursive descent parser for the grammar in syntax.hpp.
 #include "gen/lang/syntax.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ private:
           at_ + 1 < source_.end && s[at_ + 1] == '=' && std::string("<>=!").find(s[at_]) != std::string::npos;
       at_ += two ? 2 : 1;
       const std::string text = s.substr(start, at_ - start);
-      static const std::string single = "+-*/^|.,:()[]<>";
+      static const std::string single = "+-*/^|&~.,:()[]<>";
       if (!two && single.find(text[0]) == std::string::npos) {
         // Keeps all bytes of a UTF-8 character together.
         while ((s[start] & 0xc0) == 0xc0 && at_ < source_.end && (s[at_] & 0xc0) == 0x80)
@@ -104,9 +105,9 @@ private:
                        std::vector<binder> binders = {}) {
     return std::make_shared<expr>(expr{kind, std::move(where), std::move(text), std::move(args), std::move(binders)});
   }
-  static expr_ptr binary(op kind, expr_ptr a, expr_ptr b) {
+  static expr_ptr binary(op kind, expr_ptr a, expr_ptr b, std::string text = {}) {
     location where = span(a->where, b->where);
-    return make(kind, std::move(where), {std::move(a), std::move(b)});
+    return make(kind, std::move(where), {std::move(a), std::move(b)}, std::move(text));
   }
 
   struct nested {
@@ -203,25 +204,27 @@ private:
   expr_ptr wedge() {
     expr_ptr a = unary();
     std::string used;
-    while (is("^") || is("|")) {
+    while (is("^") || is("|") || is("&")) {
       if (!used.empty() && used != token_.text)
-        fail("'^' and '|' mixed without parentheses");
+        fail(fmt::format("'{}' and '{}' mixed without parentheses", std::min(used, token_.text),
+                         std::max(used, token_.text)));
       used = token_.text;
-      const op kind = is("^") ? op::outer : op::inner;
+      const op kind = is("^") ? op::outer : is("|") ? op::inner : op::builtin;
       next();
-      a = binary(kind, a, unary());
+      a = binary(kind, a, unary(), kind == op::builtin ? "regressive" : "");
     }
     return a;
   }
   expr_ptr unary() {
-    if (!is("-"))
+    if (!is("-") && !is("~"))
       return postfix();
     const nested guard(*this);
-    const location start = token_.where;
+    const token start = token_;
     next();
     expr_ptr a = unary();
-    location where = span(start, a->where);
-    return make(op::negate, std::move(where), {a});
+    location where = span(start.where, a->where);
+    return start.text == "-" ? make(op::negate, std::move(where), {a})
+                             : make(op::builtin, std::move(where), {a}, "rev");
   }
   expr_ptr postfix() {
     expr_ptr a = primary();

@@ -5,8 +5,8 @@
 //   compare = sum [ ('<' '<=' '==' '!=' '>=' '>') sum ]
 //   sum     = product { ('+' '-') product }
 //   product = wedge { ('*' '/') wedge }   (geometric product; division by a constant number only)
-//   wedge   = unary { '^' unary } | unary { '|' unary }      (never mixed without parentheses)
-//   unary   = '-' unary | postfix         postfix = primary { '.' name | '[' expr ']' }
+//   wedge   = unary { '^' unary } | unary { '|' unary } | unary { '&' unary }      (never mixed without parentheses)
+//   unary   = ( '-' | '~' ) unary | postfix      postfix = primary { '.' name | '[' expr ']' }
 //   primary = number | name | name '(' args ')' | '(' expr ')' | '[' args ']'
 //           | ('all' | 'any' | 'each') '(' name 'in' expr { ',' name 'in' expr } ':' expr ')'
 #pragma once
@@ -32,6 +32,7 @@ enum class op {
   divide,
   outer,
   inner,
+  builtin, // an operator of gen/lang/operators.hpp by its name in `text`, which no declaration hides: ~A and A & B
   less,
   less_equal,
   equal,

@@ -1,7 +1,7 @@
 #include "gen/lower/ball_form.hpp"
 
 #include "gen/bound/matrix.hpp"
-#include "gen/lower/compile.hpp"
+#include "gen/lower/kernel/compile.hpp"
 
 #include <algorithm>
 

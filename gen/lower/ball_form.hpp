@@ -7,7 +7,7 @@
 // be: a triangle or a segment has an enclosing ball, and balls that do not touch rule a pair out.
 #pragma once
 #include "gen/ir/arena.hpp"
-#include "gen/lower/model.hpp"
+#include "gen/lower/expand/model.hpp"
 #include "gen/poly/separate.hpp"
 
 #include <memory>

@@ -1,5 +1,5 @@
 #include "gen/lower/declared.hpp"
-#include "gen/lower/compile.hpp"
+#include "gen/lower/kernel/compile.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

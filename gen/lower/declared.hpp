@@ -1,6 +1,6 @@
 // A formula in the basis that the spec declares, for the targets JSON and LaTeX.
 #pragma once
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/kernel/kernel.hpp"
 
 namespace meetc::lower {
 

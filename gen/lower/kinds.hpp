@@ -1,7 +1,7 @@
 // The kinds that kernels need, with all that a target writes about them: names, memory order, hulls, and how to compute
 // their blades.
 #pragma once
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/kernel/kernel.hpp"
 
 #include <optional>
 

@@ -19,7 +19,7 @@
 // magnitude of d^2 + R^2, so that a wrong sign says |d - R| (d + R) <= K (d + R)^2, up to underflow, and a move along the
 // line of the points by K (d + R) mends it: k = 1.
 #pragma once
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/kernel/kernel.hpp"
 
 #include <optional>
 #include <string>

@@ -66,7 +66,7 @@ congruence diagonalise(matrix g) {
 }
 
 // Gauss-Jordan elimination. The matrices here are products of elementary ones, so none is singular.
-matrix inverse(matrix a) {
+matrix inverse_of(matrix a) {
   const std::size_t n = a.size();
   matrix r(n, std::vector<rational>(n));
   for (std::size_t i = 0; i < n; ++i)
@@ -195,7 +195,7 @@ dense_algebra::dense_algebra(const matrix &metric) : n_(static_cast<int>(metric.
   congruence c = diagonalise(metric);
   squares_ = std::move(c.squares);
   from_ = blade_images(c.basis);
-  to_ = blade_images(inverse(std::move(c.basis)));
+  to_ = blade_images(inverse_of(std::move(c.basis)));
 }
 
 dense_algebra dense_algebra::diagonal(const std::vector<rational> &squares) {

@@ -29,6 +29,13 @@ using multivector = std::vector<rational>;
 
 // The part of grade k; zero where no blade has grade k.
 [[nodiscard]] multivector grade_part(const multivector &a, int k);
+// The products of the same vectors in the opposite order, and of their negatives in the same order.
+[[nodiscard]] multivector reverse(const multivector &a);
+[[nodiscard]] multivector involute(const multivector &a);
+// For each basis blade b: b ^ right_complement(b) = i, and left_complement(b) ^ b = i. Here i is a multiple of the last blade,
+// else std::invalid_argument is thrown.
+[[nodiscard]] multivector right_complement(const multivector &a, const multivector &i);
+[[nodiscard]] multivector left_complement(const multivector &a, const multivector &i);
 [[nodiscard]] rational scalar_part(const multivector &a);
 [[nodiscard]] bool is_zero(const multivector &a);
 
@@ -58,6 +65,10 @@ public:
   [[nodiscard]] multivector geometric(const multivector &a, const multivector &b) const;
   // a ⌋ b: the part of grade s - r of the product of grades r and s; zero where r > s.
   [[nodiscard]] multivector left_contraction(const multivector &a, const multivector &b) const;
+  // The part of grade |r - s| of the product of grades r and s.
+  [[nodiscard]] multivector symmetric_dot(const multivector &a, const multivector &b) const;
+  // The x with x a = 1. Throws std::domain_error where there is none, or more than one.
+  [[nodiscard]] multivector inverse(const multivector &a) const;
   // The meet (I x) ⌋ y, where I is the pseudoscalar above or the given one.
   [[nodiscard]] multivector meet(const multivector &x, const multivector &y) const;
   [[nodiscard]] multivector meet(const multivector &x, const multivector &y, const multivector &pseudo) const;

@@ -4,7 +4,7 @@
 // and compares them; this happens nowhere else. A difference is a defect of the compiler and throws std::logic_error.
 // Error bounds are computed after the last pass, from the program that is emitted.
 #pragma once
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/kernel/kernel.hpp"
 
 #include <functional>
 #include <optional>

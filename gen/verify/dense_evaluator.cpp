@@ -1,5 +1,7 @@
 #include "gen/verify/dense_evaluator.hpp"
 
+#include "gen/lang/operators.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -47,8 +49,8 @@ oracle::matrix inverse(oracle::matrix m) {
     row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(n));
   return m;
 }
+} // namespace
 
-// A multivector on other vectors: vector i becomes row i.
 multivector changed(const multivector &x, const oracle::matrix &rows) {
   multivector out(x.size());
   for (std::size_t mask = 0; mask < x.size(); ++mask) {
@@ -67,7 +69,6 @@ multivector changed(const multivector &x, const oracle::matrix &rows) {
   }
   return out;
 }
-} // namespace
 
 dense_evaluator::dense_evaluator(const lang::algebra &a, const oracle::matrix &metric,
                                  const oracle::matrix &declared_vectors, const oracle::matrix &working_vectors)
@@ -112,15 +113,31 @@ dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope
     if (const lang::named_expr *c = spec_.find_constant(e.text))
       return value(*c->body, {});
     const auto v = std::find(spec_.vectors.begin(), spec_.vectors.end(), e.text);
-    if (v == spec_.vectors.end())
+    if (v == spec_.vectors.end()) {
+      multivector blade = dense_.scalar(1);
+      const std::vector<std::string> vectors = lang::vectors_of_name(spec_, e.text);
+      for (const std::string &name : vectors)
+        blade = oracle::outer(blade, evaluate({op::name, e.where, name, {}, {}}, {}));
+      if (!vectors.empty())
+        return {blade, {}};
+      if (e.text == "I")
+        return {pseudoscalar(), {}};
       break;
+    }
     multivector m = dense_.zero();
     const auto &row = declared_vectors_[static_cast<std::size_t>(v - spec_.vectors.begin())];
     for (std::size_t i = 0; i < row.size(); ++i)
       m[std::size_t{1} << i] = row[i];
     return {m, {}};
   }
+  case op::builtin:
   case op::call: {
+    if (lang::called_builtin(spec_, e)) {
+      std::vector<multivector> arguments;
+      for (std::size_t i = 0; i < e.args.size(); ++i)
+        arguments.push_back(arg(i));
+      return {builtin(e, arguments), {}};
+    }
     if (e.text == "sign")
       return {dense_.scalar(sgn(oracle::scalar_part(arg(0)))), {}};
     const lang::function *f = spec_.find_function(e.text);
@@ -148,7 +165,7 @@ dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope
   case op::multiply:
     return {dense_.geometric(arg(0), arg(1)), {}};
   case op::divide:
-    return {oracle::scale(1 / oracle::scalar_part(arg(1)), arg(0)), {}};
+    return {dense_.geometric(arg(0), dense_.inverse(arg(1))), {}};
   case op::outer:
     return {oracle::outer(arg(0), arg(1)), {}};
   case op::inner:

@@ -42,6 +42,12 @@ private:
   oracle::rational coefficient(const oracle::multivector &m, const oracle::multivector &along,
                                const lang::expr &index) const;
   dense_value value(const lang::expr &e, const dense_scope &scope) const;
+  oracle::multivector pseudoscalar() const;
+  oracle::multivector complement(const oracle::multivector &m, bool right) const;
+  oracle::multivector builtin(const lang::expr &e, const std::vector<oracle::multivector> &arguments) const;
 };
+
+// A multivector on other vectors: vector i becomes row i.
+oracle::multivector changed(const oracle::multivector &x, const oracle::matrix &rows);
 
 } // namespace meetc::verify

@@ -5,7 +5,7 @@
 //               where about half of the cases are degenerate
 //   settled     equal points that are said to settle a predicate, with the same geometry
 #pragma once
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/kernel/kernel.hpp"
 
 namespace meetc::verify {
 

@@ -3,8 +3,8 @@
 #ifndef MEETC_BODIES_DETAIL_HPP
 #define MEETC_BODIES_DETAIL_HPP
 
-#include "bodies/mesh.hpp"
-#include "core/vec.hpp"
+#include "meet/bodies/mesh.hpp"
+#include "meet/core/views/vec.hpp"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 //
 // The vertices are then moved a few times to the middle of their neighbours and back onto the surface, which removes
 // the slivers that marching leaves. Limits: the body must be thicker than a lattice cell.
-#include "bodies/detail.hpp"
-#include "bodies/meshes.hpp"
+#include "meet/bodies/detail.hpp"
+#include "meet/bodies/meshes.hpp"
 
 #include <algorithm>
 #include <array>

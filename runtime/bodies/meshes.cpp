@@ -1,7 +1,7 @@
 // Bodies that are grids or divided solids, and random clouds. See meshes.hpp. The implicit bodies are in implicit.cpp.
-#include "bodies/meshes.hpp"
+#include "meet/bodies/meshes.hpp"
 
-#include "bodies/detail.hpp"
+#include "meet/bodies/detail.hpp"
 
 #include <algorithm>
 #include <array>

@@ -12,7 +12,7 @@
 #ifndef MEETC_BODIES_MESHES_HPP
 #define MEETC_BODIES_MESHES_HPP
 
-#include "bodies/mesh.hpp"
+#include "meet/bodies/mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,11 +1,11 @@
 // CSV: a header line that names a kind's stored numbers, then one row of numbers for each element. Lines that start
 // with # are comments; blank lines may end the file.
-#include "io/csv_header.hpp"
-#include "io/error.hpp"
-#include "io/mesh/mesh.hpp"
-#include "io/readers.hpp"
-#include "io/text.hpp"
-#include "io/text/cursor.hpp"
+#include "meet/io/csv_header.hpp"
+#include "meet/io/elements/readers.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/mesh/mesh.hpp"
+#include "meet/io/text/cursor.hpp"
+#include "meet/io/text/text.hpp"
 
 #include <fmt/format.h>
 

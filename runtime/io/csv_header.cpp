@@ -1,7 +1,7 @@
-#include "io/csv_header.hpp"
+#include "meet/io/csv_header.hpp"
 
-#include "io/error.hpp"
-#include "io/text.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/text/text.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #ifndef MEETC_IO_CSV_HEADER_HPP
 #define MEETC_IO_CSV_HEADER_HPP
 
-#include "io/readers.hpp"
+#include "meet/io/elements/readers.hpp"
 
 #include <cstddef>
 #include <string>

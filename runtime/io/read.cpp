@@ -1,11 +1,11 @@
-#include "io/read.hpp"
+#include "meet/io/read.hpp"
 
-#include "core/threads.hpp"
-#include "io/mesh/mesh.hpp"
-#include "io/number.hpp"
-#include "io/readers.hpp"
-#include "io/text.hpp"
-#include <meetc/control_word.hpp>
+#include "meet/core/threads/threads.hpp"
+#include "meet/io/elements/readers.hpp"
+#include "meet/io/mesh/mesh.hpp"
+#include "meet/io/text/number.hpp"
+#include "meet/io/text/text.hpp"
+#include <meetc/environment/control_word.hpp>
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 #ifndef MEETC_IO_READ_HPP
 #define MEETC_IO_READ_HPP
 
-#include "io/element_set.hpp"
-#include "io/error.hpp"
-#include "io/transform.hpp"
+#include "meet/io/elements/element_set.hpp"
+#include "meet/io/elements/transform.hpp"
+#include "meet/io/files/error.hpp"
 
 #include <filesystem>
 #include <optional>

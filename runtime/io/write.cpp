@@ -1,8 +1,8 @@
-#include "io/write.hpp"
+#include "meet/io/write.hpp"
 
-#include "core/plural.hpp"
-#include "io/atomic_file.hpp"
-#include "io/endian.hpp"
+#include "meet/core/views/plural.hpp"
+#include "meet/io/files/atomic_file.hpp"
+#include "meet/io/files/endian.hpp"
 
 #include <fmt/format.h>
 
@@ -125,14 +125,25 @@ void write_mesh(const std::filesystem::path &path, const element_set &mesh, std:
 } // namespace
 
 void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pair> pairs) {
+  write_pairs_csv(path, pairs, "", [](std::size_t, std::string &) {});
+}
+
+void write_pairs_csv(const std::filesystem::path &path, std::span<const index_pair> pairs, std::string_view names,
+                     const std::function<void(std::size_t i, std::string &line)> &append) {
   under_standard_word([&] {
     buffered out(path);
-    out.text("a,b\n");
-    for (const index_pair &pair : pairs) {
-      out.decimal(pair.a);
+    out.text("a,b");
+    out.text(names);
+    out.text("\n");
+    std::string line;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      out.decimal(pairs[i].a);
       out.text(",");
-      out.decimal(pair.b);
-      out.text("\n");
+      out.decimal(pairs[i].b);
+      line.clear();
+      append(i, line);
+      line += '\n';
+      out.text(line);
     }
     out.commit();
   });

@@ -2,7 +2,7 @@
 #ifndef MEETC_PICTURE_CAMERA_HPP
 #define MEETC_PICTURE_CAMERA_HPP
 
-#include "picture/scene.hpp"
+#include "meet/picture/scene.hpp"
 
 #include <cstdint>
 #include <span>

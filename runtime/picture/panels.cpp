@@ -1,8 +1,8 @@
 // Several panels of one scene in one picture, with captions. See render.hpp.
-#include "core/plural.hpp"
-#include "core/vec.hpp"
-#include "picture/projection.hpp"
-#include "picture/render.hpp"
+#include "meet/core/views/plural.hpp"
+#include "meet/core/views/vec.hpp"
+#include "meet/picture/projection.hpp"
+#include "meet/picture/render.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // PNG in memory by libpng's simplified interface, which reports errors without longjmp.
-#include "picture/image.hpp"
+#include "meet/picture/image.hpp"
 
 #include <png.h>
 #include <stdexcept>

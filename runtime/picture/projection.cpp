@@ -1,5 +1,5 @@
 // The geometry of a picture: elements as points, the projection, fitting, and a camera that faces the hits.
-#include "picture/projection.hpp"
+#include "meet/picture/projection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #ifndef MEETC_PICTURE_PROJECTION_HPP
 #define MEETC_PICTURE_PROJECTION_HPP
 
-#include "core/vec.hpp"
-#include "picture/camera.hpp"
-#include "picture/scene.hpp"
+#include "meet/core/views/vec.hpp"
+#include "meet/picture/camera.hpp"
+#include "meet/picture/scene.hpp"
 
 #include <array>
 #include <span>

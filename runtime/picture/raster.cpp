@@ -1,6 +1,6 @@
 // Triangles are drawn by edge functions, spheres by one ray for each sample, segments as lines shaded like tubes. All
 // arithmetic is in double, and is clipped before any conversion to int.
-#include "picture/raster.hpp"
+#include "meet/picture/raster.hpp"
 
 #include <algorithm>
 #include <cmath>

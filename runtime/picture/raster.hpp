@@ -2,10 +2,10 @@
 #ifndef MEETC_PICTURE_RASTER_HPP
 #define MEETC_PICTURE_RASTER_HPP
 
-#include "core/vec.hpp"
-#include "picture/camera.hpp"
-#include "picture/projection.hpp"
-#include "picture/scene.hpp"
+#include "meet/core/views/vec.hpp"
+#include "meet/picture/camera.hpp"
+#include "meet/picture/projection.hpp"
+#include "meet/picture/scene.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 // The light, and the composition of surfaces and hits in one picture. See render.hpp.
-#include "picture/render.hpp"
+#include "meet/picture/render.hpp"
 
-#include "picture/raster.hpp"
+#include "meet/picture/raster.hpp"
 
 #include <algorithm>
 #include <cmath>

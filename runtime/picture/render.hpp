@@ -12,9 +12,9 @@
 #ifndef MEETC_PICTURE_RENDER_HPP
 #define MEETC_PICTURE_RENDER_HPP
 
-#include "picture/camera.hpp"
-#include "picture/image.hpp"
-#include "picture/scene.hpp"
+#include "meet/picture/camera.hpp"
+#include "meet/picture/image.hpp"
+#include "meet/picture/scene.hpp"
 
 #include <span>
 

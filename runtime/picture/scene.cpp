@@ -1,4 +1,4 @@
-#include "picture/scene.hpp"
+#include "meet/picture/scene.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #ifndef MEETC_PICTURE_SCENE_HPP
 #define MEETC_PICTURE_SCENE_HPP
 
-#include "picture/image.hpp"
+#include "meet/picture/image.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Captions in a bitmap font: printable ASCII, 5 by 7, one byte for each column, with the lowest bit at the top.
-#include "picture/image.hpp"
+#include "meet/picture/image.hpp"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "tests/cgal/scenes.hpp"
 
-#include "core/collide.hpp"
+#include "meet/core/query/collide.hpp"
 #include "tests/catch.hpp"
 
 #include <cga/cga_runtime.hpp>

@@ -2,7 +2,7 @@
 #ifndef MEETC_TESTS_CGAL_SCENES_HPP
 #define MEETC_TESTS_CGAL_SCENES_HPP
 
-#include "bodies/meshes.hpp"
+#include "meet/bodies/meshes.hpp"
 #include "tests/cgal/judge.hpp"
 
 #include <array>

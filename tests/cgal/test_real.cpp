@@ -1,5 +1,5 @@
 // Real meshes, where the folder MEETC_DATA has them.
-#include "io/read.hpp"
+#include "meet/io/read.hpp"
 #include "tests/catch.hpp"
 #include "tests/cgal/scenes.hpp"
 

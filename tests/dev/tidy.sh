@@ -26,7 +26,7 @@ compiled() { find gen runtime -name '*.cpp' | sort | while read -r file; do
   ! grep -qF "/$file\"" "$build/compile_commands.json" || echo "$file"
 done; }
 includes() { grep -roE --include='*.[ch]pp' '^#include ["<][a-z]+/[^">]*' gen runtime | sort |
-  sed -E 's|:#include .gen/| gen/|; s|:#include .meetc/| runtime/kernel/meetc/|; s|:#include .| runtime/|'; }
+  sed -E 's|:#include .gen/| gen/|; s|:#include .meetc/| runtime/kernel/meetc/|; s|:#include .meet/| runtime/|'; }
 # The changed sources; and for each changed header that none of them includes, on whatever way, the nearest source that does.
 mapfile -t units < <(awk '
   function see(file, parts, n, i) {

@@ -56,6 +56,7 @@ while IFS= read -r named; do
   case $file in
   gen/* | runtime/* | tests/* | docs/* | algebra_spec/* | generated/*) ;;
   meetc/*.hpp) file=runtime/kernel/$file ;;
+  meet/*.hpp) file=runtime/${file#meet/} ;;
   core/* | bench/* | io/*) file=runtime/$file ;;
   *) continue ;;
   esac

@@ -9,7 +9,7 @@ expect("2 2 2" "int of meet" "namespace of meet" "second 1")
 
 # The support header is the same whichever folder comes first on the include path, also the runtime's.
 set(generated "${ROOM}/names-build")
-file(SHA256 "${PREFIX}/include/meetc/support.hpp" wanted)
+file(SHA256 "${PREFIX}/include/meetc/meetc/support.hpp" wanted)
 foreach(target IN ITEMS robot_cell other_cell odd_cell)
   file(SHA256 "${generated}/${target}.generated/meetc/support.hpp" found)
   if(NOT found STREQUAL wanted)

@@ -1,6 +1,6 @@
 #include "tests/extremes/campaign.hpp"
 
-#include "tests/extremes/geometry.hpp"
+#include "tests/extremes/judges/geometry.hpp"
 
 #include <atomic>
 #include <chrono>

@@ -2,8 +2,8 @@
 #ifndef MEETC_TESTS_EXTREMES_CAMPAIGN_HPP
 #define MEETC_TESTS_EXTREMES_CAMPAIGN_HPP
 
-#include "tests/extremes/families.hpp"
-#include "tests/extremes/lanes.hpp"
+#include "tests/extremes/families/families.hpp"
+#include "tests/extremes/judges/lanes.hpp"
 
 #include <array>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #ifndef MEETC_TESTS_EXTREMES_CLIMB_HPP
 #define MEETC_TESTS_EXTREMES_CLIMB_HPP
 
-#include "tests/extremes/subjects.hpp"
+#include "tests/extremes/families/subjects.hpp"
 
 namespace meetc::extremes_test {
 

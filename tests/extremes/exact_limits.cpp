@@ -1,9 +1,9 @@
 // The lanes' limits, which only their headers know.
-#include <meetc/lanes.hpp>
+#include <meetc/simd/lanes.hpp>
 
-#include "tests/extremes/families.hpp"
+#include "tests/extremes/families/families.hpp"
 
-#include <meetc/wide_decide.hpp>
+#include <meetc/simd/wide_decide.hpp>
 
 #include <map>
 

@@ -1,7 +1,7 @@
 // The long mode: extremes [--judge signs|geometry|sets] [--family NAME] [--cases N] [--seed N] [--threads T]. `sets` asks
 // the library about whole sets (sets.hpp). Exits with 1 if anything was wrong.
 #include "tests/extremes/campaign.hpp"
-#include "tests/extremes/sets.hpp"
+#include "tests/extremes/judges/sets.hpp"
 
 #include <algorithm>
 #include <charconv>

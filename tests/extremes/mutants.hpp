@@ -2,7 +2,7 @@
 #ifndef MEETC_TESTS_EXTREMES_MUTANTS_HPP
 #define MEETC_TESTS_EXTREMES_MUTANTS_HPP
 
-#include "tests/extremes/subjects.hpp"
+#include "tests/extremes/families/subjects.hpp"
 
 namespace meetc::extremes_test {
 

@@ -1,7 +1,7 @@
 // The classic traps, as published: arithmetic without a bound falls into them, certified answers do not.
 #include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <algorithm>
 #include <numeric>

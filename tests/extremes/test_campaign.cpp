@@ -2,7 +2,7 @@
 // signs or by geometry.
 #include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <fmt/format.h>

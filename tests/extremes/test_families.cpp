@@ -1,9 +1,9 @@
 // The families have the properties that they claim: rows are valid, and each of the newer families is as hostile as the
 // comment of its maker says.
 #include "tests/catch.hpp"
-#include "tests/extremes/families.hpp"
-#include "tests/extremes/geometry.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/extremes/families/families.hpp"
+#include "tests/extremes/judges/geometry.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <cmath>
 #include <cstring>

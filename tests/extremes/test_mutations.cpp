@@ -1,9 +1,9 @@
 // The harness can fail: a wrong bound, claim of zero or window gives wrong signs, which are found.
 #include "tests/catch.hpp"
 #include "tests/extremes/climb.hpp"
-#include "tests/extremes/families.hpp"
+#include "tests/extremes/families/families.hpp"
 #include "tests/extremes/mutants.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 // The same points in another order give the same answer, and a sign as the parity of the order says.
 #include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <algorithm>
 #include <numeric>

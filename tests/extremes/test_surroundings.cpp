@@ -1,7 +1,7 @@
 // Every exponent, every control word, and values that are not numbers.
 #include "tests/catch.hpp"
 #include "tests/extremes/campaign.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <limits>
 #if defined(__SSE2__)

@@ -1,10 +1,10 @@
 // Checks the judges: the integers' signs against GMP's rationals, and the answers by signs and by geometry against a
 // third method, which shares nothing with either. (The campaign compares signs and geometry with each other.)
 #include "tests/catch.hpp"
-#include "tests/extremes/families.hpp"
-#include "tests/extremes/geometry.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/judge.hpp"
+#include "tests/extremes/families/families.hpp"
+#include "tests/extremes/judges/geometry.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/judge.hpp"
 
 using namespace meetc::extremes_test;
 using meetc::generated_test::effort;

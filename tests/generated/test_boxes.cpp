@@ -1,7 +1,7 @@
 // The boxes of the catalogue are never too small, whatever is rounded or overflows, and hardly too large.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/operands.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/operands.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Three-valued logic: where the decision over sets of signs is certain, it says exactly what every choice of signs
 // says, and it never rules out the truth.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/numbers.hpp"
-#include "tests/generated/predicates.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/numbers.hpp"
+#include "tests/generated/judge/predicates.hpp"
 
 using namespace meetc::generated_test;
 using meetc::sign;

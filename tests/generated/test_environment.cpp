@@ -1,8 +1,8 @@
 // The exact rung does not depend on the translation unit from which it is called. Plain rungs are deterministic. (The control
 // word, and operands that are not finite, are those of tests/extremes.)
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/operands.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/operands.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <cstring>

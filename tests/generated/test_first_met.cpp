@@ -1,6 +1,6 @@
 // In which order a segment meets triangles: the emitted order against exact points of entry, found in rational numbers.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <array>
 #include <cga/cga_runtime.hpp>

@@ -1,7 +1,7 @@
 // Every emitted meet, norm2 of a meet, and blade maker: exactly, in rationals, against the dense product, and in float
 // and double within a proven rounding bound.
 #include "tests/catch.hpp"
-#include "tests/generated/blades.hpp"
+#include "tests/generated/judge/blades.hpp"
 
 #include <fstream>
 #include <set>

@@ -1,9 +1,9 @@
 // The width of the exact rung's integers: what a stage claims (degree, growth) holds for every value that it computes,
 // and the rung never runs a stage in integers that are too narrow for that.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/numbers.hpp"
-#include "tests/generated/predicates.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/numbers.hpp"
+#include "tests/generated/judge/predicates.hpp"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // The integers of the exact rung against GMP: steps on limbs, the conversions from float32, the common grid.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/numbers.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/numbers.hpp"
 
 #include <cmath>
 #include <limits>
-#include <meetc/rest.hpp>
+#include <meetc/decide/rest.hpp>
 #include <meetc/support.hpp>
 
 using namespace meetc::generated_test;

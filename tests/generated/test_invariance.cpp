@@ -1,7 +1,7 @@
 // The same points mirrored, scaled by a power of two or moved give the same answer. (In another order: tests/extremes.)
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/operands.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/operands.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Lanes, for every instruction set that this processor runs: certified and exact answers are the same on each, plain ones
 // too, and lanes find what the function for one pair finds.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/many_rows.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/many_rows.hpp"
 
 #include <cga/cga.hpp>
 #include <cga/cga_runtime.hpp>

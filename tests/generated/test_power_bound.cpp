@@ -1,9 +1,9 @@
 // One bound for all values of a degree is never less than the bound by the magnitudes of a value's leaves, which is proved.
-#include <meetc/wide_decide.hpp>
+#include <meetc/simd/wide_decide.hpp>
 
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/many_rows.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/many_rows.hpp"
 
 #include <cga/cga.hpp>
 #include <cga/header_only.hpp>

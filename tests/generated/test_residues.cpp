@@ -1,10 +1,10 @@
 // One sign in lanes of doubles by residues alone: the volume of four points whose coordinates are so long that fp64 leaves
 // it unsure, and which is a chosen integer near the limit of residues.
-#include <meetc/wide_decide.hpp>
+#include <meetc/simd/wide_decide.hpp>
 
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/numbers.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/numbers.hpp"
 
 #include <array>
 #include <cga/cga.hpp>

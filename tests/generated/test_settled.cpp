@@ -1,11 +1,11 @@
 // Pairs with an equal point that settles the decision: every certified way answers yes, the first rung alone too, and
 // integers, which do not compare points, say the same. A point that differs in one bit settles nothing.
-#include <meetc/table_functions.hpp> // before any header of a predicate
+#include <meetc/simd/table_functions.hpp> // before any header of a predicate
 
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/numbers.hpp"
-#include "tests/generated/predicates.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/numbers.hpp"
+#include "tests/generated/judge/predicates.hpp"
 
 #include <cmath>
 

@@ -1,13 +1,13 @@
 // Stored values: answers that read them equal those that compute them, and the rungs in fp32 do read them.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/many_rows.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/many_rows.hpp"
 
 #include <cfenv>
 #include <cga/cga_runtime.hpp>
 #include <cstring>
 #include <limits>
-#include <meetc/stored.hpp>
+#include <meetc/decide/stored.hpp>
 
 using namespace meetc::generated_test;
 using meetc::answer;

@@ -1,9 +1,9 @@
 // Two boxes against exact answers, on every family of operands, under every control word. (All other predicates are judged in
 // tests/extremes, on more families and every rung.)
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/judge.hpp"
-#include "tests/generated/operands.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/judge.hpp"
+#include "tests/generated/judge/operands.hpp"
 
 #include <algorithm>
 #include <limits>

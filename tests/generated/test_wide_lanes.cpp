@@ -1,10 +1,10 @@
 // Lanes of doubles: signs by exact doubles, by bounds in fp64 and by residues are never wrong, and limits that are too high
 // are seen. With residues of 64 bits no pair of floats may ever show that, so residues of 16 bits stand in for them.
-#include <meetc/wide_decide.hpp>
+#include <meetc/simd/wide_decide.hpp>
 
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/many_rows.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/many_rows.hpp"
 
 #include <algorithm>
 #include <cga/cga.hpp>

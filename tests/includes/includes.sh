@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# includes.sh [--draw|--check] [TREE]: compares every #include of gen/, runtime/ and generated/ with the order of the rooms
-# in includes.awk, and looks for cycles. --draw writes the picture of the rooms to docs/images/includes.dot, and
+# includes.sh [--draw|--check] [TREE]: compares every #include of gen/, runtime/, generated/ and tests/ with the order of the
+# rooms in includes.awk, counts the files of each folder, and looks for cycles. --draw writes the picture of the rooms to docs/images/includes.dot, and
 # includes.svg beside it if Graphviz is installed; --check fails if includes.dot would change.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -14,12 +14,12 @@ esac
 cd "${1:-$here/../..}"
 files=$(mktemp)
 trap 'rm -f "$files"' EXIT
-find gen runtime generated -type f \( -name '*.[ch]pp' -o -name '*.[ch]' -o -name '*.cu' -o -name '*.cuh' \) | LC_ALL=C sort >"$files"
-check() { { xargs grep -HnE '^ *# *include' <"$files" || [ $? = 123 ]; } | awk -v files="$files" "$@" -f "$here/includes.awk"; }
+find gen runtime generated tests -type f ! -path '*/__pycache__/*' | LC_ALL=C sort >"$files"
+check() { { grep -E '[.]([ch]pp|[ch]|cuh?)$' "$files" | xargs grep -HnE '^ *# *include' || [ $? = 123 ]; } | awk -v files="$files" "$@" -f "$here/includes.awk"; }
 case $mode in
 order)
   check
-  echo "the includes of $(wc -l <"$files") files keep the order"
+  echo "the includes of $(grep -cE '[.]([ch]pp|[ch]|cuh?)$' "$files") files keep the order"
   ;;
 draw)
   check -v draw=1 >docs/images/includes.dot

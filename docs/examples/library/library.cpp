@@ -1,8 +1,8 @@
 // Which triangles of two meshes touch, for meshes that are arrays in memory.
 #include <cga/cga_runtime.hpp>
-#include <core/collide.hpp>
-#include <core/find.hpp>
 #include <cstdio>
+#include <meet/core/query/collide.hpp>
+#include <meet/core/query/find.hpp>
 
 int main() {
   // A square floor of two triangles, and a spike of one triangle whose tip is on the floor's diagonal.

@@ -1,9 +1,9 @@
 // Which faces of a mesh file touch a ball: read.cpp's argument is a .ply, .obj, .off or .stl.
 #include <cga/cga_runtime.hpp>
-#include <core/collide.hpp>
-#include <core/find.hpp>
 #include <cstdio>
-#include <io/read.hpp>
+#include <meet/core/query/collide.hpp>
+#include <meet/core/query/find.hpp>
+#include <meet/io/read.hpp>
 #include <vector>
 
 int main(int argc, char **argv) try {

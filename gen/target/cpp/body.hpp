@@ -1,7 +1,7 @@
 // Programs as C++ statements.
 #pragma once
 #include "gen/ir/count.hpp"
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/kernel/kernel.hpp"
 
 #include <functional>
 #include <map>

@@ -202,7 +202,7 @@ std::string settled_lanes_text(std::uint32_t alone, const bound::kernel_bounds &
                           p.input(b.coincidences[i].y[axis]));
     any += fmt::format("{}({})", any.empty() ? "" : " |\n        ", both);
   }
-  return fmt::format("  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.\n"
+  return fmt::format("  // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.\n"
                      "  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {{\n"
                      "{}    return {};\n  }}\n",
                      p.operands_in(any, "    "), any);
@@ -226,7 +226,7 @@ std::string settled_text(const bound::kernel_bounds &b, const emitted_predicate 
   const std::string comment =
       claims.empty() ? "No equal points are known to make a pair a hit whatever its other numbers are."
                      : fmt::format("A pair is a hit, whatever its other numbers are, where {}. The proof puts equal "
-                                   "points into the polynomials of all signs; see meetc/usual.hpp.",
+                                   "points into the polynomials of all signs; see meetc/decide/usual.hpp.",
                                    claims);
   const std::string bits = alone              ? fmt::format("(equal & settled_by) != 0{}", together)
                            : together.empty() ? "false"

@@ -1,6 +1,6 @@
-// A stage's program as bytecode, for integers of any width (runtime/kernel/meetc/bytecode.hpp).
+// A stage's program as bytecode, for integers of any width (runtime/kernel/meetc/decide/bytecode.hpp).
 #pragma once
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/kernel/kernel.hpp"
 
 #include <string>
 

@@ -2,7 +2,6 @@
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
-#include "gen/target/gappa/gappa.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -40,6 +39,10 @@ std::vector<file> cpp_files(const unit &u) {
     if (u.kernels[i].is_predicate)
       add_parts(u, i, out);
   }
+  if (!formulas_on_columns(u).empty()) {
+    out.push_back({space + "/detail/columns.hpp", columns_header(u)});
+    out.push_back({space + "/src/formulas.cpp", formulas_source(u)});
+  }
   std::sort(headers.begin() + 1, headers.end());
   out.push_back({space + '/' + space + ".hpp", banner(u.scene, "Everything that the scene asks for.") +
                                                    open_header(u.scene, "file_all", headers) + close_header(u.scene)});
@@ -49,10 +52,6 @@ std::vector<file> cpp_files(const unit &u) {
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
   for (file &f : out)
     f.text = broken_lines(f.text);
-  if (!u.asks(lang::rung::certified))
-    return out;
-  for (file &f : proof_files(u))
-    out.push_back(std::move(f));
   return out;
 }
 

@@ -30,6 +30,13 @@ std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
 std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
                           std::size_t operand);
 std::string shapes_header(const unit &u);
+// The names of a kind's numbers in a CSV file.
+std::string csv_names(const lower::lowered_kind &k);
+
+// The formulas that a runtime evaluates on columns: those of one operand or more that take stored numbers.
+std::vector<const lower::kernel *> formulas_on_columns(const unit &u);
+std::string columns_header(const unit &u);
+std::string formulas_source(const unit &u);
 
 // The table of kinds and predicates by which a runtime knows this namespace.
 std::string runtime_header(const unit &u);

@@ -1,4 +1,5 @@
-// The outline of emitted files: a banner, an include guard, the namespace, and lines of a bounded length.
+// The outline of emitted files: a banner, an include guard, the namespace, and lines of a bounded length. No literal that is
+// emitted holds a quote.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 
@@ -56,7 +57,10 @@ std::string broken_lines(const std::string &text) {
     const std::size_t indent = line.find_first_not_of(' ');
     const bool code = indent != std::string::npos && line[indent] != '#' && line.compare(indent, 2, "//") != 0;
     while (code && line.size() > width) {
-      const std::size_t cut = line.rfind(", ", width - 1);
+      std::size_t cut = line.rfind(", ", width - 1);
+      while (cut != std::string::npos && cut > 0 &&
+             std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(cut), '"') % 2 != 0)
+        cut = line.rfind(", ", cut - 1); // inside of a literal
       if (cut == std::string::npos || cut <= indent + 4)
         break;
       out += line.substr(0, cut + 1) + '\n';

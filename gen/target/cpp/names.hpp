@@ -1,6 +1,6 @@
 // Names in emitted C++.
 #pragma once
-#include "gen/lower/kernel.hpp"
+#include "gen/lower/kernel/kernel.hpp"
 
 #include <functional>
 #include <string>

@@ -247,7 +247,7 @@ std::string kernel_header(const unit &u, std::size_t number) {
   for (const std::string &callee : called_by(p))
     includes.push_back(callee + ".hpp");
   return open_header(u.scene, "kernel_" + name, includes,
-                     p.tolerant ? std::vector<std::string>{"tolerant.hpp"} : std::vector<std::string>{}) +
+                     p.tolerant ? std::vector<std::string>{"decide/tolerant.hpp"} : std::vector<std::string>{}) +
          (p.kernel.is_sign ? sign_text(u, number) : predicate_text(u, number)) +
          fmt::format("\n}} // namespace {}\n\n#if defined(__CUDACC__) // on a device, all code is "
                      "inline\n{}#endif\n\n#endif\n",

@@ -42,15 +42,13 @@ std::size_t element_place(const std::vector<const lower::lowered_kind *> &elemen
   return static_cast<std::size_t>(at - elements.begin());
 }
 
-namespace {
-
 // The CSV header: only the axes where there is one point, with numbers where there are more, or with their names where a
 // hull mixes the points.
 std::string csv_names(const lower::lowered_kind &k) {
   std::vector<std::string> names;
   for (const lower::stored_real &r : k.reals) {
     const std::string last = r.path.substr(r.path.find_last_of('.') + 1);
-    if (r.position && !k.enclosed->mixes_points)
+    if (r.position && !(k.enclosed && k.enclosed->mixes_points))
       names.push_back(k.points > 1 ? last + std::to_string(r.group) : last);
     else
       names.push_back(r.group < 0 ? last : r.path);
@@ -59,6 +57,8 @@ std::string csv_names(const lower::lowered_kind &k) {
     std::replace(n.begin(), n.end(), '.', '_');
   return join(names, ",");
 }
+
+namespace {
 
 // The role of each stored number, by which it is moved.
 std::vector<std::string> roles_of(const lower::lowered_kind &k) {
@@ -176,7 +176,7 @@ std::string box_literal(double box) {
 std::string runtime_source(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The table of kinds and predicates.");
-  out += "#include <meetc/table_entry.hpp>\n\n";
+  out += "#include <meetc/table/table_entry.hpp>\n\n";
   out += fmt::format("#include <{0}/{0}_runtime.hpp>\n#include <{0}/shapes.hpp>\n", space);
   out += fmt::format("\nMEETC_NAMESPACE({}) {{\n\n", space);
   std::string declared;
@@ -185,9 +185,12 @@ std::string runtime_source(const unit &u) {
         fmt::format("meetc::predicate_info {}(const meetc::kind_info *a, const meetc::kind_info *b, int number_a,\n"
                     "    int number_b);\n",
                     info_function(*k));
+  const std::size_t formulas = formulas_on_columns(u).size();
+  if (formulas)
+    declared += "const meetc::formula_info *formulas();\n";
   if (!declared.empty())
-    out += "namespace detail { // each is defined in the source of its predicate\n" + declared +
-           "} // namespace detail\n\n";
+    out += "namespace detail { // each is defined in the source of its predicate, or in that of all formulas\n" +
+           declared + "} // namespace detail\n\n";
   out += "namespace {\n\n";
   const auto kinds = element_kinds(u);
   const stored_numbers stored = number_stored(u);
@@ -207,12 +210,13 @@ std::string runtime_source(const unit &u) {
   }
   if (!rows.empty())
     rows = "  static const meetc::predicate_info all_predicates[] = {\n" + rows + "  };\n";
-  out += fmt::format(
-      "}} // namespace\n\n// The table of the instruction set that this is compiled for.\n"
-      "const meetc::catalogue &compiled_catalogue() {{\n{}  static const meetc::catalogue c{{\"{}\", {}, "
-      "{}, {}, {}, {}, MEETC_COMPILED_FOR}};\n  return c;\n}}\n\n}} // namespace {}\n",
-      rows, u.scene.space, kinds.empty() ? "nullptr" : "all_kinds", kinds.size(),
-      rows.empty() ? "nullptr" : "all_predicates", predicates_of(u).size(), box_literal(u.scene.box), space);
+  out +=
+      fmt::format("}} // namespace\n\n// The table of the instruction set that this is compiled for.\n"
+                  "const meetc::catalogue &compiled_catalogue() {{\n{}  static const meetc::catalogue c{{\"{}\", {}, "
+                  "{}, {}, {}, {}, {}, {}, MEETC_COMPILED_FOR}};\n  return c;\n}}\n\n}} // namespace {}\n",
+                  rows, u.scene.space, kinds.empty() ? "nullptr" : "all_kinds", kinds.size(),
+                  rows.empty() ? "nullptr" : "all_predicates", predicates_of(u).size(),
+                  formulas ? "detail::formulas()" : "nullptr", formulas, box_literal(u.scene.box), space);
   out += fmt::format("\n#if !defined(MEETC_INSTRUCTION_SET) // compiled once\nnamespace {} {{\n\n", space);
   std::string cases;
   for (const char *set : {"avx2", "avx512"}) {

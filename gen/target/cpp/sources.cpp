@@ -14,9 +14,9 @@ std::string predicate_source(const emitted_predicate &p) {
   const std::string space = identifier(p.of.scene.space), name = p.kernel.asked.name();
   std::string out = banner(p.of.scene, fmt::format("The parts of {} that only few pairs need.", p.kernel.asked.text));
   const lower::kernel *const order = p.kernel.is_sign ? nullptr : order_of(p.of, p.kernel);
-  out += "#include <meetc/table_functions.hpp>\n";
+  out += "#include <meetc/simd/table_functions.hpp>\n";
   if (order)
-    out += fmt::format("#include <meetc/first_met.hpp>\n\n#include <{}/{}.hpp>", space, order->asked.name());
+    out += fmt::format("#include <meetc/decide/first_met.hpp>\n\n#include <{}/{}.hpp>", space, order->asked.name());
   out += fmt::format("\n#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_rest.hpp>\n\nMEETC_NAMESPACE({0}) {{\n\n",
                      space, name);
   out += out_of_line(p, "");

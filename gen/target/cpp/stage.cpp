@@ -132,7 +132,7 @@ std::string rest_header(const emitted_predicate &p) {
                                                       : "The rare case of {}."),
                                      p.kernel.asked.text)) +
       fmt::format("// Include {0}.hpp first; on a device it includes this file.\n", name) +
-      opened(p, "rest", includes, {"rest.hpp"});
+      opened(p, "rest", includes, {"decide/rest.hpp"});
   if (p.bounds) {
     out += "namespace detail {\n\n";
     for (const emitted_stage &s : p.stages) {

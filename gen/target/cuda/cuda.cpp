@@ -1,10 +1,10 @@
-// The predicates on a CUDA device: a source with launchers for each predicate and one for each kind, and the catalogue through
-// which a runtime runs queries on sets. The kernels themselves are templates in runtime/kernel/meetc/cuda_*.hpp.
+// Predicates and formulas on a CUDA device: a source with launchers for each predicate, one for each kind and one for all
+// formulas, and the catalogue through which a runtime runs queries on sets. The kernels themselves are templates in
+// runtime/kernel/meetc/cuda.
 #include "gen/target/cuda/cuda.hpp"
 
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
-#include "gen/target/gappa/gappa.hpp"
 
 #include <fmt/format.h>
 
@@ -35,30 +35,41 @@ std::string shape_of(const std::string &kind) {
 
 std::string catalogue_text(const unit &u) {
   const auto kinds = element_kinds(u);
-  std::string out = "namespace {\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n";
+  const std::size_t formulas = formulas_on_columns(u).size();
+  std::string predicates;
   int count = 0;
   for (const lower::kernel *k : predicates_of(u)) {
     const std::string name = identifier(k->asked.asked->name);
-    out += fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
-                       "   .pairs = {{.run = {3}::run, .first_met = {4}}},\n   .rejects = {5},\n   .by_boxes = {6},\n"
-                       "   .by_balls = {7}}},\n",
-                       k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
-                       order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr",
-                       !k->decision.reject.atoms.empty(), k->decision.by_boxes, k->decision.by_balls);
+    predicates +=
+        fmt::format("  {{.name = \"{0}\",\n   .kind_a = {1},\n   .kind_b = {2},\n"
+                    "   .pairs = {{.run = {3}::run, .first_met = {4}}},\n   .rejects = {5},\n   .by_boxes = {6},\n"
+                    "   .by_balls = {7}}},\n",
+                    k->asked.asked->name, element_place(kinds, *k, 0), element_place(kinds, *k, 1), name,
+                    order_of(u, *k) ? fmt::format("{}::first_met", name) : "nullptr", !k->decision.reject.atoms.empty(),
+                    k->decision.by_boxes, k->decision.by_balls);
     ++count;
   }
-  out += "};\n\n} // namespace\n\nconst meetc::cuda::catalogue &catalogue() {\n"
-         "  static const meetc::cuda::set_launchers all_kinds[] = {\n";
+  std::string out;
+  if (count)
+    out += "namespace {\n\nconst meetc::cuda::predicate_launchers all_predicates[] = {\n" + predicates +
+           "};\n\n} // namespace\n\n";
+  out += "const meetc::cuda::catalogue &catalogue() {\n";
+  if (!kinds.empty())
+    out += "  static const meetc::cuda::set_launchers all_kinds[] = {\n";
   for (const lower::lowered_kind *k : kinds)
     out += fmt::format("    kinds::{}(),\n", identifier(k->name));
-  return out + fmt::format("  }};\n"
-                           "  static const meetc::cuda::catalogue c{{.kinds = all_kinds,\n"
+  if (!kinds.empty())
+    out += "  };\n";
+  return out + fmt::format("  static const meetc::cuda::catalogue c{{.kinds = {},\n"
                            "                                        .kind_count = {},\n"
-                           "                                        .predicates = all_predicates,\n"
+                           "                                        .predicates = {},\n"
                            "                                        .predicate_count = {},\n"
+                           "                                        .formulas = {},\n"
+                           "                                        .formula_count = {},\n"
                            "                                        .self_test = meetc::launch_self_test}};\n"
                            "  return c;\n}}\n\n",
-                           kinds.size(), count);
+                           kinds.empty() ? "nullptr" : "all_kinds", kinds.size(), count ? "all_predicates" : "nullptr",
+                           count, formulas ? "detail::formulas()" : "nullptr", formulas);
 }
 
 } // namespace
@@ -66,7 +77,7 @@ std::string catalogue_text(const unit &u) {
 std::string cuda_header(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "Launchers on a CUDA device.");
-  out += fmt::format("#ifndef MEETC_{0}_cuda_HPP\n#define MEETC_{0}_cuda_HPP\n\n#include <meetc/cuda_table.hpp>\n"
+  out += fmt::format("#ifndef MEETC_{0}_cuda_HPP\n#define MEETC_{0}_cuda_HPP\n\n#include <meetc/cuda/table.hpp>\n"
                      "#include <meetc/support.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space);
   out += "// Every kind and predicate, as a runtime needs them for queries on sets.\n"
@@ -103,13 +114,17 @@ std::string cuda_header(const unit &u) {
   out += "\n// The launchers of each kind, for the catalogue.\nnamespace kinds {\n";
   for (const lower::lowered_kind *k : element_kinds(u))
     out += fmt::format("meetc::cuda::set_launchers {}();\n", identifier(k->name));
-  return out + fmt::format("}} // namespace kinds\n\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
+  out += "} // namespace kinds\n";
+  if (!formulas_on_columns(u).empty())
+    out += "\n// The launchers of each formula, for the catalogue.\nnamespace detail {\n"
+           "const meetc::cuda::formula_launchers *formulas();\n} // namespace detail\n";
+  return out + fmt::format("\n}} // namespace cuda\n}} // namespace {}\n\n#endif\n", space);
 }
 
 std::string cuda_catalogue(const unit &u) {
   const std::string space = identifier(u.scene.space);
   std::string out = banner(u.scene, "The catalogue of launchers on a CUDA device.");
-  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <meetc/self_test.hpp>\n\n"
+  out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <meetc/number/self_test.hpp>\n\n"
                      "namespace {0} {{\nnamespace cuda {{\n\n",
                      space);
   out += catalogue_text(u);
@@ -129,8 +144,8 @@ std::string cuda_kind(const unit &u, const lower::lowered_kind &k) {
   std::string out =
       banner(u.scene, fmt::format("What a set of elements of the kind {} does on a CUDA device.", k.name));
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/shapes.hpp>\n"
-                     "#include <meetc/cuda_arrange.hpp>\n#include <meetc/cuda_cull.hpp>\n"
-                     "#include <meetc/cuda_sets.hpp>\n#include <meetc/cuda_tree.hpp>\n\n"
+                     "#include <meetc/cuda/arrange.hpp>\n#include <meetc/cuda/cull.hpp>\n"
+                     "#include <meetc/cuda/sets.hpp>\n#include <meetc/cuda/tree.hpp>\n\n"
                      "namespace {0} {{\nnamespace cuda {{\nnamespace kinds {{\n\n",
                      space);
   out += fmt::format("meetc::cuda::set_launchers {2}() {{\n"
@@ -151,7 +166,7 @@ std::string cuda_launchers(const unit &u, const lower::kernel &k) {
   const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
   std::string out = banner(u.scene, fmt::format("Launchers of {} on a CUDA device.", k.asked.asked->name));
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n"
-                     "#include <meetc/cuda_steps.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
+                     "#include <meetc/cuda/steps.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n",
                      space, k.asked.name());
   const std::string predicate = fmt::format("::{}::{}", space, name);
   out += fmt::format("cudaError_t {0}::decide{2} {{\n"
@@ -172,7 +187,7 @@ std::string cuda_order(const unit &u, const lower::kernel &k, const lower::kerne
   const std::string space = identifier(u.scene.space), name = identifier(k.asked.asked->name);
   return banner(u.scene, fmt::format("In which order the hits of {} lie, on a CUDA device.", k.asked.asked->name)) +
          fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/{1}.hpp>\n#include <{0}/{2}.hpp>\n"
-                     "#include <meetc/cuda_first_met.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n"
+                     "#include <meetc/cuda/first_met.hpp>\n\nnamespace {0} {{\nnamespace cuda {{\n\n"
                      "cudaError_t {3}::first_met{4} {{\n"
                      "  return meetc::cuda::first_met<::{0}::{3}, ::{0}::{5}_sign>(job, stream);\n}}\n"
                      "\n}} // namespace cuda\n}} // namespace {0}\n",
@@ -181,15 +196,18 @@ std::string cuda_order(const unit &u, const lower::kernel &k, const lower::kerne
 }
 
 std::string cuda_text(const unit &u, std::size_t kernel) {
-  if (!u.kernels[kernel].is_predicate || u.kernels[kernel].is_sign)
-    throw spec_error({},
-                     "only predicates have CUDA launchers; a formula's header (--emit=cpp) is host and device code");
+  if (u.kernels[kernel].is_sign)
+    throw spec_error({}, "only predicates and formulas have CUDA launchers; a sign's header (--emit=cpp) is host and "
+                         "device code");
+  if (!u.kernels[kernel].is_predicate)
+    return broken_lines(cuda_formulas(u));
   return broken_lines(cuda_launchers(u, u.kernels[kernel]));
 }
 
 std::vector<file> cuda_files(const unit &u) {
   const std::string space = identifier(u.scene.space);
-  if (predicates_of(u).empty())
+  const bool formulas = !formulas_on_columns(u).empty();
+  if (predicates_of(u).empty() && !formulas)
     return {}; // nothing to launch
   std::vector<file> out{{space + '/' + space + "_cuda.hpp", cuda_header(u)},
                         {space + '/' + space + "_cuda.cu", cuda_catalogue(u)}};
@@ -200,6 +218,8 @@ std::vector<file> cuda_files(const unit &u) {
       out.push_back({fmt::format("{}/src/{}.cu", space, order->asked.name()), cuda_order(u, *k, *order)});
   for (const lower::lowered_kind *k : element_kinds(u))
     out.push_back({fmt::format("{}/src/{}.cu", space, kind_source(k->name)), cuda_kind(u, *k)});
+  if (formulas)
+    out.push_back({space + "/src/formulas.cu", cuda_formulas(u)});
   for (file &f : out)
     f.text = broken_lines(f.text);
   return out;

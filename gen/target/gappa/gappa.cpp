@@ -1,6 +1,6 @@
 // Scripts for Gappa (https://gappa.gitlabpages.inria.fr): each proves the box form of a sign.
 //
-// Claim (gen/bound/bound.hpp, boxed_signs in runtime/kernel/meetc/boxes.hpp): where every leaf of object A is at most
+// Claim (gen/bound/bound.hpp, boxed_signs in runtime/kernel/meetc/decide/boxes.hpp): where every leaf of object A is at most
 // alpha, of B at most beta and of the pair at most D, powers of two with alpha, beta <= D, the last operation of the
 // sign's graph rounds a number that is within c alpha^a beta^b D^pair of the truth. Why a script states this:
 //

@@ -3,7 +3,7 @@
 #ifndef MEETC_cga_cuda_HPP
 #define MEETC_cga_cuda_HPP
 
-#include <meetc/cuda_table.hpp>
+#include <meetc/cuda/table.hpp>
 #include <meetc/support.hpp>
 
 namespace cga {
@@ -127,6 +127,11 @@ meetc::cuda::set_launchers segment();
 meetc::cuda::set_launchers triangle();
 meetc::cuda::set_launchers box();
 } // namespace kinds
+
+// The launchers of each formula, for the catalogue.
+namespace detail {
+const meetc::cuda::formula_launchers *formulas();
+} // namespace detail
 
 } // namespace cuda
 } // namespace cga

@@ -27,27 +27,19 @@ MEETC_NAMESPACE(cga) {
 //       + 16*X.e1_e3_n_nb^2*Y.e2_e3_n_nb^2 - 32*X.e1_e3_n_nb*X.e2_e3_n_nb*Y.e1_e3_n_nb*Y.e2_e3_n_nb
 //       - 16*X.e2_e3_n_nb^2*Y.e1_e2_e3_n*Y.e1_e2_e3_nb + 16*X.e2_e3_n_nb^2*Y.e1_e2_n_nb^2
 //       + 16*X.e2_e3_n_nb^2*Y.e1_e3_n_nb^2
-// 27 multiplications, 16 additions, 13 scalings by powers of two, 5 negations.
-// Within ((1 + u)^11 - 1) M of the exact value.
+// 15 multiplications, 11 additions, 3 scalings by powers of two, 7 negations.
+// Within ((1 + u)^12 - 1) M of the exact value.
 template <class T> MEETC_HD inline T norm2_meet(const sphere_blade<T> &X, const sphere_blade<T> &Y) {
-  const T t0 = meetc::multiply_add(-X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb);
-  const T t1 = T(2) * t0;
-  const T t2 = meetc::multiply_add(-X.e1_e2_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_n_nb);
-  const T t3 = meetc::multiply_add(-X.e1_e3_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e3_n_nb);
-  const T t4 = meetc::multiply_add(-X.e2_e3_n_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e2_e3_n_nb);
-  const T t5 = meetc::multiply_add(-X.e1_e2_n_nb, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e2_n_nb);
-  const T t6 = meetc::multiply_add(-X.e1_e3_n_nb, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e1_e3_n_nb);
-  const T t7 = meetc::multiply_add(-X.e2_e3_n_nb, Y.e1_e2_e3_nb, X.e1_e2_e3_nb * Y.e2_e3_n_nb);
-  const T t8 = meetc::multiply_add(-X.e1_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e1_e3_n_nb);
-  const T t9 = T(2) * t8;
-  const T t10 = meetc::multiply_add(-X.e2_e3_n_nb, Y.e1_e2_n_nb, X.e1_e2_n_nb * Y.e2_e3_n_nb);
-  const T t11 = T(2) * t10;
-  const T t12 = meetc::multiply_add(-X.e2_e3_n_nb, Y.e1_e3_n_nb, X.e1_e3_n_nb * Y.e2_e3_n_nb);
-  const T t13 = T(2) * t12;
-  const T t14 = meetc::multiply_add(T(2) * t6, t3 * T(8), meetc::multiply_add(T(2) * t5, t2 * T(8), t1 * t1));
-  const T t15 = meetc::multiply_add(t9 * t9, T(-4), meetc::multiply_add(T(2) * t7, t4 * T(8), t14));
-  const T t16 = meetc::multiply_add(T(-4), t13 * t13, meetc::multiply_add(T(-4), t11 * t11, t15));
-  return -t16;
+  const T t0 = meetc::multiply_add(-Y.e1_e2_n_nb, Y.e1_e2_n_nb, Y.e1_e2_e3_n * Y.e1_e2_e3_nb);
+  const T t1 = meetc::multiply_add(-Y.e2_e3_n_nb, Y.e2_e3_n_nb, meetc::multiply_add(-Y.e1_e3_n_nb,
+      Y.e1_e3_n_nb, t0));
+  const T t2 = meetc::multiply_add(-X.e1_e2_n_nb, X.e1_e2_n_nb, X.e1_e2_e3_n * X.e1_e2_e3_nb);
+  const T t3 = meetc::multiply_add(-X.e2_e3_n_nb, X.e2_e3_n_nb, meetc::multiply_add(-X.e1_e3_n_nb,
+      X.e1_e3_n_nb, t2));
+  const T t4 = meetc::multiply_add(X.e1_e2_e3_nb, Y.e1_e2_e3_n, X.e1_e2_e3_n * Y.e1_e2_e3_nb);
+  const T t5 = meetc::multiply_add(X.e1_e2_n_nb, Y.e1_e2_n_nb, X.e1_e3_n_nb * Y.e1_e3_n_nb);
+  const T t6 = meetc::multiply_add(meetc::multiply_add(X.e2_e3_n_nb, Y.e2_e3_n_nb, t5), T(-2), t4);
+  return T(4) * meetc::multiply_add(-t6, t6, T(4) * (t1 * t3));
 }
 
 // norm2(meet(sphere, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.

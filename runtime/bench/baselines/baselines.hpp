@@ -9,9 +9,9 @@
 #ifndef MEETC_BENCH_BASELINES_BASELINES_HPP
 #define MEETC_BENCH_BASELINES_BASELINES_HPP
 
-#include "bench/baselines/guigue_devillers.hpp"
-#include "bench/baselines/moller.hpp"
-#include "bench/baselines/vectors.hpp"
+#include "meet/bench/baselines/guigue_devillers.hpp"
+#include "meet/bench/baselines/moller.hpp"
+#include "meet/bench/baselines/vectors.hpp"
 
 MEETC_NAMESPACE(meetc::baselines) {
 

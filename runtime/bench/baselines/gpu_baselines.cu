@@ -1,6 +1,6 @@
-#include "bench/baselines/gpu_baselines.hpp"
+#include "meet/bench/baselines/gpu_baselines.hpp"
 
-#include "bench/baselines/baselines.hpp"
+#include "meet/bench/baselines/baselines.hpp"
 
 #include <algorithm>
 

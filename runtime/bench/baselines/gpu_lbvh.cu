@@ -1,8 +1,8 @@
-#include "bench/baselines/gpu_lbvh.hpp"
+#include "meet/bench/baselines/gpu_lbvh.hpp"
 
-#include "bench/baselines/baselines.hpp"
-#include "core/device/memory/blocks.hpp"
-#include "core/device/set/order_kernels.hpp"
+#include "meet/bench/baselines/baselines.hpp"
+#include "meet/core/device/memory/blocks.hpp"
+#include "meet/core/device/set/order_kernels.hpp"
 
 namespace meetc::bench {
 namespace {

@@ -2,10 +2,10 @@
 #ifndef MEETC_BENCH_BASELINES_GPU_LBVH_HPP
 #define MEETC_BENCH_BASELINES_GPU_LBVH_HPP
 
-#include "bench/baselines/gpu_baselines.hpp"
-#include "bench/baselines/lbvh.hpp"
-#include "core/device/memory/memory.hpp"
-#include "meetc/table.hpp"
+#include "meet/bench/baselines/gpu_baselines.hpp"
+#include "meet/bench/baselines/lbvh.hpp"
+#include "meet/core/device/memory/memory.hpp"
+#include "meetc/table/table.hpp"
 
 namespace meetc::bench {
 

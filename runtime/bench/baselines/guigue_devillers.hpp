@@ -11,7 +11,7 @@
 #ifndef MEETC_BENCH_BASELINES_GUIGUE_DEVILLERS_HPP
 #define MEETC_BENCH_BASELINES_GUIGUE_DEVILLERS_HPP
 
-#include "bench/baselines/vectors.hpp"
+#include "meet/bench/baselines/vectors.hpp"
 
 MEETC_NAMESPACE(meetc::baselines) {
 

@@ -10,7 +10,7 @@
 #ifndef MEETC_BENCH_BASELINES_MOLLER_HPP
 #define MEETC_BENCH_BASELINES_MOLLER_HPP
 
-#include "bench/baselines/vectors.hpp"
+#include "meet/bench/baselines/vectors.hpp"
 
 MEETC_NAMESPACE(meetc::baselines) {
 

@@ -1,6 +1,6 @@
-#include "bench/baselines/paper_way.hpp"
+#include "meet/bench/baselines/paper_way.hpp"
 
-#include "bench/baselines/vectors.hpp"
+#include "meet/bench/baselines/vectors.hpp"
 
 #include <array>
 

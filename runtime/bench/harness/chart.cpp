@@ -1,4 +1,4 @@
-#include "bench/harness/chart.hpp"
+#include "meet/bench/harness/chart.hpp"
 
 #include <fmt/format.h>
 

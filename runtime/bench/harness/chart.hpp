@@ -4,8 +4,8 @@
 #ifndef MEETC_BENCH_HARNESS_CHART_HPP
 #define MEETC_BENCH_HARNESS_CHART_HPP
 
-#include "bench/harness/plot.hpp"
-#include "picture/image.hpp"
+#include "meet/bench/harness/plot.hpp"
+#include "meet/picture/image.hpp"
 
 #include <string>
 #include <utility>

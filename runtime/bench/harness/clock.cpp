@@ -1,4 +1,4 @@
-#include "bench/harness/clock.hpp"
+#include "meet/bench/harness/clock.hpp"
 
 #include <ctime>
 

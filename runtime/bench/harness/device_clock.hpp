@@ -2,9 +2,9 @@
 #ifndef MEETC_BENCH_HARNESS_DEVICE_CLOCK_HPP
 #define MEETC_BENCH_HARNESS_DEVICE_CLOCK_HPP
 
-#include "bench/baselines/gpu_baselines.hpp"
-#include "bench/harness/turns.hpp"
-#include "core/device/memory/memory.hpp"
+#include "meet/bench/baselines/gpu_baselines.hpp"
+#include "meet/bench/harness/turns.hpp"
+#include "meet/core/device/memory/memory.hpp"
 
 #include <functional>
 
@@ -12,7 +12,7 @@ namespace meetc::bench {
 
 class device_clock final : public clock {
 public:
-  explicit device_clock(device &on) : on_(on) {
+  explicit device_clock(const device &on) : on_(on) {
     for (cudaEvent_t &e : events_)
       check(cudaEventCreate(&e), "making an event");
     check(cudaStreamCreateWithFlags(&beside_, cudaStreamNonBlocking), "making a stream");
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  device &on_;
+  device on_;
   cudaEvent_t events_[2] = {nullptr, nullptr};
   cudaStream_t beside_ = nullptr;
   device_memory<clock_reading> reading_;

@@ -1,6 +1,6 @@
-#include "bench/harness/machine.hpp"
+#include "meet/bench/harness/machine.hpp"
 
-#include "meetc/instruction_set.hpp"
+#include "meetc/environment/instruction_set.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "bench/harness/method.hpp"
+#include "meet/bench/harness/method.hpp"
 
-#include "app/failure.hpp"
-#include "app/words.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/text/words.hpp"
 
 #include <fmt/format.h>
 

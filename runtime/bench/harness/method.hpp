@@ -5,8 +5,8 @@
 #ifndef MEETC_BENCH_HARNESS_METHOD_HPP
 #define MEETC_BENCH_HARNESS_METHOD_HPP
 
-#include "bench/harness/turns.hpp"
-#include "meetc/table.hpp"
+#include "meet/bench/harness/turns.hpp"
+#include "meetc/table/table.hpp"
 
 #include <cstdint>
 #include <span>

@@ -1,8 +1,8 @@
-#include "bench/harness/options.hpp"
+#include "meet/bench/harness/options.hpp"
 
-#include "app/failure.hpp"
-#include "app/option_values.hpp"
-#include "io/number.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/option_values.hpp"
+#include "meet/io/text/number.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-#include "bench/harness/plot.hpp"
+#include "meet/bench/harness/plot.hpp"
 
-#include "app/failure.hpp"
+#include "meet/app/input/failure.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-#include "bench/harness/report.hpp"
+#include "meet/bench/harness/report.hpp"
 
-#include "app/failure.hpp"
-#include "bench/harness/plot.hpp"
-#include "io/atomic_file.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/bench/harness/plot.hpp"
+#include "meet/io/files/atomic_file.hpp"
 
 #include <fmt/format.h>
 

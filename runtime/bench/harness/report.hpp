@@ -2,8 +2,8 @@
 #ifndef MEETC_BENCH_HARNESS_REPORT_HPP
 #define MEETC_BENCH_HARNESS_REPORT_HPP
 
-#include "app/output_files.hpp"
-#include "bench/harness/table.hpp"
+#include "meet/app/output/output_files.hpp"
+#include "meet/bench/harness/table.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
-#include "bench/harness/scaling.hpp"
+#include "meet/bench/harness/scaling.hpp"
 
-#include "app/words.hpp"
+#include "meet/app/text/words.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #ifndef MEETC_BENCH_HARNESS_SCALING_HPP
 #define MEETC_BENCH_HARNESS_SCALING_HPP
 
-#include "app/json.hpp"
+#include "meet/app/text/json.hpp"
 
 #include <string>
 #include <vector>

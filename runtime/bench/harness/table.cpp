@@ -1,6 +1,6 @@
-#include "bench/harness/table.hpp"
+#include "meet/bench/harness/table.hpp"
 
-#include "app/words.hpp"
+#include "meet/app/text/words.hpp"
 
 #include <fmt/format.h>
 

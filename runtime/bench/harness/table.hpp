@@ -3,7 +3,7 @@
 #ifndef MEETC_BENCH_HARNESS_TABLE_HPP
 #define MEETC_BENCH_HARNESS_TABLE_HPP
 
-#include "app/json.hpp"
+#include "meet/app/text/json.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
-#include "bench/harness/turns.hpp"
+#include "meet/bench/harness/turns.hpp"
 
-#include "bench/baselines/baselines.hpp"
-#include "bodies/meshes.hpp"
+#include "meet/bench/baselines/baselines.hpp"
+#include "meet/bodies/meshes.hpp"
 
 #include <cmath>
 #include <memory>

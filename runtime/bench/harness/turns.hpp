@@ -9,7 +9,7 @@
 #ifndef MEETC_BENCH_HARNESS_TURNS_HPP
 #define MEETC_BENCH_HARNESS_TURNS_HPP
 
-#include "bench/harness/clock.hpp"
+#include "meet/bench/harness/clock.hpp"
 
 #include <algorithm>
 #include <array>

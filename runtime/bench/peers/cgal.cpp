@@ -1,5 +1,5 @@
 // CGAL: a tree of boxes, and a sweep over boxes, with its kernel of exact predicates.
-#include "bench/peers/each.hpp"
+#include "meet/bench/peers/each.hpp"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

@@ -1,5 +1,5 @@
 // CGAL's do_intersect with its kernel of exact predicates. MEETC_CGAL_PAIRS is the name of the function that this defines.
-#include "bench/peers/each.hpp"
+#include "meet/bench/peers/each.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

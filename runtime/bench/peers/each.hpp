@@ -2,7 +2,7 @@
 #ifndef MEETC_BENCH_PEERS_EACH_HPP
 #define MEETC_BENCH_PEERS_EACH_HPP
 
-#include "bench/peers/peers.hpp"
+#include "meet/bench/peers/peers.hpp"
 
 namespace meetc::bench::peers {
 

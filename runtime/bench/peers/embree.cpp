@@ -1,7 +1,7 @@
 // Embree: pairs of boxes of two scenes (rtcCollide), and all triangles on a segment, by rays whose filter keeps every hit.
-#include "bench/peers/each.hpp"
+#include "meet/bench/peers/each.hpp"
 
-#include "core/threads.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <embree3/rtcore.h>
 

@@ -1,5 +1,5 @@
 // FCL: trees of oriented boxes (OBBRSS) over double.
-#include "bench/peers/each.hpp"
+#include "meet/bench/peers/each.hpp"
 
 #include <fcl/config.h>
 #include <fcl/geometry/bvh/BVH_model.h>

@@ -1,6 +1,6 @@
-#include "bench/peers/peers.hpp"
+#include "meet/bench/peers/peers.hpp"
 
-#include "bench/peers/each.hpp"
+#include "meet/bench/peers/each.hpp"
 
 namespace meetc::bench::peers {
 

@@ -5,7 +5,7 @@
 #ifndef MEETC_BENCH_PEERS_PEERS_HPP
 #define MEETC_BENCH_PEERS_PEERS_HPP
 
-#include "meetc/table.hpp"
+#include "meetc/table/table.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -1,8 +1,8 @@
-#include "bench/scenes/cpu_sets.hpp"
+#include "meet/bench/scenes/cpu_sets.hpp"
 
-#include "app/failure.hpp"
-#include "app/made_sets.hpp"
-#include "bench/scenes/scene_sets.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/bench/scenes/scene_sets.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #ifndef MEETC_BENCH_SCENES_CPU_SETS_HPP
 #define MEETC_BENCH_SCENES_CPU_SETS_HPP
 
-#include "bench/scenes/scenes.hpp"
+#include "meet/bench/scenes/scenes.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
-#include "app/made_sets.hpp"
-#include "bench/scenes/scene_sets.hpp"
-#include "bench/scenes/scenes.hpp"
-#include "bodies/meshes.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/bench/scenes/scene_sets.hpp"
+#include "meet/bench/scenes/scenes.hpp"
+#include "meet/bodies/meshes.hpp"
 
 #include <fmt/format.h>
 

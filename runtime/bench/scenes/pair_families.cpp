@@ -1,6 +1,6 @@
-#include "bench/scenes/pair_families.hpp"
+#include "meet/bench/scenes/pair_families.hpp"
 
-#include "bench/truth/numbers.hpp"
+#include "meet/bench/truth/numbers.hpp"
 
 #include <algorithm>
 #include <array>

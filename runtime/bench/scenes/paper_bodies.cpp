@@ -1,11 +1,11 @@
-#include "bench/scenes/paper_bodies.hpp"
+#include "meet/bench/scenes/paper_bodies.hpp"
 
-#include "app/failure.hpp"
-#include "app/kinds.hpp"
-#include "app/made_sets.hpp"
-#include "app/paint.hpp"
-#include "app/words.hpp"
-#include "io/read.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/kinds.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/app/output/paint.hpp"
+#include "meet/app/text/words.hpp"
+#include "meet/io/read.hpp"
 
 #include <fmt/format.h>
 

@@ -9,9 +9,9 @@
 #ifndef MEETC_BENCH_SCENES_PAPER_BODIES_HPP
 #define MEETC_BENCH_SCENES_PAPER_BODIES_HPP
 
-#include "bodies/meshes.hpp"
-#include "io/element_set.hpp"
-#include "io/transform.hpp"
+#include "meet/bodies/meshes.hpp"
+#include "meet/io/elements/element_set.hpp"
+#include "meet/io/elements/transform.hpp"
 #include "meetc/support.hpp"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include "bench/scenes/scene_sets.hpp"
+#include "meet/bench/scenes/scene_sets.hpp"
 
-#include "app/made_sets.hpp"
+#include "meet/app/input/made_sets.hpp"
 
 #include <cmath>
 #include <utility>

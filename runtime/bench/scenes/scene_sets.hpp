@@ -2,7 +2,7 @@
 #ifndef MEETC_BENCH_SCENES_SCENE_SETS_HPP
 #define MEETC_BENCH_SCENES_SCENE_SETS_HPP
 
-#include "io/element_set.hpp"
+#include "meet/io/elements/element_set.hpp"
 #include "meetc/support.hpp"
 
 #include <cstdint>

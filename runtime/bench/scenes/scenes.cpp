@@ -1,7 +1,7 @@
-#include "bench/scenes/scenes.hpp"
+#include "meet/bench/scenes/scenes.hpp"
 
-#include "app/made_sets.hpp"
-#include "bench/scenes/scene_sets.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/bench/scenes/scene_sets.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #ifndef MEETC_BENCH_SCENES_SCENES_HPP
 #define MEETC_BENCH_SCENES_SCENES_HPP
 
-#include "io/element_set.hpp"
-#include "io/transform.hpp"
+#include "meet/io/elements/element_set.hpp"
+#include "meet/io/elements/transform.hpp"
 #include "meetc/support.hpp"
 
 #include <filesystem>

@@ -1,9 +1,9 @@
-#include "app/failure.hpp"
-#include "app/kinds.hpp"
-#include "app/made_sets.hpp"
-#include "app/sets.hpp"
-#include "bench/scenes/scenes.hpp"
-#include "io/read.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/kinds.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/bench/scenes/scenes.hpp"
+#include "meet/io/read.hpp"
 
 #include <fmt/format.h>
 

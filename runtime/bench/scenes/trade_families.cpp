@@ -1,8 +1,8 @@
-#include "bench/scenes/trade_families.hpp"
+#include "meet/bench/scenes/trade_families.hpp"
 
-#include "app/sets.hpp"
-#include "core/candidates.hpp"
-#include "core/element_set.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/core/sets/element_set.hpp"
+#include "meet/core/traversal/candidates.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #ifndef MEETC_BENCH_SCENES_TRADE_FAMILIES_HPP
 #define MEETC_BENCH_SCENES_TRADE_FAMILIES_HPP
 
-#include "bench/truth/near_pairs.hpp"
-#include "io/element_set.hpp"
+#include "meet/bench/truth/near_pairs.hpp"
+#include "meet/io/elements/element_set.hpp"
 
 #include <array>
 

@@ -2,10 +2,11 @@
 #ifndef MEETC_BENCH_TABLES_DEVICE_HPP
 #define MEETC_BENCH_TABLES_DEVICE_HPP
 
-#include "app/choose.hpp"
-#include "bench/tables/trade/cells.hpp"
-#include "core/collide.hpp"
-#include "io/element_set.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/bench/tables/trade_point.hpp"
+#include "meet/bench/truth/near_pairs.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/io/elements/element_set.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,15 +1,15 @@
 // How long the readers take.
-#include "io/read.hpp"
-#include "app/kinds.hpp"
-#include "app/made_sets.hpp"
-#include "bench/harness/method.hpp"
-#include "bench/harness/report.hpp"
-#include "bench/tables/tables.hpp"
-#include "bodies/meshes.hpp"
-#include "io/atomic_file.hpp"
-#include "io/endian.hpp"
-#include "io/file_bytes.hpp"
-#include "io/write.hpp"
+#include "meet/io/read.hpp"
+#include "meet/app/input/kinds.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/bench/harness/method.hpp"
+#include "meet/bench/harness/report.hpp"
+#include "meet/bench/tables/tables.hpp"
+#include "meet/bodies/meshes.hpp"
+#include "meet/io/files/atomic_file.hpp"
+#include "meet/io/files/endian.hpp"
+#include "meet/io/files/file_bytes.hpp"
+#include "meet/io/write.hpp"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #ifndef MEETC_BENCH_TABLES_TABLES_HPP
 #define MEETC_BENCH_TABLES_TABLES_HPP
 
-#include "app/choose.hpp"
-#include "bench/harness/options.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/bench/harness/options.hpp"
 
 #include <string>
 
@@ -23,6 +23,10 @@ std::string cpu(const app::kernel_library &kernels, const request &q);
 // numbers to std::from_chars; for a binary file, a copy of its bytes into fresh memory. Files lie in a temporary folder, and so
 // in the page cache; all memory is fresh in each run.
 std::string read(const catalogue &all, const request &q);
+
+// `meet bench formulas`: formulas on columns beside a copy of as many bytes, and on listed rows beside a loop that gathers the
+// same numbers and writes as many.
+std::string formulas(const app::kernel_library &kernels, const request &q);
 
 // `meet trade`: the cost of each rung, the number of its errors, and their size.
 std::string trade(const app::kernel_library &kernels, const request &q);

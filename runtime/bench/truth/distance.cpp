@@ -1,7 +1,7 @@
-#include "bench/truth/distance.hpp"
+#include "meet/bench/truth/distance.hpp"
 
-#include "bench/baselines/vectors.hpp"
-#include "meetc/double_double.hpp"
+#include "meet/bench/baselines/vectors.hpp"
+#include "meetc/number/double_double.hpp"
 
 #include <algorithm>
 #include <array>

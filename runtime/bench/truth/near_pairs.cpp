@@ -1,7 +1,7 @@
-#include "bench/truth/near_pairs.hpp"
+#include "meet/bench/truth/near_pairs.hpp"
 
-#include "bench/truth/distance.hpp"
-#include "bench/truth/numbers.hpp"
+#include "meet/bench/truth/distance.hpp"
+#include "meet/bench/truth/numbers.hpp"
 
 #include <algorithm>
 #include <array>

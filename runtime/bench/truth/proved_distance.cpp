@@ -1,4 +1,4 @@
-#include "bench/truth/proved_distance.hpp"
+#include "meet/bench/truth/proved_distance.hpp"
 
 #include <cga/ball_ball.hpp>
 #include <cga/sphere_sphere.hpp>

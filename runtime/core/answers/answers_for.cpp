@@ -1,10 +1,10 @@
-#include "core/answers/answers_for.hpp"
+#include "meet/core/answers/answers_for.hpp"
 
-#include "core/answers/any_pair.hpp"
-#include "core/answers/element_numbers.hpp"
-#include "core/answers/element_pairs.hpp"
-#include "core/answers/first_met.hpp"
-#include "core/answers/item_pairs.hpp"
+#include "meet/core/answers/any_pair.hpp"
+#include "meet/core/answers/element_numbers.hpp"
+#include "meet/core/answers/element_pairs.hpp"
+#include "meet/core/answers/first_met.hpp"
+#include "meet/core/answers/item_pairs.hpp"
 
 namespace meetc {
 namespace {

@@ -4,7 +4,7 @@
 #ifndef MEETC_CORE_ANSWERS_ELEMENT_NUMBERS_HPP
 #define MEETC_CORE_ANSWERS_ELEMENT_NUMBERS_HPP
 
-#include "core/answers/query_answer.hpp"
+#include "meet/core/answers/query_answer.hpp"
 
 #include <atomic>
 

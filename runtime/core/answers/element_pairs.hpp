@@ -2,8 +2,8 @@
 #ifndef MEETC_CORE_ANSWERS_ELEMENT_PAIRS_HPP
 #define MEETC_CORE_ANSWERS_ELEMENT_PAIRS_HPP
 
-#include "core/answers/query_answer.hpp"
-#include "core/pair_list.hpp"
+#include "meet/core/answers/pair_list.hpp"
+#include "meet/core/answers/query_answer.hpp"
 
 namespace meetc {
 

@@ -1,6 +1,6 @@
-#include "core/answers/first_met.hpp"
+#include "meet/core/answers/first_met.hpp"
 
-#include "meetc/take_first.hpp"
+#include "meetc/decide/take_first.hpp"
 
 #include <atomic>
 

@@ -3,7 +3,7 @@
 #ifndef MEETC_CORE_ANSWERS_FIRST_MET_HPP
 #define MEETC_CORE_ANSWERS_FIRST_MET_HPP
 
-#include "core/answers/query_answer.hpp"
+#include "meet/core/answers/query_answer.hpp"
 
 namespace meetc {
 

@@ -1,6 +1,6 @@
-#include "core/answers/item_pairs.hpp"
+#include "meet/core/answers/item_pairs.hpp"
 
-#include "core/pair_list.hpp"
+#include "meet/core/answers/pair_list.hpp"
 
 namespace meetc {
 

@@ -4,7 +4,7 @@
 #ifndef MEETC_CORE_ANSWERS_ITEM_PAIRS_HPP
 #define MEETC_CORE_ANSWERS_ITEM_PAIRS_HPP
 
-#include "core/answers/query_answer.hpp"
+#include "meet/core/answers/query_answer.hpp"
 
 namespace meetc {
 

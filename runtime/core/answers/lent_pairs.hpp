@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_ANSWERS_LENT_PAIRS_HPP
 #define MEETC_CORE_ANSWERS_LENT_PAIRS_HPP
 
-#include "core/answers/query_answer.hpp"
+#include "meet/core/answers/query_answer.hpp"
 
 #include <atomic>
 

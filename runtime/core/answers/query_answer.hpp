@@ -5,8 +5,8 @@
 #ifndef MEETC_CORE_ANSWERS_QUERY_ANSWER_HPP
 #define MEETC_CORE_ANSWERS_QUERY_ANSWER_HPP
 
-#include "core/answers.hpp"
-#include "core/element_set.hpp"
+#include "meet/core/answers/answers.hpp"
+#include "meet/core/sets/element_set.hpp"
 
 namespace meetc {
 

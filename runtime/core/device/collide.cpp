@@ -1,10 +1,10 @@
-#include "core/device/collide.hpp"
+#include "meet/core/device/collide.hpp"
 
-#include "core/device/answers/answers_for.hpp"
-#include "core/device/memory/buffers.hpp"
-#include "core/device/query/query.hpp"
-#include "core/device/set/cull.hpp"
-#include "core/device/set/order.hpp"
+#include "meet/core/device/answers/answers_for.hpp"
+#include "meet/core/device/memory/buffers.hpp"
+#include "meet/core/device/query/query.hpp"
+#include "meet/core/device/set/cull.hpp"
+#include "meet/core/device/set/order.hpp"
 
 #include <chrono>
 #include <vector>

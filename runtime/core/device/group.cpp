@@ -1,14 +1,14 @@
-#include "core/device/group.hpp"
+#include "meet/core/device/group.hpp"
 
-#include "core/answers.hpp"
-#include "core/device/answers/answers_for.hpp"
-#include "core/device/answers/hit_keys.hpp"
-#include "core/device/answers/kernels.hpp"
-#include "core/device/memory/buffers.hpp"
-#include "core/device/query/query.hpp"
-#include "core/device/set/given.hpp"
-#include "core/pair_list.hpp"
-#include "core/threads.hpp"
+#include "meet/core/answers/answers.hpp"
+#include "meet/core/answers/pair_list.hpp"
+#include "meet/core/device/answers/answers_for.hpp"
+#include "meet/core/device/answers/hit_keys.hpp"
+#include "meet/core/device/answers/kernels.hpp"
+#include "meet/core/device/memory/buffers.hpp"
+#include "meet/core/device/query/query.hpp"
+#include "meet/core/device/set/given.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <algorithm>
 #include <chrono>

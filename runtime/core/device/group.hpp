@@ -11,7 +11,7 @@
 #ifndef MEETC_CORE_DEVICE_GROUP_HPP
 #define MEETC_CORE_DEVICE_GROUP_HPP
 
-#include "core/device/collide.hpp"
+#include "meet/core/device/collide.hpp"
 
 #include <functional>
 #include <memory>

@@ -1,8 +1,8 @@
-#include "core/device/poses.hpp"
+#include "meet/core/device/poses.hpp"
 
-#include "core/device/answers/element_numbers.hpp"
-#include "core/device/query/query.hpp"
-#include "core/pose.hpp"
+#include "meet/core/device/answers/element_numbers.hpp"
+#include "meet/core/device/query/query.hpp"
+#include "meet/core/views/pose.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -8,7 +8,7 @@
 #ifndef MEETC_CORE_DEVICE_POSES_HPP
 #define MEETC_CORE_DEVICE_POSES_HPP
 
-#include "core/device/collide.hpp"
+#include "meet/core/device/collide.hpp"
 
 #include <span>
 #include <vector>

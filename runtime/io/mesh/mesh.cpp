@@ -1,9 +1,9 @@
-#include "io/mesh/mesh.hpp"
+#include "meet/io/mesh/mesh.hpp"
 
-#include "core/plural.hpp"
-#include "core/threads.hpp"
-#include "io/error.hpp"
-#include "io/polygon/triangulate.hpp"
+#include "meet/core/threads/threads.hpp"
+#include "meet/core/views/plural.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/polygon/triangulate.hpp"
 
 #include <fmt/format.h>
 

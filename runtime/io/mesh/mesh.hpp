@@ -2,8 +2,8 @@
 #ifndef MEETC_IO_MESH_MESH_HPP
 #define MEETC_IO_MESH_MESH_HPP
 
-#include "io/element_set.hpp"
-#include "io/readers.hpp"
+#include "meet/io/elements/element_set.hpp"
+#include "meet/io/elements/readers.hpp"
 
 #include <cstddef>
 #include <string>

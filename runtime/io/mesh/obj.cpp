@@ -1,10 +1,10 @@
 // OBJ: the vertices, polygons, polylines and points of a Wavefront file. It is written by hand, since tinyobjloader
 // silently accepts bad numbers, wrong indices and short faces. Statements that carry no geometry (normals, groups,
 // materials, …) are skipped; those that no OBJ has, and free-form curves, are noted.
-#include "io/error.hpp"
-#include "io/mesh/mesh.hpp"
-#include "io/mesh/obj_statements.hpp"
-#include "io/text/cursor.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/mesh/mesh.hpp"
+#include "meet/io/mesh/obj_statements.hpp"
+#include "meet/io/text/cursor.hpp"
 
 #include <fmt/format.h>
 

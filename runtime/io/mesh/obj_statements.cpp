@@ -1,4 +1,4 @@
-#include "io/mesh/obj_statements.hpp"
+#include "meet/io/mesh/obj_statements.hpp"
 
 #include <fmt/format.h>
 

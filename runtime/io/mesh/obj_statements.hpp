@@ -2,7 +2,7 @@
 #ifndef MEETC_IO_MESH_OBJ_STATEMENTS_HPP
 #define MEETC_IO_MESH_OBJ_STATEMENTS_HPP
 
-#include "io/text/pieces.hpp"
+#include "meet/io/text/pieces.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -1,9 +1,9 @@
 // OFF and COFF in ascii, as Geomview defines them: a keyword, the numbers of vertices, faces and edges, a line for each
 // vertex and a line for each face, which begins with its number of corners. Colours are passed over; comments begin with '#'.
-#include "io/error.hpp"
-#include "io/mesh/ply_rows.hpp"
-#include "io/number.hpp"
-#include "io/text.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/mesh/ply_rows.hpp"
+#include "meet/io/text/number.hpp"
+#include "meet/io/text/text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // PLY: the vertices and faces among everything that the header announces. Elements and properties may come in any
 // order; those that are not needed are skipped. It is written by hand, so that a count is checked against the size of
 // the file before it is trusted, and each error names its row. OFF has the same body after a header of its own.
-#include "core/plural.hpp"
-#include "io/error.hpp"
-#include "io/mesh/ply_rows.hpp"
-#include "io/readers.hpp"
+#include "meet/core/views/plural.hpp"
+#include "meet/io/elements/readers.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/mesh/ply_rows.hpp"
 
 #include <fmt/format.h>
 

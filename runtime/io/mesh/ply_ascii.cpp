@@ -2,9 +2,9 @@
 //
 // A piece of the text must know the number of its first row, so the lines are counted first. If their number is not
 // that of the header, the text is read as one piece, which finds the place of the fault.
-#include "io/error.hpp"
-#include "io/mesh/ply_rows.hpp"
-#include "io/text/cursor.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/mesh/ply_rows.hpp"
+#include "meet/io/text/cursor.hpp"
 
 #include <fmt/format.h>
 

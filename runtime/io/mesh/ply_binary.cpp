@@ -3,10 +3,10 @@
 // If all rows of an element take the same number of bytes, because no list is in them or because each face has as many
 // corners as the first one, several threads read them. Otherwise the rows are read one after the other, which also finds
 // the place of a fault.
-#include "io/endian.hpp"
-#include "io/error.hpp"
-#include "io/mesh/ply_rows.hpp"
-#include "io/number.hpp"
+#include "meet/io/files/endian.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/mesh/ply_rows.hpp"
+#include "meet/io/text/number.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-#include "io/mesh/ply_header.hpp"
+#include "meet/io/mesh/ply_header.hpp"
 
-#include "io/error.hpp"
-#include "io/number.hpp"
-#include "io/text.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/text/number.hpp"
+#include "meet/io/text/text.hpp"
 
 #include <fmt/format.h>
 

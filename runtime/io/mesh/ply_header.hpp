@@ -2,7 +2,7 @@
 #ifndef MEETC_IO_MESH_PLY_HEADER_HPP
 #define MEETC_IO_MESH_PLY_HEADER_HPP
 
-#include "io/file_bytes.hpp"
+#include "meet/io/files/file_bytes.hpp"
 
 #include <cstddef>
 #include <cstdint>

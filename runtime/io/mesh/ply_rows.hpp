@@ -2,8 +2,8 @@
 #ifndef MEETC_IO_MESH_PLY_ROWS_HPP
 #define MEETC_IO_MESH_PLY_ROWS_HPP
 
-#include "io/mesh/mesh.hpp"
-#include "io/mesh/ply_header.hpp"
+#include "meet/io/mesh/mesh.hpp"
+#include "meet/io/mesh/ply_header.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,11 +1,11 @@
 // STL: facets of three vertices, as rows of 9. Binary: any 80 bytes, a 32-bit count, then 50 bytes for each facet
 // (normal, three vertices, two bytes), all little-endian. Ascii: solid … endsolid, perhaps several. Normals are neither
 // used nor checked. A binary file may begin with "solid", so the size decides.
-#include "io/endian.hpp"
-#include "io/error.hpp"
-#include "io/mesh/mesh.hpp"
-#include "io/mesh/stl_ascii.hpp"
-#include "io/readers.hpp"
+#include "meet/io/elements/readers.hpp"
+#include "meet/io/files/endian.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/mesh/mesh.hpp"
+#include "meet/io/mesh/stl_ascii.hpp"
 
 #include <fmt/format.h>
 

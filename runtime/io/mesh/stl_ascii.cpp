@@ -1,10 +1,10 @@
-#include "io/mesh/stl_ascii.hpp"
+#include "meet/io/mesh/stl_ascii.hpp"
 
-#include "io/mesh/mesh.hpp"
+#include "meet/io/mesh/mesh.hpp"
 
-#include "io/error.hpp"
-#include "io/text.hpp"
-#include "io/text/cursor.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/text/cursor.hpp"
+#include "meet/io/text/text.hpp"
 
 #include <fmt/format.h>
 

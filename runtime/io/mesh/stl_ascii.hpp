@@ -2,7 +2,7 @@
 #ifndef MEETC_IO_MESH_STL_ASCII_HPP
 #define MEETC_IO_MESH_STL_ASCII_HPP
 
-#include "io/readers.hpp"
+#include "meet/io/elements/readers.hpp"
 
 #include <vector>
 

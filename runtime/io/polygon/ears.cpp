@@ -1,4 +1,4 @@
-#include "io/polygon/ears.hpp"
+#include "meet/io/polygon/ears.hpp"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #ifndef MEETC_IO_POLYGON_EARS_HPP
 #define MEETC_IO_POLYGON_EARS_HPP
 
-#include "io/polygon/plane.hpp"
+#include "meet/io/polygon/plane.hpp"
 
 #include <cstdint>
 #include <span>

@@ -6,7 +6,7 @@
 #ifndef MEETC_IO_POLYGON_EXACT_SUM_HPP
 #define MEETC_IO_POLYGON_EXACT_SUM_HPP
 
-#include <meetc/double_double.hpp>
+#include <meetc/number/double_double.hpp>
 
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "io/polygon/plane.hpp"
+#include "meet/io/polygon/plane.hpp"
 
 #include <algorithm>
 #include <cmath>

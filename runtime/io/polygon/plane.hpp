@@ -3,7 +3,7 @@
 #ifndef MEETC_IO_POLYGON_PLANE_HPP
 #define MEETC_IO_POLYGON_PLANE_HPP
 
-#include "io/polygon/exact_sum.hpp"
+#include "meet/io/polygon/exact_sum.hpp"
 
 #include <cstddef>
 #include <span>

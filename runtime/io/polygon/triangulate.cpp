@@ -1,8 +1,8 @@
-#include "io/polygon/triangulate.hpp"
+#include "meet/io/polygon/triangulate.hpp"
 
-#include "core/threads.hpp"
-#include "io/error.hpp"
-#include "io/polygon/ears.hpp"
+#include "meet/core/threads/threads.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/polygon/ears.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #ifndef MEETC_IO_POLYGON_TRIANGULATE_HPP
 #define MEETC_IO_POLYGON_TRIANGULATE_HPP
 
-#include "io/element_set.hpp"
+#include "meet/io/elements/element_set.hpp"
 
 #include <string>
 

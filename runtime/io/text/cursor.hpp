@@ -3,8 +3,8 @@
 #ifndef MEETC_IO_TEXT_CURSOR_HPP
 #define MEETC_IO_TEXT_CURSOR_HPP
 
-#include "io/number.hpp"
-#include "io/text/decimal.hpp"
+#include "meet/io/text/decimal.hpp"
+#include "meet/io/text/number.hpp"
 
 #include <cmath>
 #include <cstdint>

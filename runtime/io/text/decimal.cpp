@@ -1,8 +1,8 @@
-#include "io/text/decimal.hpp"
+#include "meet/io/text/decimal.hpp"
 
-#include "io/number.hpp"
+#include "meet/io/text/number.hpp"
 
-#include <meetc/grid.hpp>
+#include <meetc/number/grid.hpp>
 
 #include <charconv>
 #include <limits>

@@ -9,7 +9,7 @@
 #ifndef MEETC_IO_TEXT_DECIMAL_HPP
 #define MEETC_IO_TEXT_DECIMAL_HPP
 
-#include "io/rounded.hpp"
+#include "meet/io/text/rounded.hpp"
 
 #include <bit>
 #include <cmath>

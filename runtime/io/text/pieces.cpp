@@ -1,4 +1,4 @@
-#include "io/text/pieces.hpp"
+#include "meet/io/text/pieces.hpp"
 
 #include <fmt/format.h>
 

@@ -6,10 +6,10 @@
 #ifndef MEETC_IO_TEXT_PIECES_HPP
 #define MEETC_IO_TEXT_PIECES_HPP
 
-#include "core/threads.hpp"
-#include "io/error.hpp"
-#include "io/file_bytes.hpp"
-#include "io/text/decimal.hpp"
+#include "meet/core/threads/threads.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/files/file_bytes.hpp"
+#include "meet/io/text/decimal.hpp"
 
 #include <algorithm>
 #include <cstddef>

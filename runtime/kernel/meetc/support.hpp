@@ -11,10 +11,10 @@
 
 #define MEETC_SUPPORT_VERSION 15
 
-#include <meetc/entry.hpp>
-#include <meetc/rounding.hpp>
-#include <meetc/self_test.hpp>
-#include <meetc/table.hpp>
-#include <meetc/valid.hpp>
+#include <meetc/decide/entry.hpp>
+#include <meetc/environment/valid.hpp>
+#include <meetc/number/rounding.hpp>
+#include <meetc/number/self_test.hpp>
+#include <meetc/table/table.hpp>
 
 #endif

@@ -3,7 +3,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/decisions/flat/subjects.hpp"
-#include "tests/generated/numbers.hpp"
+#include "tests/generated/judge/numbers.hpp"
 
 #include <algorithm>
 

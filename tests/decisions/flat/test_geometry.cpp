@@ -2,7 +2,7 @@
 // enough, and has the counts.
 #include "tests/catch.hpp"
 #include "tests/decisions/flat/witness.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <cstdio>
 #include <span>

@@ -5,7 +5,7 @@
 #include "tests/decisions/flat/classes.hpp"
 #include "tests/decisions/flat/placement.hpp"
 #include "tests/decisions/flat/subjects.hpp"
-#include "tests/generated/predicates.hpp"
+#include "tests/generated/judge/predicates.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include <cell/cell_runtime.hpp>
-#include <core/collide.hpp>
 #include <cstdio>
 #include <cstring>
+#include <meet/core/query/collide.hpp>
 
 int main() {
   const float balls[] = {0, 0, 0, 1, 3, 0, 0, 1, 9, 0, 0, 1}, probe[] = {2, 0, 0, 1};

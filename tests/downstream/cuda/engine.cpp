@@ -1,8 +1,8 @@
 // Opens a device, which may or may not exist.
 #include <cell/cell_cuda.hpp>
 #include <cell/cell_every_pair.hpp>
-#include <core/device/every_pair/engine.hpp>
 #include <cstdio>
+#include <meet/core/device/every_pair/engine.hpp>
 
 int main() {
   try {

@@ -2,7 +2,7 @@
 // exceptions as they were, whatever the arithmetic between them raised. Prints how many words this processor keeps.
 #include "words.hpp"
 
-#include <meetc/environment.hpp>
+#include <meetc/environment/environment.hpp>
 
 #include <cstdio>
 

@@ -10,7 +10,7 @@
 
 #include <cga/cga.hpp>
 #include <cga/header_only.hpp>
-#include <meetc/boxes.hpp>
+#include <meetc/decide/boxes.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // The functions of a runtime's table in lanes, on pairs that are hard in different ways. It prints a digest of the answers,
 // which are the same on every instruction set, and says whether certified answers are those of the exact rung.
-#include <meetc/table_functions.hpp>
+#include <meetc/simd/table_functions.hpp>
 
 #include <cga/ball_triangle.hpp>
 #include <cga/triangle_triangle.hpp>

@@ -5,7 +5,7 @@
 
 #include <cga/cga.hpp>
 #include <cga/header_only.hpp>
-#include <meetc/boxes.hpp>
+#include <meetc/decide/boxes.hpp>
 
 #ifndef MIXED_CALLER
 #define MIXED_CALLER

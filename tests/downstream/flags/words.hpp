@@ -1,7 +1,7 @@
 // Control words that another library may have left behind, each with one thing changed that the bounds
 // assume.
 #pragma once
-#include <meetc/control_word.hpp>
+#include <meetc/environment/control_word.hpp>
 
 inline constexpr auto plain_word = meetc::plain_control_word;
 using meetc::set_control_word;

@@ -1,10 +1,10 @@
 // Wrong decisions (decisions.toml), each compiled by meetc and put through the same check as the right ones. Judged by
 // their own signs they are right on every rung; judged by geometry, each is caught.
-#include "tests/extremes/geometry.hpp"
+#include "tests/extremes/judges/geometry.hpp"
 
 #include "tests/catch.hpp"
-#include "tests/extremes/families.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/extremes/families/families.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <fmt/format.h>
 #include <wrong/header_only.hpp>

@@ -4,7 +4,7 @@
 #ifndef MEETC_TESTS_BOUNDS_COUNTING_HPP
 #define MEETC_TESTS_BOUNDS_COUNTING_HPP
 
-#include <meetc/double_double.hpp>
+#include <meetc/number/double_double.hpp>
 
 #include <algorithm>
 

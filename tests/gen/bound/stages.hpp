@@ -7,8 +7,8 @@
 #include "tests/gen/bound/counting.hpp"
 #include "tests/gen/bound/tiny.hpp"
 
-#include <meetc/boxes.hpp>
-#include <meetc/decide.hpp>
+#include <meetc/decide/boxes.hpp>
+#include <meetc/decide/decide.hpp>
 #include <string>
 #include <vector>
 

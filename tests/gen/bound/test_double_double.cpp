@@ -1,7 +1,7 @@
 // Double-double arithmetic against integers of any size: transforms are exact, every operation is within 2^-102.
 #include "tests/catch.hpp"
 #include "tests/gen/bound/search.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <gmpxx.h>
 

@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/gen/bound/judge.hpp"
 #include "tests/gen/bound/search.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 using namespace meetc::bounds_test;
 using meetc::generated_test::effort;

@@ -10,7 +10,7 @@
 #ifndef MEETC_TESTS_BOUNDS_TINY_HPP
 #define MEETC_TESTS_BOUNDS_TINY_HPP
 
-#include <meetc/double_double.hpp>
+#include <meetc/number/double_double.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,15 +1,15 @@
 #include "tests/gen/fuzz/compiler.hpp"
 
 #include "gen/ir/count.hpp"
-#include "gen/lower/compile.hpp"
-#include "gen/lower/compose.hpp"
+#include "gen/lower/kernel/compile.hpp"
+#include "gen/lower/programs/compose.hpp"
 
 #include <fmt/format.h>
 
 namespace meetc::fuzz {
 namespace {
 
-// The operations of a formula as gen/lower/formula.cpp may compute it.
+// The operations of a formula as gen/lower/kernel/formula.cpp may compute it.
 class ways {
 public:
   ways(const lower::model &m, const lower::kernel &k) : model_(m), request_(k.asked), formula_(k.value) {

@@ -35,18 +35,22 @@ public:
       e.is = form::add;
     else if (which <= 88)
       e.is = form::subtract;
-    else if (which <= 92)
+    else if (which <= 90)
       e.is = form::negate;
-    else if (which <= 94)
+    else if (which <= 92)
+      e.is = form::reverse;
+    else if (which <= 93)
+      e.is = form::regressive;
+    else if (which <= 95)
       e.is = form::divide;
     else
       e.is = form::coefficient;
     e.parts.push_back(tree(random_.integer(0, depth - 1)));
     if (e.is == form::divide)
-      e.parts.push_back(number());
+      e.parts.push_back(random_.integer(1, 3) == 1 ? basis_blade() : number());
     else if (e.is == form::coefficient)
       e.parts.push_back(index());
-    else if (e.is != form::negate)
+    else if (e.is != form::negate && e.is != form::reverse)
       e.parts.push_back(tree(depth - 1));
     if (e.parts.size() == 2 && e.is != form::divide && e.is != form::coefficient && random_.integer(0, 1) == 1)
       std::swap(e.parts[0], e.parts[1]);
@@ -87,7 +91,12 @@ private:
       vectors.push_back(from[static_cast<std::size_t>(random_.integer(0, static_cast<int>(from.size()) - 1))]);
     if (random_.integer(0, 1) == 1)
       std::swap(vectors.front(), vectors.back());
-    return std::make_shared<expression>(expression{.is = form::blade, .vectors = vectors});
+    const bool numbered = std::all_of(vectors.begin(), vectors.end(), [&](const std::string &v) {
+      return v.size() == 2 && v[0] == vectors[0][0] && v[1] >= '0' && v[1] <= '9';
+    });
+    const bool one_name = vectors.size() > 1 && numbered && random_.integer(0, 1) == 1;
+    return std::make_shared<expression>(
+        expression{.is = form::blade, .text = one_name ? "one name" : "", .vectors = vectors});
   }
   // [1], [e1^n], [-e2^e1], [2*e1], and where vectors are orthogonal [e1*e2].
   expression_ptr index() {
@@ -107,7 +116,17 @@ private:
     return b;
   }
   expression_ptr call_of(int depth) {
-    const function &f = functions[static_cast<std::size_t>(random_.integer(0, static_cast<int>(functions.size()) - 1))];
+    const int special = random_.integer(1, 20);
+    if (special == 1)
+      return call("inverse", {random_.integer(0, 1) == 1 ? basis_blade() : number()});
+    if (special == 2) {
+      const int k = random_.integer(0, static_cast<int>(in_.vectors().size()));
+      return call("grade", {tree(depth - 1),
+                            std::make_shared<expression>(expression{.is = form::number, .text = std::to_string(k)})});
+    }
+    const int last = static_cast<int>(functions.size()) - 1;
+    const function &f =
+        functions[static_cast<std::size_t>(std::min(random_.integer(0, last), random_.integer(0, last)))];
     std::vector<expression_ptr> arguments;
     const bool plain =
         std::string(f.name) == "meet" && random_.integer(1, 4) > 1; // of single grades it is more often defined

@@ -71,6 +71,20 @@ public:
     return product(a, b, [](int x, int y, int z) { return z == y - x; });
   }
   value reverse(const value &a) const { return a; }
+  value involute(const value &a) const { return a; }
+  value inverse(const value &a) const { return a; }
+  value grade_part(value a, int k) const {
+    for (std::size_t b = 0; b < blades_; ++b)
+      if (std::popcount(b) != k)
+        a[b] = 0;
+    return a;
+  }
+  value complement(const value &a, bool) const { return {a.rbegin(), a.rend()}; }
+  value dual(const value &a, bool) const { return complement(a, true); }
+  value dot(const value &a, const value &b) {
+    return product(a, b, [](int x, int y, int z) { return z == y - x || z == x - y; });
+  }
+  value versor(const value &v, const value &x) { return geometric(geometric(v, x), v); }
   value scalar_part(const value &a) const { return one(0, a[0]); }
   value coefficient(const value &a, const value &along) const {
     double most = 0;

@@ -18,10 +18,12 @@ strength of(const expression &e) {
     return product;
   case form::outer:
   case form::inner:
+  case form::regressive:
     return wedge;
   case form::blade:
-    return e.vectors.size() > 1 ? wedge : postfix;
+    return e.vectors.size() > 1 && e.text.empty() ? wedge : postfix;
   case form::negate:
+  case form::reverse:
     return unary;
   default:
     return postfix;
@@ -30,6 +32,14 @@ strength of(const expression &e) {
 
 bool is_outer(const expression &e) {
   return e.is == form::outer || e.is == form::blade;
+}
+
+// e1, e3: e13.
+std::string one_name(const std::vector<std::string> &vectors) {
+  std::string out = vectors.front();
+  for (auto v = vectors.begin() + 1; v != vectors.end(); ++v)
+    out += v->back();
+  return out;
 }
 
 std::string joined(const std::vector<std::string> &parts, const char *between) {
@@ -64,7 +74,9 @@ std::string print(const expression &e, const std::vector<std::string> &names) {
   case form::number:
     return e.text;
   case form::blade:
-    return joined(e.vectors, "^");
+    return e.text.empty() ? joined(e.vectors, "^") : one_name(e.vectors);
+  case form::reverse:
+    return '~' + at_least(unary, *e.parts[0], names);
   case form::negate:
     return '-' + at_least(unary, *e.parts[0], names);
   case form::add:
@@ -79,6 +91,8 @@ std::string print(const expression &e, const std::vector<std::string> &names) {
     return binary(" ^ ", is_outer(*e.parts[0]) ? wedge : unary, unary);
   case form::inner:
     return binary(" | ", e.parts[0]->is == form::inner ? wedge : unary, unary);
+  case form::regressive:
+    return binary(" & ", e.parts[0]->is == form::regressive ? wedge : unary, unary);
   case form::coefficient:
     return at_least(postfix, *e.parts[0], names) + '[' + print(*e.parts[1], names) + ']';
   case form::call:
@@ -96,7 +110,9 @@ std::size_t size(const expression &e) {
 }
 
 bool for_each_smaller(const expression_ptr &e, const std::function<bool(const expression_ptr &)> &visit) {
-  const std::size_t parts = e->is == form::coefficient || e->is == form::divide ? 1 : e->parts.size();
+  const bool first_alone =
+      e->is == form::coefficient || e->is == form::divide || (e->is == form::call && e->text == "grade");
+  const std::size_t parts = first_alone ? 1 : e->parts.size();
   for (std::size_t i = 0; i < parts; ++i)
     if (visit(e->parts[i]))
       return true;

@@ -10,13 +10,29 @@
 
 namespace meetc::fuzz {
 
-enum class form { parameter, number, blade, negate, add, subtract, multiply, divide, outer, inner, coefficient, call };
+enum class form {
+  parameter,
+  number,
+  blade,
+  negate,
+  reverse,
+  add,
+  subtract,
+  multiply,
+  divide,
+  outer,
+  inner,
+  regressive,
+  coefficient,
+  call
+};
 
 struct expression;
 using expression_ptr = std::shared_ptr<const expression>;
 
-// parameter: its index. number: its decimals in `text`. blade: the outer product of `vectors`, in this order. divide: by a
-// number. coefficient: parts[0][parts[1]]. call: of the function `text`.
+// parameter: its index. number: its decimals in `text`. blade: the outer product of `vectors`, in this order, and as one name
+// (e12) where `text` says so. divide: by a number or a blade. coefficient: parts[0][parts[1]]. call: of the function `text`;
+// the second part of a call of `grade` is a number.
 struct expression {
   form is;
   std::vector<expression_ptr> parts = {};
@@ -35,7 +51,8 @@ std::string print(const expression &e, const std::vector<std::string> &names);
 // How many nodes the tree has.
 std::size_t size(const expression &e);
 
-// Calls `visit` with each tree that has one part less: a node replaced by one of its parts, a coefficient's blade apart.
+// Calls `visit` with each tree that has one part less: a node replaced by one of its parts, but not by a coefficient's blade, a
+// divisor or a grade.
 // Ends early where it returns true.
 bool for_each_smaller(const expression_ptr &e, const std::function<bool(const expression_ptr &)> &visit);
 

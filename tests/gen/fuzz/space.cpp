@@ -253,13 +253,7 @@ std::string space::general_text() const {
     }
     out += fmt::format("[kinds.{}]\nstore = [{}]\nblade = '{}'\n", k.name, store, blade);
   }
-  std::string reverse;
-  for (std::size_t b = 0; b < algebra_.size(); ++b) {
-    const int g = std::popcount(b);
-    const std::string at = text_of(vectors_, b);
-    reverse += fmt::format("{}M[{}]*({})", b == 0 ? "" : g * (g - 1) / 2 % 2 ? " - " : " + ", at, at);
-  }
-  return out + fmt::format("[functions]\n'rev(M)' = '{}'\n", reverse);
+  return out;
 }
 
 const std::vector<space> &spaces() {

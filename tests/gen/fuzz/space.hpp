@@ -49,7 +49,7 @@ public:
   multivector in_working(const multivector &declared) const;
   std::size_t working_blade(const std::vector<std::string> &vectors) const; // its index there
 
-  // The text of general.toml: the kinds of add_by_grades(), and `rev` with a coefficient for each blade.
+  // The text of general.toml: the kinds of add_by_grades().
   std::string general_text() const;
 
 private:

@@ -59,7 +59,7 @@ bool finds(compiler &with, const compiled &c, const std::function<bool(std::stri
 } // namespace
 
 TEST_CASE("a short run of the fuzzer finds nothing, and meets every way to compute a formula") {
-  const tally t = run({.seed = 1, .count = 30});
+  const tally t = run({.seed = 30, .count = 30});
   INFO(text_of(t));
   CHECK(t.findings.empty());
   CHECK(t.compiled >= 20);

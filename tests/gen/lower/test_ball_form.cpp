@@ -1,7 +1,7 @@
 // The form of touching balls: its graph is the separated polynomial, and the emitted header gives the same numbers.
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
-#include "tests/generated/numbers.hpp"
+#include "tests/generated/judge/numbers.hpp"
 
 #include "gen/bound/matrix.hpp"
 #include "gen/lower/ball_form.hpp"

@@ -1,5 +1,5 @@
 // Which predicates are proved to hold exactly where two closed balls touch.
-#include "gen/lower/by_balls.hpp"
+#include "gen/lower/predicate/by_balls.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 

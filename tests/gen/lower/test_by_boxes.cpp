@@ -1,5 +1,5 @@
 // Which predicates are proved to hold exactly where the boxes of their operands touch.
-#include "gen/lower/by_boxes.hpp"
+#include "gen/lower/predicate/by_boxes.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 

@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 
-#include "gen/lower/rule.hpp"
+#include "gen/lower/expand/rule.hpp"
 #include "gen/verify/verify.hpp"
 
 using namespace meetc;

@@ -1,6 +1,6 @@
 // Equal points that settle decisions: what is claimed of the shipped scene and of other predicates, and that a wrong
 // claim is found by the oracle.
-#include "gen/lower/settled.hpp"
+#include "gen/lower/predicate/settled.hpp"
 #include "gen/verify/verify.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"

@@ -1,5 +1,5 @@
 // Which predicates are proved to be the same with their operands exchanged.
-#include "gen/lower/symmetric.hpp"
+#include "gen/lower/predicate/symmetric.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <meetc/boxes.hpp>
+#include <meetc/decide/boxes.hpp>
 
 namespace {
 

@@ -2,8 +2,8 @@
 // are the same in both algebras, so each rung answers every pair as that of the shipped scene does: plain rungs with
 // the same wrong answers, bounded ones with the same unsure ones.
 #include "tests/catch.hpp"
-#include "tests/extremes/families.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/extremes/families/families.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <array>
 #include <cga/cga_runtime.hpp>

@@ -2,8 +2,8 @@
 // wrong, and whole sets through the runtime, which then has kinds without a third coordinate.
 #include "tests/catch.hpp"
 
-#include "core/collide.hpp"
-#include "core/find.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/query/find.hpp"
 
 #include <algorithm>
 #include <cga/cga_runtime.hpp>

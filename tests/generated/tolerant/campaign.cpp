@@ -1,10 +1,10 @@
 #include "tests/generated/tolerant/campaign.hpp"
 
-#include "bench/truth/distance.hpp"
-#include "bench/truth/near_pairs.hpp"
-#include "bench/truth/numbers.hpp"
-#include "core/find.hpp"
-#include "core/pose.hpp"
+#include "meet/bench/truth/distance.hpp"
+#include "meet/bench/truth/near_pairs.hpp"
+#include "meet/bench/truth/numbers.hpp"
+#include "meet/core/query/find.hpp"
+#include "meet/core/views/pose.hpp"
 
 #include <algorithm>
 #include <both/both_runtime.hpp>

@@ -1,10 +1,10 @@
 // The rung tolerant on a device: whole queries equal those of the CPU, after an upload and after a move, and sets that it
 // does not fit are refused.
 #include "tests/generated/tolerant/campaign.hpp"
-#include "tests/runtime/device/cuda_test.hpp"
+#include "tests/runtime/device/kernels/cuda_test.hpp"
 
-#include "core/device/collide.hpp"
-#include "core/find.hpp"
+#include "meet/core/device/collide.hpp"
+#include "meet/core/query/find.hpp"
 
 #include <probe/probe_cuda.hpp>
 #include <probe/probe_runtime.hpp>

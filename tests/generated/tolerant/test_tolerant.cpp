@@ -1,11 +1,11 @@
 // The rung tolerant, compiled: no answer is farther from right than it promises, and sets that it does not fit are refused.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 #include "tests/generated/tolerant/campaign.hpp"
 
-#include "core/collide.hpp"
-#include "core/find.hpp"
-#include "core/pairs.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/query/find.hpp"
+#include "meet/core/query/pairs.hpp"
 
 #include <both/both_runtime.hpp>
 #include <cfenv>

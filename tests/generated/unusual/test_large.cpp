@@ -1,7 +1,7 @@
 // Predicates with constants of 32 bits and more, and of degree 8, whose values overflow in fp64: no rung is wrong.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
-#include "tests/generated/many_rows.hpp"
+#include "tests/generated/judge/effort.hpp"
+#include "tests/generated/judge/many_rows.hpp"
 
 #include <cmath>
 #include <cstring>

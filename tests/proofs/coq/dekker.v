@@ -1,4 +1,4 @@
-(* two_product_by_parts of runtime/kernel/meetc/double_double.hpp is exact.
+(* two_product_by_parts of runtime/kernel/meetc/number/double_double.hpp is exact.
 
    Flocq proves Dekker's product for every precision. This is its theorem for binary64 with rounding to nearest even,
    written line by line as the C++ function, where no operation overflows: for |a|, |b| <= 2^995 and |a b| <= 2^1021. *)

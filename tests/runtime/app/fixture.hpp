@@ -5,8 +5,8 @@
 #include "tests/catch.hpp"
 #include "tests/folder.hpp"
 
-#include "bodies/meshes.hpp"
-#include "io/write.hpp"
+#include "meet/bodies/meshes.hpp"
+#include "meet/io/write.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // The places searched for the shipped algebra: next to the program first, even after it has been moved.
 #include "fixture.hpp"
 
-#include "app/algebra_file.hpp"
-#include "app/failure.hpp"
+#include "meet/app/input/algebra_file.hpp"
+#include "meet/app/input/failure.hpp"
 
 using namespace fixture;
 using meetc::app::algebra_path;

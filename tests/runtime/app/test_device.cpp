@@ -1,6 +1,6 @@
 // Which processor answers, where the user leaves the choice to the program.
-#include "app/collide_sets.hpp"
-#include "app/made_sets.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/app/query/collide_sets.hpp"
 #include "tests/catch.hpp"
 
 #include <cga/cga_runtime.hpp>

@@ -2,7 +2,7 @@
 // written whole or not at all.
 #include "fixture.hpp"
 
-#include "io/read.hpp"
+#include "meet/io/read.hpp"
 
 #include <cstring>
 #include <sys/stat.h>

@@ -5,7 +5,7 @@
 // our own answers do not change when a scene is shrunk exactly.
 #include "tests/catch.hpp"
 
-#include "bench/baselines/baselines.hpp"
+#include "meet/bench/baselines/baselines.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -1,10 +1,10 @@
 // Charts: gnuplot draws points where they belong, the same file each time, and a missing gnuplot is reported.
 #include "tests/catch.hpp"
 
-#include "app/failure.hpp"
-#include "bench/harness/chart.hpp"
-#include "bench/tables/gpu/growth_chart.hpp"
-#include "picture/image.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/bench/harness/chart.hpp"
+#include "meet/bench/tables/gpu/growth_chart.hpp"
+#include "meet/picture/image.hpp"
 
 #include <array>
 #include <cmath>

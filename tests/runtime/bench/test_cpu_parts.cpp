@@ -1,8 +1,8 @@
 // The parts of `meet bench cpu`: bars and the families of pairs.
 #include "tests/catch.hpp"
 
-#include "bench/scenes/pair_families.hpp"
-#include "bench/tables/cpu/cpu.hpp"
+#include "meet/bench/scenes/pair_families.hpp"
+#include "meet/bench/tables/cpu/cpu.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -1,11 +1,11 @@
 // The harness: turns by any clock, methods that are checked, and tables as data.
 #include "tests/catch.hpp"
 
-#include "app/failure.hpp"
-#include "bench/harness/method.hpp"
-#include "bench/harness/report.hpp"
-#include "bench/tables/cpu/cpu.hpp"
-#include "io/atomic_file.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/bench/harness/method.hpp"
+#include "meet/bench/harness/report.hpp"
+#include "meet/bench/tables/cpu/cpu.hpp"
+#include "meet/io/files/atomic_file.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // The baseline's hierarchy, made and asked on the host, against all pairs.
 #include "tests/catch.hpp"
 
-#include "bench/baselines/lbvh.hpp"
-#include "bench/truth/numbers.hpp"
+#include "meet/bench/baselines/lbvh.hpp"
+#include "meet/bench/truth/numbers.hpp"
 
 #include <algorithm>
 #include <numeric>

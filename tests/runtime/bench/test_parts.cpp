@@ -1,9 +1,9 @@
 // Brute force, and the rows of the paper's tables with and without a device.
 #include "tests/catch.hpp"
 
-#include "app/failure.hpp"
-#include "app/made_sets.hpp"
-#include "bench/tables/paper/paper.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/bench/tables/paper/paper.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -1,7 +1,7 @@
 // The fitted exponent and its tolerance.
 #include "tests/catch.hpp"
 
-#include "bench/harness/scaling.hpp"
+#include "meet/bench/harness/scaling.hpp"
 
 #include <cmath>
 #include <random>

@@ -1,14 +1,14 @@
 // The base of `meet trade`: distances from being right, pairs near a contact, and proved distances.
 #include "tests/catch.hpp"
 
-#include "bench/baselines/paper_way.hpp"
-#include "bench/tables/trade/cells.hpp"
-#include "bench/tables/trade/maps.hpp"
-#include "bench/tables/trade/tables.hpp"
-#include "bench/truth/distance.hpp"
-#include "bench/truth/numbers.hpp"
-#include "bench/truth/proved_distance.hpp"
-#include "core/find.hpp"
+#include "meet/bench/baselines/paper_way.hpp"
+#include "meet/bench/tables/trade/cells.hpp"
+#include "meet/bench/tables/trade/maps.hpp"
+#include "meet/bench/tables/trade/tables.hpp"
+#include "meet/bench/truth/distance.hpp"
+#include "meet/bench/truth/numbers.hpp"
+#include "meet/bench/truth/proved_distance.hpp"
+#include "meet/core/query/find.hpp"
 
 #include <cga/cga_runtime.hpp>
 

@@ -1,6 +1,6 @@
 // The built-in meshes: closed, oriented, of the right topology, free of zero-area triangles, and the same
 // bytes everywhere.
-#include "bodies/meshes.hpp"
+#include "meet/bodies/meshes.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,8 +1,8 @@
 // The scene's box changes no answer of the shipped kernels, at every size of box that their bounds cover.
 #include "tests/catch.hpp"
 
-#include "core/collide.hpp"
-#include "core/pose.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/views/pose.hpp"
 
 #include <algorithm>
 #include <cga/cga_runtime.hpp>

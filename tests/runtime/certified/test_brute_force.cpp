@@ -2,8 +2,8 @@
 // boxes hold much that they do not touch.
 #include "tests/catch.hpp"
 
-#include "core/collide.hpp"
-#include "core/find.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/query/find.hpp"
 
 #include <algorithm>
 #include <cga/cga_runtime.hpp>

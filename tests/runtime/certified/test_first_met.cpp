@@ -1,8 +1,8 @@
 // What each segment meets first, as core finds it, against the list of all pairs.
 #include "tests/catch.hpp"
 
-#include "core/collide.hpp"
-#include "io/read.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/io/read.hpp"
 
 #include <algorithm>
 #include <cga/cga_runtime.hpp>

@@ -6,9 +6,9 @@
 // rounded to float32 before either rung sees it.
 #include "tests/catch.hpp"
 
-#include "core/collide.hpp"
-#include "core/pose.hpp"
-#include "io/read.hpp"
+#include "meet/core/query/collide.hpp"
+#include "meet/core/views/pose.hpp"
+#include "meet/io/read.hpp"
 
 #include <algorithm>
 #include <array>

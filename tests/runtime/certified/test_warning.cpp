@@ -3,7 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/folder.hpp"
 
-#include "app/collide_command.hpp"
+#include "meet/app/commands/collide_command.hpp"
 
 #include <cga/cga_runtime.hpp>
 #include <cstdio>

@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
-#include "core/pair_list.hpp"
+#include "meet/core/answers/pair_list.hpp"
 
 #include <set>
 

@@ -1,5 +1,5 @@
 // The tests of one box against blocks, for every instruction set that runs here: they find what the plain loop does.
-#include "core/box_tests.hpp"
+#include "meet/core/hierarchy/box_tests.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
-#include "core/find.hpp"
+#include "meet/core/query/find.hpp"
 
 using namespace meetc;
 

@@ -2,11 +2,11 @@
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
-#include "core/element_set.hpp"
-#include "core/pair_list.hpp"
-#include "core/radix_sort.hpp"
-#include "core/spatial_order.hpp"
-#include "meetc/hilbert.hpp"
+#include "meet/core/answers/pair_list.hpp"
+#include "meet/core/hierarchy/spatial_order.hpp"
+#include "meet/core/sets/element_set.hpp"
+#include "meet/core/threads/radix_sort.hpp"
+#include "meetc/volume/hilbert.hpp"
 
 #include <mutex>
 

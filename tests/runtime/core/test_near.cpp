@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
-#include "core/element_set.hpp"
+#include "meet/core/sets/element_set.hpp"
 
 using namespace meetc;
 using namespace toy;

@@ -3,7 +3,7 @@
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
-#include "core/normalised.hpp"
+#include "meet/core/sets/normalised.hpp"
 
 #include <atomic>
 #include <cmath>

@@ -1,7 +1,7 @@
 // What is proved of an element in a pose without moving it.
 #include "tests/catch.hpp"
 
-#include "core/pose.hpp"
+#include "meet/core/views/pose.hpp"
 
 #include <algorithm>
 #include <cmath>

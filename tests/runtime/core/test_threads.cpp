@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
-#include "core/threads.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <set>
 #include <thread>

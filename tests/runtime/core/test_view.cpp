@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
-#include "core/rows.hpp"
+#include "meet/core/views/rows.hpp"
 
 #include <cstring>
 #include <vector>

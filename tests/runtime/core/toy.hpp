@@ -2,7 +2,7 @@
 #ifndef MEETC_TESTS_CORE_TOY_HPP
 #define MEETC_TESTS_CORE_TOY_HPP
 
-#include "core/collide.hpp"
+#include "meet/core/query/collide.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,11 @@
 // Every rung's launcher, pair by pair: certified answers are the truth of the integers or unsure, and all answers equal
 // the CPU's (see differ()). Then, for each family and predicate, a query on whole sets of such elements, and every pair of them by every
 // filter.
-#include "core/device/collide.hpp"
-#include "core/device/every_pair/engine.hpp"
-#include "cuda_test.hpp"
-#include "launchers.hpp"
-#include "tests/extremes/families.hpp"
+#include "meet/core/device/collide.hpp"
+#include "meet/core/device/every_pair/engine.hpp"
+#include "tests/extremes/families/families.hpp"
+#include "tests/runtime/device/kernels/cuda_test.hpp"
+#include "tests/runtime/device/kernels/launchers.hpp"
 
 #include <cga/cga_every_pair.hpp>
 #include <cga/cga_runtime.hpp>

@@ -1,7 +1,7 @@
 // The marks by which two sets are culled: no element that may touch one of the other set is ruled out.
-#include "meetc/cull_grid.hpp"
+#include "meetc/cuda/cull_grid.hpp"
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Keys that the blocks of a kernel put into order together: the device's own code, with a stand-in for the warp that a block has
 // here. A block does a step after another one has done it; what they do at once, a device tests.
-#include "tests/runtime/device/host_warp.hpp"
+#include "tests/runtime/device/host/host_warp.hpp"
 
-#include "meetc/cuda_distribute.hpp"
+#include "meetc/cuda/distribute.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>

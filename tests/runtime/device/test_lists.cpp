@@ -1,7 +1,7 @@
 // How a warp appends to lists: the device's own code, on the host.
-#include "tests/runtime/device/host_warp.hpp"
+#include "tests/runtime/device/host/host_warp.hpp"
 
-#include "meetc/cuda_lists.hpp"
+#include "meetc/cuda/lists.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>

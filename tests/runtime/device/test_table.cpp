@@ -30,6 +30,8 @@ constexpr cuda::predicate_launchers predicate{.name = "",
                                               .rejects = false,
                                               .by_boxes = false,
                                               .by_balls = false};
+constexpr cuda::formula_launchers formula{
+    .name = "", .number_count = 0, .result_count = 0, .float32 = nullptr, .float64 = nullptr};
 
 // A concept of T, so that what does not compile is false.
 template <class T>
@@ -76,11 +78,19 @@ TEST_CASE("tables: every member must be stated") {
                             decltype(by_balls)>);
   const auto &[run, first_met] = pairs;
   STATIC_REQUIRE(all_stated<decltype(run), decltype(first_met)>);
-  const cuda::catalogue all{
-      .kinds = &set, .kind_count = 1, .predicates = &predicate, .predicate_count = 1, .self_test = nullptr};
-  const auto &[kinds, kind_count, predicates, predicate_count, self_test] = all;
+  const cuda::catalogue all{.kinds = &set,
+                            .kind_count = 1,
+                            .predicates = &predicate,
+                            .predicate_count = 1,
+                            .formulas = &formula,
+                            .formula_count = 1,
+                            .self_test = nullptr};
+  const auto &[kinds, kind_count, predicates, predicate_count, formulas, formula_count, self_test] = all;
   STATIC_REQUIRE(all_stated<decltype(kinds), decltype(kind_count), decltype(predicates), decltype(predicate_count),
-                            decltype(self_test)>);
+                            decltype(formulas), decltype(formula_count), decltype(self_test)>);
+  const auto &[called, numbers, results, float32, float64] = formula;
+  STATIC_REQUIRE(
+      all_stated<decltype(called), decltype(numbers), decltype(results), decltype(float32), decltype(float64)>);
   const every_pair::set_launchers brute{.name = "", .enclose = nullptr, .columns = nullptr};
   const auto &[kind, enclose, columns] = brute;
   STATIC_REQUIRE(all_stated<decltype(kind), decltype(enclose), decltype(columns)>);

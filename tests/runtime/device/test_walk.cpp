@@ -1,7 +1,7 @@
 // How a warp walks down a tree, against every pair looked at: the device's own code, with a stand-in for the warp.
-#include "tests/runtime/device/host_warp.hpp"
+#include "tests/runtime/device/host/host_warp.hpp"
 
-#include "core/device/walk/warp_walk.hpp"
+#include "meet/core/device/walk/warp_walk.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>

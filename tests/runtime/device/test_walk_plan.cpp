@@ -1,8 +1,8 @@
 // What a walk rests on: boxes in whole numbers, and the plan by which it is cut into items.
-#include "tests/runtime/device/host_warp.hpp"
+#include "tests/runtime/device/host/host_warp.hpp"
 
-#include "core/device/walk/packet_cells.hpp"
-#include "core/device/walk/walk_plan.hpp"
+#include "meet/core/device/walk/packet_cells.hpp"
+#include "meet/core/device/walk/walk_plan.hpp"
 #include "tests/catch.hpp"
 
 #include <bit>

@@ -5,8 +5,8 @@
 #include "tests/catch.hpp"
 #include "tests/folder.hpp"
 
-#include "io/endian.hpp"
-#include "io/read.hpp"
+#include "meet/io/files/endian.hpp"
+#include "meet/io/read.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,7 @@
 // Decimals to float32 against the standard library, and what moved against integers of any length.
 #include "tests/catch.hpp"
 
-#include "io/text/decimal.hpp"
+#include "meet/io/text/decimal.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 #include "tests/catch.hpp"
 
-#include "io/number.hpp"
-#include <meetc/control_word.hpp>
+#include "meet/io/text/number.hpp"
+#include <meetc/environment/control_word.hpp>
 
 #include <cfenv>
 #include <clocale>

@@ -2,7 +2,7 @@
 // polygon winds around it.
 #include "tests/catch.hpp"
 
-#include "io/polygon/triangulate.hpp"
+#include "meet/io/polygon/triangulate.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 // moved in double and rounded once, as the library moves float32 numbers.
 #include "fixture.hpp"
 
-#include "core/moved_coordinate.hpp"
+#include "meet/core/views/moved_coordinate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "fixture.hpp"
 
-#include "io/number.hpp"
+#include "meet/io/text/number.hpp"
 
 #include <cmath>
 #include <limits>

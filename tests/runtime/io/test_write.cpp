@@ -1,7 +1,7 @@
 #include "fixture.hpp"
 
-#include "io/atomic_file.hpp"
-#include "io/write.hpp"
+#include "meet/io/files/atomic_file.hpp"
+#include "meet/io/write.hpp"
 
 using namespace fixture;
 using Catch::Matchers::EndsWith;

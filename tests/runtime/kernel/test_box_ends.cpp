@@ -4,7 +4,7 @@
 #include <cga/shapes.hpp>
 #include <cmath>
 #include <limits>
-#include <meetc/tree.hpp>
+#include <meetc/volume/tree.hpp>
 
 namespace {
 

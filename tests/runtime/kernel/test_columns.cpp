@@ -2,7 +2,7 @@
 // negative results. The constants of the margins are proved in proofs/, and tests/proofs reduces each in turn. Here the
 // whole way is tested, from float32 numbers through the frame to halves.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 #include "tests/runtime/kernel/scenes.hpp"
 
 #include <cmath>

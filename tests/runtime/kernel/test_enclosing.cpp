@@ -1,7 +1,7 @@
 // Enclosing balls: every point of the hull with its pad lies inside, in exact rationals, and the balls are not much too
 // large.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 #include "tests/runtime/kernel/scenes.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The frame and the places in it, which decide before any product which pairs are kept.
 #include "tests/catch.hpp"
-#include "tests/generated/effort.hpp"
+#include "tests/generated/judge/effort.hpp"
 #include "tests/runtime/kernel/scenes.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Errors of computed values: running ones, and those that are counted by degree.
 #include "tests/catch.hpp"
 
-#include <meetc/table_functions.hpp>
+#include <meetc/simd/table_functions.hpp>
 
 #include <cga/triangle_triangle.hpp>
 

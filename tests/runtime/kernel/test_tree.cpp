@@ -1,7 +1,7 @@
 // Hierarchies on a device: the order of their elements, where their levels lie, and what their boxes hold.
 #include "tests/catch.hpp"
 
-#include <meetc/tree_order.hpp>
+#include <meetc/volume/tree_order.hpp>
 
 #include <algorithm>
 #include <cstdlib>

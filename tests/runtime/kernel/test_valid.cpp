@@ -1,7 +1,7 @@
 // Comparisons of numbers by their bits.
 #include "tests/catch.hpp"
 
-#include <meetc/valid.hpp>
+#include <meetc/environment/valid.hpp>
 
 #include <cmath>
 #if defined(__SSE2__)

@@ -1,6 +1,6 @@
 // Pictures: the file decodes, hits are visible wherever they lie, and no input does harm.
-#include "bodies/meshes.hpp"
-#include "picture/render.hpp"
+#include "meet/bodies/meshes.hpp"
+#include "meet/picture/render.hpp"
 
 #include "tests/catch.hpp"
 

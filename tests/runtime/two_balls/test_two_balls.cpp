@@ -1,5 +1,5 @@
 // The test of two balls by their boxes: what it says is true, from 2^-149 to 2^127, and it says something of most pairs.
-#include "core/two_balls.hpp"
+#include "meet/core/hierarchy/two_balls.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>

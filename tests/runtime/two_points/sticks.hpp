@@ -3,8 +3,8 @@
 #ifndef MEETC_TESTS_CORE_STICKS_HPP
 #define MEETC_TESTS_CORE_STICKS_HPP
 
-#include "core/two_points.hpp"
-#include "toy.hpp"
+#include "meet/core/hierarchy/two_points.hpp"
+#include "tests/runtime/core/toy.hpp"
 
 #include <gmpxx.h>
 

@@ -2,7 +2,7 @@
 #ifndef MEETC_TESTS_RUNTIME_WORDS_ENTRIES_HPP
 #define MEETC_TESTS_RUNTIME_WORDS_ENTRIES_HPP
 
-#include <meetc/control_word.hpp>
+#include <meetc/environment/control_word.hpp>
 
 #include <exception>
 #include <span>

@@ -1,10 +1,10 @@
 #include "entries.hpp"
 #include "sets.hpp"
 
-#include "io/atomic_file.hpp"
-#include "io/endian.hpp"
-#include "io/read.hpp"
-#include "io/write.hpp"
+#include "meet/io/files/atomic_file.hpp"
+#include "meet/io/files/endian.hpp"
+#include "meet/io/read.hpp"
+#include "meet/io/write.hpp"
 #include "tests/folder.hpp"
 
 #include <cmath>

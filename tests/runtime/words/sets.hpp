@@ -2,7 +2,7 @@
 #ifndef MEETC_TESTS_RUNTIME_WORDS_SETS_HPP
 #define MEETC_TESTS_RUNTIME_WORDS_SETS_HPP
 
-#include "core/view.hpp"
+#include "meet/core/views/view.hpp"
 
 #include <cga/cga_runtime.hpp>
 

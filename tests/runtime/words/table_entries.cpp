@@ -120,6 +120,32 @@ void call_compute(caller &under) {
   });
 }
 
+// Every formula on rows that are subnormal in part.
+template <class Number, class Function> void call_formulas(caller &under, Function formula_info::*which) {
+  for (int s = 0; s < instruction_set_count; ++s)
+    if (const catalogue *const c = cga::catalogue_for(static_cast<instruction_set>(s)))
+      for (int i = 0; i < c->formula_count; ++i) {
+        const formula_info &f = c->formulas[i];
+        static constexpr float some[] = {0x1p-149F, -1,       0x1p-70F, 0.1F,      0, -0x1.8p-130F,
+                                         3,         0x1p-64F, -0.75F,   0x1p-100F, 7};
+        std::vector<column> in;
+        for (int k = 0; k < f.number_count; ++k)
+          in.push_back({some + k % 5, 1}); // six rows, which overlap
+        std::vector<Number> out(6 * static_cast<std::size_t>(f.result_count));
+        std::vector<Number *> columns;
+        for (int k = 0; k < f.result_count; ++k)
+          columns.push_back(out.data() + 6 * static_cast<std::size_t>(k));
+        under([&] { (f.*which)(in.data(), nullptr, 6, columns.data()); });
+        under.add_all(out);
+      }
+}
+void call_formulas_in_singles(caller &under) {
+  call_formulas<float>(under, &formula_info::float32);
+}
+void call_formulas_in_doubles(caller &under) {
+  call_formulas<double>(under, &formula_info::float64);
+}
+
 constexpr entry all[] = {
     {"predicate_info::decide", call_decide},
     {"predicate_info::certify", call_certify},
@@ -129,6 +155,8 @@ constexpr entry all[] = {
     {"kind_info::boxes", call_boxes},
     {"kind_info::fault", call_fault},
     {"stored_values::compute", call_compute},
+    {"formula_info::float32", call_formulas_in_singles},
+    {"formula_info::float64", call_formulas_in_doubles},
 };
 
 } // namespace

@@ -34,10 +34,10 @@ struct segment_segment_points {
     return bits;
   }
   // A pair is a hit, whatever its other numbers are, where s.p = e.p, or s.p = e.q, or s.q = e.p, or s.q =
-  // e.q. The proof puts equal points into the polynomials of all signs; see meetc/usual.hpp.
+  // e.q. The proof puts equal points into the polynomials of all signs; see meetc/decide/usual.hpp.
   static constexpr unsigned settled_by = 0x1eu; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
-  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.
+  // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto s = detail::segment_in(row_a);
     const auto e = detail::segment_in(row_b);

@@ -43,10 +43,10 @@ struct segment_triangle_points {
   }
   // A pair is a hit, whatever its other numbers are, where s.p = t.a, or s.p = t.b, or s.p = t.c, or s.q =
   // t.a, or s.q = t.b, or s.q = t.c. The proof puts equal points into the polynomials of all signs; see
-  // meetc/usual.hpp.
+  // meetc/decide/usual.hpp.
   static constexpr unsigned settled_by = 0x7eu; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
-  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.
+  // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto s = detail::segment_in(row_a);
     const auto t = detail::triangle_in(row_b);

@@ -5,7 +5,7 @@
 #define MEETC_3_cga_detail_segment_triangle_rest_HPP
 
 #include <meetc/support.hpp>
-#include <meetc/rest.hpp>
+#include <meetc/decide/rest.hpp>
 #include <cga/detail/point_triangle_rest.hpp>
 #include <cga/detail/segment_segment_rest.hpp>
 

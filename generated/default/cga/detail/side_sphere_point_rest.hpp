@@ -5,7 +5,7 @@
 #define MEETC_3_cga_detail_side_sphere_point_rest_HPP
 
 #include <meetc/support.hpp>
-#include <meetc/rest.hpp>
+#include <meetc/decide/rest.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
 

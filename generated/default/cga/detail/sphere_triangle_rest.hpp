@@ -5,7 +5,7 @@
 #define MEETC_3_cga_detail_sphere_triangle_rest_HPP
 
 #include <meetc/support.hpp>
-#include <meetc/rest.hpp>
+#include <meetc/decide/rest.hpp>
 #include <cga/detail/ball_triangle_rest.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");

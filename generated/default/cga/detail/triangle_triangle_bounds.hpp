@@ -53,10 +53,10 @@ struct triangle_triangle_points {
   }
   // A pair is a hit, whatever its other numbers are, where A.a = B.a, or A.a = B.b, or A.a = B.c, or A.b =
   // B.a, or A.b = B.b, or A.b = B.c, or A.c = B.a, or A.c = B.b, or A.c = B.c. The proof puts equal points
-  // into the polynomials of all signs; see meetc/usual.hpp.
+  // into the polynomials of all signs; see meetc/decide/usual.hpp.
   static constexpr unsigned settled_by = 0xfdcu; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
-  // The same for many pairs at a time (meetc/lanes.hpp), as far as one bit alone says so.
+  // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.
   template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {
     const auto A = detail::triangle_in(row_a);
     const auto B = detail::triangle_in(row_b);

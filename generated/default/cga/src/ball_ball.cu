@@ -2,7 +2,7 @@
 // Launchers of ball_ball on a CUDA device.
 #include <cga/cga_cuda.hpp>
 #include <cga/ball_ball.hpp>
-#include <meetc/cuda_steps.hpp>
+#include <meetc/cuda/steps.hpp>
 
 namespace cga {
 namespace cuda {

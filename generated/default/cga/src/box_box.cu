@@ -2,7 +2,7 @@
 // Launchers of box_box on a CUDA device.
 #include <cga/cga_cuda.hpp>
 #include <cga/box_box.hpp>
-#include <meetc/cuda_steps.hpp>
+#include <meetc/cuda/steps.hpp>
 
 namespace cga {
 namespace cuda {

@@ -3,7 +3,7 @@
 #include <cga/cga_cuda.hpp>
 #include <cga/segment_triangle.hpp>
 #include <cga/first_met_segment_triangle_pair.hpp>
-#include <meetc/cuda_first_met.hpp>
+#include <meetc/cuda/first_met.hpp>
 
 namespace cga {
 namespace cuda {

@@ -2,10 +2,10 @@
 // What a set of elements of the kind box does on a CUDA device.
 #include <cga/cga_cuda.hpp>
 #include <cga/shapes.hpp>
-#include <meetc/cuda_arrange.hpp>
-#include <meetc/cuda_cull.hpp>
-#include <meetc/cuda_sets.hpp>
-#include <meetc/cuda_tree.hpp>
+#include <meetc/cuda/arrange.hpp>
+#include <meetc/cuda/cull.hpp>
+#include <meetc/cuda/sets.hpp>
+#include <meetc/cuda/tree.hpp>
 
 namespace cga {
 namespace cuda {

@@ -2,7 +2,7 @@
 // Launchers of sphere_sphere on a CUDA device.
 #include <cga/cga_cuda.hpp>
 #include <cga/sphere_sphere.hpp>
-#include <meetc/cuda_steps.hpp>
+#include <meetc/cuda/steps.hpp>
 
 namespace cga {
 namespace cuda {

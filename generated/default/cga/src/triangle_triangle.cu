@@ -2,7 +2,7 @@
 // Launchers of triangle_triangle on a CUDA device.
 #include <cga/cga_cuda.hpp>
 #include <cga/triangle_triangle.hpp>
-#include <meetc/cuda_steps.hpp>
+#include <meetc/cuda/steps.hpp>
 
 namespace cga {
 namespace cuda {

@@ -1,9 +1,9 @@
 // Many balls: preparing and colliding, on one thread and on twice as many up to the number that is asked for.
-#include "bench/tables/cpu/cpu.hpp"
+#include "meet/bench/tables/cpu/cpu.hpp"
 
-#include "app/choose.hpp"
-#include "app/sets.hpp"
-#include "app/words.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/app/text/words.hpp"
 
 #include <fmt/format.h>
 

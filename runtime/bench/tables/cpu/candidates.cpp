@@ -1,10 +1,10 @@
 // Queries with their preparation, beside other libraries: build, query and answers apart.
-#include "bench/tables/cpu/cpu.hpp"
+#include "meet/bench/tables/cpu/cpu.hpp"
 
-#include "app/choose.hpp"
-#include "app/sets.hpp"
-#include "app/words.hpp"
-#include "bench/peers/peers.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/app/text/words.hpp"
+#include "meet/bench/peers/peers.hpp"
 
 #include <fmt/format.h>
 

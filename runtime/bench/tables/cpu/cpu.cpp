@@ -1,12 +1,12 @@
-#include "bench/tables/cpu/cpu.hpp"
+#include "meet/bench/tables/cpu/cpu.hpp"
 
-#include "app/failure.hpp"
-#include "app/progress.hpp"
-#include "bench/harness/machine.hpp"
-#include "bench/harness/report.hpp"
-#include "bench/peers/peers.hpp"
-#include "bench/tables/tables.hpp"
-#include "core/threads.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/text/progress.hpp"
+#include "meet/bench/harness/machine.hpp"
+#include "meet/bench/harness/report.hpp"
+#include "meet/bench/peers/peers.hpp"
+#include "meet/bench/tables/tables.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <fmt/format.h>
 

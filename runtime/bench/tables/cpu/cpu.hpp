@@ -2,9 +2,9 @@
 #ifndef MEETC_BENCH_TABLES_CPU_CPU_HPP
 #define MEETC_BENCH_TABLES_CPU_CPU_HPP
 
-#include "bench/harness/method.hpp"
-#include "bench/harness/table.hpp"
-#include "bench/scenes/cpu_sets.hpp"
+#include "meet/bench/harness/method.hpp"
+#include "meet/bench/harness/table.hpp"
+#include "meet/bench/scenes/cpu_sets.hpp"
 
 #include <optional>
 #include <string>

@@ -1,11 +1,11 @@
 // Pairs of triangles by families, apart and never pooled: certified beside CGAL's exact predicates.
-#include "bench/tables/cpu/cpu.hpp"
+#include "meet/bench/tables/cpu/cpu.hpp"
 
-#include "app/choose.hpp"
-#include "app/words.hpp"
-#include "bench/peers/peers.hpp"
-#include "bench/scenes/pair_families.hpp"
-#include "core/find.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/app/text/words.hpp"
+#include "meet/bench/peers/peers.hpp"
+#include "meet/bench/scenes/pair_families.hpp"
+#include "meet/core/query/find.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // The price of certainty in a query: certified and exact beside plain fp32, both sets prepared.
-#include "bench/tables/cpu/cpu.hpp"
+#include "meet/bench/tables/cpu/cpu.hpp"
 
-#include "app/choose.hpp"
-#include "app/sets.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/app/query/choose.hpp"
 
 #include <fmt/format.h>
 

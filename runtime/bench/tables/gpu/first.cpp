@@ -1,7 +1,7 @@
 // The first triangles that segments meet, beside the nearest hits of a hierarchy of the usual kind.
-#include "bench/baselines/gpu_lbvh.hpp"
-#include "bench/tables/gpu/measure.hpp"
-#include "bench/tables/gpu/sets.hpp"
+#include "meet/bench/baselines/gpu_lbvh.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/bench/tables/gpu/sets.hpp"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "app/failure.hpp"
-#include "bench/tables/tables.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/bench/tables/tables.hpp"
 
 #if MEETC_WITH_CUDA
-#include "app/progress.hpp"
-#include "bench/harness/report.hpp"
-#include "bench/tables/gpu/measure.hpp"
-#include "io/atomic_file.hpp"
+#include "meet/app/text/progress.hpp"
+#include "meet/bench/harness/report.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/io/files/atomic_file.hpp"
 
 #include <fmt/format.h>
 

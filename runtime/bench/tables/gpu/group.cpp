@@ -1,8 +1,8 @@
 // The gain of several devices of one host: one query cut between them, beside the same query on the first of them.
-#include "core/device/group.hpp"
-#include "app/failure.hpp"
-#include "bench/tables/gpu/measure.hpp"
-#include "bench/tables/gpu/sets.hpp"
+#include "meet/core/device/group.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/bench/tables/gpu/sets.hpp"
 
 #include <cga/cga_cuda.hpp>
 #include <fmt/format.h>
@@ -83,7 +83,7 @@ table gpu_bench::measure_group(const std::vector<scene> &scenes, const std::func
   std::vector<int> numbers(static_cast<std::size_t>(count));
   std::iota(numbers.begin(), numbers.end(), 0);
   device_group group(cga::cuda::catalogue(), numbers);
-  device &one = group[0];
+  const device &one = group[0];
   std::vector<row> rows;
   for (const scene &of : scenes) {
     const sets_here sets(of, all_);

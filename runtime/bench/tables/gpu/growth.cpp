@@ -1,6 +1,6 @@
 // How long a query takes on a device as sets grow, and where they do not lie evenly, and every pair beside it.
-#include "bench/tables/gpu/measure.hpp"
-#include "bench/tables/gpu/sets.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/bench/tables/gpu/sets.hpp"
 
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ struct prepared_there {
   device_set a;
   std::optional<device_set> own_b;
 
-  prepared_there(device &on, const prepared &x, const prepared &y) : a(on, x) {
+  prepared_there(const device &on, const prepared &x, const prepared &y) : a(on, x) {
     if (&x != &y)
       own_b.emplace(on, y);
   }

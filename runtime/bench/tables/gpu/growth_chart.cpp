@@ -1,8 +1,8 @@
-#include "bench/tables/gpu/growth_chart.hpp"
+#include "meet/bench/tables/gpu/growth_chart.hpp"
 
-#include "app/output_files.hpp"
-#include "io/error.hpp"
-#include "io/file_bytes.hpp"
+#include "meet/app/output/output_files.hpp"
+#include "meet/io/files/error.hpp"
+#include "meet/io/files/file_bytes.hpp"
 
 #include <fmt/format.h>
 

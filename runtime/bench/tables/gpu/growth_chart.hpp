@@ -2,8 +2,8 @@
 #ifndef MEETC_BENCH_TABLES_GPU_GROWTH_CHART_HPP
 #define MEETC_BENCH_TABLES_GPU_GROWTH_CHART_HPP
 
-#include "app/json.hpp"
-#include "bench/harness/chart.hpp"
+#include "meet/app/text/json.hpp"
+#include "meet/bench/harness/chart.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,8 +1,8 @@
 // The hierarchy of the usual kind beside ours.
-#include "app/failure.hpp"
-#include "bench/baselines/gpu_lbvh.hpp"
-#include "bench/tables/gpu/measure.hpp"
-#include "bench/tables/gpu/sets.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/bench/baselines/gpu_lbvh.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/bench/tables/gpu/sets.hpp"
 
 #include <fmt/format.h>
 

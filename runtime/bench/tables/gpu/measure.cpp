@@ -1,8 +1,8 @@
 // Kernels alone, and whole queries, on every pair and by the hierarchy.
-#include "bench/tables/gpu/measure.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
 
-#include "app/words.hpp"
-#include "bench/tables/gpu/sets.hpp"
+#include "meet/app/text/words.hpp"
+#include "meet/bench/tables/gpu/sets.hpp"
 
 #include <cga/cga_cuda.hpp>
 #include <cga/cga_every_pair.hpp>

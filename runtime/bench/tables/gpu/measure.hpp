@@ -2,13 +2,13 @@
 #ifndef MEETC_BENCH_TABLES_GPU_MEASURE_HPP
 #define MEETC_BENCH_TABLES_GPU_MEASURE_HPP
 
-#include "bench/baselines/gpu_baselines.hpp"
-#include "bench/harness/device_clock.hpp"
-#include "bench/harness/method.hpp"
-#include "bench/harness/table.hpp"
-#include "bench/scenes/scenes.hpp"
-#include "core/device/collide.hpp"
-#include "core/device/every_pair/engine.hpp"
+#include "meet/bench/baselines/gpu_baselines.hpp"
+#include "meet/bench/harness/device_clock.hpp"
+#include "meet/bench/harness/method.hpp"
+#include "meet/bench/harness/table.hpp"
+#include "meet/bench/scenes/scenes.hpp"
+#include "meet/core/device/collide.hpp"
+#include "meet/core/device/every_pair/engine.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,6 @@
 // How far queries are from the time in which the memory gives both sets once.
-#include "bench/tables/gpu/measure.hpp"
-#include "bench/tables/gpu/sets.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/bench/tables/gpu/sets.hpp"
 
 namespace meetc::bench {
 

@@ -1,11 +1,11 @@
 // One mesh against another in many poses, in one call.
-#include "core/device/poses.hpp"
-#include "app/sets.hpp"
-#include "app/words.hpp"
-#include "bench/tables/gpu/measure.hpp"
-#include "core/element_set.hpp"
-#include "core/find.hpp"
-#include "core/threads.hpp"
+#include "meet/core/device/poses.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/app/text/words.hpp"
+#include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/core/query/find.hpp"
+#include "meet/core/sets/element_set.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 #ifndef MEETC_BENCH_TABLES_GPU_SETS_HPP
 #define MEETC_BENCH_TABLES_GPU_SETS_HPP
 
-#include "app/sets.hpp"
-#include "bench/scenes/scenes.hpp"
-#include "core/device/set.hpp"
-#include "core/find.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/bench/scenes/scenes.hpp"
+#include "meet/core/device/set/device_set.hpp"
+#include "meet/core/query/find.hpp"
 
 #include <optional>
 #include <utility>
@@ -26,7 +26,7 @@ struct sets_here {
 // As they were read: moved, checked and ordered there.
 class sets_there {
 public:
-  sets_there(device &on, const sets_here &from) : a_(on, app::view_of(from.a()), *from.a().kind) {
+  sets_there(const device &on, const sets_here &from) : a_(on, app::view_of(from.a()), *from.a().kind) {
     if (!from.of.itself)
       own_b_.emplace(on, app::view_of(from.b()), *from.b().kind);
   }

@@ -1,6 +1,6 @@
-#include "bench/tables/paper/brute_force.hpp"
+#include "meet/bench/tables/paper/brute_force.hpp"
 
-#include "bench/baselines/baselines.hpp"
+#include "meet/bench/baselines/baselines.hpp"
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #ifndef MEETC_BENCH_TABLES_PAPER_BRUTE_FORCE_HPP
 #define MEETC_BENCH_TABLES_PAPER_BRUTE_FORCE_HPP
 
-#include "bench/harness/method.hpp"
-#include "io/element_set.hpp"
+#include "meet/bench/harness/method.hpp"
+#include "meet/io/elements/element_set.hpp"
 #include "meetc/support.hpp"
 
 #include <cstdint>

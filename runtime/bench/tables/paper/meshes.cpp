@@ -1,6 +1,6 @@
 // Bunny and Armadillo: how many triangles touch (section 4.1, figures 1 to 3), and how long one core takes with our
 // predicate and with the classic ones (section 4.3, figure 6).
-#include "bench/tables/paper/paper.hpp"
+#include "meet/bench/tables/paper/paper.hpp"
 
 #include <fmt/format.h>
 

@@ -2,13 +2,13 @@
 #ifndef MEETC_BENCH_TABLES_PAPER_PAPER_HPP
 #define MEETC_BENCH_TABLES_PAPER_PAPER_HPP
 
-#include "app/collide_sets.hpp"
-#include "bench/harness/chart.hpp"
-#include "bench/harness/scaling.hpp"
-#include "bench/harness/table.hpp"
-#include "bench/scenes/paper_bodies.hpp"
-#include "bench/tables/device.hpp"
-#include "bench/tables/paper/brute_force.hpp"
+#include "meet/app/query/collide_sets.hpp"
+#include "meet/bench/harness/chart.hpp"
+#include "meet/bench/harness/scaling.hpp"
+#include "meet/bench/harness/table.hpp"
+#include "meet/bench/scenes/paper_bodies.hpp"
+#include "meet/bench/tables/device.hpp"
+#include "meet/bench/tables/paper/brute_force.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,8 +1,8 @@
-#include "app/failure.hpp"
-#include "app/paint.hpp"
-#include "app/sets.hpp"
-#include "app/words.hpp"
-#include "bench/tables/paper/paper.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/app/output/paint.hpp"
+#include "meet/app/text/words.hpp"
+#include "meet/bench/tables/paper/paper.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // Line segments against the Bunny with a growing number of triangles: the table of times in section 4.2, and a large
 // triangle through the Bunny, figure 1.
-#include "bench/tables/paper/paper.hpp"
+#include "meet/bench/tables/paper/paper.hpp"
 
-#include "app/made_sets.hpp"
-#include "bench/scenes/scene_sets.hpp"
+#include "meet/app/input/made_sets.hpp"
+#include "meet/bench/scenes/scene_sets.hpp"
 
 #include <fmt/format.h>
 

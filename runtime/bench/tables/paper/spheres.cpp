@@ -1,7 +1,7 @@
 // Random spheres against each other: section 4.2, figures 4 and 5.
-#include "bench/tables/paper/paper.hpp"
+#include "meet/bench/tables/paper/paper.hpp"
 
-#include "app/made_sets.hpp"
+#include "meet/app/input/made_sets.hpp"
 
 #include <fmt/format.h>
 

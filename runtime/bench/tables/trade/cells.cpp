@@ -1,10 +1,10 @@
-#include "bench/tables/trade/cells.hpp"
+#include "meet/bench/tables/trade/cells.hpp"
 
-#include "app/choose.hpp"
-#include "bench/baselines/paper_way.hpp"
-#include "bench/truth/distance.hpp"
-#include "bench/truth/proved_distance.hpp"
-#include "core/pose.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/bench/baselines/paper_way.hpp"
+#include "meet/bench/truth/distance.hpp"
+#include "meet/bench/truth/proved_distance.hpp"
+#include "meet/core/views/pose.hpp"
 
 #include <fmt/format.h>
 

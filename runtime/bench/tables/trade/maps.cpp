@@ -1,10 +1,10 @@
-#include "bench/tables/trade/maps.hpp"
+#include "meet/bench/tables/trade/maps.hpp"
 
-#include "app/choose.hpp"
-#include "bench/scenes/trade_families.hpp"
-#include "bench/tables/trade/cells.hpp"
-#include "bench/truth/distance.hpp"
-#include "bench/truth/proved_distance.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/bench/scenes/trade_families.hpp"
+#include "meet/bench/tables/trade/cells.hpp"
+#include "meet/bench/truth/distance.hpp"
+#include "meet/bench/truth/proved_distance.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #ifndef MEETC_BENCH_TABLES_TRADE_MAPS_HPP
 #define MEETC_BENCH_TABLES_TRADE_MAPS_HPP
 
-#include "bench/harness/plot.hpp"
+#include "meet/bench/harness/plot.hpp"
 #include "meetc/support.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The picture of `meet trade`: speed across, error upwards.
-#include "bench/tables/trade/tables.hpp"
+#include "meet/bench/tables/trade/tables.hpp"
 
 #include <fmt/format.h>
 

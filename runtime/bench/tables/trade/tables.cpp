@@ -1,7 +1,7 @@
-#include "bench/tables/trade/tables.hpp"
+#include "meet/bench/tables/trade/tables.hpp"
 
-#include "app/choose.hpp"
-#include "app/words.hpp"
+#include "meet/app/query/choose.hpp"
+#include "meet/app/text/words.hpp"
 
 #include <fmt/format.h>
 

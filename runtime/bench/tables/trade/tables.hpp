@@ -2,9 +2,9 @@
 #ifndef MEETC_BENCH_TABLES_TRADE_TABLES_HPP
 #define MEETC_BENCH_TABLES_TRADE_TABLES_HPP
 
-#include "bench/harness/plot.hpp"
-#include "bench/harness/table.hpp"
-#include "bench/tables/trade/cells.hpp"
+#include "meet/bench/harness/plot.hpp"
+#include "meet/bench/harness/table.hpp"
+#include "meet/bench/tables/trade/cells.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,10 +1,10 @@
-#include "core/device/answers/answers_for.hpp"
+#include "meet/core/device/answers/answers_for.hpp"
 
-#include "core/device/answers/any_pair.hpp"
-#include "core/device/answers/element_numbers.hpp"
-#include "core/device/answers/element_pairs.hpp"
-#include "core/device/answers/first_met.hpp"
-#include "core/device/answers/item_pairs.hpp"
+#include "meet/core/device/answers/any_pair.hpp"
+#include "meet/core/device/answers/element_numbers.hpp"
+#include "meet/core/device/answers/element_pairs.hpp"
+#include "meet/core/device/answers/first_met.hpp"
+#include "meet/core/device/answers/item_pairs.hpp"
 
 namespace meetc::on_device {
 namespace {

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_ANSWERS_FOR_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_ANSWERS_FOR_HPP
 
-#include "core/device/answers/query_answer.hpp"
+#include "meet/core/device/answers/query_answer.hpp"
 
 #include <memory>
 #include <vector>

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_ANY_PAIR_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_ANY_PAIR_HPP
 
-#include "core/device/answers/query_answer.hpp"
+#include "meet/core/device/answers/query_answer.hpp"
 
 namespace meetc::on_device {
 

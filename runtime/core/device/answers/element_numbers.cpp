@@ -1,6 +1,6 @@
-#include "core/device/answers/element_numbers.hpp"
+#include "meet/core/device/answers/element_numbers.hpp"
 
-#include "core/device/answers/kernels.hpp"
+#include "meet/core/device/answers/kernels.hpp"
 
 namespace meetc::on_device {
 

@@ -2,8 +2,8 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_ELEMENT_NUMBERS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_ELEMENT_NUMBERS_HPP
 
-#include "core/device/answers/query_answer.hpp"
-#include "core/device/memory/memory.hpp"
+#include "meet/core/device/answers/query_answer.hpp"
+#include "meet/core/device/memory/memory.hpp"
 
 #include <span>
 

@@ -1,6 +1,6 @@
-#include "core/device/answers/element_pairs.hpp"
+#include "meet/core/device/answers/element_pairs.hpp"
 
-#include "core/device/memory/buffers.hpp"
+#include "meet/core/device/memory/buffers.hpp"
 
 #include <algorithm>
 #include <utility>

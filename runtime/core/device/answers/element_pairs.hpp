@@ -5,8 +5,8 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_ELEMENT_PAIRS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_ELEMENT_PAIRS_HPP
 
-#include "core/device/answers/hit_keys.hpp"
-#include "core/device/answers/kernels.hpp"
+#include "meet/core/device/answers/hit_keys.hpp"
+#include "meet/core/device/answers/kernels.hpp"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
-#include "core/device/answers/first_met.hpp"
+#include "meet/core/device/answers/first_met.hpp"
 
-#include "core/device/answers/kernels.hpp"
-#include "core/device/answers/owners.hpp"
-#include "core/device/memory/buffers.hpp"
+#include "meet/core/device/answers/kernels.hpp"
+#include "meet/core/device/answers/owners.hpp"
+#include "meet/core/device/memory/buffers.hpp"
 
 namespace meetc::on_device {
 

@@ -1,10 +1,10 @@
-#include "core/device/answers/hit_keys.hpp"
+#include "meet/core/device/answers/hit_keys.hpp"
 
-#include "core/device/answers/kernels.hpp"
-#include "core/device/answers/owners.hpp"
-#include "core/device/memory/buffers.hpp"
-#include "core/memory.hpp"
-#include "core/pair_list.hpp"
+#include "meet/core/answers/pair_list.hpp"
+#include "meet/core/device/answers/kernels.hpp"
+#include "meet/core/device/answers/owners.hpp"
+#include "meet/core/device/memory/buffers.hpp"
+#include "meet/core/views/memory.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -4,8 +4,8 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
 
-#include "core/device/answers/query_answer.hpp"
-#include "core/device/memory/memory.hpp"
+#include "meet/core/device/answers/query_answer.hpp"
+#include "meet/core/device/memory/memory.hpp"
 
 #include <span>
 #include <vector>

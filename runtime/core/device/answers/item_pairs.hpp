@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_ITEM_PAIRS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_ITEM_PAIRS_HPP
 
-#include "core/device/answers/hit_keys.hpp"
+#include "meet/core/device/answers/hit_keys.hpp"
 
 #include <optional>
 

@@ -1,12 +1,12 @@
-#include "core/device/answers/kernels.hpp"
+#include "meet/core/device/answers/kernels.hpp"
 
-#include "core/device/memory/blocks.hpp"
+#include "meet/core/device/memory/blocks.hpp"
 
 #include <cub/cub.cuh>
-#include <meetc/cuda_distribute.hpp>
-#include <meetc/cuda_grid.hpp>
-#include <meetc/cuda_launch.hpp>
-#include <meetc/cuda_table.hpp>
+#include <meetc/cuda/distribute.hpp>
+#include <meetc/cuda/grid.hpp>
+#include <meetc/cuda/launch.hpp>
+#include <meetc/cuda/table.hpp>
 
 namespace meetc::on_device {
 namespace {

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_KERNELS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_KERNELS_HPP
 
-#include "meetc/cuda_table.hpp"
+#include "meetc/cuda/table.hpp"
 #include "meetc/support.hpp"
 
 #include <cuda_runtime_api.h>

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_OWNERS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_OWNERS_HPP
 
-#include "core/device/memory/memory.hpp"
+#include "meet/core/device/memory/memory.hpp"
 
 #include <span>
 

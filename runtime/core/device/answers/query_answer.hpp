@@ -5,7 +5,8 @@
 #ifndef MEETC_CORE_DEVICE_ANSWERS_QUERY_ANSWER_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_QUERY_ANSWER_HPP
 
-#include "core/device/collide.hpp"
+#include "meet/core/device/answers/device_result.hpp"
+#include "meet/core/device/set/rows.hpp"
 
 namespace meetc::on_device {
 

@@ -1,9 +1,9 @@
-#include "core/device/every_pair/engine.hpp"
+#include "meet/core/device/every_pair/engine.hpp"
 
-#include "core/device/answers/element_pairs.hpp"
-#include "core/device/query/lists.hpp"
-#include "core/device/query/parts.hpp"
-#include "core/device/query/query.hpp"
+#include "meet/core/device/answers/element_pairs.hpp"
+#include "meet/core/device/query/lists.hpp"
+#include "meet/core/device/query/parts.hpp"
+#include "meet/core/device/query/query.hpp"
 #include "meetc/every_pair/query.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 //
 // This is brute force: its cost is the product of the sets, and no hierarchy is walked. An element's enclosing ball becomes a few
 // columns of numbers, the signs of a product of these matrices say which balls may touch (meetc/every_pair/matrix.hpp), and what is
-// left is decided by the steps of any query. The answers are those of core/collide.hpp. To collide sets is what a query is for
+// left is decided by the steps of any query. The answers are those of core/query/collide.hpp. To collide sets is what a query is for
 // (core/device/collide.hpp), whose cost is their sum; this engine is to measure the meet as it was once computed, and to judge.
 //
 // The two filters on matrix units rest on an assumption about these, which the probe can refute; the float32 filter, their judge,
@@ -10,8 +10,8 @@
 #ifndef MEETC_CORE_DEVICE_EVERY_PAIR_ENGINE_HPP
 #define MEETC_CORE_DEVICE_EVERY_PAIR_ENGINE_HPP
 
-#include "core/answers.hpp"
-#include "core/device/set.hpp"
+#include "meet/core/answers/answers.hpp"
+#include "meet/core/device/set/device_set.hpp"
 #include "meetc/every_pair/table.hpp"
 
 #include <optional>

@@ -2,10 +2,9 @@
 #ifndef MEETC_CORE_DEVICE_MEMORY_BUFFERS_HPP
 #define MEETC_CORE_DEVICE_MEMORY_BUFFERS_HPP
 
-#include "core/device/memory/hit_history.hpp"
-#include "core/device/memory/memory.hpp"
-#include "core/device/memory/transfers.hpp"
-#include "core/device/set/cull.hpp"
+#include "meet/core/device/memory/hit_history.hpp"
+#include "meet/core/device/memory/memory.hpp"
+#include "meet/core/device/memory/transfers.hpp"
 
 #include <cstdint>
 #include <span>
@@ -35,6 +34,14 @@ struct query_notes {
 struct notes_there {
   query_notes of_query;
   unsigned long long to_order[cuda::counted_to_distribute * sizeof(std::uint32_t) / sizeof(unsigned long long)];
+};
+
+// What culling notes, in device memory, all 0 at first. Of two sets the one that marks first is 0.
+struct cull_findings {
+  cuda::joined_box around[2];
+  unsigned kept[3]; // of set 0, of set 1, and of set 0 by the marks of set 1
+  unsigned arrived; // blocks of the last kernel
+  unsigned long long bad[2];
 };
 
 // What it reads of the device, in host memory that the device can write to.

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_MEMORY_MEMORY_HPP
 #define MEETC_CORE_DEVICE_MEMORY_MEMORY_HPP
 
-#include "core/device/device.hpp"
+#include "meet/core/device/memory/device.hpp"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
-#include "core/device/memory/transfers.hpp"
+#include "meet/core/device/memory/transfers.hpp"
 
-#include "core/device/device.hpp"
-#include "core/threads.hpp"
+#include "meet/core/device/memory/device.hpp"
+#include "meet/core/threads/threads.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,9 +1,9 @@
-#include "core/device/query/decide.hpp"
+#include "meet/core/device/query/decide.hpp"
 
-#include "core/device/query/lists.hpp"
-#include "core/device/query/parts.hpp"
-#include "core/device/walk/walk.hpp"
-#include "meetc/cuda_cascade.hpp"
+#include "meet/core/device/query/lists.hpp"
+#include "meet/core/device/query/parts.hpp"
+#include "meet/core/device/walk/walk.hpp"
+#include "meetc/cuda/cascade.hpp"
 
 #include <algorithm>
 #include <utility>

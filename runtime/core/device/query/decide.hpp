@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_QUERY_DECIDE_HPP
 #define MEETC_CORE_DEVICE_QUERY_DECIDE_HPP
 
-#include "core/device/answers/query_answer.hpp"
+#include "meet/core/device/answers/query_answer.hpp"
 
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_QUERY_LISTS_HPP
 #define MEETC_CORE_DEVICE_QUERY_LISTS_HPP
 
-#include "core/device/memory/buffers.hpp"
+#include "meet/core/device/memory/buffers.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_QUERY_PARTS_HPP
 #define MEETC_CORE_DEVICE_QUERY_PARTS_HPP
 
-#include "meetc/cuda_table.hpp"
+#include "meetc/cuda/table.hpp"
 
 #include <cstdint>
 #include <utility>

@@ -1,7 +1,8 @@
-#include "core/device/query/query.hpp"
+#include "meet/core/device/query/query.hpp"
 
-#include "core/device/memory/buffers.hpp"
-#include "core/device/query/parts.hpp"
+#include "meet/core/device/memory/buffers.hpp"
+#include "meet/core/device/query/parts.hpp"
+#include "meet/core/query/collide.hpp"
 
 #include <chrono>
 #include <cstring>

@@ -2,7 +2,8 @@
 #ifndef MEETC_CORE_DEVICE_QUERY_QUERY_HPP
 #define MEETC_CORE_DEVICE_QUERY_QUERY_HPP
 
-#include "core/device/query/decide.hpp"
+#include "meet/core/device/query/decide.hpp"
+#include "meet/core/device/set/device_set.hpp"
 
 namespace meetc {
 

@@ -1,11 +1,11 @@
-#include "core/device/set/cull.hpp"
+#include "meet/core/device/set/cull.hpp"
 
-#include "core/device/memory/buffers.hpp"
-#include "core/device/set/cull_kernels.hpp"
-#include "core/device/set/given.hpp"
-#include "core/two_points.hpp"
-#include "meetc/cuda_cutter.hpp"
-#include "meetc/cull_grid.hpp"
+#include "meet/core/device/memory/buffers.hpp"
+#include "meet/core/device/set/cull_kernels.hpp"
+#include "meet/core/device/set/given.hpp"
+#include "meet/core/hierarchy/two_points.hpp"
+#include "meetc/cuda/cull_grid.hpp"
+#include "meetc/cuda/cutter.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
-#include "core/device/set/cull_kernels.hpp"
+#include "meet/core/device/set/cull_kernels.hpp"
 
-#include <meetc/cuda_cull.hpp>
+#include <meetc/cuda/cull.hpp>
 
 #include <algorithm>
 

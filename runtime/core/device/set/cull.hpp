@@ -8,7 +8,7 @@
 #ifndef MEETC_CORE_DEVICE_SET_CULL_HPP
 #define MEETC_CORE_DEVICE_SET_CULL_HPP
 
-#include "meetc/cuda_table.hpp"
+#include "meetc/cuda/table.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,14 +17,6 @@ namespace meetc {
 
 class device;
 class given_elements;
-
-// In device memory, all 0 at first. Of two sets the one that marks first is 0.
-struct cull_findings {
-  cuda::joined_box around[2];
-  unsigned kept[3]; // of set 0, of set 1, and of set 0 by the marks of set 1
-  unsigned arrived; // blocks of the last kernel
-  unsigned long long bad[2];
-};
 
 // What is left of two sets, in device memory until the next query.
 struct culled {

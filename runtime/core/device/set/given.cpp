@@ -1,8 +1,8 @@
-#include "core/device/set/given.hpp"
+#include "meet/core/device/set/given.hpp"
 
-#include "core/device/memory/buffers.hpp"
-#include "core/rows.hpp"
-#include "meetc/joined_box.hpp"
+#include "meet/core/device/memory/buffers.hpp"
+#include "meet/core/views/rows.hpp"
+#include "meetc/cuda/joined_box.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #ifndef MEETC_CORE_DEVICE_SET_GIVEN_HPP
 #define MEETC_CORE_DEVICE_SET_GIVEN_HPP
 
-#include "core/device/memory/memory.hpp"
-#include "core/prepared.hpp"
+#include "meet/core/device/memory/memory.hpp"
+#include "meet/core/sets/prepared.hpp"
 
 #include <optional>
 

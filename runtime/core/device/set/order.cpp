@@ -1,6 +1,6 @@
-#include "core/device/set/order.hpp"
+#include "meet/core/device/set/order.hpp"
 
-#include "core/device/memory/buffers.hpp"
+#include "meet/core/device/memory/buffers.hpp"
 
 #include <algorithm>
 #include <optional>

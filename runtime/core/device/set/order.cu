@@ -1,9 +1,9 @@
-#include "core/device/set/order_kernels.hpp"
+#include "meet/core/device/set/order_kernels.hpp"
 
-#include "core/device/memory/blocks.hpp"
+#include "meet/core/device/memory/blocks.hpp"
 
 #include <cub/cub.cuh>
-#include <meetc/cuda_launch.hpp>
+#include <meetc/cuda/launch.hpp>
 
 namespace meetc {
 namespace {

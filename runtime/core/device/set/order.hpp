@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_SET_ORDER_HPP
 #define MEETC_CORE_DEVICE_SET_ORDER_HPP
 
-#include "core/device/set.hpp"
+#include "meet/core/device/set/device_set.hpp"
 
 #include <span>
 

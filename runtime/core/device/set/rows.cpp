@@ -1,8 +1,8 @@
-#include "core/device/set/rows.hpp"
+#include "meet/core/device/set/rows.hpp"
 
-#include "core/device/memory/buffers.hpp"
-#include "core/device/set/order_kernels.hpp"
-#include "core/element_set.hpp"
+#include "meet/core/device/memory/buffers.hpp"
+#include "meet/core/device/set/order_kernels.hpp"
+#include "meet/core/sets/element_set.hpp"
 
 #include <algorithm>
 #include <atomic>

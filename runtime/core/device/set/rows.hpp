@@ -5,8 +5,8 @@
 #ifndef MEETC_CORE_DEVICE_SET_ROWS_HPP
 #define MEETC_CORE_DEVICE_SET_ROWS_HPP
 
-#include "core/device/set/given.hpp"
-#include "core/device/walk/tree.hpp"
+#include "meet/core/device/set/given.hpp"
+#include "meet/core/device/set/tree.hpp"
 
 #include <optional>
 #include <span>

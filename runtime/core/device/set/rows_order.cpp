@@ -1,10 +1,10 @@
 // How rows come into a spatial order: by one kernel for up to a million of them, else by a sort of their places.
-#include "core/device/memory/buffers.hpp"
-#include "core/device/set/order_kernels.hpp"
-#include "core/device/set/rows.hpp"
-#include "core/device/walk/tree_kernels.hpp"
-#include "meetc/cuda_cutter.hpp"
-#include "meetc/tree_order.hpp"
+#include "meet/core/device/memory/buffers.hpp"
+#include "meet/core/device/set/order_kernels.hpp"
+#include "meet/core/device/set/rows.hpp"
+#include "meet/core/device/set/tree_kernels.hpp"
+#include "meetc/cuda/cutter.hpp"
+#include "meetc/volume/tree_order.hpp"
 
 namespace meetc {
 namespace {

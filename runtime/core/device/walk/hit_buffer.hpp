@@ -2,8 +2,8 @@
 #ifndef MEETC_CORE_DEVICE_WALK_HIT_BUFFER_HPP
 #define MEETC_CORE_DEVICE_WALK_HIT_BUFFER_HPP
 
-#include "core/device/walk/tree_kernels.hpp"
-#include "meetc/cuda_lists.hpp"
+#include "meet/core/device/walk/walk_kernels.hpp"
+#include "meetc/cuda/lists.hpp"
 
 namespace meetc::cuda {
 

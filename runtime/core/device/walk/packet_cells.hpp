@@ -7,7 +7,7 @@
 #ifndef MEETC_CORE_DEVICE_WALK_PACKET_CELLS_HPP
 #define MEETC_CORE_DEVICE_WALK_PACKET_CELLS_HPP
 
-#include "meetc/tree.hpp"
+#include "meetc/volume/tree.hpp"
 
 namespace meetc::cuda {
 

@@ -1,6 +1,6 @@
-#include "core/device/walk/walk.hpp"
+#include "meet/core/device/walk/walk.hpp"
 
-#include "core/device/memory/buffers.hpp"
+#include "meet/core/device/memory/buffers.hpp"
 
 namespace meetc {
 

@@ -2,8 +2,8 @@
 #ifndef MEETC_CORE_DEVICE_WALK_WALK_HPP
 #define MEETC_CORE_DEVICE_WALK_WALK_HPP
 
-#include "core/device/set/rows.hpp"
-#include "core/device/walk/tree_kernels.hpp"
+#include "meet/core/device/set/rows.hpp"
+#include "meet/core/device/walk/walk_kernels.hpp"
 
 namespace meetc {
 

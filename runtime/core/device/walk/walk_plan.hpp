@@ -2,7 +2,7 @@
 #ifndef MEETC_CORE_DEVICE_WALK_WALK_PLAN_HPP
 #define MEETC_CORE_DEVICE_WALK_WALK_PLAN_HPP
 
-#include "core/device/walk/tree_kernels.hpp"
+#include "meet/core/device/walk/walk_kernels.hpp"
 
 namespace meetc::cuda {
 

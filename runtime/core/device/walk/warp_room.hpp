@@ -2,10 +2,10 @@
 #ifndef MEETC_CORE_DEVICE_WALK_WARP_ROOM_HPP
 #define MEETC_CORE_DEVICE_WALK_WARP_ROOM_HPP
 
-#include "core/device/walk/hit_buffer.hpp"
-#include "core/device/walk/packet_cells.hpp"
-#include "core/two_points.hpp"
-#include "meetc/tree.hpp"
+#include "meet/core/device/walk/hit_buffer.hpp"
+#include "meet/core/device/walk/packet_cells.hpp"
+#include "meet/core/hierarchy/two_points.hpp"
+#include "meetc/volume/tree.hpp"
 
 namespace meetc::cuda {
 

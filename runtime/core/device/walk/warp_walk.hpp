@@ -2,12 +2,12 @@
 #ifndef MEETC_CORE_DEVICE_WALK_WARP_WALK_HPP
 #define MEETC_CORE_DEVICE_WALK_WARP_WALK_HPP
 
-#include "core/device/walk/tree_kernels.hpp"
-#include "core/device/walk/walk_plan.hpp"
-#include "core/device/walk/warp_room.hpp"
-#include "core/two_balls.hpp"
-#include "meetc/cuda_lists.hpp"
-#include "meetc/cuda_warp.hpp"
+#include "meet/core/device/walk/walk_kernels.hpp"
+#include "meet/core/device/walk/walk_plan.hpp"
+#include "meet/core/device/walk/warp_room.hpp"
+#include "meet/core/hierarchy/two_balls.hpp"
+#include "meetc/cuda/lists.hpp"
+#include "meetc/cuda/warp.hpp"
 
 namespace meetc::cuda {
 

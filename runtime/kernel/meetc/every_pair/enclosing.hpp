@@ -5,7 +5,7 @@
 #ifndef MEETC_EVERY_PAIR_ENCLOSING_HPP
 #define MEETC_EVERY_PAIR_ENCLOSING_HPP
 
-#include <meetc/environment.hpp>
+#include <meetc/environment/environment.hpp>
 
 #include <cmath>
 #include <cstddef>

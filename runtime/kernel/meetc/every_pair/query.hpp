@@ -5,8 +5,8 @@
 #ifndef MEETC_EVERY_PAIR_QUERY_HPP
 #define MEETC_EVERY_PAIR_QUERY_HPP
 
-#include <meetc/cuda_cascade.hpp>
-#include <meetc/cuda_cutter.hpp>
+#include <meetc/cuda/cascade.hpp>
+#include <meetc/cuda/cutter.hpp>
 #include <meetc/every_pair/table.hpp>
 
 namespace meetc::every_pair {

@@ -3,7 +3,7 @@
 #ifndef MEETC_EVERY_PAIR_SETS_HPP
 #define MEETC_EVERY_PAIR_SETS_HPP
 
-#include <meetc/cuda_lists.hpp>
+#include <meetc/cuda/lists.hpp>
 #include <meetc/every_pair/table.hpp>
 
 #include <algorithm>

@@ -2,14 +2,14 @@
 //
 // An element has an enclosing ball, and whether two balls may touch is one sign of a form with few products. The signs of all
 // pairs are those of a product of matrices (matrix.hpp), which a filter takes on a matrix unit. The pairs that it leaves go
-// through the steps that a query by the hierarchy has as well (cuda_table.hpp). No other launcher knows this engine.
+// through the steps that a query by the hierarchy has as well (meetc/cuda/table.hpp). No other launcher knows this engine.
 //
 // Every launcher enqueues its work on the stream; it allocates nothing, waits for nothing and throws nothing. All pointers are
 // device memory unless said otherwise.
 #ifndef MEETC_EVERY_PAIR_TABLE_HPP
 #define MEETC_EVERY_PAIR_TABLE_HPP
 
-#include <meetc/cuda_table.hpp>
+#include <meetc/cuda/table.hpp>
 #include <meetc/every_pair/matrix.hpp>
 
 namespace meetc::every_pair {

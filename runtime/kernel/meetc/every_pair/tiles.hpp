@@ -2,7 +2,7 @@
 #ifndef MEETC_EVERY_PAIR_TILES_HPP
 #define MEETC_EVERY_PAIR_TILES_HPP
 
-#include <meetc/cuda_lists.hpp>
+#include <meetc/cuda/lists.hpp>
 #include <meetc/every_pair/table.hpp>
 
 namespace meetc::every_pair {

@@ -1,6 +1,6 @@
 // CUB's sorts on the host, by those of the standard library.
 #pragma once
-#include "tests/runtime/device/host_launch.hpp"
+#include "tests/runtime/device/host/host_launch.hpp"
 
 #include <algorithm>
 #include <cstdint>

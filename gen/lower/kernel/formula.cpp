@@ -1,0 +1,274 @@
+// Formulas: a multivector-valued expression on general blades, and a number on stored operands as well.
+#include "gen/ir/count.hpp"
+#include "gen/ir/residue.hpp"
+#include "gen/lower/kernel/compile.hpp"
+#include "gen/lower/programs/compose.hpp"
+#include "gen/search/searched_forms.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace meetc::lower {
+namespace {
+
+// Numbers that no translation moves, for operands that are blades.
+std::vector<poly::stored_number> unmoved(const std::vector<std::size_t> &sizes) {
+  std::vector<poly::stored_number> out;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+    for (std::size_t k = 0; k < sizes[i]; ++k)
+      out.push_back({static_cast<int>(i), -1, 0, false});
+  return out;
+}
+
+// A value expanded into hundreds of terms is never cheaper than one computed from the coefficients of its parts.
+constexpr std::size_t longest_direct = 150; // number of terms
+// A formula that takes more to expand, about a second, is not expanded.
+constexpr long most_steps_of_formula = 50'000;
+constexpr std::size_t longest_from_stored = 4000; // terms of a number
+
+// The kind of the same grade that has room for `blades`: the tightest one, and the first declared among equals.
+const lang::kind *kind_for(const model &m, const std::vector<blade> &blades) {
+  const lang::kind *best = nullptr;
+  std::size_t best_size = 0;
+  for (const lang::kind &k : m.spec().kinds) {
+    if (k.hull && !k.pad)
+      continue; // skips segments and triangles, whose blades are named line and plane
+    const std::vector<blade> room = support(m, k);
+    const bool fits = std::all_of(blades.begin(), blades.end(),
+                                  [&](blade b) { return std::find(room.begin(), room.end(), b) != room.end(); });
+    if (fits && (!best || room.size() < best_size)) {
+      best = &k;
+      best_size = room.size();
+    }
+  }
+  return best;
+}
+
+// The formula's values on blades and the ways to compute them.
+class on_blades {
+public:
+  on_blades(const model &m, const request &r, formula &out) : model_(m), request_(r), out_(out) {
+    for (const lang::kind *k : r.kinds)
+      supports_.push_back(support(m, *k));
+    for (std::size_t i = 0; i < supports_.size(); ++i)
+      for (const blade b : supports_[i])
+        out.blade_inputs.push_back(r.names[i] + '.' + m.working().name(b));
+    out.numbers = std::make_shared<poly::ring>(out.blade_inputs);
+  }
+
+  // Fills in what the formula says of blades.
+  void compile() {
+    std::vector<std::size_t> sizes;
+    for (const auto &blades : supports_)
+      sizes.push_back(blades.size());
+    const poly::local_origin origin(*out_.numbers, unmoved(sizes));
+    builder code(origin, prefer::operations);
+    expand();
+    std::vector<std::vector<node_id>> forms;
+    if (whole_) {
+      std::set<blade> where;
+      for (const auto &[at, c] : whole_->terms())
+        where.insert(at);
+      out_.result = sorted_blades(where);
+      for (const blade at : out_.result)
+        out_.polynomials.push_back(*whole_->find(at));
+      if (std::all_of(out_.polynomials.begin(), out_.polynomials.end(),
+                      [](const poly::poly &c) { return c.length() <= longest_direct; })) {
+        forms.emplace_back();
+        for (const poly::poly &c : out_.polynomials)
+          forms.back().push_back(code.build(c));
+      }
+    }
+    for (const parts which : {parts::arguments, parts::all})
+      if (const auto way = composed(code, which)) {
+        if (!whole_ && forms.empty()) { // a composed value may have more coefficients than the formula
+          std::set<blade> where;
+          for (const auto &[at, id] : without_zeros(code, *way))
+            where.insert(at);
+          out_.result = sorted_blades(where);
+        }
+        forms.emplace_back();
+        for (const blade at : out_.result) {
+          const auto it = way->find(at);
+          if (it == way->end())
+            throw std::logic_error("a composed value lacks a coefficient");
+          forms.back().push_back(it->second);
+        }
+      }
+    if (whole_)
+      for (const search::found_program &f : searched(code))
+        forms.push_back(f.outputs);
+    if (out_.result.empty()) { // identically zero
+      out_.result = {0};
+      out_.polynomials = {poly::poly(*out_.numbers)};
+      forms = {{code.nodes().constant(0)}};
+    }
+    out_.from_blades = best_of(code, forms);
+    if (out_.from_blades.results.size() != out_.result.size())
+      throw std::logic_error("a formula lacks a result");
+    if (whole_ ? !ir::same_values(out_.from_blades, out_.polynomials, *out_.numbers) : !has_values_of_body())
+      throw std::logic_error("a formula's program has other values than its expression");
+  }
+
+private:
+  const model &model_;
+  const request &request_;
+  formula &out_;
+  std::vector<std::vector<blade>> supports_;
+  std::optional<multivector> whole_; // nothing where it is too long
+
+  void expand() {
+    decision unused;
+    expander of(model_, *out_.numbers, unused);
+    of.limit(most_steps_of_formula);
+    environment env;
+    auto from = out_.blade_inputs.begin();
+    for (std::size_t i = 0; i < supports_.size(); ++i) {
+      const auto to = from + static_cast<std::ptrdiff_t>(supports_[i].size());
+      env.emplace_back(request_.names[i], of.general(supports_[i], {from, to}));
+      from = to;
+    }
+    try {
+      whole_ = of.evaluate_multivector(*request_.body, env);
+    } catch (const too_long &) {
+      // It is composed of its parts, which says so again where they are too long, too.
+    }
+  }
+
+  // The programs that a search finds for the expanded values.
+  std::vector<search::found_program> searched(builder &code) const {
+    search::product_subject subject{model_.working(), *out_.numbers, {}, out_.result, out_.polynomials};
+    std::vector<node_id> leaves;
+    for (const auto &blades : supports_) {
+      multivector operand;
+      for (const blade b : blades) {
+        operand.add(b, poly::poly::variable(*out_.numbers, static_cast<int>(leaves.size())));
+        leaves.push_back(code.nodes().input(static_cast<int>(leaves.size())));
+      }
+      subject.operands.push_back(std::move(operand));
+    }
+    return search::searched_forms(code.nodes(), subject, leaves, poly::price::whole);
+  }
+
+  std::optional<node_values> composed(builder &code, parts which) const {
+    composer::scope names;
+    int first = 0;
+    for (std::size_t i = 0; i < supports_.size(); ++i) {
+      names.emplace_back(request_.names[i], composer::inputs(code, supports_[i], first));
+      first += static_cast<int>(supports_[i].size());
+    }
+    try {
+      return composer(model_, code, which, out_.polynomials).compose(*request_.body, names);
+    } catch (const spec_error &) { // where it expands, it is not this way's to refuse
+      if (!whole_ && which == parts::arguments)
+        throw;
+      return std::nullopt;
+    }
+  }
+
+  // Whether the program has the values that the expression has at the points of the residues.
+  bool has_values_of_body() const {
+    const poly::ring none({});
+    std::vector<std::vector<rational>> values(out_.result.size());
+    for (int point = 0; point < ir::residue_points; ++point) {
+      decision unused;
+      expander of(model_, none, unused);
+      of.allow_bits(1 << 16); // degree 100 in numbers of 61 bits, and room for constants
+      environment env;
+      int input = 0;
+      for (std::size_t i = 0; i < supports_.size(); ++i) {
+        multivector m;
+        for (const blade b : supports_[i])
+          m.add(b, {none, rational(mpz_class(std::to_string(ir::residue_input(point, input++))))});
+        env.emplace_back(request_.names[i], value{m});
+      }
+      const multivector v = of.evaluate_multivector(*request_.body, env);
+      for (const auto &[at, c] : v.terms())
+        if (std::find(out_.result.begin(), out_.result.end(), at) == out_.result.end())
+          return false;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const poly::poly *c = v.find(out_.result[i]);
+        values[i].push_back(c ? c->constant() : rational(0));
+      }
+    }
+    const auto have = ir::residues(out_.from_blades);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (have[i] != ir::residues(values[i]))
+        return false;
+    return true;
+  }
+};
+
+// A number computed from the operands' stored numbers.
+class from_stored {
+public:
+  from_stored(const model &m, const request &r)
+      : model_(m), request_(r), stored_(stored_numbers(m, r.names, r.kinds)), local_(*stored_.numbers, stored_.moves) {
+    decision unused;
+    expander of(m, *stored_.numbers, unused);
+    of.limit(most_steps_of_formula);
+    environment objects;
+    for (std::size_t i = 0; i < r.kinds.size(); ++i) {
+      objects.emplace_back(r.names[i], of.operand(*r.kinds[i], r.names[i] + '.'));
+      blades_.push_back(of.blade_of(objects.back().second, r.where));
+    }
+    try {
+      const multivector v = of.evaluate_multivector(*r.body, objects);
+      value_ = v.is_zero() ? poly::poly(*stored_.numbers) : v.terms().begin()->second;
+      if (value_->length() > longest_from_stored)
+        value_.reset();
+    } catch (const too_long &) {
+    }
+  }
+
+  program compile(prefer by) const {
+    builder code(local_, by);
+    if (value_)
+      return code.finish({code.build(*value_)});
+    composer::scope names;
+    for (std::size_t i = 0; i < blades_.size(); ++i) {
+      node_values v;
+      for (const auto &[at, c] : blades_[i].terms())
+        v.emplace(at, code.build(c));
+      names.emplace_back(request_.names[i], std::move(v));
+    }
+    const node_values v = composer(model_, code, parts::arguments).compose(*request_.body, names);
+    const auto it = v.find(0);
+    return code.finish({it == v.end() ? code.nodes().constant(0) : it->second});
+  }
+
+  const std::shared_ptr<poly::ring> &numbers() const { return stored_.numbers; }
+
+private:
+  const model &model_;
+  const request &request_;
+  stored_ring stored_;
+  poly::local_origin local_;
+  std::vector<multivector> blades_;
+  std::optional<poly::poly> value_; // nothing where it is too long
+};
+
+} // namespace
+
+formula compile_formula(const model &m, const request &r) {
+  formula out;
+  on_blades(m, r, out).compile();
+  out.result_names = named(m.working(), out.result);
+  if (!out.is_number()) {
+    out.result_kind = kind_for(m, out.result);
+    return out;
+  }
+  // A number is also computed directly from stored operands, in differences where possible.
+  const from_stored stored(m, r);
+  out.stored_numbers = stored.numbers();
+  out.stored_inputs = out.stored_numbers->names();
+  out.from_stored = stored.compile(prefer::operations);
+  if (r.kinds.size() == 2) {
+    program p = stored.compile(prefer::pair);
+    if (ir::count(p, residency::a).total() + ir::count(p, residency::b).total() > 0)
+      out.for_pairs = std::move(p);
+  }
+  return out;
+}
+
+} // namespace meetc::lower

@@ -1,0 +1,168 @@
+#include "meet/app/commands/collide_command.hpp"
+
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/input_options.hpp"
+#include "meet/app/input/kinds.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/app/output/output_files.hpp"
+#include "meet/app/output/paint.hpp"
+#include "meet/app/output/pair_values.hpp"
+#include "meet/app/output/report.hpp"
+#include "meet/app/query/coarse_tolerance.hpp"
+#include "meet/app/query/collide_sets.hpp"
+#include "meet/app/text/progress.hpp"
+#include "meet/core/views/plural.hpp"
+#include "meet/io/read.hpp"
+#include "meet/io/text/text.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+
+namespace meetc::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// A name without an extension may be that of a device.
+void check_picture(const fs::path &to) {
+  const std::string extension = io::lower_case(to.extension().string());
+  if (!extension.empty() && extension != ".png")
+    throw failure(fmt::format("--image {}: pictures are PNG; name it {}", to.string(),
+                              fs::path(to).replace_extension(".png").string()));
+}
+
+void check_outputs(const collide_request &q, output_files &outputs) {
+  if (q.any && (q.pairs || q.first || q.colour || q.image || !q.evaluate.empty()))
+    throw failure(
+        "--any stops at the first pair and keeps none; --pairs, --first, --evaluate, --color and --image need "
+        "them all");
+  if (q.first && q.tolerance > 0)
+    throw failure("--first is exact and goes with no --tolerance");
+  if (q.pairs)
+    outputs.expect(*q.pairs);
+  if (q.first)
+    outputs.expect(*q.first);
+  if (!q.evaluate.empty())
+    outputs.expect(q.evaluate[1]);
+  if (q.image) {
+    outputs.expect(*q.image);
+    check_picture(*q.image);
+  }
+  if (q.colour && q.colour->empty())
+    throw failure("--color: the folder's name is empty");
+  if (q.colour)
+    for (const char *const name : {"a.ply", "b.ply"})
+      outputs.expect(*q.colour / name, true);
+}
+
+void write_colours(const collide_request &q, const painted &a, const painted &b, output_files &outputs,
+                   collide_report &report) {
+  if (!is_mesh(a.set) && !is_mesh(b.set))
+    throw failure(fmt::format("--color: only the faces of a mesh can be coloured; here are {} and {}",
+                              plural(a.set.kind->name), plural(b.set.kind->name)));
+  outputs.make_folder(*q.colour);
+  for (const painted *const side : {&a, &b}) {
+    const bool first = side == &a;
+    if (!is_mesh(side->set)) {
+      report.notes.push_back(fmt::format("{} is no mesh and has no coloured one", first ? "A" : "B"));
+      continue;
+    }
+    const fs::path path = *q.colour / (first ? "a.ply" : "b.ply");
+    outputs.write(path, [side](const fs::path &to) { write_coloured(to, *side); });
+    report.written.push_back(path.string());
+  }
+}
+
+void write_all(const collide_request &q, const std::optional<formula_choice> &formula, output_files &outputs,
+               collide_report &report) {
+  const painted a{report.a, report.found.a.hit, q.a.filename().string(), picture::palette::green,
+                  picture::palette::yellow};
+  const painted b{report.b, report.found.b.hit, q.b.filename().string(), picture::palette::blue,
+                  picture::palette::pink};
+  const auto write_list = [&](const std::optional<fs::path> &to, const std::vector<index_pair> &list) {
+    if (!to)
+      return;
+    outputs.write(*to, [&list](const fs::path &file) { io::write_pairs_csv(file, list); });
+    report.written.push_back(to->string());
+  };
+  write_list(q.pairs, report.found.list);
+  write_list(q.first, report.found.first);
+  if (formula) {
+    const fs::path values = q.evaluate[1];
+    outputs.write(values, [&](const fs::path &to) {
+      write_pair_values(to, *formula, report.a, report.b, report.found.list, q.threads);
+    });
+    report.written.push_back(values.string());
+  }
+  if (q.colour)
+    write_colours(q, a, b, outputs, report);
+  if (q.image) {
+    outputs.write(*q.image, [&a, &b](const fs::path &to) { write_picture(to, {a, b}); });
+    report.written.push_back(q.image->string());
+  }
+  outputs.commit();
+}
+
+} // namespace
+
+std::string collide(const catalogue &all, const collide_request &q) {
+  output_files outputs({q.a, q.b});
+  check_outputs(q, outputs);
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<const kind_info *> kinds = kinds_of(all);
+  check_inputs(q.a, q.b);
+  const io::element_set a = io::read(q.a, kinds, q.read_a);
+  std::error_code code;
+  const bool same_file = fs::equivalent(q.a, q.b, code), moved_a = q.read_a.move.any(), moved_b = q.read_b.move.any();
+  std::optional<io::element_set> other; // unless A is collided with itself
+  if (!same_file || q.a.extension() != q.b.extension() || q.read_a.format != q.read_b.format ||
+      q.read_a.kind != q.read_b.kind || moved_a || moved_b) // the extension names the format
+    other = io::read(q.b, kinds, q.read_b);
+  const io::element_set &b = other ? *other : a;
+  const std::chrono::duration<double> read = std::chrono::steady_clock::now() - start;
+
+  std::optional<formula_choice> formula;
+  if (!q.evaluate.empty())
+    formula = choose_formula(all, a, b, q.evaluate[0], q.precision == rung::fp32);
+  query h;
+  h.by = choose(all, *a.kind, *b.kind, q.predicate, q.mode);
+  h.precision = q.precision;
+  set_tolerance(h, q.tolerance);
+  h.box = all.box;
+  h.any = q.any;
+  h.keep = q.pairs.has_value() || !q.evaluate.empty();
+  h.first = q.first.has_value();
+  h.threads = q.threads;
+  h.devices = q.devices;
+  h.on = q.on;
+  if (const std::string warning = tolerance_warning(a, b, h); !warning.empty())
+    std::fprintf(stderr, "meet: %s\n", warning.c_str());
+  auto progress = std::make_unique<progress_line>("collide");
+  h.progress = [&progress](double fraction) { (*progress)(fraction); };
+  const answers found = collide_sets(a, b, h);
+  progress.reset();
+  if (const std::string warning = box_warning(h, found); !warning.empty())
+    std::fprintf(stderr, "meet: %s\n", warning.c_str());
+
+  collide_report report{q.a.string(),
+                        q.b.string(),
+                        a,
+                        b,
+                        h,
+                        found,
+                        same_file,
+                        moved_a,
+                        moved_b,
+                        read.count(),
+                        name_of(all.compiled_for),
+                        {},
+                        {}};
+  write_all(q, formula, outputs, report);
+  return q.json ? as_json(report) : summary(report);
+}
+
+} // namespace meetc::app

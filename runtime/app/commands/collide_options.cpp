@@ -1,0 +1,127 @@
+// The options of `meet collide`.
+#include "meet/app/commands/collide_command.hpp"
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/input_options.hpp"
+#include "meet/app/input/option_values.hpp"
+#include "meet/app/query/choose.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace meetc::app {
+
+namespace {
+
+// Filled by CLI11. Members are strings where CLI11's own conversion would give a poorer message.
+struct arguments {
+  collide_request request;
+  std::string precision = "certified", device = "auto", instruction_set = "auto";
+  std::optional<std::string> tolerance, threads, devices;
+  input_arguments a, b;
+};
+
+void add_sets(CLI::App &c, arguments &to) {
+  c.add_option("A", to.request.a, files_help)->required()->type_name("FILE");
+  c.add_option("B", to.request.b, "The other set; the same file gives every ordered pair (i, j), i = j included")
+      ->required()
+      ->type_name("FILE");
+}
+
+void add_question(CLI::App &c, arguments &to) {
+  collide_request &q = to.request;
+  c.add_option("--predicate", q.predicate, "The predicate that decides, if several fit (meet inspect lists them)")
+      ->type_name("NAME");
+  c.add_option("--mode", q.mode, "Take spheres as solid balls, the default, or as surfaces")
+      ->type_name("solid|surface");
+  c.add_option("--precision", to.precision,
+               "certified, the default, is never wrong: fp32 with proved bounds comes first, and pairs that it leaves "
+               "unsure go on to fp64, fp64x2 and exact; exact is never wrong either; fp32, fp64 and fp64x2 take the "
+               "sign of the rounded result")
+      ->type_name("fp32|fp64|fp64x2|exact|certified");
+  c.add_option("--tolerance", to.tolerance,
+               "A length. An answer may then be wrong, but only where moving one element by at most this changes it: "
+               "numbers are rounded to a power of two, and certified answers are about these. 0, the default, is exact")
+      ->type_name("LENGTH");
+  c.add_option(
+       "--device", to.device,
+       "The processor that decides pairs; auto, the default, takes the one that is expected to answer first, the start "
+       "of a device included")
+      ->type_name("auto|cpu|cuda");
+  c.add_option("--devices", to.devices,
+               "The number of CUDA devices that share the query; 1 is the default. The answer is the same")
+      ->type_name("N");
+  c.add_option(
+       "--instruction-set", to.instruction_set,
+       "The instruction set of the code that decides pairs on the CPU; auto, the default, is the best that this "
+       "processor runs. Certified and exact answers do not depend on it")
+      ->type_name("auto|baseline|avx2|avx512");
+  for (const char side : {'a', 'b'})
+    add_reading(c, side, side == 'a' ? to.a : to.b);
+  for (const char side : {'a', 'b'})
+    add_moving(c, side, side == 'a' ? to.a : to.b);
+}
+
+void add_answers(CLI::App &c, arguments &to) {
+  collide_request &q = to.request;
+  c.add_flag("--any", q.any,
+             "Tell only whether anything touches: stop at the first pair found, so that pairs is 0 or 1, and do not "
+             "name it")
+      ->disable_flag_override();
+  c.add_option("--pairs", q.pairs, "Write all pairs, sorted; indices from 0 in file order")->type_name("out.csv");
+  c.add_option(
+       "--first", q.first,
+       "Write for each segment that touches a triangle the pair that it meets first on its way from its first "
+       "point to its second (of several at one point, the one with the least index), sorted like --pairs. The order "
+       "is exact, among the triangles that the precision finds")
+      ->type_name("out.csv");
+  c.add_option(
+       "--evaluate", q.evaluate,
+       "Write the value of a formula of the scene, such as 'norm2(meet(sphere, sphere))', for each pair, sorted "
+       "like --pairs: in float64, or in float32 with --precision fp32, within the error that the formula's "
+       "header states")
+      ->option_text("FORMULA out.csv")
+      ->expected(1, 2);
+  c.add_option("--color,--colour", q.colour,
+               "Write a.ply and b.ply with touched faces in bright colours into this folder")
+      ->type_name("DIR");
+  c.add_option("--image", q.image, "Write a picture in which touching elements stand out")->type_name("out.png");
+  c.add_flag("--json", q.json, "Print one JSON object instead of the summary")->disable_flag_override();
+  c.add_option("--threads", to.threads, "Threads; 0, the default, is all cores")->type_name("N");
+}
+
+const collide_request &read(arguments &args) {
+  collide_request &q = args.request;
+  q.on = processor_named(args.device);
+  if (q.on == processor::best && args.instruction_set != "auto") // the option concerns the CPU alone
+    q.on = processor::cpu;
+  q.precision = precision_named(args.precision);
+  if (args.tolerance)
+    q.tolerance = length_named("--tolerance", *args.tolerance);
+  if (args.threads)
+    q.threads = threads_named(*args.threads);
+  if (args.devices)
+    q.devices = devices_named(*args.devices);
+  if (q.devices > 1 && q.on != processor::cuda)
+    throw failure(fmt::format("--devices {}: needs --device cuda", q.devices));
+  if (q.evaluate.size() == 1)
+    throw failure(fmt::format("--evaluate '{}': the file for the values is missing", q.evaluate[0]));
+  q.read_a = input_named('a', args.a);
+  q.read_b = input_named('b', args.b);
+  q.read_a.threads = q.read_b.threads = q.threads;
+  return q;
+}
+
+} // namespace
+
+command add_collide(CLI::App &program, const kernel_library &all) {
+  CLI::App &c = *program.add_subcommand("collide", "Find all touching pairs of the elements of two files");
+  const auto args = std::make_shared<arguments>();
+  add_sets(c, *args);
+  add_question(c, *args);
+  add_answers(c, *args);
+  return {&c, [all, args] { return collide(kernels_named(all, args->instruction_set), read(*args)); }};
+}
+
+} // namespace meetc::app

@@ -1,0 +1,88 @@
+#include "meet/app/input/input_options.hpp"
+
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/option_values.hpp"
+#include "meet/io/files/file_bytes.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace meetc::app {
+
+namespace {
+
+std::string option(const char *what, char side) {
+  return fmt::format("--{}-{}", what, side);
+}
+
+char letter(char side) {
+  return side == 'a' ? 'A' : 'B';
+}
+
+// 12 numbers, or 16 of which the last four are 0 0 0 1.
+std::array<double, 12> matrix_named(const std::string &option, const std::string &text) {
+  const std::vector<double> m = number_list(option.c_str(), text);
+  if (m.size() != 12 && m.size() != 16)
+    throw failure(fmt::format("{}: 12 numbers expected, or 16, with commas between them, {} given", option, m.size()));
+  for (std::size_t i = 12; i < m.size(); ++i)
+    if (m[i] != (i == 15 ? 1 : 0))
+      throw failure(fmt::format("{}: the last row of the 4x4 matrix is {},{},{},{}, not 0,0,0,1", option, m[12], m[13],
+                                m[14], m[15]));
+  std::array<double, 12> out{};
+  std::copy_n(m.begin(), 12, out.begin());
+  return out;
+}
+
+} // namespace
+
+void add_reading(CLI::App &c, char side, input_arguments &to) {
+  c.add_option(option("format", side), to.format, fmt::format("The format of {}, whatever its name says", letter(side)))
+      ->type_name("ply|obj|off|stl|csv");
+  c.add_option(option("kind", side), to.kind,
+               fmt::format("The kind of element to take from {}, if it holds several", letter(side)))
+      ->type_name("KIND");
+}
+
+void add_moving(CLI::App &c, char side, input_arguments &to) {
+  c.add_option(option("scale", side), to.scale,
+               fmt::format("Multiply {} by s first: coordinates and radii", letter(side)))
+      ->type_name("s");
+  c.add_option(
+       option("matrix", side), to.matrix,
+       fmt::format("Then move {} by m00,m01,..,m23: 12 numbers, row-major 3x4, or 16, 4x4; for spheres a similarity",
+                   letter(side)))
+      ->type_name("NUMBERS");
+  c.add_option(option("translate", side), to.translate, fmt::format("Then move {} by x,y,z", letter(side)))
+      ->type_name("x,y,z");
+}
+
+io::read_options input_named(char side, const input_arguments &given) {
+  io::read_options out;
+  out.move.side = side;
+  if (given.format)
+    out.format = io::format_named(option("format", side), *given.format);
+  if (given.kind)
+    out.kind = *given.kind;
+  if (given.scale)
+    out.move.scale = numbers<1>(option("scale", side).c_str(), *given.scale)[0];
+  if (given.matrix)
+    out.move.matrix = matrix_named(option("matrix", side), *given.matrix);
+  if (given.translate)
+    out.move.translate = numbers<3>(option("translate", side).c_str(), *given.translate);
+  out.move.check();
+  return out;
+}
+
+void check_inputs(const std::filesystem::path &a, const std::filesystem::path &b) {
+  std::error_code code;
+  if (io::is_standard_input(a) && io::is_standard_input(b))
+    throw failure("only one of A and B can be standard input");
+  if (std::filesystem::equivalent(a, b, code) && std::filesystem::is_fifo(a, code))
+    throw failure(fmt::format("{}: A and B are one pipe, which can be read once", a.string()));
+}
+
+} // namespace meetc::app

@@ -1,0 +1,25 @@
+// app/input/sets.hpp: turns sets as they were read into views and prepared sets, which the core collides.
+#ifndef MEETC_APP_INPUT_SETS_HPP
+#define MEETC_APP_INPUT_SETS_HPP
+
+#include "meet/core/query/collide.hpp"
+#include "meet/io/elements/element_set.hpp"
+
+namespace meetc::app {
+
+// Whether the elements are triangles, which can be coloured face by face, and whose faces a report counts.
+inline bool is_mesh(const io::element_set &set) {
+  return set.kind->points == 3 && set.kind->fields == 9;
+}
+
+// Borrows the set's memory: valid until the set is changed or destroyed.
+meetc::view view_of(const io::element_set &set);
+
+// Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to collide_options,
+// so that pairs are of items. `near` and the errors are as in meetc::prepare; sets from io::read are
+// always good. With a grid, all numbers are rounded to it (pose::grid); one that leaves float32 is an input_error.
+prepared prepare(const io::element_set &set, int threads = 0, const prepared *near = nullptr, double grid = 0);
+
+} // namespace meetc::app
+
+#endif

@@ -1,0 +1,116 @@
+#include "meet/app/output/paint.hpp"
+
+#include "meet/app/input/failure.hpp"
+#include "meet/app/input/sets.hpp"
+#include "meet/core/views/pose.hpp"
+#include "meet/io/files/atomic_file.hpp"
+#include "meet/picture/render.hpp"
+
+#include <fmt/format.h>
+
+namespace meetc::app {
+
+namespace {
+
+io::rgb bytes(picture::colour c) {
+  return {c.r, c.g, c.b};
+}
+
+// Memory that a shape refers to.
+struct kept {
+  std::vector<std::uint8_t> hit; // one for each element
+  std::vector<float> rows;       // to draw, if they are not the set's own
+};
+
+// The two triangles of each of its six faces.
+constexpr std::size_t triangles_of_box = 12;
+void add_box(const float *row, std::vector<float> &to) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side)
+      for (const int corner : {0, 1, 3, 0, 3, 2}) { // a bit for each other axis: 1 at the greater coordinate
+        float p[3];
+        p[axis] = row[3 * side + axis];
+        for (int other = 0; other < 2; ++other) {
+          const int k = (axis + 1 + other) % 3;
+          p[k] = row[3 * (corner >> other & 1) + k];
+        }
+        to.insert(to.end(), p, p + 3);
+      }
+}
+
+picture::shape shape_of(const painted &side, kept &keep) {
+  const io::element_set &set = side.set;
+  keep.hit.resize(side.hit.empty() ? 0 : set.elements);
+  for (std::size_t i = 0; i < keep.hit.size(); ++i)
+    keep.hit[i] = side.hit[set.owner_of(i)];
+  picture::shape s;
+  s.rows = set.data;
+  if (!is_mesh(set) && !set.index.empty()) { // lines or points of a mesh
+    const auto fields = static_cast<std::size_t>(set.kind->fields);
+    keep.rows.resize(fields * set.elements);
+    for (std::size_t i = 0; i < set.elements; ++i)
+      set.row(i, &keep.rows[fields * i]);
+    s.rows = keep.rows;
+  }
+  s.hit = keep.hit;
+  s.base = side.base;
+  s.hit_colour = side.hit_colour;
+  s.name = side.name;
+  if (is_mesh(set)) {
+    s.what = picture::form::triangles;
+    s.index = set.index;
+    if (set.elements == 0)
+      s.rows = {}; // without an index the vertices would be drawn as triangles
+  } else if (lies_along_axes(*set.kind) && set.kind->hull == 8 && set.kind->fields == 6) {
+    s.parts = triangles_of_box;
+    s.whole = set.kind->name;
+    for (std::size_t i = 0; i < set.elements; ++i)
+      add_box(&set.data[6 * i], keep.rows);
+    s.rows = keep.rows;
+    std::vector<std::uint8_t> of_boxes = std::move(keep.hit);
+    keep.hit.clear();
+    for (const std::uint8_t hit : of_boxes)
+      keep.hit.insert(keep.hit.end(), triangles_of_box, hit);
+    s.hit = keep.hit;
+  } else if (!lies_along_axes(*set.kind) && set.kind->fields == 4) {
+    s.what = picture::form::spheres;
+  } else if (set.kind->points == 2) {
+    s.what = picture::form::segments;
+  } else if (set.kind->points == 1) {
+    s.what = picture::form::spheres;
+    std::vector<float> balls(4 * set.elements); // of radius 0
+    for (std::size_t i = 0; i < set.elements; ++i)
+      set.row(i, &balls[4 * i]);
+    keep.rows = std::move(balls);
+    s.rows = keep.rows;
+  } else {
+    throw failure(fmt::format("a picture cannot show elements of kind {}", set.kind->name));
+  }
+  return s;
+}
+
+} // namespace
+
+void write_coloured(const std::filesystem::path &path, const painted &side) {
+  std::vector<io::rgb> colours(side.set.items, bytes(side.base));
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    if (side.hit[i])
+      colours[i] = bytes(side.hit_colour);
+  io::write_ply(path, side.set, colours);
+}
+
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides, const picture::camera &from,
+                   int width, int height) {
+  std::vector<kept> keep(sides.size());
+  std::vector<picture::shape> shapes;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    shapes.push_back(shape_of(sides[i], keep[i]));
+  write_png(path, picture::render_panels(shapes, from, width, height));
+}
+
+void write_png(const std::filesystem::path &path, const picture::image &picture) {
+  const std::vector<std::uint8_t> png = picture::encode_png(picture);
+  io::write_file(path, {reinterpret_cast<const char *>(png.data()), png.size()});
+}
+
+} // namespace meetc::app

@@ -1,0 +1,35 @@
+// app/output/paint.hpp: shows the hits of two sets as coloured meshes and as a picture.
+#ifndef MEETC_APP_OUTPUT_PAINT_HPP
+#define MEETC_APP_OUTPUT_PAINT_HPP
+
+#include "meet/io/elements/element_set.hpp"
+#include "meet/io/write.hpp"
+#include "meet/picture/camera.hpp"
+#include "meet/picture/image.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meetc::app {
+
+// One side of a picture.
+struct painted {
+  const io::element_set &set;
+  const std::vector<std::uint8_t> &hit; // one for each item; empty: hits are not shown
+  std::string name;
+  picture::colour base, hit_colour;
+};
+
+// Writes the mesh with a bright colour on every face that is hit and a calm one elsewhere.
+void write_coloured(const std::filesystem::path &path, const painted &side);
+
+// Writes a PNG of the two sides together and of each alone. Throws io::error.
+void write_picture(const std::filesystem::path &path, const std::vector<painted> &sides,
+                   const picture::camera &from = {}, int width = 1600, int height = 900);
+
+void write_png(const std::filesystem::path &path, const picture::image &picture);
+
+} // namespace meetc::app
+
+#endif

@@ -1,0 +1,48 @@
+// app/query/choose.hpp: chooses the predicate for two kinds of element.
+//
+// A predicate takes an ordered pair of kinds, and a user gives them in either order. A predicate that takes them in the
+// other order therefore fits as well, and runs swapped.
+#ifndef MEETC_APP_QUERY_CHOOSE_HPP
+#define MEETC_APP_QUERY_CHOOSE_HPP
+
+#include "meetc/support.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meetc::app {
+
+struct choice {
+  const predicate_info *predicate = nullptr;
+  bool swapped = false; // the predicate's a is the user's b
+};
+
+// All predicates that fit, in the catalogue's order.
+std::vector<choice> fitting(const catalogue &all, const kind_info &a, const kind_info &b);
+
+// The predicate of that name; without a name the first that fits and answers for `mode`, by default "solid". Throws
+// failure that lists those that fit.
+choice choose(const catalogue &all, const kind_info &a, const kind_info &b, const std::optional<std::string> &name,
+              const std::optional<std::string> &mode);
+
+// The name of a rung, such as "exact".
+const char *name_of(rung precision);
+
+// Throws failure if this build does not have the precision.
+rung precision_named(std::string_view name);
+
+// The same kernels, compiled for several instruction sets. best(): for the best one that this processor runs. of(): for
+// the given one; null if this build lacks it or this processor does not run it.
+struct kernel_library {
+  const catalogue &(*best)();
+  const catalogue *(*of)(instruction_set);
+};
+
+// The kernels for the value of --instruction-set, "auto" or a set's name. Throws failure with the sets that run here.
+const catalogue &kernels_named(const kernel_library &all, std::string_view name);
+
+} // namespace meetc::app
+
+#endif

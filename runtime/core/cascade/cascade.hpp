@@ -1,0 +1,49 @@
+// core/cascade/cascade.hpp: the filter cascade: the functions that decide, in the order in which a batch of pairs goes through
+// them.
+//
+// A plain rung, exact and tolerant are one function each. `certified` is four: fp32, fp64, fp64x2 and exact, each for what
+// the one before left unsure.
+#ifndef MEETC_CORE_CASCADE_CASCADE_HPP
+#define MEETC_CORE_CASCADE_CASCADE_HPP
+
+#include "meet/core/answers/answers.hpp"
+#include "meet/core/views/status.hpp"
+
+#include "meetc/support.hpp"
+
+namespace meetc {
+
+struct element_set;
+
+struct cascade {
+  const predicate_info *predicate = nullptr;
+  bool tolerant = false; // the rung tolerant decides
+  decide_function rungs[bounded_rungs + 1] = {};
+  int count = 0;  // number of rungs; 0: the predicate was not generated for this precision
+  float side = 0; // above 0: the first rung uses the bounds of a box with this side
+  // The values that the sets store for the first rung.
+  stored_values stored_a, stored_b;
+  rung_report start;
+
+  cascade(const predicate_info &of, rung precision);
+
+  // Uses the bounds of [-box, box] where both sets lie in it and the predicate has such bounds. 0: there is no box.
+  void enter_box(float box, const element_set &a, const element_set &b);
+
+  // What the rung tolerant presumes of the sets, not_on_grid or left_box where it does not hold. Of sets that leave the
+  // box the rungs of `certified` decide, if there are any. Other rungs presume nothing.
+  status check(const element_set &a, const element_set &b);
+
+  // Decides n pairs by rung `at`, 0 <= at < count. The rows are packed, as in the predicate's kinds.
+  void decide(int at, const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n,
+              answer *out) const {
+    if (at == 0 && side > 0)
+      predicate->certify_in_box(side, a, b, pairs, n, out);
+    else
+      rungs[at](a, b, pairs, n, out);
+  }
+};
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,27 @@
+// core/query/find.hpp: finds a predicate of a catalogue by its name.
+#ifndef MEETC_CORE_QUERY_FIND_HPP
+#define MEETC_CORE_QUERY_FIND_HPP
+
+#include "meetc/support.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace meetc {
+
+// Throws std::invalid_argument with the known names where the catalogue has no such predicate.
+inline const predicate_info &find_predicate(const catalogue &in, std::string_view name) {
+  std::string known;
+  for (int i = 0; i < in.predicate_count; ++i) {
+    if (in.predicates[i].name == name)
+      return in.predicates[i];
+    known += std::string(i == 0 ? "" : ", ") + in.predicates[i].name;
+  }
+  throw std::invalid_argument("no predicate '" + std::string(name) + "' in " + in.space +
+                              (known.empty() ? "; there is none" : "; there are: " + known));
+}
+
+} // namespace meetc
+
+#endif

@@ -1,0 +1,250 @@
+#include "meet/core/sets/element_set.hpp"
+
+#include "meet/core/threads/threads.hpp"
+#include "meet/core/views/rows.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <mutex>
+#include <new>
+#include <optional>
+
+namespace meetc {
+namespace {
+
+// The largest |v| of every stride-th number, found by the bits: finite numbers are in the order of their magnitudes'
+// bits, and comparisons of integers are vectorised.
+float largest(const float *v, std::size_t n, std::size_t stride) {
+  std::uint32_t most = 0;
+  for (std::size_t i = 0; i < n; i += stride) {
+    std::uint32_t bits;
+    std::memcpy(&bits, v + i, sizeof bits);
+    most = std::max(most, bits & 0x7fffffff);
+  }
+  float value;
+  std::memcpy(&value, &most, sizeof value);
+  return value;
+}
+
+// Widens set.reach and set.longest by these rows.
+void widen(element_set &set, const float *rows, std::size_t count, std::mutex &lock) {
+  const kind_info &kind = *set.kind;
+  const auto fields = static_cast<std::size_t>(kind.fields);
+  const std::size_t n = count * fields, stride = kind.points > 0 ? 1 : fields; // such kinds have coordinates only
+  for (std::size_t f = 0; f < stride; ++f) {
+    const float most =
+        kind.roles[f] == role::other ? std::numeric_limits<float>::infinity() : largest(rows + f, n - f, stride);
+    const std::scoped_lock hold(lock);
+    float &all = kind.roles[f] == role::length ? set.longest : set.reach;
+    all = std::max(all, most);
+  }
+}
+
+constexpr box nothing{{1, 1, 1}, {-1, -1, -1}};
+
+// Which boxes may touch an element of a set.
+class nearness {
+public:
+  nearness(const element_set &to, std::size_t elements) {
+    const hierarchy &h = to.boxes;
+    if (h.depth == 0)
+      return;
+    around_ = h.top().blocks[0].around();
+    if (to.elements <= elements / lanes) // the highest level of several boxes, which are one block
+      boxes_ = h.levels[h.top().boxes > 1 ? h.depth - 1 : h.depth - 2].blocks;
+  }
+
+  bool holds(const box &b) const {
+    bool touches = true;
+    for (int k = 0; k < 3; ++k)
+      touches &= !(b.hi[k] < around_.lo[k]) & !(around_.hi[k] < b.lo[k]);
+    return touches && (!boxes_ || touching(*boxes_, b) != 0);
+  }
+
+private:
+  box around_ = nothing;
+  const box_block *boxes_ = nullptr; // null: not worth testing
+};
+
+// What is known of the elements before they are ordered, of a chunk or of all.
+struct survey {
+  centre_extent centres; // of those that are kept
+  box around{{HUGE_VALF, HUGE_VALF, HUGE_VALF}, {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
+
+  void add(const box &b) {
+    for (int k = 0; k < 3; ++k) {
+      around.lo[k] = b.lo[k] < around.lo[k] ? b.lo[k] : around.lo[k];
+      around.hi[k] = around.hi[k] < b.hi[k] ? b.hi[k] : around.hi[k];
+    }
+  }
+  void add(const survey &s) {
+    centres.add(s.centres);
+    add(s.around);
+  }
+};
+
+// Lists the elements that are kept, in ascending order, and returns their number.
+std::size_t list_kept(const std::uint8_t *kept, std::size_t n, std::uint32_t *list) {
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < n; ++e) {
+    list[count] = static_cast<std::uint32_t>(e);
+    count += kept[e];
+  }
+  return count;
+}
+
+// The boxes of a few rows, which may be infinite.
+class row_boxes {
+public:
+  static constexpr std::size_t most = 4 * lanes;
+  row_boxes(const kind_info &kind, const float *rows, std::size_t n) { kind.boxes(rows, n, ends_); }
+  box operator[](std::size_t i) const {
+    const float *const e = ends_ + 6 * i;
+    return {{e[0], e[1], e[2]}, {e[3], e[4], e[5]}};
+  }
+
+private:
+  float ends_[6 * most];
+};
+
+// Copies one row. The sizes of most kinds are cases, in which the compiler knows how much to copy.
+void copy_row(float *to, const float *from, std::size_t fields) {
+  switch (fields) {
+  case 3:
+    std::memcpy(to, from, 3 * sizeof(float));
+    break;
+  case 4:
+    std::memcpy(to, from, 4 * sizeof(float));
+    break;
+  case 6:
+    std::memcpy(to, from, 6 * sizeof(float));
+    break;
+  case 9:
+    std::memcpy(to, from, 9 * sizeof(float));
+    break;
+  default:
+    std::memcpy(to, from, fields * sizeof(float));
+  }
+}
+
+// Tells the processor that a row will be read soon. Rows in spatial order lie anywhere in memory.
+void expect_row(const float *row, std::size_t fields) {
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(row);
+  __builtin_prefetch(row + fields - 1);
+#else
+  static_cast<void>(row), static_cast<void>(fields);
+#endif
+}
+
+// Writes the rows and boxes of the blocks from `begin` on in the order of the keys.
+void fill_blocks(element_set &set, const float *rows, const std::uint64_t *keys, std::size_t begin, std::size_t end) {
+  constexpr std::size_t ahead = 16;
+  const auto fields = static_cast<std::size_t>(set.kind->fields);
+  const level &leaves = set.boxes.levels[0];
+  for (std::size_t block = begin; block < end; ++block) {
+    box_block &boxes = leaves.blocks[block];
+    const std::size_t first = block * lanes, filled = leaves.filled(block);
+    if (filled < lanes)
+      boxes.clear();
+    for (std::size_t slot = first; slot < first + filled; ++slot) {
+      if (slot + ahead < set.elements)
+        expect_row(rows + static_cast<std::uint32_t>(keys[slot + ahead]) * fields, fields);
+      const auto element = static_cast<std::uint32_t>(keys[slot]);
+      const float *const row = rows + element * fields;
+      set.order[slot] = element;
+      copy_row(set.rows + slot * fields, row, fields);
+    }
+    const row_boxes all(*set.kind, set.rows + first * fields, filled);
+    for (std::size_t i = 0; i < filled; ++i)
+      boxes.set(static_cast<int>(i), all[i]);
+    boxes.sanitise(static_cast<int>(filled));
+  }
+}
+
+} // namespace
+
+element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements) {
+  element_set s;
+  s.kind = &kind;
+  s.elements = elements;
+  s.rows = from.take<float>(elements * static_cast<std::size_t>(kind.fields));
+  s.order = from.take<std::uint32_t>(elements);
+  s.boxes = take_hierarchy(from, elements);
+  return s;
+}
+
+set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_t elements) {
+  set_scratch s;
+  s.rows = from.take<float>(elements * static_cast<std::size_t>(kind.fields));
+  s.centres = from.take<centre>(elements);
+  s.kept = from.take<std::uint8_t>(elements);
+  s.keys = from.take<std::uint64_t>(elements);
+  s.more_keys = from.take<std::uint64_t>(elements);
+  return s;
+}
+
+status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads,
+            const element_set *near) {
+  const kind_info &kind = *set.kind;
+  const auto fields = static_cast<std::size_t>(kind.fields);
+  const std::size_t given = elements.elements;
+  if (wrong_with(elements, kind))
+    return status::bad_view;
+  if (const status s = movable(kind, at); s != status::ok)
+    return s;
+
+  constexpr std::size_t chunk = 2048;
+  const float *const in_place = rows_in_place(elements, kind, at);
+  const float *const rows = in_place ? in_place : scratch.rows;
+  const std::optional<nearness> keep = near ? std::optional<nearness>(std::in_place, *near, given) : std::nullopt;
+  std::atomic<status> outcome{status::ok};
+  std::mutex lock;
+  survey all;
+  set.reach = set.longest = 0;
+  set.grid = at.grid;
+  for_chunks(threads, given, chunk, [&](int, std::size_t begin, std::size_t end) {
+    const status s = in_place ? check_rows(kind, rows + begin * fields, end - begin)
+                              : gather(elements, kind, at, begin, end, scratch.rows + begin * fields);
+    if (s != status::ok) {
+      outcome.store(s, std::memory_order_relaxed);
+      return;
+    }
+    widen(set, rows + begin * fields, end - begin, lock);
+    survey mine;
+    for (std::size_t first = begin; first < end; first += row_boxes::most) {
+      const std::size_t count = std::min(row_boxes::most, end - first);
+      const row_boxes boxes(kind, rows + first * fields, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const box b = sanitised(boxes[i]);
+        mine.add(b);
+        if (keep) {
+          scratch.kept[first + i] = keep->holds(b);
+          if (!scratch.kept[first + i])
+            continue;
+        }
+        mine.centres.add(*new (scratch.centres + first + i) centre(b));
+      }
+    }
+    const std::scoped_lock hold(lock);
+    all.add(mine);
+  });
+  if (outcome != status::ok)
+    return outcome;
+
+  set.around = given > 0 ? all.around : nothing;
+  set.elements = given;
+  if (keep)
+    set.elements = list_kept(scratch.kept, given, set.order); // which the order replaces below
+  resize(set.boxes, set.elements);
+  spatial_order(scratch.centres, keep ? set.order : nullptr, all.centres, set.elements, scratch.keys, scratch.more_keys,
+                threads);
+  for_chunks(threads, set.boxes.levels[0].count(), chunk / lanes,
+             [&](int, std::size_t begin, std::size_t end) { fill_blocks(set, rows, scratch.keys, begin, end); });
+  enclose(set.boxes, threads);
+  return status::ok;
+}
+
+} // namespace meetc

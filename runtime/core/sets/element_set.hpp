@@ -1,0 +1,51 @@
+// core/sets/element_set.hpp: a prepared set: rows in spatial order, and the hierarchy of their boxes.
+//
+// A set may be filled for queries against one other set alone, `near`. It then holds only the elements that can be
+// candidates there, so that an element that no query visits costs a test of its box and is not sorted. Each box is
+// tested against the box around `near`, and, where `near` has at most a sixteenth as many elements, against the highest
+// level of several boxes: a test of sixteen lanes costs about a fifth of what ordering an element does, and a few small
+// elements rule out most of a large set.
+//
+// A slot is a position in that order; `order` maps it to the caller's element. Rows lie in the order of slots, so that
+// the rows of one block are read together.
+#ifndef MEETC_CORE_SETS_ELEMENT_SET_HPP
+#define MEETC_CORE_SETS_ELEMENT_SET_HPP
+
+#include "meet/core/hierarchy/hierarchy.hpp"
+#include "meet/core/hierarchy/spatial_order.hpp"
+#include "meet/core/views/pose.hpp"
+#include "meet/core/views/status.hpp"
+#include "meet/core/views/view.hpp"
+
+namespace meetc {
+
+struct element_set {
+  const kind_info *kind = nullptr;
+  std::size_t elements = 0; // that it holds
+  float *rows = nullptr;
+  std::uint32_t *order = nullptr;
+  box around; // all elements that it was filled from; lo > hi if there was none
+  // The largest |coordinate| and |length| of any row that it was filled from; infinite if a field is neither.
+  float reach = 0, longest = 0;
+  double grid = 0; // that of its pose: all numbers are multiples; 0: they are as they were given
+  hierarchy boxes;
+};
+
+// Memory that is needed to build a set and not kept.
+struct set_scratch {
+  float *rows = nullptr;
+  centre *centres = nullptr;
+  std::uint8_t *kept = nullptr; // 1 for an element that the set holds
+  std::uint64_t *keys = nullptr, *more_keys = nullptr;
+};
+
+element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements);
+set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_t elements);
+
+// Fills a set whose memory was taken for this kind and number of elements. near: null, or a filled set.
+status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads,
+            const element_set *near = nullptr);
+
+} // namespace meetc
+
+#endif

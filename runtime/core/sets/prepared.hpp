@@ -1,0 +1,77 @@
+// core/sets/prepared.hpp: a set that is ready to collide and owns its memory.
+#ifndef MEETC_CORE_SETS_PREPARED_HPP
+#define MEETC_CORE_SETS_PREPARED_HPP
+
+#include "meet/core/views/check.hpp"
+#include "meet/core/views/memory.hpp"
+#include "meet/core/views/pose.hpp"
+#include "meet/core/views/view.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+
+namespace meetc {
+
+// The exception for a bad element.
+class input_error : public std::invalid_argument {
+public:
+  // `before` is put in front of the text.
+  input_error(const fault &f, const kind_info &kind, const std::string &before = {})
+      : std::invalid_argument(before + describe(f, kind)), where(f) {}
+  fault where;
+};
+
+struct element_set;
+struct normalised_set;
+class normalisation;
+class stored_rows;
+class stored_table;
+
+// Packed rows of kind().fields floats in spatial order, boxes and hierarchy. It is immutable, and several calls may use
+// it at once. Only a prepared() that was moved from holds no set; it may then only be assigned to or destroyed.
+class prepared {
+public:
+  prepared(prepared &&) noexcept;
+  prepared &operator=(prepared &&) noexcept;
+  ~prepared();
+
+  const kind_info &kind() const;
+  std::size_t elements() const;
+  // The closed box around all elements: finite, in the units of their coordinates; lo > hi for the empty set.
+  void bounds(float lo[3], float hi[3]) const;
+  const element_set &set() const { return *set_; }
+  // Whether it was prepared for collisions with `other` (and, if it is whole, with any set).
+  bool fits(const prepared &other) const { return near_ == 0 || near_ == other.number_; }
+  // Whether it holds all elements.
+  bool whole() const { return near_ == 0; }
+  // Where the values that a predicate reads beside the rows are kept. Null if it reads none, or if `of`, the kind for
+  // which they are computed, is not kind() itself: two catalogues may number such values differently.
+  stored_rows *stored(const stored_values &values, const kind_info &of) const;
+  // The set times 2^power; null where it is not to be had (core/sets/normalised.hpp).
+  std::shared_ptr<const normalised_set> normalised(int power) const;
+
+private:
+  friend prepared prepare(const view &, const kind_info &, const pose &, int, const prepared *);
+  prepared();
+  static prepared of(const view &, const kind_info &, const pose &, int threads, const prepared *near);
+  std::size_t elements_ = 0;
+  std::uint64_t number_ = 0, near_ = 0; // of this set, and of the one that it was prepared for; 0: for any
+  owned_memory bytes_;
+  std::unique_ptr<element_set> set_;
+  std::unique_ptr<stored_table> stored_;
+  std::unique_ptr<normalisation> normalised_;
+};
+
+// Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. With
+// `near`, the result is for collisions with that set alone: elements whose boxes do not touch its boxes are checked,
+// but neither copied nor ordered, and answers are still about all elements. This pays where one set is far larger or
+// reaches farther than the other. Throws input_error (an index beyond the vertices, a value that is not finite, a
+// broken rule of the kind, a view with null data or too short a stride), std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or
+// more) or std::bad_alloc.
+prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0,
+                 const prepared *near = nullptr);
+
+} // namespace meetc
+
+#endif
