@@ -1,4 +1,4 @@
-// The files of the target: what belongs to a kernel, and what a namespace has once.
+// The files of the target: those of each kernel, and those that a namespace has once.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"

@@ -57,7 +57,7 @@ std::string library_functions(const emitted_predicate &p, const char *type) {
                            identifier(p.of.scene.space) + "/header_only.hpp> is included.\n" + out;
 }
 
-// What is proved of the rung tolerant.
+// The promise of the rung tolerant, in words.
 std::string tolerance_text(const lower::tolerant_way &w) {
   const std::string way =
       w.by_distance
@@ -213,9 +213,9 @@ std::string predicate_text(const unit &u, std::size_t number) {
   }
   if (p.tolerant) {
     out += tolerance_text(*p.tolerant);
-    method(
-        "Of operands within reach, wrong only where moving one of them by at most tolerance::moves changes the answer.",
-        "", "bool", "tolerant", fmt::format("hit_tolerant<{}>", p.name));
+    method("For operands within reach: wrong only where moving one of them by at most tolerance::moves changes the "
+           "answer.",
+           "", "bool", "tolerant", fmt::format("hit_tolerant<{}>", p.name));
   }
   if (p.asks_plain())
     method(plain_comment, "template <class T> ", "bool", "plain", fmt::format("hit_plain<{}, T>", p.name));
@@ -227,7 +227,7 @@ std::string predicate_text(const unit &u, std::size_t number) {
   out += truth_function(p, "needs_rare", d.conditions, "");
   out += truth_function(p, "usual", {d.usual}, "");
   if (p.has_rare())
-    out += "  // What is known of the decision while the signs of the rare stage are not.\n" +
+    out += "  // The decision as far as it is known without the signs of the rare stage.\n" +
            truth_function(p, "open", {d.truths.hit}, "");
   out += p.has_rare()
              ? fmt::format("  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // "

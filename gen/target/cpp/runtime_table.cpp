@@ -141,7 +141,7 @@ std::string kind_functions(const lower::lowered_kind &k) {
 } // namespace
 
 std::string runtime_header(const unit &u) {
-  return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, "file_runtime") +
+  return banner(u.scene, "The table by which a runtime knows this namespace.") + open_header(u.scene, "file_runtime") +
          "// The bounded kinds and the predicates on them, for the best instruction set that the library has and this\n"
          "// processor runs.\n"
          "const meetc::catalogue &catalogue();\n"

@@ -1,4 +1,4 @@
-// What the generated library compiles for each kernel that is made of signs.
+// The sources of the generated library: one for each kernel that is made of signs.
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
 

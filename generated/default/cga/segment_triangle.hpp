@@ -137,7 +137,7 @@ struct segment_triangle : detail::segment_triangle_points {
     const auto b2 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b0, b1));
     return b2;
   }
-  // What is known of the decision while the signs of the rare stage are not.
+  // The decision as far as it is known without the signs of the rare stage.
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto open(const S *s) {
     const auto b0 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
         meetc::at_most_zero(s[4]));

@@ -225,7 +225,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
     const auto b5 = segment_triangle::usual(e5);
     return meetc::either(b0, b1, b2, b3, b4, b5);
   }
-  // What is known of the decision while the signs of the rare stage are not.
+  // The decision as far as it is known without the signs of the rare stage.
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto open(const S *s) {
     // segment_triangle(segment(A.a, A.b), B)
     const S e0[] = {s[0], s[1], s[6], s[7], s[8]};

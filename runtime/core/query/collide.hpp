@@ -3,10 +3,10 @@
 // Two layers rest on the same decisions. prepare() and collide() own their memory: a set is prepared once and collided
 // often. pairs(), in core/query/pairs.hpp, works in the caller's memory.
 //
-// A pair is decided where the closed boxes of its elements touch (the kind's box is never too small), by the
-// predicate's rung; `certified` is several rungs, each for what the one before left unsure. For exact and certified an
-// element with two hull points must also touch the other's box itself (core/hierarchy/two_points.hpp). A set against itself gives
-// every ordered pair (i, j), i = j included. The answer is the same for any number of threads.
+// A pair is decided where the closed boxes of its elements touch (the kind's box is never too small), by the predicate's rung;
+// `certified` is several rungs, each for what the one before left unsure. For exact and certified an element with two hull
+// points must also touch the other's box itself (core/hierarchy/two_points.hpp). A set against itself gives every ordered pair
+// (i, j), i = j included. The answer is the same for any number of threads.
 #ifndef MEETC_CORE_QUERY_COLLIDE_HPP
 #define MEETC_CORE_QUERY_COLLIDE_HPP
 

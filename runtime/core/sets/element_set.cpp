@@ -68,7 +68,7 @@ private:
   const box_block *boxes_ = nullptr; // null: not worth testing
 };
 
-// What is known of the elements before they are ordered, of a chunk or of all.
+// The extent of the elements before they are ordered, of a chunk or of all.
 struct survey {
   centre_extent centres; // of those that are kept
   box around{{HUGE_VALF, HUGE_VALF, HUGE_VALF}, {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};

@@ -63,11 +63,11 @@ private:
   std::unique_ptr<normalisation> normalised_;
 };
 
-// Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. With
-// `near`, the result is for collisions with that set alone: elements whose boxes do not touch its boxes are checked,
-// but neither copied nor ordered, and answers are still about all elements. This pays where one set is far larger or
-// reaches farther than the other. Throws input_error (an index beyond the vertices, a value that is not finite, a
-// broken rule of the kind, a view with null data or too short a stride), std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or
+// Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. With `near`,
+// the result is for collisions with that set alone: elements whose boxes do not touch its boxes are checked, but neither copied
+// nor ordered, and answers are still about all elements. This pays where one set is far larger or reaches farther than the
+// other. Throws input_error (an index beyond the vertices, a value that is not finite, a broken rule of the kind, a view with
+// null data or too short a stride), std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or
 // more) or std::bad_alloc.
 prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0,
                  const prepared *near = nullptr);

@@ -28,7 +28,7 @@ private:
   std::unique_ptr<float[]> own_;
 };
 
-// What one operand of a query stores; no rows: nothing.
+// The stored values of one operand of a query; no rows: nothing is stored.
 struct stored_operand {
   stored_rows *rows = nullptr;
   stored_values values = {};

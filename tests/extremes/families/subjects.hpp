@@ -1,5 +1,5 @@
-// The subjects of the tests: ten predicates of the shipped scene and its three lone signs, behind one type. box_box is left out:
-// its signs are those of differences of two numbers, which no rounding changes.
+// The subjects of the tests: ten predicates of the shipped scene and its three lone signs, behind one type. box_box is left
+// out: its signs are those of differences of two numbers, which no rounding changes.
 #ifndef MEETC_TESTS_EXTREMES_SUBJECTS_HPP
 #define MEETC_TESTS_EXTREMES_SUBJECTS_HPP
 

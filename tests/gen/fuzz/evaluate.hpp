@@ -23,7 +23,7 @@ struct function {
   const char *name;
   int arguments;
 };
-// What functions.toml, meet and rev define.
+// The functions of functions.toml, and meet and rev.
 inline constexpr std::array functions{
     function{"gp", 2},       function{"wedge", 2},   function{"dot", 2},     function{"meet", 2},  function{"comm", 2},
     function{"sandwich", 2}, function{"project", 2}, function{"between", 3}, function{"twice", 2}, function{"dual", 1},

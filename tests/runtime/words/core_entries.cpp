@@ -17,7 +17,7 @@ using namespace meetc;
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-// What the calls are given, made under the default word.
+// The arguments of the calls, made under the default word.
 const predicate_info &touching() {
   static const predicate_info &p = find_predicate(cga::catalogue(), "triangle_triangle");
   return p;

@@ -93,7 +93,7 @@ table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::func
     progress();
   }
   return table_of<row>(
-      "first", "What segments meet first",
+      "first", "The first triangles that segments meet",
       {{"scene", "scene", of_words, &row::scene},
        {"segments", "segments", of_count, &row::segments},
        {"pairs", "pairs", of_count, &row::pairs},

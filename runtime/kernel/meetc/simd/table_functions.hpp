@@ -15,7 +15,7 @@
 
 MEETC_NAMESPACE(meetc) {
 
-// Of the stages before the rare one.
+// The highest degree of the stages before the rare one.
 template <class P> constexpr int highest_degree() {
   int most = 0;
   if constexpr (P::reject_stage::atoms > 0)
