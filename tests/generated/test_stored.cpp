@@ -7,7 +7,7 @@
 #include <cga/cga_runtime.hpp>
 #include <cstring>
 #include <limits>
-#include <meetc/decide/stored.hpp>
+#include <meetc/decide/stored_values.hpp>
 
 using namespace meetc::generated_test;
 using meetc::answer;

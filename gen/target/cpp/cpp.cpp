@@ -24,7 +24,7 @@ void add_parts(const unit &u, std::size_t kernel, std::vector<file> &out) {
   const emitted_predicate p(u, kernel);
   if (p.bounds)
     out.push_back({fmt::format("{}/detail/{}_bounds.hpp", space, name), bounds_header(p)});
-  out.push_back({fmt::format("{}/detail/{}_rest.hpp", space, name), rest_header(p)});
+  out.push_back({fmt::format("{}/detail/{}_later.hpp", space, name), later_header(p)});
   out.push_back({fmt::format("{}/src/{}.cpp", space, name), predicate_source(p)});
 }
 } // namespace

@@ -220,7 +220,7 @@ std::string predicate_text(const unit &u, std::size_t number) {
   if (p.asks_plain())
     method(plain_comment, "template <class T> ", "bool", "plain", fmt::format("hit_plain<{}, T>", p.name));
   out += library_functions(p, "bool") + stages_text(p);
-  out += p.has_rare() ? fmt::format("\n  struct rare_stage; // detail/{}_rest.hpp\n", p.kernel.asked.name())
+  out += p.has_rare() ? fmt::format("\n  struct rare_stage; // detail/{}_later.hpp\n", p.kernel.asked.name())
                       : "\n  using rare_stage = meetc::no_stage;\n";
   out += "\n  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).\n";
   out += truth_function(p, "rejected", d.truths.reject, "");
@@ -231,7 +231,7 @@ std::string predicate_text(const unit &u, std::size_t number) {
            truth_function(p, "open", {d.truths.hit}, "");
   out += p.has_rare()
              ? fmt::format("  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // "
-                           "detail/{}_rest.hpp\n",
+                           "detail/{}_later.hpp\n",
                            p.kernel.asked.name())
              : "  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); "
                "}\n";
@@ -251,7 +251,7 @@ std::string kernel_header(const unit &u, std::size_t number) {
          (p.kernel.is_sign ? sign_text(u, number) : predicate_text(u, number)) +
          fmt::format("\n}} // namespace {}\n\n#if defined(__CUDACC__) // on a device, all code is "
                      "inline\n{}#endif\n\n#endif\n",
-                     identifier(u.scene.space), detail_header(p, "rest"));
+                     identifier(u.scene.space), detail_header(p, "later"));
 }
 
 } // namespace meetc::target

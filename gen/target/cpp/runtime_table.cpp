@@ -3,7 +3,7 @@
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
-#include "gen/target/cpp/stored.hpp"
+#include "gen/target/cpp/stored_values.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -80,7 +80,7 @@ struct segment_triangle : detail::segment_triangle_points {
     }
   };
 
-  // The usual case: signs 2 to 4, degree 3.
+  // The common case: signs 2 to 4, degree 3.
   // Values cost each pair 27 multiplications, 33 additions, 5 negations.
   // Magnitudes, where a rung has bounds, cost each pair 27 multiplications, 15 additions.
   struct common_stage : detail::segment_triangle_common_bounds {
@@ -120,7 +120,7 @@ struct segment_triangle : detail::segment_triangle_points {
     }
   };
 
-  struct rare_stage; // detail/segment_triangle_rest.hpp
+  struct rare_stage; // detail/segment_triangle_later.hpp
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *s) {
@@ -148,13 +148,13 @@ struct segment_triangle : detail::segment_triangle_points {
         b2);
     return b3;
   }
-  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/segment_triangle_rest.hpp
+  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/segment_triangle_later.hpp
 };
 
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/segment_triangle_rest.hpp>
+#include <cga/detail/segment_triangle_later.hpp>
 #endif
 
 #endif

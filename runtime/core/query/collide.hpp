@@ -37,8 +37,8 @@ struct collide_options {
 };
 
 // Memory grows with what is asked for, with the pairs where there are owners, and by what the sets store
-// (core/sets/stored.hpp); never with the product of the sets. Throws std::invalid_argument (kinds, rung, box or owners that
-// do not fit) or std::bad_alloc.
+// (core/sets/stored_rows.hpp); never with the product of the sets. Throws std::invalid_argument (kinds, rung, box or owners
+// that do not fit) or std::bad_alloc.
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 

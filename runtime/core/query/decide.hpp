@@ -8,7 +8,7 @@
 
 #include "meet/core/answers/query_answer.hpp"
 #include "meet/core/cascade/cascade.hpp"
-#include "meet/core/sets/stored.hpp"
+#include "meet/core/sets/stored_rows.hpp"
 #include "meet/core/traversal/candidates.hpp"
 
 namespace meetc {
