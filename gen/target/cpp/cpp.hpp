@@ -30,6 +30,7 @@ std::vector<const lower::lowered_kind *> element_kinds(const unit &u);
 std::size_t element_place(const std::vector<const lower::lowered_kind *> &elements, const lower::kernel &k,
                           std::size_t operand);
 std::string shapes_header(const unit &u);
+std::string for_each_header(const unit &u);
 
 // The table of kinds and predicates by which a runtime knows this namespace.
 std::string runtime_header(const unit &u);
