@@ -92,10 +92,10 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
     s.tolerance_where = in.place(*t.get("tolerance"));
   }
   // A scene that bears a tolerance asks for what is proved to keep it, and for nothing else.
-  std::vector<std::string> usual = rung_names();
-  std::erase_if(usual,
+  std::vector<std::string> defaults = rung_names();
+  std::erase_if(defaults,
                 [&s](const std::string &name) { return (name == info_of(rung::tolerant).name) != (s.tolerance > 0); });
-  const std::vector<std::string> asked = choices("rungs", rung_names(), usual);
+  const std::vector<std::string> asked = choices("rungs", rung_names(), defaults);
   for (const std::string &name : asked)
     for (const rung_info &r : rungs)
       if (name == r.name)

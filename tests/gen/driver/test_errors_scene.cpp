@@ -146,7 +146,7 @@ TEST_CASE("imports: a missing file, a folder, another algebra, a scene, a broken
   fails("b.toml", "[functions]\n'f(x)' = 'x +'\n", {"", "", "b.toml:2:13", "expected a value", "+", ""});
   fails("b.toml", "[functions]\n'norm2(x)' = 'x'\n",
         {"", "", "b.toml:2:1", "function 'norm2' is already declared at a.toml:32:1", "'norm2(x)'", ""});
-  const temporary_folder folder; // a circle ends, and what it brings is there once
+  const temporary_folder folder; // a circle ends, and its definitions are there once
   folder.write("a.toml", edited(small_algebra, "null ", "import = ['b.toml', './b.toml']\nnull "));
   folder.write("b.toml", "import = ['c.toml', 'b.toml']\n[functions]\n'b(x)' = 'c(x)'\n");
   folder.write("c.toml", "import = ['b.toml', 'a.toml']\n[functions]\n'c(x)' = 'norm2(x)'\n");

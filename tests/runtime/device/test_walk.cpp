@@ -54,7 +54,7 @@ struct set {
   }
 };
 
-// Along a line of length 1, so that what is near in the order is near in space; every eighth is up to `longest` long.
+// Along a line of length 1, so that neighbours in the order are neighbours in space; every eighth is up to `longest` long.
 set random_set(std::mt19937_64 &random, std::uint32_t n, float length, float longest) {
   std::uniform_real_distribution<float> unit(-1, 1);
   set s;
@@ -164,7 +164,7 @@ std::pair<pairs, pairs> looked_at(const set &walker, const set &tree, const part
   return {touching, near};
 }
 
-// Of the ends of float32, of numbers around 0, and of any bits.
+// One of the ends of float32, of numbers around 0, or of any bits.
 float extreme(std::mt19937_64 &random) {
   constexpr float some[] = {0, 0x1p-149F, 0x1p-148F, FLT_MIN, 0x1p-40F, 1, 0x1.000002p0F, 0x1p23F, 0x1p126F, FLT_MAX};
   const auto bits = static_cast<std::uint32_t>(random());
@@ -281,7 +281,7 @@ TEST_CASE("walk: elements that are long beside the tree's go down alone, by thei
   CHECK(told_apart_of_half > 1000);
 }
 
-TEST_CASE("walk: of balls, what their boxes prove is listed, and the rest apart from it") {
+TEST_CASE("walk: pairs of balls that their boxes prove are listed, and the others apart from them") {
   std::mt19937_64 random(5);
   const std::uint32_t sizes[] = {1, 31, 33, 100, 1025, 2500};
   std::size_t hits = 0, rest = 0;

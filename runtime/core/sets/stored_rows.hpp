@@ -1,11 +1,11 @@
-// core/sets/stored.hpp: the values that a predicate reads beside the rows of a set, computed once that pays.
+// core/sets/stored_rows.hpp: the values that a predicate reads beside the rows of a set, computed once that pays.
 //
 // A query that looks at few pairs must not compute the values of a whole set, and one that looks at many must not compute
 // them for each pair. So the pairs that were looked at are counted, over all queries; once they are a quarter of the
 // set's elements, one thread computes the values of all rows, while the others go on without them. Answers and counts
 // do not depend on when that happens, since a stored value is bit for bit what a pair would compute.
-#ifndef MEETC_CORE_SETS_STORED_HPP
-#define MEETC_CORE_SETS_STORED_HPP
+#ifndef MEETC_CORE_SETS_STORED_ROWS_HPP
+#define MEETC_CORE_SETS_STORED_ROWS_HPP
 
 #include "meet/core/sets/element_set.hpp"
 
@@ -28,7 +28,7 @@ private:
   std::unique_ptr<float[]> own_;
 };
 
-// What one operand of a query stores; no rows: nothing.
+// The stored values of one operand of a query; no rows: nothing is stored.
 struct stored_operand {
   stored_rows *rows = nullptr;
   stored_values values = {};

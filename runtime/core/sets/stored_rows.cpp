@@ -1,4 +1,4 @@
-#include "meet/core/sets/stored.hpp"
+#include "meet/core/sets/stored_rows.hpp"
 
 #include <new>
 

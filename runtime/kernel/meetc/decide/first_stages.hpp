@@ -1,12 +1,12 @@
-// The part of a decision that most pairs need: the reject stage and the usual case, on sets of signs.
+// The part of a decision that most pairs need: the reject stage and the common case, on sets of signs.
 //
 // While every sign is known, the logic of signs is used, which is several times faster than that of sets.
 //
 // Equal points settle some decisions: P::settled() says whether the polynomials of all signs, with these points put in,
 // leave no decision but a hit (gen/lower/predicate/settled.hpp). The points are compared only if this can matter: if a sign of
 // the reject stage may be zero, if a bound leaves a sign open, and before the rare stage.
-#ifndef MEETC_DECIDE_USUAL_HPP
-#define MEETC_DECIDE_USUAL_HPP
+#ifndef MEETC_DECIDE_FIRST_STAGES_HPP
+#define MEETC_DECIDE_FIRST_STAGES_HPP
 
 #include <meetc/decide/bounds.hpp>
 
@@ -54,7 +54,7 @@ template <class P> MEETC_HD MEETC_INLINE bool surely_rejected(found_signs<P> &f)
   return P::rejected(f.s);
 }
 
-// The progress of a pair after the reject stage and the stage of the usual case.
+// The progress of a pair after the reject stage and the stage of the common case.
 enum class progress : std::uint8_t { miss, hit, open };
 
 // Runs the reject stage, which P must have.
@@ -75,9 +75,9 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE progress try_to_reject(con
   return progress::open;
 }
 
-// Runs the reject stage and the stage of the usual case. An unsure reject stage does not stop it, since the decision is
+// Runs the reject stage and the stage of the common case. An unsure reject stage does not stop it, since the decision is
 // right without that stage.
-template <class P, class Signs> MEETC_HD MEETC_INLINE progress find_usual(const Signs &signs, found_signs<P> &f) {
+template <class P, class Signs> MEETC_HD MEETC_INLINE progress run_first_stages(const Signs &signs, found_signs<P> &f) {
   if constexpr (P::reject_stage::atoms > 0)
     if (const progress at = try_to_reject<P>(signs, f); at != progress::open)
       return at;
@@ -98,7 +98,7 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE progress find_usual(const 
 template <class P> MEETC_HD MEETC_INLINE truth needs_rare_stage(const found_signs<P> &f) {
   return f.known ? to_truth(P::needs_rare(f.s)) : to_truth(P::needs_rare(f.sets));
 }
-template <class P> MEETC_HD MEETC_INLINE answer usual_answer(const found_signs<P> &f) {
+template <class P> MEETC_HD MEETC_INLINE answer common_answer(const found_signs<P> &f) {
   return f.known ? to_answer(P::usual(f.s)) : to_answer(P::usual(f.sets));
 }
 
@@ -107,12 +107,12 @@ enum class first_answer : std::uint8_t { no, yes, unsure, rare };
 template <class P, class A> MEETC_HD MEETC_INLINE first_answer look(const float *row_a, const float *row_b) {
   found_signs<P> f;
   const bounded_signs<P, A> signs(row_a, row_b);
-  if (const progress at = find_usual<P>(signs, f); at != progress::open)
+  if (const progress at = run_first_stages<P>(signs, f); at != progress::open)
     return at == progress::hit ? first_answer::yes : first_answer::no;
   if constexpr (has_rare_stage<P>)
     if (can_be_true(needs_rare_stage<P>(f)))
       return points_settle<P>(signs, f) ? first_answer::yes : first_answer::rare;
-  return static_cast<first_answer>(usual_answer<P>(f));
+  return static_cast<first_answer>(common_answer<P>(f));
 }
 
 // The set of signs of a kernel that is a single sign.

@@ -1,4 +1,4 @@
-#include "gen/target/cpp/stored.hpp"
+#include "gen/target/cpp/stored_values.hpp"
 
 #include "gen/target/cpp/body.hpp"
 

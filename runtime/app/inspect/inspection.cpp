@@ -1,4 +1,4 @@
-#include "meet/app/inspect/findings.hpp"
+#include "meet/app/inspect/inspection.hpp"
 
 #include "meet/core/views/pose.hpp"
 
@@ -148,8 +148,8 @@ std::size_t unused_vertices(const io::element_set &set) {
 
 } // namespace
 
-findings find(const io::element_set &set) {
-  findings f;
+inspection inspection_of(const io::element_set &set) {
+  inspection f;
   const kind_info &kind = *set.kind;
   item_counter areas(set), lengths(set), radii(set), flat(set);
   std::array<float, 9> row{};
@@ -203,7 +203,7 @@ std::optional<int> difference_bits(const box &points, const grid &numbers) {
   return std::max(0, (fraction == 0.5 ? exponent - 1 : exponent) - numbers.low);
 }
 
-double box_for(const findings &x, const findings &y) {
+double box_for(const inspection &x, const inspection &y) {
   int exponent = 0;
   const double reach = std::max(x.reach, y.reach), fraction = std::frexp(reach, &exponent);
   if (reach == 0 || exponent > 127)

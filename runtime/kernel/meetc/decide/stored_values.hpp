@@ -8,8 +8,8 @@
 //
 // The values of an object are stored stage by stage, each stage's values before its magnitudes. The rare stage stores
 // nothing.
-#ifndef MEETC_DECIDE_STORED_HPP
-#define MEETC_DECIDE_STORED_HPP
+#ifndef MEETC_DECIDE_STORED_VALUES_HPP
+#define MEETC_DECIDE_STORED_VALUES_HPP
 
 #include <meetc/decide/bounds.hpp>
 

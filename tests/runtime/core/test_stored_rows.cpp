@@ -1,4 +1,4 @@
-// What a set stores for a predicate: once, when that pays, from its own rows, and only where it can be stored.
+// The values that a set stores for a predicate: once, when that pays, from its own rows, and only where it can be stored.
 #include "tests/catch.hpp"
 #include "toy.hpp"
 
@@ -90,7 +90,7 @@ TEST_CASE("if nothing can be stored, pairs compute the values") {
   CHECK(computed == 0);
 }
 
-TEST_CASE("what is stored for the kind of one catalogue is not read for that of another") {
+TEST_CASE("values stored for the kind of one catalogue are not read for that of another") {
   forget();
   static constexpr kind_info same_name = storing_boxes;
   predicate_info other = storing;
