@@ -227,6 +227,8 @@ private:
   }
   void expression(const expr &e, const scope &s) const {
     if (e.kind == op::name && !s.count(e.text) && !declared_.count(e.text) && !is_value(e)) {
+      if (e.text == "*")
+        throw spec_error(e.where, "'*' stands for all kinds in the kernels of a scene alone");
       std::vector<std::string> known(s.begin(), s.end());
       for (const auto &[name, where] : declared_)
         known.push_back(name);

@@ -26,24 +26,6 @@ constexpr std::size_t longest_direct = 150; // number of terms
 constexpr long most_steps_of_formula = 50'000;
 constexpr std::size_t longest_from_stored = 4000; // terms of a number
 
-// The kind of the same grade that has room for `blades`: the tightest one, and the first declared among equals.
-const lang::kind *kind_for(const model &m, const std::vector<blade> &blades) {
-  const lang::kind *best = nullptr;
-  std::size_t best_size = 0;
-  for (const lang::kind &k : m.spec().kinds) {
-    if (k.hull && !k.pad)
-      continue; // skips segments and triangles, whose blades are named line and plane
-    const std::vector<blade> room = support(m, k);
-    const bool fits = std::all_of(blades.begin(), blades.end(),
-                                  [&](blade b) { return std::find(room.begin(), room.end(), b) != room.end(); });
-    if (fits && (!best || room.size() < best_size)) {
-      best = &k;
-      best_size = room.size();
-    }
-  }
-  return best;
-}
-
 // The formula's values on blades and the ways to compute them.
 class on_blades {
 public:
@@ -255,7 +237,7 @@ formula compile_formula(const model &m, const request &r) {
   on_blades(m, r, out).compile();
   out.result_names = named(m.working(), out.result);
   if (!out.is_number()) {
-    out.result_kind = kind_for(m, out.result);
+    out.result_kind = kind_of_value(m, out.result);
     return out;
   }
   // A number is also computed directly from stored operands, in differences where possible.

@@ -45,6 +45,38 @@ std::string for_pairs(const lower::kernel &k, const body_names &names) {
                            operand(1, pair), pointer("const T", "fb", pair), pair);
 }
 
+// Whether blades of the kind have several grades, as motors and rotors have.
+bool is_versor(const lower::lowered_kind &k) {
+  return std::any_of(k.blades.begin(), k.blades.end(),
+                     [&](const lower::basis_blade &b) { return b.vectors.size() != k.blades.front().vectors.size(); });
+}
+
+// Where an operand is a versor, blades and stored operands mix, so that products of versors act on what is stored.
+std::string mixed_operands(const unit &u, const lower::kernel &k, const std::string &type) {
+  const std::vector<const lang::kind *> &kinds = k.asked.kinds;
+  constexpr std::size_t most_operands = 4; // of which there are 14 mixtures
+  const bool versors =
+      std::any_of(kinds.begin(), kinds.end(), [&](const lang::kind *kind) { return is_versor(u.kind(kind->name)); });
+  std::string out;
+  if (!versors || kinds.size() > most_operands)
+    return out;
+  const std::size_t all = (std::size_t{1} << kinds.size()) - 1;
+  for (std::size_t stored = 1; stored < all; ++stored) {
+    std::vector<std::string> parameters, arguments;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      const bool is_stored = stored >> i & 1;
+      const std::string name = identifier(k.asked.names[i]);
+      parameters.push_back(
+          fmt::format("const {}{}<T> &{}", identifier(kinds[i]->name), is_stored ? "" : "_blade", name));
+      arguments.push_back(is_stored ? fmt::format("blade({})", name) : name);
+    }
+    out +=
+        fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  return {}({});\n}}\n", type,
+                    kernel_function(k.asked), join(parameters, ", "), kernel_function(k.asked), join(arguments, ", "));
+  }
+  return out;
+}
+
 } // namespace
 
 std::string formula_header(const unit &u, const lower::kernel &k) {
@@ -135,7 +167,7 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  return {}({});\n}}\n", type,
                        kernel_function(k.asked), parameters("", all), kernel_function(k.asked), call);
   }
-  return out;
+  return out + mixed_operands(u, k, type);
 }
 
 } // namespace meetc::target
