@@ -147,8 +147,12 @@ dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope
     return {oracle::subtract(arg(0), arg(1)), {}};
   case op::multiply:
     return {dense_.geometric(arg(0), arg(1)), {}};
-  case op::divide:
-    return {oracle::scale(1 / oracle::scalar_part(arg(1)), arg(0)), {}};
+  case op::divide: {
+    const rational by = oracle::scalar_part(arg(1));
+    if (by == 0)
+      throw spec_error(e.args[1]->where, "only a number other than 0 divides");
+    return {oracle::scale(1 / by, arg(0)), {}};
+  }
   case op::outer:
     return {oracle::outer(arg(0), arg(1)), {}};
   case op::inner:
