@@ -1,6 +1,7 @@
 // Reads an algebra from TOML, and checks what each table may hold.
 #include "gen/lang/places.hpp"
 #include "gen/lang/read_basis.hpp"
+#include "gen/lang/relations.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -15,6 +16,8 @@ std::string trim(const std::string &s) {
   const auto b = s.find_first_not_of(" \t"), e = s.find_last_not_of(" \t");
   return b == std::string::npos ? "" : s.substr(b, e - b + 1);
 }
+
+} // namespace
 
 std::vector<field> read_fields(const toml_reader &in, const toml::node &node, const std::string &what) {
   std::vector<field> out;
@@ -35,6 +38,8 @@ std::vector<field> read_fields(const toml_reader &in, const toml::node &node, co
   return out;
 }
 
+namespace {
+
 std::vector<named_expr> read_named(const toml_reader &in, const toml::node &node, const std::string &what) {
   std::vector<named_expr> out;
   for (const auto &[key, value] : in.in_file_order(in.as_table(node, what))) {
@@ -52,7 +57,7 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
   need_name(k.name, k.where, "a kind");
   const std::string what = "kinds." + k.name;
   const toml::table &t = in.as_table(node, what);
-  in.allow(t, what, {"store", "blade", "from", "parts", "where", "hull", "pad", "position"});
+  in.allow(t, what, {"store", "blade", "from", "parts", "where", "hull", "pad", "position", "relations", "samples"});
   if (!t.contains("store"))
     throw spec_error(k.where, fmt::format("{} needs 'store': the numbers that it keeps in memory", what));
   if (!t.contains("blade"))
@@ -82,6 +87,7 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
     k.pad = in.as_expression(*pad, what + ".pad");
   if (const toml::node *position = t.get("position"))
     k.position = in.as_bool(*position, what + ".position");
+  read_relations(in, t, what, k);
   return k;
 }
 

@@ -30,6 +30,13 @@ struct constructor {
   location where;
 };
 
+// 'left = right', true of the kind's blade, for which the kind's name stands.
+struct relation {
+  expr_ptr left, right;
+  bool nearly = false; // what rounding makes true; otherwise it holds identically in the stored numbers
+  location where;
+};
+
 struct kind {
   std::string name;
   location where;
@@ -40,6 +47,11 @@ struct kind {
   expr_ptr rule;                 // `where`: the condition on a valid element, or null
   expr_ptr hull, pad;            // for bounded kinds: the element is the hull of these points, padded by a length
   bool position = false;         // its reals are coordinates that a translation moves
+  std::vector<relation> relations;
+  double within = 0; // the most by which a coefficient of either side of a relation that holds nearly may differ
+  // Blades that satisfy the relations exactly, constructed from these operands: [kinds.motor.samples].
+  std::vector<field> sample_of;
+  std::vector<expr_ptr> samples;
 };
 
 struct function {
