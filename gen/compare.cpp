@@ -150,7 +150,7 @@ void compile_files(const std::vector<target::file> &files, const std::string &sp
 }
 
 scene_figures figures_of(const std::string &scene, const compare_options &o) {
-  compilation c = load(scene);
+  compilation c = load(scene, o.algebra_path);
   compile_all(c);
   scene_figures out;
   out.name = c.scene->name;

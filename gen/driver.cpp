@@ -1,5 +1,5 @@
 #include "gen/driver.hpp"
-#include "gen/ir/print.hpp"
+#include "gen/lower/kernel/wildcard.hpp"
 #include "gen/lower/predicate/settled.hpp"
 #include "gen/lower/separated.hpp"
 #include "gen/passes/passes.hpp"
@@ -9,15 +9,17 @@
 #include "gen/zero_kernels.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <fmt/format.h>
 
 namespace meetc {
 
-compilation load(const std::string &scene_path) {
+compilation load(const std::string &scene_path, const std::vector<std::string> &algebra_path) {
   compilation c;
-  c.scene = std::make_unique<lang::scene>(lang::load_scene(scene_path, target::backends()));
+  c.scene = std::make_unique<lang::scene>(lang::load_scene(scene_path, target::backends(), algebra_path));
   c.model = std::make_unique<lower::model>(c.scene->in);
+  c.scene->kernels = lower::without_wildcards(*c.model, *c.scene);
   return c;
 }
 
@@ -117,13 +119,25 @@ std::string shown(const compilation &c, const compiled_kernel &k, const std::str
   return target::find(target)->show(u, 0);
 }
 
+namespace {
+std::string without_spaces(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isspace(c); });
+  return text;
+}
+} // namespace
+
 void compile_all(compilation &c) {
-  std::vector<std::string> names;
+  std::map<std::string, std::string> texts; // by name
   for (const lang::kernel_request &r : c.scene->kernels) {
     const lower::request request = lower::resolve(*c.model, r.what);
-    if (std::find(names.begin(), names.end(), request.name()) != names.end())
+    const auto [it, fresh] = texts.try_emplace(request.name(), request.text);
+    if (!fresh && without_spaces(it->second) == without_spaces(request.text))
       throw spec_error(r.where, fmt::format("'{}' is asked for twice", request.text));
-    names.push_back(request.name());
+    if (!fresh)
+      throw spec_error(r.where,
+                       fmt::format("'{}' would have the name {} as '{}' has; give one of them a name by a function of "
+                                   "the algebra, '{}_2(A, B)' = '…', and ask for that",
+                                   request.text, request.name(), it->second, request.function));
     try {
       compiled_kernel k = compile(c, request);
       for (const lower::kernel &other : c.kernels)
@@ -133,10 +147,19 @@ void compile_all(compilation &c) {
       c.kernels.push_back(std::move(k.kernel));
       c.bounds.push_back(std::move(k.bounds));
     } catch (spec_error &e) {
+      if (e.where().file && e.where().file == r.what->where.file && r.what->where.file != r.where.file) // of a wildcard
+        throw spec_error(r.where, fmt::format("{}, for {}", e.message(), request.text));
       throw e.add_step("kernel " + request.text, r.where);
     }
   }
   tell_zero_kernels(c);
+}
+
+std::string shown_all(compilation &c, const std::string &target) {
+  compile_all(c);
+  target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
+  add_forms(*c.model, u, *target::find(target));
+  return target::find(target)->show_all(u);
 }
 
 std::vector<target::file> emit_all(compilation &c) {
@@ -146,128 +169,13 @@ std::vector<target::file> emit_all(compilation &c) {
   return target::files_of(u);
 }
 
-int plan_scene(const std::string &scene) {
-  compilation c = load(scene);
+int plan_scene(const plan_options &o) {
+  compilation c = load(o.scene, o.algebra_path);
   compile_all(c);
   target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
   plan_tolerance(c, u);
   say(target::plan_text(u));
   return 0;
-}
-
-namespace {
-
-// Reads 'S: sphere, L: line' as pairs.
-std::vector<std::pair<std::string, std::string>> parse_operands(const lower::model &m, const std::string &text) {
-  std::vector<std::pair<std::string, std::string>> out;
-  const auto trim = [](std::string s) {
-    s.erase(0, s.find_first_not_of(" \t"));
-    s.erase(s.find_last_not_of(" \t") + 1);
-    return s;
-  };
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    const std::string item = text.substr(from, comma - from);
-    const std::size_t colon = item.find(':');
-    if (colon == std::string::npos)
-      throw spec_error({}, fmt::format("--with '{}': expected 'name: kind'", item));
-    const std::string name = trim(item.substr(0, colon));
-    const lang::expr_ptr e = name.empty() ? nullptr : lang::parse_expression(name, "--with");
-    if (!e || e->kind != lang::op::name)
-      throw spec_error({}, fmt::format("--with '{}': '{}' is not a name", item, name));
-    const auto &vectors = m.spec().vectors;
-    const bool taken = m.spec().find_constant(name) || m.spec().find_kind(name) ||
-                       std::find(vectors.begin(), vectors.end(), name) != vectors.end() ||
-                       std::any_of(out.begin(), out.end(), [&](const auto &o) { return o.first == name; });
-    if (taken)
-      throw spec_error({}, fmt::format("--with '{}': '{}' is taken", item, name));
-    out.emplace_back(name, trim(item.substr(colon + 1)));
-    from = comma + 1;
-  }
-  return out;
-}
-
-lower::request requested(const compilation &c, const show_options &o) {
-  if (!o.expression.empty())
-    return lower::resolve(*c.model, lang::parse_expression(o.expression, "-e"), parse_operands(*c.model, o.with));
-  if (o.words.empty())
-    throw spec_error({}, "nothing to show: name a kernel of the scene, as in 'meet sphere line', or give -e "
-                         "'expression' --with 'X: sphere'");
-  std::string text = o.words[0];
-  if (o.words.size() > 1)
-    text += '(' + join({o.words.begin() + 1, o.words.end()}, ", ") + ')';
-  return lower::resolve(*c.model, lang::parse_expression(text, "the command line"));
-}
-
-std::string spec_text(const lower::model &m, const lower::request &r) {
-  std::string out;
-  for (std::size_t i = 0; i < r.kinds.size(); ++i) {
-    std::vector<std::string> fields;
-    for (const lang::field &f : r.kinds[i]->store)
-      fields.push_back(f.name + ": " + f.type);
-    out += fmt::format("{}: {} stores [{}], blade {}\n", r.names[i], r.kinds[i]->name, join(fields, ", "),
-                       lang::print(*r.kinds[i]->blade));
-  }
-  if (r.asked) {
-    for (const lang::named_expr &l : r.asked->lets)
-      out += fmt::format("{} = {}\n", l.name, lang::print(*l.body));
-    for (const auto &e : r.asked->reject)
-      out += fmt::format("reject {}\n", lang::print(*e));
-    return out + fmt::format("hit {}\n", lang::print(*r.asked->hit));
-  }
-  out += fmt::format("{}\n", r.text);
-  for (const lang::function &f : m.spec().functions)
-    if (r.text.find(f.name + "(") != std::string::npos)
-      out += fmt::format("{}({}) = {}\n", f.name, join(f.params, ", "), lang::print(*f.body));
-  return out;
-}
-
-// Shows a kernel's programs after one pass.
-std::string after_pass(const lower::model &m, const lower::request &r, const std::string &pass) {
-  const std::vector<std::string> known = passes::names();
-  if (std::find(known.begin(), known.end(), pass) == known.end())
-    throw spec_error(
-        {}, fmt::format("--emit=after:{}: no such pass; known: {}{}", pass, join(known, ", "), nearest(pass, known)));
-  lower::kernel k = lower::compile(m, r);
-  passes::run(k, pass);
-  std::string out;
-  for (const lower::kernel_program &p : lower::programs(k))
-    out += p.title + '\n' + ir::print(*p.code, *p.inputs);
-  return out;
-}
-
-} // namespace
-
-int show(const show_options &o) {
-  compilation c = load(o.scene);
-  const target::target *whole = target::find(o.emit);
-  if (whole && whole->show_all && o.words.empty() && o.expression.empty()) {
-    compile_all(c);
-    target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
-    add_forms(*c.model, u, *whole);
-    say(whole->show_all(u));
-    return 0;
-  }
-  const lower::request r = requested(c, o);
-  const std::string after = "after:";
-  if (o.emit == "spec") {
-    say(spec_text(*c.model, r));
-  } else if (o.emit.starts_with(after)) {
-    say(after_pass(*c.model, r, o.emit.substr(after.size())));
-  } else {
-    say(shown(c, compile(c, r), o.emit));
-  }
-  return 0;
-}
-
-std::vector<std::string> stages() {
-  std::vector<std::string> out{"spec"};
-  for (const target::target &t : target::all())
-    if (t.show)
-      out.emplace_back(t.name);
-  for (const std::string &pass : passes::names())
-    out.push_back("after:" + pass);
-  return out;
 }
 
 } // namespace meetc

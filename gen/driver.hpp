@@ -22,13 +22,19 @@ struct compiled_kernel {
   std::optional<bound::kernel_bounds> bounds;
 };
 
-compilation load(const std::string &scene_path); // spec and model, nothing compiled
+// Spec and model, with one kernel for each choice of a wildcard; nothing compiled. Algebras are also looked for in `algebra_path`.
+compilation load(const std::string &scene_path, const std::vector<std::string> &algebra_path = {});
 compiled_kernel compile(const compilation &c, const lower::request &r);
 void compile_all(compilation &c);                   // every kernel of the scene
 std::vector<target::file> emit_all(compilation &c); // moves the kernels out
 
 // A target's view of one kernel.
 std::string shown(const compilation &c, const compiled_kernel &k, const std::string &target);
+// And of all kernels of the scene, for a target that has one. Compiles them.
+std::string shown_all(compilation &c, const std::string &target);
+
+// Folders in which algebras are looked for, in each command's options.
+using folders = std::vector<std::string>;
 
 struct generate_options {
   std::string scene, out, depfile, stamp, space;
@@ -36,28 +42,44 @@ struct generate_options {
   bool check = false, quiet = false;
   bool kernel_headers = true; // write meetc/ beside what is emitted
   int units = 0;              // umbrella sources for each language, see target::umbrella_sources()
+  folders algebra_path;
 };
 struct verify_options {
   std::string scene;
   long cases = 5000;
   unsigned seed = 1;
   bool allow_unchecked = false; // else a kernel of which nothing could be compared is a failure
+  folders algebra_path;
 };
 struct show_options {
-  std::string scene, emit = target::backends().unless_said.front(), expression, with;
+  std::string scene, emit, expression, with; // emit: empty for C++, and without a kernel for the list of them
   std::vector<std::string> words;
+  folders algebra_path;
+};
+struct plan_options {
+  std::string scene;
+  folders algebra_path;
+};
+struct eval_options {
+  std::string scene, expression, with;
+  folders algebra_path;
 };
 
 struct compare_options {
   std::vector<std::string> scenes;
   std::string cxx, nvcc; // compilers for the emitted sources; empty: they are not compiled
+  folders algebra_path;
 };
 
 int generate(const generate_options &o);
 // Prints which arithmetic keeps the scene's tolerance, kernel by kernel, and why.
-int plan_scene(const std::string &scene);
+int plan_scene(const plan_options &o);
 int verify_scene(const verify_options &o);
 int show(const show_options &o);
+// Prints the exact value of an expression for operands that are given as numbers: 'S: sphere = 0,0,0,1; L: line = …'.
+int eval(const eval_options &o);
+// Writes a first algebra, a scene, and a CMake project with a program into a folder that is new or empty.
+int new_project(const std::string &folder);
 // A table of what the scenes' code costs: its size, and the operations and stored values of all kernels together.
 int compare_scenes(const compare_options &o);
 // The values of --emit.

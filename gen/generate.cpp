@@ -114,7 +114,7 @@ void check_backend(const std::string &path, const lang::scene &scene, const std:
 } // namespace
 
 int generate(const generate_options &o) {
-  compilation c = load(o.scene);
+  compilation c = load(o.scene, o.algebra_path);
   if (!o.space.empty()) {
     check_namespace(o.space);
     c.scene->space = o.space;

@@ -78,22 +78,36 @@ int main(int argc, char **argv) {
   verify_command->add_flag("--allow-unchecked", v.allow_unchecked,
                            "Exit 0 also where nothing of a kernel could be compared, which is named in any case");
 
-  std::string planned;
+  plan_options p;
   CLI::App *plan_command = app.add_subcommand(
       "plan", "Print which arithmetic keeps the tolerance of a scene, kernel by kernel, and what is proved of it");
-  plan_command->add_option("scene", planned, "Scene file (.toml)")->required();
+  plan_command->add_option("scene", p.scene, "Scene file (.toml)")->required();
 
   show_options s;
   CLI::App *show_command = app.add_subcommand("show", "Print one kernel at any stage of the compiler");
   show_command->add_option("scene", s.scene, "Scene file (.toml)")->required();
   show_command->add_option(
       "what", s.words,
-      "A predicate, or a function and its kinds: meet sphere line. With --emit=separate it may be left out,\n"
-      "for a table of the scene");
+      "A predicate, or a function and its kinds: meet sphere line. Without it, the kernels of the scene are\n"
+      "listed, and with --emit=separate or --emit=counts a table of them is printed");
   show_command->add_option("-e,--expression", s.expression,
                            "An expression in place of a kernel; --with names its operands");
   show_command->add_option("--with", s.with, "Operands of the expression: 'S: sphere, L: line'");
-  show_command->add_option("--emit", s.emit, "Stage to print")->capture_default_str()->check(CLI::IsMember(stages()));
+  show_command->add_option("--emit", s.emit, "Stage to print: cpp where nothing is said")
+      ->check(CLI::IsMember(stages()));
+
+  eval_options ev;
+  CLI::App *eval_command =
+      app.add_subcommand("eval", "Print the exact value of an expression for operands that are given as numbers");
+  eval_command->add_option("scene", ev.scene, "Scene file (.toml)")->required();
+  eval_command->add_option("-e,--expression", ev.expression, "The expression, as in 'norm2(meet(S, T))'")->required();
+  eval_command->add_option("--with", ev.with,
+                           "Its operands by what they store: 'S: sphere = 0,0,0,1; T: sphere = 1/2,0,0,2'");
+
+  std::string first;
+  CLI::App *new_command =
+      app.add_subcommand("new", "Write a first algebra, a scene and a CMake project with a program into a new folder");
+  new_command->add_option("folder", first, "The folder, which is new or empty")->required();
 
   compare_options m;
   CLI::App *compare_command = app.add_subcommand(
@@ -103,6 +117,14 @@ int main(int argc, char **argv) {
   compare_command->add_option("--compile", m.cxx,
                               "Also compile the C++ with this compiler, for objects, seconds and the time of a pair");
   compare_command->add_option("--nvcc", m.nvcc, "Also compile the CUDA with this nvcc, for registers on sm_90");
+
+  for (const auto &[command, path] :
+       {std::pair(generate_command, &g.algebra_path), std::pair(verify_command, &v.algebra_path),
+        std::pair(plan_command, &p.algebra_path), std::pair(show_command, &s.algebra_path),
+        std::pair(compare_command, &m.algebra_path), std::pair(eval_command, &ev.algebra_path)})
+    command
+        ->add_option("--algebra-path", *path, "A folder in which algebras are looked for as well; may be given again")
+        ->allow_extra_args(false);
 
   try {
     app.parse(argc, argv);
@@ -120,8 +142,10 @@ int main(int argc, char **argv) {
   try {
     const int rc = generate_command->parsed()  ? generate(g)
                    : verify_command->parsed()  ? verify_scene(v)
-                   : plan_command->parsed()    ? plan_scene(planned)
+                   : plan_command->parsed()    ? plan_scene(p)
                    : compare_command->parsed() ? compare_scenes(m)
+                   : eval_command->parsed()    ? eval(ev)
+                   : new_command->parsed()     ? new_project(first)
                                                : show(s);
     finish_output();
     return rc;

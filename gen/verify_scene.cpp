@@ -69,7 +69,7 @@ private:
 } // namespace
 
 int verify_scene(const verify_options &o) {
-  compilation c = load(o.scene);
+  compilation c = load(o.scene, o.algebra_path);
   compile_all(c);
   verification all(c, o);
   for (std::size_t i = 0; i < c.kernels.size(); ++i)

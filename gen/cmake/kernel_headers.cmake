@@ -1,5 +1,5 @@
-# The kernel headers: MEETC_KERNEL_HEADERS, their names below meetc/, and the file of each, by meetc_kernel_header(). meetc packs
-# them, and an install has them.
+# The kernel headers: MEETC_KERNEL_HEADERS, their names below meetc/, and the file of each, by meetc_kernel_header(). meetc
+# packs them, and an install has them.
 #
 # A build knows beforehand of support.hpp alone that meetc writes it (meetc_add_kernels.cmake). A line with the content of all
 # of them makes it change whenever one does, so that a build compiles what includes them in the same run.

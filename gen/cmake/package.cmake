@@ -31,7 +31,7 @@ endif()
 # Where a project with meetc as a subfolder finds the algebras. The config file of the package sets it as well.
 set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folder of the algebras that come with meetc")
 
-# The headers for users, below runtime/. What only other headers of the runtime need is not installed.
+# The headers for users, below runtime/. Headers that only others of the runtime include are not installed.
 set(MEETC_CORE_HEADERS answers/answers.hpp query/collide.hpp query/evaluate.hpp query/find.hpp query/pairs.hpp sets/prepared.hpp views/check.hpp
   views/memory.hpp views/pose.hpp views/status.hpp views/view.hpp)
 set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp evaluate.hpp every_pair/engine.hpp group.hpp memory/device.hpp

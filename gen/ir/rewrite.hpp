@@ -19,7 +19,7 @@ struct rewrite {
   value fused(const node_ref &, value x, value y, value z) { return to.fused(x, y, z); }
 };
 
-// The program with a product and a sum for every fused multiply-add: what runs where that is no instruction. The order
+// The program with a product and a sum for every fused multiply-add, for machines without that instruction. The order
 // of the operands is that of the emitted fma(), x * y + z.
 program unfused(const program &p);
 

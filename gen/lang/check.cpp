@@ -51,6 +51,15 @@ public:
       for (const expr_ptr &e : {k.rule, k.hull, k.pad})
         if (e)
           expression(*e, names(k.store));
+      for (const relation &r : k.relations)
+        for (const expr_ptr &side : {r.left, r.right}) {
+          of_blade_alone(*side, k);
+          expression(*side, {k.name});
+        }
+      fields(k.sample_of);
+      hide_nothing(k.sample_of);
+      for (const expr_ptr &e : k.samples)
+        expression(*e, names(k.sample_of));
       if (k.position && std::any_of(k.store.begin(), k.store.end(), [](const field &f) { return f.type != "real"; }))
         throw spec_error(k.where, "a kind with 'position' stores only reals, one for each spatial axis");
       if (k.position && k.store.size() > 3)
@@ -194,6 +203,17 @@ private:
     for (const expr_ptr &arg : e.args)
       walk(*arg, f);
   }
+  // A relation is about the blade, which may be made otherwise than from stored numbers.
+  static void of_blade_alone(const expr &e, const kind &k) {
+    const scope stored = names(k.store);
+    walk(e, [&](const expr &part) {
+      if (part.kind == op::name && stored.count(part.text))
+        throw spec_error(part.where,
+                         fmt::format("'{}' is a stored number, and a relation is about the blade: write its "
+                                     "coefficient, as in '{}[1]'",
+                                     part.text, k.name));
+    });
+  }
   // Visits calls depth first. `open` marks what is being visited, `done` what is known to end.
   void calls_itself(const std::string &name, const location &where) {
     if (done_.count(name))
@@ -227,6 +247,8 @@ private:
   }
   void expression(const expr &e, const scope &s) const {
     if (e.kind == op::name && !s.count(e.text) && !declared_.count(e.text) && !is_value(e)) {
+      if (e.text == "*")
+        throw spec_error(e.where, "'*' stands for all kinds in the kernels of a scene alone");
       std::vector<std::string> known(s.begin(), s.end());
       for (const auto &[name, where] : declared_)
         known.push_back(name);

@@ -1,11 +1,11 @@
 // Reads an algebra from TOML, and checks what each table may hold.
-#include "gen/lang/spec.hpp"
-#include "gen/lang/toml_reader.hpp"
+#include "gen/lang/places.hpp"
+#include "gen/lang/read_basis.hpp"
+#include "gen/lang/relations.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace meetc::lang {
 namespace {
@@ -16,6 +16,8 @@ std::string trim(const std::string &s) {
   const auto b = s.find_first_not_of(" \t"), e = s.find_last_not_of(" \t");
   return b == std::string::npos ? "" : s.substr(b, e - b + 1);
 }
+
+} // namespace
 
 std::vector<field> read_fields(const toml_reader &in, const toml::node &node, const std::string &what) {
   std::vector<field> out;
@@ -36,6 +38,8 @@ std::vector<field> read_fields(const toml_reader &in, const toml::node &node, co
   return out;
 }
 
+namespace {
+
 std::vector<named_expr> read_named(const toml_reader &in, const toml::node &node, const std::string &what) {
   std::vector<named_expr> out;
   for (const auto &[key, value] : in.in_file_order(in.as_table(node, what))) {
@@ -53,7 +57,7 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
   need_name(k.name, k.where, "a kind");
   const std::string what = "kinds." + k.name;
   const toml::table &t = in.as_table(node, what);
-  in.allow(t, what, {"store", "blade", "from", "parts", "where", "hull", "pad", "position"});
+  in.allow(t, what, {"store", "blade", "from", "parts", "where", "hull", "pad", "position", "relations", "samples"});
   if (!t.contains("store"))
     throw spec_error(k.where, fmt::format("{} needs 'store': the numbers that it keeps in memory", what));
   if (!t.contains("blade"))
@@ -83,6 +87,7 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
     k.pad = in.as_expression(*pad, what + ".pad");
   if (const toml::node *position = t.get("position"))
     k.position = in.as_bool(*position, what + ".position");
+  read_relations(in, t, what, k);
   return k;
 }
 
@@ -135,104 +140,58 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
   return p;
 }
 
-// 'p/q' in lowest terms, so that equal entries have equal text. Numbers with too many digits stay as they are.
-std::string reduced(const std::string &s) {
-  const auto slash = std::min(s.find('/'), s.size());
-  if (slash > 18 || s.size() - slash > 18)
-    return s;
-  const long long p = std::stoll(s.substr(0, slash)), q = slash == s.size() ? 1 : std::stoll(s.substr(slash + 1));
-  const long long common = std::gcd(p, q);
-  return q == common ? std::to_string(p / common) : fmt::format("{}/{}", p / common, q / common);
+// The files that were read, and those whose content is in `open` already.
+struct reading {
+  std::vector<std::shared_ptr<const source_file>> &files;
+  const std::vector<std::string> &algebra_path;
+  std::vector<std::string> open;
+};
+
+void load_into(const std::string &path, algebra &out, reading &all);
+
+// The algebra that this one extends: its vectors and its metric are those of this one too.
+void extend(const toml_reader &in, const toml::table &t, algebra &out, reading &all) {
+  const toml::node &base = *t.get("extends");
+  for (const char *key : {"vectors", "squares", "metric", "null"})
+    if (const toml::node *own = t.get(key))
+      throw spec_error(
+          in.place(*own),
+          fmt::format("an algebra that extends another one has that one's '{}', and none of its own", key));
+  const std::string path = find_algebra(in.place(base), in.as_string(base, "algebra.extends"), all.algebra_path);
+  const std::size_t before = all.files.size();
+  load_into(path, out, all);
+  if (out.vectors.empty())
+    throw spec_error(in.place(base),
+                     all.files.size() == before
+                         ? fmt::format("{} extends itself", path)
+                         : fmt::format("{} declares no [algebra], so there is nothing to extend; to take "
+                                       "its kinds and functions, write import = ['{}']",
+                                       path, in.as_string(base, "algebra.extends")));
 }
 
-std::string rational_text(const toml_reader &in, const toml::node &node) {
-  if (node.is_integer())
-    return std::to_string(node.as_integer()->get());
-  if (node.is_string()) {
-    const std::string s = node.as_string()->get();
-    const auto slash = s.find('/');
-    const auto digits = [](const std::string &d, bool sign) {
-      const std::size_t from = sign && !d.empty() && d[0] == '-' ? 1 : 0;
-      return d.size() > from && d.find_first_not_of("0123456789", from) == std::string::npos;
-    };
-    if (slash == std::string::npos ? digits(s, true)
-                                   : digits(s.substr(0, slash), true) && digits(s.substr(slash + 1), false) &&
-                                         s.find_first_not_of('0', slash + 1) != std::string::npos)
-      return reduced(s);
-  }
-  throw spec_error(in.place(node), "a metric's entry is a whole number or a 'p/q' string");
-}
-
-void read_basis(const toml_reader &in, const toml::table &t, algebra &out) {
-  in.allow(t, "algebra", {"vectors", "squares", "metric", "null", "import"});
-  if (!t.contains("vectors"))
-    throw spec_error(out.where, "algebra needs 'vectors'");
-  const toml::node &names = *t.get("vectors");
-  out.vectors = in.as_strings(names, "algebra.vectors");
-  const std::size_t n = out.vectors.size();
-  if (n == 0 || n > 8)
-    throw spec_error(in.place(names), fmt::format("an algebra has 1 to 8 basis vectors, not {}", n));
-  for (std::size_t i = 0; i < n; ++i) {
-    need_name(out.vectors[i], in.place(names), "a basis vector");
-    if (std::find(out.vectors.begin(), out.vectors.begin() + static_cast<std::ptrdiff_t>(i), out.vectors[i]) !=
-        out.vectors.begin() + static_cast<std::ptrdiff_t>(i))
-      throw spec_error(in.place(names), fmt::format("vector '{}' is given twice", out.vectors[i]));
-  }
-  if (t.contains("squares") == t.contains("metric"))
-    throw spec_error(out.where, "algebra needs either 'squares' or 'metric'");
-  out.metric.assign(n, std::vector<std::string>(n, "0"));
-  if (const toml::node *squares = t.get("squares")) {
-    const toml::array &a = in.as_array(*squares, "algebra.squares");
-    if (a.size() != n)
-      throw spec_error(in.place(*squares), fmt::format("{} squares for {} vectors", a.size(), n));
-    for (std::size_t i = 0; i < n; ++i)
-      out.metric[i][i] = rational_text(in, a[i]);
-  } else {
-    const toml::node &metric = *t.get("metric");
-    const toml::array &rows = in.as_array(metric, "algebra.metric");
-    if (rows.size() != n)
-      throw spec_error(in.place(metric), fmt::format("{} rows for {} vectors", rows.size(), n));
-    for (std::size_t i = 0; i < n; ++i) {
-      const toml::array &row = in.as_array(rows[i], "each row of algebra.metric");
-      if (row.size() != n)
-        throw spec_error(in.place(rows[i]), fmt::format("{} entries for {} vectors", row.size(), n));
-      for (std::size_t j = 0; j < n; ++j)
-        out.metric[i][j] = rational_text(in, row[j]);
-    }
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (out.metric[i][j] != out.metric[j][i])
-          throw spec_error(in.place(metric),
-                           fmt::format("the metric is not symmetric at row {}, column {}", i + 1, j + 1));
-  }
-  if (const toml::node *null = t.get("null"))
-    for (const toml::node &item : in.as_array(*null, "algebra.null")) {
-      const std::string name = in.as_string(item, "each item of algebra.null");
-      need_name(name, in.place(item), "a null vector");
-      const auto size = name.size();
-      const location at = in.place(item);
-      const auto file = in.file();
-      const std::size_t inner = at.offset + 1;
-      out.null.push_back({name, parse_expression({file, inner, inner + size}), at});
-    }
-}
-
-void load_into(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files,
-               std::vector<std::string> &open) {
+void load_into(const std::string &path, algebra &out, reading &all) {
+  std::vector<std::string> &open = all.open;
   const std::string key = fs::weakly_canonical(path).string();
   if (std::find(open.begin(), open.end(), key) != open.end())
     return; // a second import, or an import of itself, adds nothing
   open.push_back(key);
   const toml_reader in(path);
-  files.push_back(in.file());
+  all.files.push_back(in.file());
   const toml::table &root = in.root();
   in.allow(root, "an algebra", {"algebra", "constants", "kinds", "functions", "predicates", "import"});
   if (const toml::node *t = root.get("algebra")) {
     if (!out.vectors.empty())
       throw spec_error(in.place(*t), "an imported file cannot declare an algebra of its own");
+    const toml::table &basis = in.as_table(*t, "algebra");
+    in.allow(basis, "algebra", {"vectors", "squares", "metric", "null", "import", "extends", "spec"});
+    check_version(in, basis);
+    out.where = in.place(*t);
+    if (basis.contains("extends"))
+      extend(in, basis, out, all);
+    else
+      read_basis(in, basis, out);
     out.where = in.place(*t);
     out.name = fs::path(path).stem().string();
-    read_basis(in, in.as_table(*t, "algebra"), out);
   }
   if (const toml::node *constants = root.get("constants"))
     for (named_expr &c : read_named(in, *constants, "constants"))
@@ -271,7 +230,7 @@ void load_into(const std::string &path, algebra &out, std::vector<std::shared_pt
       const fs::path target = fs::path(path).parent_path() / name;
       if (!fs::is_regular_file(target))
         throw spec_error(in.place(item), fmt::format("cannot find '{}'", target.generic_string()));
-      load_into(target.generic_string(), out, files, open);
+      load_into(target.generic_string(), out, all);
     }
   };
   if (const toml::node *imports = root.get("import"))
@@ -283,10 +242,11 @@ void load_into(const std::string &path, algebra &out, std::vector<std::shared_pt
 
 } // namespace
 
-void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files) {
-  std::vector<std::string> open;
+void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files,
+                  const std::vector<std::string> &algebra_path) {
+  reading all{files, algebra_path, {}};
   const std::size_t own = files.size(); // a scene that names this file stands before it
-  load_into(path, out, files, open);
+  load_into(path, out, all);
   if (out.vectors.empty())
     throw spec_error({files[own], 0, 1}, fmt::format("{} declares no [algebra]", path));
   check(out);

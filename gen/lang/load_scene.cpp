@@ -1,4 +1,5 @@
 // Reads a scene from TOML, with the algebra that it names.
+#include "gen/lang/places.hpp"
 #include "gen/lang/spec.hpp"
 #include "gen/lang/toml_reader.hpp"
 
@@ -10,17 +11,6 @@ namespace meetc::lang {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The places of an algebra: next to the scene, or where the shipped algebras are, in the share/ next to the program's
-// folder. The layout is the same in an install and in a build tree.
-std::vector<fs::path> algebra_places(const std::string &scene, const std::string &name) {
-  std::vector<fs::path> out{fs::path(scene).parent_path() / name};
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  if (!program.empty() && fs::path(name).is_relative())
-    out.push_back(program.parent_path().parent_path() / "share/meetc/algebra_spec" / name);
-  return out;
-}
 
 // A float32 that is not subnormal and that can be doubled.
 double box_size(const toml_reader &in, const toml::node &node) {
@@ -34,7 +24,7 @@ double box_size(const toml_reader &in, const toml::node &node) {
 
 } // namespace
 
-scene load_scene(const std::string &path, const backend_choice &backends) {
+scene load_scene(const std::string &path, const backend_choice &backends, const std::vector<std::string> &search) {
   const toml_reader in(path);
   scene s;
   s.files.push_back(in.file());
@@ -43,7 +33,9 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
     throw spec_error({in.file(), 0, 1}, fmt::format("{} has no [scene]", path));
   const toml::node &node = *in.root().get("scene");
   const toml::table &t = in.as_table(node, "scene");
-  in.allow(t, "scene", {"algebra", "namespace", "kernels", "zero", "rungs", "backends", "box", "tolerance"});
+  in.allow(t, "scene",
+           {"algebra", "namespace", "kernels", "zero", "rungs", "backends", "box", "tolerance", "kinds", "spec"});
+  check_version(in, t);
   for (const char *key : {"algebra", "namespace", "kernels"})
     if (!t.contains(key))
       throw spec_error(in.place(node), fmt::format("scene needs '{}'", key));
@@ -51,22 +43,17 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
   s.space = in.as_string(*t.get("namespace"), "scene.namespace");
   need_name(s.space, in.place(*t.get("namespace")), "a namespace");
   const std::string algebra_path = in.as_string(*t.get("algebra"), "scene.algebra");
-  const std::vector<fs::path> places = algebra_places(path, algebra_path);
-  const auto found = std::find_if(places.begin(), places.end(), [](const fs::path &p) {
-    std::error_code ignored;
-    return fs::is_regular_file(p, ignored);
-  });
-  if (found == places.end()) {
-    std::vector<std::string> searched;
-    for (const fs::path &p : places)
-      searched.push_back(p.generic_string());
-    throw spec_error(in.place(*t.get("algebra")), fmt::format("cannot find the algebra '{}'; there is no {}",
-                                                              algebra_path, join(searched, ", no ")));
-  }
-  const fs::path &target = *found;
-  load_algebra(target.generic_string(), s.in, s.files);
+  load_algebra(find_algebra(in.place(*t.get("algebra")), algebra_path, search), s.in, s.files, search);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
     s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});
+  if (const toml::node *kinds = t.get("kinds"))
+    for (const toml::node &item : in.as_array(*kinds, "scene.kinds")) {
+      const std::string name = in.as_string(item, "each item of scene.kinds");
+      if (!s.in.find_kind(name))
+        throw spec_error(in.place(item), fmt::format("no kind '{}'; kinds: {}{}", name, join(s.in.kind_names(), ", "),
+                                                     nearest(name, s.in.kind_names())));
+      s.kinds.push_back({name, name, in.place(item)});
+    }
   if (const toml::node *zero = t.get("zero"))
     for (const toml::node &item : in.as_array(*zero, "scene.zero"))
       s.zero.push_back({in.as_expression(item, "each item of scene.zero"), in.place(item)});
@@ -92,10 +79,10 @@ scene load_scene(const std::string &path, const backend_choice &backends) {
     s.tolerance_where = in.place(*t.get("tolerance"));
   }
   // A scene that bears a tolerance asks for what is proved to keep it, and for nothing else.
-  std::vector<std::string> usual = rung_names();
-  std::erase_if(usual,
+  std::vector<std::string> defaults = rung_names();
+  std::erase_if(defaults,
                 [&s](const std::string &name) { return (name == info_of(rung::tolerant).name) != (s.tolerance > 0); });
-  const std::vector<std::string> asked = choices("rungs", rung_names(), usual);
+  const std::vector<std::string> asked = choices("rungs", rung_names(), defaults);
   for (const std::string &name : asked)
     for (const rung_info &r : rungs)
       if (name == r.name)

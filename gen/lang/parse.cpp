@@ -249,11 +249,23 @@ private:
   std::vector<expr_ptr> arguments(std::string_view close) {
     std::vector<expr_ptr> args;
     if (!is(close))
-      for (args.push_back(expression()); is(",");) {
+      for (args.push_back(argument()); is(",");) {
         next();
-        args.push_back(expression());
+        args.push_back(argument());
       }
     return args;
+  }
+  // A '*' with nothing beside it is a wildcard: a name that no spec can declare.
+  expr_ptr argument() {
+    const std::string &s = source_.file->text;
+    std::size_t after = at_;
+    while (after < source_.end && std::isspace(static_cast<unsigned char>(s[after])))
+      ++after;
+    if (!is("*") || after >= source_.end || (s[after] != ',' && s[after] != ')'))
+      return expression();
+    const location where = token_.where;
+    next();
+    return make(op::name, where, {}, "*");
   }
   expr_ptr primary() {
     const token start = token_;

@@ -30,6 +30,13 @@ struct constructor {
   location where;
 };
 
+// 'left = right', true of the kind's blade, for which the kind's name stands.
+struct relation {
+  expr_ptr left, right;
+  bool nearly = false; // what rounding makes true; otherwise it holds identically in the stored numbers
+  location where;
+};
+
 struct kind {
   std::string name;
   location where;
@@ -40,6 +47,11 @@ struct kind {
   expr_ptr rule;                 // `where`: the condition on a valid element, or null
   expr_ptr hull, pad;            // for bounded kinds: the element is the hull of these points, padded by a length
   bool position = false;         // its reals are coordinates that a translation moves
+  std::vector<relation> relations;
+  double within = 0; // the most by which a coefficient of either side of a relation that holds nearly may differ
+  // Blades that satisfy the relations exactly, constructed from these operands: [kinds.motor.samples].
+  std::vector<field> sample_of;
+  std::vector<expr_ptr> samples;
 };
 
 struct function {
@@ -92,6 +104,7 @@ struct scene {
   algebra in;
   std::vector<kernel_request> kernels;
   std::vector<kernel_request> zero; // kernels that the scene says to be zero for all operands
+  std::vector<field> kinds;         // that a wildcard stands for, by their types; empty: those of the algebra
   std::vector<rung> rungs;
   std::vector<std::string> backends;
   bool asks(rung r) const { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); }
@@ -107,11 +120,13 @@ struct backend_choice {
   std::vector<std::string> known, unless_said;
 };
 
-// Reads a scene file and the algebra that it names. Throws spec_error.
-scene load_scene(const std::string &path, const backend_choice &backends);
+// Reads a scene file and the algebra that it names, which is looked for in `algebra_path` too. Throws spec_error.
+scene load_scene(const std::string &path, const backend_choice &backends,
+                 const std::vector<std::string> &algebra_path = {});
 
-// Adds the content of an algebra file to `out`. Imports are relative to the file.
-void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files);
+// Adds the content of an algebra file, and of the one that it extends, to `out`. Imports are relative to the file.
+void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files,
+                  const std::vector<std::string> &algebra_path = {});
 
 // Throws for duplicate names, unknown kinds, kinds that contain themselves, unknown names in expressions, and
 // recursion.

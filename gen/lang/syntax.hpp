@@ -7,6 +7,7 @@
 //   product = wedge { ('*' '/') wedge }   (geometric product; division by a constant number only)
 //   wedge   = unary { '^' unary } | unary { '|' unary } | unary { '&' unary }      (never mixed without parentheses)
 //   unary   = ( '-' | '~' ) unary | postfix      postfix = primary { '.' name | '[' expr ']' }
+//   args    = arg { ',' arg }             arg = expr | '*'      (a wildcard, for the kernels of a scene)
 //   primary = number | name | name '(' args ')' | '(' expr ')' | '[' args ']'
 //           | ('all' | 'any' | 'each') '(' name 'in' expr { ',' name 'in' expr } ':' expr ')'
 #pragma once

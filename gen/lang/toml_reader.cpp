@@ -122,6 +122,11 @@ toml_reader::in_file_order(const toml::table &table) const {
   return out;
 }
 
+void check_version(const toml_reader &in, const toml::table &table) {
+  if (const toml::node *version = table.get("spec"); version && version->value<std::int64_t>() != 1)
+    throw spec_error(in.place(*version), "this program reads the language 'spec = 1'");
+}
+
 void need_name(const std::string &name, const location &at, const char *what) {
   if (!is_name(name))
     throw spec_error(

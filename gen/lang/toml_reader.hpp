@@ -41,6 +41,9 @@ private:
   toml::table root_;
 };
 
+// Throws where the table says `spec` and means another version of the language than this one, 1.
+void check_version(const toml_reader &in, const toml::table &table);
+
 // Throws where this is no name: `what` says for what, "a namespace".
 void need_name(const std::string &name, const location &at, const char *what);
 

@@ -19,7 +19,7 @@ constexpr poly::extraction_effort narrow{1, 12, 1}, wide{4, 32, 3};
 constexpr std::size_t most_changed = 400;                      // terms of all outputs, before a change of variables
 constexpr std::size_t most_terms = 220;                        // after it
 constexpr std::size_t longest_alone = 20, longest_output = 64; // terms of the one output, of each of several
-constexpr std::size_t refined = 3;                             // systems that are searched with more effort
+constexpr std::size_t refined = 6;                             // systems that are searched with more effort
 
 // A start of the search, packed.
 struct start {

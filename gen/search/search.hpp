@@ -7,8 +7,8 @@
 // Limits: systems of more than 150 terms are left out, and so are long products and large coefficients.
 #pragma once
 #include "gen/ir/arena.hpp"
-#include "gen/search/value_system.hpp"
 #include "gen/poly/price.hpp"
+#include "gen/search/value_system.hpp"
 
 namespace meetc::search {
 

@@ -11,7 +11,7 @@
 
 namespace meetc::target {
 
-// What differs from language to language.
+// The differences between the languages.
 struct syntax {
   std::string type;                                          // of the constants: "T", "double"
   std::string fma;                                           // the function: "meetc::fma", "fmaf"

@@ -86,6 +86,10 @@ private:
   std::mt19937 random_;
   report out_;
 
+  static const std::vector<poly::poly> &expected(const lower::formula &f, const lower::assumptions &a) {
+    return a.taken.empty() ? f.polynomials : a.computed;
+  }
+
   // Whether every coefficient of the result is an output, and the program of blades computes the polynomials.
   bool whole() {
     const lower::formula &f = k_.value;
@@ -93,7 +97,7 @@ private:
     if (f.result.empty() || f.from_blades.results.size() != f.result.size() ||
         f.result_names.size() != f.result.size() || (f.is_number() && f.from_stored.results.size() != 1))
       out_.first_wrong = fmt::format("{} lacks a coefficient", k_.asked.text);
-    else if (f.is_expanded() && !ir::same_values(f.from_blades, f.polynomials, *f.numbers))
+    else if (f.is_expanded() && !ir::same_values(f.from_blades, expected(f, f.assumed), *f.numbers))
       out_.first_wrong = fmt::format("the program of {} does not expand to its polynomials", k_.asked.text);
     else
       return true;
@@ -134,19 +138,52 @@ private:
       out_.first_wrong = fmt::format("{} of {} at ({})", what, k_.asked.text, describe(inputs));
   }
 
-  // Operands are general elements of their kinds' supports; the formula holds for all of these.
+  // A blade that satisfies the relations of its kind: one of the samples, or the blade of stored numbers.
+  oracle::multivector related(const lang::kind &kind) {
+    for (;;) {
+      const auto draw = [&](const std::vector<lang::field> &of) {
+        dense_scope scope;
+        for (const lang::field &f : of) {
+          const lang::kind *part = m_.spec().find_kind(f.type);
+          const auto inputs = numbers(part ? m_.layout(*part).reals.size() : 1);
+          std::size_t next = 0;
+          scope[f.name] =
+              part ? dense_.operand(*part, inputs, next) : dense_value{dense_.algebra().scalar(inputs[0]), {}};
+        }
+        return scope;
+      };
+      if (kind.samples.empty())
+        return dense_.evaluate(*kind.blade, draw(kind.store));
+      try {
+        return dense_.evaluate(*kind.samples[random_() % kind.samples.size()], draw(kind.sample_of));
+      } catch (const spec_error &) { // a divisor was 0; lowering has drawn samples too, and succeeded
+      }
+    }
+  }
+
+  // Operands are general elements of their kinds' supports, for all of which the formula holds; where a program assumes
+  // relations, they satisfy them.
   void blades() {
-    const auto inputs = numbers(k_.value.blade_inputs.size());
+    const lower::formula &f = k_.value;
+    const bool assumes = !f.assumed.taken.empty() || !f.prepared_assumed.taken.empty();
+    auto inputs = numbers(f.blade_inputs.size());
     dense_scope scope;
     std::size_t at = 0;
     for (std::size_t i = 0; i < k_.asked.kinds.size(); ++i) {
-      oracle::multivector operand = dense_.algebra().zero();
-      for (const lower::blade b : lower::support(m_, *k_.asked.kinds[i]))
-        operand[b] = inputs[at++];
+      const lang::kind &kind = *k_.asked.kinds[i];
+      const bool is_related = assumes && !kind.relations.empty();
+      oracle::multivector operand = is_related ? related(kind) : dense_.algebra().zero();
+      for (const lower::blade b : lower::support(m_, kind))
+        if (is_related)
+          inputs[at++] = operand[b];
+        else
+          operand[b] = inputs[at++];
       scope[k_.asked.names[i]] = {operand, {}};
     }
-    compare(dense_.evaluate(*k_.asked.body, scope), k_.value.result, ir::evaluate(k_.value.from_blades, inputs),
-            "blades", inputs);
+    const oracle::multivector want = dense_.evaluate(*k_.asked.body, scope);
+    compare(want, f.result, ir::evaluate(f.from_blades, inputs), "blades", inputs);
+    if (!f.prepared.results.empty())
+      compare(want, f.result, ir::evaluate(f.prepared, inputs), "prepared blades", inputs);
   }
 
   void stored() {

@@ -166,7 +166,7 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
         std::any_of(p.truths.reject.begin(), p.truths.reject.end(), [&](int t) { return p.signs.evaluate(t, signs); });
     const bool rare =
         std::any_of(p.conditions.begin(), p.conditions.end(), [&](int t) { return p.signs.evaluate(t, signs); });
-    // A reject line may only save time, and the usual case decides alone where no condition holds.
+    // A reject line may only save time, and the common case decides alone where no condition holds.
     const bool staged = !rejected && (rare ? hit : p.signs.evaluate(p.usual, signs));
     ++out.cases;
     out.degenerate += zero;
@@ -176,7 +176,7 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
     if (out.wrong++ == 0) {
       out.first_wrong = fmt::format("{}({}) is {}, and should be {}{}", k.asked.text, text_of(row),
                                     hit ? "a hit" : "a miss", want ? "a hit" : "a miss",
-                                    hit == want ? ", but a reject line or the usual case gets it wrong" : "");
+                                    hit == want ? ", but a reject line or the common case gets it wrong" : "");
     }
   }
   return out;

@@ -1,6 +1,6 @@
 #include "meet/io/write.hpp"
 
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 #include "meet/io/files/atomic_file.hpp"
 #include "meet/io/files/endian.hpp"
 
@@ -114,7 +114,7 @@ void write_polygons(const std::filesystem::path &path, std::span<const float> xy
 
 void write_mesh(const std::filesystem::path &path, const element_set &mesh, std::span<const rgb> colours) {
   if (mesh.kind->points != 3 || mesh.kind->fields != 9)
-    throw error(fmt::format("{}: only triangles make a PLY mesh, not {}", path.string(), plural(mesh.kind->name)));
+    throw error(fmt::format("{}: only triangles make a PLY mesh, not {}", path.string(), plural_of(mesh.kind->name)));
   if (!mesh.index.empty() || mesh.elements == 0)
     return write_polygons(path, mesh.data, faces_of(mesh), colours);
   std::vector<std::uint32_t> index(3 * mesh.elements);

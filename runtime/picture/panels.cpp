@@ -1,5 +1,5 @@
 // Several panels of one scene in one picture, with captions. See render.hpp.
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 #include "meet/core/views/vec.hpp"
 #include "meet/picture/projection.hpp"
 #include "meet/picture/render.hpp"
@@ -45,7 +45,7 @@ std::string describe(const shape &s) {
   const char *const kinds[] = {"triangle", "sphere", "segment"};
   const std::size_t n = elements(s) / s.parts, h = hits(s) / s.parts;
   const std::string one = *s.whole ? s.whole : kinds[static_cast<int>(s.what)];
-  return (s.name.empty() ? "" : s.name + ": ") + grouped(n) + " " + (n == 1 ? one : plural(one)) +
+  return (s.name.empty() ? "" : s.name + ": ") + grouped(n) + " " + (n == 1 ? one : plural_of(one)) +
          (s.hit.empty() ? "" : ", " + grouped(h) + " hit");
 }
 

@@ -16,7 +16,7 @@ mapfile -t given < <(grep -oE -- '-D(MEETC_(CUDA|INSTRUCTION_SETS))\b' dev | sor
 cached() { sed -nE "s/^$1:[A-Z]+=//p" "$folder/build/CMakeCache.txt"; }
 cmake --preset release -B "$folder/build" -DMEETC_CUDA=OFF -DMEETC_BUILD_TESTS=OFF -DMEETC_INSTRUCTION_SETS=avx2 >/dev/null
 [ "$(cached MEETC_CUDA) $(cached MEETC_INSTRUCTION_SETS)" = "OFF avx2" ] || {
-  echo "FAILED: what is given has no effect"
+  echo "FAILED: a given option has no effect"
   exit 1
 }
 grep -q 'MEETC_CUDA was off' "$folder/build/compile_commands.json" || {

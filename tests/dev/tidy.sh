@@ -21,7 +21,7 @@ mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- 'gen/*.[c
   exit 0
 }
 
-# What is compiled, of gen/ and runtime/; and who includes whom there, as "FILE INCLUDED".
+# The sources of gen/ and runtime/ that are compiled; and who includes whom there, as "FILE INCLUDED".
 compiled() { find gen runtime -name '*.cpp' | sort | while read -r file; do
   ! grep -qF "/$file\"" "$build/compile_commands.json" || echo "$file"
 done; }

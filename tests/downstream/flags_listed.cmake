@@ -1,5 +1,5 @@
-# What docs/numerics.md lists, flag by flag: a compiler's flag that changes arithmetic is refused, or noticed by the self-test, or
-# without effect. And the guard that the library's entries hold, on this machine and on AArch64.
+# The list of docs/numerics.md, flag by flag: a compiler's flag that changes arithmetic is refused, or noticed by the self-test,
+# or without effect. And the guard that the library's entries hold, on this machine and on AArch64.
 include("${CMAKE_CURRENT_LIST_DIR}/flags_steps.cmake")
 set(self "${ROOM}/flags/self.cpp")
 

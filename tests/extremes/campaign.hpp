@@ -52,7 +52,7 @@ void run(std::vector<cell> &cells, const plan &what, const reporter &report = {}
 // Fewer cases than these say little about a cell.
 inline constexpr std::uint64_t enough_cases = 10000;
 
-// What was judged by which judge, one line for each cell, then sums by family and by subject.
+// The counts of cases by judge, one line for each cell, then sums by family and by subject.
 std::string table(const std::vector<cell> &cells, judge by);
 std::uint64_t wrong_in(const std::vector<cell> &cells);
 

@@ -76,7 +76,7 @@ TEST_CASE("extremes: geometry agrees with every rung and with the decision on si
   }
 }
 
-TEST_CASE("extremes: what contradicts the geometry is counted, and only by that judge") {
+TEST_CASE("extremes: contradictions to the geometry are counted, and only by that judge") {
   // Spheres that are declared solid: their predicate takes them for surfaces, so nested ones are wrong.
   subject solid = subject_named("sphere_sphere");
   solid.surface = false;

@@ -103,7 +103,7 @@ TEST_CASE("families: axis_magnitudes parts the axes by more than a mantissa") {
   CHECK(parted > cases / 3);
 }
 
-TEST_CASE("families: palette has the ends of float32 and what is between") {
+TEST_CASE("families: palette has the ends of float32 and numbers between them") {
   int cases = 0, zeros = 0, least = 0, subnormal = 0, normal = 0, ordinary = 0, largest = 0, negative = 0;
   on_cases("palette", 300, [&](const subject &, const pair_of_rows &p) {
     for (const row *r : {&p.a, &p.b})
@@ -125,7 +125,7 @@ TEST_CASE("families: palette has the ends of float32 and what is between") {
   CHECK(negative > cases / 3);
 }
 
-TEST_CASE("families: what is placed on corners, edges and faces touches there, exactly") {
+TEST_CASE("families: elements placed on corners, edges and faces touch there, exactly") {
   for (const subject &s : subjects()) {
     random_numbers random(51);
     int cases = 0, exact = 0, off = 0;

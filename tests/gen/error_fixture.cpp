@@ -68,7 +68,7 @@ std::vector<std::string> lines_of(const std::string &text) {
   return out;
 }
 
-// What stands above the caret and its tildes, character by character.
+// The text above the caret and its tildes, character by character.
 std::string marked_text(const std::string &source, const std::string &caret) {
   std::vector<std::string> characters;
   for (const char c : source)

@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <limits>
-#include <meetc/decide/rest.hpp>
+#include <meetc/decide/later_rungs.hpp>
 #include <meetc/support.hpp>
 
 using namespace meetc::generated_test;

@@ -104,7 +104,7 @@ TEST_CASE("lanes: a pair's answer depends on no other, and is no more than the f
         CHECK(same);
         CHECK(no_more);
         CHECK(2 * more <= all.size()); // rare cases, which the function decides in fp32
-        // Lists of every length about that of the lanes; what lies beyond is not touched.
+        // Lists of every length about that of the lanes; memory beyond them is not touched.
         for (std::size_t n = 0; n < 70; ++n) {
           std::vector<answer> some(n + 1, answer::unsure);
           some[n] = static_cast<answer>(77);

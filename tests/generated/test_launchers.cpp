@@ -22,7 +22,7 @@ std::string text_of(const std::filesystem::path &path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// What the expression's first group matches in the text, in order of the alphabet, each as often as it is there.
+// The matches of the expression's first group in the text, in order of the alphabet, each as often as it is there.
 std::vector<std::string> all_in(const std::string &text, const char *expression) {
   std::vector<std::string> out;
   const std::regex wanted(expression);

@@ -28,7 +28,7 @@ template <class P, class Stage, class Leaf> std::vector<double> magnitudes(const
 }
 
 template <class P, class L> struct in_lanes { L a[P::inputs_a], b[P::inputs_b]; };
-// Of one pair in every lane.
+// The operands in lanes: one pair in every lane.
 template <class L, class P> in_lanes<P, L> lanes_of(const float *a, const float *b) {
   in_lanes<P, L> to;
   for (int i = 0; i < P::inputs_a; ++i)

@@ -70,7 +70,7 @@ TEST_CASE("settled: an equal point is a hit on every certified path") {
         continue;
       ++settled;
       CHECK(truth);
-      CHECK(P::filter(operand<decltype(p)::a>(a.data()), operand<decltype(p)::b>(b.data())) == answer::yes);
+      CHECK(P::filter(decltype(p)::kind_a::in(a.data()), decltype(p)::kind_b::in(b.data())) == answer::yes);
       meetc::certify_pairs<P, meetc::in_fp32>(rows_a, rows_b, &pair, 1, &certified);
       CHECK(certified == answer::yes);
     }

@@ -7,7 +7,7 @@
 #include <cga/cga_runtime.hpp>
 #include <cstring>
 #include <limits>
-#include <meetc/decide/stored.hpp>
+#include <meetc/decide/stored_values.hpp>
 
 using namespace meetc::generated_test;
 using meetc::answer;
@@ -113,7 +113,7 @@ TEST_CASE("stored: predicates share equal values, and a triangle's normal is thr
   });
 }
 
-TEST_CASE("stored: what is stored does not depend on the caller's rounding") {
+TEST_CASE("stored: stored values do not depend on the caller's rounding") {
   const meetc::stored_values v = named("triangle_triangle").stored_a;
   const row one{0.1F, 0.2F, 0.3F, 1.7F, 0.4F, 0.9F, 0.6F, 1.3F, 0.8F};
   std::vector<float> upward(static_cast<std::size_t>(v.floats), 7.0F), nearest(upward.size(), 9.0F);

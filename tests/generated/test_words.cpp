@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-TEST_CASE("words: what is wrong with an MXCSR is seen, bit by bit") {
+TEST_CASE("words: the faults of an MXCSR are seen, bit by bit") {
   using meetc::masks_mxcsr;
   using meetc::standard_mxcsr;
   CHECK(standard_mxcsr(0x1f80));
@@ -19,7 +19,7 @@ TEST_CASE("words: what is wrong with an MXCSR is seen, bit by bit") {
   CHECK_FALSE(standard_mxcsr(0x7f80));
 }
 
-TEST_CASE("words: what is wrong with an FPCR is seen, bit by bit") {
+TEST_CASE("words: the faults of an FPCR are seen, bit by bit") {
   using meetc::masks_fpcr;
   using meetc::standard_fpcr;
   CHECK(standard_fpcr(0));

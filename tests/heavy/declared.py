@@ -13,7 +13,7 @@ import closure
 PACKAGES = ["catch2", "libcgal-dev", "libcli11-dev", "libflint-dev", "libfmt-dev", "libgmp-dev", "libpng-dev",
             "libtomlplusplus-dev", "nlohmann-json3-dev"]
 LIBRARIES_OF_TOOLS = ["libcoq-flocq", "libcoq-gappa"]
-# What differs between machines and commands, and not in what a test says: which further instruction sets are compiled,
+# Definitions that differ between machines and commands, and change no test: which further instruction sets are compiled,
 # whether CUDA is, and where data lie.
 OF_THE_MACHINE = re.compile(r"-DMEETC_(WITH_(avx2|avx512|CUDA=.*)|NO_CUDA=.*|DATA=.*)")
 
@@ -127,7 +127,7 @@ class Build:
         return files
 
     def facts(self, name):
-        """What the hash is of, a line each."""
+        """The content of the hash, a line each."""
         lines = {f"file {self.relative(f)} {self.digest(f)}" for f in self.inputs(name)}
         for unit in self.compilations(name):
             flags = [f for f in unit.flags if not OF_THE_MACHINE.fullmatch(f)]

@@ -91,7 +91,7 @@ def select(build, everything, at_once):
 
 
 def one(build, name):
-    """Builds and runs a test that was selected, unless it is too late. What was selected is what must pass."""
+    """Builds and runs a test that was selected, unless it is too late. A selected test must pass."""
     until = os.environ.get("MEETC_HEAVY_UNTIL")
     if until and time.time() + listed(build).get(name, ("", 0))[1] >= float(until):
         with open(build.path("left"), "a", encoding="utf-8") as file:

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # includes.sh [--draw|--check] [TREE]: compares every #include of gen/, runtime/, generated/ and tests/ with the order of the
-# rooms in includes.awk, counts the files of each folder, and looks for cycles. --draw writes the picture of the rooms to docs/images/includes.dot, and
-# includes.svg beside it if Graphviz is installed; --check fails if includes.dot would change.
+# rooms in includes.awk, counts the files of each folder, and looks for cycles. --draw writes the picture of the rooms to
+# docs/images/includes.dot, and includes.svg beside it if Graphviz is installed; --check fails if includes.dot would change.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 mode=order

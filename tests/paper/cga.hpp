@@ -72,7 +72,7 @@ struct circle_shape {
   vec centre, normal; // normal: not of unit length
   rational squared_radius;
 };
-// Of three points that are not collinear.
+// The circle through three points that are not collinear.
 circle_shape circumcircle(const vec &p, const vec &q, const vec &s);
 // Three such points of the lattice, and their circle.
 struct lattice_circle {

@@ -43,7 +43,7 @@ inline printed_formula printed_3_5() {
           {"e3 e eb", {{+1, 4, 5}, {-1, 5, 4}}},  {"e1 e2 e3", {{+1, 1, 2}, {-1, 2, 1}}}};
 }
 
-// What the printed letters name: blades of Table 1, whose order is eb before e.
+// The blades of Table 1 that the printed letters name, whose order is eb before e.
 inline std::vector<std::string> plane_names() {
   return {"e1 e2 e3 eb", "e1 e2 eb e", "e2 e3 eb e", "e3 e1 eb e"};
 }

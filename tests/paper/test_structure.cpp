@@ -1,4 +1,4 @@
-// What each primitive is made of: non-zero blades, independent ones, closed formulas; and B² as a Gram
+// The structure of each primitive: non-zero blades, independent ones, closed formulas; and B² as a Gram
 // determinant.
 #include "tests/catch.hpp"
 #include "tests/paper/cga.hpp"

@@ -1,6 +1,7 @@
 // Formulas: a multivector-valued expression on general blades, and a number on stored operands as well.
 #include "gen/ir/count.hpp"
 #include "gen/ir/residue.hpp"
+#include "gen/lower/kernel/assume.hpp"
 #include "gen/lower/kernel/compile.hpp"
 #include "gen/lower/programs/compose.hpp"
 #include "gen/search/searched_forms.hpp"
@@ -25,24 +26,6 @@ constexpr std::size_t longest_direct = 150; // number of terms
 // A formula that takes more to expand, about a second, is not expanded.
 constexpr long most_steps_of_formula = 50'000;
 constexpr std::size_t longest_from_stored = 4000; // terms of a number
-
-// The kind of the same grade that has room for `blades`: the tightest one, and the first declared among equals.
-const lang::kind *kind_for(const model &m, const std::vector<blade> &blades) {
-  const lang::kind *best = nullptr;
-  std::size_t best_size = 0;
-  for (const lang::kind &k : m.spec().kinds) {
-    if (k.hull && !k.pad)
-      continue; // skips segments and triangles, whose blades are named line and plane
-    const std::vector<blade> room = support(m, k);
-    const bool fits = std::all_of(blades.begin(), blades.end(),
-                                  [&](blade b) { return std::find(room.begin(), room.end(), b) != room.end(); });
-    if (fits && (!best || room.size() < best_size)) {
-      best = &k;
-      best_size = room.size();
-    }
-  }
-  return best;
-}
 
 // The formula's values on blades and the ways to compute them.
 class on_blades {
@@ -96,7 +79,8 @@ public:
         }
       }
     if (whole_)
-      for (const search::found_program &f : searched(code))
+      for (const search::found_program &f :
+           search::searched_forms(code.nodes(), subject(), inputs(code), poly::price::whole))
         forms.push_back(f.outputs);
     if (out_.result.empty()) { // identically zero
       out_.result = {0};
@@ -108,6 +92,9 @@ public:
       throw std::logic_error("a formula lacks a result");
     if (whole_ ? !ir::same_values(out_.from_blades, out_.polynomials, *out_.numbers) : !has_values_of_body())
       throw std::logic_error("a formula's program has other values than its expression");
+    out_.result_names = named(model_.working(), out_.result);
+    if (whole_)
+      assume(model_, request_, supports_, subject(), inputs(code), code, out_);
   }
 
 private:
@@ -135,19 +122,23 @@ private:
     }
   }
 
-  // The programs that a search finds for the expanded values.
-  std::vector<search::found_program> searched(builder &code) const {
-    search::product_subject subject{model_.working(), *out_.numbers, {}, out_.result, out_.polynomials};
-    std::vector<node_id> leaves;
+  // The expanded values, for searches.
+  search::product_subject subject() const {
+    search::product_subject out{model_.working(), *out_.numbers, {}, out_.result, out_.polynomials};
+    int input = 0;
     for (const auto &blades : supports_) {
       multivector operand;
-      for (const blade b : blades) {
-        operand.add(b, poly::poly::variable(*out_.numbers, static_cast<int>(leaves.size())));
-        leaves.push_back(code.nodes().input(static_cast<int>(leaves.size())));
-      }
-      subject.operands.push_back(std::move(operand));
+      for (const blade b : blades)
+        operand.add(b, poly::poly::variable(*out_.numbers, input++));
+      out.operands.push_back(std::move(operand));
     }
-    return search::searched_forms(code.nodes(), subject, leaves, poly::price::whole);
+    return out;
+  }
+  std::vector<node_id> inputs(builder &code) const {
+    std::vector<node_id> out;
+    for (int i = 0; i < out_.numbers->size(); ++i)
+      out.push_back(code.nodes().input(i));
+    return out;
   }
 
   std::optional<node_values> composed(builder &code, parts which) const {
@@ -253,9 +244,8 @@ private:
 formula compile_formula(const model &m, const request &r) {
   formula out;
   on_blades(m, r, out).compile();
-  out.result_names = named(m.working(), out.result);
   if (!out.is_number()) {
-    out.result_kind = kind_for(m, out.result);
+    out.result_kind = kind_of_value(m, out.result);
     return out;
   }
   // A number is also computed directly from stored operands, in differences where possible.

@@ -43,6 +43,8 @@ std::vector<kernel_program> programs(kernel &k) {
   }
   formula &f = k.value;
   out.push_back({"from blades", &f.from_blades, f.numbers.get(), &f.blade_inputs});
+  if (!f.prepared.results.empty())
+    out.push_back({"prepared", &f.prepared, f.numbers.get(), &f.blade_inputs, use::pairs});
   if (f.stored_numbers)
     out.push_back({"from stored numbers", &f.from_stored, f.stored_numbers.get(), &f.stored_inputs});
   if (!f.for_pairs.results.empty())
@@ -109,6 +111,7 @@ kernel compile(const model &m, const request &r) {
       throw spec_error(f->orders_where, fmt::format("'{}' orders {} and must be a sign", f->name, f->orders));
     out.value = compile_formula(m, r);
     check_constants(out.value.from_blades, r);
+    check_constants(out.value.prepared, r);
     check_constants(out.value.from_stored, r);
     check_constants(out.value.for_pairs, r);
   }

@@ -41,6 +41,20 @@ struct blade_maker {
   std::shared_ptr<poly::ring> numbers;
 };
 
+// A relation of an operand's kind that a program takes for granted.
+struct assumption {
+  std::string operand, text; // "X", "motor * rev(motor) = 1"
+  bool nearly = false;       // otherwise it holds identically in the stored numbers
+  double within = 0;         // nearly: the most by which a coefficient of either side may differ
+  // By result: a value differs from the formula's by at most `within` times the sum of the sizes of these terms.
+  std::vector<poly::poly> left_out;
+};
+// What a program on blades assumes: its values are the formula's wherever the relations hold.
+struct assumptions {
+  std::vector<assumption> taken;    // none: the values are those of the polynomials
+  std::vector<poly::poly> computed; // the program's polynomials, where something is taken
+};
+
 // A value as a function of general blades and of stored operands.
 struct formula {
   std::vector<blade> result;               // the blades of the results; {0} for a number
@@ -48,7 +62,12 @@ struct formula {
   const lang::kind *result_kind = nullptr; // the kind whose blade has room for them
   program from_blades;                     // inputs: operands' support() coefficients, one operand after another
   std::vector<std::string> blade_inputs;   // their names, as "X.e1^n"
-  program from_stored;                     // numbers only; inputs: stored numbers, one operand after another
+  assumptions assumed;                     // by from_blades
+  // The same values from blades where one operand computes once what it alone decides, as a motor its matrix; without results
+  // where that saves nothing. Only for multivectors of two operands.
+  program prepared;
+  assumptions prepared_assumed;
+  program from_stored; // numbers only; inputs: stored numbers, one operand after another
   // The same number with the fewest operations for a pair whose objects store what each alone decides (its `stored`,
   // after the passes). Only for numbers of two operands; without results where nothing would be stored.
   program for_pairs;

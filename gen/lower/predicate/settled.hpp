@@ -9,7 +9,7 @@
 // in three-valued logic with all of them unknown, and where that does not suffice, by cases over the sign of an atom.
 //
 // Limits: the proof takes atoms for independent, so it finds no hit that rests on a relation between polynomials. The
-// work is bounded; what is not proved within the bound is not claimed.
+// work is bounded; a claim that is not proved within the bound is not made.
 #pragma once
 #include "gen/lower/kernel/kernel.hpp"
 

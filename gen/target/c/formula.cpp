@@ -106,6 +106,8 @@ std::string c_formula(const unit &u, const lower::kernel &k) {
   std::string out = fmt::format("/* {}, on blades: {}. {} */\n", k.asked.text,
                                 count_text(ir::count(k.value.from_blades.nodes, k.value.from_blades.results)),
                                 error_text(k.value.from_blades));
+  for (const std::string &line : assumption_lines(k.value.assumed, k.value.result_names, k.value.blade_inputs))
+    out += fmt::format("/* {} */\n", line);
   for (const c_number &n : c_numbers)
     out += writer(u, k, n).result_struct() + writer(u, k, n).on_blades();
   out += writer(u, k, c_numbers[0]).is_number()

@@ -105,6 +105,28 @@ std::string error_text(const ir::program &p) {
   return n == 0 ? fmt::format("These are {}.", of) : fmt::format("Within ((1 + u)^{} - 1) M of {}.", n, of);
 }
 
+std::vector<std::string> assumption_lines(const lower::assumptions &of, const std::vector<lower::basis_blade> &results,
+                                          const std::vector<std::string> &inputs) {
+  constexpr std::size_t longest = 24; // terms that are written out
+  std::vector<std::string> out;
+  for (const lower::assumption &a : of.taken) {
+    out.push_back(fmt::format("Takes {} of {} for granted, {}.", a.text, a.operand,
+                              a.nearly ? fmt::format("within {:g} in each coefficient", a.within)
+                                       : "which holds identically in its stored numbers"));
+    for (std::size_t i = 0; a.nearly && i < results.size(); ++i) {
+      const poly::poly &p = a.left_out[i];
+      if (p.is_zero())
+        continue;
+      const std::string terms =
+          p.length() <= longest ? poly_with_names(p, inputs) : fmt::format("{} terms", p.length());
+      out.push_back(fmt::format("  {} differs from the formula's value by at most {:g} times the sizes of: {}",
+                                results[i].is_scalar() ? "The value" : "B." + blade_field(results[i]), a.within,
+                                terms));
+    }
+  }
+  return out;
+}
+
 std::string poly_with_names(const poly::poly &p, const std::vector<std::string> &names) {
   const poly::ring renamed(names);
   return poly::poly::from_terms(renamed, p.terms()).text();

@@ -226,7 +226,7 @@ std::string settled_text(const bound::kernel_bounds &b, const emitted_predicate 
   const std::string comment =
       claims.empty() ? "No equal points are known to make a pair a hit whatever its other numbers are."
                      : fmt::format("A pair is a hit, whatever its other numbers are, where {}. The proof puts equal "
-                                   "points into the polynomials of all signs; see meetc/decide/usual.hpp.",
+                                   "points into the polynomials of all signs; see meetc/decide/first_stages.hpp.",
                                    claims);
   const std::string bits = alone              ? fmt::format("(equal & settled_by) != 0{}", together)
                            : together.empty() ? "false"

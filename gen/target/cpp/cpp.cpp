@@ -1,4 +1,4 @@
-// The files of the target: what belongs to a kernel, and what a namespace has once.
+// The files of the target: those of each kernel, and those that a namespace has once.
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
@@ -24,7 +24,7 @@ void add_parts(const unit &u, std::size_t kernel, std::vector<file> &out) {
   const emitted_predicate p(u, kernel);
   if (p.bounds)
     out.push_back({fmt::format("{}/detail/{}_bounds.hpp", space, name), bounds_header(p)});
-  out.push_back({fmt::format("{}/detail/{}_rest.hpp", space, name), rest_header(p)});
+  out.push_back({fmt::format("{}/detail/{}_later.hpp", space, name), later_header(p)});
   out.push_back({fmt::format("{}/src/{}.cpp", space, name), predicate_source(p)});
 }
 } // namespace
@@ -48,6 +48,8 @@ std::vector<file> cpp_files(const unit &u) {
                                                    open_header(u.scene, "file_all", headers) + close_header(u.scene)});
   out.push_back({space + "/header_only.hpp", header_only(u)});
   out.push_back({space + "/shapes.hpp", shapes_header(u)});
+  if (!predicates_of(u).empty())
+    out.push_back({space + "/for_each.hpp", for_each_header(u)});
   out.push_back({space + '/' + space + "_runtime.hpp", runtime_header(u)});
   out.push_back({space + '/' + space + "_runtime.cpp", runtime_source(u)});
   for (file &f : out)

@@ -37,6 +37,7 @@ std::string csv_names(const lower::lowered_kind &k);
 std::vector<const lower::kernel *> formulas_on_columns(const unit &u);
 std::string columns_header(const unit &u);
 std::string formulas_source(const unit &u);
+std::string for_each_header(const unit &u);
 
 // The table of kinds and predicates by which a runtime knows this namespace.
 std::string runtime_header(const unit &u);

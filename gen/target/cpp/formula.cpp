@@ -19,30 +19,76 @@ std::string pointer(const char *type, const std::string &name, const std::string
   return fmt::format("{} *{}", type, reads.find(name + '[') == std::string::npos ? "" : name);
 }
 
-// The formula for many pairs, whose objects store what each alone decides.
-std::string for_pairs(const lower::kernel &k, const body_names &names) {
-  const ir::program &p = k.value.for_pairs;
-  const stored_body stored = stored_parts(p, names, "    ");
-  const std::string pair = pair_body(p, stored, names, false, {}, "    ");
+// A program for many pairs, whose objects store what each alone decides.
+struct three_functions {
+  const ir::program &code;
+  std::string says;          // the comment's first sentences
+  std::string operand;       // after the kind's name: "" or "_blade"
+  std::string result;        // the type
+  std::string before, after; // statements of the pair around those of the program
+};
+
+std::string for_pairs(const lower::kernel &k, const body_names &names, const three_functions &f) {
+  const stored_body stored = stored_parts(f.code, names, "    ");
+  const std::string pair = f.before + pair_body(f.code, stored, names, false, {}, "    ") + f.after;
   const auto operand = [&](std::size_t i, const std::string &reads) {
     const std::string name = identifier(k.asked.names[i]);
-    return fmt::format("{}const {}<T> &{}", unused_mark(reads, name), identifier(k.asked.kinds[i]->name), name);
+    return fmt::format("{}const {}{}<T> &{}", unused_mark(reads, name), identifier(k.asked.kinds[i]->name), f.operand,
+                       name);
   };
-  std::string out =
-      fmt::format("\n// {} from stored numbers, for many pairs. {}\n"
-                  "// Each object computes once, into f, what it alone decides, and each pair reads "
-                  "these values as fa and fb. The\n"
-                  "// whole has other operations than the function above, and so rounds otherwise.\n"
-                  "struct {} {{\n  static constexpr int fields_a = {}, fields_b = {};\n",
-                  k.asked.text, error_text(p), identifier(k.asked.name()), stored.fields_a, stored.fields_b);
+  std::string out = fmt::format("\n{}"
+                                "// Each object computes once, into f, what it alone decides, and each pair reads "
+                                "these values as fa and fb. The\n"
+                                "// whole has other operations than the function above, and so rounds otherwise.\n"
+                                "struct {} {{\n  static constexpr int fields_a = {}, fields_b = {};\n",
+                                f.says, identifier(k.asked.name()), stored.fields_a, stored.fields_b);
   for (const auto &[i, where, text] : {std::tuple(std::size_t{0}, poly::residency::a, stored.object_a),
                                        std::tuple(std::size_t{1}, poly::residency::b, stored.object_b)})
     out += fmt::format("  // {}.\n  template <class T> MEETC_HD static void object_{}({}, {}) {{\n{}  }}\n",
-                       count_text(ir::count_object(p, where)), i == 0 ? 'a' : 'b', operand(i, text),
+                       count_text(ir::count_object(f.code, where)), i == 0 ? 'a' : 'b', operand(i, text),
                        pointer("T", "f", text), text);
-  return out + fmt::format("  // {}.\n  template <class T> MEETC_HD static T pair({}, {}, {}, {}) {{\n{}  }}\n}};\n",
-                           count_text(ir::count_pair(p)), operand(0, pair), pointer("const T", "fa", pair),
-                           operand(1, pair), pointer("const T", "fb", pair), pair);
+  return out + fmt::format("  // {}.\n  template <class T> MEETC_HD static {} pair({}, {}, {}, {}) {{\n{}  }}\n}};\n",
+                           count_text(ir::count_pair(f.code)), f.result, operand(0, pair),
+                           pointer("const T", "fa", pair), operand(1, pair), pointer("const T", "fb", pair), pair);
+}
+
+std::string comment(const std::vector<std::string> &lines) {
+  std::string out;
+  for (const std::string &line : lines)
+    out += wrapped(line, "// ");
+  return out;
+}
+
+// Whether blades of the kind have several grades, as motors and rotors have.
+bool is_versor(const lower::lowered_kind &k) {
+  return std::any_of(k.blades.begin(), k.blades.end(),
+                     [&](const lower::basis_blade &b) { return b.vectors.size() != k.blades.front().vectors.size(); });
+}
+
+// Where an operand is a versor, blades and stored operands mix, so that products of versors act on what is stored.
+std::string mixed_operands(const unit &u, const lower::kernel &k, const std::string &type) {
+  const std::vector<const lang::kind *> &kinds = k.asked.kinds;
+  constexpr std::size_t most_operands = 4; // of which there are 14 mixtures
+  const bool versors =
+      std::any_of(kinds.begin(), kinds.end(), [&](const lang::kind *kind) { return is_versor(u.kind(kind->name)); });
+  std::string out;
+  if (!versors || kinds.size() > most_operands)
+    return out;
+  const std::size_t all = (std::size_t{1} << kinds.size()) - 1;
+  for (std::size_t stored = 1; stored < all; ++stored) {
+    std::vector<std::string> parameters, arguments;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      const bool is_stored = stored >> i & 1;
+      const std::string name = identifier(k.asked.names[i]);
+      parameters.push_back(
+          fmt::format("const {}{}<T> &{}", identifier(kinds[i]->name), is_stored ? "" : "_blade", name));
+      arguments.push_back(is_stored ? fmt::format("blade({})", name) : name);
+    }
+    out +=
+        fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  return {}({});\n}}\n", type,
+                    kernel_function(k.asked), join(parameters, ", "), kernel_function(k.asked), join(arguments, ", "));
+  }
+  return out;
 }
 
 } // namespace
@@ -65,6 +111,7 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
   for (std::size_t i = 0; i < k.asked.kinds.size(); ++i)
     for (const lower::basis_blade &b : u.kind(k.asked.kinds[i]->name).blades)
       blade_names.push_back(k.asked.names[i] + '.' + blade_field(b));
+  std::string prepared;
   // On blades.
   out += fmt::format("// {} on blades\n", k.asked.text);
   for (std::size_t i = 0; i < f.result_names.size(); ++i) {
@@ -78,6 +125,7 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
   }
   out += fmt::format("// {}.\n// {}\n", count_text(ir::count(f.from_blades.nodes, f.from_blades.results)),
                      error_text(f.from_blades));
+  out += comment(assumption_lines(f.assumed, f.result_names, blade_names));
   const auto parameters = [&](const char *suffix, const std::string &reads) {
     std::string list;
     for (std::size_t i = 0; i < k.asked.kinds.size(); ++i) {
@@ -111,6 +159,19 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     check_whole(f, code);
     out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  {} B;\n{}{}  return B;\n}}\n", type,
                        kernel_function(k.asked), parameters("_blade", code), type, code, rest);
+    if (!f.prepared.results.empty()) {
+      std::string indented;
+      for (std::size_t from = 0; from < rest.size();) {
+        const std::size_t to = rest.find('\n', from) + 1;
+        indented += "  " + rest.substr(from, to - from);
+        from = to;
+      }
+      const std::string says =
+          fmt::format("// {} on blades, for many pairs. {}\n", k.asked.text, error_text(f.prepared)) +
+          comment(assumption_lines(f.prepared_assumed, f.result_names, blade_names));
+      prepared = for_pairs(
+          k, names, {f.prepared, says, "_blade", type, fmt::format("    {} B;\n", type), indented + "    return B;\n"});
+    }
   }
   // On stored operands.
   if (number) {
@@ -127,7 +188,11 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     out += fmt::format("template <class T> MEETC_HD inline T {}({}) {{\n{}}}\n", kernel_function(k.asked),
                        parameters("", code), code);
     if (!f.for_pairs.results.empty())
-      out += for_pairs(k, names);
+      out += for_pairs(
+          k, names,
+          {f.for_pairs,
+           fmt::format("// {} from stored numbers, for many pairs. {}\n", k.asked.text, error_text(f.for_pairs)), "",
+           "T", "", ""});
   } else {
     std::string all;
     for (const std::string &name : k.asked.names)
@@ -135,7 +200,7 @@ std::string formula_header(const unit &u, const lower::kernel &k) {
     out += fmt::format("template <class T> MEETC_HD inline {} {}({}) {{\n  return {}({});\n}}\n", type,
                        kernel_function(k.asked), parameters("", all), kernel_function(k.asked), call);
   }
-  return out;
+  return out + prepared + mixed_operands(u, k, type);
 }
 
 } // namespace meetc::target

@@ -57,7 +57,7 @@ std::string library_functions(const emitted_predicate &p, const char *type) {
                            identifier(p.of.scene.space) + "/header_only.hpp> is included.\n" + out;
 }
 
-// What is proved of the rung tolerant.
+// The promise of the rung tolerant, in words.
 std::string tolerance_text(const lower::tolerant_way &w) {
   const std::string way =
       w.by_distance
@@ -213,25 +213,25 @@ std::string predicate_text(const unit &u, std::size_t number) {
   }
   if (p.tolerant) {
     out += tolerance_text(*p.tolerant);
-    method(
-        "Of operands within reach, wrong only where moving one of them by at most tolerance::moves changes the answer.",
-        "", "bool", "tolerant", fmt::format("hit_tolerant<{}>", p.name));
+    method("For operands within reach: wrong only where moving one of them by at most tolerance::moves changes the "
+           "answer.",
+           "", "bool", "tolerant", fmt::format("hit_tolerant<{}>", p.name));
   }
   if (p.asks_plain())
     method(plain_comment, "template <class T> ", "bool", "plain", fmt::format("hit_plain<{}, T>", p.name));
   out += library_functions(p, "bool") + stages_text(p);
-  out += p.has_rare() ? fmt::format("\n  struct rare_stage; // detail/{}_rest.hpp\n", p.kernel.asked.name())
+  out += p.has_rare() ? fmt::format("\n  struct rare_stage; // detail/{}_later.hpp\n", p.kernel.asked.name())
                       : "\n  using rare_stage = meetc::no_stage;\n";
   out += "\n  // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).\n";
   out += truth_function(p, "rejected", d.truths.reject, "");
   out += truth_function(p, "needs_rare", d.conditions, "");
   out += truth_function(p, "usual", {d.usual}, "");
   if (p.has_rare())
-    out += "  // What is known of the decision while the signs of the rare stage are not.\n" +
+    out += "  // The decision as far as it is known without the signs of the rare stage.\n" +
            truth_function(p, "open", {d.truths.hit}, "");
   out += p.has_rare()
              ? fmt::format("  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // "
-                           "detail/{}_rest.hpp\n",
+                           "detail/{}_later.hpp\n",
                            p.kernel.asked.name())
              : "  template <class S> MEETC_HD MEETC_INLINED static constexpr auto whole(const S *s) { return usual(s); "
                "}\n";
@@ -251,7 +251,7 @@ std::string kernel_header(const unit &u, std::size_t number) {
          (p.kernel.is_sign ? sign_text(u, number) : predicate_text(u, number)) +
          fmt::format("\n}} // namespace {}\n\n#if defined(__CUDACC__) // on a device, all code is "
                      "inline\n{}#endif\n\n#endif\n",
-                     identifier(u.scene.space), detail_header(p, "rest"));
+                     identifier(u.scene.space), detail_header(p, "later"));
 }
 
 } // namespace meetc::target

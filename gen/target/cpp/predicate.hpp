@@ -50,7 +50,7 @@ std::vector<std::string> called_by(const emitted_predicate &p);
 
 // The files in detail/: the bounds of the stages before the rare one, and all that only the rungs after fp32 need.
 std::string bounds_header(const emitted_predicate &p);
-std::string rest_header(const emitted_predicate &p);
+std::string later_header(const emitted_predicate &p);
 // Definitions of the functions that are compiled in the generated library; `head` precedes each.
 std::string out_of_line(const emitted_predicate &p, const std::string &head);
 // The source of the library that compiles them.

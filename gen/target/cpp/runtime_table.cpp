@@ -3,7 +3,7 @@
 #include "gen/target/cpp/cpp.hpp"
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
-#include "gen/target/cpp/stored.hpp"
+#include "gen/target/cpp/stored_values.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -141,7 +141,7 @@ std::string kind_functions(const lower::lowered_kind &k) {
 } // namespace
 
 std::string runtime_header(const unit &u) {
-  return banner(u.scene, "What a runtime needs to know of this namespace.") + open_header(u.scene, "file_runtime") +
+  return banner(u.scene, "The table by which a runtime knows this namespace.") + open_header(u.scene, "file_runtime") +
          "// The bounded kinds and the predicates on them, for the best instruction set that the library has and this\n"
          "// processor runs.\n"
          "const meetc::catalogue &catalogue();\n"

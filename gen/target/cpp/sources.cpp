@@ -1,4 +1,4 @@
-// What the generated library compiles for each kernel that is made of signs.
+// The sources of the generated library: one for each kernel that is made of signs.
 #include "gen/target/cpp/names.hpp"
 #include "gen/target/cpp/predicate.hpp"
 
@@ -17,7 +17,7 @@ std::string predicate_source(const emitted_predicate &p) {
   out += "#include <meetc/simd/table_functions.hpp>\n";
   if (order)
     out += fmt::format("#include <meetc/decide/first_met.hpp>\n\n#include <{}/{}.hpp>", space, order->asked.name());
-  out += fmt::format("\n#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_rest.hpp>\n\nMEETC_NAMESPACE({0}) {{\n\n",
+  out += fmt::format("\n#include <{0}/{1}.hpp>\n#include <{0}/detail/{1}_later.hpp>\n\nMEETC_NAMESPACE({0}) {{\n\n",
                      space, name);
   out += out_of_line(p, "");
   if (p.has_rare() && p.asks_plain())
@@ -50,7 +50,7 @@ std::string header_only(const unit &u) {
     if (u.kernels[i].is_predicate) {
       const emitted_predicate p(u, i);
       includes.push_back(p.kernel.asked.name() + ".hpp");
-      rest.push_back(fmt::format("detail/{}_rest.hpp", p.kernel.asked.name()));
+      rest.push_back(fmt::format("detail/{}_later.hpp", p.kernel.asked.name()));
       functions += out_of_line(p, "inline ");
     }
   includes.insert(includes.end(), rest.begin(), rest.end());

@@ -21,7 +21,7 @@ const char *what_of(const emitted_predicate &p, const emitted_stage &s) {
   case lower::stage_kind::common:
     break;
   }
-  return "The usual case";
+  return "The common case";
 }
 
 std::string detail_name(const emitted_predicate &p, const emitted_stage &s, const char *what) {
@@ -120,11 +120,11 @@ std::string bounds_header(const emitted_predicate &p) {
   return out + "\n} // namespace detail\n" + close_header(p.of.scene);
 }
 
-std::string rest_header(const emitted_predicate &p) {
+std::string later_header(const emitted_predicate &p) {
   const std::string name = p.kernel.asked.name();
   std::vector<std::string> includes;
   for (const std::string &callee : called_by(p))
-    includes.push_back(fmt::format("detail/{}_rest.hpp", callee));
+    includes.push_back(fmt::format("detail/{}_later.hpp", callee));
   std::string out =
       banner(p.of.scene, fmt::format(fmt::runtime(p.asks_bytecode()
                                                       ? "The parts of {} that only few pairs need: the rare case, and "
@@ -132,7 +132,7 @@ std::string rest_header(const emitted_predicate &p) {
                                                       : "The rare case of {}."),
                                      p.kernel.asked.text)) +
       fmt::format("// Include {0}.hpp first; on a device it includes this file.\n", name) +
-      opened(p, "rest", includes, {"decide/rest.hpp"});
+      opened(p, "later", includes, {"decide/later_rungs.hpp"});
   if (p.bounds) {
     out += "namespace detail {\n\n";
     for (const emitted_stage &s : p.stages) {
@@ -162,11 +162,11 @@ std::string out_of_line(const emitted_predicate &p, const std::string &head) {
                        call);
   };
   if (p.of.asks(lang::rung::certified))
-    define(type, "after_fp32", fmt::format("decide_rest{}<{}>", of, p.name));
+    define(type, "after_fp32", fmt::format("later_rungs{}<{}>", of, p.name));
   else if (p.of.asks(lang::rung::exact))
     define(type, "exactly", fmt::format("decide_exactly{}<{}>", of, p.name));
   if (p.tolerant)
-    define(type, "tolerant_rest", fmt::format("decide_tolerant_rest<{}>", p.name));
+    define(type, "tolerant_rest", fmt::format("tolerant_later_rungs<{}>", p.name));
   if (p.has_rare() && p.of.asks(lang::rung::certified))
     define("meetc::answer", "whole_filter", fmt::format("certify<{}, meetc::in_fp32>", p.name));
   if (p.has_rare() && p.asks_plain())

@@ -13,7 +13,7 @@ using lower::truth_node;
 constexpr const char *test_names[] = {"",           "below_zero", "is_zero",       "at_most_zero",
                                       "above_zero", "not_zero",   "at_least_zero", ""};
 
-// What stands for the rare parts of a decision: they themselves, nothing (no condition holds), or a truth that is not
+// The stand-in for the rare parts of a decision: they themselves, nothing (no condition holds), or a truth that is not
 // known.
 enum class rare_parts { whole, usual, open };
 

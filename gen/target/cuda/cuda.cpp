@@ -141,8 +141,7 @@ std::string kind_source(const std::string &kind) {
 
 std::string cuda_kind(const unit &u, const lower::lowered_kind &k) {
   const std::string space = identifier(u.scene.space);
-  std::string out =
-      banner(u.scene, fmt::format("What a set of elements of the kind {} does on a CUDA device.", k.name));
+  std::string out = banner(u.scene, fmt::format("Sets of elements of the kind {} on a CUDA device.", k.name));
   out += fmt::format("#include <{0}/{0}_cuda.hpp>\n#include <{0}/shapes.hpp>\n"
                      "#include <meetc/cuda/arrange.hpp>\n#include <meetc/cuda/cull.hpp>\n"
                      "#include <meetc/cuda/sets.hpp>\n#include <meetc/cuda/tree.hpp>\n\n"

@@ -1,6 +1,6 @@
-// The brute-force engine: the form of touching balls with the proofs of its margins, the columns of each kind, and the catalogue
-// for a product of signs. The kernels are templates in runtime/kernel/meetc/every_pair; the pairs that it leaves go through the
-// steps that the target cuda writes.
+// The brute-force engine: the form of touching balls with the proofs of its margins, the columns of each kind, and the
+// catalogue for a product of signs. The kernels are templates in runtime/kernel/meetc/every_pair; the pairs that it leaves go
+// through the steps that the target cuda writes.
 #include "gen/target/every_pair/every_pair.hpp"
 
 #include "gen/target/cpp/cpp.hpp"

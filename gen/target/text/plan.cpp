@@ -1,4 +1,4 @@
-// What a scene's tolerance comes to, in words.
+// The plan for a scene's tolerance, in words.
 #include "gen/target/text/text.hpp"
 
 #include <algorithm>

@@ -37,7 +37,7 @@ struct ball_ball : detail::ball_ball_points {
 
   using reject_stage = meetc::no_stage;
 
-  // The usual case: signs 0 to 0, degree 2.
+  // The common case: signs 0 to 0, degree 2.
   // Values cost each pair 4 multiplications, 7 additions, 2 negations.
   // Magnitudes, where a rung has bounds, cost each pair 4 multiplications, 4 additions.
   struct common_stage : detail::ball_ball_common_bounds {
@@ -72,7 +72,7 @@ struct ball_ball : detail::ball_ball_points {
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/ball_ball_rest.hpp>
+#include <cga/detail/ball_ball_later.hpp>
 #endif
 
 #endif

@@ -37,7 +37,7 @@ struct box_box : detail::box_box_points {
 
   using reject_stage = meetc::no_stage;
 
-  // The usual case: signs 0 to 5, degree 1.
+  // The common case: signs 0 to 5, degree 1.
   // Values cost each pair 0 multiplications, 6 additions, 6 negations.
   // Magnitudes, where a rung has bounds, cost each pair 0 multiplications, 0 additions.
   struct common_stage : detail::box_box_common_bounds {
@@ -75,7 +75,7 @@ struct box_box : detail::box_box_points {
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/box_box_rest.hpp>
+#include <cga/detail/box_box_later.hpp>
 #endif
 
 #endif

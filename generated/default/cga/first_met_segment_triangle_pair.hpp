@@ -101,7 +101,7 @@ template <class T> MEETC_HD inline meetc::sign first_met_plain(const segment<flo
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/first_met_segment_triangle_pair_rest.hpp>
+#include <cga/detail/first_met_segment_triangle_pair_later.hpp>
 #endif
 
 #endif

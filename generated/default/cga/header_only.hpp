@@ -19,21 +19,21 @@
 #include <cga/ball_triangle.hpp>
 #include <cga/sphere_triangle.hpp>
 #include <cga/box_box.hpp>
-#include <cga/detail/side_triangle_point_rest.hpp>
-#include <cga/detail/side_sphere_point_rest.hpp>
-#include <cga/detail/twist_segment_segment_rest.hpp>
-#include <cga/detail/first_met_segment_triangle_pair_rest.hpp>
-#include <cga/detail/segment_segment_rest.hpp>
-#include <cga/detail/point_triangle_rest.hpp>
-#include <cga/detail/segment_triangle_rest.hpp>
-#include <cga/detail/triangle_triangle_rest.hpp>
-#include <cga/detail/sphere_sphere_rest.hpp>
-#include <cga/detail/ball_ball_rest.hpp>
-#include <cga/detail/ball_segment_rest.hpp>
-#include <cga/detail/sphere_segment_rest.hpp>
-#include <cga/detail/ball_triangle_rest.hpp>
-#include <cga/detail/sphere_triangle_rest.hpp>
-#include <cga/detail/box_box_rest.hpp>
+#include <cga/detail/side_triangle_point_later.hpp>
+#include <cga/detail/side_sphere_point_later.hpp>
+#include <cga/detail/twist_segment_segment_later.hpp>
+#include <cga/detail/first_met_segment_triangle_pair_later.hpp>
+#include <cga/detail/segment_segment_later.hpp>
+#include <cga/detail/point_triangle_later.hpp>
+#include <cga/detail/segment_triangle_later.hpp>
+#include <cga/detail/triangle_triangle_later.hpp>
+#include <cga/detail/sphere_sphere_later.hpp>
+#include <cga/detail/ball_ball_later.hpp>
+#include <cga/detail/ball_segment_later.hpp>
+#include <cga/detail/sphere_segment_later.hpp>
+#include <cga/detail/ball_triangle_later.hpp>
+#include <cga/detail/sphere_triangle_later.hpp>
+#include <cga/detail/box_box_later.hpp>
 
 static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another version; regenerate");
 
@@ -41,25 +41,25 @@ MEETC_NAMESPACE(cga) {
 
 // Include this in at least one source of a program that is not linked with the library.
 inline meetc::sign side_triangle_point_sign::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest_sign<side_triangle_point_sign>(row_a, row_b);
+  return meetc::later_rungs_sign<side_triangle_point_sign>(row_a, row_b);
 }
 inline meetc::sign side_sphere_point_sign::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest_sign<side_sphere_point_sign>(row_a, row_b);
+  return meetc::later_rungs_sign<side_sphere_point_sign>(row_a, row_b);
 }
 inline meetc::sign twist_segment_segment_sign::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest_sign<twist_segment_segment_sign>(row_a, row_b);
+  return meetc::later_rungs_sign<twist_segment_segment_sign>(row_a, row_b);
 }
 inline meetc::sign first_met_segment_triangle_pair_sign::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest_sign<first_met_segment_triangle_pair_sign>(row_a, row_b);
+  return meetc::later_rungs_sign<first_met_segment_triangle_pair_sign>(row_a, row_b);
 }
 inline bool segment_segment::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<segment_segment>(row_a, row_b);
+  return meetc::later_rungs<segment_segment>(row_a, row_b);
 }
 inline bool point_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<point_triangle>(row_a, row_b);
+  return meetc::later_rungs<point_triangle>(row_a, row_b);
 }
 inline bool segment_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<segment_triangle>(row_a, row_b);
+  return meetc::later_rungs<segment_triangle>(row_a, row_b);
 }
 inline meetc::answer segment_triangle::whole_filter(const float *row_a, const float *row_b) {
   return meetc::certify<segment_triangle, meetc::in_fp32>(row_a, row_b);
@@ -68,7 +68,7 @@ template <class T> bool segment_triangle::whole_plain(const float *row_a, const 
   return meetc::decide<segment_triangle>(meetc::plain_signs<segment_triangle, T>(row_a, row_b));
 }
 inline bool triangle_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<triangle_triangle>(row_a, row_b);
+  return meetc::later_rungs<triangle_triangle>(row_a, row_b);
 }
 inline meetc::answer triangle_triangle::whole_filter(const float *row_a, const float *row_b) {
   return meetc::certify<triangle_triangle, meetc::in_fp32>(row_a, row_b);
@@ -77,25 +77,25 @@ template <class T> bool triangle_triangle::whole_plain(const float *row_a, const
   return meetc::decide<triangle_triangle>(meetc::plain_signs<triangle_triangle, T>(row_a, row_b));
 }
 inline bool sphere_sphere::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<sphere_sphere>(row_a, row_b);
+  return meetc::later_rungs<sphere_sphere>(row_a, row_b);
 }
 inline bool ball_ball::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<ball_ball>(row_a, row_b);
+  return meetc::later_rungs<ball_ball>(row_a, row_b);
 }
 inline bool ball_segment::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<ball_segment>(row_a, row_b);
+  return meetc::later_rungs<ball_segment>(row_a, row_b);
 }
 inline bool sphere_segment::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<sphere_segment>(row_a, row_b);
+  return meetc::later_rungs<sphere_segment>(row_a, row_b);
 }
 inline bool ball_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<ball_triangle>(row_a, row_b);
+  return meetc::later_rungs<ball_triangle>(row_a, row_b);
 }
 inline bool sphere_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<sphere_triangle>(row_a, row_b);
+  return meetc::later_rungs<sphere_triangle>(row_a, row_b);
 }
 inline bool box_box::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<box_box>(row_a, row_b);
+  return meetc::later_rungs<box_box>(row_a, row_b);
 }
 
 } // namespace cga

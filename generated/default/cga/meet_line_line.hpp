@@ -10,24 +10,25 @@ static_assert(MEETC_SUPPORT_VERSION == 15, "meetc/support.hpp is of another vers
 
 MEETC_NAMESPACE(cga) {
 
+template <class T = float> struct meet_line_line_result {
+  T n;
+};
+
 // meet(line, line) on blades
 //   B.n = 2*X.e1_e2_n*Y.e3_n_nb - 2*X.e1_e3_n*Y.e2_n_nb + 2*X.e1_n_nb*Y.e2_e3_n + 2*X.e2_e3_n*Y.e1_n_nb
 //       - 2*X.e2_n_nb*Y.e1_e3_n + 2*X.e3_n_nb*Y.e1_e2_n
 // 6 multiplications, 5 additions, 1 scaling by a power of two, 2 negations.
 // Within ((1 + u)^6 - 1) M of the exact value.
-template <class T> MEETC_HD inline point_blade<T> meet(const line_blade<T> &X, const line_blade<T> &Y) {
-  point_blade<T> B;
+template <class T> MEETC_HD inline meet_line_line_result<T> meet(const line_blade<T> &X,
+    const line_blade<T> &Y) {
+  meet_line_line_result<T> B;
   const T t0 = meetc::multiply_add(X.e1_n_nb, Y.e2_e3_n, meetc::multiply_add(-X.e1_e3_n, Y.e2_n_nb,
       X.e1_e2_n * Y.e3_n_nb));
   const T t1 = meetc::multiply_add(-X.e2_n_nb, Y.e1_e3_n, meetc::multiply_add(X.e2_e3_n, Y.e1_n_nb, t0));
   B.n = meetc::multiply_add(X.e3_n_nb, Y.e1_e2_n, t1) * T(2);
-  B.e1 = T(0);
-  B.e2 = T(0);
-  B.e3 = T(0);
-  B.nb = T(0);
   return B;
 }
-template <class T> MEETC_HD inline point_blade<T> meet(const line<T> &X, const line<T> &Y) {
+template <class T> MEETC_HD inline meet_line_line_result<T> meet(const line<T> &X, const line<T> &Y) {
   return meet(blade(X), blade(Y));
 }
 

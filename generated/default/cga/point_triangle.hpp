@@ -39,7 +39,7 @@ struct point_triangle : detail::point_triangle_points {
 
   using reject_stage = meetc::no_stage;
 
-  // The usual case: signs 0 to 18, degree 3.
+  // The common case: signs 0 to 18, degree 3.
   // Values cost each pair 21 multiplications, 29 additions, 14 negations.
   // A set on a CPU stores 3 values beside each t, by 6 multiplications, 9 additions, 3 negations.
   // Magnitudes, where a rung has bounds, cost each pair 21 multiplications, 11 additions.
@@ -143,7 +143,7 @@ struct point_triangle : detail::point_triangle_points {
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/point_triangle_rest.hpp>
+#include <cga/detail/point_triangle_later.hpp>
 #endif
 
 #endif

@@ -40,7 +40,7 @@ struct segment_segment : detail::segment_segment_points {
 
   using reject_stage = meetc::no_stage;
 
-  // The usual case: signs 0 to 24, degree 3.
+  // The common case: signs 0 to 24, degree 3.
   // Values cost each pair 33 multiplications, 35 additions, 17 negations.
   // Magnitudes, where a rung has bounds, cost each pair 33 multiplications, 17 additions.
   struct common_stage : detail::segment_segment_common_bounds {
@@ -127,7 +127,7 @@ struct segment_segment : detail::segment_segment_points {
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/segment_segment_rest.hpp>
+#include <cga/detail/segment_segment_later.hpp>
 #endif
 
 #endif

@@ -80,7 +80,7 @@ struct segment_triangle : detail::segment_triangle_points {
     }
   };
 
-  // The usual case: signs 2 to 4, degree 3.
+  // The common case: signs 2 to 4, degree 3.
   // Values cost each pair 27 multiplications, 33 additions, 5 negations.
   // Magnitudes, where a rung has bounds, cost each pair 27 multiplications, 15 additions.
   struct common_stage : detail::segment_triangle_common_bounds {
@@ -120,7 +120,7 @@ struct segment_triangle : detail::segment_triangle_points {
     }
   };
 
-  struct rare_stage; // detail/segment_triangle_rest.hpp
+  struct rare_stage; // detail/segment_triangle_later.hpp
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *s) {
@@ -137,7 +137,7 @@ struct segment_triangle : detail::segment_triangle_points {
     const auto b2 = meetc::both(meetc::at_most_zero(s[0] * s[1]), meetc::either(b0, b1));
     return b2;
   }
-  // What is known of the decision while the signs of the rare stage are not.
+  // The decision as far as it is known without the signs of the rare stage.
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto open(const S *s) {
     const auto b0 = meetc::both(meetc::at_least_zero(s[2]), meetc::at_least_zero(s[3]),
         meetc::at_most_zero(s[4]));
@@ -148,13 +148,13 @@ struct segment_triangle : detail::segment_triangle_points {
         b2);
     return b3;
   }
-  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/segment_triangle_rest.hpp
+  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/segment_triangle_later.hpp
 };
 
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/segment_triangle_rest.hpp>
+#include <cga/detail/segment_triangle_later.hpp>
 #endif
 
 #endif

@@ -53,7 +53,7 @@ template <class T> MEETC_HD inline meetc::sign side_plain(const sphere<float> &X
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/side_sphere_point_rest.hpp>
+#include <cga/detail/side_sphere_point_later.hpp>
 #endif
 
 #endif

@@ -58,7 +58,7 @@ template <class T> MEETC_HD inline meetc::sign side_plain(const triangle<float> 
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/side_triangle_point_rest.hpp>
+#include <cga/detail/side_triangle_point_later.hpp>
 #endif
 
 #endif

@@ -38,7 +38,7 @@ struct sphere_segment : detail::sphere_segment_points {
 
   using reject_stage = meetc::no_stage;
 
-  // The usual case: signs 0 to 4, degree 4.
+  // The common case: signs 0 to 4, degree 4.
   // Values cost each pair 20 multiplications, 24 additions, 7 negations.
   // A set on a CPU stores 1 value beside each s, by 3 multiplications, 5 additions.
   // Magnitudes, where a rung has bounds, cost each pair 20 multiplications, 15 additions.
@@ -102,7 +102,7 @@ struct sphere_segment : detail::sphere_segment_points {
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/sphere_segment_rest.hpp>
+#include <cga/detail/sphere_segment_later.hpp>
 #endif
 
 #endif

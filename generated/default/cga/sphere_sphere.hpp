@@ -37,7 +37,7 @@ struct sphere_sphere : detail::sphere_sphere_points {
 
   using reject_stage = meetc::no_stage;
 
-  // The usual case: signs 0 to 1, degree 2.
+  // The common case: signs 0 to 1, degree 2.
   // Values cost each pair 5 multiplications, 9 additions, 3 negations.
   // Magnitudes, where a rung has bounds, cost each pair 5 multiplications, 5 additions.
   struct common_stage : detail::sphere_sphere_common_bounds {
@@ -74,7 +74,7 @@ struct sphere_sphere : detail::sphere_sphere_points {
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/sphere_sphere_rest.hpp>
+#include <cga/detail/sphere_sphere_later.hpp>
 #endif
 
 #endif

@@ -38,7 +38,7 @@ struct sphere_triangle : detail::sphere_triangle_points {
 
   using reject_stage = meetc::no_stage;
 
-  // The usual case: signs 0 to 15, degree 6.
+  // The common case: signs 0 to 15, degree 6.
   // Values cost each pair 60 multiplications, 61 additions, 19 negations.
   // A set on a CPU stores 10 values beside each t, by 21 multiplications, 24 additions, 3 negations.
   // Magnitudes, where a rung has bounds, cost each pair 60 multiplications, 43 additions.
@@ -156,7 +156,7 @@ struct sphere_triangle : detail::sphere_triangle_points {
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/sphere_triangle_rest.hpp>
+#include <cga/detail/sphere_triangle_later.hpp>
 #endif
 
 #endif

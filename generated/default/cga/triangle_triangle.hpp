@@ -106,7 +106,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
     }
   };
 
-  // The usual case: signs 6 to 14, degree 3.
+  // The common case: signs 6 to 14, degree 3.
   // Values cost each pair 81 multiplications, 75 additions, 12 negations.
   // Magnitudes, where a rung has bounds, cost each pair 81 multiplications, 45 additions.
   struct common_stage : detail::triangle_triangle_common_bounds {
@@ -184,7 +184,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
     }
   };
 
-  struct rare_stage; // detail/triangle_triangle_rest.hpp
+  struct rare_stage; // detail/triangle_triangle_later.hpp
 
   // The decision over the signs s, for sign (bool) and sign_set (three-valued truth).
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto rejected(const S *s) {
@@ -225,7 +225,7 @@ struct triangle_triangle : detail::triangle_triangle_points {
     const auto b5 = segment_triangle::usual(e5);
     return meetc::either(b0, b1, b2, b3, b4, b5);
   }
-  // What is known of the decision while the signs of the rare stage are not.
+  // The decision as far as it is known without the signs of the rare stage.
   template <class S> MEETC_HD MEETC_INLINED static constexpr auto open(const S *s) {
     // segment_triangle(segment(A.a, A.b), B)
     const S e0[] = {s[0], s[1], s[6], s[7], s[8]};
@@ -247,13 +247,13 @@ struct triangle_triangle : detail::triangle_triangle_points {
     const auto b5 = segment_triangle::open(e5);
     return meetc::either(b0, b1, b2, b3, b4, b5);
   }
-  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/triangle_triangle_rest.hpp
+  template <class S> MEETC_HD MEETC_LARGE static constexpr auto whole(const S *s); // detail/triangle_triangle_later.hpp
 };
 
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/triangle_triangle_rest.hpp>
+#include <cga/detail/triangle_triangle_later.hpp>
 #endif
 
 #endif

@@ -58,7 +58,7 @@ template <class T> MEETC_HD inline meetc::sign twist_plain(const segment<float> 
 } // namespace cga
 
 #if defined(__CUDACC__) // on a device, all code is inline
-#include <cga/detail/twist_segment_segment_rest.hpp>
+#include <cga/detail/twist_segment_segment_later.hpp>
 #endif
 
 #endif

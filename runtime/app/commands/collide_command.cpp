@@ -11,7 +11,7 @@
 #include "meet/app/query/coarse_tolerance.hpp"
 #include "meet/app/query/collide_sets.hpp"
 #include "meet/app/text/progress.hpp"
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 #include "meet/io/read.hpp"
 #include "meet/io/text/text.hpp"
 
@@ -63,7 +63,7 @@ void write_colours(const collide_request &q, const painted &a, const painted &b,
                    collide_report &report) {
   if (!is_mesh(a.set) && !is_mesh(b.set))
     throw failure(fmt::format("--color: only the faces of a mesh can be coloured; here are {} and {}",
-                              plural(a.set.kind->name), plural(b.set.kind->name)));
+                              plural_of(a.set.kind->name), plural_of(b.set.kind->name)));
   outputs.make_folder(*q.colour);
   for (const painted *const side : {&a, &b}) {
     const bool first = side == &a;

@@ -6,14 +6,14 @@
 #include "meet/app/input/kinds.hpp"
 #include "meet/app/input/option_values.hpp"
 #include "meet/app/input/sets.hpp"
-#include "meet/app/inspect/findings.hpp"
+#include "meet/app/inspect/inspection.hpp"
 #include "meet/app/inspect/scene_file.hpp"
 #include "meet/app/inspect/scene_worth.hpp"
 #include "meet/app/output/output_files.hpp"
 #include "meet/app/query/choose.hpp"
 #include "meet/app/text/boxes.hpp"
 #include "meet/app/text/words.hpp"
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 #include "meet/core/views/pose.hpp"
 #include "meet/io/files/atomic_file.hpp"
 #include "meet/io/read.hpp"
@@ -48,7 +48,7 @@ std::string grid_in_words(const grid &numbers, const box &points) {
                      *bits <= exact_window ? "they fit 26 bits" : "more than 26 bits");
 }
 
-std::string faults_in_words(const io::element_set &set, const findings &f) {
+std::string faults_in_words(const io::element_set &set, const inspection &f) {
   std::string out;
   const auto add = [&out](std::size_t n, std::string_view one, std::string_view many) {
     if (n > 0)
@@ -67,7 +67,7 @@ std::string faults_in_words(const io::element_set &set, const findings &f) {
 }
 
 // The least size of the elements that have one. It limits algorithms that divide; the predicates here do not.
-std::string least_in_words(const io::element_set &set, const findings &f) {
+std::string least_in_words(const io::element_set &set, const inspection &f) {
   if (!std::isfinite(f.least_size))
     return "no element has a size";
   const char *const what = set.kind->points == 3        ? "height of a triangle"
@@ -84,7 +84,7 @@ std::string note_lines(const io::element_set &set) {
   return out;
 }
 
-std::string file_lines(const char *label, const fs::path &path, const io::element_set &set, const findings &f) {
+std::string file_lines(const char *label, const fs::path &path, const io::element_set &set, const inspection &f) {
   const std::string vertices = set.vertices > 0 ? fmt::format(", {} vertices", grouped(set.vertices)) : "";
   return fmt::format("{}  {}\n"
                      "   kind        {}: {}{}\n"
@@ -149,12 +149,12 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   const std::vector<const kind_info *> kinds = kinds_of(all);
   if (!q.b) {
     const io::element_set only = io::read(q.a, kinds, q.read_a);
-    return file_lines("A", q.a, only, find(only));
+    return file_lines("A", q.a, only, inspection_of(only));
   }
   check_inputs(q.a, *q.b);
   const io::element_set a = io::read(q.a, kinds, q.read_a), b = io::read(*q.b, kinds, q.read_b);
   const std::vector<choice> fit = fitting(all, *a.kind, *b.kind);
-  const findings in_a = find(a), in_b = find(b);
+  const inspection in_a = inspection_of(a), in_b = inspection_of(b);
 
   std::string out = file_lines("A", q.a, a, in_a) + file_lines("B", *q.b, b, in_b);
   out += "A with B\n";
@@ -189,7 +189,7 @@ std::string inspect(const catalogue &all, const inspect_request &q) {
   out += worth_of_scene(all, a, b, kept.front(), box, q.tolerance);
   const std::string text =
       scene_text(*q.scene, algebra, names, box, q.tolerance,
-                 fmt::format("The scene that {} with {} require.", plural(a.kind->name), plural(b.kind->name)));
+                 fmt::format("The scene that {} with {} require.", plural_of(a.kind->name), plural_of(b.kind->name)));
   outputs.write(*q.scene, [&text](const fs::path &to) { io::write_file(to, text); });
   outputs.commit();
   return out + fmt::format("wrote {}\n", q.scene->string());

@@ -16,10 +16,10 @@ meetc::view view_of(const io::element_set &set) {
   return v;
 }
 
-prepared prepare(const io::element_set &set, int threads, const prepared *near, double grid) {
+prepared prepare(const io::element_set &set, int threads, const prepared *counterpart, double grid) {
   pose at;
   at.grid = grid;
-  return meetc::prepare(view_of(set), *set.kind, at, threads, near);
+  return meetc::prepare(view_of(set), *set.kind, at, threads, counterpart);
 }
 
 } // namespace meetc::app

@@ -16,9 +16,9 @@ inline bool is_mesh(const io::element_set &set) {
 meetc::view view_of(const io::element_set &set);
 
 // Packs the set's elements (not its items: a polygon is several triangles). The set's `owner` goes to collide_options,
-// so that pairs are of items. `near` and the errors are as in meetc::prepare; sets from io::read are
+// so that pairs are of items. `counterpart` and the errors are as in meetc::prepare; sets from io::read are
 // always good. With a grid, all numbers are rounded to it (pose::grid); one that leaves float32 is an input_error.
-prepared prepare(const io::element_set &set, int threads = 0, const prepared *near = nullptr, double grid = 0);
+prepared prepare(const io::element_set &set, int threads = 0, const prepared *counterpart = nullptr, double grid = 0);
 
 } // namespace meetc::app
 

@@ -28,7 +28,7 @@ bool device_expected(std::size_t elements, int threads);
 // The device's own report on its answer.
 struct device_account {
   std::string device;        // "NVIDIA H200"
-  int devices = 1;           // between which the query was cut; what follows is of the first, or of the slowest
+  int devices = 1;           // between which the query was cut; the members below are of the first, or of the slowest
   double device_seconds = 0; // for the kernels alone
   double start_seconds = 0;  // until the device was ready
 };
@@ -39,9 +39,9 @@ struct device_pairs {
   double prepare_seconds = 0; // to upload the sets, and to check and order them there
 };
 
-// Both sets are rounded to `grid` (pose::grid). The query is cut between the first `devices` of CUDA, but for a set with itself, which
-// one device answers sooner. Throws failure, with exit
-// code no_device, where there are not as many, where one fails, or where it lacks the memory, and input_error where a rounded number leaves float32.
+// Both sets are rounded to `grid` (pose::grid). The query is cut between the first `devices` of CUDA, but for a set with itself,
+// which one device answers sooner. Throws failure, with exit code no_device, where there are not as many, where one fails, or where
+// it lacks the memory, and input_error where a rounded number leaves float32.
 device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,
                              rung precision, double grid, int devices, const collide_options &options);
 

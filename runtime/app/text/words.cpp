@@ -2,7 +2,7 @@
 
 #include "meet/app/input/sets.hpp"
 #include "meet/app/text/boxes.hpp"
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 
 #include <fmt/format.h>
 
@@ -17,13 +17,13 @@ std::string grouped(std::uint64_t n) {
 
 std::string counted(const io::element_set &set, std::uint64_t n) {
   const char *const one = is_mesh(set) ? "face" : set.owner.empty() ? set.kind->name : "line";
-  return grouped(n) + " " + (n == 1 ? one : plural(one));
+  return grouped(n) + " " + (n == 1 ? one : plural_of(one));
 }
 
 std::string counted(const io::element_set &set) {
   const std::string items = counted(set, set.items);
   return set.items == set.elements ? items
-                                   : fmt::format("{} ({} {})", items, grouped(set.elements), plural(set.kind->name));
+                                   : fmt::format("{} ({} {})", items, grouped(set.elements), plural_of(set.kind->name));
 }
 
 std::string in_words(const io::rounded_numbers &moved, std::string_view of) {

@@ -1,4 +1,5 @@
-// bench/baselines/gpu_baselines.hpp: what the GPU's kernels are compared with: the classic tests on every pair, its clock, and reading.
+// bench/baselines/gpu_baselines.hpp: the baselines of the GPU's kernels: the classic tests on every pair, its clock, and
+// reading.
 #ifndef MEETC_BENCH_BASELINES_GPU_BASELINES_HPP
 #define MEETC_BENCH_BASELINES_GPU_BASELINES_HPP
 

@@ -46,7 +46,7 @@ __global__ void link_kernel(const std::uint32_t *codes, std::uint32_t n, lbvh_no
     baselines::link(codes, n, static_cast<std::int64_t>(i), nodes, of_nodes, of_leaves);
 }
 
-// Whether the other child was there first. What this thread wrote before is seen by the thread that comes second.
+// Whether the other child was there first. The thread that comes second sees all that this one wrote before.
 struct arrival {
   std::uint32_t *arrived;
   __device__ bool operator()(std::uint32_t node) const {

@@ -139,8 +139,8 @@ MEETC_HD inline void fit(lbvh_box b, std::uint32_t parent, lbvh_node *nodes, con
   }
 }
 
-// What walks down: a box, or a segment, which goes through the slabs between a box's sides (T. Kay and J. Kajiya, "Ray tracing
-// complex scenes", SIGGRAPH 1986). In rounded numbers a segment can miss a box that it touches.
+// The query that walks down: a box, or a segment, which goes through the slabs between a box's sides (T. Kay and J. Kajiya,
+// "Ray tracing complex scenes", SIGGRAPH 1986). In rounded numbers a segment can miss a box that it touches.
 struct walking_box {
   lbvh_box box;
   MEETC_HD bool reaches(const lbvh_box &b) const { return overlap(box, b); }
@@ -191,8 +191,8 @@ MEETC_HD inline void walk(const lbvh_node *nodes, const Walking &q, std::int64_t
   }
 }
 
-// Calls visit(position, most) for the leaves whose boxes the segment enters before `most`, the nearer child first. `most` is 1 at
-// first; visit() makes it the position of the nearest hit so far.
+// Calls visit(position, most) for the leaves whose boxes the segment enters before `most`, the nearer child first. `most` is 1
+// at first; visit() makes it the position of the nearest hit so far.
 template <class Visit>
 MEETC_HD inline void walk_to_first(const lbvh_node *nodes, const walking_segment &q, Visit visit) {
   constexpr int deepest = 64;

@@ -91,7 +91,7 @@ template <class T> MEETC_HD inline bool coplanar(const vec<T> &normal, const T *
 
 } // namespace detail
 
-// What is left of the test when each plane separates the other triangle's corners: db are the distances of b's corners to
+// The rest of the test when each plane separates the other triangle's corners: db are the distances of b's corners to
 // the plane of a, da those of a's to the plane of b.
 template <class T>
 MEETC_HD inline bool moller_beyond_planes(const T *a, const vec<T> &normal_a, const detail::distances<T> &da,

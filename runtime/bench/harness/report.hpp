@@ -1,4 +1,4 @@
-// bench/harness/report.hpp: the findings of a benchmark as text, as a page of Markdown, as JSON, and as files in a folder.
+// bench/harness/report.hpp: the results of a benchmark as text, as a page of Markdown, as JSON, and as files in a folder.
 #ifndef MEETC_BENCH_HARNESS_REPORT_HPP
 #define MEETC_BENCH_HARNESS_REPORT_HPP
 

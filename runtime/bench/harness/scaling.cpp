@@ -41,9 +41,9 @@ power_fit fit_power(const std::vector<double> &sizes, const std::vector<double> 
   fit.holds = std::abs(fit.exponent - expected) <= fit.tolerance;
   std::vector<double> sorted = level;
   std::sort(sorted.begin(), sorted.end());
-  const double usual = (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]) / 2;
+  const double median = (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]) / 2;
   for (std::size_t i = 0; i < x.size(); ++i)
-    if (const double off = std::expm1(level[i] - usual); std::abs(off) >= std::abs(fit.worst)) {
+    if (const double off = std::expm1(level[i] - median); std::abs(off) >= std::abs(fit.worst)) {
       fit.worst = off;
       fit.worst_size = std::exp(x[i]);
     }

@@ -1,4 +1,4 @@
-// bench/peers/each.hpp: what each library's source defines. For peers.cpp alone.
+// bench/peers/each.hpp: the functions that each library's source defines. For peers.cpp alone.
 #ifndef MEETC_BENCH_PEERS_EACH_HPP
 #define MEETC_BENCH_PEERS_EACH_HPP
 

@@ -15,7 +15,7 @@ struct trade_family {
   pair_difficulty pairs;
 };
 
-// How near to a contact a pair is made, in bits of its size.
+// The distance of a pair from a contact, in bits of its size.
 inline constexpr int nearest_bits = 60;
 
 inline constexpr std::array trade_families{

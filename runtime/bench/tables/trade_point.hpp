@@ -20,7 +20,7 @@ struct trade_method {
   bool promises_truth() const { return precision && never_wrong(*precision); }
 };
 
-// How wrong the answers of one method are; lengths are those of the pairs' own unit.
+// The errors of the answers of one method; lengths are those of the pairs' own unit.
 struct wrongness {
   difference differs;
   double farthest = 0;          // the longest distance from being right, over the wrong answers

@@ -188,7 +188,7 @@ double distance_from_change(const predicate_info &of, const float *row_a, const 
   const padded_hull a = hull_of(kind_a, row_a, origin, scale), b = hull_of(kind_b, row_b, origin, scale);
   const differences d(a, b);
   const real pads = a.pad + b.pad;
-  // What one surface lacks or has of enclosing the other element, if it is one that can.
+  // The length that one surface lacks, or has too much, for enclosing the other element, if it can.
   const std::array<std::pair<bool, real>, 2> enclosing{
       std::pair{is_surface(kind_a, surfaces) && less(b.pad, a.pad), farthest(a, b) - (a.pad - b.pad)},
       std::pair{is_surface(kind_b, surfaces) && less(a.pad, b.pad), farthest(b, a) - (b.pad - a.pad)}};

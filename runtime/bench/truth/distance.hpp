@@ -9,7 +9,7 @@
 // them; a facet gives the least one, so the normals of all triples are tried. Everything is in double-double, on
 // differences that are taken from one point of the pair.
 // Limits: what is smaller than 2^-80 of the largest coordinate difference is lost in rounding. For a surface around a
-// hull of several points, what it takes to enclose that hull is a lower bound.
+// hull of several points, the length that would enclose that hull is a lower bound.
 #ifndef MEETC_BENCH_TRUTH_DISTANCE_HPP
 #define MEETC_BENCH_TRUTH_DISTANCE_HPP
 

@@ -8,7 +8,7 @@
 // so that this is exact in float: the plane's normal is a vector of integers whose length is an integer (1, 2, 2; 2, 3, 6;
 // ...), a pad is a multiple of that length, and the points of the parts lie on a lattice in the plane. Then one element is
 // moved along the normal by 2^-bits, forth or back. Scaling by a power of two is exact until it under- or overflows. Moving
-// to another place is not, so what is near there is only as near as float allows.
+// to another place is not, so pairs there are only as near as float allows.
 // Limits: an element with a point at the origin can be moved by any small length, others by no less than 2^-24 or so. What
 // the truth of a pair is, the exact rung says of the rounded numbers.
 #ifndef MEETC_BENCH_TRUTH_NEAR_PAIRS_HPP

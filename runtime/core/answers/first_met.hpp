@@ -1,5 +1,5 @@
-// core/answers/first_met.hpp: the element of b that each element of a meets first on its way from its first point to its second,
-// found without a list of pairs.
+// core/answers/first_met.hpp: the element of b that each element of a meets first on its way from its first point to its
+// second, found without a list of pairs.
 #ifndef MEETC_CORE_ANSWERS_FIRST_MET_HPP
 #define MEETC_CORE_ANSWERS_FIRST_MET_HPP
 

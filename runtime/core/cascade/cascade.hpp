@@ -30,8 +30,8 @@ struct cascade {
   // Uses the bounds of [-box, box] where both sets lie in it and the predicate has such bounds. 0: there is no box.
   void enter_box(float box, const element_set &a, const element_set &b);
 
-  // What the rung tolerant presumes of the sets, not_on_grid or left_box where it does not hold. Of sets that leave the
-  // box the rungs of `certified` decide, if there are any. Other rungs presume nothing.
+  // Checks the assumptions of the rung tolerant about the sets: not_on_grid or left_box where they do not hold. The rungs
+  // of `certified`, if there are any, decide sets that leave the box. Other rungs assume nothing.
   status check(const element_set &a, const element_set &b);
 
   // Decides n pairs by rung `at`, 0 <= at < count. The rows are packed, as in the predicate's kinds.

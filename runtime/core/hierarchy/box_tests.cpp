@@ -23,7 +23,7 @@ box around(std::uint32_t number, const box_block *above) {
   return above[number / lanes].get(number % lanes);
 }
 
-// What is to be tested, element by element: the number of a block times lanes, plus the lane of an element that touches the
+// The tests to come, element by element: the number of a block times lanes, plus the lane of an element that touches the
 // box around it. elements[i] are those of numbers[i]. There is room for most_meetings.
 std::size_t by_element(const std::uint32_t *numbers, const std::uint32_t *elements, std::size_t count,
                        std::uint32_t *tests) {
@@ -201,7 +201,7 @@ __attribute__((target("avx512f"))) std::size_t meetings_avx512(const meeting_que
     const std::uint32_t touches = mask_avx512(q.others[number], sides) != 0;
     elements[i] = mask_avx512(*q.walker, sides_avx512(around(number, q.around_others))) * touches;
   }
-  // What is to be tested, by element.
+  // The tests to come, by element.
   const __m512i of_blocks = _mm512_load_si512(elements);
   const auto asked = static_cast<__mmask16>((std::uint32_t{1} << q.count) - 1);
   const __m512i first = _mm512_maskz_slli_epi32(0xffff, _mm512_maskz_loadu_epi32(asked, q.numbers), 4);

@@ -1,11 +1,10 @@
 // core/hierarchy/box_tests.hpp: tests of one box against blocks of sixteen, for each instruction set.
 //
-// Problem: two thirds of a query's time go into these tests, and this library is compiled for the baseline.
-// Method: the functions have their instruction set as an attribute, and are chosen when the program runs. Nothing else is
-// compiled for that set, so no inline function of the library is. They only compare, as touching() in core/hierarchy/box.hpp does,
-// so every set finds the same pairs in the same order.
-// What the tests of a walk's leaves find is stored without a branch: whether two boxes touch is as good as random there, and a
-// branch that is predicted wrongly costs more than a test.
+// Problem: two thirds of a query's time go into these tests, and this library is compiled for the baseline. Method: the
+// functions have their instruction set as an attribute, and are chosen when the program runs. Nothing else is compiled for that
+// set, so no inline function of the library is. They only compare, as touching() in core/hierarchy/box.hpp does, so every set
+// finds the same pairs in the same order. The tests of a walk's leaves store their results without a branch: whether two boxes
+// touch is as good as random there, and a branch that is predicted wrongly costs more than a test.
 #ifndef MEETC_CORE_HIERARCHY_BOX_TESTS_HPP
 #define MEETC_CORE_HIERARCHY_BOX_TESTS_HPP
 

@@ -1,11 +1,11 @@
 // core/hierarchy/spatial_order.hpp: a spatial order of boxes.
 //
-// Problem: neighbours in space should be neighbours in memory, whatever the range of the coordinates and however
-// unevenly they are spread. Method: the cells of the box centres on a cubic grid of 1024^3, in the order of Hilbert's curve. A
-// run that shares a cell and is longer than a block gets a grid of its own, recursively. One element at 1e38 therefore
-// costs one level, not the order of all others. Cells are computed in fp64, in which no float32 range overflows. The
-// places are sorted by digits (core/threads/radix_sort.hpp), and the runs of a bucket get their grids on the thread that sorts it. Ties
-// keep the order of the elements, so the order depends on nothing but the boxes.
+// Problem: neighbours in space should be neighbours in memory, whatever the range of the coordinates and however unevenly they
+// are spread. Method: the cells of the box centres on a cubic grid of 1024^3, in the order of Hilbert's curve. A run that
+// shares a cell and is longer than a block gets a grid of its own, recursively. One element at 1e38 therefore costs one level,
+// not the order of all others. Cells are computed in fp64, in which no float32 range overflows. The places are sorted by digits
+// (core/threads/radix_sort.hpp), and the runs of a bucket get their grids on the thread that sorts it. Ties keep the order of
+// the elements, so the order depends on nothing but the boxes.
 #ifndef MEETC_CORE_HIERARCHY_SPATIAL_ORDER_HPP
 #define MEETC_CORE_HIERARCHY_SPATIAL_ORDER_HPP
 

@@ -22,7 +22,7 @@
 // overflows, its sign is right and the true parameter exceeds 1 in magnitude, so an entry is below 0 and an exit above
 // 1. If p1 = p0 along an axis, q is infinite: a side beyond p' gives an infinity of the right sign, and a side at p'
 // gives NaN. If |p1 - p0| exceeds 2^126 or lies between 0 and 2^-126, q is NaN. NaN passes no comparison, so it
-// separates nothing. Contraction only removes roundings. Of a box the proof assumes only that it holds its content,
+// separates nothing. Contraction only removes roundings. The proof assumes only that a box holds its content,
 // however its sides were rounded, so it is the same for the boxes of a hierarchy.
 #ifndef MEETC_CORE_HIERARCHY_TWO_POINTS_HPP
 #define MEETC_CORE_HIERARCHY_TWO_POINTS_HPP

@@ -3,10 +3,10 @@
 // Two layers rest on the same decisions. prepare() and collide() own their memory: a set is prepared once and collided
 // often. pairs(), in core/query/pairs.hpp, works in the caller's memory.
 //
-// A pair is decided where the closed boxes of its elements touch (the kind's box is never too small), by the
-// predicate's rung; `certified` is several rungs, each for what the one before left unsure. For exact and certified an
-// element with two hull points must also touch the other's box itself (core/hierarchy/two_points.hpp). A set against itself gives
-// every ordered pair (i, j), i = j included. The answer is the same for any number of threads.
+// A pair is decided where the closed boxes of its elements touch (the kind's box is never too small), by the predicate's rung;
+// `certified` is several rungs, each for what the one before left unsure. For exact and certified an element with two hull
+// points must also touch the other's box itself (core/hierarchy/two_points.hpp). A set against itself gives every ordered pair
+// (i, j), i = j included. The answer is the same for any number of threads.
 #ifndef MEETC_CORE_QUERY_COLLIDE_HPP
 #define MEETC_CORE_QUERY_COLLIDE_HPP
 
@@ -37,8 +37,8 @@ struct collide_options {
 };
 
 // Memory grows with what is asked for, with the pairs where there are owners, and by what the sets store
-// (core/sets/stored.hpp); never with the product of the sets. Throws std::invalid_argument (kinds, rung, box or owners that
-// do not fit) or std::bad_alloc.
+// (core/sets/stored_rows.hpp); never with the product of the sets. Throws std::invalid_argument (kinds, rung, box or owners
+// that do not fit) or std::bad_alloc.
 result collide(const prepared &a, const prepared &b, const predicate_info &predicate, rung precision,
                const collide_options &options = {});
 

@@ -8,7 +8,7 @@
 
 #include "meet/core/answers/query_answer.hpp"
 #include "meet/core/cascade/cascade.hpp"
-#include "meet/core/sets/stored.hpp"
+#include "meet/core/sets/stored_rows.hpp"
 #include "meet/core/traversal/candidates.hpp"
 
 namespace meetc {
@@ -33,8 +33,8 @@ struct tally {
 
 std::size_t batch_bytes(int threads);
 
-// `batches` holds batch_bytes(threads). Where all answers are done early, the counts mean nothing but that they are not 0, and no
-// unnecessary rung runs.
+// `batches` holds batch_bytes(threads). Where all answers are done early, the counts mean nothing but that they are not 0, and
+// no unnecessary rung runs.
 tally decide_all(const decision_job &job, memory batches);
 
 } // namespace meetc

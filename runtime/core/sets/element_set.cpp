@@ -45,9 +45,9 @@ void widen(element_set &set, const float *rows, std::size_t count, std::mutex &l
 constexpr box nothing{{1, 1, 1}, {-1, -1, -1}};
 
 // Which boxes may touch an element of a set.
-class nearness {
+class counterpart_boxes {
 public:
-  nearness(const element_set &to, std::size_t elements) {
+  counterpart_boxes(const element_set &to, std::size_t elements) {
     const hierarchy &h = to.boxes;
     if (h.depth == 0)
       return;
@@ -68,7 +68,7 @@ private:
   const box_block *boxes_ = nullptr; // null: not worth testing
 };
 
-// What is known of the elements before they are ordered, of a chunk or of all.
+// The extent of the elements before they are ordered, of a chunk or of all.
 struct survey {
   centre_extent centres; // of those that are kept
   box around{{HUGE_VALF, HUGE_VALF, HUGE_VALF}, {-HUGE_VALF, -HUGE_VALF, -HUGE_VALF}};
@@ -187,7 +187,7 @@ set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_
 }
 
 status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads,
-            const element_set *near) {
+            const element_set *counterpart) {
   const kind_info &kind = *set.kind;
   const auto fields = static_cast<std::size_t>(kind.fields);
   const std::size_t given = elements.elements;
@@ -199,7 +199,8 @@ status fill(element_set &set, const view &elements, const pose &at, const set_sc
   constexpr std::size_t chunk = 2048;
   const float *const in_place = rows_in_place(elements, kind, at);
   const float *const rows = in_place ? in_place : scratch.rows;
-  const std::optional<nearness> keep = near ? std::optional<nearness>(std::in_place, *near, given) : std::nullopt;
+  const std::optional<counterpart_boxes> keep =
+      counterpart ? std::optional<counterpart_boxes>(std::in_place, *counterpart, given) : std::nullopt;
   std::atomic<status> outcome{status::ok};
   std::mutex lock;
   survey all;

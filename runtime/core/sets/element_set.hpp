@@ -1,8 +1,8 @@
 // core/sets/element_set.hpp: a prepared set: rows in spatial order, and the hierarchy of their boxes.
 //
-// A set may be filled for queries against one other set alone, `near`. It then holds only the elements that can be
-// candidates there, so that an element that no query visits costs a test of its box and is not sorted. Each box is
-// tested against the box around `near`, and, where `near` has at most a sixteenth as many elements, against the highest
+// A set may be filled for queries against one other set alone, `counterpart`. It then holds only the elements that can be
+// candidates there, so that an element that no query visits costs a test of its box and is not sorted. Each box is tested
+// against the box around `counterpart`, and, where `counterpart` has at most a sixteenth as many elements, against the highest
 // level of several boxes: a test of sixteen lanes costs about a fifth of what ordering an element does, and a few small
 // elements rule out most of a large set.
 //
@@ -42,9 +42,9 @@ struct set_scratch {
 element_set take_set(bump_allocator &from, const kind_info &kind, std::size_t elements);
 set_scratch take_scratch(bump_allocator &from, const kind_info &kind, std::size_t elements);
 
-// Fills a set whose memory was taken for this kind and number of elements. near: null, or a filled set.
+// Fills a set whose memory was taken for this kind and number of elements. counterpart: null, or a filled set.
 status fill(element_set &set, const view &elements, const pose &at, const set_scratch &scratch, int threads,
-            const element_set *near = nullptr);
+            const element_set *counterpart = nullptr);
 
 } // namespace meetc
 

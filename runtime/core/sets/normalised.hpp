@@ -8,7 +8,7 @@
 #define MEETC_CORE_SETS_NORMALISED_HPP
 
 #include "meet/core/sets/element_set.hpp"
-#include "meet/core/sets/stored.hpp"
+#include "meet/core/sets/stored_rows.hpp"
 
 #include <memory>
 #include <mutex>

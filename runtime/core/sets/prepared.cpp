@@ -31,7 +31,8 @@ std::shared_ptr<const normalised_set> prepared::normalised(int power) const {
   return under_standard_word([&] { return normalised_->of(*set_, power); });
 }
 
-prepared prepared::of(const view &elements, const kind_info &kind, const pose &at, int threads, const prepared *near) {
+prepared prepared::of(const view &elements, const kind_info &kind, const pose &at, int threads,
+                      const prepared *counterpart) {
   static std::atomic<std::uint64_t> prepared_sets{0};
   if (elements.elements > 0xffffffff)
     throw std::length_error(text(status::too_many_elements));
@@ -45,21 +46,23 @@ prepared prepared::of(const view &elements, const kind_info &kind, const pose &a
   bump_allocator from({p.bytes_.get(), set_need.bytes()}), scratch_from({scratch_bytes.get(), scratch_need.bytes()});
   p.set_ = std::make_unique<element_set>(take_set(from, kind, elements.elements));
   const set_scratch scratch = take_scratch(scratch_from, kind, elements.elements);
-  const status s = fill(*p.set_, elements, at, scratch, thread_count(threads), near ? &near->set() : nullptr);
+  const status s =
+      fill(*p.set_, elements, at, scratch, thread_count(threads), counterpart ? &counterpart->set() : nullptr);
   if (s == status::bad_view || s == status::bad_index || s == status::bad_value)
     throw input_error(check(elements, kind, at), kind);
   if (s != status::ok)
     throw std::invalid_argument(text(s));
   p.elements_ = elements.elements;
   p.number_ = ++prepared_sets;
-  p.near_ = near ? near->number_ : 0;
+  p.counterpart_ = counterpart ? counterpart->number_ : 0;
   p.stored_ = std::make_unique<stored_table>(kind);
   p.normalised_ = std::make_unique<normalisation>();
   return p;
 }
 
-prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads, const prepared *near) {
-  return under_standard_word([&] { return prepared::of(elements, kind, at, threads, near); });
+prepared prepare(const view &elements, const kind_info &kind, const pose &at, int threads,
+                 const prepared *counterpart) {
+  return under_standard_word([&] { return prepared::of(elements, kind, at, threads, counterpart); });
 }
 
 } // namespace meetc

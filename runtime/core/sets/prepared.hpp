@@ -42,9 +42,9 @@ public:
   void bounds(float lo[3], float hi[3]) const;
   const element_set &set() const { return *set_; }
   // Whether it was prepared for collisions with `other` (and, if it is whole, with any set).
-  bool fits(const prepared &other) const { return near_ == 0 || near_ == other.number_; }
+  bool fits(const prepared &other) const { return counterpart_ == 0 || counterpart_ == other.number_; }
   // Whether it holds all elements.
-  bool whole() const { return near_ == 0; }
+  bool whole() const { return counterpart_ == 0; }
   // Where the values that a predicate reads beside the rows are kept. Null if it reads none, or if `of`, the kind for
   // which they are computed, is not kind() itself: two catalogues may number such values differently.
   stored_rows *stored(const stored_values &values, const kind_info &of) const;
@@ -54,9 +54,9 @@ public:
 private:
   friend prepared prepare(const view &, const kind_info &, const pose &, int, const prepared *);
   prepared();
-  static prepared of(const view &, const kind_info &, const pose &, int threads, const prepared *near);
+  static prepared of(const view &, const kind_info &, const pose &, int threads, const prepared *counterpart);
   std::size_t elements_ = 0;
-  std::uint64_t number_ = 0, near_ = 0; // of this set, and of the one that it was prepared for; 0: for any
+  std::uint64_t number_ = 0, counterpart_ = 0; // of this set, and of the one that it was prepared for; 0: for any
   owned_memory bytes_;
   std::unique_ptr<element_set> set_;
   std::unique_ptr<stored_table> stored_;
@@ -64,13 +64,13 @@ private:
 };
 
 // Copies the elements in the pose, on this number of threads (0: all cores). A set without elements is allowed. With
-// `near`, the result is for collisions with that set alone: elements whose boxes do not touch its boxes are checked,
-// but neither copied nor ordered, and answers are still about all elements. This pays where one set is far larger or
-// reaches farther than the other. Throws input_error (an index beyond the vertices, a value that is not finite, a
-// broken rule of the kind, a view with null data or too short a stride), std::invalid_argument (a kind that cannot be moved), std::length_error (2^32 elements or
-// more) or std::bad_alloc.
+// `counterpart`, the result is for collisions with that set alone: elements whose boxes do not touch its boxes are checked, but
+// neither copied nor ordered, and answers are still about all elements. This pays where one set is far larger or reaches
+// farther than the other. Throws input_error (an index beyond the vertices, a value that is not finite, a broken rule of the
+// kind, a view with null data or too short a stride), std::invalid_argument (a kind that cannot be moved), std::length_error
+// (2^32 elements or more) or std::bad_alloc.
 prepared prepare(const view &elements, const kind_info &kind, const pose &at = {}, int threads = 0,
-                 const prepared *near = nullptr);
+                 const prepared *counterpart = nullptr);
 
 } // namespace meetc
 

@@ -58,8 +58,8 @@ template <class T, class Key> void radix_sort(T *data, T *scratch, std::size_t n
     std::copy(from, from + n, data);
 }
 
-// Items come in up to most_sort_parts parts: each(part, visit) calls visit(items, count) for the pieces of a part, one after another,
-// and does so again when it is called again. With every part the items end as many as all are.
+// Items come in up to most_sort_parts parts: each(part, visit) calls visit(items, count) for the pieces of a part, one after
+// another, and does so again when it is called again. With every part the items end as many as all are.
 inline constexpr std::size_t sort_buckets = 256, most_sort_parts = 32;
 
 // Sorts them into `to`, which does not overlap them, by the low `bits` bits of key(item). Items with one key stand in the order

@@ -7,8 +7,8 @@
 
 namespace meetc {
 
-// What rules a pair out. The answers of exact and certified do not depend on it. A plain rung may say yes where nothing
-// touches, so its answer is about the pairs whose boxes touch, on a device as well.
+// The test that rules a pair out. The answers of exact and certified do not depend on it. A plain rung may say yes where
+// nothing touches, so its answer is about the pairs whose boxes touch, on a device as well.
 enum class ruled_out_by : std::uint8_t { boxes, boxes_and_points };
 
 inline ruled_out_by what_rules_out(rung precision) {

@@ -1,4 +1,4 @@
-// core/traversal/walk_cost.hpp: what a walk is expected to cost, by which its side and its way are chosen.
+// core/traversal/walk_cost.hpp: the expected cost of a walk, by which its side and its way are chosen.
 //
 // The model: the boxes of a level have its mean widths and lie anywhere in the box around both sets, with equal
 // probability. Two boxes then touch with the probability that the box of their summed widths has there, and a segment
@@ -13,7 +13,7 @@ namespace meetc {
 
 class walk_cost {
 public:
-  // Of walks of `walker` down the hierarchy of `tree`. Both sets have elements.
+  // The costs of walks of `walker` down the hierarchy of `tree`. Both sets have elements.
   walk_cost(const candidate_operand &walker, const candidate_operand &tree);
 
   // Whether the elements of this block are expected to cost less one by one, by their points, than together.

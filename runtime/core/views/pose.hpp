@@ -7,9 +7,9 @@
 
 namespace meetc {
 
-// A row-major 3x4 matrix, whose arithmetic moved_coordinate() is; each coordinate is rounded once to float32. Lengths are multiplied by length_scale, which the
-// caller takes from the similarity, in fp64, and are rounded once. In a kind of the plane z counts as 0. The identity
-// changes no bit.
+// A row-major 3x4 matrix, whose arithmetic moved_coordinate() is; each coordinate is rounded once to float32. Lengths are
+// multiplied by length_scale, which the caller takes from the similarity, in fp64, and are rounded once. In a kind of the plane
+// z counts as 0. The identity changes no bit.
 //
 // With a grid, which is a power of two, every number is then rounded to its nearest multiple, of two to the even one. Each
 // point moves by at most sqrt(3)/2 of it, and each length by a half. Closed sets that are hulls of points, padded by
@@ -25,10 +25,10 @@ struct pose {
 // Whether a grid is 0 or a power of two from 2^-149 to 2^127.
 bool is_grid(double grid);
 
-// How far one element of a pair must be moved, at most, so that the exact answer is that of the two elements rounded to the
-// grid; gen/lower/tolerance.hpp has the proof. 0: no such move is known. It is not, where the surface around a point meets
-// an element with several points: if both ends of a segment are on a sphere around its middle, no short move takes them in,
-// and yet rounding may.
+// The greatest distance by which one element of a pair must be moved so that the exact answer is that of the two elements
+// rounded to the grid; gen/lower/tolerance.hpp has the proof. 0: no such move is known. It is not, where the surface around a
+// point meets an element with several points: if both ends of a segment are on a sphere around its middle, no short move takes
+// them in, and yet rounding may.
 double moved_by_grid(const predicate_info &predicate, double grid);
 // The largest grid for which that is at most `tolerance`; 0: there is none.
 double grid_within(const predicate_info &predicate, double tolerance);
@@ -47,8 +47,8 @@ bool keeps_axes(const double *matrix);
 // and their lengths are at most `longest`. False wherever a number in the pose might not be finite.
 //
 // Proof: a coordinate lies between the sums of the least and of the greatest products. Of M, the sum of the magnitudes, the
-// pose's six roundings in fp64 and those here lose less than 2^-48, and the rounding to float32 2^-24 of what is left, or 2^-150;
-// a grid moves the number by at most a half of it. The slack is more than all of these.
+// pose's six roundings in fp64 and those here lose less than 2^-48, and the rounding to float32 2^-24 of what is left, or
+// 2^-150; a grid moves the number by at most a half of it. The slack is more than all of these.
 bool proved_apart(const pose &at, const float lo[3], const float hi[3], double longest, const float from[3],
                   const float to[3]);
 

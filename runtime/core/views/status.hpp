@@ -1,4 +1,4 @@
-// core/views/status.hpp: what a call that does not throw returns.
+// core/views/status.hpp: the outcome of a call that does not throw.
 #ifndef MEETC_CORE_VIEWS_STATUS_HPP
 #define MEETC_CORE_VIEWS_STATUS_HPP
 

@@ -18,18 +18,18 @@ inline constexpr std::size_t most_elements = 0xffffffff;
 // Lists of vertices, one after the other, such as the corners of polygons.
 struct vertex_lists {
   std::vector<std::uint32_t> vertices; // of all lists
-  std::vector<std::uint32_t> counts;   // of each list; empty where all have `usual`
-  std::size_t usual = 3, lists = 0;
+  std::vector<std::uint32_t> counts;   // of each list; empty where all have `common`
+  std::size_t common = 3, lists = 0;
 
   // Makes the last n of `vertices` a list.
   void end_list(std::size_t n) {
-    if (n != usual && counts.empty())
-      counts.assign(lists, static_cast<std::uint32_t>(usual));
+    if (n != common && counts.empty())
+      counts.assign(lists, static_cast<std::uint32_t>(common));
     ++lists;
-    if (n != usual || !counts.empty())
+    if (n != common || !counts.empty())
       counts.push_back(static_cast<std::uint32_t>(n));
   }
-  std::size_t count(std::size_t i) const { return counts.empty() ? usual : counts[i]; }
+  std::size_t count(std::size_t i) const { return counts.empty() ? common : counts[i]; }
 };
 
 // There are two layouts. Indexed (PLY, OBJ, OFF): `data` holds vertices x, y, z, and `index` holds kind->points vertices

@@ -2,7 +2,7 @@
 
 #include "meet/core/threads/threads.hpp"
 #include "meet/core/views/moved_coordinate.hpp"
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 #include "meet/core/views/pose.hpp"
 #include "meet/io/files/error.hpp"
 #include "meet/io/text/number.hpp"
@@ -87,7 +87,7 @@ public:
     const std::string option = move.option("matrix");
     if (move.matrix && lies_along_axes(kind) && !keeps_axes(move.matrix->data()))
       throw error(fmt::format("{}: {} does more than move and scale along the axes, and {} have their edges there",
-                              file, option, plural(kind.name)));
+                              file, option, plural_of(kind.name)));
     roles_.assign(kind.roles, kind.roles + kind.fields);
     for (std::size_t f = 0; f < roles_.size(); ++f) {
       if (roles_[f] == role::x && f + 2 < roles_.size() && roles_[f + 1] == role::y && roles_[f + 2] == role::z) {
@@ -97,14 +97,14 @@ public:
       if (roles_[f] != role::length)
         throw error(fmt::format("{}: a transform cannot move {}: number {} of a row is neither part of a point nor "
                                 "a length",
-                                file, plural(kind.name), f + 1));
+                                file, plural_of(kind.name), f + 1));
       if (!move.matrix)
         continue;
       const std::optional<double> scale = scale_of(*move.matrix);
       if (!scale)
         throw error(fmt::format("{}: {} is no similarity (columns equally long and at right angles), so the {} have "
                                 "no radius under it",
-                                file, option, plural(kind.name)));
+                                file, option, plural_of(kind.name)));
       matrix_scale_ = *scale;
     }
   }

@@ -1,7 +1,7 @@
 #include "meet/io/mesh/mesh.hpp"
 
 #include "meet/core/threads/threads.hpp"
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 #include "meet/io/files/error.hpp"
 #include "meet/io/polygon/triangulate.hpp"
 
@@ -52,7 +52,7 @@ template <vertex_lists mesh_part::*Lists> void add_lists(const std::vector<mesh_
   if (std::ranges::any_of(parts, [&](mesh_part *p) { return !(p->*Lists).counts.empty(); })) {
     for (mesh_part *const p : parts)
       if (vertex_lists &l = p->*Lists; l.counts.empty())
-        l.counts.assign(l.lists, static_cast<std::uint32_t>(l.usual));
+        l.counts.assign(l.lists, static_cast<std::uint32_t>(l.common));
     all.add<std::uint32_t>([](mesh_part & p) -> auto & { return (p.*Lists).counts; });
   }
   all.add<std::uint32_t>([](mesh_part & p) -> auto & { return (p.*Lists).vertices; });
@@ -62,7 +62,7 @@ template <vertex_lists mesh_part::*Lists> void add_lists(const std::vector<mesh_
 
 std::string several(std::size_t n, const char *one) {
   return n == 1 ? fmt::format("1 {}", one)
-                : fmt::format("{} {}", n, std::string_view(one) == "vertex" ? "vertices" : plural(one));
+                : fmt::format("{} {}", n, std::string_view(one) == "vertex" ? "vertices" : plural_of(one));
 }
 
 struct holdings {
@@ -179,7 +179,7 @@ element_set set_of(const std::string &file, mesh_part &&all, bool vertices_are_p
   }
   set.elements = set.index.empty() ? set.items : set.index.size() / static_cast<std::size_t>(set.kind->points);
   if (set.elements > most_elements)
-    throw error(fmt::format("{}: {} {}; at most {} can be numbered", file, set.elements, plural(set.kind->name),
+    throw error(fmt::format("{}: {} {}; at most {} can be numbered", file, set.elements, plural_of(set.kind->name),
                             most_elements));
   if (const std::string note = left_out(has, used); !note.empty())
     set.notes.push_back(note);

@@ -1,7 +1,7 @@
 // PLY: the vertices and faces among everything that the header announces. Elements and properties may come in any
 // order; those that are not needed are skipped. It is written by hand, so that a count is checked against the size of
 // the file before it is trusted, and each error names its row. OFF has the same body after a header of its own.
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 #include "meet/io/elements/readers.hpp"
 #include "meet/io/files/error.hpp"
 #include "meet/io/mesh/ply_rows.hpp"
@@ -85,7 +85,7 @@ element_set read_ply(const file_bytes &file, const read_request &q) {
   std::vector<std::string> notes;
   for (const ply_element &e : header.elements)
     if (e.name == "edge" && e.count > 0)
-      notes.push_back(fmt::format("left out: {} {}", e.count, e.count == 1 ? e.name : plural(e.name)));
+      notes.push_back(fmt::format("left out: {} {}", e.count, e.count == 1 ? e.name : plural_of(e.name)));
   return set_of(file.name, std::move(all), true, notes, q);
 }
 

@@ -268,7 +268,7 @@ private:
       return false;
     }
     part_.faces.lists = element_->count;
-    if (corners != part_.faces.usual)
+    if (corners != part_.faces.common)
       part_.faces.counts.assign(element_->count, static_cast<std::uint32_t>(corners));
     at_ += stride * element_->count;
     return true;

@@ -14,12 +14,12 @@ namespace meetc::io {
 
 namespace {
 
-struct findings {
+struct polygon_counts {
   std::size_t polygons = 0, not_planar = 0;
   double distance = 0;                    // the largest
   std::vector<std::size_t> far, crossing; // faces
 
-  void add(const findings &more) {
+  void add(const polygon_counts &more) {
     polygons += more.polygons;
     not_planar += more.not_planar;
     distance = std::max(distance, more.distance);
@@ -31,7 +31,8 @@ struct findings {
 // Cuts one polygon after another.
 class polygon_cutter {
 public:
-  polygon_cutter(const std::vector<float> &xyz, double far, findings &found) : xyz_(xyz), far_(far), found_(found) {}
+  polygon_cutter(const std::vector<float> &xyz, double far, polygon_counts &found)
+      : xyz_(xyz), far_(far), found_(found) {}
 
   void cut(std::size_t face, std::span<const std::uint32_t> corners, std::uint32_t *triangles) {
     if (corners.size() == 3) {
@@ -88,7 +89,7 @@ private:
 
   const std::vector<float> &xyz_;
   double far_;
-  findings &found_;
+  polygon_counts &found_;
   std::vector<float> points_;
   std::vector<projected> flat_;
   ear_cutter ears_;
@@ -117,7 +118,7 @@ std::string in_words(const std::vector<std::size_t> &faces) {
   return faces.size() > most ? out + fmt::format(" and {} more", faces.size() - most) : out;
 }
 
-void note(const findings &f, std::vector<std::string> &notes) {
+void note(const polygon_counts &f, std::vector<std::string> &notes) {
   if (f.not_planar > 0) {
     std::string text =
         fmt::format("{} of {} polygons {} not planar: a corner is {:.3g} from the plane through the first one "
@@ -158,7 +159,7 @@ void cut_polygons(const std::string &file, vertex_lists &&faces, int threads, el
     throw error(fmt::format("{}: {} triangles; at most {} can be numbered", file, triangles, most_elements));
   set.index.resize(3 * triangles);
   set.owner.resize(triangles);
-  std::vector<findings> found(starts.size());
+  std::vector<polygon_counts> found(starts.size());
   const double far = longest_side(set.data) * 0x1p-20;
   for_chunks(threads, starts.size(), 1, [&](int, std::size_t b, std::size_t) {
     polygon_cutter cutter(set.data, far, found[b]);
@@ -171,8 +172,8 @@ void cut_polygons(const std::string &file, vertex_lists &&faces, int threads, el
       triangle += n - 2;
     }
   });
-  findings all;
-  for (const findings &f : found)
+  polygon_counts all;
+  for (const polygon_counts &f : found)
     all.add(f);
   note(all, set.notes);
   set.polygons = std::move(faces);

@@ -1,4 +1,4 @@
-// How many answers of this translation unit are wrong. MIXED_CALLER: an attribute of the functions that ask.
+// Counts the wrong answers of this translation unit. MIXED_CALLER: an attribute of the functions that ask.
 // MIXED_FEW: without the predicate whose compilation takes most of a test's time.
 #pragma once
 #include "rows.hpp"

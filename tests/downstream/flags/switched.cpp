@@ -1,6 +1,6 @@
 // A user's program that changes the control word around calls: before a call, after it, and between two calls on the
-// same operands. What is computed under one word must not be used under another, however much a compiler inlines and
-// moves.
+// same operands. A value that was computed under one word must not be used under another, however much a compiler
+// inlines and moves.
 #include "rows.hpp"
 #include "words.hpp"
 

@@ -8,7 +8,7 @@
 #define MEETC_TESTS_EXTREMES_CHECK_HPP
 
 #include <meetc/decide/boxes.hpp>
-#include <meetc/decide/rest.hpp>
+#include <meetc/decide/later_rungs.hpp>
 #include <meetc/support.hpp>
 
 #include <cmath>

@@ -65,7 +65,7 @@ pair_of_rows axis_magnitudes(shape a, shape b, random_numbers &random) {
   return p;
 }
 
-// Few different ones make coincidences; without the largest, what is left fits into boxes.
+// Few different ones make coincidences; without the largest, the others fit into boxes.
 pair_of_rows palette(shape a, shape b, random_numbers &random) {
   float few[6];
   const int count = random.integer(2, 6);

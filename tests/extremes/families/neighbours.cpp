@@ -51,7 +51,7 @@ pair_of_rows cluster(shape a, shape b, random_numbers &random) {
 pair_of_rows bent(shape a, shape b, random_numbers &random) {
   const bool swapped = corners(a) < corners(b);
   const shape base = swapped ? b : a, other = swapped ? a : b;
-  // Integers, so that what is joined is coplanar exactly before it is bent: corners o, u, v on multiples of
+  // Integers, so that joined triangles are coplanar exactly before they are bent: corners o, u, v on multiples of
   // 16, the neighbour's corners at o + (s (u - o) + t (v - o)) / 16, below 2^24.
   long corner[3][3];
   for (auto &c : corner)

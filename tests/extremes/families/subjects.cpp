@@ -4,12 +4,12 @@
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace meetc::extremes_test {
 namespace {
 
 using generated_test::exact;
-using generated_test::operand;
 
 template <class P, class T> int plain(const float *a, const float *b) {
   return decided<P>(meetc::plain_signs<P, T>(a, b));
@@ -48,17 +48,18 @@ template <class P> void run_all(const float *a, const float *b) {
   }
 }
 
-using answer_function = int (*)(const float *, const float *);
-
-template <class P, answer_function Hit> subject make(const char *name, shape a, shape b, bool surface) {
+// A predicate or a sign P as the public entry points of its kinds answer; hit(x, y) is theirs.
+template <class P, class A, class B, class Hit> subject make(const char *name, Hit) {
   return {name,
-          a,
-          b,
-          surface,
+          generated_test::shape_named(A::name),
+          generated_test::shape_named(B::name),
+          std::string_view(name).starts_with("sphere_"),
           lone_sign<P>,
-          [](const float *x, const float *y, float side, const int *known) { return check<P>(x, y, side, known, Hit); },
+          [](const float *x, const float *y, float side, const int *known) {
+            return check<P>(x, y, side, known, [](const float *c, const float *d) { return Hit()(c, d); });
+          },
           truth_of<P>,
-          Hit,
+          [](const float *x, const float *y) { return Hit()(x, y); },
           [](const float *x, const float *y) { return decided<P>(meetc::exact_signs<P>(x, y)); },
           plain<P, float>,
           plain<P, double>,
@@ -66,48 +67,34 @@ template <class P, answer_function Hit> subject make(const char *name, shape a, 
           run_all<P>};
 }
 
-template <class P, shape A, shape B> int hit(const float *x, const float *y) {
-  return P::hit(operand<A>(x), operand<B>(y));
+std::vector<subject> make_all() {
+  std::vector<subject> out;
+  cga::for_each_predicate([&out]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) {
+    const auto hit = [](const float *x, const float *y) { return static_cast<int>(P::hit(A::in(x), B::in(y))); };
+    if (std::string_view(p.name) != "box_box")
+      out.push_back(make<P, A, B>(p.name, hit));
+  });
+  cga::for_each_sign([&out]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) {
+    const auto sign = [](const float *x, const float *y) {
+      return static_cast<int>(meetc::sign_certified<P>(A::in(x), B::in(y)));
+    };
+    out.push_back(make<P, A, B>(p.name, sign));
+  });
+  return out;
 }
-template <class P, shape A, shape B> subject decision(const char *name, bool surface = false) {
-  return make<P, hit<P, A, B>>(name, A, B, surface);
+const std::vector<subject> &all() {
+  static const std::vector<subject> made = make_all();
+  return made;
 }
-
-using enum shape;
-int side_of_triangle(const float *x, const float *y) {
-  return static_cast<int>(cga::side(operand<triangle>(x), operand<point>(y)));
-}
-int side_of_sphere(const float *x, const float *y) {
-  return static_cast<int>(cga::side(operand<sphere>(x), operand<point>(y)));
-}
-int twist(const float *x, const float *y) {
-  return static_cast<int>(cga::twist(operand<segment>(x), operand<segment>(y)));
-}
-
-const subject all[] = {
-    decision<cga::segment_segment, segment, segment>("segment_segment"),
-    decision<cga::point_triangle, point, triangle>("point_triangle"),
-    decision<cga::segment_triangle, segment, triangle>("segment_triangle"),
-    decision<cga::triangle_triangle, triangle, triangle>("triangle_triangle"),
-    decision<cga::sphere_sphere, sphere, sphere>("sphere_sphere", true),
-    decision<cga::ball_ball, sphere, sphere>("ball_ball"),
-    decision<cga::ball_segment, sphere, segment>("ball_segment"),
-    decision<cga::sphere_segment, sphere, segment>("sphere_segment", true),
-    decision<cga::ball_triangle, sphere, triangle>("ball_triangle"),
-    decision<cga::sphere_triangle, sphere, triangle>("sphere_triangle", true),
-    make<cga::side_triangle_point_sign, side_of_triangle>("side_triangle_point", triangle, point, false),
-    make<cga::side_sphere_point_sign, side_of_sphere>("side_sphere_point", sphere, point, false),
-    make<cga::twist_segment_segment_sign, twist>("twist_segment_segment", segment, segment, false),
-};
 
 } // namespace
 
 std::span<const subject> subjects() {
-  return all;
+  return all();
 }
 
 const subject &subject_named(const char *name) {
-  for (const subject &s : all)
+  for (const subject &s : all())
     if (std::strcmp(s.name, name) == 0)
       return s;
   throw std::invalid_argument(name);

@@ -1,5 +1,5 @@
-// The subjects of the tests: ten predicates of the shipped scene and its three lone signs, behind one type. box_box is left out:
-// its signs are those of differences of two numbers, which no rounding changes.
+// The subjects of the tests: ten predicates of the shipped scene and its three lone signs, behind one type. box_box is left
+// out: its signs are those of differences of two numbers, which no rounding changes.
 #ifndef MEETC_TESTS_EXTREMES_SUBJECTS_HPP
 #define MEETC_TESTS_EXTREMES_SUBJECTS_HPP
 
@@ -36,9 +36,7 @@ std::span<const subject> subjects();
 // Their types: f(P(), name).
 template <class F> void for_each_type(F &&f) {
   generated_test::for_each_predicate([&](auto p) { f(typename decltype(p)::type(), p.name); });
-  f(cga::side_triangle_point_sign(), "side_triangle_point");
-  f(cga::side_sphere_point_sign(), "side_sphere_point");
-  f(cga::twist_segment_segment_sign(), "twist_segment_segment");
+  cga::for_each_sign([&](auto p) { f(typename decltype(p)::type(), p.name); });
 }
 // make(P()) for the subject's type.
 template <class Make> auto for_type_of(const subject &s, Make &&make) {

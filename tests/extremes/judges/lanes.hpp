@@ -1,5 +1,5 @@
-// The functions of the runtime's table on many cases at a time, for every instruction set that runs here. What check() sees
-// of a pair is the code for one pair, as a header compiles it.
+// The functions of the runtime's table on many cases at a time, for every instruction set that runs here. check()
+// sees the code for one pair, as a header compiles it.
 #ifndef MEETC_TESTS_EXTREMES_LANES_HPP
 #define MEETC_TESTS_EXTREMES_LANES_HPP
 

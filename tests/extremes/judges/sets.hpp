@@ -25,8 +25,8 @@ struct set_plan {
 };
 
 // Rounds until so many cases are judged. A round makes two sets from one family, and asks for their pairs: by pairs(), and of
-// prepared sets, whole and for each other, by their hierarchy and all pairs. Every fourth round one prepared set, which holds its
-// elements at several magnitudes, meets partners of each from several threads at once. `report` is called now and then.
+// prepared sets, whole and for each other, by their hierarchy and all pairs. Every fourth round one prepared set, which holds
+// its elements at several magnitudes, meets partners of each from several threads at once. `report` is called now and then.
 set_counts run_sets(const set_plan &what, const std::function<void(const set_counts &)> &report = {});
 
 } // namespace meetc::extremes_test

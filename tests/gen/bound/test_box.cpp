@@ -58,7 +58,8 @@ double bound_of(const box_node &n, double c, const extents &e) {
   return c * std::pow(e.alpha, n.a) * std::pow(e.beta, n.b) * std::pow(e.d, n.pair);
 }
 
-// v^ - v| / bound at its worst. The bound is scaled only by powers of two, so doubles distinguish above from below 1 except for the last bits of c, which the rounding up covers.
+// v^ - v| / bound at its worst. The bound is scaled only by powers of two, so doubles distinguish above from below 1 except for
+// the last bits of c, which the rounding up covers.
 double worst(const stage_case &c, int i, int precision, rule by, int starts, int steps, std::uint64_t seed,
              bool contracted = false, double enough = std::numeric_limits<double>::infinity()) {
   tiny::format = {precision, -900, contracted};

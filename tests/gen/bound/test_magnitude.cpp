@@ -25,7 +25,7 @@ bool beats(int128 error, const mpq_class &growth, double growth_double, int128 m
   return mpq_class(to_mpz(error)) > growth * mpq_class(to_mpz(m));
 }
 
-// What the proof claims of sign i at one precision.
+// The claims of the proof about sign i at one precision.
 struct claims {
   int theta, phi;
   mpq_class u, growth, factor;

@@ -144,7 +144,7 @@ TEST_CASE("with one rounding fewer the bound is broken") {
   tiny::fusing = true;
 }
 
-TEST_CASE("constants: what binary32 holds adds no rounding, a quotient adds its own") {
+TEST_CASE("constants: a number of binary32 adds no rounding, a quotient adds its own") {
   ir::arena nodes({ir::residency::a});
   const auto times = [&](const ir::rational &q) {
     const ir::node_id root = nodes.multiply(nodes.constant(q), nodes.input(0));

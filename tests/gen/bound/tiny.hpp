@@ -51,7 +51,7 @@ public:
   double value() const { return value_; }
   exact_sum unrounded() const { return unrounded_; } // the exact result of the last operation
 
-  // Of two products one stays unrounded, since an fma() has only one.
+  // One of two products stays unrounded, since an fma() has only one.
   friend tiny operator+(tiny a, tiny b) {
     if (contracting && a.product_)
       return rounded(sum_of(a.unrounded_.high, b.value_));

@@ -1,4 +1,4 @@
-// `meetc compare`: what a scene does not ask for costs nothing, and wrong arguments give one line.
+// `meetc compare`: a scene pays only for its own kernels, and wrong arguments give one line.
 #include "tests/catch.hpp"
 #include "tests/gen/error_fixture.hpp"
 

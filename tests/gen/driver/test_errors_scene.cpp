@@ -14,31 +14,62 @@ struct request {
 };
 const request requests[] = {
     {"'tuch'", "s.toml:4:13", "no predicate 'tuch'; predicates: touch; a function is applied to kinds", "tuch", ""},
-    {"'sphere'", "s.toml:4:13", "no predicate 'sphere'", "sphere", ""},
-    {"'1'", "s.toml:4:13", "a kernel is a predicate's name or a function applied to kinds", "1", ""},
-    {"'norm2(meet(sphere, sphere)) > 0'", "s.toml:4:13", "a kernel is a predicate's name or a function",
+    {"'sphere'", "s.toml:4:13",
+     "'sphere' is a kind; a kernel is a predicate's name, or an expression of kinds, as in 'rev(sphere)'", "sphere",
+     ""},
+    {"'1'", "s.toml:4:13", "a kernel is a predicate's name, or an expression of kinds with one value or one sign", "1",
+     ""},
+    {"'2*e12'", "s.toml:4:13",
+     "'2*e12' names no kind, and so is one number or multivector for ever; meetc eval prints it", "2*e12", ""},
+    {"'[sphere, sphere]'", "s.toml:4:13", "a kernel is a predicate's name, or an expression of kinds",
+     "[sphere, sphere]", ""},
+    {"'all(k in axes: sphere)'", "s.toml:4:13", "all else is said by a predicate of the algebra: [predicates.NAME]",
+     "all(k in axes: sphere)", ""},
+    {"'*'", "s.toml:4:13", "expected a value, found '*'", "*", ""},
+    {"'meet(*, * )', 'meet(*, *'", "s.toml:4:36", "expected a value, found '*'", "*", ""},
+    {"'meet(*)'", "s.toml:4:12", "'meet(*)' has no value for any kinds; meet(point): 'meet' takes 2 arguments, not 1",
+     "'meet(*)'", ""},
+    {"'meet(point, *)', 'meet(*, segment)', 'meet(point, meet(point, *))'", "s.toml:4:50",
+     "'meet(point, meet(point, *))' has no value for any kinds; meet(point, meet(point, point)): meet(point, point) is "
+     "not "
+     "defined here",
+     "'meet(point, meet(point, *))'", ""},
+    {"'gp(*, *)'", "s.toml:4:12", "'gp(*, *)' has no value for any kinds; gp(point, point): no function 'gp'",
+     "'gp(*, *)'", ""},
+    {"'*(*, *)'", "s.toml:4:13", "expected a value, found '*'", "*", ""},
+    {"'meet(*, *)*meet(*, *)*meet(*, *)*meet(*, *)*meet(*, *)*meet(*, *)'", "s.toml:4:12",
+     "stands for more than 2000 kernels; name some of its kinds, or those that the scene wants: kinds = ['point', …]",
+     "'meet(*, *)*meet(*, *)*meet(*, *)*meet(*, *)*meet(*, *)*meet(*, *)'", ""},
+    {"'sphere*(sphere*sphere)', '(sphere*sphere)*sphere'", "s.toml:4:38",
+     "'(sphere*sphere)*sphere' would have the name product_product_sphere_sphere_sphere as 'sphere*(sphere*sphere)' "
+     "has; give "
+     "one of them a name by a function of the algebra",
+     "'(sphere*sphere)*sphere'", ""},
+    {"'norm2(meet(sphere, sphere)) > 0'", "s.toml:4:13", "a kernel is a predicate's name, or an expression of kinds",
      "norm2(meet(sphere, sphere)) > 0", ""},
     {"'meet(sphere)'", "s.toml:4:13", "'meet' takes 2 arguments, not 1", "meet(sphere)",
      "in kernel meet(sphere), at s.toml:4:12"},
     {"'meet(sphere, sphere, point)'", "s.toml:4:13", "'meet' takes 2 arguments, not 3", "meet(sphere, sphere, point)",
      ""},
-    {"'norm2(grade())'", "s.toml:4:19", "'grade' takes 1 argument, not 0", "grade()", ""},
+    {"'norm2(grade(sphere, point, point))'", "s.toml:4:19", "'grade' takes 1 or 2 arguments, not 3",
+     "grade(sphere, point, point)", ""},
+    {"'norm2(grade())'", "s.toml:4:13", "'norm2(grade())' names no kind", "norm2(grade())", ""},
     {"'meat(sphere, sphere)'", "s.toml:4:13", "no function 'meat'; functions: norm2, side, meet; did you mean 'meet'?",
      "meat(sphere, sphere)", ""},
-    {"'touch(sphere, sphere)'", "s.toml:4:13", "no function 'touch'", "touch(sphere, sphere)", ""},
+    {"'touch(sphere, sphere)'", "s.toml:4:13", "'touch' is a predicate, whose kinds are its own; write 'touch'",
+     "touch(sphere, sphere)", ""},
     {"'meet(sphere, spere)'", "s.toml:4:26", "no kind 'spere'; kinds: point, sphere, segment; did you mean 'sphere'?",
      "spere", ""},
     {"'meet(point, point)'", "s.toml:4:13",
      "meet(point, point) is not defined here: grade(X) + grade(Y) >= 5 does not hold, grade(X) = 1, grade(Y) "
      "= 1",
      "meet(point, point)", "in kernel meet(point, point), at s.toml:4:12"},
-    {"'norm2(sphere.c)'", "s.toml:4:19", "has no members", "sphere.c", ""},
+    {"'norm2(sphere.c)'", "s.toml:4:19", "a kernel takes kinds as wholes", "sphere.c", ""},
     {"'sign(sphere)'", "s.toml:4:18", "a multivector where a number is needed", "sphere", ""},
     {"'meet(sphere, sphere)', 'meet( sphere , sphere )'", "s.toml:4:36", "'meet( sphere , sphere )' is asked for twice",
      "'meet( sphere , sphere )'", ""},
     {"'touch', 'touch'", "s.toml:4:21", "'touch' is asked for twice", "'touch'", ""},
-    {"'norm2(meet(meet(sphere, sphere), meet(sphere, meet(sphere, sphere))))'", "s.toml:4:72",
-     "a kernel has at most four operands", "sphere", ""},
+    {"'[sphere]'", "s.toml:4:13", "a kernel is a predicate's name, or an expression of kinds", "[sphere]", ""},
     {"\"touch\"", "s.toml:4:12", "each item of scene.kernels must be a 'literal' string in single quotes", "\"touch\"",
      ""},
     {"3", "s.toml:4:12", "each item of scene.kernels must be a string", "3", ""},
@@ -56,7 +87,8 @@ const scene_row scenes[] = {
     {"this is no toml\n", "s.toml:1:6", "expected '='", "i"},
     {"[scene\n", "s.toml:1:7", "parsing table header", ""},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nkernel = []\n", "s.toml:5:1",
-     "scene has no 'kernel'; it may have: algebra, namespace, kernels, zero, rungs, backends, box, tolerance; did you "
+     "scene has no 'kernel'; it may have: algebra, namespace, kernels, zero, rungs, backends, box, tolerance, kinds, "
+     "spec; did you "
      "mean "
      "'kernels'?",
      "kernel"},
@@ -146,7 +178,7 @@ TEST_CASE("imports: a missing file, a folder, another algebra, a scene, a broken
   fails("b.toml", "[functions]\n'f(x)' = 'x +'\n", {"", "", "b.toml:2:13", "expected a value", "+", ""});
   fails("b.toml", "[functions]\n'norm2(x)' = 'x'\n",
         {"", "", "b.toml:2:1", "function 'norm2' is already declared at a.toml:32:1", "'norm2(x)'", ""});
-  const temporary_folder folder; // a circle ends, and what it brings is there once
+  const temporary_folder folder; // a circle ends, and its definitions are there once
   folder.write("a.toml", edited(small_algebra, "null ", "import = ['b.toml', './b.toml']\nnull "));
   folder.write("b.toml", "import = ['c.toml', 'b.toml']\n[functions]\n'b(x)' = 'c(x)'\n");
   folder.write("c.toml", "import = ['b.toml', 'a.toml']\n[functions]\n'c(x)' = 'norm2(x)'\n");
@@ -173,7 +205,7 @@ TEST_CASE("command lines that must fail") {
       {"generate s.toml -o out --namespace '../up'", "'../up'"},
       {"generate s.toml -o out --namespace ''", ""},
       {"verify s.toml --cases 0", "--cases"},
-      {"show s.toml", "nothing to show: name a kernel"},
+      {"show s.toml --emit=poly", "nothing to show: name a kernel"},
       {"show s.toml meet sphere spere", "no kind 'spere'"},
       {"show s.toml meet sphere sphere --emit=assembly", "--emit"},
       {"show s.toml -e 'norm2(S)' --with 'S: sphere' --emit=separate", "'norm2(S)' has 1"},

@@ -1,4 +1,4 @@
-// What becomes of standard output when nobody reads it, or when it cannot be written.
+// Standard output that nobody reads, or that cannot be written.
 #include "tests/catch.hpp"
 #include "tests/gen/error_fixture.hpp"
 

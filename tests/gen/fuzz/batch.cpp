@@ -154,7 +154,7 @@ private:
     return out;
   }
 
-  // Bounds of the results, at the places of the outputs; what is no result is 0 without an error.
+  // Bounds of the results, at the places of the outputs; other outputs are 0 without an error.
   static std::vector<double> spread(const entry &e, const std::vector<double> &of_results) {
     const std::vector<lower::blade> &results = e.of->kernel.value.result;
     std::vector<double> out(e.outputs.size(), 0);

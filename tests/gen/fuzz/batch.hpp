@@ -31,7 +31,7 @@ using text_change = std::function<void(std::vector<target::file> &)>;
 batch_result run_batch(compiler &with, const std::vector<const compiled *> &all, std::uint64_t seed,
                        const text_change &change = nullptr);
 
-// What is wrong with the emitted text of a formula, or "": each coefficient is to be assigned once, and each number returned.
+// The fault of the emitted text of a formula, or "": each coefficient is to be assigned once, and each number returned.
 std::string check_text(const compiler &with, const compiled &c, const std::vector<target::file> &files);
 
 } // namespace meetc::fuzz

@@ -185,7 +185,7 @@ private:
     batch.clear();
   }
 
-  // What is wrong with a formula in a batch of its own.
+  // The fault of a formula in a batch of its own, or "".
   std::string alone(const formula &f) {
     const std::optional<compiled> c = one(f, nullptr);
     if (!c)

@@ -36,7 +36,7 @@ struct tally {
   std::vector<finding> findings;
 };
 
-// How long meetc may take for one formula before that is a finding, in seconds of a processor.
+// The time that meetc may take for one formula before that is a finding, in seconds of a processor.
 inline constexpr double most_seconds = 30;
 
 tally run(const plan &p);

@@ -12,7 +12,8 @@ namespace meetc::fuzz {
 
 namespace fs = std::filesystem;
 
-// How gen/lower/kernel/formula.cpp computes a value, whichever takes the fewest operations: expanded, from the arguments of calls, from the values of all parts.
+// How gen/lower/kernel/formula.cpp computes a value, whichever takes the fewest operations: expanded, from the arguments of
+// calls, from the values of all parts.
 enum class way { expanded, arguments, parts };
 
 // A formula that compiled.

@@ -29,7 +29,7 @@ bool for_each_smaller(const formula &f, const std::function<bool(const formula &
 // The same formula for the same seed and number.
 formula draw(std::uint64_t seed, long number);
 
-// What expanding the formula costs, roughly and from above: the terms of the longest product, and the products of
+// The cost of expanding the formula, roughly and from above: the terms of the longest product, and the products of
 // coefficients where its parts are values.
 struct effort {
   double terms, products;

@@ -24,7 +24,7 @@ struct function {
   const char *name;
   int arguments;
 };
-// What functions.toml and meet define, and the operators of the language but for grade and inverse, whose arguments are
+// The functions of functions.toml, meet, and the operators of the language but for grade and inverse, whose arguments are
 // special. Those that make formulas long come first, and are drawn more often.
 inline constexpr std::array functions{
     function{"gp", 2},      function{"sandwich", 2},   function{"between", 3}, function{"twice", 2},

@@ -48,7 +48,7 @@ expression_ptr call(const std::string &function, std::vector<expression_ptr> arg
 // The text, with `names` for the parameters.
 std::string print(const expression &e, const std::vector<std::string> &names);
 
-// How many nodes the tree has.
+// The number of nodes of the tree.
 std::size_t size(const expression &e);
 
 // Calls `visit` with each tree that has one part less: a node replaced by one of its parts, but not by a coefficient's blade, a

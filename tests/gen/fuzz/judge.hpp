@@ -1,4 +1,4 @@
-// What a formula should give, by the oracle, and whether its programs give it. Nothing here reads the spec or its syntax
+// The right value of a formula, by the oracle, and whether its programs give it. Nothing here reads the spec or its syntax
 // tree.
 #ifndef MEETC_TESTS_FUZZ_JUDGE_HPP
 #define MEETC_TESTS_FUZZ_JUDGE_HPP
@@ -19,7 +19,7 @@ public:
   std::size_t blade_numbers() const { return c_.kernel.value.blade_inputs.size(); }
   std::size_t stored_numbers() const;
 
-  // What is wrong with the kernel's programs in exact arithmetic, or "". Its form in the declared basis, if that is given, is
+  // The fault of the kernel's programs in exact arithmetic, or "". Its form in the declared basis, if that is given, is
   // judged too.
   std::string programs(std::uint64_t seed, const lower::declared_formula *declared) const;
 

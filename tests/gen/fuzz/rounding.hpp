@@ -1,4 +1,4 @@
-// What floating point makes of a program: where it is exact, and how far it may be off.
+// A program in floating point: where it is exact, and how far it may be off.
 #ifndef MEETC_TESTS_FUZZ_ROUNDING_HPP
 #define MEETC_TESTS_FUZZ_ROUNDING_HPP
 

@@ -1,4 +1,4 @@
-// What the fuzzer has found, each in a small form.
+// The faults that the fuzzer has found, each in a small form.
 #include "tests/catch.hpp"
 #include "tests/gen/fuzz/campaign.hpp"
 

@@ -1,4 +1,4 @@
-// What a count counts: operations, and beside them scalings by powers of two and negations.
+// Counts of operations, and beside them of scalings by powers of two and negations.
 #include "gen/ir/count.hpp"
 #include "tests/catch.hpp"
 

@@ -57,7 +57,7 @@ TEST_CASE("by balls: the exact answer is that of the distance and the radii") {
 
 namespace {
 
-// Of a new predicate `asked`, and a new kind unless there is none.
+// Whether a new predicate `asked`, on a new kind unless there is none, is called a comparison of balls.
 bool is_by_balls_of(const std::string &kind, const std::string &predicate) {
   const spec_copy copy({"asked"});
   copy.replace("cga3.toml", "[kinds.segment]", kind + "\n[kinds.segment]");
@@ -91,7 +91,7 @@ TEST_CASE("by balls: of points too, and of two kinds whose numbers lie elsewhere
                                          hit_where_apart_by("S.r + T.r", square_of_distance("S.c", "T.c"))));
 }
 
-TEST_CASE("by balls: not claimed of what only looks like two balls") {
+TEST_CASE("by balls: not claimed of predicates that only look like two balls") {
   const std::string reach = "S.r + T.r";
   // A capsule, of which one end is compared.
   CHECK_FALSE(is_by_balls_of("[kinds.capsule]\nstore = ['p: point', 'q: point', 'r: real']\nblade = 'p^q^n'\n"

@@ -65,7 +65,7 @@ TEST_CASE("settled: the claims of the shipped scene") {
     CHECK(claims(surface).empty());
 }
 
-TEST_CASE("settled: the oracle confirms every claim, and refutes what is not claimed") {
+TEST_CASE("settled: the oracle confirms every claim, and refutes all others") {
   int confirmed = 0, refuted = 0;
   for (const lower::kernel *k : default_kernels(want::predicates)) {
     INFO(k->asked.text);

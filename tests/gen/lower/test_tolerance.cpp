@@ -1,4 +1,4 @@
-// What a scene's tolerance comes to: the grid, the widths and the promises, what is emitted for it, and what is refused.
+// The plan for a scene's tolerance: the grid, the widths and the promises, the emitted code, and the refusals.
 #include "gen/lower/tolerance.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/fixture.hpp"
@@ -90,7 +90,7 @@ TEST_CASE("tolerance: a predicate that compares a distance is decided in plain f
   CHECK_FALSE(plan_of(scene_of("sphere_sphere", "tolerance = 1e-4\nbox = 10")).ways[0]->by_distance);
 }
 
-TEST_CASE("tolerance: what it does not need is not emitted") {
+TEST_CASE("tolerance: nothing is emitted that it does not need") {
   const auto tolerant = emitted(scene_of("segment_triangle", "tolerance = 1e-5\nbox = 0.5"));
   const auto certified = emitted(scene_of("segment_triangle", "rungs = ['certified']\nbox = 0.5"));
   std::size_t bytes = 0, bytes_certified = 0;
@@ -126,14 +126,14 @@ TEST_CASE("tolerance: plan says what decides, and why") {
   o = planned(scene_of("segment_triangle", "tolerance = 1e-5\nrungs = ['fp32']"));
   CHECK(o.out.find("plain rungs") != std::string::npos);
   CHECK(o.out.find("does not ask for the rung tolerant") != std::string::npos);
-  // What keeps no tolerance is certified, if the scene asks for that too.
+  // A predicate that cannot keep the tolerance is certified, if the scene asks for that too.
   o = planned(scene_of("sphere_triangle", "tolerance = 1e-2\nbox = 1\nrungs = ['certified', 'tolerant']"));
   INFO(o.out << o.err);
   CHECK(o.code == 0);
   CHECK(o.out.find("no short move is proved") != std::string::npos);
 }
 
-TEST_CASE("tolerance: what would have to be stated is one line, and nothing is written") {
+TEST_CASE("tolerance: a missing statement is one line, and nothing is written") {
   struct row {
     const char *kernel, *lines, *message;
   };

@@ -30,6 +30,9 @@ blade = 'a*e1 + b*e2 + c*e3 + d*e0'
 [kinds.line]
 store = ['a: real', 'b: real', 'c: real', 'd: real', 'e: real', 'f: real']
 blade = 'a*(e2^e3) + b*(e3^e1) + c*(e1^e2) + d*(e0^e1) + e*(e0^e2) + f*(e0^e3)'
+[kinds.normal]
+store = ['a: real', 'b: real', 'c: real']
+blade = 'a*e1 + b*e2 + c*e3'
 [kinds.rotor]
 store = ['s: real', 'a: real', 'b: real', 'c: real']
 blade = 's + a*(e2^e3) + b*(e3^e1) + c*(e1^e2)'
@@ -48,6 +51,8 @@ blade = 's + a*(e2^e3) + b*(e3^e1) + c*(e1^e2) + d*(e0^e1) + e*(e0^e2) + f*(e0^e
 'flipped(X, M)'  = '0 - M * X * rev(M)'
 'twice(M, X)'    = 'sandwich(M, sandwich(M, X))'
 'reflect(p, X)'  = '-(p * X * p)'
+# the mirror image of a unit vector
+'unit(p)'        = 'p * e1 * p / (p*p)[1]'
 )";
 
 inline const char *const conformal = R"([algebra]
@@ -76,7 +81,27 @@ blade = '''v + oa*(no^e1) + ob*(no^e2) + oc*(no^e3) + n*(no^ni) + a*(e2^e3) + b*
 'moved(M, X)' = 'vector(M * X * rev(M))'
 'gram(A, B)'  = '((A ^ B) * (A ^ B))[1]'
 'dots(A, B)'  = '((A | B) * (A | B) - (A | A) * (B | B))[1]'
+'unit(p)'     = 'p * e1 * p / (p*p)[1]'
 )";
+
+// The algebra with these lines added to a kind's table.
+inline std::string with(const std::string &algebra, const std::string &kind, const std::string &lines) {
+  const std::size_t at = algebra.find("[kinds." + kind + "]"), end = algebra.find("\n[", at) + 1;
+  REQUIRE(at != std::string::npos);
+  return algebra.substr(0, end) + lines + algebra.substr(end);
+}
+
+// What unit versors state: products of two and of four mirror images of a unit vector are samples, since those of two alone
+// have no part of grade 4.
+inline std::string unit_versor(const std::string &kind, const std::string &vector, const std::string &more = "") {
+  return fmt::format("relations.nearly = ['{0} * rev({0}) = 1'{2}]\nrelations.within = 1e-6\n"
+                     "samples.of = ['p: {1}', 'q: {1}', 'r: {1}', 't: {1}']\n"
+                     "samples.blades = ['unit(p) * unit(q)', 'unit(p) * unit(q) * unit(r) * unit(t)']\n",
+                     kind, vector, more);
+}
+inline std::string with_unit_motors(const std::string &algebra) {
+  return with(with(algebra, "rotor", unit_versor("rotor", "normal")), "motor", unit_versor("motor", "plane"));
+}
 
 // {multiplications, additions}; a fused multiply-add counts as one of each.
 struct ops {

@@ -138,7 +138,7 @@ const limit_row structural[] = {
 };
 
 // B² of the twelve pairs: the best counts found by hand, from the best stored representation of each operand (centre,
-// normal or direction, radius, and their squares), and what a pair costs here when its objects store their own values.
+// normal or direction, radius, and their squares), and the cost of a pair here when its objects store their own values.
 // The best of the last two rows leave out the factor |p - q|², since only a sign is wanted. Here the sign takes two signs,
 // whose product needs no arithmetic.
 struct best_row {
@@ -219,7 +219,7 @@ TEST_CASE("the counts of every formula of the default scene") {
       continue;
     }
     CHECK(all(f.from_stored) == row.stored);
-    // What the emitted functions compute: nothing of one object is left for the pair.
+    // The emitted functions leave nothing of one object for the pair.
     CHECK(plain(ir::count_object(f.for_pairs, residency::a)) == row.a);
     CHECK(plain(ir::count_object(f.for_pairs, residency::b)) == row.b);
     CHECK(plain(ir::count_pair(f.for_pairs)) == row.pair);

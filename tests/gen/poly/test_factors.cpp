@@ -1,4 +1,4 @@
-// Factors: what is seen at once to have none, and what only looks like that.
+// Factors: polynomials that are seen at once to have none, and others that only look like that.
 #include "gen/poly/poly.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/oracle/random.hpp"

@@ -135,7 +135,7 @@ TEST_CASE("squares: the length of a sum of two vectors is found, with either sig
   }
 }
 
-TEST_CASE("squares: what is no square stays as it is") {
+TEST_CASE("squares: a polynomial without squares stays as it is") {
   const setting s;
   CHECK(forms_of(s, s.dot(0, 2) * s.dot(1, 2) - s.dot(0, 1)).empty());
   // The middle term is not twice the product of the outer ones.

@@ -4,7 +4,7 @@
 //
 // Cases are made of integers only (a conversion to float rounds once, in one way), so that they too are the same under
 // any flags.
-#include <cga/cga.hpp>
+#include <cga/for_each.hpp>
 #include <cga/header_only.hpp>
 #include <cstdint>
 #include <cstdio>
@@ -158,39 +158,11 @@ template <class P, class Hit> void run(const char *name, Hit hit) {
   std::printf("\n");
 }
 
-cga::point<float> point(const float *r) {
-  return {r[0], r[1], r[2]};
-}
-cga::sphere<float> sphere(const float *r) {
-  return {point(r), r[3]};
-}
-cga::segment<float> segment(const float *r) {
-  return {point(r), point(r + 3)};
-}
-cga::triangle<float> triangle(const float *r) {
-  return {point(r), point(r + 3), point(r + 6)};
-}
-cga::box<float> box(const float *r) { // its corners are in any order, which changes no comparison
-  return {point(r), point(r + 3)};
-}
-
 } // namespace
 
-#define RUN(predicate, first, second)                                                                                  \
-  run<cga::predicate>(#predicate,                                                                                      \
-                      [](const float *a, const float *b) { return cga::predicate::hit(first(a), second(b)); })
-
 int main() {
-  RUN(segment_segment, segment, segment);
-  RUN(point_triangle, point, triangle);
-  RUN(segment_triangle, segment, triangle);
-  RUN(triangle_triangle, triangle, triangle);
-  RUN(sphere_sphere, sphere, sphere);
-  RUN(ball_ball, sphere, sphere);
-  RUN(ball_segment, sphere, segment);
-  RUN(sphere_segment, sphere, segment);
-  RUN(ball_triangle, sphere, triangle);
-  RUN(sphere_triangle, sphere, triangle);
-  RUN(box_box, box, box);
+  cga::for_each_predicate([]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) {
+    run<P>(p.name, [](const float *a, const float *b) { return P::hit(A::in(a), B::in(b)); });
+  });
   return 0;
 }

@@ -74,6 +74,10 @@ template <class T> entries<T> fields(cga::sphere_blade<T> &b) {
           {e2 | e3 | n | nb, &b.e2_e3_n_nb}};
 }
 
+template <class T> entries<T> fields(cga::meet_line_line_result<T> &b) {
+  return {{n, &b.n}};
+}
+
 // A general element of a kind's support, as a dense multivector.
 template <class B> multivector dense(B b) {
   multivector m(32);

@@ -159,8 +159,8 @@ pair_of_rows flat(shape a, shape b, random_numbers &random) {
   return p;
 }
 
-// A radius that is the rounded distance, the rounded greatest distance, or a step away from it. What decides is too
-// small for float, and at degree 6 for double.
+// A radius that is the rounded distance, the rounded greatest distance, or a step away from it. The deciding difference
+// is too small for float, and at degree 6 for double.
 pair_of_rows grazing(shape a, shape b, random_numbers &random) {
   pair_of_rows p = random.one_in(2) ? ordinary(a, b, random) : computed_on(a, b, random);
   if (padded(a))

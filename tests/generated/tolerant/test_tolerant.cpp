@@ -210,7 +210,7 @@ TEST_CASE("a call on operands beyond the reach takes the nearest numbers within 
   }
 }
 
-TEST_CASE("what a motion must be: known kinds, and none for a surface around more than one point") {
+TEST_CASE("the least motion: known kinds, and none for a surface around more than one point") {
   const auto of = [](const char *name) -> const predicate_info & { return find_predicate(cga::catalogue(), name); };
   CHECK(moved_by_grid(of("triangle_triangle"), 1) == Approx(std::sqrt(3.0)).epsilon(1e-6));
   CHECK(moved_by_grid(of("triangle_triangle"), 1) > std::sqrt(3.0));

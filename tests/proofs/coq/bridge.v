@@ -25,7 +25,7 @@ Fixpoint halved (steps : nat) (m e : Z) : Z * Z :=
   end.
 Definition normal (m e : Z) : R := IZR m * bpow radix2 e.
 
-(* A comparison of numbers, by their values; what is rounded is any number. *)
+(* A comparison of numbers, by their values; any number may be rounded. *)
 Ltac value :=
   repeat match goal with |- context [round ?b ?f ?r ?x] => generalize (round b f r x); intro end;
   cbv -[IZR Rmult Rinv Ropp Rplus Rminus Rle Rlt Rabs not]; lra.

@@ -174,7 +174,7 @@ TEST_CASE("bench paper: the page of built-in bodies") {
   }
 }
 
-TEST_CASE("bench paper: counts of files, and of what is cut out of them, are those of collide") {
+TEST_CASE("bench paper: counts of files, and of parts cut out of them, are those of collide") {
   using namespace meetc::bodies;
   // In the units for which the pose is given.
   fs::create_directories(at("meshes"));

@@ -36,7 +36,7 @@ TEST_CASE("usage") {
   CHECK(has(collide_complaint({"ball.ply", "ball.ply", "--mode", "solid", "--mode", "solid"}),
             "--mode: given more than once"));
   CHECK(has(complaint({"demo", "x"}), "not expected: x"));
-  // What was meant, where that is near.
+  // A suggestion, where a known name is near.
   CHECK(has(complaint({"colide"}), "unknown command 'colide'; did you mean 'collide'?; known: "));
   CHECK(has(complaint({"bench", "papper"}), "unknown 'papper'; did you mean 'paper'?; known: "));
   CHECK(has(complaint({"--hlep"}),

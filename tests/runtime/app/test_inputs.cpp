@@ -75,7 +75,7 @@ TEST_CASE("polygons that are not planar or cross themselves are told") {
   CHECK(answer({"odd.obj", "cut.csv"})["notes"].size() == 2);
 }
 
-TEST_CASE("what rounding to float32 moves is told") {
+TEST_CASE("the numbers that rounding to float32 moves are told") {
   put("utm.csv", "x,y,z\n433832.18,0.1,1\n433832.2,4649776.22,0\n");
   put("near.csv", "x0,y0,z0,x1,y1,z1\n0,0,0,16777217,1,1\n");
   const json j = answer({"near.csv", "near.csv"});

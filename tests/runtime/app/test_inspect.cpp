@@ -147,7 +147,7 @@ TEST_CASE("errors of inspect") {
             "is not a finite length of 0 or more"));
   CHECK(has(complaint({"inspect", "ball.ply", "ball.ply", "--scene", "s.toml", "--tolerance", "1e-60"}),
             "no predicate for triangle with triangle keeps it"));
-  // What is refused names a tolerance that fits, and half of which does not.
+  // A refusal names a tolerance that fits, and half of which does not.
   const std::string fine = complaint({"inspect", "ball.ply", "ball.ply", "--scene", "s.toml", "--tolerance", "1e-30"});
   CHECK(has(fine, "the scene would need integers of more than 128 bits"));
   const std::size_t from = fine.find("at least ") + 9;

@@ -47,7 +47,7 @@ TEST_CASE("the same bytes from any number of threads") {
   CHECK(first.size() > 100000);
 }
 
-TEST_CASE("what each segment meets first") {
+TEST_CASE("the first triangle that each segment meets") {
   // Two walls across the x axis, the nearer one twice: at x = 2, and at x = 1 as face 1, and as faces 2 and 3, a square.
   put("walls.obj", "v 2 -9 -9\nv 2 9 -9\nv 2 0 9\nv 1 -9 -9\nv 1 9 -9\nv 1 0 9\nv 1 9 9\nv 1 -9 9\n"
                    "f 1 2 3\nf 4 5 6\nf 4 5 7 8\n");

@@ -1,4 +1,4 @@
-// `meet collide --tolerance`: what it answers and says, and what it refuses.
+// `meet collide --tolerance`: its answers, its words, and its refusals.
 #include "fixture.hpp"
 
 using namespace fixture;
@@ -42,7 +42,7 @@ TEST_CASE("tolerance: an answer may be wrong, but only by the tolerance") {
   CHECK(collided({"--tolerance", "0.1", "--translate-b", "-0.004,0,0"})["pairs"] == 2);
 }
 
-TEST_CASE("tolerance: what is refused is one line") {
+TEST_CASE("tolerance: a refusal is one line") {
   put("a.csv", "x,y,z,r\n0,0,0,1\n");
   put("b.csv", "x,y,z,r\n2.01,0,0,1\n");
   put("rods.csv", "x0,y0,z0,x1,y1,z1\n-1,1.01,0,1,1.01,0\n");

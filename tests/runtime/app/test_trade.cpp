@@ -14,7 +14,7 @@ json trade(std::vector<std::string> more = {}) {
   return json::parse(s.out);
 }
 
-// What does not depend on time.
+// The members that do not depend on time.
 json counts(const json &all) {
   json out;
   for (const char *const family : {"random", "far", "small", "large", "near", "near_far"})
@@ -25,7 +25,7 @@ json counts(const json &all) {
 
 } // namespace
 
-TEST_CASE("trade: what is never wrong, what is, and the same figures in each run") {
+TEST_CASE("trade: methods that are never wrong, others, and the same figures in each run") {
   const json all = trade();
   CHECK(all["quick"] == true);
   CHECK(!all["instruction_set"].get<std::string>().empty());

@@ -35,7 +35,7 @@ TEST_CASE("scale, then matrix, then translation, whatever their order on the lin
   CHECK(point_becomes("1,2,3", {"--translate-b", "-1 -.5 1e1"}, "0,1.5,13"));
 }
 
-TEST_CASE("decimals are rounded to float32, and what is moved once more at the end") {
+TEST_CASE("decimals are rounded to float32, and moved numbers once more at the end") {
   // 3 times the float32 of 0.1, in double, rounds to one step more than 0.3.
   CHECK(point_becomes("0.1,0,0", {"--scale-b", "3"}, "0.30000001192092896,0,0"));
   CHECK_FALSE(point_becomes("0.1,0,0", {"--scale-b", "3"}, "0.29999998211860657,0,0"));

@@ -114,7 +114,7 @@ TEST_CASE("a file that cannot be written and a missing gnuplot are one-line erro
   ::setenv("PATH", path.c_str(), 1);
 }
 
-TEST_CASE("growth: the times by the number of balls, without what was too slow or has no balls") {
+TEST_CASE("growth: the times by the number of balls, without rows that were too slow or have no balls") {
   const meetc::app::json results = meetc::app::json::parse(R"({"device": "A GPU, of some kind", "tables": [
     {"name": "ball_ball", "rows": []},
     {"name": "growth", "rows": [
@@ -130,7 +130,7 @@ TEST_CASE("growth: the times by the number of balls, without what was too slow o
   CHECK(!growth_chart(meetc::app::json::parse(R"({"device": "", "tables": []})")));
 }
 
-TEST_CASE("growth: a chart is drawn of a file, and what is no such file is refused") {
+TEST_CASE("growth: a chart is drawn of a file, and another file is refused") {
   const std::filesystem::path folder = here("growth"), file = folder / "gpu.json";
   std::filesystem::create_directory(folder);
   const auto refusal = [&](const char *text) {

@@ -28,7 +28,7 @@ TEST_CASE("a bar is met at its limit, and not where nothing was measured") {
   CHECK(as_json(t)["rows"][1]["met"].is_null());
 }
 
-TEST_CASE("the families of pairs are what they are called") {
+TEST_CASE("the families of pairs deserve their names") {
   const std::vector<pair_family> families = pair_families(50);
   REQUIRE(families.size() == 6);
   const meetc::catalogue &all = cga::catalogue();

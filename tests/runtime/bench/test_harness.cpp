@@ -68,7 +68,7 @@ TEST_CASE("every measured cell is a number in JSON") {
   CHECK(of_share(0.4615).text == "46.2 %");
 }
 
-TEST_CASE("a table of rows shows what its columns say of each row") {
+TEST_CASE("a table of rows shows its columns of each row") {
   struct row {
     std::string name;
     int hits;
@@ -81,11 +81,11 @@ TEST_CASE("a table of rows shows what its columns say of each row") {
                      {"hits", "hits", of_count, &row::hits},
                      {"ms", "ms", of_milliseconds, &row::twice},
                      {"share", "share", [](const row &r) { return r.hits > 0 ? of_share(0.5) : missing(); }}},
-                    {{"one", 1000, 0.5}, {"none", 0, 0.001}}, {"Of them."});
+                    {{"one", 1000, 0.5}, {"none", 0, 0.001}}, {"A note."});
   CHECK(as_json(t).dump() == R"({"name":"rows","rows":[{"name":"one","hits":1000,"ms":1000,"share":0.5},)"
                              R"({"name":"none","hits":0,"ms":2,"share":null}]})");
   CHECK(as_markdown(t) == "## Rows\n\n| name | hits | ms | share |\n|---|---:|---:|---:|\n"
-                          "| one | 1,000 | 1e+03 | 50.0 % |\n| none | 0 | 2 | - |\n\nOf them.\n");
+                          "| one | 1,000 | 1e+03 | 50.0 % |\n| none | 0 | 2 | - |\n\nA note.\n");
 }
 
 TEST_CASE("a list of pairs is compared with the exact one") {
@@ -134,7 +134,7 @@ TEST_CASE("works take turns, and the median of each counts") {
   CHECK(take_turns(here, {reference_work()}, {3, 1, 0}).seconds[0] > 0);
 }
 
-TEST_CASE("medians of what runs report, without the first") {
+TEST_CASE("medians of the reports of runs, without the first") {
   const std::vector<double> reported{1000, 1, 5, 3};
   std::size_t at = 0;
   const auto [one, other] = medians_of<2>(3, [&] {

@@ -138,7 +138,7 @@ TEST_CASE("wrong answers are counted, and the farthest counts") {
   CHECK(none.farthest == 0);
 }
 
-TEST_CASE("losers: what is slower everywhere and never less wrong, and never wrong loses to never wrong alone") {
+TEST_CASE("losers: methods slower everywhere and never less wrong, and never wrong loses to never wrong alone") {
   const predicate_info &p = named("ball_ball");
   const auto cell = [&p](const char *family, double fp32, double fp64, double fp64x2, double exact, double certified,
                          std::uint64_t wrong32) {

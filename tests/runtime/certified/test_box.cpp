@@ -31,7 +31,7 @@ std::vector<float> some_rows(float box, const kind_info &kind, std::size_t n, st
   return rows;
 }
 
-// Of a box's corners the least and the greatest.
+// The least and the greatest of a box's corners.
 std::vector<float> in_order(std::vector<float> rows, const kind_info &kind) {
   for (std::size_t i = 0; lies_along_axes(kind) && i < rows.size(); i += static_cast<std::size_t>(kind.fields))
     for (std::size_t k = i; k < i + 3; ++k)

@@ -1,4 +1,4 @@
-// What each segment meets first, as core finds it, against the list of all pairs.
+// The first element that each segment meets, as core finds it, against the list of all pairs.
 #include "tests/catch.hpp"
 
 #include "meet/core/query/collide.hpp"
@@ -99,7 +99,7 @@ TEST_CASE("first met: elements of B are named by their items") {
   for (std::uint32_t i = 0; i < 300; ++i)
     in_order.push_back(i / 3), mixed.push_back(static_cast<std::uint32_t>(g() % 100));
   for (const std::vector<std::uint32_t> &owners : {in_order, mixed}) {
-    // Of the elements met at the first point, the least item.
+    // The least item of the elements that are met at the first point.
     std::vector<std::uint32_t> want(200, no_element), at(200, no_element);
     int ties = 0;
     for (const index_pair hit : pairs) {
@@ -123,7 +123,7 @@ TEST_CASE("first met: elements of B are named by their items") {
   }
 }
 
-TEST_CASE("first met: what has no answer is refused") {
+TEST_CASE("first met: a query without an answer is refused") {
   const predicate_info &p = named("segment_triangle"), &balls = named("ball_ball");
   const rows a{0, 0, 0, 1, 0, 0}, b{0, 0, 0, 1, 0, 0, 0, 1, 0}, c{0, 0, 0, 1};
   const prepared x = ready(a, *p.a), y = ready(b, *p.b), z = ready(c, *balls.a);

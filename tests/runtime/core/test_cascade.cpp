@@ -24,7 +24,7 @@ int hardness(const float *a, const float *b) {
   return every >= 0 ? every : static_cast<int>(hash % 4);
 }
 
-// What the rungs were asked: the pairs for each rung, and those that an earlier rung would have decided.
+// The pairs that each rung was asked for, and those that an earlier rung would have decided.
 std::atomic<std::uint64_t> asked[4], too_easy;
 std::atomic<float> side_used;
 

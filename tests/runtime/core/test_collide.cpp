@@ -211,7 +211,7 @@ TEST_CASE("where everything overlaps, the count needs no list") {
   CHECK(collide(x, x, box_box_hit, rung::fp32, o).candidates < 100'000);
 }
 
-TEST_CASE("collide refuses what does not fit") {
+TEST_CASE("collide refuses arguments that do not fit") {
   const prepared x = prepare(view_of(some_boxes(3, 1, 1, 18), boxes), boxes);
   const prepared y = prepare(view_of(some_balls(3, 1, 1, 18), balls), balls);
   CHECK_THROWS_AS(collide(x, y, box_box_hit, rung::fp32), std::invalid_argument);

@@ -1,4 +1,4 @@
-// What is proved of an element in a pose without moving it.
+// Proofs about an element in a pose, without moving it.
 #include "tests/catch.hpp"
 
 #include "meet/core/views/pose.hpp"
@@ -55,7 +55,7 @@ case_of_pose draw(std::mt19937 &random, std::vector<float> &rows, int scale) {
 
 } // namespace
 
-TEST_CASE("pose: what is proved apart from a box lies outside of it, and what is far away is proved") {
+TEST_CASE("pose: elements proved apart from a box lie outside of it, and distant ones are proved") {
   std::mt19937 random(5);
   std::vector<float> rows;
   constexpr int cases = 20000;
@@ -130,7 +130,7 @@ TEST_CASE("pose: flush-to-zero changes no proof") {
 }
 #endif
 
-TEST_CASE("pose: nothing is proved of what might leave float32") {
+TEST_CASE("pose: nothing is proved of elements that might leave float32") {
   pose at;
   const float lo[3] = {0, 0, 0}, hi[3] = {1, 1, 1}, from[3] = {5, 5, 5}, to[3] = {6, 6, 6};
   CHECK(proved_apart(at, lo, hi, 0, from, to));

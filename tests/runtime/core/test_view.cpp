@@ -85,7 +85,7 @@ TEST_CASE("a pose is applied in fp64 in its order, without fma, and rounded once
   CHECK(gathered(view_of({1, 1, 1, 1}, balls), balls, p)[0] == 0);
 }
 
-TEST_CASE("points without z move in their plane, what cannot be moved is refused") {
+TEST_CASE("points without z move in their plane, and kinds that cannot be moved are refused") {
   static constexpr role flat_roles[4] = {role::x, role::y, role::x, role::y};
   static constexpr kind_info flat{"flat", "x0,y0,x1,y1", 4, flat_roles, 0, nullptr, nullptr};
   pose p;

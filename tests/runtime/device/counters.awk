@@ -13,7 +13,7 @@ BEGIN {
   }
 }
 /^"[0-9]/ {
-  # Of the kernel's declaration, the name and the numbers that it is a template of.
+  # The name in the kernel's declaration, and the numbers that it is a template of.
   kernel = match($5, /[A-Za-z_0-9]*[Kk]ernel(<[0-9, ]*>)?/) ? substr($5, RSTART, RLENGTH) : $5
   row = $1 kernel # the first column numbers the kernels that ran
   if (!(row in seen)) {

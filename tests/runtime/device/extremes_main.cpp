@@ -1,8 +1,8 @@
 // The hostile families of tests/extremes on the device:  test_cuda_extremes [--cases N] [--seed N] [--threads N]
 //
-// Every rung's launcher, pair by pair: certified answers are the truth of the integers or unsure, and all answers equal
-// the CPU's (see differ()). Then, for each family and predicate, a query on whole sets of such elements, and every pair of them by every
-// filter.
+// Every rung's launcher, pair by pair: certified answers are the truth of the integers or unsure, and all answers equal the
+// CPU's (see differ()). Then, for each family and predicate, a query on whole sets of such elements, and every pair of them by
+// every filter.
 #include "meet/core/device/collide.hpp"
 #include "meet/core/device/every_pair/engine.hpp"
 #include "tests/extremes/families/families.hpp"

@@ -88,7 +88,7 @@ elif command -v ncu >/dev/null; then
   counters counters balls 'mma_kernel:2' "matrix unit busy=sm__pipe_tensor_cycles_active.${share}_active" \
     "logic unit busy=sm__inst_executed_pipe_alu.${share}_active" "issue slots used=smsp__issue_active.${share}_active" \
     "warps there=sm__warps_active.${share}_active"
-  # What binds the kernels of a query by the hierarchy, on sets as they are given.
+  # The limits of the kernels of a query by the hierarchy, on sets as they are given.
   for balls in 1048576 16777216; do
     counters counters_$balls "memory:balls, $balls x" 'kernel|Kernel:3' time=gpu__time_duration.sum \
       "issue slots used=smsp__issue_active.${share}_active" "warps there=sm__warps_active.${share}_active" \

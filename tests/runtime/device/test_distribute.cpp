@@ -1,5 +1,5 @@
-// Keys that the blocks of a kernel put into order together: the device's own code, with a stand-in for the warp that a block has
-// here. A block does a step after another one has done it; what they do at once, a device tests.
+// Keys that the blocks of a kernel put into order together: the device's own code, with a stand-in for the warp that a block
+// has here. A block does a step after another one has done it; what they do at once, a device tests.
 #include "tests/runtime/device/host/host_warp.hpp"
 
 #include "meetc/cuda/distribute.hpp"

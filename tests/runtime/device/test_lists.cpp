@@ -16,7 +16,7 @@ namespace {
 
 using pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-// What every lane marks in each of several rounds, four pairs at a time.
+// The marks of every lane in each of several rounds, four pairs at a time.
 struct marked_pairs {
   unsigned marks;
   index_pair of[4];

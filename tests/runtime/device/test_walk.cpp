@@ -54,7 +54,7 @@ struct set {
   }
 };
 
-// Along a line of length 1, so that what is near in the order is near in space; every eighth is up to `longest` long.
+// Along a line of length 1, so that neighbours in the order are neighbours in space; every eighth is up to `longest` long.
 set random_set(std::mt19937_64 &random, std::uint32_t n, float length, float longest) {
   std::uniform_real_distribution<float> unit(-1, 1);
   set s;
@@ -239,7 +239,7 @@ TEST_CASE("walk: elements that are long beside the tree's go down alone, by thei
   CHECK(told_apart_of_half > 1000);
 }
 
-TEST_CASE("walk: of balls, what their boxes prove is listed, and the rest apart from it") {
+TEST_CASE("walk: pairs of balls that their boxes prove are listed, and the others apart from them") {
   std::mt19937_64 random(5);
   const std::uint32_t sizes[] = {1, 31, 33, 100, 1025, 2500};
   std::size_t hits = 0, rest = 0;

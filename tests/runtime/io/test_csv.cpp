@@ -70,7 +70,7 @@ TEST_CASE("a column that is there twice is refused", "[csv]") {
   CHECK(complaint("a.csv", "x,x,y,z\n1,2,3,4\n") == "a.csv:1: the header 'x,x,y,z' has the column 'x' twice");
 }
 
-TEST_CASE("what moves is counted for the columns that are read", "[csv]") {
+TEST_CASE("moved numbers are counted in the columns that are read", "[csv]") {
   const auto set = read("a.csv", "id,x,y,z,r\n433832.18,433832.18,0.1,16777217,1\n1,\"433832.18\",0,0,0\n");
   CHECK(set.rounded.numbers == 3);
   CHECK(set.rounded.largest == 1);

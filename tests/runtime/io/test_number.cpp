@@ -66,7 +66,7 @@ TEST_CASE("to_float32 rounds to nearest, ties to even, and overflows to infinity
   CHECK(std::isnan(to_float32(std::numeric_limits<double>::quiet_NaN())));
 }
 
-TEST_CASE("what is not a decimal number is refused whole", "[number]") {
+TEST_CASE("a word that is not a decimal number is refused whole", "[number]") {
   double v = 0;
   for (const char *const text :
        {"", "+", "-", "+-1", "++1", "0x10", "1x", "1 ", " 1", "1,5", "e5", ".", "1e", "--1", "1e+", "1.2.3", "one"})

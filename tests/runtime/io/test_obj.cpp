@@ -87,7 +87,7 @@ TEST_CASE("an OBJ with nothing to collide is an error that says what it holds", 
         "'\\x89PNG' (line 1, once)");
 }
 
-TEST_CASE("what is no geometry is skipped with a note", "[obj]") {
+TEST_CASE("statements without geometry are skipped with a note", "[obj]") {
   const auto set =
       read("a.obj", "call other.obj\n" + square + "xyzzy 1\ncstype bezier\nxyzzy 2\ndeg 3\nF 1 2 3\nf 1 2 3\n\x1a");
   CHECK(set.elements == 1);

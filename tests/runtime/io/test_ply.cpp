@@ -34,7 +34,7 @@ TEST_CASE("ascii PLY, with polygons", "[ply]") {
   CHECK(set.owner == indices{0, 1, 1, 2});
 }
 
-TEST_CASE("what a PLY may hold besides", "[ply]") {
+TEST_CASE("other contents of a PLY", "[ply]") {
   const auto set =
       read("a.PLY", "ply\r\ncomment first\r\nformat ascii 1.0\r\nobj_info made by hand\r\n"
                     "element before 1\r\nproperty list uint8 float32 many\r\nproperty int n\r\n"

@@ -1,5 +1,5 @@
-// Decimals on a tie of two float32 numbers and just beside it, with every transform: they are rounded to float32 first, and then
-// moved in double and rounded once, as the library moves float32 numbers.
+// Decimals on a tie of two float32 numbers and just beside it, with every transform: they are rounded to float32 first, and
+// then moved in double and rounded once, as the library moves float32 numbers.
 #include "fixture.hpp"
 
 #include "meet/core/views/moved_coordinate.hpp"
@@ -64,7 +64,7 @@ decimal any_decimal(std::mt19937_64 &g) {
   return {(negative ? "-" : "") + beside(digits_of(tie), side), (up ? next : f) * (negative ? -1.0F : 1.0F)};
 }
 
-// What the library makes of it: double, in this order, rounded once.
+// The point as the library moves it: in double, in this order, rounded once.
 std::array<float, 3> moved(const transform &by, const std::array<float, 3> &p) {
   std::array<double, 3> q = {p[0], p[1], p[2]};
   if (by.scale)

@@ -71,7 +71,7 @@ TEST_CASE("binary STL and ascii PLY agree with what is written", "[write]") {
   CHECK(meetc::io::read(folder() / "out.ply", kinds).data == set.data);
 }
 
-TEST_CASE("writers refuse what does not fit", "[write]") {
+TEST_CASE("writers refuse elements that do not fit", "[write]") {
   const auto mesh = read("a.obj", "v 0 0 0\nf 1 1 1\n");
   const fs::path path = folder() / "refused.ply";
   CHECK_THROWS_WITH(meetc::io::write_ply(path, mesh, std::vector<rgb>(2)),

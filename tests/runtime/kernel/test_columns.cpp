@@ -122,7 +122,7 @@ TEST_CASE("balls that touch come out negative, whatever the unit loses, padding 
   CHECK(exact > effort(20000));
 }
 
-TEST_CASE("what is apart is mostly let go") {
+TEST_CASE("pairs that are apart are mostly let go") {
   tally sum;
   go_through(families()[0], effort(20000), sum);
   REQUIRE(sum.apart > effort(20000));

@@ -147,7 +147,7 @@ TEST_CASE("a frame of no size, of the least and of the largest") {
   CHECK(at(0, 0x1.fffffep129).scale == 0x1p-119); // triangles at the end of float32, with their balls
 }
 
-TEST_CASE("what is apart touches nothing in the frame") {
+TEST_CASE("boxes that are apart touch nothing in the frame") {
   long all_apart = 0, all_astride = 0, all_everywhere = 0;
   for (const family &f : families()) {
     std::mt19937_64 random(5);

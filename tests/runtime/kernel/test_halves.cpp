@@ -18,7 +18,7 @@ double value_of(unsigned bits) {
 }
 constexpr unsigned least = 0x0400, most = 0x7bff; // 2^-14 and 65504
 
-// Of two neighbours with bits n and n + 1, the nearer; in a tie, the even one.
+// The nearer of two neighbours with bits n and n + 1; in a tie, the even one.
 unsigned nearest(unsigned n, double x) {
   const double to_low = x - value_of(n), to_high = value_of(n + 1) - x; // exact
   if (to_low == to_high)

@@ -5,7 +5,7 @@
 
 #include <cga/triangle_triangle.hpp>
 
-#include <cga/detail/triangle_triangle_rest.hpp>
+#include <cga/detail/triangle_triangle_later.hpp>
 
 #include <algorithm>
 #include <cstring>

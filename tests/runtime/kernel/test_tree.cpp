@@ -56,7 +56,7 @@ TEST_CASE("tree: the table of steps along Hilbert's curve gives the same places"
   }
 }
 
-TEST_CASE("tree: any centre has a place, and what lies apart keeps its side") {
+TEST_CASE("tree: any centre has a place, and distant ones keep their sides") {
   const tree_box around{{-1, -1, -1}, {1, 1, 1}};
   const auto place = [&](float x, float y, float z) {
     return hilbert_cells(around, 1).place_of({{x, y, z}, {x, y, z}});
@@ -67,10 +67,10 @@ TEST_CASE("tree: any centre has a place, and what lies apart keeps its side") {
   CHECK(seen == std::vector<bool>(8, true));
   CHECK(place(-FLT_MAX, -FLT_MAX, -FLT_MAX) == place(-0.5F, -0.5F, -0.5F));
   CHECK(place(FLT_MAX, FLT_MAX, FLT_MAX) == place(0.5F, 0.5F, 0.5F));
-  // Of one place, and of none.
+  // Cells of one place, and of none.
   CHECK(hilbert_cells({{3, 3, 3}, {3, 3, 3}}, 10).place_of({{3, 3, 3}, {3, 3, 3}}) == 0);
   CHECK(hilbert_cells(tree_box(), 10).place_of({{3, 3, 3}, {3, 3, 3}}) == 0);
-  // Of any size: the middle of each octant is in a cell of its own.
+  // Boxes of any size: the middle of each octant is in a cell of its own.
   for (const float size : {0x1p-148F, 0x1p-126F, 0x1p-61F, 0x1p-59F, 1.0F, 0x1p59F, 0x1p62F, FLT_MAX}) {
     const hilbert_cells cells({{-size, -size, -size}, {size, size, size}}, 1);
     std::vector<bool> of_size(8);

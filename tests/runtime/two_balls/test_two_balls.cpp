@@ -1,4 +1,4 @@
-// The test of two balls by their boxes: what it says is true, from 2^-149 to 2^127, and it says something of most pairs.
+// The test of two balls by their boxes: its claims are true, from 2^-149 to 2^127, and it makes one for most pairs.
 #include "meet/core/hierarchy/two_balls.hpp"
 #include "tests/catch.hpp"
 
@@ -109,7 +109,7 @@ template <class Make> findings judge(const Make &make, unsigned seed, int rounds
 
 } // namespace
 
-TEST_CASE("two balls: what their boxes say of them is true") {
+TEST_CASE("two balls: the claims of their boxes are true") {
   for (const auto &make : {anywhere, near_underflow, extreme}) {
     const findings f = judge(make, 90, 60'000);
     CHECK(f.wrong == 0);
@@ -137,7 +137,7 @@ TEST_CASE("two balls: nearly all pairs are decided, at any scale that the error'
   }
 }
 
-TEST_CASE("two balls: a smaller margin says what is wrong") {
+TEST_CASE("two balls: a smaller margin makes wrong claims") {
   const ball_margin all;
   CHECK(judge(anywhere, 92, 60'000, {all.factor / 16, all.term}).wrong > 0);
   CHECK(judge(near_underflow, 93, 60'000, {all.factor, 0}).wrong > 0);

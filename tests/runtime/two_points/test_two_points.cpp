@@ -16,7 +16,7 @@ struct scene {
   box b;
 };
 
-// What a test with this margin says of one box; the other lanes are empty.
+// The answer of a test with this margin about one box; the other lanes are empty.
 bool kept(const scene &s, const kind_info &kind, parameter_margin margin) {
   box_block block;
   block.clear();
@@ -160,7 +160,7 @@ TEST_CASE("not a number keeps a pair, and an empty lane is not told from a full 
 }
 
 namespace {
-// How many pairs are candidates: their boxes touch, and an element with two points touches the other's box.
+// The number of candidates: their boxes touch, and an element with two points touches the other's box.
 std::uint64_t candidates_by_points(const rows &a, const kind_info &kind_a, const rows &b, const kind_info &kind_b) {
   const auto fields_a = static_cast<std::size_t>(kind_a.fields), fields_b = static_cast<std::size_t>(kind_b.fields);
   const auto one_box = [](const box &lone) {

@@ -18,7 +18,7 @@ using namespace meetc;
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-// What the calls are given, made under the default word.
+// The arguments of the calls, made under the default word.
 const predicate_info &touching() {
   static const predicate_info &p = find_predicate(cga::catalogue(), "triangle_triangle");
   return p;
@@ -224,9 +224,9 @@ void call_column(caller &under) {
 void call_prepare(caller &under) {
   for (const pair_of_sets &p : every_pair_of_sets())
     for (const pose &at : {pose(), some_pose(), some_pose(0x1p-149)})
-      for (const prepared *near : {static_cast<const prepared *>(nullptr), &p.set_b}) {
+      for (const prepared *counterpart : {static_cast<const prepared *>(nullptr), &p.set_b}) {
         std::optional<prepared> made;
-        under([&] { made.emplace(prepare(view_of(p.a, *p.by.a), *p.by.a, at, 2, near)); });
+        under([&] { made.emplace(prepare(view_of(p.a, *p.by.a), *p.by.a, at, 2, counterpart)); });
         if (made)
           add(under, *made);
       }

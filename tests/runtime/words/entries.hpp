@@ -1,4 +1,4 @@
-// Every public function of the runtime, and what each answers when it is called under some control word.
+// Every public function of the runtime, and its answer when it is called under some control word.
 #ifndef MEETC_TESTS_RUNTIME_WORDS_ENTRIES_HPP
 #define MEETC_TESTS_RUNTIME_WORDS_ENTRIES_HPP
 
@@ -19,7 +19,7 @@ struct setting {
 };
 std::span<const setting> settings(); // the first is the default one
 
-// Calls functions under a setting. What they throw is their answer; the setting must be the same after each call, the flags of
+// Calls functions under a setting. An exception is their answer; the setting must be the same after each call, the flags of
 // past exceptions included.
 class caller {
 public:

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# every_function.sh ENTRIES [--pointers] [--also NAMES] HEADER ...: fails unless ENTRIES, a source with a table of `{"NAME", call}`,
-# names each function that the headers declare and no other, so that none is forgotten. --pointers: the members that point to
-# functions instead. --also: names that declared.awk does not read there, with commas.
+# every_function.sh ENTRIES [--pointers] [--also NAMES] HEADER ...: fails unless ENTRIES, a source with a table of `{"NAME",
+# call}`, names each function that the headers declare and no other, so that none is forgotten. --pointers: the members that
+# point to functions instead. --also: names that declared.awk does not read there, with commas.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 entries=$1

@@ -45,7 +45,7 @@ TEST_CASE("words: the settings differ from the default one, and from each other"
   for (const setting &s : settings())
     names.insert(s.name);
   CHECK(names.size() == settings().size());
-  // What is called without a guard sees them: subnormals vanish, sums round otherwise.
+  // A call without a guard sees them: subnormals vanish, sums round otherwise.
   static volatile float tiny = 0x1p-149F, one = 1, small = 0x1p-30F;
   std::set<std::string> seen;
   for (const setting &s : settings()) {

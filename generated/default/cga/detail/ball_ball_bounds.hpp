@@ -24,7 +24,7 @@ struct ball_ball_points {
     return bits;
   }
   // A pair is a hit, whatever its other numbers are, where S.c = T.c. The proof puts equal points into the
-  // polynomials of all signs; see meetc/decide/usual.hpp.
+  // polynomials of all signs; see meetc/decide/first_stages.hpp.
   static constexpr unsigned settled_by = 0x1u; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.

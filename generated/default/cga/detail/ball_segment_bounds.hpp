@@ -28,7 +28,7 @@ struct ball_segment_points {
     return bits;
   }
   // A pair is a hit, whatever its other numbers are, where S.c = s.p, or S.c = s.q. The proof puts equal
-  // points into the polynomials of all signs; see meetc/decide/usual.hpp.
+  // points into the polynomials of all signs; see meetc/decide/first_stages.hpp.
   static constexpr unsigned settled_by = 0x3u; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.

@@ -26,7 +26,7 @@ struct box_box_points {
     return bits;
   }
   // A pair is a hit, whatever its other numbers are, where A.low = B.high and A.high = B.low. The proof puts
-  // equal points into the polynomials of all signs; see meetc/decide/usual.hpp.
+  // equal points into the polynomials of all signs; see meetc/decide/first_stages.hpp.
   static constexpr unsigned settled_by = 0x0u; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & 0x3u) == 0x3u; }
   // The axis of each input, or -1 if it occurs outside a difference.

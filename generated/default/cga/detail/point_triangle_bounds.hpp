@@ -34,7 +34,7 @@ struct point_triangle_points {
     return bits;
   }
   // A pair is a hit, whatever its other numbers are, where p = t.a, or p = t.b, or p = t.c. The proof puts
-  // equal points into the polynomials of all signs; see meetc/decide/usual.hpp.
+  // equal points into the polynomials of all signs; see meetc/decide/first_stages.hpp.
   static constexpr unsigned settled_by = 0x7u; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.

@@ -43,7 +43,7 @@ struct segment_triangle_points {
   }
   // A pair is a hit, whatever its other numbers are, where s.p = t.a, or s.p = t.b, or s.p = t.c, or s.q =
   // t.a, or s.q = t.b, or s.q = t.c. The proof puts equal points into the polynomials of all signs; see
-  // meetc/decide/usual.hpp.
+  // meetc/decide/first_stages.hpp.
   static constexpr unsigned settled_by = 0x7eu; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.

@@ -53,7 +53,7 @@ struct triangle_triangle_points {
   }
   // A pair is a hit, whatever its other numbers are, where A.a = B.a, or A.a = B.b, or A.a = B.c, or A.b =
   // B.a, or A.b = B.b, or A.b = B.c, or A.c = B.a, or A.c = B.b, or A.c = B.c. The proof puts equal points
-  // into the polynomials of all signs; see meetc/decide/usual.hpp.
+  // into the polynomials of all signs; see meetc/decide/first_stages.hpp.
   static constexpr unsigned settled_by = 0xfdcu; // any of these bits
   MEETC_HD static constexpr bool settled(unsigned equal) { return (equal & settled_by) != 0; }
   // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.

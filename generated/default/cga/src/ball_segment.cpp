@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/ball_segment.hpp>
-#include <cga/detail/ball_segment_rest.hpp>
+#include <cga/detail/ball_segment_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 bool ball_segment::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<ball_segment>(row_a, row_b);
+  return meetc::later_rungs<ball_segment>(row_a, row_b);
 }
 
 namespace detail {

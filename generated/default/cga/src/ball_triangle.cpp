@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/ball_triangle.hpp>
-#include <cga/detail/ball_triangle_rest.hpp>
+#include <cga/detail/ball_triangle_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 bool ball_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<ball_triangle>(row_a, row_b);
+  return meetc::later_rungs<ball_triangle>(row_a, row_b);
 }
 
 namespace detail {

@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/box_box.hpp>
-#include <cga/detail/box_box_rest.hpp>
+#include <cga/detail/box_box_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 bool box_box::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<box_box>(row_a, row_b);
+  return meetc::later_rungs<box_box>(row_a, row_b);
 }
 
 namespace detail {

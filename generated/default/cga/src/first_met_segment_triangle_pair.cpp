@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/first_met_segment_triangle_pair.hpp>
-#include <cga/detail/first_met_segment_triangle_pair_rest.hpp>
+#include <cga/detail/first_met_segment_triangle_pair_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 meetc::sign first_met_segment_triangle_pair_sign::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest_sign<first_met_segment_triangle_pair_sign>(row_a, row_b);
+  return meetc::later_rungs_sign<first_met_segment_triangle_pair_sign>(row_a, row_b);
 }
 
 } // namespace cga

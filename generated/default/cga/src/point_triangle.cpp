@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/point_triangle.hpp>
-#include <cga/detail/point_triangle_rest.hpp>
+#include <cga/detail/point_triangle_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 bool point_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<point_triangle>(row_a, row_b);
+  return meetc::later_rungs<point_triangle>(row_a, row_b);
 }
 
 namespace detail {

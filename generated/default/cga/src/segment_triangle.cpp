@@ -5,12 +5,12 @@
 
 #include <cga/first_met_segment_triangle_pair.hpp>
 #include <cga/segment_triangle.hpp>
-#include <cga/detail/segment_triangle_rest.hpp>
+#include <cga/detail/segment_triangle_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 bool segment_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<segment_triangle>(row_a, row_b);
+  return meetc::later_rungs<segment_triangle>(row_a, row_b);
 }
 meetc::answer segment_triangle::whole_filter(const float *row_a, const float *row_b) {
   return meetc::certify<segment_triangle, meetc::in_fp32>(row_a, row_b);

@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/side_triangle_point.hpp>
-#include <cga/detail/side_triangle_point_rest.hpp>
+#include <cga/detail/side_triangle_point_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 meetc::sign side_triangle_point_sign::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest_sign<side_triangle_point_sign>(row_a, row_b);
+  return meetc::later_rungs_sign<side_triangle_point_sign>(row_a, row_b);
 }
 
 } // namespace cga

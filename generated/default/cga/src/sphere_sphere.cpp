@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/sphere_sphere.hpp>
-#include <cga/detail/sphere_sphere_rest.hpp>
+#include <cga/detail/sphere_sphere_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 bool sphere_sphere::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<sphere_sphere>(row_a, row_b);
+  return meetc::later_rungs<sphere_sphere>(row_a, row_b);
 }
 
 namespace detail {

@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/sphere_triangle.hpp>
-#include <cga/detail/sphere_triangle_rest.hpp>
+#include <cga/detail/sphere_triangle_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 bool sphere_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<sphere_triangle>(row_a, row_b);
+  return meetc::later_rungs<sphere_triangle>(row_a, row_b);
 }
 
 namespace detail {

@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/triangle_triangle.hpp>
-#include <cga/detail/triangle_triangle_rest.hpp>
+#include <cga/detail/triangle_triangle_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 bool triangle_triangle::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest<triangle_triangle>(row_a, row_b);
+  return meetc::later_rungs<triangle_triangle>(row_a, row_b);
 }
 meetc::answer triangle_triangle::whole_filter(const float *row_a, const float *row_b) {
   return meetc::certify<triangle_triangle, meetc::in_fp32>(row_a, row_b);

@@ -3,12 +3,12 @@
 #include <meetc/simd/table_functions.hpp>
 
 #include <cga/twist_segment_segment.hpp>
-#include <cga/detail/twist_segment_segment_rest.hpp>
+#include <cga/detail/twist_segment_segment_later.hpp>
 
 MEETC_NAMESPACE(cga) {
 
 meetc::sign twist_segment_segment_sign::after_fp32(const float *row_a, const float *row_b) {
-  return meetc::decide_rest_sign<twist_segment_segment_sign>(row_a, row_b);
+  return meetc::later_rungs_sign<twist_segment_segment_sign>(row_a, row_b);
 }
 
 } // namespace cga

@@ -80,7 +80,7 @@ app::command add_read(CLI::App &bench, const catalogue &all) {
   CLI::App &c = *bench.add_subcommand("read", "The readers, beside the least that a file takes");
   const auto q = std::make_shared<request>();
   q->threads = 2;
-  c.add_option("--mesh", q->a, "Of this mesh; without it a built-in body serves")->type_name("FILE");
+  c.add_option("--mesh", q->a, "The mesh; without it a built-in body serves")->type_name("FILE");
   add_threads(c, *q, "Threads of the readers; 0 is all cores, 2 the default");
   add_repetitions(c, *q, "How often reader and least take turns, by default 21");
   add_json(c, *q, "table");

@@ -27,7 +27,7 @@ constexpr const char *rules =
     "Each figure is from one run in which all works of a table take turns; the median counts. With one thread times "
     "are "
     "those of the process on its cores, with more they are wall-clock times. Every answer is compared with `exact`, "
-    "other libraries' too. What a library offers was compiled as the notes below each table say.";
+    "other libraries' too. The libraries were compiled as the notes below each table say.";
 
 std::vector<const catalogue *> kernels_to_measure(const app::kernel_library &all, const std::string &named) {
   if (named != "auto")

@@ -39,7 +39,7 @@ std::vector<std::uint32_t> downloaded(const std::uint32_t *from, std::size_t n) 
 struct row {
   std::string scene;
   std::uint64_t segments, pairs, meet, wrong;
-  double counted, first, usual;
+  double counted, first, nearest;
 };
 
 } // namespace
@@ -67,7 +67,7 @@ table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::func
     check(tree.build(b.rows().data(), within, on_.stream()), "building a baseline's hierarchy");
     device_memory<std::uint32_t> nearest;
     nearest.reserve(a.elements(), "a baseline's nearest hits");
-    const double usual = timer_.seconds(
+    const double lbvh = timer_.seconds(
         [&] {
           check(tree.first(a.rows().data(), a.elements(), nearest.data(), on_.stream()), "starting a baseline's query");
         },
@@ -87,7 +87,7 @@ table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::func
             wrong(sets, last.first_met, baseline),
             counted,
             ours,
-            usual};
+            lbvh};
   };
   std::vector<row> rows;
   for (const scene &of : scenes) {
@@ -95,16 +95,16 @@ table gpu_bench::measure_first(const std::vector<scene> &scenes, const std::func
     progress();
   }
   return table_of<row>(
-      "first", "What segments meet first",
+      "first", "The first triangles that segments meet",
       {{"scene", "scene", of_words, &row::scene},
        {"segments", "segments", of_count, &row::segments},
        {"pairs", "pairs", of_count, &row::pairs},
        {"meet", "segments|that meet some", of_count, &row::meet},
        {"counted", "ours:|pairs counted, ms", of_milliseconds, &row::counted},
        {"first", "ours: and the|first ones, ms", of_milliseconds, &row::first},
-       {"lbvh", "LBVH:|nearest hits, ms", of_milliseconds, &row::usual},
+       {"lbvh", "LBVH:|nearest hits, ms", of_milliseconds, &row::nearest},
        {"wrong", "LBVH: wrong|segments", of_count, &row::wrong},
-       {"ratio", "LBVH /|ours", [](const row &r) { return of_ratio(r.usual / r.first); }}},
+       {"ratio", "LBVH /|ours", [](const row &r) { return of_ratio(r.nearest / r.first); }}},
       rows,
       {"On prepared sets, without building hierarchies. Ours: certified, over all pairs, with the least triangle where "
        "several are met at one point; the device's time, with the naming of elements and without downloading. LBVH: "

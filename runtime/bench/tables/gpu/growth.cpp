@@ -1,4 +1,4 @@
-// How long a query takes on a device as sets grow, and where they do not lie evenly, and every pair beside it.
+// The time of a query on a device as sets grow, and where they do not lie evenly, and every pair beside it.
 #include "meet/bench/tables/gpu/measure.hpp"
 #include "meet/bench/tables/gpu/sets.hpp"
 

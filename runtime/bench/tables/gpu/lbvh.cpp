@@ -96,7 +96,7 @@ table gpu_bench::measure_lbvh(const std::vector<scene> &scenes, const std::funct
        "plain fp32 at the leaves: distance of balls, Möller with epsilon 0, Möller-Trumbore with epsilon 0, "
        "comparisons "
        "of boxes. Segments walk as rays do, through the boxes that they reach; all else walks with its box. Its pairs "
-       "stay unsorted. It is given the extent of B, and A in our spatial order, without their time. Of a set with "
+       "stay unsorted. It is given the extent of B, and A in our spatial order, without their time. In a set with "
        "itself it looks at each pair of two elements once, and so counts less than half of the pairs. Ours: certified, "
        "and sorted; both sets are ordered on the device and enclosed. Given: the same of sets that lie on the device "
        "as "

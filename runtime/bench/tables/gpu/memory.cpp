@@ -1,4 +1,4 @@
-// How far queries are from the time in which the memory gives both sets once.
+// The times of queries beside the time in which the memory gives both sets once.
 #include "meet/bench/tables/gpu/measure.hpp"
 #include "meet/bench/tables/gpu/sets.hpp"
 

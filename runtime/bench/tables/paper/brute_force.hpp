@@ -16,7 +16,7 @@ namespace meetc::bench {
 
 class brute_force {
 public:
-  // a and b are the predicate's first and second set; what they store for it is computed here.
+  // a and b are the predicate's first and second set; their stored values are computed here.
   brute_force(const predicate_info &predicate, const io::element_set &a, const io::element_set &b,
               std::uint64_t budget);
 

@@ -42,7 +42,7 @@ std::vector<const trade_point *> points_of(const std::vector<trade_cell> &all, c
   return out;
 }
 
-// That no wrong answer was seen does not make a method equal to one that gives none.
+// A method without a wrong answer in these pairs is not equal to one that gives none at all.
 bool loses(const std::vector<const trade_point *> &one, const std::vector<const trade_point *> &other) {
   if (!one.empty() && one[0]->method.promises_truth() && !other[0]->method.promises_truth())
     return false;
@@ -130,7 +130,7 @@ table table_of_losers(const std::vector<trade_cell> &all) {
                           {"loses_to", "loses to", of_words, &loser::to}},
                          rows,
                          {"A method loses to another that was faster in every family above and in none more often "
-                          "wrong. What is never wrong loses only to what is never wrong either."});
+                          "wrong. A method that is never wrong loses only to another that is never wrong."});
 }
 
 table table_of_queries(const std::vector<trade_query> &all, int threads) {

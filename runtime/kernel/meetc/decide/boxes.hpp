@@ -2,7 +2,7 @@
 #ifndef MEETC_DECIDE_BOXES_HPP
 #define MEETC_DECIDE_BOXES_HPP
 
-#include <meetc/decide/stored.hpp>
+#include <meetc/decide/stored_values.hpp>
 #include <meetc/number/rounding.hpp>
 
 MEETC_NAMESPACE(meetc) {

@@ -27,7 +27,7 @@ template <class P, class Signs> MEETC_HD inline bool decide(const Signs &signs) 
 // The same on sets of signs: the answer on which all choices of signs from the sets agree, or unsure.
 template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const Signs &signs) {
   found_signs<P> f;
-  if (const progress at = find_usual<P>(signs, f); at != progress::open)
+  if (const progress at = run_first_stages<P>(signs, f); at != progress::open)
     return to_answer(at == progress::hit);
   if constexpr (P::rare_stage::atoms > 0) {
     const truth rare = needs_rare_stage<P>(f);
@@ -43,7 +43,7 @@ template <class P, class Signs> MEETC_HD MEETC_INLINE answer decide_sets(const S
       return f.known ? to_answer(P::whole(f.s)) : to_answer(P::whole(f.sets));
     }
   }
-  return usual_answer<P>(f);
+  return common_answer<P>(f);
 }
 
 // The decision of the exact rung, in any environment. It compares the points first, which costs little beside it.

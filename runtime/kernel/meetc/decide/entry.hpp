@@ -6,9 +6,9 @@
 #ifndef MEETC_DECIDE_ENTRY_HPP
 #define MEETC_DECIDE_ENTRY_HPP
 
-#include <meetc/decide/usual.hpp>
+#include <meetc/decide/first_stages.hpp>
 #if defined(__CUDACC__)
-#include <meetc/decide/rest.hpp>
+#include <meetc/decide/later_rungs.hpp>
 #endif
 
 MEETC_NAMESPACE(meetc) {
@@ -31,9 +31,9 @@ template <class P> struct after_fp32 {
     return P::after_fp32(a, b);
 #else
     if constexpr (requires { P::value(static_cast<const sign *>(nullptr)); })
-      return decide_rest_sign<P>(a, b);
+      return later_rungs_sign<P>(a, b);
     else
-      return decide_rest<P>(a, b);
+      return later_rungs<P>(a, b);
 #endif
   }
 };

@@ -3,8 +3,8 @@
 #define MEETC_DECIDE_EXACT_HPP
 
 #include <meetc/decide/bytecode.hpp>
+#include <meetc/decide/first_stages.hpp>
 #include <meetc/decide/integers.hpp>
-#include <meetc/decide/usual.hpp>
 
 MEETC_NAMESPACE(meetc) {
 

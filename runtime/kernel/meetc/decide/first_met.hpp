@@ -7,8 +7,8 @@
 #ifndef MEETC_DECIDE_FIRST_MET_HPP
 #define MEETC_DECIDE_FIRST_MET_HPP
 
-#include <meetc/decide/rest.hpp>
-#include <meetc/decide/usual.hpp>
+#include <meetc/decide/first_stages.hpp>
+#include <meetc/decide/later_rungs.hpp>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -46,14 +46,14 @@ private:
 #if !defined(__CUDA_ARCH__)
     return static_cast<int>(Order::after_fp32(segment, pair));
 #else
-    return static_cast<int>(decide_rest_sign<Order>(segment, pair));
+    return static_cast<int>(later_rungs_sign<Order>(segment, pair));
 #endif
   }
   MEETC_HD static bool touches(const float *segment, const float *t) {
 #if !defined(__CUDA_ARCH__)
     return Touches::after_fp32(segment, t);
 #else
-    return decide_rest<Touches>(segment, t);
+    return later_rungs<Touches>(segment, t);
 #endif
   }
 

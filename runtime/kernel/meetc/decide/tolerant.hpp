@@ -82,7 +82,7 @@ template <class P> struct grid_signs {
 
 // The decision on a pair that fp32 leaves open: exact, of rows on the grid; by distance, from the value in fp64, for
 // environments in which the bound in fp32 does not hold. Few pairs need it.
-template <class P> MEETC_HD inline bool decide_tolerant_rest(const float *row_a, const float *row_b) {
+template <class P> MEETC_HD inline bool tolerant_later_rungs(const float *row_a, const float *row_b) {
   if constexpr (P::tolerance::rounds)
     return decide<P>(grid_signs<P>{row_a, row_b});
   else
@@ -91,13 +91,13 @@ template <class P> MEETC_HD inline bool decide_tolerant_rest(const float *row_a,
 // The decision on rows, which have been rounded if the rung rounds.
 template <class P> MEETC_HD inline bool decide_tolerant(const float *row_a, const float *row_b) {
   if (!standard_environment())
-    return decide_tolerant_rest<P>(row_a, row_b);
+    return tolerant_later_rungs<P>(row_a, row_b);
   row_a = after_check(row_a), row_b = after_check(row_b);
   if constexpr (P::tolerance::rounds) {
     const first_answer by_fp32 = look<P, in_fp32>(row_a, row_b);
     return before_return(by_fp32 == first_answer::no || by_fp32 == first_answer::yes
                              ? by_fp32 == first_answer::yes
-                             : decide_tolerant_rest<P>(row_a, row_b));
+                             : tolerant_later_rungs<P>(row_a, row_b));
   } else {
     return before_return(decide<P>(plain_signs<P, by_distance::number>(row_a, row_b)));
   }

@@ -1,9 +1,9 @@
 // Decides pairs in lanes: the rungs in fp32, for the runtime's table.
 //
-// Problem: most pairs are decided by the reject stage or in the usual case, by straight-line arithmetic that is the
+// Problem: most pairs are decided by the reject stage or in the common case, by straight-line arithmetic that is the
 // same for all pairs.
 // Method: lane_count pairs at a time are brought into structure-of-arrays form. If few of them survive the reject
-// stage, the survivors wait until they fill the lanes, and run it again together with the stage of the usual case.
+// stage, the survivors wait until they fill the lanes, and run it again together with the stage of the common case.
 // Equal points are compared in lanes too, and before the reject stage while most pairs share some. Pairs that lanes
 // leave open (rare cases, unsure signs) go to the caller's function, one by one. Lanes decide no pair that the
 // functions for one pair (decide.hpp) would leave open, and none differently: their arithmetic is the same, operation
@@ -15,8 +15,8 @@
 
 #include <meetc/simd/lanes.hpp>
 
-#include <meetc/decide/stored.hpp>
-#include <meetc/decide/usual.hpp>
+#include <meetc/decide/first_stages.hpp>
+#include <meetc/decide/stored_values.hpp>
 #include <meetc/simd/power_bound.hpp>
 #include <meetc/table/table.hpp>
 
@@ -167,7 +167,7 @@ private:
       for (int k = 0; k < n; ++k)
         out_[number(k)] = answer::no;
       if (mostly(left))
-        usual(t, extent, s, left, number);
+        common_case(t, extent, s, left, number);
       else
         wait(number, pairs, left);
     }
@@ -202,11 +202,11 @@ private:
       for (int k = 0; k < n; ++k)
         out_[number(k)] = answer::no;
     }
-    usual(t, extent, s, left, number);
+    common_case(t, extent, s, left, number);
   }
-  // The stage of the usual case, for the lanes of `left`; the others are misses.
+  // The stage of the common case, for the lanes of `left`; the others are misses.
   template <class Number>
-  MEETC_INLINE void usual(lane_tile<P> &t, lanes extent, sign_lanes *s, lane_mask left, const Number &number) {
+  MEETC_INLINE void common_case(lane_tile<P> &t, lanes extent, sign_lanes *s, lane_mask left, const Number &number) {
     if (const lane_mask hits = settled(t, s, left); hits != 0) {
       points_first_ = mostly(hits);
       for (lane_mask more = hits; more != 0; more &= more - 1)
@@ -305,7 +305,7 @@ private:
       return computes_as_bounded() ? P::settled_lanes(t.row_a, t.row_b) : 0;
     return 0;
   }
-  // Those of `left`. As in find_usual(), points matter where a sign of the reject stage may be zero.
+  // Those of `left`. As in run_first_stages(), points matter where a sign of the reject stage may be zero.
   static MEETC_INLINE lane_mask settled(const lane_tile<P> &t, const sign_lanes *s, lane_mask left) {
     lane_mask zero = 0;
     if constexpr (compares_points && P::reject_stage::atoms > 0)

@@ -1,4 +1,4 @@
-// What is known of the signs of many values at a time, as bit masks: a set of signs of all lanes is three masks, so the
+// Sets of signs of many values at a time, as bit masks: a set of signs of all lanes is three masks, so the
 // logic of a decision costs as much for all lanes as for one pair. Users include lanes.hpp.
 #ifndef MEETC_SIMD_LANE_SIGNS_HPP
 #define MEETC_SIMD_LANE_SIGNS_HPP
@@ -43,8 +43,8 @@ template <class L> MEETC_INLINE L leaf_at_least(L difference, L floor) {
 struct proved_lanes {
   lane_mask negative, zero, positive;
 };
-// Of a value that is within `error` of v; a magnitude of zero proves zero. Nothing is proved by NaN. v must be finite where
-// it exceeds its error.
+// The proved signs of values within `error` of v; a magnitude of zero proves zero, and NaN proves nothing. v must be finite
+// where it exceeds its error.
 template <class L> MEETC_INLINE proved_lanes proved(L v, L error, L magnitude) {
   return {greater(-v, error), magnitude == L(0.0F), greater(v, error)};
 }

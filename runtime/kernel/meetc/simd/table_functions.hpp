@@ -7,7 +7,7 @@
 
 #include <meetc/decide/boxes.hpp>
 #include <meetc/decide/decide.hpp>
-#include <meetc/decide/rest.hpp>
+#include <meetc/decide/later_rungs.hpp>
 #include <meetc/decide/tolerant.hpp>
 #include <meetc/simd/wide_decide.hpp>
 #include <meetc/table/table.hpp>
@@ -15,7 +15,7 @@
 
 MEETC_NAMESPACE(meetc) {
 
-// Of the stages before the rare one.
+// The highest degree of the stages before the rare one.
 template <class P> constexpr int highest_degree() {
   int most = 0;
   if constexpr (P::reject_stage::atoms > 0)
@@ -201,7 +201,7 @@ MEETC_INLINE void decide_by_distance(const row_array &a, const row_array &b, con
 
 // The rung tolerant. Rows have been rounded where it rounds.
 template <class P> void decide_tolerant(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
-  const auto rest = [](const row_pair &p) { return to_answer(decide_tolerant_rest<P>(p.row_a, p.row_b)); };
+  const auto rest = [](const row_pair &p) { return to_answer(tolerant_later_rungs<P>(p.row_a, p.row_b)); };
   if (!standard_environment())
     return decide_each<P>(a, b, pairs, n, out, rest);
   if constexpr (P::tolerance::rounds) {

@@ -1,5 +1,5 @@
-// The interface between a runtime and generated code: plain data and functions, which name no shape. The functions of an emitted
-// table may be called under any control word (table_entry.hpp).
+// The interface between a runtime and generated code: plain data and functions, which name no shape. The functions of an
+// emitted table may be called under any control word (table_entry.hpp).
 #ifndef MEETC_TABLE_TABLE_HPP
 #define MEETC_TABLE_TABLE_HPP
 
@@ -75,7 +75,7 @@ inline constexpr int bounded_rungs = 3;
 // multiplied by one positive number.
 using decide_function = void (*)(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out);
 
-// What the rung tolerant presumes of both sets, and what it promises.
+// The assumptions of the rung tolerant about both sets, and its promises.
 struct tolerance_info {
   double moves = 0; // an answer may be wrong only where moving one element by at most this changes it
   // The step of the scene's grid, a power of two; 0: it has none. `rounds`: all numbers must have been rounded to it.

@@ -101,8 +101,8 @@ public:
   // Those that the device offers.
   const std::vector<meetc::every_pair::filter> &filters() const { return filters_; }
 
-  // Compares every rung of `rungs` with the CPU: by a query, by every pair with every filter, and by a query on sets as they are
-  // given, culled or not. Differences are counted under the scene's name and printed.
+  // Compares every rung of `rungs` with the CPU: by a query, by every pair with every filter, and by a query on sets as they
+  // are given, culled or not. Differences are counted under the scene's name and printed.
   void same(const std::string &scene, const meetc::predicate_info &p, const meetc::prepared &a,
             const meetc::prepared &b, std::span<const meetc::rung> rungs, const options &o = {});
   // The same, but for given sets, for sets that are on the device already, in the poses in which a and b were prepared.

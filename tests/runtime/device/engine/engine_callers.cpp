@@ -1,5 +1,5 @@
-// Every pair in the caller's memory, by one call on views in device memory: every pair that the CPU's table decides, counted and
-// listed.
+// Every pair in the caller's memory, by one call on views in device memory: every pair that the CPU's table decides, counted
+// and listed.
 #include "engine.hpp"
 
 #include "tests/runtime/device/kernels/cuda_test.hpp"

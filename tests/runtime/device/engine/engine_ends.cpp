@@ -13,7 +13,7 @@ using namespace meetc;
 
 constexpr float most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
 
-// Of two sets the larger makes the frame, or the second if they are equally large.
+// The larger of two sets makes the frame, or the second if they are equally large.
 class scenes {
 public:
   scenes(comparison &with, const settings &s) : with_(with), random_(s.seed + 30), small_(s.small) {}
@@ -162,7 +162,7 @@ private:
   }
 
   // A pose takes elements to the end of float32, where the box of one overflows, on all sides or on one, and
-  // back. That one makes the frame together with small ones about 0; what touches it alone lies far from
+  // back. That one makes the frame together with small ones about 0; the balls that touch it alone lie far from
   // those.
   void posed(const predicate_info &p) {
     const auto about = [&](const kind_info &kind, std::size_t n, double offset) {

@@ -48,8 +48,8 @@ void comparison::compare_every_pair(const std::string &scene, const predicate_in
         fails("another filter than was asked for");
       if (!same_list(want.pairs, have.pairs) || have.count != have.pairs.size())
         fails(std::to_string(have.count) + " pairs, and the CPU has " + std::to_string(want.count));
-      // The CPU's candidates are touching boxes. For the plain rungs the device's are the same; for the others balls rule out more,
-      // but know nothing of an element's two points.
+      // The CPU's candidates are touching boxes. For the plain rungs the device's are the same; for the others balls rule out
+      // more, but know nothing of an element's two points.
       if ((have.candidates > want.candidates && !(never_wrong(r) && fewer_candidates_on_cpu(p))) ||
           (!never_wrong(r) && have.candidates != want.candidates))
         fails(std::to_string(have.candidates) + " candidates, and the CPU has " + std::to_string(want.candidates));

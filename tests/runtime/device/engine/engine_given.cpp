@@ -1,4 +1,4 @@
-// Sets as they are given, which a query puts into order, and which are culled before: what the other scenes do not have.
+// Sets as they are given, which a query puts into order, and which are culled before; the other scenes have none.
 #include "engine.hpp"
 
 #include "meet/core/device/set/cull.hpp"
@@ -141,14 +141,14 @@ void sizes_of_elements(comparison &with, const settings &s) {
     };
     const rows_of x = mixed(*p.a), y = mixed(*p.b);
     with.same("given, all sizes", p, prepare(view_of(x), *p.a), prepare(view_of(y), *p.b), certified);
-    // Of a cloud of points most lie in no marked cell.
+    // Most points of a cloud lie in no marked cell.
     const rows_of one = random_rows(*p.a, 1, {1, 1e-3, 1, 0.5}, random),
                   many = random_rows(*p.b, n, {2, 0.05, 1, 0}, random);
     with.same("given, one x many", p, prepare(view_of(one), *p.a), prepare(view_of(many), *p.b), certified);
   });
 }
 
-// What no set may have is refused in the words in which a device_set refuses it, also where culling leaves it out.
+// A number that no set may have is refused in the words in which a device_set refuses it, also where culling leaves it out.
 void refused(comparison &with, const settings &) {
   engine random(1);
   each_predicate([&](const predicate_info &p) {

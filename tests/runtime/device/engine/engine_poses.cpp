@@ -92,7 +92,7 @@ void moves(comparison &with, const settings &s) {
   }
 }
 
-// What a call throws, as the fault that it names.
+// The fault that a call throws.
 fault thrown(const std::function<void()> &f) {
   try {
     f();

@@ -1,4 +1,5 @@
-// A device that another part of the program has reset: what was asked of it for a kernel is forgotten, and must be asked again.
+// A device that another part of the program has reset: the attributes that a kernel was given are forgotten, and must be set
+// again.
 #include "engine.hpp"
 
 #include <cga/cga_cuda.hpp>

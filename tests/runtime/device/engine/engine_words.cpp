@@ -1,5 +1,5 @@
-// The device's entries under control words that another library may have set: the answers are those of the CPU under the standard
-// word, nothing traps, and the word is as it was.
+// The device's entries under control words that another library may have set: the answers are those of the CPU under the
+// standard word, nothing traps, and the word is as it was.
 #include "engine.hpp"
 
 #include "meet/core/device/poses.hpp"

@@ -1,8 +1,8 @@
 // Blocks of threads on the host, which run device code as it is: each thread is a fiber with a stack of its own, and a function
 // of a whole warp or block is a rendezvous. A thread that misses a rendezvous, or is at another than its neighbours, is a
 // failure. Between two of them threads run to their end one after another, now from the first to the last, now from the last to
-// the first: what one thread writes and another reads without a rendezvous between them is therefore read too early in one of
-// the two. Blocks that run at once take turns where all threads of all of them meet.
+// the first: a number that one thread writes and another reads without a rendezvous between them is therefore read too early in
+// one of the two. Blocks that run at once take turns where all threads of all of them meet.
 //
 // Included before the headers of device code, whose names for CUDA's functions it gives.
 #ifndef MEETC_TESTS_HOST_WARP_HPP

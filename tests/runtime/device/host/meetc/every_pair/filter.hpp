@@ -1,5 +1,5 @@
-// The matrix unit on the host. Two of its filters are the extremes that its model allows: one drops every pair that it may drop,
-// the other keeps every pair that it may keep.
+// The matrix unit on the host. Two of its filters are the extremes that its model allows: one drops every pair that it may
+// drop, the other keeps every pair that it may keep.
 #pragma once
 #include <meetc/every_pair/table.hpp>
 
