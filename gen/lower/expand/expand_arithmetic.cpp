@@ -42,7 +42,7 @@ bool is_factor(const lang::expr &e, const std::string &text) {
   return e.kind == op::name || e.kind == op::call || (closed > 0 && closed + 1 == text.size());
 }
 
-// What a number after '^' may have been meant to say: a power.
+// The likely meaning of a number after '^': a power.
 std::string meant(const std::string &factor, const lang::expr &exponent) {
   const std::string n = lang::print(exponent);
   if (n == "-1" || n == "(-1)")

@@ -47,7 +47,7 @@ std::vector<const lang::kind *> chosen(const model &m, const lang::scene &s) {
 
 const char *const always_zero = "it is always zero";
 
-// What is wrong with the kernel on operands of these kinds, if anything is.
+// The fault of the kernel on operands of these kinds, if there is one.
 std::optional<std::string> refusal_of_stored(const model &m, const request &r, bool &is_sign) {
   const stored_ring stored = stored_numbers(m, r.names, r.kinds);
   decision signs;

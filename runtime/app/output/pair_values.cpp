@@ -3,7 +3,7 @@
 #include "meet/app/input/failure.hpp"
 #include "meet/app/text/nearest.hpp"
 #include "meet/core/query/evaluate.hpp"
-#include "meet/core/views/plural.hpp"
+#include "meet/core/views/nouns.hpp"
 #include "meet/io/write.hpp"
 
 #include <fmt/format.h>
@@ -92,7 +92,7 @@ formula_choice choose_formula(const catalogue &all, const io::element_set &set_a
   for (int i = 0; i < all.formula_count; ++i)
     if (const formula_info &f = all.formulas[i]; takes(f, a, b) || takes(f, b, a))
       fitting.emplace_back(f.name);
-  const std::string those = fmt::format("for {} and {} the scene has {}", plural(a.name), plural(b.name),
+  const std::string those = fmt::format("for {} and {} the scene has {}", plural_of(a.name), plural_of(b.name),
                                         fitting.empty() ? "none" : joined(fitting));
   const formula_info *const f = find_formula(all, text);
   if (!f) {
