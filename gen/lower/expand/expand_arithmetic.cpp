@@ -47,12 +47,11 @@ std::string meant(const std::string &factor, const lang::expr &exponent) {
   const std::string n = lang::print(exponent);
   if (n == "-1" || n == "(-1)")
     return fmt::format("write inverse({}) for an inverse, and '*' to scale", factor);
-  if (n.size() != 1 || n[0] < '2' || n[0] > '9')
-    return "write '*' to scale";
-  std::string power = factor;
-  for (int i = 1; i < n[0] - '0'; ++i)
-    power += '*' + factor;
-  return fmt::format("write {} for a {}, and '*' to scale", power, n == "2" ? "square" : "power");
+  const bool power = n.size() == 1 && n[0] > '2' && n[0] <= '9';
+  std::string product = factor + '*' + factor;
+  for (int i = 2; power && i < n[0] - '0'; ++i)
+    product += '*' + factor;
+  return fmt::format("write {} for a {}, and '*' to scale", product, power ? "power" : "square");
 }
 
 // A^2 is no square, and A | 2 is hardly ever meant.
