@@ -22,7 +22,8 @@ struct compiled_kernel {
   std::optional<bound::kernel_bounds> bounds;
 };
 
-// Spec and model, with one kernel for each choice of a wildcard; nothing compiled. Algebras are also looked for in `algebra_path`.
+// Spec and model, with one kernel for each choice of a wildcard; nothing compiled. Algebras are also looked for in
+// `algebra_path`.
 compilation load(const std::string &scene_path, const std::vector<std::string> &algebra_path = {});
 compiled_kernel compile(const compilation &c, const lower::request &r);
 void compile_all(compilation &c);                   // every kernel of the scene

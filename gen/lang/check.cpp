@@ -264,7 +264,7 @@ private:
     for (const expr_ptr &arg : e.args)
       expression(*arg, inner);
   }
-  // What has a value without a declaration: I, and a basis blade such as e12.
+  // Names with a value and without a declaration: I, and a basis blade such as e12.
   bool is_value(const expr &e) const {
     const std::vector<std::string> vectors = vectors_of_name(a_, e.text);
     for (auto v = vectors.begin(); v != vectors.end(); ++v)

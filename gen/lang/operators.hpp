@@ -1,13 +1,13 @@
 // The operators that every algebra has. A function, predicate or kind hides the operator of its name.
 //
-// All are taken in `vectors`, the declared basis, so that a null basis changes no value. I is the constant I of the algebra where
-// it is a multiple of the outer product of all vectors, and that product where the algebra declares no I.
+// All are taken in `vectors`, the declared basis, so that a null basis changes no value. I is the constant I of the algebra
+// where it is a multiple of the outer product of all vectors, and that product where the algebra declares no I.
 #pragma once
 #include "gen/lang/spec.hpp"
 
 namespace meetc::lang {
 
-// What an operator does: one of its own, or the value of an expression.
+// The effect of an operator: one of its own, or the value of an expression.
 enum class operation {
   reverse,
   involute,

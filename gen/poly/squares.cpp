@@ -31,17 +31,38 @@ form start(const vector_form &v) {
   return {std::move(symbols), v.invariants, {}, std::move(value)};
 }
 
+// The quotient of a division by leading terms, whatever remains.
+poly divided(poly a, const poly &b) {
+  const term lead = b.terms().front();
+  std::vector<term> out;
+  while (!a.is_zero()) {
+    const term t = a.terms().front();
+    const poly first = poly::from_terms(a.in(), {t});
+    if (const auto q = quotient(first, poly::from_terms(a.in(), {lead}))) {
+      out.push_back(q->terms().front());
+      a = a - *q * b;
+    } else {
+      a = a - first;
+    }
+  }
+  return poly::from_terms(b.in(), out);
+}
+
 std::optional<form> complete_square(const form &f, int symbol) {
   const std::vector<poly> c = coefficients(f.value, symbol);
   if (c.size() != 3 || c[1].is_zero())
     return std::nullopt;
-  const auto shift = quotient(c[1], c[2].scaled(2));
-  if (!shift)
+  const auto exact = quotient(c[1], c[2].scaled(2));
+  const poly shift = exact ? *exact : divided(c[1], c[2].scaled(2));
+  if (shift.is_zero())
     return std::nullopt;
   form out = f;
   const poly whole = variable(f, f.symbol(f.made.size()));
-  out.made.push_back({made_symbol::type::sum, variable(f, symbol) + *shift, poly(*f.symbols)});
-  out.value = c[2] * whole * whole + c[0] - c[2] * *shift * *shift;
+  out.made.push_back({made_symbol::type::sum, variable(f, symbol) + shift, poly(*f.symbols)});
+  out.value = c[2] * whole * whole + (c[1] - c[2].scaled(2) * shift) * (whole - shift) + c[0] - c[2] * shift * shift;
+  // A part of a square is worth a symbol where it shortens the form.
+  if (!exact && out.value.length() >= f.value.length())
+    return std::nullopt;
   return out;
 }
 

@@ -6,7 +6,8 @@
 //
 // Method: a form is a polynomial in symbols. A symbol is an invariant (invariants.hpp) or is made of the symbols before
 // it. Two rewritings, each of a form into a form of the same polynomial, are repeated on their own results:
-//   complete_square   a q^2 + b q + c = a (q + b/2a)^2 + c - b^2/4a, where the quotient b/2a is a polynomial;
+//   complete_square   a q^2 + b q + c = a (q + b/2a)^2 + c - b^2/4a, where the quotient b/2a is a polynomial; where it is not,
+//                     its whole part s is taken, a (q + s)^2 + (b - 2 a s) q + c - a s^2, if that is shorter;
 //   length            k (a^2 u.u + 2 a b u.v + b^2 v.v) = k |a u + b v|^2, for vectors u, v and polynomials a, b.
 // All forms that arise are returned; which one is best depends on what is stored and is not decided here.
 //

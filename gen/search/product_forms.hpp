@@ -1,7 +1,8 @@
 // Forms of values that are products of a known structure, recognised by their polynomials and not by how they were written.
 //
 //   V X ~V            = N X + (V X - X V) ~V, where N stands for V ~V. The commutator has few coefficients, and the values
-//                       N and V X - X V are shared by all outputs. No relation is needed; where a kind states one, N is a number.
+//                       N and V X - X V are shared by all outputs. No relation is needed; where a kind states one, N is a
+//                       number.
 //   B B of degree 2   = a (X.X) (Y.Y) + b |<X Y>_k|^2 for a grade k, in the algebra's own metric: the identities of Gram
 //                       (k = 0) and Lagrange.
 //

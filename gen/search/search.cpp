@@ -171,7 +171,7 @@ private:
   }
 };
 
-// What the start's representatives left out, in the leaves.
+// The differences that the start's representatives left out, in the leaves.
 std::vector<certified_difference> differences_of(const start &s, const poly::ring &leaves) {
   std::vector<certified_difference> out;
   const std::vector<poly::poly> relations = in_leaves(s.from, s.from.relations, leaves);

@@ -38,8 +38,10 @@ std::vector<found_program> searched_forms(ir::arena &nodes, const product_subjec
       out.push_back(std::move(*found));
     }
   };
-  search({system_of(of.numbers, of.values), {}});
-  for (const known_form &form : product_forms(of))
+  const std::vector<known_form> known = product_forms(of);
+  if (known.empty() || of.values.size() > 1) // the square of a product is never cheapest as it expands
+    search({system_of(of.numbers, of.values), {}});
+  for (const known_form &form : known)
     search(form);
   if (!of.relations.empty())
     search({system_of(of.numbers, of.values, of.relations), {}});

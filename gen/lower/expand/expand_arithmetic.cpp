@@ -42,17 +42,16 @@ bool is_factor(const lang::expr &e, const std::string &text) {
   return e.kind == op::name || e.kind == op::call || (closed > 0 && closed + 1 == text.size());
 }
 
-// What a number after '^' may have been meant to say: a power.
+// The likely meaning of a number after '^': a power.
 std::string meant(const std::string &factor, const lang::expr &exponent) {
   const std::string n = lang::print(exponent);
   if (n == "-1" || n == "(-1)")
     return fmt::format("write inverse({}) for an inverse, and '*' to scale", factor);
-  if (n.size() != 1 || n[0] < '2' || n[0] > '9')
-    return "write '*' to scale";
-  std::string power = factor;
-  for (int i = 1; i < n[0] - '0'; ++i)
-    power += '*' + factor;
-  return fmt::format("write {} for a {}, and '*' to scale", power, n == "2" ? "square" : "power");
+  const bool power = n.size() == 1 && n[0] > '2' && n[0] <= '9';
+  std::string product = factor + '*' + factor;
+  for (int i = 2; power && i < n[0] - '0'; ++i)
+    product += '*' + factor;
+  return fmt::format("write {} for a {}, and '*' to scale", product, power ? "power" : "square");
 }
 
 // A^2 is no square, and A | 2 is hardly ever meant.

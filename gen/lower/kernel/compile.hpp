@@ -15,9 +15,9 @@ predicate compile_predicate(const model &m, const request &r);
 // The form with the fewest operations, and the first among equals, of forms of the same values.
 program best_of(const builder &code, const std::vector<std::vector<node_id>> &forms);
 
-// The kind whose blade a value with these coefficients is, or null: it has room for them, and no coefficient that the value lacks
-// is fixed, as -1 is on the origin in the vector of a conformal point. Of several kinds the one with the least room, and of equal
-// ones the first that is declared.
+// The kind whose blade a value with these coefficients is, or null: it has room for them, and no coefficient that the value
+// lacks is fixed, as -1 is on the origin in the vector of a conformal point. Among several kinds the one with the least room,
+// and among equal ones the first that is declared.
 const lang::kind *kind_of_value(const model &m, const std::vector<blade> &blades);
 std::vector<blade> sorted_blades(const std::set<blade> &blades);
 

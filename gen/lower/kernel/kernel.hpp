@@ -49,7 +49,7 @@ struct assumption {
   // By result: a value differs from the formula's by at most `within` times the sum of the sizes of these terms.
   std::vector<poly::poly> left_out;
 };
-// What a program on blades assumes: its values are the formula's wherever the relations hold.
+// The assumptions of a program on blades: its values are the formula's wherever the relations hold.
 struct assumptions {
   std::vector<assumption> taken;    // none: the values are those of the polynomials
   std::vector<poly::poly> computed; // the program's polynomials, where something is taken

@@ -15,7 +15,7 @@ struct stated_relation {
   poly::poly zero;
 };
 
-// Of an operand whose blade's coefficients are the ring's variables from `first` on, at `blades`.
+// The relations on an operand whose blade's coefficients are the ring's variables from `first` on, at `blades`.
 std::vector<stated_relation> relations_on(const model &m, const lang::kind &k, const std::vector<blade> &blades,
                                           const poly::ring &numbers, std::size_t operand, std::size_t first);
 

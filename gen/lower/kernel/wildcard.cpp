@@ -12,6 +12,7 @@ namespace meetc::lower {
 namespace {
 
 constexpr std::size_t most_kernels = 2000; // of one wildcard
+constexpr long most_steps_tried = 50'000;  // for one choice of kinds
 
 bool is_wildcard(const lang::expr &e) {
   return e.kind == lang::op::name && e.text == "*";
@@ -47,11 +48,12 @@ std::vector<const lang::kind *> chosen(const model &m, const lang::scene &s) {
 
 const char *const always_zero = "it is always zero";
 
-// What is wrong with the kernel on operands of these kinds, if anything is.
+// The fault of the kernel on operands of these kinds, if there is one.
 std::optional<std::string> refusal_of_stored(const model &m, const request &r, bool &is_sign) {
   const stored_ring stored = stored_numbers(m, r.names, r.kinds);
   decision signs;
   expander of(m, *stored.numbers, signs);
+  of.limit(most_steps_tried);
   environment operands;
   for (std::size_t i = 0; i < r.kinds.size(); ++i)
     operands.emplace_back(r.names[i], of.operand(*r.kinds[i], r.names[i] + '.'));

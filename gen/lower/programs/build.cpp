@@ -2,6 +2,7 @@
 
 #include "gen/ir/count.hpp"
 #include "gen/ir/residue.hpp"
+#include "gen/search/search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,8 @@
 
 namespace meetc::lower {
 namespace {
+
+constexpr std::size_t most_searched = 1; // forms of one polynomial
 
 std::vector<residency> residencies(const poly::local_origin &f) {
   std::vector<residency> out;
@@ -37,13 +40,14 @@ builder::candidate builder::candidate_of(std::size_t terms, node_id root) const 
   return {terms, count(nodes_, {root}, residency::pair).total(), count(nodes_, {root}).total(), root};
 }
 
+std::array<int, 3> builder::key(const candidate &c) const {
+  const int terms = static_cast<int>(c.terms);
+  return prefer_ == prefer::operations ? std::array{c.operations, terms, 0}
+         : prefer_ == prefer::pair     ? std::array{c.pair, c.operations, terms}
+                                       : std::array{terms, c.operations, 0};
+}
+
 builder::candidate builder::best_of(const std::vector<candidate> &all) const {
-  const auto key = [&](const candidate &c) {
-    const int terms = static_cast<int>(c.terms);
-    return prefer_ == prefer::operations ? std::array{c.operations, terms, 0}
-           : prefer_ == prefer::pair     ? std::array{c.pair, c.operations, terms}
-                                         : std::array{terms, c.operations, 0};
-  };
   return *std::min_element(all.begin(), all.end(),
                            [&](const candidate &x, const candidate &y) { return key(x) < key(y); });
 }
@@ -86,7 +90,7 @@ std::vector<node_id> builder::symbols(const std::vector<poly::invariant> &of) {
   return out;
 }
 
-std::array<builder::candidate, 3> builder::with_squares(const poly::form &f, std::vector<node_id> symbols) {
+std::array<builder::candidate, 3> builder::with_squares(const poly::form &f, std::vector<node_id> &symbols) {
   symbols.resize(static_cast<std::size_t>(f.symbols->size()), -1);
   for (std::size_t i = 0; i < f.made.size(); ++i) {
     const poly::made_symbol &m = f.made[i];
@@ -138,13 +142,32 @@ std::vector<builder::candidate> builder::forms(const poly::poly &p) {
   }
   if (prefer_ == prefer::accuracy)
     return all;
+  // The forms with squares that cost least, for a search.
+  struct squared {
+    candidate best;
+    poly::form form;
+    std::vector<node_id> symbols;
+  };
+  std::vector<squared> least;
   for (const poly::vector_form &v : plain) {
     const std::vector<node_id> of = symbols(v.invariants);
     all.push_back(candidate_of(v.form.length(), horner(nodes_, v.form, of, other_price())));
     for (const poly::form &f : poly::squares(v)) {
-      const auto built = with_squares(f, of);
+      std::vector<node_id> made = of;
+      const auto built = with_squares(f, made);
       all.insert(all.end(), built.begin(), built.end());
+      least.push_back({best_of({built.begin(), built.end()}), f, std::move(made)});
     }
+  }
+  std::stable_sort(least.begin(), least.end(),
+                   [&](const squared &x, const squared &y) { return key(x.best) < key(y.best); });
+  for (std::size_t i = 0; i < std::min(most_searched, least.size()); ++i) {
+    const poly::ring &ring = *least[i].form.symbols;
+    const auto found =
+        search::search_program(nodes_, ring, least[i].symbols, search::system_of(ring, {least[i].form.value}),
+                               std::vector<int>(static_cast<std::size_t>(ring.size()), -1), by());
+    if (found)
+      all.push_back(candidate_of(least[i].form.value.length(), found->outputs[0]));
   }
   return all;
 }

@@ -60,6 +60,7 @@ private:
     node_id root;
   };
   candidate candidate_of(std::size_t terms, node_id root) const;
+  std::array<int, 3> key(const candidate &c) const; // the least is the best
   candidate best_of(const std::vector<candidate> &all) const;
   price by() const { return prefer_ == prefer::pair ? price::pair : price::whole; }
   price other_price() const { return prefer_ == prefer::pair ? price::whole : price::pair; }
@@ -72,7 +73,8 @@ private:
   node_id dot(int i, int j);
   const std::array<node_id, 3> &cross(int i, int j);
   std::vector<node_id> symbols(const std::vector<poly::invariant> &of);
-  std::array<candidate, 3> with_squares(const poly::form &f, std::vector<node_id> symbols);
+  // symbols: of the form's invariants; the nodes of its made symbols are added.
+  std::array<candidate, 3> with_squares(const poly::form &f, std::vector<node_id> &symbols);
 };
 
 } // namespace meetc::lower

@@ -6,7 +6,7 @@
 // scheme, as long as it is short. If it is long, its parts become values of the program first: the arguments of a call,
 // and then the operands of each product in the body of the function. The rest is expanded over those. Constants and
 // signs are not hidden in values, so that they still simplify the expressions that hold them.
-// Of an expression that is short the cheapest program is taken: expanded, found by a search (searched_forms.hpp), or as its
+// An expression that is short takes the cheapest program: expanded, found by a search (searched_forms.hpp), or as its
 // author wrote it.
 // Limits: relations between the values of parts are lost. A coefficient can therefore be zero without being seen as
 // zero: the arguments of a function with a domain, which asks for their grades, are rid of these, and the caller drops

@@ -47,7 +47,7 @@ std::string count_text(const ir::counts &c);
 // "Within ((1 + u)^7 - 1) M of the exact value.", for a program whose values are wanted; see gen/bound/rounding_count.hpp.
 std::string error_text(const ir::program &p);
 
-// What a program on blades takes for granted, a line for each sentence; inputs: the names of the blades' coefficients.
+// The assumptions of a program on blades, a line for each sentence; inputs: the names of the blades' coefficients.
 std::vector<std::string> assumption_lines(const lower::assumptions &of, const std::vector<lower::basis_blade> &results,
                                           const std::vector<std::string> &inputs);
 

@@ -40,7 +40,7 @@ template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const 
 }
 
 // norm2(meet(circle, circle)) from stored numbers, in differences if it is translation invariant; B is not computed.
-// 35 multiplications, 27 additions, 6 scalings by powers of two, 4 negations.
+// 33 multiplications, 23 additions, 3 scalings by powers of two, 3 negations.
 // Within ((1 + u)^24 - 1) M of the exact value.
 template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const circle<T> &Y) {
   const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
@@ -48,63 +48,51 @@ template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const circle
   const T t2 = Y.c.x - X.c.x;
   const T t3 = Y.c.y - X.c.y;
   const T t4 = Y.c.z - X.c.z;
-  const T t5 = meetc::multiply_add(t4, t4, meetc::multiply_add(t3, t3, t2 * t2));
-  const T t6 = meetc::multiply_add(Y.N.z, t4, meetc::multiply_add(Y.N.y, t3, Y.N.x * t2));
-  const T t7 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
-  const T t8 = meetc::multiply_add(X.N.z, t4, meetc::multiply_add(X.N.y, t3, X.N.x * t2));
-  const T t9 = Y.r * Y.r;
-  const T t10 = t8 * t8;
-  const T t11 = X.r * X.r;
-  const T t12 = T(2) * t11;
-  const T t13 = meetc::multiply_add(-t5, (t9 * T(2) + t12) - t5, meetc::multiply_add(-t9, t12,
-      t11 * t11 + t9 * t9));
-  const T t14 = meetc::multiply_add(t1, meetc::multiply_add(t0, t13, T(4) * (t10 * t11)),
-      (t6 * (t6 * meetc::multiply_add(t0, t9, -t10))) * T(4));
-  const T t15 = meetc::multiply_add(-t7, meetc::multiply_add(t7, t13, T(4) * (t6 * (t8 * ((t9 + t11) - t5)))),
-      t14);
-  return T(4) * t15;
+  const T t5 = meetc::multiply_add(Y.N.z, t4, meetc::multiply_add(Y.N.y, t3, Y.N.x * t2));
+  const T t6 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
+  const T t7 = meetc::multiply_add(X.N.z, t4, meetc::multiply_add(X.N.y, t3, X.N.x * t2));
+  const T t8 = Y.r * Y.r;
+  const T t9 = X.r * X.r;
+  const T t10 = (t8 + t9) - meetc::multiply_add(t4, t4, meetc::multiply_add(t3, t3, t2 * t2));
+  const T t11 = t5 * t5;
+  const T t12 = meetc::multiply_add(-t6, t6, t0 * t1) * meetc::multiply_add(t8 * t9, T(-4), t10 * t10);
+  const T t13 = meetc::multiply_add(t7, meetc::multiply_add(-t1, t9, t11), t10 * (t5 * t6));
+  const T t14 = meetc::multiply_add(T(4), meetc::multiply_add(-t7, t13, (t0 * t8) * t11), t12);
+  return T(4) * t14;
 }
 
 // norm2(meet(circle, circle)) from stored numbers, for many pairs. Within ((1 + u)^24 - 1) M of the exact value.
 // Each object computes once, into f, what it alone decides, and each pair reads these values as fa and fb. The
 // whole has other operations than the function above, and so rounds otherwise.
 struct norm2_meet_circle_circle {
-  static constexpr int fields_a = 4, fields_b = 4;
-  // 5 multiplications, 2 additions, 1 scaling by a power of two.
+  static constexpr int fields_a = 2, fields_b = 2;
+  // 4 multiplications, 2 additions.
   template <class T> MEETC_HD static void object_a(const circle<T> &X, T *f) {
     const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
-    const T t1 = X.r * X.r;
     f[0] = t0;
-    f[1] = t1;
-    f[2] = t1 * t1;
-    f[3] = t1 * T(2);
+    f[1] = X.r * X.r;
   }
-  // 5 multiplications, 2 additions, 1 scaling by a power of two.
+  // 4 multiplications, 2 additions.
   template <class T> MEETC_HD static void object_b(const circle<T> &Y, T *f) {
     const T t0 = meetc::multiply_add(Y.N.z, Y.N.z, meetc::multiply_add(Y.N.y, Y.N.y, Y.N.x * Y.N.x));
-    const T t1 = Y.r * Y.r;
     f[0] = t0;
-    f[1] = t1;
-    f[2] = t1 * t1;
-    f[3] = t1 * T(2);
+    f[1] = Y.r * Y.r;
   }
-  // 25 multiplications, 23 additions, 4 scalings by powers of two, 4 negations.
+  // 25 multiplications, 19 additions, 3 scalings by powers of two, 3 negations.
   template <class T> MEETC_HD static T pair(const circle<T> &X, const T *fa, const circle<T> &Y,
       const T *fb) {
     const T t0 = Y.c.x - X.c.x;
     const T t1 = Y.c.y - X.c.y;
     const T t2 = Y.c.z - X.c.z;
-    const T t3 = meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
-    const T t4 = meetc::multiply_add(Y.N.z, t2, meetc::multiply_add(Y.N.y, t1, Y.N.x * t0));
-    const T t5 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
-    const T t6 = meetc::multiply_add(X.N.z, t2, meetc::multiply_add(X.N.y, t1, X.N.x * t0));
-    const T t7 = t6 * t6;
-    const T t8 = meetc::multiply_add(-t3, (fa[3] + fb[3]) - t3, meetc::multiply_add(-fb[1], fa[3],
-        fa[2] + fb[2]));
-    const T t9 = meetc::multiply_add(fb[0], meetc::multiply_add(fa[0], t8, T(4) * (t7 * fa[1])),
-        (t4 * (t4 * meetc::multiply_add(fa[0], fb[1], -t7))) * T(4));
-    const T t10 = meetc::multiply_add(-t5, meetc::multiply_add(t5, t8,
-        T(4) * (t4 * (t6 * ((fb[1] + fa[1]) - t3)))), t9);
+    const T t3 = meetc::multiply_add(Y.N.z, t2, meetc::multiply_add(Y.N.y, t1, Y.N.x * t0));
+    const T t4 = meetc::multiply_add(X.N.z, Y.N.z, meetc::multiply_add(X.N.y, Y.N.y, X.N.x * Y.N.x));
+    const T t5 = meetc::multiply_add(X.N.z, t2, meetc::multiply_add(X.N.y, t1, X.N.x * t0));
+    const T t6 = (fb[1] + fa[1]) - meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
+    const T t7 = t3 * t3;
+    const T t8 = meetc::multiply_add(-t4, t4, fa[0] * fb[0]) * meetc::multiply_add(fb[1] * fa[1], T(-4),
+        t6 * t6);
+    const T t9 = meetc::multiply_add(t5, meetc::multiply_add(-fb[0], fa[1], t7), t6 * (t3 * t4));
+    const T t10 = meetc::multiply_add(T(4), meetc::multiply_add(-t5, t9, (fa[0] * fb[1]) * t7), t8);
     return T(4) * t10;
   }
 };

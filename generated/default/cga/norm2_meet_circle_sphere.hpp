@@ -74,7 +74,7 @@ template <class T> MEETC_HD inline T norm2_meet(const circle_blade<T> &X, const 
 }
 
 // norm2(meet(circle, sphere)) from stored numbers, in differences if it is translation invariant; B is not computed.
-// 17 multiplications, 13 additions, 2 scalings by powers of two, 2 negations.
+// 16 multiplications, 13 additions, 2 scalings by powers of two, 2 negations.
 // Within ((1 + u)^18 - 1) M of the exact value.
 template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const sphere<T> &Y) {
   const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
@@ -83,31 +83,28 @@ template <class T> MEETC_HD inline T norm2_meet(const circle<T> &X, const sphere
   const T t3 = Y.c.z - X.c.z;
   const T t4 = meetc::multiply_add(X.N.z, t3, meetc::multiply_add(X.N.y, t2, X.N.x * t1));
   const T t5 = Y.r * Y.r;
-  const T t6 = (t5 + X.r * X.r) - meetc::multiply_add(t3, t3, meetc::multiply_add(t2, t2, t1 * t1));
-  const T t7 = meetc::multiply_add(-t0, t6 * t6, X.r * (T(4) * (X.r * meetc::multiply_add(-t4, t4,
-      t0 * t5))));
-  return T(4) * t7;
+  const T t6 = X.r * X.r;
+  const T t7 = (t5 + t6) - meetc::multiply_add(t3, t3, meetc::multiply_add(t2, t2, t1 * t1));
+  const T t8 = meetc::multiply_add(t6 * meetc::multiply_add(-t4, t4, t0 * t5), T(-4), t0 * (t7 * t7));
+  return -(T(4) * t8);
 }
 
 // norm2(meet(circle, sphere)) from stored numbers, for many pairs. Within ((1 + u)^18 - 1) M of the exact value.
 // Each object computes once, into f, what it alone decides, and each pair reads these values as fa and fb. The
 // whole has other operations than the function above, and so rounds otherwise.
 struct norm2_meet_circle_sphere {
-  static constexpr int fields_a = 4, fields_b = 1;
-  // 5 multiplications, 2 additions, 2 scalings by powers of two.
+  static constexpr int fields_a = 2, fields_b = 1;
+  // 4 multiplications, 2 additions.
   template <class T> MEETC_HD static void object_a(const circle<T> &X, T *f) {
     const T t0 = meetc::multiply_add(X.N.z, X.N.z, meetc::multiply_add(X.N.y, X.N.y, X.N.x * X.N.x));
-    const T t1 = X.r * X.r;
     f[0] = t0;
-    f[1] = t1;
-    f[2] = T(4) * (t0 * t1);
-    f[3] = t1 * T(4);
+    f[1] = X.r * X.r;
   }
   // 1 multiplication, 0 additions.
   template <class T> MEETC_HD static void object_b(const sphere<T> &Y, T *f) {
     f[0] = Y.r * Y.r;
   }
-  // 11 multiplications, 11 additions, 1 scaling by a power of two, 2 negations.
+  // 11 multiplications, 11 additions, 2 scalings by powers of two, 2 negations.
   template <class T> MEETC_HD static T pair(const circle<T> &X, const T *fa, const sphere<T> &Y,
       const T *fb) {
     const T t0 = Y.c.x - X.c.x;
@@ -115,8 +112,9 @@ struct norm2_meet_circle_sphere {
     const T t2 = Y.c.z - X.c.z;
     const T t3 = meetc::multiply_add(X.N.z, t2, meetc::multiply_add(X.N.y, t1, X.N.x * t0));
     const T t4 = (fa[1] + fb[0]) - meetc::multiply_add(t2, t2, meetc::multiply_add(t1, t1, t0 * t0));
-    const T t5 = meetc::multiply_add(-fa[0], t4 * t4, meetc::multiply_add(-(t3 * t3), fa[3], fb[0] * fa[2]));
-    return T(4) * t5;
+    const T t5 = meetc::multiply_add(fa[1] * meetc::multiply_add(-t3, t3, fa[0] * fb[0]), T(-4),
+        fa[0] * (t4 * t4));
+    return -(T(4) * t5);
   }
 };
 

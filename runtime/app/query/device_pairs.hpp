@@ -39,9 +39,9 @@ struct device_pairs {
   double prepare_seconds = 0; // to upload the sets, and to check and order them there
 };
 
-// Both sets are rounded to `grid` (pose::grid). The query is cut between the first `devices` of CUDA, but for a set with itself,
-// which one device answers sooner. Throws failure, with exit code no_device, where there are not as many, where one fails, or where
-// it lacks the memory, and input_error where a rounded number leaves float32.
+// Both sets are rounded to `grid` (pose::grid). The query is cut between the first `devices` of CUDA, but for a set with
+// itself, which one device answers sooner. Throws failure, with exit code no_device, where there are not as many, where one
+// fails, or where it lacks the memory, and input_error where a rounded number leaves float32.
 device_pairs pairs_on_device(const io::element_set &a, const io::element_set &b, const predicate_info &predicate,
                              rung precision, double grid, int devices, const collide_options &options);
 

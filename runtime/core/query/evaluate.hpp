@@ -54,8 +54,8 @@ template <class Number> struct formula_values {
   std::span<const Number> column(int k) const { return {numbers.data() + static_cast<std::size_t>(k) * count, count}; }
 };
 
-// The columns of all operands, one after another. Throws std::invalid_argument where the operands are not as the formula's, and,
-// for values column by column, where they have different numbers of objects.
+// The columns of all operands, one after another. Throws std::invalid_argument where the operands are not as the formula's,
+// and, for values column by column, where they have different numbers of objects.
 std::vector<column> columns_of(const formula_info &formula, std::span<const operand_columns> operands);
 std::size_t common_objects(const formula_info &formula, std::span<const operand_columns> operands);
 // Throws std::invalid_argument or std::out_of_range where these are no rows of the operands.

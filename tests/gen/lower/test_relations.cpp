@@ -138,6 +138,26 @@ TEST_CASE("a sign never takes a relation that rounding makes true") {
     CHECK(of_a[i].text() == of_b[i].text());
 }
 
+TEST_CASE("a sign whose terms differ in degree in a versor's numbers is refused, with the term to scale") {
+  const std::string image = "(q ^ (M * (e1^e2^e3 - e0^e2^e3) * rev(M)))[I]";
+  for (const auto &[body, is_refused] :
+       {std::pair(image + " - q[e0]", true), std::pair(image + " - q[e0] * (M * rev(M))[1]", false)}) {
+    INFO(body);
+    const temporary_folder folder;
+    folder.write("a.toml", with_unit_motors(planes_as_vectors) + "'beyond(M, q)' = 'sign(" + body + ")'\n");
+    folder.write(
+        "s.toml",
+        "[scene]\nalgebra = 'a.toml'\nnamespace = 'k'\nrungs = ['fp32']\nkernels = ['beyond(motor, plane)']\n");
+    const outcome o = run_meetc("generate s.toml -o out", folder.path());
+    CHECK(o.code == (is_refused ? 2 : 0));
+    if (is_refused)
+      CHECK_THAT(o.err,
+                 contains("has terms of degree 0 and of degree 2 in the numbers of X, a motor that is unit only up to "
+                          "rounding; multiply the terms -Y.d by motor * rev(motor)") &&
+                     contains("s.toml:5:12"));
+  }
+}
+
 TEST_CASE("a relation or a sample that cannot be has a place and a remedy") {
   const std::string samples = "samples.of = ['p: plane', 'q: plane']\nsamples.blades = ['unit(p) * unit(q)']\n";
   const std::string unit = "relations.nearly = ['motor * rev(motor) = 1']\n";

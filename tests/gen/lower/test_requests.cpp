@@ -1,4 +1,4 @@
-// What a scene may ask for: expressions of kinds, many operands, and wildcards.
+// The requests of a scene: expressions of kinds, many operands, and wildcards.
 #include "gen/verify/verify.hpp"
 #include "tests/catch.hpp"
 #include "tests/gen/error_fixture.hpp"

@@ -91,8 +91,8 @@ inline std::string with(const std::string &algebra, const std::string &kind, con
   return algebra.substr(0, end) + lines + algebra.substr(end);
 }
 
-// What unit versors state: products of two and of four mirror images of a unit vector are samples, since those of two alone
-// have no part of grade 4.
+// Products of two and of four mirror images of a unit vector are the samples of unit versors, since those of two alone have no
+// part of grade 4.
 inline std::string unit_versor(const std::string &kind, const std::string &vector, const std::string &more = "") {
   return fmt::format("relations.nearly = ['{0} * rev({0}) = 1'{2}]\nrelations.within = 1e-6\n"
                      "samples.of = ['p: {1}', 'q: {1}', 'r: {1}', 't: {1}']\n"

@@ -1,5 +1,6 @@
 // Charts: gnuplot draws points where they belong, the same file each time, and a missing gnuplot is reported.
 #include "tests/catch.hpp"
+#include "tests/runtime/picture/decode.hpp"
 
 #include "meet/app/input/failure.hpp"
 #include "meet/bench/harness/chart.hpp"
@@ -11,10 +12,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <png.h>
 #include <unistd.h>
 
 using namespace meetc::bench;
+using meetc::picture::decode;
 using meetc::picture::image;
 
 namespace {
@@ -26,17 +27,6 @@ std::filesystem::path here(const char *name) {
 std::string bytes_of(const std::filesystem::path &file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-image decode(const std::string &file) {
-  png_image head{};
-  head.version = PNG_IMAGE_VERSION;
-  REQUIRE(png_image_begin_read_from_memory(&head, file.data(), file.size()) != 0);
-  head.format = PNG_FORMAT_RGB;
-  image out{static_cast<int>(head.width), static_cast<int>(head.height), {}};
-  out.rgb.resize(PNG_IMAGE_SIZE(head));
-  REQUIRE(png_image_finish_read(&head, nullptr, out.rgb.data(), 0, nullptr) != 0);
-  return out;
 }
 
 using points = std::vector<std::pair<double, double>>;

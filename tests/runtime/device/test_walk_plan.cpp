@@ -1,4 +1,4 @@
-// What a walk rests on: boxes in whole numbers, and the plan by which it is cut into items.
+// Boxes in whole numbers, and the plan by which a walk is cut into items.
 #include "tests/runtime/device/host/host_warp.hpp"
 
 #include "meet/core/device/walk/packet_cells.hpp"
@@ -18,7 +18,7 @@ using namespace meetc::cuda;
 
 namespace {
 
-// Of the ends of float32, of numbers around 0, and of any bits.
+// One of the ends of float32, of numbers around 0, or of any bits.
 float extreme(std::mt19937_64 &random) {
   constexpr float some[] = {0, 0x1p-149F, 0x1p-148F, FLT_MIN, 0x1p-40F, 1, 0x1.000002p0F, 0x1p23F, 0x1p126F, FLT_MAX};
   const auto bits = static_cast<std::uint32_t>(random());

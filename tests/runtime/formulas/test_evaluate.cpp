@@ -108,7 +108,7 @@ void check_formula(const formula_info &f, bool fuses, std::size_t n, bool whole,
   const objects of(f, n, whole, seed);
   room<Number> want(f, n);
   const auto fill = [&](const std::vector<std::size_t> &which, std::size_t i) {
-    // Of whole numbers the values are exact, and so is whatever rounds.
+    // The values of whole numbers are exact, and so are those that round.
     if (fuses && !whole)
       one_row<F, fused<Number>, Number>(of, which, i, want.all);
     else

@@ -2,29 +2,18 @@
 #include "meet/bodies/meshes.hpp"
 #include "meet/picture/render.hpp"
 
+#include "decode.hpp"
 #include "tests/catch.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <png.h>
 #include <stdexcept>
 
 using namespace meetc::bodies;
 using namespace meetc::picture;
 
 namespace {
-
-image decode(const std::vector<std::uint8_t> &file) {
-  png_image head{};
-  head.version = PNG_IMAGE_VERSION;
-  REQUIRE(png_image_begin_read_from_memory(&head, file.data(), file.size()) != 0);
-  head.format = PNG_FORMAT_RGB;
-  image out{static_cast<int>(head.width), static_cast<int>(head.height), {}};
-  out.rgb.resize(PNG_IMAGE_SIZE(head));
-  REQUIRE(png_image_finish_read(&head, nullptr, out.rgb.data(), 0, nullptr) != 0);
-  return out;
-}
 
 // Pixels with about the hue of a saturated colour, whatever the light.
 std::size_t count(const image &i, colour c) {

@@ -1,5 +1,5 @@
-// Formulas on a device: column by column, with one object for all, and on listed rows, against the CPU's, bit for bit where that
-// fuses.
+// Formulas on a device: column by column, with one object for all, and on listed rows, against the CPU's, bit for bit where
+// that fuses.
 #include "engine.hpp"
 
 #include "meet/core/device/evaluate.hpp"
