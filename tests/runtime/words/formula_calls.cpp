@@ -37,11 +37,11 @@ void call_evaluate(caller &under) {
     const formula_info &f = formula_named(cga::catalogue(), name);
     const auto run = [&](auto number) {
       std::vector<decltype(number)> out(2 * n * static_cast<std::size_t>(f.result_count));
-      std::vector<decltype(number) *> columns, rows;
+      std::vector<decltype(number) *> columns, listed_columns;
       for (std::size_t k = 0; k < static_cast<std::size_t>(f.result_count); ++k)
-        columns.push_back(out.data() + 2 * n * k), rows.push_back(columns.back() + n);
+        columns.push_back(out.data() + 2 * n * k), listed_columns.push_back(columns.back() + n);
       under([&] { evaluate(f, operands, columns, 2); });
-      under([&] { evaluate(f, operands, listed, rows, 2); });
+      under([&] { evaluate(f, operands, listed, listed_columns, 2); });
       under.add_all(out);
     };
     run(0.0F), run(0.0);
