@@ -39,7 +39,7 @@ std::vector<found_program> searched_forms(ir::arena &nodes, const product_subjec
     }
   };
   const std::vector<known_form> known = product_forms(of);
-  if (known.empty() || of.values.size() > 1) // the square of a product is never cheapest as it expands
+  if (known.empty() || of.values.size() > 1) // a square of a product is cheaper in its known form than expanded
     search({system_of(of.numbers, of.values), {}});
   for (const known_form &form : known)
     search(form);

@@ -1,5 +1,6 @@
 // Formulas: a multivector-valued expression on general blades, and a number on stored operands as well.
 #include "gen/ir/count.hpp"
+#include "gen/ir/fold.hpp"
 #include "gen/ir/residue.hpp"
 #include "gen/lower/kernel/assume.hpp"
 #include "gen/lower/kernel/compile.hpp"
@@ -212,20 +213,29 @@ public:
     }
   }
 
-  program compile(prefer by) const {
+  // on_blades: the same formula, with its program on blades.
+  program compile(prefer by, const formula &on_blades) const {
     builder code(local_, by);
-    if (value_)
-      return code.finish({code.build(*value_)});
-    composer::scope names;
-    for (std::size_t i = 0; i < blades_.size(); ++i) {
-      node_values v;
-      for (const auto &[at, c] : blades_[i].terms())
-        v.emplace(at, code.build(c));
-      names.emplace_back(request_.names[i], std::move(v));
+    if (!value_)
+      return code.finish({of_blades(code)});
+    node_id best = code.build(*value_);
+    // Differences are kept: the blades of a value that no translation changes hold squares of coordinates that cancel.
+    if (local_.is_invariant(*value_))
+      return code.finish({best});
+    try {
+      std::vector<node_id> others{of_blades(code)};
+      if (on_blades.assumed.taken.empty())
+        others.push_back(placed(code, on_blades.from_blades));
+      const auto cost = [&](node_id id) {
+        const int all = ir::count(code.nodes(), {id}).total();
+        return std::pair(by == prefer::pair ? ir::count(code.nodes(), {id}, residency::pair).total() : all, all);
+      };
+      for (const node_id other : others)
+        if (cost(other) < cost(best) && ir::same_values({code.nodes(), {other}}, {*value_}, *stored_.numbers))
+          best = other;
+    } catch (const spec_error &) { // it is expanded all the same
     }
-    const node_values v = composer(model_, code, parts::arguments).compose(*request_.body, names);
-    const auto it = v.find(0);
-    return code.finish({it == v.end() ? code.nodes().constant(0) : it->second});
+    return code.finish({best});
   }
 
   const std::shared_ptr<poly::ring> &numbers() const { return stored_.numbers; }
@@ -237,6 +247,42 @@ private:
   poly::local_origin local_;
   std::vector<multivector> blades_;
   std::optional<poly::poly> value_; // nothing where it is too long
+
+  // A program on blades over the blades of the stored numbers.
+  node_id placed(builder &code, const program &p) const {
+    struct domain {
+      using value = node_id;
+      arena &to;
+      std::vector<node_id> inputs;
+      value input(const ir::node_ref &, int number) const { return inputs[static_cast<std::size_t>(number)]; }
+      value constant(const ir::node_ref &, const rational &q) { return to.constant(q); }
+      value negate(const ir::node_ref &, value x) { return to.negate(x); }
+      value add(const ir::node_ref &, value x, value y) { return to.add(x, y); }
+      value subtract(const ir::node_ref &, value x, value y) { return to.subtract(x, y); }
+      value multiply(const ir::node_ref &, value x, value y) { return to.multiply(x, y); }
+      value fused(const ir::node_ref &, value x, value y, value z) { return to.fused(x, y, z); }
+    } d{code.nodes(), {}};
+    for (std::size_t i = 0; i < blades_.size(); ++i)
+      for (const blade b : support(model_, *request_.kinds[i])) {
+        const poly::poly *c = blades_[i].find(b);
+        d.inputs.push_back(c ? code.build(*c) : code.nodes().constant(0));
+      }
+    return ir::fold(p, d).at(p.results[0]);
+  }
+
+  // The value composed of the operands' blades.
+  node_id of_blades(builder &code) const {
+    composer::scope names;
+    for (std::size_t i = 0; i < blades_.size(); ++i) {
+      node_values v;
+      for (const auto &[at, c] : blades_[i].terms())
+        v.emplace(at, code.build(c));
+      names.emplace_back(request_.names[i], std::move(v));
+    }
+    const node_values v = composer(model_, code, parts::arguments).compose(*request_.body, names);
+    const auto it = v.find(0);
+    return it == v.end() ? code.nodes().constant(0) : it->second;
+  }
 };
 
 } // namespace
@@ -252,9 +298,9 @@ formula compile_formula(const model &m, const request &r) {
   const from_stored stored(m, r);
   out.stored_numbers = stored.numbers();
   out.stored_inputs = out.stored_numbers->names();
-  out.from_stored = stored.compile(prefer::operations);
+  out.from_stored = stored.compile(prefer::operations, out);
   if (r.kinds.size() == 2) {
-    program p = stored.compile(prefer::pair);
+    program p = stored.compile(prefer::pair, out);
     if (ir::count(p, residency::a).total() + ir::count(p, residency::b).total() > 0)
       out.for_pairs = std::move(p);
   }

@@ -96,6 +96,10 @@ std::string judge::programs(std::uint64_t seed, const lower::declared_formula *d
     if (auto what = wrong(on_blades(at), f.result, ir::evaluate(f.from_blades, at), "the program on blades", at);
         !what.empty())
       return what;
+    if (!f.prepared.results.empty())
+      if (auto what = wrong(on_blades(at), f.result, ir::evaluate(f.prepared, at), "the prepared program", at);
+          !what.empty())
+        return what;
     at = drawn(random, stored_numbers());
     const multivector want = on_stored(at);
     if (f.is_number())

@@ -58,6 +58,19 @@ TEST_CASE("a formula costs no more than it was written with") {
                             {"sandwich(gp(motor, motor), line)", {100, 85}, {100, 85}}});
 }
 
+TEST_CASE("a number from stored operands costs no more than from their blades") {
+  const temporary_folder folder;
+  const compilation c =
+      compiled(folder, std::string(planes_as_vectors) + "'over(M, p, q)' = '(sandwich(M, p) ^ q)[I]'\n",
+               "'over(motor, point, plane)', 'over(motor, direction, plane)'");
+  for (const lower::kernel &k : c.kernels) {
+    INFO(k.asked.text);
+    const ops stored = all(k.value.from_stored), blades = all(k.value.from_blades);
+    CHECK(stored.multiplications + stored.additions <= blades.multiplications + blades.additions);
+    CHECK(verify::verify_formula(*c.model, k, 30, 3).wrong == 0);
+  }
+}
+
 TEST_CASE("B squared by Gram and Lagrange in the algebra's own metric") {
   check(conformal, {{"gram(round, round)", {15, 11}, {15, 11}},
                     {"dots(round, round)", {15, 11}, {15, 11}},
