@@ -13,7 +13,7 @@ expect("2 pairs at height 0 floor triangle 0, spike triangle 0 floor triangle 1,
 run("${ROOM}/library-build/pair")
 expect("they touch")
 run("${ROOM}/library-build/values")
-expect("B^2 = 16: two points B^2 = 0: one point B^2 = -20: none")
+expect("B^2 = 256: two points B^2 = 0: one point B^2 = -320: none")
 file(WRITE "${ROOM}/dart.obj" "v 0 0 0\nv 2 1 0\nv 4 0 0\nv 2 4 0\nv 2.00000001 0.25 0\nf 1 2 3 4\nf 1 5 3\n")
 run("${ROOM}/library-build/read" "${ROOM}/dart.obj")
 expect("2 faces, 3 triangles; float32 moved 1 numbers the ball touches face 1")
