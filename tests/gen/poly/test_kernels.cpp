@@ -1,5 +1,5 @@
-// Packed polynomials and what searches do with them: kernels, representatives modulo relations, changed variables. Each must keep
-// the polynomials that it was given.
+// Packed polynomials and what searches do with them: kernels, representatives modulo relations, changed variables. Each must
+// keep the polynomials that it was given.
 #include "gen/poly/change.hpp"
 #include "gen/poly/kernels.hpp"
 #include "gen/poly/modulo.hpp"

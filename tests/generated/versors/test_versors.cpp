@@ -1,5 +1,5 @@
-// The emitted code of motors that act on points, planes and lines, exactly, in rationals, against the dense product: on products
-// of two and of four mirror images of a plane, whole and with the motor's matrix prepared.
+// The emitted code of motors that act on points, planes and lines, exactly, in rationals, against the dense product: on
+// products of two and of four mirror images of a plane, whole and with the motor's matrix prepared.
 #include "gen/oracle/dense.hpp"
 #include "tests/catch.hpp"
 #include "tests/generated/judge/numbers.hpp"

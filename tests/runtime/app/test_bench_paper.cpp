@@ -221,7 +221,7 @@ TEST_CASE("bench paper: an error is one line, and nothing is written") {
   CHECK(has(with({"--threads", "-1"}), "is not a number from 0 to 256"));
   CHECK(has(with({"extra"}), "not expected: extra (meet bench paper --help says more)"));
   CHECK(complaint({"bench"}) ==
-        "meet bench: what to measure is needed; known: paper, gpu, cpu, read (meet bench --help says more)");
+        "meet bench: what to measure is needed; known: paper, gpu, cpu, read, formulas (meet bench --help says more)");
   CHECK(has(complaint({"bench", "frob"}), "meet bench: unknown 'frob'; known: paper, gpu, cpu"));
   CHECK(run({"bench", "paper", "--help"}).code == 0);
 }
