@@ -1,9 +1,12 @@
 #include "gen/poly/change.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace meetc::poly {
 namespace {
+
+constexpr std::int64_t largest = std::int64_t{1} << 40; // coefficient; a change multiplies it by 2^16 at most
 
 int exponent(product_of f, int v) {
   int out = 0;
@@ -77,8 +80,12 @@ std::vector<variable_pair> shortening_pairs(std::vector<packed> all, const std::
       }
     if (best_gain == 0)
       return out;
-    for (packed &p : all)
+    for (packed &p : all) {
       p = change(p, best).of;
+      p = divided(p, content(p));
+      if (std::any_of(p.begin(), p.end(), [](const packed_term &t) { return std::abs(t.coefficient) > largest; }))
+        return out;
+    }
     out.push_back(best);
     taken[static_cast<std::size_t>(best.v)] = taken[static_cast<std::size_t>(best.w)] = 1;
     next += 2;

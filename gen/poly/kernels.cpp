@@ -28,7 +28,8 @@ int replace(packed &p, const packed &kernel, int v) {
     const std::int64_t c = p[i].coefficient / kernel[0].coefficient;
     places.assign(1, i);
     for (std::size_t k = 1; k < kernel.size(); ++k) {
-      const std::ptrdiff_t at = find(times(m, kernel[k].of));
+      const bool fits = degree(m) + degree(kernel[k].of) <= most_factors;
+      const std::ptrdiff_t at = fits ? find(times(m, kernel[k].of)) : -1;
       if (at < 0 || used[static_cast<std::size_t>(at)] ||
           p[static_cast<std::size_t>(at)].coefficient != c * kernel[k].coefficient)
         break;

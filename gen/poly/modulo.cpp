@@ -8,8 +8,8 @@
 namespace meetc::poly {
 namespace {
 
-constexpr int most_random = 12; // steps in a row that do not shorten
-constexpr std::int64_t largest = std::int64_t{1} << 40;
+constexpr int most_random = 12;                         // steps in a row that do not shorten
+constexpr std::int64_t largest = std::int64_t{1} << 36; // coefficient; those of a relation are below 2^24
 
 using move = std::tuple<std::size_t, product_of, std::int64_t>; // relation, multiplier, factor
 
