@@ -14,8 +14,7 @@ ENDINGS = (".awk", ".c", ".cmake", ".cpp", ".cu", ".cuh", ".gp", ".h", ".hpp", "
 CODE = (".awk", ".c", ".cmake", ".cpp", ".cu", ".cuh", ".h", ".hpp", ".py", ".sh")
 LONGEST_LINE, LONGEST_FILE = 128, 400
 # Rooms that are still to be rebuilt, and the tests of these.
-UNREAD = ("runtime/core/device/", "runtime/kernel/meetc/cuda/", "runtime/kernel/meetc/every_pair/",
-          "tests/runtime/device/test_walk.cpp", "tests/runtime/device/engine/engine_pairs.cpp")
+UNREAD = ("runtime/kernel/meetc/cuda/", "runtime/kernel/meetc/every_pair/")
 
 START = r'(?:^|[.:;!?|] |// |# |- |\(\* |"|\*\* )'
 OF = re.compile(START + r"Of [a-z]")

@@ -1,7 +1,7 @@
 // core/device/evaluate.hpp: the values of a formula, computed on a device.
 //
-// These are the values of core/query/evaluate.hpp on a CPU with the fused multiply-add, bit for bit. Whoever has columns in device
-// memory calls formula_launchers::float32 and float64 of the namespace's catalogue, which neither copy nor wait.
+// These are the values of core/query/evaluate.hpp on a CPU with the fused multiply-add, bit for bit. Whoever has columns in
+// device memory calls formula_launchers::float32 and float64 of the namespace's catalogue, which neither copy nor wait.
 #ifndef MEETC_CORE_DEVICE_EVALUATE_HPP
 #define MEETC_CORE_DEVICE_EVALUATE_HPP
 

@@ -1,13 +1,14 @@
 // core/device/group.hpp: one query, cut between several CUDA devices of one host. The answers are those of one device.
 //
-// The elements of one set are cut, in the caller's order, into as many slices as there are devices, and each device has all of the
-// other. Every pair of elements is thus looked at by one device: lists are joined, and counts add up. The larger set is to be cut,
-// since each device walks and orders all of the other one. Each device has a thread of the host, which uploads to it, asks it, and
-// downloads what it found. A slice of neighbours costs least to search, as the faces of a mesh mostly are.
+// The elements of one set are cut, in the caller's order, into as many slices as there are devices, and each device has all
+// of the other. Every pair of elements is thus looked at by one device: lists are joined, and counts add up. The larger set
+// is to be cut, since each device walks and orders all of the other one. Each device has a thread of the host, which uploads
+// to it, asks it, and downloads what it found. A slice of neighbours costs least to search, as the faces of a mesh mostly
+// are.
 //
-// Where the set that is cut has owners, each device lists its pairs of items, because two slices may hold elements of one item. A
-// set that is collided with itself is looked at whole: the half that one device leaves out lies in other slices. One device answers
-// that sooner.
+// Where the set that is cut has owners, each device lists its pairs of items, because two slices may hold elements of one
+// item. A set that is collided with itself is looked at whole: the half that one device leaves out lies in other slices. One
+// device answers that sooner.
 #ifndef MEETC_CORE_DEVICE_GROUP_HPP
 #define MEETC_CORE_DEVICE_GROUP_HPP
 
@@ -34,8 +35,9 @@ public:
   const device &operator[](std::size_t i) const { return *(*devices_)[i].on; }
   bool operator==(const device_group &) const = default;
 
-  // Calls work(i) for each device while that is the current one of its thread; work(0) runs on the calling thread, and others on
-  // threads that end with it. Once all have ended, the exception of the first device that threw one is thrown again.
+  // Calls work(i) for each device while that is the current one of its thread; work(0) runs on the calling thread, and
+  // others on threads that end with it. Once all have ended, the exception of the first device that threw one is thrown
+  // again.
   void on_each(const std::function<void(std::size_t i)> &work) const;
 
 private:
@@ -70,7 +72,7 @@ public:
   // The closed box around all elements; lo > hi where there are none.
   void bounds(float lo[3], float hi[3]);
 
-  // What device i has, and the caller's number of its first element.
+  // The part on device i, and the caller's number of its first element.
   device_set &part(std::size_t i) { return *parts_[i]; }
   std::size_t first(std::size_t i) const { return how_ == spread::cut ? begin(i) : 0; }
 
@@ -85,9 +87,10 @@ private:
   std::vector<std::optional<device_set>> parts_;
 };
 
-// One set is cut and the other whole; what is met first is asked of a set that is cut. Throws what collide() on one device throws,
-// and std::invalid_argument for options.leave_there. Of the result, seconds are the host's wall clock, device_seconds those of the device that took longest, candidates, parts and rungs are
-// summed. options.progress tells of the first device.
+// One set is cut and the other whole; what is met first is asked of a set that is cut. Throws what collide() on one device
+// throws, and std::invalid_argument for options.leave_there. In the result, seconds are the host's wall clock,
+// device_seconds those of the device that took longest, candidates, parts and rungs are summed. options.progress tells of
+// the first device.
 device_result collide(const device_group &on, group_set &a, group_set &b, const predicate_info &predicate,
                       rung precision, const device_options &options = {});
 

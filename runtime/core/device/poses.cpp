@@ -19,7 +19,7 @@ constexpr std::size_t bytes_of_element = 4096;              // with boxes and li
 
 constexpr double lists_filled = 0.8; // the share of a list that a part may be expected to need
 
-// Of the elements of B, the share that is tested first.
+// The share of the elements of B that is tested first.
 constexpr std::uint32_t sample = 16, least_sampled = 16 * sample;
 
 class poses_query {
@@ -75,7 +75,7 @@ private:
   device_options options_;
 };
 
-// What encloses a body of B as it was uploaded.
+// A box around a body of B as it was uploaded.
 struct enclosed {
   float lo[3], hi[3];
   double longest; // of its lengths
@@ -94,7 +94,7 @@ bool can_be_enclosed(const device_rows &b) {
   return b.elements() > 0 && std::find(kind.roles, kind.roles + kind.fields, role::z) != kind.roles + kind.fields;
 }
 
-// Of one pair of bodies: fills the counts of these poses, which are numbers in r.counts.
+// Fills the counts of these poses of one pair of bodies, which are numbers in r.counts.
 void count_poses(const device &on, poses_query &ask, device_rows &a, const device_rows &b,
                  const std::optional<enclosed> &around_b, std::span<const pose> poses, std::vector<std::size_t> left,
                  bool any, const std::function<void(double)> &progress, poses_result &r) {

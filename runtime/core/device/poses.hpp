@@ -18,24 +18,24 @@ namespace meetc {
 struct poses_result {
   // For each pose, how many pairs (a, b) touch; for answer_kind::any 1 if one does, and 0 if not.
   std::vector<std::uint64_t> counts;
-  // Of all poses; for answer_kind::any also of the sixteenth of B that went first.
+  // The counts of all poses; for answer_kind::any also of the sixteenth of B that went first.
   rung_report rungs;
   std::uint64_t candidates = 0;
   double device_seconds = 0, seconds = 0; // as in device_result; without posing, and with it
 };
 
-// Each count is that of collide() on a and b in that pose, which replaces the pose of b for this call alone. Of the options,
-// owners are not read, and `want` is count or any. Throws what collide() throws, std::invalid_argument for other answers, and
-// what device_set::move() throws for a pose, with its number in the text; poses count from 0. With answer_kind::any an element
-// that leaves float32 in a pose is no error where a sixteenth of the elements has told that the pose touches, and one that breaks
-// a rule of its kind is none where the pose is proved to keep the sets apart.
+// Each count is that of collide() on a and b in that pose, which replaces the pose of b for this call alone. Among the options,
+// owners are not read, and `want` is count or any. Throws what collide() throws, std::invalid_argument for other answers,
+// and what device_set::move() throws for a pose, with its number in the text; poses count from 0. With answer_kind::any an
+// element that leaves float32 in a pose is no error where a sixteenth of the elements has told that the pose touches, and
+// one that breaks a rule of its kind is none where the pose is proved to keep the sets apart.
 poses_result collide_poses(const device &on, device_set &a, const device_set &b, std::span<const pose> poses,
                            const predicate_info &predicate, rung precision, const device_options &options = {});
 
-// Bodies against bodies in many configurations, each of which has a pose for every body of B. poses[k * b.size() + j] is that of
-// body j in configuration k. counts[i * poses.size() + k * b.size() + j] of the result is that of collide_poses() for body i of A
-// and that pose. Throws what that throws, with a pose's place in `poses`, and std::invalid_argument where a configuration lacks
-// poses.
+// Bodies against bodies in many configurations, each of which has a pose for every body of B. poses[k * b.size() + j] is
+// that of body j in configuration k. counts[i * poses.size() + k * b.size() + j] of the result is that of collide_poses()
+// for body i of A and that pose. Throws what that throws, with a pose's place in `poses`, and std::invalid_argument where a
+// configuration lacks poses.
 poses_result collide_bodies(const device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
                             std::span<const pose> poses, const predicate_info &predicate, rung precision,
                             const device_options &options = {});

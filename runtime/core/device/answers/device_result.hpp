@@ -33,11 +33,11 @@ struct device_options {
   // The item of each element; empty: each element is its own item. Answers are then about items, as in collide_options.
   std::span<const std::uint32_t> owner_a = {}, owner_b = {};
   bool first_met = false; // as in collide_options; the device's kernels must have been generated with the order as well
-  // Of two given sets: elements that cannot touch are left out before the others are put into order. Empty: where this is expected
-  // to pay.
+  // In two given sets elements that cannot touch are left out before the others are put into order. Empty: where this is
+  // expected to pay.
   std::optional<bool> cull = {};
-  // The list of pairs of elements stays on the device: it becomes this one, and the result has none. Where the device lacked the
-  // memory to sort it, it is in the result all the same, and this one is empty. Null: it is in the result.
+  // The list of pairs of elements stays on the device: it becomes this one, and the result has none. Where the device lacked
+  // the memory to sort it, it is in the result all the same, and this one is empty. Null: it is in the result.
   pairs_there *leave_there = nullptr;
   std::size_t list_capacity = std::size_t{1} << 25; // pairs in a list, at least 2^11
   std::function<void(double fraction)> progress = {};
@@ -45,8 +45,8 @@ struct device_options {
 
 struct device_result : result {
   std::uint64_t parts = 0; // parts of the walk that were run
-  // From the first kernel to the last, with the allocations between them, and where sets are given also with what the host does in
-  // between; without uploading sets, and without downloading pairs where the device had the memory to sort them.
+  // From the first kernel to the last, with the allocations between them, and where sets are given also with what the host
+  // does in between; without uploading sets, and without downloading pairs where the device had the memory to sort them.
   double device_seconds = 0;
 };
 

@@ -1,4 +1,5 @@
-// core/device/answers/element_numbers.hpp: flags and counts of elements, which are marked on the device, and counts of instances.
+// core/device/answers/element_numbers.hpp: flags and counts of elements, which are marked on the device, and counts of
+// instances.
 #ifndef MEETC_CORE_DEVICE_ANSWERS_ELEMENT_NUMBERS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_ELEMENT_NUMBERS_HPP
 

@@ -1,7 +1,7 @@
 // core/device/answers/element_pairs.hpp: the sorted list of all pairs.
 //
-// The hits of a query that is one part are put into order by a kernel that follows the search, which needs no number on the host.
-// Which way is best depends on their number: it is taken from the last query of the same two sets.
+// The hits of a query that is one part are put into order by a kernel that follows the search, which needs no number on the
+// host. Which way is best depends on their number: it is taken from the last query of the same two sets.
 #ifndef MEETC_CORE_DEVICE_ANSWERS_ELEMENT_PAIRS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_ELEMENT_PAIRS_HPP
 

@@ -20,7 +20,8 @@ public:
 
   // Adds n hits, pairs of slots.
   void add(const index_pair *hits, std::size_t n);
-  // Waits. Sorts the pairs, and drops repeats where there are owners. `crowded`: too many are known to be of items near each other.
+  // Waits. Sorts the pairs, and drops repeats where there are owners. `crowded`: too many are known to be of items near each
+  // other.
   void sort(bool crowded);
 
   // After sort(): the number of pairs, and their list. That is on the device, or null where the host has sorted it.

@@ -110,7 +110,7 @@ template <class Keys> __device__ void count_hits(const hit_order &o, Keys &keys)
 }
 
 constexpr unsigned order_threads = 1024;
-// Of a block that orders some keys, or many.
+// The tile of a block that orders some keys, or many.
 constexpr unsigned tile_of_some = cuda::most_of_tile, tile_of_many = 2 * cuda::most_of_tile;
 template <unsigned Tile> using distributes = cuda::distributing<order_threads, Tile>;
 template <unsigned Tile> constexpr std::size_t room_to_distribute = sizeof(typename distributes<Tile>::room);
@@ -163,7 +163,7 @@ bool takes_large_tile(hit_amount amount) {
   return amount == hit_amount::many && room_to_distribute<tile_of_many> <= cuda::shared_memory_of_block();
 }
 
-// Adds 1 to the counter `at` of each lane that is there, once for all with the same one. Of the whole warp.
+// Adds 1 to the counter `at` of each lane that is there, once for all with the same one. The whole warp calls it.
 __device__ void count_each(unsigned long long *counters, bool there, std::uint32_t at) {
   const unsigned lanes = __ballot_sync(~0U, there);
   if (!there)

@@ -35,8 +35,8 @@ struct hit_order {
   std::uint32_t *counted; // counted_to_distribute numbers, all 0 at first; used up
   std::uint64_t *by_cell; // room for `capacity`
   index_pair *sorted;     // likewise
-  // 0 at first. Where few were expected and there are more, or where too many are of items that are near each other, it becomes 1,
-  // and `sorted` means nothing.
+  // 0 at first. Where few were expected and there are more, or where too many are of items that are near each other, it
+  // becomes 1, and `sorted` means nothing.
   unsigned long long *unordered;
 };
 // Few are put into order in one step, which uses neither `counted` nor `by_cell`.
@@ -45,8 +45,8 @@ inline constexpr std::uint32_t most_of_few = 2048;
 constexpr hit_amount amount_of(std::uint64_t hits) {
   return hits <= most_of_few ? hit_amount::few : hits <= std::uint64_t{1} << 20 ? hit_amount::some : hit_amount::many;
 }
-// In the way that is best for so many. Where some or many are expected, it is also right, but takes longer, for any other number.
-// Where there are more than `capacity`, it does nothing.
+// In the way that is best for so many. Where some or many are expected, it is also right, but takes longer, for any other
+// number. Where there are more than `capacity`, it does nothing.
 cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t stream);
 
 // Counts the hits of each item, or marks the items that have one. Null: of this set nothing is asked. Where of_instance > 0,

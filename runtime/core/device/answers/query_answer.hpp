@@ -1,7 +1,7 @@
 // core/device/answers/query_answer.hpp: the interface between a query on a device and what it answers.
 //
-// It is that of the CPU (core/answers/query_answer.hpp) in a device's memory: a query yields lists of hits, and each answer takes
-// from them what it needs. The query knows none of the answers, and an answer does not know how hits are found.
+// It is that of the CPU (core/answers/query_answer.hpp) in a device's memory: a query yields lists of hits, and each answer
+// takes from them what it needs. The query knows none of the answers, and an answer does not know how hits are found.
 #ifndef MEETC_CORE_DEVICE_ANSWERS_QUERY_ANSWER_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_QUERY_ANSWER_HPP
 

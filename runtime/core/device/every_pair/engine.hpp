@@ -1,12 +1,13 @@
 // core/device/every_pair/engine.hpp: every pair of two sets, on a CUDA device, as a product of matrices.
 //
-// This is brute force: its cost is the product of the sets, and no hierarchy is walked. An element's enclosing ball becomes a few
-// columns of numbers, the signs of a product of these matrices say which balls may touch (meetc/every_pair/matrix.hpp), and what is
-// left is decided by the steps of any query. The answers are those of core/query/collide.hpp. To collide sets is what a query is for
-// (core/device/collide.hpp), whose cost is their sum; this engine is to measure the meet as it was once computed, and to judge.
+// This is brute force: its cost is the product of the sets, and no hierarchy is walked. An element's enclosing ball becomes
+// a few columns of numbers, the signs of a product of these matrices say which balls may touch
+// (meetc/every_pair/matrix.hpp), and what is left is decided by the steps of any query. The answers are those of
+// core/query/collide.hpp. To collide sets is what a query is for (core/device/collide.hpp), whose cost is their sum; this
+// engine is to measure the meet as it was once computed, and to judge.
 //
-// The two filters on matrix units rest on an assumption about these, which the probe can refute; the float32 filter, their judge,
-// and every other part rest on IEEE arithmetic alone.
+// The two filters on matrix units rest on an assumption about these, which the probe can refute; the float32 filter, their
+// judge, and every other part rest on IEEE arithmetic alone.
 #ifndef MEETC_CORE_DEVICE_EVERY_PAIR_ENGINE_HPP
 #define MEETC_CORE_DEVICE_EVERY_PAIR_ENGINE_HPP
 
@@ -29,12 +30,13 @@ struct outcome : result { // candidates: the pairs that the filter passes and wh
   filter by = filter::float32;
   std::uint64_t near = 0;  // pairs that the filter passed
   std::uint64_t parts = 0; // parts of the product that were run
-  // From the first kernel to the last, with the allocations between them; without uploading sets, and without downloading pairs.
+  // From the first kernel to the last, with the allocations between them; without uploading sets, and without downloading
+  // pairs.
   double device_seconds = 0;
 };
 
-// The engine of one device. It runs one query at a time, and none while collide() runs one there: threads wait for each other. The
-// columns of the last two sets stay, and are not computed again unless these have moved.
+// The engine of one device. It runs one query at a time, and none while collide() runs one there: threads wait for each
+// other. The columns of the last two sets stay, and are not computed again unless these have moved.
 class engine {
 public:
   // The kernels are of the namespace of on.kernels().
@@ -46,13 +48,13 @@ public:
   // The fastest filter whose model the probe did not refute.
   filter best_filter();
 
-  // Elements are their own items. Throws std::invalid_argument also for `tolerant`, which presumes of the sets what nothing here
-  // looks at, for other answers, and for a filter that the device does not offer.
+  // Elements are their own items. Throws std::invalid_argument also for `tolerant`, which presumes of the sets what nothing
+  // here looks at, for other answers, and for a filter that the device does not offer.
   outcome collide(device_set &a, device_set &b, const predicate_info &predicate, rung precision,
                   const options &how = {});
 
-  // The filter alone: enqueues, on the device's stream, to append the pairs of slots whose enclosing balls may touch. Once the list
-  // is full it stops early.
+  // The filter alone: enqueues, on the device's stream, to append the pairs of slots whose enclosing balls may touch. Once
+  // the list is full it stops early.
   void list_near(filter by, cover balls, device_set &a, device_set &b, const cuda::pair_list &out);
 
 private:

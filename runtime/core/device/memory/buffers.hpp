@@ -11,7 +11,7 @@
 
 namespace meetc {
 
-// What a query counts: its lists, the items of a walk that warps have taken, and whether its hits are in no order.
+// The counters of a query: its lists, the items of a walk that warps have taken, and whether its hits are in no order.
 enum class counter : std::uint8_t {
   candidates,
   kept,
@@ -25,7 +25,7 @@ enum class counter : std::uint8_t {
 };
 inline constexpr int counters = 9;
 
-// What a query notes on the device: one piece, which the host reads at once.
+// The notes of a query on the device: one piece, which the host reads at once.
 struct query_notes {
   cuda::order_findings found[2]; // of the sets that it has ordered
   unsigned long long counts[counters];
@@ -36,7 +36,7 @@ struct notes_there {
   unsigned long long to_order[cuda::counted_to_distribute * sizeof(std::uint32_t) / sizeof(unsigned long long)];
 };
 
-// What culling notes, in device memory, all 0 at first. Of two sets the one that marks first is 0.
+// The notes of culling in device memory, all 0 at first. Set 0 is the one that marks first.
 struct cull_findings {
   cuda::joined_box around[2];
   unsigned kept[3]; // of set 0, of set 1, and of set 0 by the marks of set 1
@@ -44,7 +44,7 @@ struct cull_findings {
   unsigned long long bad[2];
 };
 
-// What it reads of the device, in host memory that the device can write to.
+// The notes that it reads, in host memory that the device can write to.
 struct host_notes {
   query_notes of_query;
   cull_findings culled;

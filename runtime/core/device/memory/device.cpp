@@ -46,7 +46,7 @@ std::string refusal(cudaError_t looking, int count, int driver, const device_fac
   return "";
 }
 
-// Of the last free that failed.
+// The error of the last free that failed.
 static std::atomic<cudaError_t> failed_free{cudaSuccess};
 
 void check(cudaError_t e, const char *what) {

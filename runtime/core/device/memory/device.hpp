@@ -32,8 +32,9 @@ std::string refusal(cudaError_t looking, int count, int driver, const device_fac
 
 struct device_buffers;
 
-// The current CUDA device, with a stream and buffers that queries share. A copy is the same device, and a set has one, so that what
-// a set needs lives as long as the set. While there is one, the process's default pool of device memory keeps what is freed.
+// The current CUDA device, with a stream and buffers that queries share. A copy is the same device, and a set has one, so
+// that what a set needs lives as long as the set. While there is one, the process's default pool of device memory keeps what
+// is freed.
 //
 // It runs one query at a time: threads that ask it at once wait for each other.
 class device {
@@ -55,8 +56,8 @@ private:
   std::shared_ptr<state> state_;
 };
 
-// Throws device_error with the name of the call and the text that CUDA gives for the error. A free that has failed before, where
-// nobody could be told, is told here.
+// Throws device_error with the name of the call and the text that CUDA gives for the error. A free that has failed before,
+// where nobody could be told, is told here.
 void check(cudaError_t e, const char *what);
 
 } // namespace meetc

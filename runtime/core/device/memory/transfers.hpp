@@ -21,7 +21,8 @@ public:
   transfers &operator=(const transfers &) = delete;
   ~transfers();
 
-  // Enqueues. The host's memory, which is not pinned, may be changed as soon as this returns. Throws device_error, as does download().
+  // Enqueues. The host's memory, which is not pinned, may be changed as soon as this returns. Throws device_error, as does
+  // download().
   void upload(void *there, const void *here, std::size_t bytes, cudaStream_t stream, const char *what);
   // Waits for the stream, and until the bytes are here.
   void download(void *here, const void *there, std::size_t bytes, cudaStream_t stream, const char *what);

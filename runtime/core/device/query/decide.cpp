@@ -18,8 +18,8 @@ bool needs_pairs(const decision_job &job) {
   return std::ranges::any_of(job.answers, [](const auto &a) { return a->needs_pairs(); });
 }
 
-// The pairs that a list may be expected to get: of balls that touch one other on average. Where there are more of one set, fewer of
-// these do. Where the walk decides, half as many are listed; a list that only counts gets none.
+// The pairs that a list may be expected to get: of balls that touch one other on average. Where there are more of one set,
+// fewer of these do. Where the walk decides, half as many are listed; a list that only counts gets none.
 std::uint64_t expected_pairs(const decision_job &job, walk_lists what) {
   if (what != walk_lists::candidates && !needs_pairs(job))
     return 0;
@@ -123,7 +123,7 @@ private:
           "starting a decision step");
   }
 
-  // Of a part whose lists did not overflow.
+  // Takes the counts and the hits of a part whose lists did not overflow.
   void take(bool is_whole, device_result &r) {
     const auto seen = [this](counter c) { return buffers_.seen_of(c); };
     r.candidates += seen(what_ == walk_lists::hits    ? counter::hits

@@ -27,8 +27,8 @@ inline std::pair<cuda::part, cuda::part> halves(const cuda::part &p, bool of_a, 
     x.end_b = y.first_b = middle(p.first_b, p.end_b);
   return {x, y};
 }
-// Whether a walk is rather cut along A. It goes down from the root for every node of the walker, which is B where it is swapped, so
-// that it is rather that side which is cut.
+// Whether a walk is rather cut along A. It goes down from the root for every node of the walker, which is B where it is
+// swapped, so that it is rather that side which is cut.
 inline bool cuts_a(const cuda::part &p, bool swapped) {
   const std::uint64_t a = p.end_a - p.first_a, b = p.end_b - p.first_b;
   if (a == 1 || b == 1)

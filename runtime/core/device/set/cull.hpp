@@ -1,7 +1,7 @@
 // core/device/set/cull.hpp: leaves out the elements of two sets that can touch nothing, before the sets are put into order.
 //
 // Problem: two meshes that reach into each other touch along a curve, and to put all of their elements into order takes longer
-// than to answer. Method: marks on a grid over the box that both have in common (meetc/cull_grid.hpp). The smaller set marks,
+// than to answer. Method: marks on a grid over the box that both have in common (meetc/cuda/cull_grid.hpp). The smaller set marks,
 // the larger is sifted by that and marks, and by its marks the smaller is sifted again. A set of long elements with two points
 // marks along their lines and is not sifted again, because nearly all of it would be kept.
 // Limits: it gains nothing where elements fill the box, as balls in a cloud do.
@@ -18,7 +18,7 @@ namespace meetc {
 class device;
 class given_elements;
 
-// What is left of two sets, in device memory until the next query.
+// The elements that are left of two sets, in device memory until the next query.
 struct culled {
   const std::uint32_t *a = nullptr, *b = nullptr; // these elements
   std::uint32_t elements_a = 0, elements_b = 0;
@@ -37,9 +37,9 @@ struct culled {
 // Whether culling is expected to take less time than it saves, which depends on what kind of sets these are and how large.
 bool cull_pays(const given_elements &a, const given_elements &b);
 
-// Waits for the device, and starts the clock of a query. With `by_lines`, pairs may be left out that do not touch although their boxes do. Returns false where
-// there is too little memory. Throws device_error, and the input_error of an element that is none of its kind, also of one that is
-// left out.
+// Waits for the device, and starts the clock of a query. With `by_lines`, pairs may be left out that do not touch although
+// their boxes do. Returns false where there is too little memory. Throws device_error, and the input_error of an element
+// that is none of its kind, also of one that is left out.
 bool cull(const device &on, const given_elements &a, const given_elements &b, bool by_lines, culled &out);
 
 } // namespace meetc

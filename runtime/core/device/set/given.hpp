@@ -21,8 +21,8 @@ const cuda::set_launchers &launchers_of(const cuda::catalogue &all, const kind_i
 // All members throw device_error.
 class given_elements {
 public:
-  // Copies the elements there. Throws also input_error where the view cannot hold elements of the kind, and std::length_error (2^32
-  // elements or vertices, or more).
+  // Copies the elements there. Throws also input_error where the view cannot hold elements of the kind, and
+  // std::length_error (2^32 elements or vertices, or more).
   given_elements(const device &on, const view &elements, const kind_info &kind);
   // Elements that the caller has there, and keeps there.
   given_elements(const device &on, const cuda::view &there, const kind_info &kind);

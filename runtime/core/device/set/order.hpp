@@ -15,8 +15,8 @@ struct needed_elements {
 };
 
 // One set or two. Makes their hierarchies too, both at once; only enqueues, on the device's streams. `common` is that of
-// order_request. Starts the clock unless it runs, and clears the counts of the device's buffers, whose `found` becomes what is found
-// of each. Throws device_error.
+// order_request. Starts the clock unless it runs, and clears the counts of the device's buffers, whose `found` becomes what
+// is found of each. Throws device_error.
 void order(const device &on, std::span<const needed_elements> sets, const cuda::joined_box *common, bool clock_runs);
 
 // Whether all are in order, by what a query has read of the device's notes.

@@ -1,5 +1,5 @@
-// core/device/set/order_kernels.hpp: the kernels that order and measure a set on a device and depend on no kind of element. They only
-// enqueue work.
+// core/device/set/order_kernels.hpp: the kernels that order and measure a set on a device and depend on no kind of element.
+// They only enqueue work.
 #ifndef MEETC_CORE_DEVICE_SET_ORDER_KERNELS_HPP
 #define MEETC_CORE_DEVICE_SET_ORDER_KERNELS_HPP
 

@@ -108,7 +108,7 @@ std::optional<unsigned long long> device_rows::first_bad(const device_memory<uns
   return first == ~0ULL ? std::nullopt : std::optional(first);
 }
 
-// What a pose has made of a row on the device.
+// The fault of a row that a pose has made on the device.
 fault device_rows::fault_of(const float *there, std::size_t element, const pose &at) const {
   std::vector<float> row(static_cast<std::size_t>(kind_->fields));
   pose unrounded = at;

@@ -1,7 +1,7 @@
 // core/device/set/rows.hpp: what a query reads of a set on a device: packed rows in slots, and the hierarchy over them.
 //
-// Rows lie in a spatial order, so that neighbours in space are adjacent: that of a prepared set, or one that is made on the device.
-// A position in that order is a slot.
+// Rows lie in a spatial order, so that neighbours in space are adjacent: that of a prepared set, or one that is made on the
+// device. A position in that order is a slot.
 #ifndef MEETC_CORE_DEVICE_SET_ROWS_HPP
 #define MEETC_CORE_DEVICE_SET_ROWS_HPP
 
@@ -52,23 +52,23 @@ public:
   //
   // Those of a prepared set, in its order.
   void upload(const prepared &set);
-  // All of these, moved, checked and ordered; by the host, on this number of threads, where they are in no good order. Throws what
-  // prepare() throws. Returns how long the device took, without uploading; 0: the host has ordered them.
+  // All of these, moved, checked and ordered; by the host, on this number of threads, where they are in no good order.
+  // Throws what prepare() throws. Returns how long the device took, without uploading; 0: the host has ordered them.
   double make(const given_elements &elements, int threads);
   // Every n-th of `of`, as it was before it was moved. They keep their numbers in `of`.
   void take_part(const device_rows &of, std::uint32_t n);
-  // `of`, as it was before it was moved, in each of these poses, one after another. Throws what move() throws, with the pose's number
-  // in front of the text. These rows have no order, and cannot be moved.
+  // `of`, as it was before it was moved, in each of these poses, one after another. Throws what move() throws, with the
+  // pose's number in front of the text. These rows have no order, and cannot be moved.
   void take_instances(const device_rows &of, std::span<const pose> poses, std::span<const std::size_t> numbers);
 
-  // The rows in this pose, which replaces the last one. The arithmetic is that of core/pose.hpp, bit for bit. Throws input_error
-  // where a number leaves float32, and what require_movable() throws. After an exception other than device_error the rows are as
-  // they were before.
+  // The rows in this pose, which replaces the last one. The arithmetic is that of core/views/pose.hpp, bit for bit. Throws
+  // input_error where a number leaves float32, and what require_movable() throws. After an exception other than device_error
+  // the rows are as they were before.
   void move(const pose &at);
 
-  // These elements of the caller's `numbers`, in device memory, in the pose. It only enqueues, on the stream: they are in order, and
-  // may be used for more than a walk that findings() can stop, only if what it finds says so in the end. It takes this share of the
-  // device, above 0 and at most 1. `cleared` becomes 0 on the way.
+  // These elements of the caller's `numbers`, in device memory, in the pose. It only enqueues, on the stream: they are in
+  // order, and may be used for more than a walk that findings() can stop, only if what it finds says so in the end. It takes
+  // this share of the device, above 0 and at most 1. `cleared` becomes 0 on the way.
   struct order_request {
     cuda::view elements;
     const pose &at;
@@ -80,7 +80,7 @@ public:
   };
   // But for the last step where one kernel does it all: its job is then returned, and is for the caller to start.
   std::optional<cuda::arrange_job> plan_order(const order_request &r, cudaStream_t stream);
-  // What the order was found to be, in device memory; null after any other way to get rows.
+  // The findings about the order, in device memory; null after any other way to get rows.
   const cuda::order_findings *findings() const { return found_; }
 
 private:

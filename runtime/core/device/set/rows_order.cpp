@@ -9,8 +9,8 @@
 namespace meetc {
 namespace {
 
-// Of a cell along an axis, where the device orders elements: a sort by places takes a pass for every eight bits of all three,
-// so that it has coarse cells first, and finer ones if too many elements share these.
+// Bits of a cell along an axis, where the device orders elements: a sort by places takes a pass for every eight bits of all
+// three, so that it has coarse cells first, and finer ones if too many elements share these.
 constexpr int bits_of_cell = cuda::bits_to_arrange, coarse_bits_of_cell = 8;
 
 // Elements that lie on surfaces share coarse cells sooner.
@@ -67,7 +67,7 @@ bool device_rows::order_there(const given_elements &elements, double &seconds) {
                check(launchers_->arrange(&*job, 1, stream), "starting a kernel");
                return true;
              });
-  // What arrange() has found crowded is so for a sort by the same cells.
+  // Elements that arrange() has found crowded are so for a sort by the same cells.
   bool sorts = !ran || found.unordered > 0;
   for (int bits = first_bits(elements.there()); sorts && bits <= bits_of_cell;
        bits += bits_of_cell - coarse_bits_of_cell) {

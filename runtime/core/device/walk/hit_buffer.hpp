@@ -9,7 +9,7 @@ namespace meetc::cuda {
 
 inline constexpr unsigned hits_size = 128;
 
-// Reserves so many places in the list of hits. Of one thread.
+// Reserves so many places in the list of hits. One thread calls it.
 __device__ inline unsigned long long reserve(const tree_walk &w, unsigned long long n) {
   if (w.near)
     atomicAdd(w.near, n);

@@ -3,7 +3,7 @@
 // Problem: a warp compares some hundred boxes with each of a packet's elements, by six comparisons of floats, and the
 // device is bound by the instructions. Method: the packet's box is cut into 511 cells along each axis. The cell of a
 // number is a monotone function of it, whatever is rounded, so that boxes which touch have cells that do; three cells are
-// one word, whose differences are taken together. What touches by its cells is to be compared again.
+// one word, whose differences are taken together. Boxes that touch by their cells are to be compared again.
 #ifndef MEETC_CORE_DEVICE_WALK_PACKET_CELLS_HPP
 #define MEETC_CORE_DEVICE_WALK_PACKET_CELLS_HPP
 
@@ -19,7 +19,8 @@ struct cell_box {
 class packet_cells {
 public:
   packet_cells() = default;
-  // Of finite ends, low <= high; an axis along which they are equal, or too far apart for float32, tells little or nothing.
+  // The ends are finite, low <= high; an axis along which they are equal, or too far apart for float32, tells little or
+  // nothing.
   __device__ explicit packet_cells(const tree_box &around) {
     for (int k = 0; k < 3; ++k) {
       // The difference of -0 and 0 is -0, by which `per` would be negative.

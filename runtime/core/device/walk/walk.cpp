@@ -31,8 +31,8 @@ void take_trees(const device &on, device_rows &walker, device_rows &tree, tree_w
 
 } // namespace
 
-// The elements of the larger set walk, but those with two points before others. A plain rung may say yes where nothing touches, so
-// that its candidates are all pairs whose boxes touch.
+// The elements of the larger set walk, but those with two points before others. A plain rung may say yes where nothing
+// touches, so that its candidates are all pairs whose boxes touch.
 tree_walk walk_of(const device &on, device_rows &a, device_rows &b, rung precision, walk_lists what, bool half) {
   const bool points = never_wrong(precision) && what != walk_lists::hits,
              by_points_a = points && has_two_points(a.kind()), by_points_b = points && has_two_points(b.kind());

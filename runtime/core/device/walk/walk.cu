@@ -15,7 +15,7 @@ using namespace cuda;
 constexpr unsigned walk_blocks(walk_by by) {
   return by == walk_by::boxes ? 9 : by == walk_by::points ? 6 : 8;
 }
-// What is left at the end is appended by all warps of a block together.
+// All warps of a block append together what is left at the end.
 template <walk_by By, bool BothWays>
 __global__ void __launch_bounds__(walk_threads, walk_blocks(By))
     walk_kernel(const __grid_constant__ tree_walk w, const __grid_constant__ walk_plan plan) {

@@ -15,8 +15,8 @@ enum class walk_lists : std::uint8_t {
 // Only rungs that are never wrong take the proof for an answer.
 walk_lists lists_of(const cuda::predicate_launchers &by, rung precision);
 
-// The walk of two sets with elements, but for its part and its lists. Makes hierarchies where there are none; enqueues, and throws
-// device_error. `half`: the two are one set, and of each pair of elements one order is looked at.
+// The walk of two sets with elements, but for its part and its lists. Makes hierarchies where there are none; enqueues, and
+// throws device_error. `half`: the two are one set, and of each pair of elements one order is looked at.
 tree_walk walk_of(const device &on, device_rows &a, device_rows &b, rung precision, walk_lists what, bool half);
 
 // The nodes with the elements' boxes, by which parts of a walk are counted.

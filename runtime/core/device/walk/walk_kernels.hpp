@@ -23,10 +23,10 @@ struct tree_walk {
   unsigned long long *taken; // 0 at first
   // Where one of these, of the walker and of the tree, says that a set is not in order, nothing is done. Null: it is.
   const cuda::order_findings *found_walker = nullptr, *found_tree = nullptr;
-  // Both sets are of balls, which are compared by their boxes (core/hierarchy/two_balls.hpp). `out` has the pairs that are proved to
-  // touch; without a list they are counted, and beyond its capacity the walk stops early too. `unsure` has those whose boxes
-  // touch and that are not proved to be apart either, one way; once it is full the walk stops early. *near becomes the number
-  // of both, each both ways if `out` has them both ways.
+  // Both sets are of balls, which are compared by their boxes (core/hierarchy/two_balls.hpp). `out` has the pairs that are
+  // proved to touch; without a list they are counted, and beyond its capacity the walk stops early too. `unsure` has those
+  // whose boxes touch and that are not proved to be apart either, one way; once it is full the walk stops early. *near
+  // becomes the number of both, each both ways if `out` has them both ways.
   bool balls = false;
   cuda::pair_list unsure{};
   unsigned long long *near = nullptr;

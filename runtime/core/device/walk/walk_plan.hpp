@@ -6,12 +6,12 @@
 
 namespace meetc::cuda {
 
-// A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk, which
-// is a node of level `start`. Where that is too few, the long elements of the node are dealt out to groups, whose number is a
-// power of two, and so are the children of nodes of the level `deal`: of the chunk, or, where few packets go down and each reaches
-// few of these, of the lowest nodes. `batch` items are taken at once, at most 32: the first by the warp's number, others by a
-// counter, which warps can change only one after another. So where there are few items for each warp, and none of them is far
-// longer than others, all are taken by its number.
+// A walk is cut into items, so that every warp finds work. Each node of the walker's level 0 goes down from each chunk,
+// which is a node of level `start`. Where that is too few, the long elements of the node are dealt out to groups, whose
+// number is a power of two, and so are the children of nodes of the level `deal`: of the chunk, or, where few packets go
+// down and each reaches few of these, of the lowest nodes. `batch` items are taken at once, at most 32: the first by the
+// warp's number, others by a counter, which warps can change only one after another. So where there are few items for each
+// warp, and none of them is far longer than others, all are taken by its number.
 struct walk_plan {
   int start, deal;
   std::uint32_t first_chunk, chunks, long_groups, child_groups, batch, items;
@@ -41,7 +41,7 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   const bool few_packets = !w.rows && 4 * plan.items <= enough;
   // Where more than half of the warps have a packet, to cut these costs more than it gains.
   const bool many_packets = !w.rows && 2 * plan.items > enough;
-  // What is wanted may be exceeded twice. Of long elements half as many are wanted, so that no warp has more than one.
+  // The wanted number may be exceeded twice. For long elements half as many are wanted, so that no warp has more than one.
   const unsigned wanted = few_packets ? 2 * enough : w.rows ? enough / 2 : enough;
   const unsigned cuts = many_packets ? 1 : (wanted + plan.items - 1) / plan.items;
   while (plan.start > 1 && nodes_of(plan.start - 1) < cuts)
@@ -51,8 +51,8 @@ inline walk_plan plan_of(const tree_walk &w, unsigned enough) {
   while (plan.child_groups < tree_width && plan.chunks * plan.child_groups < cuts)
     plan.child_groups *= 2;
   plan.items *= plan.chunks * plan.child_groups; // below 2^32 for sets of any size, as a test shows
-  // Packets then go down together. Those of triangles or boxes can have very different numbers of pairs, so that warps rather take
-  // fewer at a time.
+  // Packets then go down together. Those of triangles or boxes can have very different numbers of pairs, so that warps
+  // rather take fewer at a time.
   while (plan.batch < 8 && plan.items > (w.balls ? 2 : 16) * plan.batch * enough)
     plan.batch *= 2;
   plan.whole = plan.items == w.of.end_a - w.of.first_a;

@@ -16,7 +16,7 @@ inline constexpr unsigned least_together = 4;
 // Fewer than 32 boxes wait before two leaves are looked at, each of which adds 32 at most.
 inline constexpr unsigned waiting_size = 3 * tree_width;
 
-// Of one warp, in shared memory.
+// The room of one warp, in shared memory.
 struct warp_room {
   // Boxes of the tree's elements that wait: the ends of each axis together, and in z.z the bits of their slots. Balls that are
   // tested lie in the place of their boxes: `least` in z.w, the rest in xy.
@@ -52,8 +52,8 @@ __device__ inline two_points from_lane(const two_points &t, unsigned lane) {
   return out;
 }
 
-// Of a warp that goes down: the nodes that are still to be entered. Each lane keeps those of one level. All functions are of the
-// whole warp.
+// The nodes that a warp on its way down has still to enter. Each lane keeps those of one level. All functions are of
+// the whole warp.
 class nodes_to_enter {
 public:
   // These children of a node of this level.

@@ -11,10 +11,10 @@
 
 namespace meetc::cuda {
 
-// One warp. A packet of 32 neighbours goes down together, its box against the 32 boxes of a node, one lane a box. What is
-// left at the bottom waits until there are 32, so that the last test, of each element's own box, runs full. Elements that are
-// long beside the nodes of the tree go down alone, by their two points.
-// BothWays: a pair is put into the list in both orders, unless an element is paired with itself.
+// One warp. A packet of 32 neighbours goes down together, its box against the 32 boxes of a node, one lane a box. The boxes
+// that are left at the bottom wait until there are 32, so that the last test, of each element's own box, runs full. Elements
+// that are long beside the nodes of the tree go down alone, by their two points. BothWays: a pair is put into the list in
+// both orders, unless an element is paired with itself.
 enum class walk_by : std::uint8_t { boxes, points, balls }; // of elements
 template <walk_by By, bool BothWays = false> class warp_walk {
   static_assert(!(By == walk_by::points && BothWays)); // a long element puts its pairs one way
@@ -56,7 +56,7 @@ public:
     }
   }
 
-  // What it has found and not written yet.
+  // The pairs that it has found and not written yet.
   __device__ hit_buffer<BothWays> &hits() {
     return hits_;
   }
@@ -75,11 +75,11 @@ private:
     const std::uint32_t node = w_.of.first_a + first + lane_;
     return box_of(w_.walker.nodes[w_.walker.shape.first[1] + node / tree_width], node % tree_width);
   }
-  // Of such items, those whose boxes touch the box of all of the tree.
+  // Those of such items whose boxes touch the box of all of the tree.
   __device__ unsigned touching(const tree_box &all, std::uint32_t first, unsigned items) const {
     return __ballot_sync(~0U, all.touches(box_of_item(first, items)));
   }
-  // Of such items, those whose boxes touch that of a child of a node of the coarse level. They go down there together. These
+  // Those of such items whose boxes touch that of a child of a node of the coarse level. They go down there together. These
   // children are listed, unless there are too many.
   __device__ unsigned touching_nodes(std::uint32_t first, unsigned items) {
     const tree_box mine = box_of_item(first, items), around = around_warp(mine);
@@ -114,14 +114,14 @@ private:
     __syncwarp();
     return found;
   }
-  // Of the tree's nodes of level 0, the first that is tested of a node of the walker.
+  // The first of the tree's nodes of level 0 that is tested with a node of the walker.
   __device__ std::uint32_t first_leaf(std::uint32_t node) const {
     return w_.half && node > w_.of.first_b ? node : w_.of.first_b;
   }
   __device__ tree_box box_at(int level, std::uint32_t node) const {
     return box_of_leaf(w_.tree.shape.first[level] + node);
   }
-  // Of a node in the array of nodes.
+  // The box of this lane in a node of the array.
   __device__ tree_box box_of_leaf(std::uint32_t node) const {
     const float2 *const from = of_lane_ + node * std::size_t{3 * tree_width};
     tree_box b;
@@ -275,7 +275,8 @@ private:
           test_waiting();
     }
   }
-  // The boxes of a node of level 0 that the packet's box touches wait, or are hits of the element that goes alone; of these lanes.
+  // The boxes of a node of level 0 that the packet's box touches wait, or are hits of the element that goes alone; of these
+  // lanes.
   template <bool Single> __device__ void leaf(std::uint32_t node, const tree_box &b, unsigned lanes) {
     const std::uint32_t slot = node * tree_width + lane_;
     if constexpr (Single) {
@@ -329,8 +330,8 @@ private:
     room_.xy[at] = {b.centre[0], b.centre[1], b.centre[2], b.most};
     room_.z[at].w = b.least;
   }
-  // Compares this lane's ball with those that wait whose bits are set. That of an empty lane is NaN, which proves nothing, and its
-  // box touches none.
+  // Compares this lane's ball with those that wait whose bits are set. That of an empty lane is NaN, which proves nothing,
+  // and its box touches none.
   __device__ void test_balls(unsigned with) {
     const boxed_ball own = ball_in_box(own_.low, own_.high);
     while (__any_sync(~0U, with != 0)) {
