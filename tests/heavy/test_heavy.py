@@ -54,6 +54,12 @@ def copy_of(build, to):
             shutil.copy(os.path.join(build.source, name), os.path.join(source, name))
     for at, folders, files in os.walk(build.folder):
         folders[:] = [f for f in folders if f not in ("room", "Testing", "_deps") and not f.startswith("room of ")]
+        for link in (os.path.join(at, f) for f in folders if os.path.islink(os.path.join(at, f))):
+            there = os.path.relpath(os.path.realpath(link), build.source)
+            if not there.startswith(".."):  # such as the folder by whose name the runtime is included
+                here = os.path.join(folder, os.path.relpath(link, build.folder))
+                os.makedirs(os.path.dirname(here), exist_ok=True)
+                os.symlink(os.path.join(source, there), here)
         for file in files:
             path = os.path.join(at, file)
             if file.endswith(COPIED) or os.path.join("heavy", "declared") in at:

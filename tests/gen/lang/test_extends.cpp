@@ -38,7 +38,7 @@ TEST_CASE("an algebra extends another one, from any folder") {
   CHECK(run_meetc("verify t.toml --cases 200", folder.path()).code == 0);
 }
 
-TEST_CASE("--algebra-path names folders where algebras are looked for, by every command") {
+TEST_CASE("the option --algebra-path names folders where algebras are looked for, by every command") {
   const temporary_folder folder;
   folder.write("one/a.toml", small_algebra);
   folder.write("two/b.toml", fmt::format(fmt::runtime(extension), "a.toml"));

@@ -351,6 +351,8 @@ constexpr entry all[] = {
     {"find_predicate", call_find_predicate},
     {"evaluate", call_evaluate},
     {"columns_of", call_columns_of},
+    {"common_objects", call_common_objects},
+    {"require_rows", call_require_rows},
     {"formula_named", call_formula_named},
     {"find_formula", call_find_formula},
     {"formula_values::column", call_column},

@@ -1,9 +1,9 @@
 // core/device/set/cull.hpp: leaves out the elements of two sets that can touch nothing, before the sets are put into order.
 //
 // Problem: two meshes that reach into each other touch along a curve, and to put all of their elements into order takes longer
-// than to answer. Method: marks on a grid over the box that both have in common (meetc/cuda/cull_grid.hpp). The smaller set marks,
-// the larger is sifted by that and marks, and by its marks the smaller is sifted again. A set of long elements with two points
-// marks along their lines and is not sifted again, because nearly all of it would be kept.
+// than to answer. Method: marks on a grid over the box that both have in common (meetc/cuda/cull_grid.hpp). The smaller set
+// marks, the larger is sifted by that and marks, and by its marks the smaller is sifted again. A set of long elements with two
+// points marks along their lines and is not sifted again, because nearly all of it would be kept.
 // Limits: it gains nothing where elements fill the box, as balls in a cloud do.
 #ifndef MEETC_CORE_DEVICE_SET_CULL_HPP
 #define MEETC_CORE_DEVICE_SET_CULL_HPP

@@ -1,8 +1,8 @@
 // core/device/set/tree.hpp: a hierarchy of boxes over a set on a device, made there.
 //
 // Problem: most pairs of two sets are far apart, and to look at each costs the product of their sizes. Method: a set's rows
-// are in a spatial order, and every 32 of them, and every 32 nodes, get a node (meetc/volume/tree.hpp). After a pose the boxes are
-// made again; the order stays.
+// are in a spatial order, and every 32 of them, and every 32 nodes, get a node (meetc/volume/tree.hpp). After a pose the boxes
+// are made again; the order stays.
 #ifndef MEETC_CORE_DEVICE_SET_TREE_HPP
 #define MEETC_CORE_DEVICE_SET_TREE_HPP
 
