@@ -62,6 +62,28 @@ void call_columns_of(caller &under) {
   under([&] { columns_of(a.data(), columns); });
   under.add(columns[3].data - a.data()), under.add(columns[3].stride);
 }
+void call_common_objects(caller &under) {
+  const rows a = some_spheres(1);
+  std::vector<column> columns(4);
+  columns_of(a.data(), columns);
+  const operand_columns operands[] = {{columns, a.size() / 4}, {columns, a.size() / 4}};
+  const formula_info &f = formula_named(cga::catalogue(), "meet(sphere, sphere)");
+  std::size_t objects = 0, numbers = 0;
+  under([&] { objects = common_objects(f, operands), numbers = columns_of(f, operands).size(); });
+  under.add(objects), under.add(numbers);
+  const operand_columns others[] = {{columns, 1}, {columns, 2}};
+  under([&] { common_objects(f, others); });
+}
+void call_require_rows(caller &under) {
+  const rows a = some_spheres(1);
+  std::vector<column> columns(4);
+  columns_of(a.data(), columns);
+  const operand_columns operands[] = {{columns, 2}, {columns, 2}};
+  const formula_info &f = formula_named(cga::catalogue(), "meet(sphere, sphere)");
+  static constexpr std::uint32_t good[] = {0, 1, 1, 1}, bad[] = {0, 1, 1, 2};
+  under([&] { require_rows(f, operands, good); });
+  under([&] { require_rows(f, operands, bad); });
+}
 void call_formula_named(caller &under) {
   const formula_info *found = nullptr;
   under([&] { found = &formula_named(cga::catalogue(), "meet( sphere,sphere )"); });

@@ -8,6 +8,8 @@ namespace words_test {
 
 void call_evaluate(caller &under);
 void call_columns_of(caller &under);
+void call_common_objects(caller &under);
+void call_require_rows(caller &under);
 void call_formula_named(caller &under);
 void call_find_formula(caller &under);
 void call_column(caller &under);
