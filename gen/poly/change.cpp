@@ -50,10 +50,12 @@ changed change(const packed &p, const variable_pair &by) {
       c = std::move(next);
     }
     const product_of rest = without(t.of, by.v, by.w);
+    const auto power_of_two =
+        static_cast<std::int64_t>(std::uint64_t{1} << static_cast<unsigned>(std::max(highest - a - b, 0)));
     for (int k = 0; k <= a + b; ++k)
       if (const std::int64_t x = c[static_cast<std::size_t>(k)])
         out.push_back({times(rest, times(power_of(by.plus, a + b - k), power_of(by.minus, k))),
-                       t.coefficient * x * (std::int64_t{1} << (highest - a - b))});
+                       t.coefficient * x * power_of_two});
   }
   return {joined(std::move(out)), highest};
 }

@@ -22,7 +22,7 @@ constexpr product_of rest_of(product_of f) {
   return f >> lane_bits;
 }
 constexpr product_of factor(int variable) {
-  return static_cast<product_of>(variable + 1);
+  return static_cast<product_of>(variable) + 1;
 }
 int degree(product_of f);
 product_of times(product_of a, product_of b); // their degrees add up to most_factors at most

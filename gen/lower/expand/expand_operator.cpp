@@ -25,7 +25,7 @@ std::size_t versor_argument(const lang::builtin &of) {
 multivector expander::pseudoscalar(const location &where) {
   const blade all = model_.declared().pseudoscalar();
   if (const lang::named_expr *c = model_.spec().find_constant("I")) {
-    const multivector i = blade_of(name({lang::op::name, where, c->name, {}, {}}, {}), where);
+    multivector i = blade_of(name({lang::op::name, where, c->name, {}, {}}, {}), where);
     if (!(i.terms().size() == 1 && i.terms().begin()->first == all && i.terms().begin()->second.is_constant()))
       throw spec_error(where, fmt::format("this needs the pseudoscalar, and the constant I, declared at {}, is no "
                                           "multiple of {}",

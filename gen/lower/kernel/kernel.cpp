@@ -14,7 +14,7 @@ program best_of(const builder &code, const std::vector<std::vector<node_id>> &fo
   const auto operations = [&](const std::vector<node_id> &form) { return count(code.nodes(), form).total(); };
   const auto best = std::min_element(forms.begin(), forms.end(),
                                      [&](const auto &x, const auto &y) { return operations(x) < operations(y); });
-  const program out = code.finish(*best);
+  program out = code.finish(*best);
   for (auto form = forms.begin(); form != forms.end(); ++form)
     if (form != best && !ir::same_values(out, {code.nodes(), *form}, code.numbers()))
       throw std::logic_error("two forms of one value differ");

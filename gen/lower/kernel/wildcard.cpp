@@ -87,7 +87,7 @@ std::optional<std::string> refusal(const model &m, const lang::expr_ptr &e) {
     const request r = resolve(m, e);
     bool is_sign = false;
     try {
-      if (const auto why = refusal_of_stored(m, r, is_sign))
+      if (auto why = refusal_of_stored(m, r, is_sign))
         return why;
     } catch (const too_long &) { // it is composed of its parts later
     }

@@ -304,7 +304,7 @@ node_values composer::composed(const lang::expr &e, const scope &names) {
   const bool is_call = e.kind == kind::call || e.kind == kind::builtin;
   if (which == parts::long_ones || (which == parts::arguments && !is_call)) {
     try {
-      const node_values found = expanded(e, names, most_steps_tried, true);
+      node_values found = expanded(e, names, most_steps_tried, true);
       if (e.kind != kind::call)
         return found;
       composer as_written(model_, code_, parts::all);
