@@ -243,7 +243,7 @@ if [ -z "$long" ] && [[ $check == @(roundings|coq) ]]; then
   done
   scripts=("${kept[@]}")
 fi
-# What Coq forges: all, or the shortest proof of a sign and those that are not about signs.
+# The proofs that are forged for Coq: all, or the shortest proof of a sign and those that are not about signs.
 forge=$(printf '%s\n' "${scripts[@]}")
 [ -n "$long" ] || forge=$(
   grep -L 'v - e' "${scripts[@]}" || true

@@ -1,5 +1,5 @@
-// What `meet` reads: polygons of every shape, lines and points, numbers that rounding moves, standard input, and what it
-// says of them.
+// The files that `meet` reads: polygons of every shape, lines and points, numbers that rounding moves, standard input; and the
+// notes on them.
 #include "fixture.hpp"
 
 using namespace fixture;

@@ -26,7 +26,7 @@ struct arrange_jobs {
 // Nodes of level 1 whose elements are put at a time.
 inline constexpr unsigned most_nodes_of_window = 4;
 
-// Of a block, in shared memory.
+// The shared memory of a block.
 template <unsigned Threads> struct arrange_room {
   distribute_room<Threads> keys;
   tree_box children[most_nodes_of_window][tree_width];
@@ -146,7 +146,7 @@ private:
       window_ /= 2;
   }
 
-  // Of rows that stand already; and the steps of places, while those are on their way.
+  // Samples rows that stand already, and takes the steps of places while the rows are on their way.
   __device__ void take_samples() {
     const sample some(n_);
     const bool samples = !job_.posed && !job_.common;

@@ -36,7 +36,7 @@ struct sifted {
   bool there, good, meets; // an element at all, one of its kind, and one that meets a cell
 };
 
-// Of vertices, whose cells are known.
+// The cells of elements whose vertices have known cells.
 template <class Shape>
 __device__ void cells_by_vertices(const sift_job &job, const cull_grid &grid, sifted (&all)[cull_each]) {
   constexpr unsigned points = Shape::hull;
@@ -136,7 +136,7 @@ __global__ void __launch_bounds__(cull_threads, 6) sift_kernel(const __grid_cons
   const cull_marks marked{job.marked, job.bits}, marks{job.marks, job.bits};
   const std::uint32_t some = job.marked ? *marked.levels() : 0;
   const unsigned lane = threadIdx.x % 32, warp = threadIdx.x / 32;
-  // Of few elements a thread looks at one, and a tile is a part of what it could be.
+  // With few elements a thread looks at one, and a tile is smaller than it could be.
   const unsigned each = n > gridDim.x * std::size_t{cull_threads} ? cull_each : 1;
   const std::size_t size = std::size_t{cull_threads} * each;
   for (std::size_t tile = blockIdx.x * size; tile < n; tile += gridDim.x * size) {

@@ -5,7 +5,7 @@
 // its keys by cells, and learns by one addition for each cell how many of other blocks come before its own. It puts tiles of
 // them into the order of the cells in its own memory, and brings neighbours to their cells together. Then a block takes a
 // window of the order that it is asked for: it looks at the keys of the cells there, of which finer cells say which lie in
-// the window, and puts these into order. Of many keys it rather takes whole cells, which it reads once.
+// the window, and puts these into order. Where keys are many, it takes whole cells instead, which it reads once.
 // Limits: keys differ from each other. There is no order where too many are alike in their first bits: those of a cell, those
 // of a finer cell, or those of a window and of the finer cells that reach into it.
 #ifndef MEETC_CUDA_DISTRIBUTE_HPP
@@ -21,8 +21,8 @@ template <unsigned Threads, unsigned Tile = most_of_tile> class distributing {
 public:
   using room = distribute_room<Threads, Tile>;
   static constexpr unsigned each = Tile / Threads; // keys of a thread
-  // The windows of a large tile are whole cells, which stay in registers while their finer cells are counted. Smaller windows are
-  // read again sooner than that pays.
+  // The windows of a large tile are whole cells, which stay in registers while their finer cells are counted. Smaller windows
+  // are read again sooner than that pays.
   static constexpr bool by_cells = Tile > most_of_tile;
 
   // Keys are below 2^key_bits, and some only are in use where `sparse`, which then has more cells.
@@ -78,8 +78,8 @@ public:
       d_.counted[c] = 0;
   }
 
-  // The keys from place `first` to before `last` of the order become the first of room.keys, at most a tile. Returns false where
-  // they cannot be put into order; all threads get the same.
+  // The keys from place `first` to before `last` of the order become the first of room.keys, at most a tile. Returns false
+  // where they cannot be put into order; all threads get the same.
   __device__ bool window(std::uint32_t first, std::uint32_t last) {
     if (!take_near(first, last))
       return false;
@@ -145,8 +145,8 @@ private:
     }
     return ordered;
   }
-  // Some cells together, which have half of the keys that there is room for if all have as many. Of larger ones, all blocks take
-  // windows.
+  // Some cells together, which have half of the keys that there is room for if all have as many. All blocks take windows of
+  // larger cells.
   template <class Write> __device__ bool each_by_cells(Write &&write) {
     bool ordered = true, larger = false;
     constexpr std::uint32_t size = Tile / 2;

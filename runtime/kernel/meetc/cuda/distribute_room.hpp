@@ -1,4 +1,4 @@
-// What a block that distributes keys has in shared memory (cuda/distribute.hpp).
+// The shared memory of a block that distributes keys (cuda/distribute.hpp).
 #ifndef MEETC_CUDA_DISTRIBUTE_ROOM_HPP
 #define MEETC_CUDA_DISTRIBUTE_ROOM_HPP
 
@@ -15,7 +15,7 @@ inline constexpr unsigned most_near_window = 1U << 18, most_alike = 2048;
 
 static_assert(counted_to_distribute == most_cells);
 
-// Of a block, in shared memory.
+// The shared memory of a block.
 template <unsigned Threads, unsigned Tile = most_of_tile> struct distribute_room {
   static constexpr unsigned window_cells = Tile / 2; // finer cells of a window
   static_assert(window_cells >= 2 * most_cells);

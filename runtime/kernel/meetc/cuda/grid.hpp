@@ -1,4 +1,4 @@
-// What all blocks of a kernel compute together, where they run at once (launch_together()). Included by nvcc, or behind a
+// Functions of all blocks of a kernel together, where they run at once (launch_together()). Included by nvcc, or behind a
 // stand-in for a warp.
 #ifndef MEETC_CUDA_GRID_HPP
 #define MEETC_CUDA_GRID_HPP
@@ -14,7 +14,7 @@
 namespace meetc::cuda {
 
 #if defined(__CUDACC__)
-// All threads of all blocks meet. What one wrote before, every one reads after.
+// All threads of all blocks meet. Each reads afterwards all that any of them wrote before.
 __device__ inline void meet_grid() {
   cooperative_groups::this_grid().sync();
 }

@@ -65,8 +65,8 @@ inline unsigned shared_memory_of_block() {
 }
 inline constexpr std::size_t least_shared_memory = 101376;
 
-// Lets the blocks of a kernel have so much dynamic shared memory. What is more than a block has unasked is asked for before each
-// launch, since a device that is reset forgets it.
+// Lets the blocks of a kernel have so much dynamic shared memory. A request beyond the default is repeated before each launch,
+// since a device that is reset forgets it.
 inline constexpr std::size_t shared_memory_unasked = 49152;
 template <auto Kernel, std::size_t Bytes> void allow_shared_memory() {
   if constexpr (Bytes > shared_memory_unasked)

@@ -89,7 +89,7 @@ __device__ inline void append_hits(unsigned marks, const index_pair (&pairs)[Eac
   }
 }
 
-// Of one warp: pairs that wait in shared memory until there are many, because additions to one counter are carried out one at
+// Pairs of one warp that wait in shared memory until there are many, because additions to one counter are carried out one at
 // a time. All functions are of the whole warp.
 inline constexpr unsigned waiting_pairs = 512;
 template <unsigned Size = waiting_pairs> class waiting_list {

@@ -124,7 +124,8 @@ template <class P, class A> struct certify_step {
   }
 };
 
-// What certify_fp32 leaves, a lane a pair. Pairs that a rung leaves unsure wait in shared memory until they fill the lanes.
+// Decides the pairs that certify_fp32 leaves, a lane a pair. Pairs that a rung leaves unsure wait in shared memory until they
+// fill the lanes.
 template <class P>
 __global__ void __launch_bounds__(step_threads)
     rest_kernel(const float *a, const float *b, pair_list in, pair_list yes, unsigned long long *left) {

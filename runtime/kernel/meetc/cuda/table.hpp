@@ -42,10 +42,10 @@ struct pose_matrix {
   int grid_low = 0;
 };
 
-// What became of elements that were put into order.
+// The findings on elements that were put into order.
 struct order_findings {
-  // The first element with a bad index, a number that is not finite, or a broken rule of its kind, times 2^32, plus its slot; ~0
-  // where all elements are good. If one is not, the rest means nothing.
+  // The first element with a bad index, a number that is not finite, or a broken rule of its kind, times 2^32, plus its slot;
+  // ~0 where all elements are good. If one is not, the rest means nothing.
   unsigned long long bad;
   unsigned long long crowded;   // elements before which at least tree_width others have the same place
   unsigned long long unordered; // above 0: too many lie too close to each other, and have no places
@@ -68,7 +68,7 @@ MEETC_HD constexpr bool can_arrange_tree(int fields) {
 inline constexpr std::uint32_t most_to_arrange = 1U << 20;
 inline constexpr int bits_to_arrange = 10; // of a cell along an axis, as places() has them
 inline constexpr std::size_t counted_to_distribute = 2048;
-// What blocks share that put keys into order (distribute.hpp), in device memory.
+// The device memory that blocks share while they put keys into order (distribute.hpp).
 struct distribution {
   std::uint64_t *keys, *by_cell; // n each; keys are written by count(), and read by distribute() for the last time
   std::uint32_t n;               // above 0, below 2^31
@@ -148,9 +148,9 @@ private:
 struct set_launchers {
   stated<const char *> name;
   stated<int> fields;
-  // Writes packed rows in the pose `at`, in the order of the view; none where `rows` is null. *bad is as in order_findings; there
-  // element i counts as element order[i] where order is not null. Where `bad` is null, nothing is checked. Widens *around, unless
-  // it is null, by the boxes of the rows.
+  // Writes packed rows in the pose `at`, in the order of the view; none where `rows` is null. *bad is as in order_findings;
+  // there element i counts as element order[i] where order is not null. Where `bad` is null, nothing is checked. Widens
+  // *around, unless it is null, by the boxes of the rows.
   stated<cudaError_t (*)(const view &v, const pose_matrix &at, const std::uint32_t *order, float *rows,
                          unsigned long long *bad, joined_box *around, cudaStream_t stream)>
       pose;
@@ -161,11 +161,11 @@ struct set_launchers {
       instances;
   // Keeps the elements that a pass over one of two sets does not rule out.
   stated<cudaError_t (*)(const sift_job &job, cudaStream_t stream)> sift;
-  // pose() and places() at once, the order, and where can_arrange_tree() the tree as well, of 1 to most_to_arrange elements; of one
-  // set, or of two beside each other. `jobs` is host memory.
+  // pose() and places() at once, the order, and where can_arrange_tree() the tree as well, of 1 to most_to_arrange elements;
+  // of one set, or of two beside each other. `jobs` is host memory.
   stated<cudaError_t (*)(const arrange_job *jobs, int count, cudaStream_t stream)> arrange;
-  // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits), and its number. *bad, unless
-  // it is null, becomes less where a row is not good, as in order_findings.
+  // For each row its place along Hilbert's curve through the cube around *around, below 2^(3 bits), and its number. *bad,
+  // unless it is null, becomes less where a row is not good, as in order_findings.
   stated<cudaError_t (*)(const float *rows, std::uint32_t elements, const joined_box *around, int bits,
                          std::uint32_t *places, std::uint32_t *numbers, unsigned long long *bad, cudaStream_t stream)>
       places;
@@ -236,9 +236,9 @@ MEETC_HD inline std::uint32_t number_of_b(const first_met_job &job, std::uint32_
 // The launchers of one predicate for lists of pairs.
 struct pair_launchers {
   // Reads min(*in.count, in.capacity) pairs of slots of packed rows; hits go to `yes`, and pairs that reject keeps, or that
-  // certify_fp32 cannot decide, to `left`. certify_rest decides all, writes no such list, and adds to left.count[0] how many fp64
-  // left to double-double, and to left.count[1] how many that left to the integers. Returns cudaErrorInvalidValue if the scene
-  // does not ask for the rung, and for reject also unless the predicate `rejects`.
+  // certify_fp32 cannot decide, to `left`. certify_rest decides all, writes no such list, and adds to left.count[0] how many
+  // fp64 left to double-double, and to left.count[1] how many that left to the integers. Returns cudaErrorInvalidValue if the
+  // scene does not ask for the rung, and for reject also unless the predicate `rejects`.
   stated<cudaError_t (*)(step which, const float *a, const float *b, pair_list in, pair_list yes, pair_list left,
                          cudaStream_t stream)>
       run;

@@ -126,8 +126,8 @@ template <class Shape> cudaError_t gather(const gather_job &job, cudaStream_t st
   return launch<gather_kernel<Shape>>(shape.count[1] * (node_threads / tree_threads), tree_threads, stream, job, shape);
 }
 
-// A warp brings the box around child `which` of a node of `level`, which goes there, and to the node's children in shared memory.
-// Empty lanes of nodes are written too.
+// A warp brings the box around child `which` of a node of `level` there, and to the node's children in shared memory. Empty
+// lanes of nodes are written too.
 __device__ inline void put_child(tree_node *nodes, const tree_shape &shape, int level, unsigned node, unsigned which,
                                  const tree_box &child, tree_box *children) {
   if (threadIdx.x % tree_width != 0)

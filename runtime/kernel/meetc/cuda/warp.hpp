@@ -1,4 +1,4 @@
-// What the lanes of a warp compute together. Included by nvcc, or behind a stand-in for a warp.
+// Functions of the lanes of a warp together. Included by nvcc, or behind a stand-in for a warp.
 #ifndef MEETC_CUDA_WARP_HPP
 #define MEETC_CUDA_WARP_HPP
 

@@ -2,8 +2,8 @@
 //
 // A form F(X, Y) = sum_k f_k(X) g_k(Y) + f(X) + g(Y) with few products fits into one matrix step. Each factor becomes
 // two halves, h + l; the products h h, h l and l h are kept, and an additive term takes two columns next to a constant.
-// What this loses, and what the unit's own addition may lose, is subtracted from the additive terms as a margin for
-// each element. For any two elements inside the frame, therefore,
+// The losses of this, and those of the unit's own addition, are subtracted from the additive terms as a margin for each
+// element. For any two elements inside the frame, therefore,
 //   F <= 0 implies that the unit's result is negative,
 // if the unit obeys the model: from 16 products t_i, each exact, it computes a sum that is within 17 2^-23 sum |t_i| of
 // their sum, in whatever order, with or without truncation and subnormals. No vendor promises that; probe()

@@ -146,7 +146,8 @@ __device__ inline unsigned long long wgmma_operand(const void *shared) {
 inline constexpr int wgmma_rows = 8; // tiles of 64 X in a block
 static_assert(matrix_block == 64 * wgmma_rows);
 
-// A block is a warpgroup. Tiles of 64 Y pass through shared memory, two at a time. A template, so that it can stand in a header.
+// A block is a warpgroup. Tiles of 64 Y pass through shared memory, two at a time. It is a template so that a header may hold
+// it.
 template <int = 0>
 __global__ void __launch_bounds__(128)
     wgmma_kernel([[maybe_unused]] const unsigned *a, [[maybe_unused]] const uint4 *b, [[maybe_unused]] cuda::part of,

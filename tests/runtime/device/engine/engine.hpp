@@ -68,7 +68,7 @@ struct expectation {
   range near, candidates;
   std::uint64_t most_unsure = 0; // in fp32
 };
-// Of `certified`, element by element, from the host's own columns, pair by pair.
+// The expectation for `certified`, element by element, from the host's own columns, pair by pair.
 expectation expect(const meetc::predicate_info &p, const meetc::prepared &a, const meetc::prepared &b,
                    meetc::every_pair::filter by);
 
