@@ -7,15 +7,12 @@
 #include "tests/catch.hpp"
 
 #include "meet/core/query/collide.hpp"
-#include "meet/core/views/pose.hpp"
-#include "meet/io/read.hpp"
+#include "tests/runtime/real_bodies.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cga/cga_runtime.hpp>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <string>
 #include <vector>
@@ -24,63 +21,11 @@ using namespace meetc;
 
 namespace {
 
-struct body {
-  std::string name;
-  std::vector<float> corners; // 9 a face
-  std::array<double, 3> middle{};
-  double size = 0; // the largest side of its box
-};
-
-std::vector<body> load_all() {
-  const catalogue &all = cga::catalogue();
-  std::vector<const kind_info *> kinds;
-  for (int i = 0; i < all.kind_count; ++i)
-    kinds.push_back(&all.kinds[i]);
-  std::vector<std::filesystem::path> files;
-  std::error_code none;
-  for (const auto &entry : std::filesystem::directory_iterator(MEETC_DATA, none))
-    if (entry.path().extension() == ".ply")
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::vector<body> out;
-  for (const auto &file : files) {
-    const io::element_set set = io::read(file, kinds);
-    body b{file.stem().string(), std::vector<float>(9 * set.elements)};
-    for (std::size_t i = 0; i < set.elements; ++i)
-      set.row(i, b.corners.data() + 9 * i);
-    for (std::size_t k = 0; k < 3; ++k) {
-      double lo = 1e300, hi = -1e300;
-      for (std::size_t i = k; i < b.corners.size(); i += 3) {
-        lo = std::min(lo, static_cast<double>(b.corners[i]));
-        hi = std::max(hi, static_cast<double>(b.corners[i]));
-      }
-      b.middle[k] = (lo + hi) / 2;
-      b.size = std::max(b.size, hi - lo);
-    }
-    out.push_back(std::move(b));
-  }
-  return out;
-}
+using real_bodies::body, real_bodies::placed;
 
 const std::vector<body> &bodies() {
-  static const std::vector<body> all = load_all();
+  static const std::vector<body> all = real_bodies::load_all(MEETC_DATA);
   return all;
-}
-
-// Scaled and rotated about the centre of the body, which moves to `to`.
-pose placed(const body &b, double scale, bool turned, const std::array<double, 3> &to) {
-  constexpr double turn[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
-  pose p;
-  p.length_scale = scale;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double *const m = p.m + 4 * k;
-    m[3] = to[k];
-    for (std::size_t j = 0; j < 3; ++j) {
-      m[j] = scale * (turned ? turn[k][j] : k == j ? 1.0 : 0.0);
-      m[3] -= m[j] * b.middle[j];
-    }
-  }
-  return p;
 }
 
 // Elements of a kind from at most `most` faces.

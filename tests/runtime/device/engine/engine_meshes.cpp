@@ -1,71 +1,20 @@
 // Real meshes from a folder: each against itself, and pairs of them one in the other, as stored, far, tiny and huge.
 #include "engine.hpp"
 
-#include "meet/io/read.hpp"
 #include "tests/runtime/device/kernels/cuda_test.hpp"
+#include "tests/runtime/real_bodies.hpp"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstring>
-#include <filesystem>
 
 namespace cuda_test {
 namespace {
 
 using namespace meetc;
 
-struct body {
-  std::string name;
-  std::vector<float> corners; // 9 a face
-  std::array<double, 3> middle{};
-  double size = 0; // the largest side of its box
-};
-
-std::vector<body> load_all(const std::string &folder) {
-  std::vector<const kind_info *> kinds;
-  for (int i = 0; i < cga::catalogue().kind_count; ++i)
-    kinds.push_back(&cga::catalogue().kinds[i]);
-  std::vector<std::filesystem::path> files;
-  for (const auto &entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".ply")
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::vector<body> out;
-  for (const auto &file : files) {
-    const io::element_set set = io::read(file, kinds);
-    body b{file.stem().string(), std::vector<float>(9 * set.elements)};
-    for (std::size_t i = 0; i < set.elements; ++i)
-      set.row(i, b.corners.data() + 9 * i);
-    for (std::size_t k = 0; k < 3; ++k) {
-      double lo = 1e300, hi = -1e300;
-      for (std::size_t i = k; i < b.corners.size(); i += 3) {
-        lo = std::min(lo, static_cast<double>(b.corners[i]));
-        hi = std::max(hi, static_cast<double>(b.corners[i]));
-      }
-      b.middle[k] = (lo + hi) / 2;
-      b.size = std::max(b.size, hi - lo);
-    }
-    out.push_back(std::move(b));
-  }
-  return out;
-}
-
-// Scaled and turned about the body's middle, which goes to `to`.
-pose placed(const body &b, double scale, bool turned, const std::array<double, 3> &to) {
-  static constexpr double turn[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
-  pose p;
-  p.length_scale = scale;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double *const m = p.m + 4 * k;
-    m[3] = to[k];
-    for (std::size_t j = 0; j < 3; ++j) {
-      m[j] = scale * (turned ? turn[k][j] : k == j ? 1.0 : 0.0);
-      m[3] -= m[j] * b.middle[j];
-    }
-  }
-  return p;
-}
+using real_bodies::body, real_bodies::load_all, real_bodies::placed;
 
 // Elements of a kind from at most `most` faces: the faces, their first edges or corners, spheres a quarter of the edge about
 // the corners, or boxes around the edges.
