@@ -20,7 +20,7 @@ TEST_CASE("for_each: the kinds and the predicates of the catalogue, in its order
     to_row(k.in(row), back);
     CHECK(std::vector<float>(std::begin(row), std::end(row)) == std::vector<float>(std::begin(back), std::end(back)));
   });
-  cga::for_each_predicate([&]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) {
+  cga::for_each_predicate([&]<class P, class A, class B>(const cga::detail::on_kinds<P, A, B> &p) {
     const std::size_t i = predicates.size();
     predicates.emplace_back(p.name);
     REQUIRE(i < predicate_count);

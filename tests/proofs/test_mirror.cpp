@@ -56,7 +56,7 @@ template <class P> void add_predicate(std::map<std::string, emitted_stage> &to, 
 const std::map<std::string, emitted_stage> &emitted_stages() {
   static const auto all = [] {
     std::map<std::string, emitted_stage> out;
-    cga::for_each_sign([&out]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) {
+    cga::for_each_sign([&out]<class P, class A, class B>(const cga::detail::on_kinds<P, A, B> &p) {
       add<P, typename P::common_stage>(out, std::string(p.name) + " common");
     });
     add<cga::first_met_segment_triangle_pair_sign, cga::first_met_segment_triangle_pair_sign::common_stage>(

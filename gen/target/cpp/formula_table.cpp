@@ -69,22 +69,17 @@ std::vector<const lower::kernel *> formulas_on_columns(const unit &u) {
 
 std::string columns_header(const unit &u) {
   std::vector<std::string> headers;
-  std::string structs, visits;
+  std::string structs;
   for (const lower::kernel *k : formulas_on_columns(u)) {
     headers.push_back(k->asked.name() + ".hpp");
     structs += columns_struct(u, *k);
-    visits += fmt::format("  visit(columns::{}{{}}, \"{}\");\n", identifier(k->asked.name()), k->asked.text);
   }
   std::sort(headers.begin(), headers.end());
   return banner(u.scene, "Formulas on rows of numbers.") + open_header(u.scene, "file_columns", headers) +
          "// operand_of(): the operand that a number of the row belongs to. values(): the row has the operands' "
          "stored\n"
          "// numbers one after another.\nnamespace detail::columns {\n\n" +
-         structs +
-         "} // namespace detail::columns\n\n"
-         "// Calls visit(F{}, name) for each of them.\nnamespace detail {\n"
-         "template <class Visit> void for_each_formula(Visit &&visit) {\n" +
-         visits + "}\n} // namespace detail\n" + close_header(u.scene);
+         structs + "} // namespace detail::columns\n" + close_header(u.scene);
 }
 
 std::string formulas_source(const unit &u) {

@@ -69,12 +69,12 @@ template <class P, class A, class B, class Hit> subject make(const char *name, H
 
 std::vector<subject> make_all() {
   std::vector<subject> out;
-  cga::for_each_predicate([&out]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) {
+  cga::for_each_predicate([&out]<class P, class A, class B>(const cga::detail::on_kinds<P, A, B> &p) {
     const auto hit = [](const float *x, const float *y) { return static_cast<int>(P::hit(A::in(x), B::in(y))); };
     if (std::string_view(p.name) != "box_box")
       out.push_back(make<P, A, B>(p.name, hit));
   });
-  cga::for_each_sign([&out]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) {
+  cga::for_each_sign([&out]<class P, class A, class B>(const cga::detail::on_kinds<P, A, B> &p) {
     const auto sign = [](const float *x, const float *y) {
       return static_cast<int>(meetc::sign_certified<P>(A::in(x), B::in(y)));
     };

@@ -161,7 +161,7 @@ template <class P, class Hit> void run(const char *name, Hit hit) {
 } // namespace
 
 int main() {
-  cga::for_each_predicate([]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) {
+  cga::for_each_predicate([]<class P, class A, class B>(const cga::detail::on_kinds<P, A, B> &p) {
     run<P>(p.name, [](const float *a, const float *b) { return P::hit(A::in(a), B::in(b)); });
   });
   return 0;

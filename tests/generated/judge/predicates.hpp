@@ -53,7 +53,7 @@ template <class P, class A, class B> struct predicate {
 
 template <class F> void for_each_predicate(F &&f) {
   cga::for_each_predicate(
-      [&f]<class P, class A, class B>(const cga::on_kinds<P, A, B> &p) { f(predicate<P, A, B>{p.name}); });
+      [&f]<class P, class A, class B>(const cga::detail::on_kinds<P, A, B> &p) { f(predicate<P, A, B>{p.name}); });
 }
 
 } // namespace meetc::generated_test

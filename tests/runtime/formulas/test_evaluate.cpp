@@ -7,7 +7,7 @@
 #include "meet/core/query/evaluate.hpp"
 
 #include <cga/cga_runtime.hpp>
-#include <cga/detail/columns.hpp>
+#include <cga/for_each.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -166,8 +166,8 @@ bool fuses(const catalogue &c) {
 TEST_CASE("every formula on columns and on rows is the emitted function, bit for bit") {
   int formulas = 0;
   for (const catalogue *c : catalogues())
-    cga::detail::for_each_formula([&]<class F>(F, const char *name) {
-      const formula_info &f = formula_named(*c, name);
+    cga::for_each_formula([&]<class F>(const cga::detail::on_columns<F> &listed) {
+      const formula_info &f = formula_named(*c, listed.name);
       for (const std::size_t n : {0, 1, 3, 4, 8, 15, 16, 33, 5000})
         for (const bool whole : {true, false}) {
           check_formula<F, float>(f, fuses(*c), n, whole, static_cast<unsigned>(n));

@@ -460,40 +460,6 @@ struct norm2_meet_point_pair_sphere {
 
 } // namespace detail::columns
 
-// Calls visit(F{}, name) for each of them.
-namespace detail {
-template <class Visit> void for_each_formula(Visit &&visit) {
-  visit(columns::meet_plane_line{}, "meet(plane, line)");
-  visit(columns::norm2_meet_plane_line{}, "norm2(meet(plane, line))");
-  visit(columns::meet_sphere_line{}, "meet(sphere, line)");
-  visit(columns::norm2_meet_sphere_line{}, "norm2(meet(sphere, line))");
-  visit(columns::meet_plane_plane{}, "meet(plane, plane)");
-  visit(columns::norm2_meet_plane_plane{}, "norm2(meet(plane, plane))");
-  visit(columns::meet_sphere_plane{}, "meet(sphere, plane)");
-  visit(columns::norm2_meet_sphere_plane{}, "norm2(meet(sphere, plane))");
-  visit(columns::meet_sphere_sphere{}, "meet(sphere, sphere)");
-  visit(columns::norm2_meet_sphere_sphere{}, "norm2(meet(sphere, sphere))");
-  visit(columns::meet_line_line{}, "meet(line, line)");
-  visit(columns::norm2_meet_line_line{}, "norm2(meet(line, line))");
-  visit(columns::meet_circle_line{}, "meet(circle, line)");
-  visit(columns::norm2_meet_circle_line{}, "norm2(meet(circle, line))");
-  visit(columns::meet_circle_circle{}, "meet(circle, circle)");
-  visit(columns::norm2_meet_circle_circle{}, "norm2(meet(circle, circle))");
-  visit(columns::meet_circle_plane{}, "meet(circle, plane)");
-  visit(columns::norm2_meet_circle_plane{}, "norm2(meet(circle, plane))");
-  visit(columns::meet_circle_sphere{}, "meet(circle, sphere)");
-  visit(columns::norm2_meet_circle_sphere{}, "norm2(meet(circle, sphere))");
-  visit(columns::meet_point_pair_line{}, "meet(point_pair, line)");
-  visit(columns::norm2_meet_point_pair_line{}, "norm2(meet(point_pair, line))");
-  visit(columns::meet_point_pair_circle{}, "meet(point_pair, circle)");
-  visit(columns::norm2_meet_point_pair_circle{}, "norm2(meet(point_pair, circle))");
-  visit(columns::meet_point_pair_plane{}, "meet(point_pair, plane)");
-  visit(columns::norm2_meet_point_pair_plane{}, "norm2(meet(point_pair, plane))");
-  visit(columns::meet_point_pair_sphere{}, "meet(point_pair, sphere)");
-  visit(columns::norm2_meet_point_pair_sphere{}, "norm2(meet(point_pair, sphere))");
-}
-} // namespace detail
-
 } // namespace cga
 
 #endif
