@@ -187,28 +187,62 @@ std::string poly::text() const {
   return out;
 }
 
+namespace {
+
+// t with each variable v replaced by images[v], a term or zero; nothing where the result is zero.
+std::optional<term> replaced(const term &t, const std::vector<std::optional<term>> &images) {
+  term out{t.coefficient, {}};
+  for (const power &f : t.factors) {
+    const std::optional<term> &image = images[static_cast<std::size_t>(f.variable)];
+    if (!image)
+      return std::nullopt;
+    for (int i = 0; i < f.exponent; ++i)
+      out.coefficient *= image->coefficient;
+    for (const power &g : image->factors)
+      out.factors.push_back({g.variable, g.exponent * f.exponent});
+  }
+  return out;
+}
+
+// FLINT's composition multiplies each term by a matrix of exponents, with a row and a column for each variable: where all
+// images are terms, a replacement term by term takes a time that grows with the terms alone.
+poly replaced(const poly &p, const std::vector<std::optional<term>> &images, const ring &target) {
+  std::vector<term> terms;
+  for (const term &t : p.terms())
+    if (std::optional<term> r = replaced(t, images))
+      terms.push_back(std::move(*r));
+  return poly::from_terms(target, terms);
+}
+
+} // namespace
+
 poly poly::substitute(const std::vector<poly> &images, const ring &target) const {
   poly out(target);
   if (is_zero())
     return out;
+  const std::vector<int> used = variables();
+  const auto image_of = [&](int v) -> const poly & { return images[static_cast<std::size_t>(v)]; };
+  if (std::all_of(used.begin(), used.end(), [&](int v) { return image_of(v).length() <= 1; })) {
+    std::vector<std::optional<term>> single(images.size());
+    for (const int v : used)
+      if (!image_of(v).is_zero())
+        single[static_cast<std::size_t>(v)] = image_of(v).terms().front();
+    return replaced(*this, single, target);
+  }
   std::vector<fmpq_mpoly_struct *> pointers;
   for (const poly &image : images)
     pointers.push_back(image.p_->value);
-  poly none(target);
-  if (pointers.empty())
-    pointers.push_back(none.p_->value);
   if (!fmpq_mpoly_compose_fmpq_mpoly(out.p_->value, p_->value, pointers.data(), p_->context, out.p_->context))
     throw std::runtime_error("a substitution is too large");
   return out;
 }
 
 poly poly::renamed(const std::vector<int> &to, const ring &target) const {
-  poly out(target);
-  if (is_zero())
-    return out;
-  const std::vector<slong> generators(to.begin(), to.end());
-  fmpq_mpoly_compose_fmpq_mpoly_gen(out.p_->value, p_->value, generators.data(), p_->context, out.p_->context);
-  return out;
+  std::vector<std::optional<term>> single(to.size());
+  for (std::size_t v = 0; v < to.size(); ++v)
+    if (to[v] >= 0)
+      single[v] = term{1, {{to[v], 1}}};
+  return replaced(*this, single, target);
 }
 
 rational poly::evaluate(const std::vector<rational> &values) const {
