@@ -1,4 +1,5 @@
 // Reads an algebra from TOML, and checks what each table may hold.
+#include "gen/lang/grades.hpp"
 #include "gen/lang/places.hpp"
 #include "gen/lang/read_basis.hpp"
 #include "gen/lang/relations.hpp"
@@ -50,14 +51,7 @@ std::vector<named_expr> read_named(const toml_reader &in, const toml::node &node
   return out;
 }
 
-kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &node) {
-  kind k;
-  k.name = std::string(key.str());
-  k.where = in.place(key);
-  need_name(k.name, k.where, "a kind");
-  const std::string what = "kinds." + k.name;
-  const toml::table &t = in.as_table(node, what);
-  in.allow(t, what, {"store", "blade", "from", "parts", "where", "hull", "pad", "position", "relations", "samples"});
+void read_blade(const toml_reader &in, const toml::table &t, const std::string &what, kind &k) {
   if (!t.contains("store"))
     throw spec_error(k.where, fmt::format("{} needs 'store': the numbers that it keeps in memory", what));
   if (!t.contains("blade"))
@@ -66,6 +60,27 @@ kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &no
   if (k.store.empty())
     throw spec_error(in.place(*t.get("store")), what + ".store is empty");
   k.blade = in.as_expression(*t.get("blade"), what + ".blade");
+}
+
+kind read_kind(const toml_reader &in, const toml::key &key, const toml::node &node) {
+  kind k;
+  k.name = std::string(key.str());
+  k.where = in.place(key);
+  need_name(k.name, k.where, "a kind");
+  const std::string what = "kinds." + k.name;
+  const toml::table &t = in.as_table(node, what);
+  in.allow(t, what,
+           {"store", "blade", "grades", "from", "parts", "where", "hull", "pad", "position", "relations", "samples"});
+  if (t.contains("grades")) {
+    for (const char *other : {"store", "blade", "position"})
+      if (const toml::node *own = t.get(other))
+        throw spec_error(
+            in.place(*own),
+            fmt::format("{} has 'grades', from which what it stores follows, and so no '{}'", what, other));
+    read_grades(in, t, what, k);
+  } else {
+    read_blade(in, t, what, k);
+  }
   if (const toml::node *from = t.get("from"))
     for (const auto &[name, body] : in.in_file_order(in.as_table(*from, what + ".from"))) {
       const std::string where = fmt::format("{}.from.{}", what, name->str());
@@ -249,6 +264,7 @@ void load_algebra(const std::string &path, algebra &out, std::vector<std::shared
   load_into(path, out, all);
   if (out.vectors.empty())
     throw spec_error({files[own], 0, 1}, fmt::format("{} declares no [algebra]", path));
+  complete_grades(out);
   check(out);
 }
 

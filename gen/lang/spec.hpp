@@ -42,6 +42,8 @@ struct kind {
   location where;
   std::vector<field> store; // in memory order and CSV order
   expr_ptr blade;
+  std::vector<int> grades; // of a kind of all blades of these grades, whose `store` and `blade` follow; else empty
+  location grades_where;
   std::vector<constructor> from;
   std::vector<named_expr> parts; // computed members: corners, edges
   expr_ptr rule;                 // `where`: the condition on a valid element, or null

@@ -12,7 +12,8 @@ constexpr const char *of = "of  = ['S: sphere', 'T: sphere']";
 
 const broken keys[] = {
     {"pad   =", "pads  =", "a.toml:22:1",
-     "kinds.sphere has no 'pads'; it may have: store, blade, from, parts, where, hull, pad, position, relations, "
+     "kinds.sphere has no 'pads'; it may have: store, blade, grades, from, parts, where, hull, pad, position, "
+     "relations, "
      "samples; did "
      "you mean 'pad'?",
      "pads", ""},

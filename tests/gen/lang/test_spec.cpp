@@ -129,7 +129,7 @@ TEST_CASE("every table is strict: an unknown key is an error, and the message na
   const std::string base = small_algebra;
   const std::pair<std::string, std::string> places[] = {
       {"[algebra]\n", "vectors, squares, metric, null, import"},
-      {"[kinds.point]\n", "store, blade, from, parts, where, hull, pad, position"},
+      {"[kinds.point]\n", "store, blade, grades, from, parts, where, hull, pad, position"},
       {"[functions.'meet(X, Y)']\n", "is, where"},
       {"[predicates.touch]\n", "of, let, reject, hit, mode"},
   };
