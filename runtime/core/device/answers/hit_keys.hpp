@@ -1,5 +1,6 @@
 // core/device/answers/hit_keys.hpp: a list of pairs of items, as numbers that are gathered part by part and sorted at the end.
 //
+// CUB sorts them, which takes any number of any numbers: what the kernel of hits does not take (order_hits()).
 // Where the device lacks the memory for that, the host sorts.
 #ifndef MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
