@@ -45,15 +45,13 @@ __global__ void __launch_bounds__(order_threads, 1) order_kernel(const __grid_co
   if (all == 0 || all > o.capacity) // none, or not all of them are there
     return;
   const auto n = static_cast<std::uint32_t>(all);
-  // The hits of one window are the work of one block, whose threads meet sooner than blocks do.
+  // The hits of one window are the work of one block, which has no others to meet.
   const unsigned blocks = n <= cuda::most_of_window ? 1 : gridDim.x;
   if (blockIdx.x >= blocks)
     return;
   const auto meet = [blocks] {
     if (blocks > 1)
       cuda::meet_grid();
-    else
-      __syncthreads();
   };
   const int bits_b = bits_of(o.items_b);
   const cuda::distribution all_keys{reinterpret_cast<std::uint64_t *>(o.sorted), o.by_cell, n, o.counted};

@@ -35,7 +35,8 @@ template <unsigned Threads> struct distribute_room {
   std::uint32_t first, last, begin, end; // of a window
 };
 
-// One block of so many, whose threads all call its functions.
+// One block of so many, whose threads all call its functions. Where it is alone, it need not meet: in each function its threads
+// meet between what they write and what the next function reads.
 template <unsigned Threads> class distributing {
 public:
   using room = distribute_room<Threads>;
