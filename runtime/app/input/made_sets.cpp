@@ -8,7 +8,7 @@
 
 namespace meetc::app {
 
-const kind_info &kind_named(const catalogue &all, std::string_view name) {
+static const kind_info &kind_named(const catalogue &all, std::string_view name) {
   for (int i = 0; i < all.kind_count; ++i)
     if (all.kinds[i].name == name)
       return all.kinds[i];

@@ -12,9 +12,8 @@
 
 namespace meetc::app {
 
-// Throws failure if the build has no kind of that name.
-const kind_info &kind_named(const catalogue &all, std::string_view name);
-
+// Both throw failure if the build has no kind of that name.
+//
 // Moves the vertices like those of a file: in double, rounded once.
 io::element_set of_mesh(const catalogue &all, bodies::mesh m, const io::transform &move = {});
 io::element_set of_rows(const catalogue &all, std::string_view kind, std::vector<float> rows);

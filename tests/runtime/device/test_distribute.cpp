@@ -35,11 +35,12 @@ std::vector<std::uint64_t> different(std::mt19937_64 &random, std::uint32_t n, s
 
 std::vector<scene> scenes(std::mt19937_64 &random) {
   std::vector<scene> out;
-  for (const std::uint32_t n : {1U, 31U, 32U, 33U, 1000U, 9000U})
+  for (const std::uint32_t n : {1U, 31U, 32U, 33U, 1000U, 9000U, 40'000U})
     out.push_back({"even", 40, different(random, n, 0, 1ULL << 40)});
   out.push_back({"64 bits", 64, different(random, 3000, 0, ~0ULL)});
   out.push_back({"all there are", 11, different(random, 1U << 11, 0, 1U << 11)});
   out.push_back({"in one cell", 62, different(random, 9000, 1ULL << 40, (1ULL << 40) + (1ULL << 49))});
+  out.push_back({"many in one cell", 62, different(random, 20'000, 1ULL << 40, (1ULL << 40) + (1ULL << 49))});
   scene both{"near each other and far away", 50, different(random, 2000, 0, 1ULL << 50)};
   for (const std::uint64_t key : different(random, 8000, 1ULL << 49, (1ULL << 49) + (1ULL << 36)))
     both.keys.push_back(key);
@@ -51,14 +52,13 @@ std::vector<scene> scenes(std::mt19937_64 &random) {
 }
 
 // All windows, one after another. Each is taken with some keys before it, which are left out here.
-template <unsigned Tile = most_of_tile>
 std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse, std::uint32_t window, bool &ordered) {
-  using distributes = distributing<threads, Tile>;
+  using distributes = distributing<threads>;
   const auto n = static_cast<std::uint32_t>(s.keys.size());
   std::vector<std::uint64_t> keys(n), by_cell(n), out;
   std::vector<std::uint32_t> counted(counted_to_distribute);
   const distribution d{keys.data(), by_cell.data(), n, counted.data()};
-  std::vector<typename distributes::room> rooms(blocks);
+  std::vector<distributes::room> rooms(blocks);
   const auto each_block = [&](auto &&step) {
     for (unsigned block = 0; block < blocks; ++block)
       host_warp::the_blocks.run([&] {
@@ -67,7 +67,7 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
       });
   };
   each_block([&](distributes &mine, unsigned) {
-    mine.template count<2>([&](const std::uint32_t(&i)[2], const bool(&there)[2], std::uint64_t(&key)[2]) {
+    mine.count<2>([&](const std::uint32_t(&i)[2], const bool(&there)[2], std::uint64_t(&key)[2]) {
       for (int k = 0; k < 2; ++k)
         if (there[k])
           key[k] = s.keys[i[k]];
@@ -90,18 +90,6 @@ std::vector<std::uint64_t> windows(const scene &s, unsigned blocks, bool sparse,
     });
     CHECK((said == 0 || said == threads));
     ordered &= said > 0;
-    // The same, where each key is written to its place.
-    std::vector<std::uint64_t> written(n, ~0ULL);
-    unsigned said_again = 0;
-    std::vector<std::uint64_t> kept(rooms[block].keys, rooms[block].keys + before + (last - first));
-    host_warp::the_blocks.run([&] {
-      distributes mine(d, s.key_bits, sparse, block, blocks, rooms[block]);
-      said_again += mine.window(first, last, [&](std::uint32_t at, std::uint64_t key) { written[at] = key; }) ? 1 : 0;
-    });
-    CHECK(said_again == said);
-    CHECK((said == 0 || (std::equal(kept.begin() + before, kept.end(), written.begin() + first) &&
-                         std::count(written.begin(), written.end(), ~0ULL) == n - (last - first))));
-    std::copy(kept.begin(), kept.end(), rooms[block].keys);
     out.insert(out.end(), rooms[block].keys + before, rooms[block].keys + before + (last - first));
   }
   // And each block's own share.
@@ -125,31 +113,13 @@ TEST_CASE("distribute: the windows of keys that blocks put into order follow eac
     std::sort(want.begin(), want.end());
     for (const unsigned blocks : {1U, 3U, 32U})
       for (const bool sparse : {false, true})
-        for (const std::uint32_t window : {2500U, most_of_tile / 2}) {
+        for (const std::uint32_t window : {2500U, most_of_window}) {
           bool ordered = false;
           const std::vector<std::uint64_t> found = windows(s, blocks, sparse, window, ordered);
           INFO(s.name << ", " << want.size() << " keys, " << blocks << " blocks, windows of " << window);
           CHECK(ordered);
           CHECK((found == want));
         }
-  }
-}
-
-TEST_CASE("distribute: larger windows, which are read once, and some that are too large for that") {
-  std::mt19937_64 random(7);
-  std::vector<scene> all = scenes(random);
-  all.push_back({"many", 50, different(random, 40'000, 0, 1ULL << 50)});
-  all.push_back({"many in one cell", 62, different(random, 20'000, 1ULL << 40, (1ULL << 40) + (1ULL << 49))});
-  for (const scene &s : all) {
-    std::vector<std::uint64_t> want = s.keys;
-    std::sort(want.begin(), want.end());
-    for (const unsigned blocks : {1U, 3U}) {
-      bool ordered = false;
-      const std::vector<std::uint64_t> found = windows<2 * most_of_tile>(s, blocks, false, most_of_tile, ordered);
-      INFO(s.name << ", " << want.size() << " keys, " << blocks << " blocks");
-      CHECK(ordered);
-      CHECK((found == want));
-    }
   }
 }
 

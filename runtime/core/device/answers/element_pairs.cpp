@@ -2,7 +2,6 @@
 
 #include "meet/core/device/memory/buffers.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace meetc::on_device {
@@ -20,9 +19,6 @@ void element_pairs::take_early(const cuda::pair_list &hits) {
            buffers.more_keys.grow(hits.capacity, 0, on.stream());
   if (!early_)
     return;
-  const std::optional<std::uint64_t> before = buffers.hits_before.of(&a, &b);
-  // At first, that about as many elements of A touch one; but then they are not said to be few.
-  expected_ = before ? amount_of(*before) : std::max(amount_of(a.numbers()), hit_amount::some);
   check(order_hits({.hits = hits.pairs,
                     .count = hits.count,
                     .capacity = hits.capacity,
@@ -30,30 +26,26 @@ void element_pairs::take_early(const cuda::pair_list &hits) {
                     .order_b = b.order(),
                     .items_a = a.numbers(),
                     .items_b = b.numbers(),
-                    .counted = buffers.to_order(),
+                    .counted = buffers.to_order.data(),
                     .by_cell = buffers.keys.data(),
                     .sorted = reinterpret_cast<index_pair *>(buffers.more_keys.data()),
                     .unordered = buffers.count_of(counter::unordered)},
-                   expected_, on.stream()),
+                   on.stream()),
         "sorting pairs");
 }
 
 void element_pairs::take(const part_hits &hits) {
-  device_buffers &buffers = sets_->on.buffers();
-  if (hits.whole && early_) {
-    buffers.hits_before.note(&sets_->a, &sets_->b, hits.n);
-    if (buffers.seen_of(counter::unordered) == 0) {
-      ordered_ = hits.n;
-      return;
-    }
-    crowded_ = expected_ != hit_amount::few;
+  const device_buffers &buffers = sets_->on.buffers();
+  if (hits.whole && early_ && buffers.seen_of(counter::unordered) == 0) {
+    ordered_ = hits.n;
+    return;
   }
   keys_->add(hits.pairs, hits.n);
 }
 
 void element_pairs::finish() {
   if (!ordered_)
-    keys_->sort(crowded_);
+    keys_->sort();
 }
 
 void element_pairs::download(device_result &r) {

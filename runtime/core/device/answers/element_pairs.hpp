@@ -1,7 +1,7 @@
 // core/device/answers/element_pairs.hpp: the sorted list of all pairs.
 //
 // The hits of a query that is one part are put into order by a kernel that follows the search, which needs no number on the
-// host. Which way is best depends on their number: it is taken from the last query of the same two sets.
+// host. Those of several parts, and those that it cannot put into order, are sorted as numbers.
 #ifndef MEETC_CORE_DEVICE_ANSWERS_ELEMENT_PAIRS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_ELEMENT_PAIRS_HPP
 
@@ -27,10 +27,8 @@ private:
   pairs_there *left_there_;
   std::optional<queried_sets> sets_;
   std::optional<hit_keys> keys_;
-  hit_amount expected_ = hit_amount::some;
   bool early_ = false;                 // take_early() has put hits into order
   std::optional<std::size_t> ordered_; // these are all
-  bool crowded_ = false;               // they were not, because too many are of elements that are near each other
 };
 
 } // namespace meetc::on_device

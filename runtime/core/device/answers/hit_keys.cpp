@@ -61,41 +61,14 @@ void hit_keys::spill() {
   keys_ = 0;
 }
 
-unsigned long long hit_keys::counted() {
-  unsigned long long n = 0;
-  check(cudaMemcpyAsync(&n, on_.buffers().counts().data(), sizeof n, cudaMemcpyDeviceToHost, on_.stream()),
-        "sorting pairs");
-  check(cudaStreamSynchronize(on_.stream()), "sorting pairs");
-  return n;
-}
-
-// Brings all keys to their places at once, which become pairs. Returns false where too many are of items near each other.
-bool hit_keys::order_there(int bits) {
-  constexpr std::size_t bytes = cuda::counted_to_distribute * sizeof(std::uint32_t);
-  device_buffers &buffers = on_.buffers();
-  buffers.sort_space.reserve(bytes, "counters");
-  check(cudaMemsetAsync(buffers.sort_space.data(), 0, bytes, on_.stream()), "sorting pairs");
-  check(cudaMemsetAsync(buffers.counts().data(), 0, sizeof(unsigned long long), on_.stream()), "sorting pairs");
-  check(order_keys({buffers.keys.data(), static_cast<std::uint32_t>(keys_), bits, b_.bits, buffers.more_keys.data(),
-                    reinterpret_cast<std::uint32_t *>(buffers.sort_space.data()), buffers.counts().data()},
-                   on_.stream()),
-        "sorting pairs");
-  if (counted() == 0)
-    return true;
-  std::swap(buffers.keys, buffers.more_keys);
-  return false;
-}
-
 // Returns false where the device lacks the memory.
-bool hit_keys::sort_there(bool crowded) {
+bool hit_keys::sort_there() {
   device_buffers &buffers = on_.buffers();
   if (owned_ && keys_ > 0x7fffffff) // older versions of CUB take at most this many keys
     return false;
   if (!buffers.more_keys.grow(keys_, 0, on_.stream()))
     return false;
   const int bits = std::max(1, a_.bits + b_.bits);
-  if (!owned_ && !crowded && keys_ <= most_keys_to_order && order_there(bits))
-    return true;
   std::size_t sort_bytes = 0, repeat_bytes = 0;
   check(sort_keys(nullptr, sort_bytes, nullptr, nullptr, keys_, bits, on_.stream()), "planning to sort");
   if (owned_)
@@ -110,15 +83,19 @@ bool hit_keys::sort_there(bool crowded) {
     check(drop_repeats(buffers.sort_space.data(), repeat_bytes, buffers.keys.data(), buffers.more_keys.data(),
                        buffers.counts().data(), keys_, on_.stream()),
           "dropping repeats");
-    keys_ = counted();
+    unsigned long long kept = 0;
+    check(cudaMemcpyAsync(&kept, buffers.counts().data(), sizeof kept, cudaMemcpyDeviceToHost, on_.stream()),
+          "dropping repeats");
+    check(cudaStreamSynchronize(on_.stream()), "dropping repeats");
+    keys_ = kept;
     std::swap(buffers.keys, buffers.more_keys);
   }
   check(to_pairs(buffers.keys.data(), keys_, b_.bits, on_.stream()), "starting a kernel");
   return true;
 }
 
-void hit_keys::sort(bool crowded) {
-  if (here_.empty() && (keys_ == 0 || sort_there(crowded)))
+void hit_keys::sort() {
+  if (here_.empty() && (keys_ == 0 || sort_there()))
     return;
   spill();
   sort_pairs(here_);

@@ -1,5 +1,6 @@
 // core/device/answers/hit_keys.hpp: a list of pairs of items, as numbers that are gathered part by part and sorted at the end.
 //
+// CUB sorts them, which takes any number of any numbers: what the kernel of hits does not take (order_hits()).
 // Where the device lacks the memory for that, the host sorts.
 #ifndef MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
 #define MEETC_CORE_DEVICE_ANSWERS_HIT_KEYS_HPP
@@ -20,9 +21,8 @@ public:
 
   // Adds n hits, pairs of slots.
   void add(const index_pair *hits, std::size_t n);
-  // Waits. Sorts the pairs, and drops repeats where there are owners. `crowded`: too many are known to be of items near each
-  // other.
-  void sort(bool crowded);
+  // Sorts the pairs, and drops repeats where there are owners, which waits.
+  void sort();
 
   // After sort(): the number of pairs, and their list. That is on the device, or null where the host has sorted it.
   std::size_t size() const { return here_.empty() ? keys_ : here_.size(); }
@@ -37,9 +37,7 @@ private:
     side(const device_rows &of, std::span<const std::uint32_t> from, cudaStream_t stream);
   };
   void spill();
-  unsigned long long counted(); // at the first of the query's counters
-  bool order_there(int bits);
-  bool sort_there(bool crowded);
+  bool sort_there();
 
   const device &on_;
   bool owned_;

@@ -19,7 +19,7 @@ public:
     items_a_ = items(owner_a_, sets.a.numbers()), items_b_ = items(owner_b_, sets.b.numbers());
   }
   void take(const part_hits &hits) override { keys_->add(hits.pairs, hits.n); }
-  void finish() override { keys_->sort(false); }
+  void finish() override { keys_->sort(); }
   void download(device_result &r) override {
     if (want_ == answer_kind::count) {
       r.count = keys_->size();

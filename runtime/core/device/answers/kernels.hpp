@@ -32,22 +32,14 @@ struct hit_order {
   unsigned long long capacity;
   const std::uint32_t *order_a, *order_b;
   std::uint32_t items_a, items_b;
-  std::uint32_t *counted; // counted_to_distribute numbers, all 0 at first; used up
+  std::uint32_t *counted; // counted_to_distribute numbers, all 0 before and after
   std::uint64_t *by_cell; // room for `capacity`
   index_pair *sorted;     // likewise
-  // 0 at first. Where few were expected and there are more, or where too many are of items that are near each other, it
-  // becomes 1, and `sorted` means nothing.
+  // 0 at first. Where too many are of items that are near each other, it becomes 1, and `sorted` means nothing.
   unsigned long long *unordered;
 };
-// Few are put into order in one step, which uses neither `counted` nor `by_cell`.
-enum class hit_amount : std::uint8_t { few, some, many };
-inline constexpr std::uint32_t most_of_few = 2048;
-constexpr hit_amount amount_of(std::uint64_t hits) {
-  return hits <= most_of_few ? hit_amount::few : hits <= std::uint64_t{1} << 20 ? hit_amount::some : hit_amount::many;
-}
-// In the way that is best for so many. Where some or many are expected, it is also right, but takes longer, for any other
-// number. Where there are more than `capacity`, it does nothing.
-cudaError_t order_hits(const hit_order &o, hit_amount expected, cudaStream_t stream);
+// Where there are more than `capacity`, it does nothing.
+cudaError_t order_hits(const hit_order &o, cudaStream_t stream);
 
 // Counts the hits of each item, or marks the items that have one. Null: of this set nothing is asked. Where of_instance > 0,
 // B's items are instances of so many slots each.
@@ -67,19 +59,6 @@ cudaError_t name_slots(const std::uint32_t *slots, std::uint32_t n, const std::u
 
 // Adds `by` to the elements of n pairs.
 cudaError_t renumber(index_pair *pairs, std::size_t n, index_pair by, cudaStream_t stream);
-
-// Puts keys into order, which become pairs where they are. Keys are below 2^bits and differ from each other.
-inline constexpr std::uint32_t most_keys_to_order = cuda::counted_to_distribute << 18;
-struct key_order {
-  std::uint64_t *keys;
-  std::uint32_t n; // above 0; of more than most_keys_to_order, too many would be near each other in any case
-  int bits, bits_b;
-  std::uint64_t *by_cell; // room for n; these are then the keys, in some order
-  std::uint32_t *counted; // counted_to_distribute numbers, all 0 at first; used up
-  // 0 at first. Where too many are of items that are near each other, it becomes 1, and the pairs mean nothing.
-  unsigned long long *unordered;
-};
-cudaError_t order_keys(const key_order &o, cudaStream_t stream);
 
 // Sorts keys below 2^bits into `to`. With space null, only sets the number of bytes that it needs.
 cudaError_t sort_keys(void *space, std::size_t &bytes, const std::uint64_t *keys, std::uint64_t *to, std::size_t n,

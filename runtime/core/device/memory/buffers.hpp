@@ -2,7 +2,6 @@
 #ifndef MEETC_CORE_DEVICE_MEMORY_BUFFERS_HPP
 #define MEETC_CORE_DEVICE_MEMORY_BUFFERS_HPP
 
-#include "meet/core/device/memory/hit_history.hpp"
 #include "meet/core/device/memory/memory.hpp"
 #include "meet/core/device/memory/transfers.hpp"
 
@@ -30,12 +29,6 @@ struct query_notes {
   cuda::order_findings found[2]; // of the sets that it has ordered
   unsigned long long counts[counters];
 };
-// Behind it lies what it takes to put hits into order, which is cleared together with the counts.
-struct notes_there {
-  query_notes of_query;
-  unsigned long long to_order[cuda::counted_to_distribute * sizeof(std::uint32_t) / sizeof(unsigned long long)];
-};
-
 // The notes of culling in device memory, all 0 at first. Set 0 is the one that marks first.
 struct cull_findings {
   cuda::joined_box around[2];
@@ -53,11 +46,11 @@ struct host_notes {
 
 struct device_buffers {
   device_memory<index_pair> first, second, hits; // first and second alternate for candidates and unsure pairs
-  device_memory<notes_there> notes;              // one
+  device_memory<query_notes> notes;              // one
+  device_memory<std::uint32_t> to_order;         // as hit_order counts
   device_memory<std::uint64_t> keys, more_keys;  // hits as sortable numbers
   device_memory<std::byte> sort_space;
   device_memory<std::uint32_t> first_slots, first_numbers; // what is met first
-  hit_history hits_before;
   transfers moving;
   cudaStream_t stream = nullptr; // of all queries
   cudaStream_t beside = nullptr; // for work on one set while the query's stream works on the other
@@ -67,12 +60,9 @@ struct device_buffers {
   device_memory<std::byte> cull_space;
 
   // In device memory.
-  cuda::order_findings *found() const { return notes.data()->of_query.found; }
-  unsigned long long *count_of(counter c) const { return notes.data()->of_query.counts + static_cast<int>(c); }
-  std::uint32_t *to_order() const { return reinterpret_cast<std::uint32_t *>(notes.data()->to_order); }
-  std::span<unsigned long long> counts() const { // and what follows them
-    return {notes.data()->of_query.counts, counters + std::size(notes_there().to_order)};
-  }
+  cuda::order_findings *found() const { return notes.data()->found; }
+  unsigned long long *count_of(counter c) const { return notes.data()->counts + static_cast<int>(c); }
+  std::span<unsigned long long> counts() const { return notes.data()->counts; }
   // On the host, since read_notes().
   unsigned long long seen_of(counter c) const { return seen->of_query.counts[static_cast<int>(c)]; }
 
@@ -107,8 +97,10 @@ struct device_buffers {
       check(cudaEventCreateWithFlags(e, cudaEventDisableTiming), "making an event");
     check(cudaStreamCreateWithFlags(&beside, cudaStreamNonBlocking), "making a stream");
     check(cudaMallocHost(reinterpret_cast<void **>(&seen), sizeof *seen), "allocating host memory");
-    notes.reserve(1, "counters");
-    check(cudaMemsetAsync(notes.data(), 0, sizeof(notes_there), stream), "clearing counters"); // all are read, always
+    notes.reserve(1, "counters"), to_order.reserve(cuda::counted_to_distribute, "counters");
+    check(cudaMemsetAsync(notes.data(), 0, sizeof(query_notes), stream), "clearing counters"); // all are read, always
+    check(cudaMemsetAsync(to_order.data(), 0, cuda::counted_to_distribute * sizeof(std::uint32_t), stream),
+          "clearing counters");
   }
 
 private:

@@ -1,4 +1,5 @@
-// How rows come into a spatial order: by one kernel for up to a million of them, else by a sort of their places.
+// How rows come into a spatial order: by one kernel for up to a million of them, which saves the dozen kernels of a sort, else
+// by CUB's sort of their places, which is faster for more.
 #include "meet/core/device/memory/buffers.hpp"
 #include "meet/core/device/set/order_kernels.hpp"
 #include "meet/core/device/set/rows.hpp"

@@ -5,30 +5,46 @@
 // its keys by cells, and learns by one addition for each cell how many of other blocks come before its own. It puts tiles of
 // them into the order of the cells in its own memory, and brings neighbours to their cells together. Then a block takes a
 // window of the order that it is asked for: it looks at the keys of the cells there, of which finer cells say which lie in
-// the window, and puts these into order. Where keys are many, it takes whole cells instead, which it reads once.
+// the window, and puts these into order.
+// It saves the kernels of a sort by digits, one for each digit, and the count of keys on the host that such a sort needs.
 // Limits: keys differ from each other. There is no order where too many are alike in their first bits: those of a cell, those
 // of a finer cell, or those of a window and of the finer cells that reach into it.
 #ifndef MEETC_CUDA_DISTRIBUTE_HPP
 #define MEETC_CUDA_DISTRIBUTE_HPP
 
-#include <meetc/cuda/distribute_room.hpp>
 #include <meetc/cuda/grid.hpp>
+#include <meetc/cuda/table.hpp>
+
+#include <cstdint>
 
 namespace meetc::cuda {
 
-// One block of so many, whose threads all call its functions.
-template <unsigned Threads, unsigned Tile = most_of_tile> class distributing {
+// Keys of a tile, or of a window with its surroundings; those of a window alone; and cells.
+inline constexpr unsigned most_of_tile = 8192, most_of_window = most_of_tile / 2, most_cells = counted_to_distribute;
+// Keys of the cells of a window, and those that share a finer cell.
+inline constexpr unsigned most_near_window = 1U << 18, most_alike = 2048;
+
+// The shared memory of a block.
+template <unsigned Threads> struct distribute_room {
+  static constexpr unsigned window_cells = most_of_tile / 2; // finer ones
+  static_assert(window_cells >= 2 * most_cells);
+  std::uint64_t keys[most_of_tile];
+  std::uint32_t counters[window_cells]; // right behind the keys; of cells, and where keys go; or of finer cells
+  std::uint32_t starts[most_cells + 1]; // where each cell begins, and the end
+  unsigned sums[Threads / 32];
+  std::uint32_t first, last, begin, end; // of a window
+};
+
+// One block of so many, whose threads all call its functions. Where it is alone, it need not meet: in each function its threads
+// meet between what they write and what the next function reads.
+template <unsigned Threads> class distributing {
 public:
-  using room = distribute_room<Threads, Tile>;
-  static constexpr unsigned each = Tile / Threads; // keys of a thread
-  // The windows of a large tile are whole cells, which stay in registers while their finer cells are counted. Smaller windows
-  // are read again sooner than that pays.
-  static constexpr bool by_cells = Tile > most_of_tile;
+  using room = distribute_room<Threads>;
 
   // Keys are below 2^key_bits, and some only are in use where `sparse`, which then has more cells.
   __device__ distributing(const distribution &d, int key_bits, bool sparse, unsigned block, unsigned blocks, room &r)
       : d_(d), room_(r), block_(block), blocks_(blocks) {
-    tiles_ = (d.n - 1) / (blocks * Tile) + 1;
+    tiles_ = (d.n - 1) / (blocks * most_of_tile) + 1;
     tile_ = ((d.n - 1) / (blocks * tiles_) + 32) / 32 * 32;
     const int wanted = 29 - __clz(tile_) + (sparse ? 2 : 0); // some keys of a tile to a cell
     const int bits = min(min(max(wanted, 1), 11), key_bits);
@@ -39,27 +55,38 @@ public:
   // Keys, and how many each cell has. `take(i, there, key)` makes the keys i[k] where there[k]; the lanes of a warp have
   // neighbours, and a warp calls it as a whole.
   template <unsigned Together, class Take> __device__ void count(Take &&take) {
-    count_cells<Together>([&](const auto &i, const auto &there, auto &key) {
-      take(i, there, key);
+    zero(cells_);
+    __syncthreads();
+    for (unsigned t = 0; t < tiles_; ++t) {
+      const std::uint32_t end = end_of(t);
+      for (std::uint32_t first = begin_of(t) + threadIdx.x; first - threadIdx.x % 32 < end;
+           first += Together * Threads) {
+        std::uint32_t i[Together];
+        bool there[Together];
+        std::uint64_t key[Together];
 #pragma unroll
-      for (unsigned k = 0; k < Together; ++k)
-        if (there[k])
-          d_.keys[i[k]] = key[k];
-    });
-  }
-  // The same of keys that are there.
-  template <unsigned Together> __device__ void count_there() {
-    count_cells<Together>([&](const auto &i, const auto &there, auto &key) {
+        for (unsigned k = 0; k < Together; ++k)
+          i[k] = first + k * Threads, there[k] = i[k] < end;
+        take(i, there, key);
 #pragma unroll
-      for (unsigned k = 0; k < Together; ++k)
-        key[k] = there[k] ? d_.keys[i[k]] : 0;
-    });
+        for (unsigned k = 0; k < Together; ++k)
+          if (there[k]) {
+            d_.keys[i[k]] = key[k];
+            atomicAdd(room_.counters + cell(key[k]), 1U);
+          }
+      }
+    }
+    __syncthreads();
+    for (unsigned c = threadIdx.x; c < cells_; c += Threads) {
+      const std::uint32_t n = room_.counters[c];
+      to()[c] = n > 0 ? atomicAdd(d_.counted + c, n) : 0;
+    }
   }
 
   // Keys by their cells, once blocks have met after count().
   __device__ void distribute() {
     std::uint64_t keys[each];
-    load(d_.keys, begin_of(0), end_of(0), keys);
+    load(0, keys);
     for (unsigned c = threadIdx.x; c < cells_; c += Threads)
       room_.starts[c] = __ldcg(d_.counted + c);
     __syncthreads();
@@ -106,34 +133,12 @@ public:
     __syncthreads();
     return true;
   }
-  // The same, but that each key is written: write(place, key). Where false is returned, some may have been.
-  template <class Write> __device__ bool window(std::uint32_t first, std::uint32_t last, Write &&write) {
-    if (!take_near(first, last))
-      return false;
-    bool alike = false;
-    for (std::uint32_t i = threadIdx.x; i < near_.n; i += Threads) {
-      const std::uint64_t key = room_.keys[i];
-      std::uint32_t place = 0;
-      alike |= !place_of(key, first, place);
-      if (place < last - first)
-        write(first + place, key);
-    }
-    return !__syncthreads_or(alike);
-  }
 
-  // This block's share of all keys: write(place, key). Where false is returned, some cannot be put into order.
+  // This block's share of all keys, in windows as large as the blocks have work: write(place, key). Where false is returned,
+  // some cannot be put into order.
   template <class Write> __device__ bool each_in_order(Write &&write) {
-    if constexpr (by_cells)
-      return each_by_cells(write);
-    else
-      return each_by_windows(write);
-  }
-
-private:
-  // As large as the blocks have work, up to half of the keys that there is room for.
-  template <class Write> __device__ bool each_by_windows(Write &&write) {
     bool ordered = true;
-    const std::uint32_t size = min(max((d_.n - 1) / blocks_ + 1, 256U), Tile / 2);
+    const std::uint32_t size = min(max((d_.n - 1) / blocks_ + 1, 256U), most_of_window);
     for (std::uint32_t w = block_; w <= (d_.n - 1) / size; w += blocks_) {
       const std::uint32_t first = w * size, length = min(d_.n - first, size);
       if (!window(first, first + length)) {
@@ -145,31 +150,9 @@ private:
     }
     return ordered;
   }
-  // Some cells together, which have half of the keys that there is room for if all have as many. All blocks take windows of
-  // larger cells.
-  template <class Write> __device__ bool each_by_cells(Write &&write) {
-    bool ordered = true, larger = false;
-    constexpr std::uint32_t size = Tile / 2;
-    const std::uint32_t together = max(1U, size / ((d_.n - 1) / cells_ + 1));
-    const auto end_of_cells = [&](std::uint32_t c) { return room_.starts[min(c + together, cells_)]; };
-    for (std::uint32_t c = block_ * together; c < cells_; c += blocks_ * together) {
-      const std::uint32_t first = room_.starts[c], last = end_of_cells(c);
-      if (first < last && last - first <= Tile)
-        ordered &= window(first, last, write);
-    }
-    for (std::uint32_t c = threadIdx.x * together; c < cells_; c += Threads * together)
-      larger |= end_of_cells(c) - room_.starts[c] > Tile;
-    if (!__syncthreads_or(larger))
-      return ordered;
-    std::uint32_t windows = 0;
-    for (std::uint32_t c = 0; c < cells_; c += together) {
-      const std::uint32_t first = room_.starts[c], last = end_of_cells(c);
-      for (std::uint32_t at = first; last - first > Tile && at < last; at += size, ++windows)
-        if (windows % blocks_ == block_)
-          ordered &= window(at, min(last - at, size) + at, write);
-    }
-    return ordered;
-  }
+
+private:
+  static constexpr unsigned each = most_of_tile / Threads; // keys of a thread
 
   // The cells of a window, and the finer cells that reach into it.
   struct near_window {
@@ -178,33 +161,6 @@ private:
     std::uint32_t from, n;     // the place of the finer cells' first key, and how many they have
     std::uint32_t first, last; // finer cells
   };
-
-  template <unsigned Together, class Take> __device__ void count_cells(Take &&take) {
-    zero(cells_);
-    __syncthreads();
-    for (unsigned t = 0; t < tiles_; ++t) {
-      const std::uint32_t end = end_of(t);
-      for (std::uint32_t first = begin_of(t) + threadIdx.x; first - threadIdx.x % 32 < end;
-           first += Together * Threads) {
-        std::uint32_t i[Together];
-        bool there[Together];
-        std::uint64_t key[Together];
-#pragma unroll
-        for (unsigned k = 0; k < Together; ++k)
-          i[k] = first + k * Threads, there[k] = i[k] < end;
-        take(i, there, key);
-#pragma unroll
-        for (unsigned k = 0; k < Together; ++k)
-          if (there[k])
-            atomicAdd(room_.counters + cell(key[k]), 1U);
-      }
-    }
-    __syncthreads();
-    for (unsigned c = threadIdx.x; c < cells_; c += Threads) {
-      const std::uint32_t n = room_.counters[c];
-      to()[c] = n > 0 ? atomicAdd(d_.counted + c, n) : 0;
-    }
-  }
 
   // The keys of the finer cells that reach into a window become the first of room.keys, by these cells, whose counters say
   // where they end. Returns false where there are too many.
@@ -228,19 +184,9 @@ private:
     while ((keys - 1) >> near_.together >= room::window_cells)
       ++near_.together;
     const unsigned fine_cells = ((keys - 1) >> near_.together) + 1;
-    std::uint64_t mine[each];
-    const bool once = by_cells && keys <= Tile;
-    if (once)
-      load(d_.by_cell, near_.begin, end, mine);
-    const auto each_key = [&](auto &&take) {
-      if (once)
-        each_loaded(near_.begin, end, mine, take);
-      else
-        each_near(near_.begin, end, take);
-    };
     zero(fine_cells);
     __syncthreads();
-    each_key([&](std::uint64_t key) { atomicAdd(room_.counters + fine(key), 1U); });
+    each_near(near_.begin, end, [&](std::uint64_t key) { atomicAdd(room_.counters + fine(key), 1U); });
     __syncthreads();
     scan(room_.counters, fine_cells);
     // The finer cells that reach into the window, and the places from the first one's on.
@@ -255,9 +201,9 @@ private:
     __syncthreads();
     near_.from = room_.begin, near_.n = room_.end - near_.from;
     near_.first = room_.first, near_.last = room_.last;
-    if (near_.n > Tile)
+    if (near_.n > most_of_tile)
       return false;
-    each_key([&](std::uint64_t key) {
+    each_near(near_.begin, end, [&](std::uint64_t key) {
       if (const std::uint32_t c = fine(key); near_.first <= c && c <= near_.last)
         room_.keys[atomicAdd(room_.counters + c, 1U) + near_.begin - near_.from] =
             key; // after that the counter says where the cell ends
@@ -319,26 +265,23 @@ private:
     return room_.counters + most_cells;
   }
 
-  // As many keys as a tile has at most, of which each thread has some.
-  __device__ static void load(const std::uint64_t *from, std::uint32_t begin, std::uint32_t end,
-                              std::uint64_t (&keys)[each]) {
+  // The keys of a tile, of which each thread has some.
+  __device__ void load(unsigned t, std::uint64_t (&keys)[each]) const {
+    const std::uint32_t begin = begin_of(t), end = end_of(t);
 #pragma unroll
     for (unsigned k = 0; k < each; ++k)
       if (const std::uint32_t i = begin + k * Threads + threadIdx.x; i < end)
-        keys[k] = from[i];
-  }
-  template <class Take>
-  __device__ static void each_loaded(std::uint32_t begin, std::uint32_t end, const std::uint64_t (&keys)[each],
-                                     Take &&take) {
-#pragma unroll
-    for (unsigned k = 0; k < each; ++k)
-      if (begin + k * Threads + threadIdx.x < end)
-        take(keys[k]);
+        keys[k] = d_.keys[i];
   }
   // Its keys become those of the next tile, which are on their way while these are written.
   __device__ void distribute_tile(unsigned t, std::uint64_t (&keys)[each]) {
     const std::uint32_t begin = begin_of(t), end = end_of(t);
-    const auto each_key = [&](auto &&take) { each_loaded(begin, end, keys, take); };
+    const auto each_key = [&](auto &&take) {
+#pragma unroll
+      for (unsigned k = 0; k < each; ++k)
+        if (begin + k * Threads + threadIdx.x < end)
+          take(keys[k]);
+    };
     if (tiles_ > 1) { // or the counters are those of count()
       zero(cells_);
       __syncthreads();
@@ -352,7 +295,7 @@ private:
     __syncthreads();
     each_key([&](std::uint64_t key) { room_.keys[atomicAdd(room_.counters + cell(key), 1U)] = key; });
     if (t + 1 < tiles_)
-      load(d_.keys, begin_of(t + 1), end_of(t + 1), keys);
+      load(t + 1, keys);
     __syncthreads();
     for (std::uint32_t i = threadIdx.x; i < end - begin; i += Threads) {
       const std::uint64_t key = room_.keys[i];

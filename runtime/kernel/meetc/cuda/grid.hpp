@@ -19,12 +19,6 @@ __device__ inline void meet_grid() {
   cooperative_groups::this_grid().sync();
 }
 #endif
-__device__ inline unsigned grid_thread() {
-  return blockIdx.x * blockDim.x + threadIdx.x;
-}
-__device__ inline unsigned grid_threads() {
-  return gridDim.x * blockDim.x;
-}
 
 __device__ inline unsigned sum_up_to(unsigned mine) { // in this lane of a warp
   for (unsigned d = 1; d < 32; d *= 2) {

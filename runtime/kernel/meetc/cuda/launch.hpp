@@ -53,16 +53,7 @@ template <auto Kernel> bool waits() {
   }) == 2;
 }
 
-// Bytes that one block has at most: on this device, and on every one of compute capability 8.0 or more.
-inline unsigned shared_memory_of_block() {
-  static number_of_device there;
-  return there.get([] {
-    int which = 0, bytes = 0;
-    cudaGetDevice(&which);
-    cudaDeviceGetAttribute(&bytes, cudaDevAttrMaxSharedMemoryPerBlockOptin, which);
-    return bytes > 0 ? static_cast<unsigned>(bytes) : 1U;
-  });
-}
+// Bytes that one block has at most on every device of compute capability 8.0 or more.
 inline constexpr std::size_t least_shared_memory = 101376;
 
 // Lets the blocks of a kernel have so much dynamic shared memory. A request beyond the default is repeated before each launch,

@@ -93,7 +93,7 @@ void repeated(comparison &with, const settings &s) {
         collide(with.on(), da, same_size, p, rung::certified, o);
     }
   });
-  // By turns nothing touches and all, which are more than few.
+  // By turns nothing touches and all.
   each_predicate([&](const predicate_info &p) {
     device_set da(with.on(), ready(same_rows(*p.a, 60))), db(with.on(), ready(same_rows(*p.b, 60)));
     pose away;

@@ -24,9 +24,6 @@ inline int __reduce_min_sync(unsigned mask, int value) {
 inline int __reduce_max_sync(unsigned mask, int value) {
   return host_warp::joined(mask, "reduce_max", value, [](int x, int y) { return std::max(x, y); });
 }
-inline unsigned __reduce_add_sync(unsigned mask, unsigned value) {
-  return host_warp::joined(mask, "reduce_add", value, std::plus<>());
-}
 template <class T> unsigned __match_any_sync(unsigned mask, T value) {
   const std::uint64_t *const all =
       host_warp::the_blocks.meet(host_warp::scope::warp, "match_any", host_warp::bits_of(value), mask);

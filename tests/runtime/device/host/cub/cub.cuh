@@ -55,23 +55,4 @@ struct DeviceSelect {
   }
 };
 
-template <class Key, unsigned Threads, int Each> class BlockMergeSort {
-public:
-  struct TempStorage {
-    Key keys[Threads * Each];
-  };
-  explicit BlockMergeSort(TempStorage &space) : keys_(space.keys) {}
-  template <class Less> void Sort(Key (&mine)[Each], Less less) {
-    std::copy_n(mine, Each, keys_ + threadIdx.x * Each);
-    __syncthreads();
-    if (threadIdx.x == 0)
-      std::stable_sort(keys_, keys_ + Threads * Each, less);
-    __syncthreads();
-    std::copy_n(keys_ + threadIdx.x * Each, Each, mine);
-  }
-
-private:
-  Key *keys_;
-};
-
 } // namespace cub
