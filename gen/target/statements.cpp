@@ -32,8 +32,10 @@ statements::value statements::made(const ir::node_ref &at, value v) {
   if (uses_[at.id] <= 1 && v.text.size() <= longest_inline)
     return v;
   const std::string name = fmt::format("t{}", next_++);
-  out_ += fmt::format("{}const {} {} = {};\n", syntax_.indent, wide(at.id) ? syntax_.wide_type : syntax_.type, name,
-                      v.text);
+  out_ += syntax_.indent;
+  out_ += syntax_.keep ? syntax_.keep(name, v.text)
+                       : fmt::format("const {} {} = {};", wide(at.id) ? syntax_.wide_type : syntax_.type, name, v.text);
+  out_ += '\n';
   return {name};
 }
 
@@ -58,6 +60,8 @@ statements::value statements::multiply(const ir::node_ref &at, const value &x, c
 }
 
 statements::value statements::fused(const ir::node_ref &at, const value &x, const value &y, const value &z) {
+  if (syntax_.fma.empty())
+    return made(at, {fmt::format("{} * {} + {}", factor(x), factor(y), term(z)), binding::sum});
   return made(at, {fmt::format("{}({}, {}, {})", syntax_.fma, x.text, y.text, z.text)});
 }
 

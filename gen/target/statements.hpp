@@ -13,8 +13,8 @@ namespace meetc::target {
 
 // The differences between the languages.
 struct syntax {
-  std::string type;                                          // of the constants: "T", "double"
-  std::string fma;                                           // the function: "meetc::fma", "fmaf"
+  std::string type; // of the constants: "T", "double"
+  std::string fma;  // the function: "meetc::fma", "fmaf"; empty: a b + c is written
   std::function<std::string(const ir::rational &)> constant; // a literal that needs no parentheses
   std::function<std::string(int)> input;                     // an input's number to an expression without parentheses
   std::string indent;
@@ -22,6 +22,8 @@ struct syntax {
   // multiplies values of `type` and returns one of that type.
   std::vector<char> wide = {};
   std::string wide_type = {}, wide_product = {};
+  // The statement that gives a value a name; by default "const TYPE NAME = VALUE;".
+  std::function<std::string(const std::string &, const std::string &)> keep = {};
 };
 
 // An expression and how tightly it binds.

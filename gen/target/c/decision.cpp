@@ -1,13 +1,13 @@
 // Signs and predicates in C: plain ones in float and double, and declarations of those in the library.
 #include "gen/target/c/c.hpp"
 #include "gen/target/cpp/names.hpp"
+#include "gen/target/truth_text.hpp"
 
 #include <fmt/format.h>
 #include <map>
 
 namespace meetc::target {
 namespace {
-using lower::truth_node;
 
 // The plain rungs whose arithmetic C has.
 struct plain_rung {
@@ -18,73 +18,19 @@ struct plain_rung {
 };
 const plain_rung plain_rungs[] = {{lang::rung::fp32, c_numbers[1]}, {lang::rung::fp64, c_numbers[0]}};
 
-// "sign[0] * sign[3]" for a product of atoms; "0", "1" and "-1" where there are none.
-std::string product(const lower::sign_value &v, const std::map<int, int> &slot) {
-  std::string out;
-  for (const auto &[atom, exponent] : v.atoms)
-    for (int i = 0; i < exponent; ++i)
-      out += fmt::format("{}sign[{}]", out.empty() ? "" : " * ", slot.at(atom));
-  if (out.empty() || v.unit == 0)
-    return fmt::format("{}", v.unit);
-  return v.unit < 0 ? fmt::format("-({})", out) : out;
+truth_syntax in_c() {
+  return {"true",
+          "false",
+          [](const std::string &x) { return '!' + x; },
+          " && ",
+          " || ",
+          [](const std::string &c, const std::string &t, const std::string &e) {
+            return fmt::format("{} ? {} : {}", c, t, e);
+          },
+          [](const std::string &name, const std::string &value) {
+            return fmt::format("  const bool {} = {};\n", name, value);
+          }};
 }
-
-// Truths as statements over sign[], with one value for each node in the order of first use.
-class truths {
-public:
-  truths(const lower::decision &d, const std::map<int, int> &slot) : d_(d), slot_(slot) {}
-
-  std::string name(int id) {
-    if (const auto it = names_.find(id); it != names_.end())
-      return it->second;
-    return names_[id] = made(d_.at(id));
-  }
-  std::string any_of(const std::vector<int> &ids) {
-    std::string out;
-    for (const int id : ids)
-      out += (out.empty() ? "" : " || ") + name(id);
-    return out.empty() ? "false" : out;
-  }
-  std::string take() { return std::move(before_); }
-
-private:
-  const lower::decision &d_;
-  const std::map<int, int> &slot_;
-  std::map<int, std::string> names_;
-  std::string before_;
-  int next_ = 0;
-
-  std::string keep(const std::string &text) {
-    std::string b = fmt::format("b{}", next_++);
-    before_ += fmt::format("  const bool {} = {};\n", b, text);
-    return b;
-  }
-  std::string made(const truth_node &n) {
-    // By bit: 1 negative, 2 zero, 4 positive.
-    static const char *const tests[] = {nullptr, "< 0", "== 0", "<= 0", "> 0", "!= 0", ">= 0", nullptr};
-    switch (n.kind) {
-    case truth_node::type::constant:
-      return n.flag ? "true" : "false";
-    case truth_node::type::test:
-      return n.flag == 0   ? "false"
-             : n.flag == 7 ? "true"
-                           : keep(fmt::format("{} {}", product(n.sign, slot_), tests[n.flag]));
-    case truth_node::type::negate:
-      return keep('!' + name(n.args[0]));
-    case truth_node::type::choose: {
-      const std::string c = name(n.args[0]), t = name(n.args[1]), e = name(n.args[2]);
-      return keep(fmt::format("{} ? {} : {}", c, t, e));
-    }
-    case truth_node::type::both:
-    case truth_node::type::either:
-      break;
-    }
-    std::string all;
-    for (const int id : n.args)
-      all += (all.empty() ? "" : n.kind == truth_node::type::both ? " && " : " || ") + name(id);
-    return keep(all);
-  }
-};
 
 class writer {
 public:
@@ -162,14 +108,14 @@ private:
     std::string out = fmt::format("static inline int {}({}) {{\n{}", name(r.suffix()), parameters(), as_written());
     if (!p_.common.atoms.empty())
       out += fmt::format("  int sign[{}];\n", p_.common.atoms.size());
-    return out + signs(p_.common, r.in) + fmt::format("  return {};\n}}\n", product(p_.value, slot_));
+    return out + signs(p_.common, r.in) + fmt::format("  return {};\n}}\n", sign_product(p_.value, slot_));
   }
 
   // The decision over signs, without the arithmetic that computes them.
   std::string decision() const {
     std::string out;
     const auto truth = [&](const char *suffix, const std::vector<int> &any) {
-      truths t(p_.signs, slot_);
+      truth_text t(p_.signs, slot_, in_c());
       const std::string value = t.any_of(any);
       const std::string before = t.take();
       out += fmt::format("static inline bool {}(const int *sign) {{\n{}{}  return {};\n}}\n", name(suffix),

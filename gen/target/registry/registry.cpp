@@ -6,6 +6,7 @@
 #include "gen/target/gappa/gappa.hpp"
 #include "gen/target/json/json.hpp"
 #include "gen/target/latex/latex.hpp"
+#include "gen/target/python/python.hpp"
 #include "gen/target/text/text.hpp"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace {
 constexpr carries everything{true, true, true, true, true, true};
 constexpr carries on_the_host{true, true, true, true, true, false};
 constexpr carries in_c{true, true, true, true, false, false};
+constexpr carries plain_ones{true, true, true, false, false, false};
 constexpr carries decided{false, true, true, true, true, false};
 constexpr carries to_read{true, true, false, false, false, false};
 
@@ -67,6 +69,11 @@ constexpr target table[] = {
      .over = "cpp",
      .source = "_c.cpp",
      .show = c_text},
+    {.name = "python",
+     .what = "formulas, signs and plain predicates of NumPy arrays",
+     .can = plain_ones,
+     .files = python_files,
+     .show = python_text},
     {.name = "cuda",
      .what = "launchers on a CUDA device",
      .can = everything,
