@@ -1,5 +1,6 @@
 #include "gen/ir/evaluate.hpp"
 #include "gen/oracle/convex.hpp"
+#include "gen/verify/dense_model.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
@@ -121,6 +122,17 @@ std::pair<sample, sample> draw_case(lattice &random, const operands &of, long nu
   return draw_pair(random, of, size, flat_axis);
 }
 
+// Numbers of which many are zero, alike or opposite, without regard to their meaning.
+std::pair<sample, sample> draw_numbers(lattice &random, const operands &of, long number) {
+  const int size = number % 3 == 0 ? 1 : number % 3 == 1 ? 2 : 7;
+  sample a, b;
+  for (std::size_t i = 0; i < of.reals[0]; ++i)
+    a.row.emplace_back(random.number(-size, size));
+  for (std::size_t i = 0; i < of.reals[1]; ++i)
+    b.row.emplace_back(random.number(-size, size));
+  return {std::move(a), std::move(b)};
+}
+
 std::string text_of(const std::vector<oracle::rational> &row) {
   std::string numbers;
   for (const auto &q : row)
@@ -137,14 +149,17 @@ int sign_of(const oracle::rational &q) {
 report verify_predicate(const lower::model &m, const lower::kernel &k, long cases, unsigned seed) {
   report out;
   const operands of(m, k);
-  if (!of.bounded()) {
-    out.note = no_hull;
-    return out;
-  }
   const lower::predicate &p = k.decision;
+  const dense_evaluator dense = dense_evaluator_of(m);
+  // Without hulls nothing tells which operands touch, so the decision is compared with what the spec says on dense products.
+  const auto dense_hit = [&](const sample &a, const sample &b) {
+    std::size_t next_a = 0, next_b = 0;
+    return dense.hit(*k.asked.asked, {dense.operand(*k.asked.kinds[0], a.row, next_a),
+                                      dense.operand(*k.asked.kinds[1], b.row, next_b)});
+  };
   lattice random(seed);
   for (long i = 0; i < cases; ++i) {
-    const auto [a, b] = draw_case(random, of, i);
+    const auto [a, b] = of.bounded() ? draw_case(random, of, i) : draw_numbers(random, of, i);
     if (!lower::obeys(of.enclosures[0].rule, a.row) || !lower::obeys(of.enclosures[1].rule, b.row))
       continue;
     std::vector<oracle::rational> row = a.row;
@@ -160,7 +175,7 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
         zero = zero || (s != &p.rare && values[v] == 0);
       }
     }
-    const bool want = of.touch(a, b);
+    const bool want = of.bounded() ? of.touch(a, b) : dense_hit(a, b);
     const bool hit = p.signs.evaluate(p.truths.hit, signs);
     const bool rejected =
         std::any_of(p.truths.reject.begin(), p.truths.reject.end(), [&](int t) { return p.signs.evaluate(t, signs); });
