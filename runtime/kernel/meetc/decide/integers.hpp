@@ -23,8 +23,8 @@ template <class P, class F> MEETC_HD MEETC_INLINE void each_input(const float *r
 }
 
 // The signs of a stage for rows of multiples of 2^low, or of each number's unit: values up to degree 2 in I, the others in W.
-// The caller's proof says that they fit. Numbers that occur in differences alone are taken from the first one of their axis, so that they are as
-// short as the differences.
+// The caller's proof says that they fit. Numbers that occur in differences alone are taken from the first one of their axis, so
+// that they are as short as the differences.
 template <class P, class Stage, class I, class W, class Units>
 MEETC_HD void integer_stage_signs(const float *row_a, const float *row_b, const Units &units, sign *s) {
   I numbers[P::inputs_a + P::inputs_b], origin[3] = {0, 0, 0}, *next = numbers;

@@ -304,6 +304,7 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
   }
   p.longest_differences = longest_differences<P>();
   p.symmetric = P::symmetric;
+  p.scales = !grouped<P>; // otherwise only when each group is multiplied by one of its own
   if constexpr (asks(rung::tolerant)) {
     decide(rung::tolerant) = table_rung<decide_tolerant<P>>;
     p.tolerance = {P::tolerance::moves, P::tolerance::step(), P::tolerance::rounds, P::tolerance::reach};
