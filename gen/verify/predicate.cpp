@@ -42,7 +42,6 @@ struct operands {
   bool bounded() const { return !enclosures[0].hull.empty() && !enclosures[1].hull.empty(); }
   bool touch(const sample &a, const sample &b) const { return oracle::touches(a.hull, a.pad, b.hull, b.pad, mode); }
 };
-constexpr const char *no_hull = "not checked: an operand has no hull";
 
 // The hull and the pad that the stored numbers say.
 void place(sample &s, const lower::enclosure &e) {
@@ -144,19 +143,33 @@ int sign_of(const oracle::rational &q) {
   return sgn(q);
 }
 
+// Without hulls nothing tells which operands touch, so the decision is compared with what the spec says of dense products.
+class truth {
+public:
+  truth(const lower::model &m, const lower::kernel &k, const operands &of)
+      : k_(k), of_(of), dense_(dense_evaluator_of(m)) {}
+
+  bool operator()(const sample &a, const sample &b) const {
+    if (of_.bounded())
+      return of_.touch(a, b);
+    std::size_t next_a = 0, next_b = 0;
+    return dense_.hit(*k_.asked.asked, {dense_.operand(*k_.asked.kinds[0], a.row, next_a),
+                                        dense_.operand(*k_.asked.kinds[1], b.row, next_b)});
+  }
+
+private:
+  const lower::kernel &k_;
+  const operands &of_;
+  dense_evaluator dense_;
+};
+
 } // namespace
 
 report verify_predicate(const lower::model &m, const lower::kernel &k, long cases, unsigned seed) {
   report out;
   const operands of(m, k);
   const lower::predicate &p = k.decision;
-  const dense_evaluator dense = dense_evaluator_of(m);
-  // Without hulls nothing tells which operands touch, so the decision is compared with what the spec says on dense products.
-  const auto dense_hit = [&](const sample &a, const sample &b) {
-    std::size_t next_a = 0, next_b = 0;
-    return dense.hit(*k.asked.asked, {dense.operand(*k.asked.kinds[0], a.row, next_a),
-                                      dense.operand(*k.asked.kinds[1], b.row, next_b)});
-  };
+  const truth is_hit(m, k, of);
   lattice random(seed);
   for (long i = 0; i < cases; ++i) {
     const auto [a, b] = of.bounded() ? draw_case(random, of, i) : draw_numbers(random, of, i);
@@ -175,7 +188,7 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
         zero = zero || (s != &p.rare && values[v] == 0);
       }
     }
-    const bool want = of.bounded() ? of.touch(a, b) : dense_hit(a, b);
+    const bool want = is_hit(a, b);
     const bool hit = p.signs.evaluate(p.truths.hit, signs);
     const bool rejected =
         std::any_of(p.truths.reject.begin(), p.truths.reject.end(), [&](int t) { return p.signs.evaluate(t, signs); });
@@ -201,14 +214,11 @@ report verify_settled(const lower::model &m, const lower::kernel &k, const bound
                       unsigned seed) {
   report out;
   const operands of(m, k);
-  if (!of.bounded()) {
-    out.note = no_hull;
-    return out;
-  }
+  const truth is_hit(m, k, of);
   lattice random(seed);
   for (const std::uint32_t set : bounds.settled_by)
     for (long i = 0; i < cases; ++i) {
-      auto [a, b] = draw_case(random, of, i);
+      auto [a, b] = of.bounded() ? draw_case(random, of, i) : draw_numbers(random, of, i);
       const auto number = [&, &a = a, &b = b](int input) -> oracle::rational & {
         const auto at = static_cast<std::size_t>(input);
         return at < a.row.size() ? a.row[at] : b.row[at - a.row.size()];
@@ -223,7 +233,7 @@ report verify_settled(const lower::model &m, const lower::kernel &k, const bound
             }
       place(a, of.enclosures[0]), place(b, of.enclosures[1]);
       ++out.cases;
-      if (of.touch(a, b))
+      if (is_hit(a, b))
         continue;
       if (out.wrong++ == 0)
         out.first_wrong = fmt::format("{}({}, {}) is a miss, though equal points are said to settle it", k.asked.text,

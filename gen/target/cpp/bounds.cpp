@@ -223,10 +223,12 @@ std::string settled_lanes_text(std::uint32_t alone, const bound::kernel_bounds &
                           p.input(b.coincidences[i].y[axis]));
     any += fmt::format("{}({})", any.empty() ? "" : " |\n        ", both);
   }
-  return fmt::format("  // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.\n"
-                     "  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {{\n"
-                     "{}    return {};\n  }}\n",
-                     p.operands_in(any, "    "), any);
+  const char *number = p.a == "L" || p.b == "L" ? "Lanes" : "L"; // which an operand must not hide
+  return fmt::format(
+      "  // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.\n"
+      "  template <class {0}> MEETC_INLINE static auto settled_lanes(const {0} *row_a, const {0} *row_b) {{\n"
+      "{1}    return {2};\n  }}\n",
+      number, p.operands_in(any, "    "), any);
 }
 
 // Whether equal points settle the decision, as a function of rows.

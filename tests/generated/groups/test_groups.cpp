@@ -145,7 +145,6 @@ template <class F> void each_kernel(F &&f) {
   f(named<groups::squared_point_pair_sphere_sign>{"point pair, sphere"});
   f(named<groups::line_in_plane>{"line in plane"});
   f(named<groups::same_plane>{"same plane"});
-  f(named<groups::same_sphere>{"same sphere"});
   f(named<groups::circle_in_plane>{"circle in plane"});
   f(named<groups::circle_on_sphere>{"circle on sphere"});
   f(named<groups::pair_in_plane>{"pair in plane"});

@@ -32,11 +32,13 @@ template <class P> MEETC_HD inline int spread(const float *row_a, const float *r
 }
 
 // An e with |d| < 2^(w e) units for every number and difference of numbers of weight w.
-template <class P> MEETC_HD inline int bits_of_differences(const grid &g, const float *row_a, const float *row_b) {
-  return spread<P>(row_a, row_b) - g.low;
-}
-template <class P> MEETC_HD inline int bits_of_differences(const group_grid<P> &g, const float *, const float *) {
-  return g.bits() + 1;
+template <class P>
+MEETC_HD inline int bits_of_differences(const pair_grid<P> &g, [[maybe_unused]] const float *row_a,
+                                        [[maybe_unused]] const float *row_b) {
+  if constexpr (grouped<P>)
+    return g.bits() + 1;
+  else
+    return spread<P>(row_a, row_b) - g.low;
 }
 
 // Whether nothing under- or overflows in doubles that hold the values of a stage. Up to degree 6 nothing does.
