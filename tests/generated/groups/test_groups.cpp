@@ -60,10 +60,12 @@ template <class P> pair_of_rows hostile(random_numbers &random) {
       0.0F,     -0.0F, 0x1p-149F,     0x1.8p-148F,    0x1p-126F, 0x1.fffffcp-127F, 0x1.fffffep127F, 0x1p127F,
       0x1p-75F, 1.0F,  0x1.000002p0F, 0x1.fffffep-1F, 3.0F};
   pair_of_rows out{std::vector<float>(P::inputs_a), std::vector<float>(P::inputs_b)};
-  const int way = random.integer(0, 2);
+  const int way = random.integer(0, 4); // 3 and 4: whole numbers of the least and of large steps
   for (int i = 0; i < inputs<P>; ++i) {
     const float v = way == 0 ? random.pattern() : ends[static_cast<std::size_t>(random.integer(0, 12))];
     out.at(i) = random.one_in(2) ? v : -v;
+    if (way > 2)
+      out.at(i) = static_cast<float>(random.integer(-3, 3)) * (way == 3 ? 0x1p-149F : 0x1p126F);
     if (way == 2 && random.one_in(2))
       out.at(i) = static_cast<float>(random.integer(-2, 2));
   }
