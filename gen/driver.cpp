@@ -1,5 +1,6 @@
 #include "gen/driver.hpp"
 #include "gen/lower/kernel/wildcard.hpp"
+#include "gen/lower/predicate/degrees.hpp"
 #include "gen/lower/predicate/settled.hpp"
 #include "gen/lower/separated.hpp"
 #include "gen/passes/passes.hpp"
@@ -95,9 +96,9 @@ compiled_kernel compile(const compilation &c, const lower::request &r) {
     return out;
   out.bounds = bound::analyse(lower::subject_of(out.kernel.decision));
   if (!out.bounds)
-    throw spec_error(r.where, fmt::format("a sign of '{}' is not homogeneous in the stored numbers, which the exact "
-                                          "rung needs",
-                                          r.text));
+    lower::refuse_degrees(r, out.kernel.decision);
+  if (!out.bounds->groups.weights.empty())
+    lower::check_versors(*c.model, r, out.kernel.decision);
   if (!out.kernel.is_sign) {
     lower::find_settled(out.kernel.decision, *out.bounds);
     passes::run(*out.bounds);

@@ -48,7 +48,12 @@ public:
           throw spec_error(p.where, fmt::format("'{}' is stored already", p.name));
         expression(*p.body, names(k.store));
       }
-      for (const expr_ptr &e : {k.rule, k.hull, k.pad})
+      if (k.rule) {
+        scope known = names(k.store);
+        known.insert(k.name); // the kind itself: all its numbers
+        expression(*k.rule, known);
+      }
+      for (const expr_ptr &e : {k.hull, k.pad})
         if (e)
           expression(*e, names(k.store));
       for (const relation &r : k.relations)
@@ -284,8 +289,8 @@ private:
       want = asked->of.size();
     } else if (const kind *made = a_.find_kind(e.text)) {
       want = made->store.size();
-    } else {
-      std::vector<std::string> known{"sign"};
+    } else if (e.text != "zero") {
+      std::vector<std::string> known{"sign", "zero"};
       for (const builtin &b : builtins())
         known.push_back(b.name);
       for (const function &f : a_.functions)

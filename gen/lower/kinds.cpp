@@ -1,7 +1,6 @@
 #include "gen/lower/kinds.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <functional>
 #include <set>
 
@@ -60,11 +59,17 @@ std::vector<const lang::kind *> parts_first(const lang::algebra &a, const kind_s
 
 } // namespace
 
+bool on_sets(const kernel &k) {
+  return k.is_predicate && !k.is_sign && std::all_of(k.asked.kinds.begin(), k.asked.kinds.end(), [](const auto *kind) {
+           return kind->hull || kind->position;
+         });
+}
+
 std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels) {
   const kind_set with_blade = used_by(kernels, true);
   kind_set elements;
   for (const kernel &k : kernels)
-    if (k.is_predicate && !k.is_sign)
+    if (on_sets(k))
       elements.insert(k.asked.kinds.begin(), k.asked.kinds.end());
   std::vector<lowered_kind> out;
   for (const lang::kind *k : parts_first(m.spec(), with_parts(m.spec(), used_by(kernels, false)))) {
@@ -91,8 +96,6 @@ void enclose(const model &m, std::vector<lowered_kind> &kinds) {
     if (!k.is_element && !spec.rule)
       continue;
     k.enclosed = enclosing(m, spec);
-    if (k.is_element && k.enclosed->hull.empty())
-      throw spec_error(spec.where, fmt::format("kind '{}' stands in a predicate and so needs a 'hull'", k.name));
   }
 }
 

@@ -54,7 +54,7 @@ value expander::call(const lang::expr &e, const environment &env) {
     return builtin(*of_language, e, env);
   if (of_language)
     lang::refuse_arguments(e, of_language->params.size());
-  if (e.args.size() != want && (defined || asked || made || e.text == "sign" || e.text == "grade"))
+  if (e.args.size() != want && (defined || asked || made || e.text == "sign" || e.text == "grade" || e.text == "zero"))
     lang::refuse_arguments(e, want);
   const long before = signs_.mark();
   const auto described = [&](value v) {
@@ -104,6 +104,16 @@ value expander::call(const lang::expr &e, const environment &env) {
   } catch (spec_error &error) {
     error.add_step(lang::print(e), e.where);
     throw;
+  }
+  if (e.text == "zero") { // which no declaration hides here
+    std::vector<int> truths;
+    const multivector m = blade_of(args.front(), e.args[0]->where);
+    for (const auto &[at, coefficient] : m.terms()) {
+      const sign_value s = sign_of(coefficient);
+      signs_.describe(s, "a coefficient of " + said(*e.args[0], env), before);
+      truths.push_back(signs_.test(s, 2));
+    }
+    return {truth{signs_.both(truths)}};
   }
   throw spec_error(e.where, fmt::format("unknown function '{}'", e.text));
 }

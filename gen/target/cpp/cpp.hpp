@@ -20,6 +20,7 @@ std::string kernel_header(const unit &u, std::size_t kernel);
 // The code of the generated library, for header-only users.
 std::string header_only(const unit &u);
 
+// The predicates of which a runtime can decide pairs of sets.
 std::vector<const lower::kernel *> predicates_of(const unit &u);
 // The sign by which a runtime orders the hits of this predicate; null: the scene does not ask for it, or not for certified
 // answers.
