@@ -1,5 +1,5 @@
-// The functions that are no polynomials. A scene asks for each as a kernel of its own, of one kind: 'exp(bivector)'. A function,
-// predicate or kind that the algebra declares hides the one of its name.
+// The functions that are no polynomials. A scene asks for each as a kernel of its own, of one kind: 'exp(bivector)'. A
+// function, predicate or kind that the algebra declares hides the one of its name.
 #pragma once
 #include "gen/lang/spec.hpp"
 

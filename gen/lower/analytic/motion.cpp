@@ -1,9 +1,9 @@
 // Versors of motions: which coefficient of a blade is which number of a dual quaternion, and what kind a value has.
 //
 // Three vectors e1, e2, e3 that square to 1 and one e0 that squares to 0, orthogonal to each other, make the units i = -e2e3,
-// j = -e3e1, k = -e1e2 of quaternions, and J = e1e2e3e0, which commutes with them and squares to 0. The vectors are those of the
-// working basis, so that e0 may be the null vector at infinity of a conformal algebra. In the plane e3 is missing, and with it
-// the units that hold it.
+// j = -e3e1, k = -e1e2 of quaternions, and J = e1e2e3e0, which commutes with them and squares to 0. The vectors are those of
+// the working basis, so that e0 may be the null vector at infinity of a conformal algebra. In the plane e3 is missing, and
+// with it the units that hold it.
 #include "gen/lower/analytic/analytic.hpp"
 #include "gen/lower/kernel/compile.hpp"
 

@@ -1,4 +1,4 @@
-// What emitted readings give back: the stored numbers of elements, and the geometry of meets, against 200 bits.
+// The geometry that emitted readings give back: the stored numbers of elements, and the geometry of meets, against 200 bits.
 #include "gen/oracle/dense.hpp"
 #include "tests/catch.hpp"
 #include "tests/generated/analytic/wide.hpp"

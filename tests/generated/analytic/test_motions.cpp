@@ -1,5 +1,6 @@
-// exp, log, sqrt, normalise, norm and pose, as emitted for rotors of R(3), for motors of R(3,0,1), and for those of the conformal
-// model, against 200 bits. The exact values come from power series and dense products, not from the formulas under test.
+// exp, log, sqrt, normalise, norm and pose, as emitted for rotors of R(3), for motors of R(3,0,1), and for those of the
+// conformal model, against 200 bits. The exact values come from power series and dense products, not from the formulas under
+// test.
 #include "tests/catch.hpp"
 #include "tests/generated/analytic/wide.hpp"
 

@@ -1,4 +1,5 @@
-// A motor is a pose: its matrix moves every kind as V X ~V does, and a set in that pose gives the answers of the moved elements.
+// A motor is a pose: its matrix moves every kind as V X ~V does, and a set in that pose gives the answers of the
+// moved elements.
 #include "meet/core/query/collide.hpp"
 #include "meet/core/query/find.hpp"
 #include "tests/catch.hpp"
@@ -122,7 +123,7 @@ TEST_CASE("a set in the pose of a motor gives the answers of the moved elements"
     }
   }
   CHECK(hits > 100);
-  // What is no versor has no pose.
+  // Zero is no versor and has no pose.
   meetc::pose none;
   pose(rigid::motor_blade<double>{}, none.m);
   CHECK_THROWS_AS(prepared(b, none), meetc::input_error);

@@ -3,11 +3,12 @@
 // V = s + u + J (p + w), where u and w are vectors of quaternion units and J commutes with them and squares to 0. Emitted code
 // reads these numbers off the blades of rotors and motors, whatever their basis is.
 //
-// Method: a vector is its length times its direction l, computed at a scale of its own, and a dual vector splits into its part
-// along l and the rest. Each factor of these parts is a quotient without cancellation, so that no series is needed near 0 or pi.
+// Method: a vector is its length times its direction l, computed at a scale of its own, and a dual vector splits into its
+// part along l and the rest. Each factor of these parts is a quotient without cancellation, so that no series is needed near 0
+// or pi.
 //
 // Errors: u is the unit roundoff of T; the library's sin, cos and atan2 are taken to err by at most one unit in the last place.
-// Each function states its bound in the Euclidean length of the numbers' parts, against the exact value at the stored numbers,
+// Each function states a bound in the Euclidean length of the numbers' parts, against the exact value at the stored numbers,
 // barring under- and overflow. tests/generated/motions measures them against 200 bits.
 #ifndef MEETC_NUMBER_MOTION_HPP
 #define MEETC_NUMBER_MOTION_HPP
@@ -48,8 +49,8 @@ template <class T> MEETC_HD inline polar<T> polar_of(const T *u) {
   return {scalbn(length, scale), {v[0] / length, v[1] / length, v[2] / length}};
 }
 
-// V at the scale at which the largest of s and u is in [1, 2), and that scale. All numbers become NaN where s and u are 0, since
-// V is no versor then.
+// V at the scale at which the largest of s and u is in [1, 2), and that scale. All numbers become NaN where s and u are 0,
+// since V is no versor then.
 template <class T> MEETC_HD inline int scale_to_one(motion<T> &v) {
   using std::ilogb, std::scalbn;
   const T most = largest(largest(T(0), &v.s, 1), v.u, 3);
@@ -88,7 +89,7 @@ template <class T> MEETC_HD inline motion<T> exp(const motion<T> &b) {
 }
 
 // The bivector u + J w with the least |u| <= pi whose exponential is V / |V|, or -V / |V| where V has no u and a negative s,
-// since all directions would do. Rotation: within 12 u of |u|. Dual part: within 24 u of (|w| + |p|) |log V| / |u|.
+// since all directions would do. Rotation: within 12 u of |u|. Dual part: within 24 u of |dual part of V| |log V| / |u|.
 template <class T> MEETC_HD inline motion<T> log(motion<T> v) {
   using std::atan2;
   scale_to_one(v);
