@@ -14,16 +14,16 @@ const broken rows[] = {
     {"", "", "s.toml:4:19",
      "'exp' is no polynomial, and so stands in no formula and no sign; ask for it as a kernel of its own",
      "exp(sphere)", "", "'norm2(exp(sphere))'"},
-    {of_side, "'sign(norm(p))'", "a.toml:33:21", "'norm' is no polynomial", "norm(p)", "", "'touch'"},
-    {of_side, "'sign(sqrt(norm2(p)))'", "a.toml:33:21", "'sqrt' is no polynomial", "sqrt(norm2(p))", "", "'touch'"},
-    {"", "", "s.toml:4:12", "'gives' takes 1 argument, not 2", "gives(sphere, point)", "", "'gives(sphere, point)'"},
-    {"", "", "s.toml:4:18",
+    {of_side, "'sign(norm(p))'", "a.toml:32:22", "'norm' is no polynomial", "norm(p)", "", "'touch'"},
+    {of_side, "'sign(sqrt(norm2(p)))'", "a.toml:32:22", "'sqrt' is no polynomial", "sqrt(norm2(p))", "", "'touch'"},
+    {"", "", "s.toml:4:13", "'gives' takes 1 argument, not 2", "gives(sphere, point)", "", "'gives(sphere, point)'"},
+    {"", "", "s.toml:4:19",
      "'gives' takes a kind, as in 'gives(point)'; ask for 'meet(sphere, sphere)' as another kernel",
      "meet(sphere, sphere)", "", "'gives(meet(sphere, sphere))'"},
-    {"", "", "s.toml:4:18", "no kind 'sphre'", "sphre", "", "'gives(sphre)'"},
-    {"", "", "s.toml:4:12", "the algebra has no table [gives.sphere]; it has none of [gives.KIND]", "gives(sphere)", "",
+    {"", "", "s.toml:4:19", "no kind 'sphre'", "sphre", "", "'gives(sphre)'"},
+    {"", "", "s.toml:4:13", "the algebra has no table [gives.sphere]; it has none of [gives.KIND]", "gives(sphere)", "",
      "'gives(sphere)'"},
-    {"", "", "s.toml:4:12", "the blade of 'sphere' has n and nb, which are not orthogonal", "log(sphere)", "",
+    {"", "", "s.toml:4:13", "the blade of 'sphere' has n and nb, which are not orthogonal", "log(sphere)", "",
      "'log(sphere)'"},
     {"[functions]", "[gives.ball]\nr = '1'\n[functions]", "a.toml:30:8",
      "no kind 'ball'; kinds: point, sphere, segment", "ball", ""},
@@ -79,7 +79,7 @@ std::string refused(const temporary_folder &folder, const std::string &kernel) {
 }
 } // namespace
 
-TEST_CASE("what is no polynomial stands alone, and a reading is checked as all else is") {
+TEST_CASE("a function that is no polynomial stands alone, and a reading is checked as all else is") {
   check_broken(rows);
 }
 
