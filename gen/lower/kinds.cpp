@@ -65,14 +65,24 @@ bool on_sets(const kernel &k) {
          });
 }
 
-std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels) {
-  const kind_set with_blade = used_by(kernels, true);
+std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels,
+                                   const std::vector<analytic_kernel> &analytic) {
+  kind_set with_blade = used_by(kernels, true), used = used_by(kernels, false);
+  for (const analytic_kernel &k : analytic) {
+    with_blade.insert(k.kind);
+    if (k.result_kind)
+      with_blade.insert(k.result_kind);
+    for (const reading::entry &e : k.read ? k.read->entries : std::vector<reading::entry>{})
+      if (e.kind)
+        used.insert(e.kind);
+  }
+  used.insert(with_blade.begin(), with_blade.end());
   kind_set elements;
   for (const kernel &k : kernels)
     if (on_sets(k))
       elements.insert(k.asked.kinds.begin(), k.asked.kinds.end());
   std::vector<lowered_kind> out;
-  for (const lang::kind *k : parts_first(m.spec(), with_parts(m.spec(), used_by(kernels, false)))) {
+  for (const lang::kind *k : parts_first(m.spec(), with_parts(m.spec(), used))) {
     kind_layout layout = m.layout(*k);
     lowered_kind lowered;
     lowered.name = k->name;

@@ -1,7 +1,7 @@
 // The kinds that kernels need, with all that a target writes about them: names, memory order, hulls, and how to compute
 // their blades.
 #pragma once
-#include "gen/lower/kernel/kernel.hpp"
+#include "gen/lower/analytic/analytic.hpp"
 
 #include <optional>
 
@@ -24,7 +24,8 @@ struct lowered_kind {
 };
 
 // The kinds of operands, results and constructors, each after those that it contains.
-std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels);
+std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels,
+                                   const std::vector<analytic_kernel> &analytic = {});
 
 // Whether there are sets of a predicate's operands: those of kinds without a hull cannot be searched.
 bool on_sets(const kernel &k);

@@ -1,4 +1,5 @@
 // Expansion of calls: functions, predicates, and kinds as constructors.
+#include "gen/lang/analytic.hpp"
 #include "gen/lower/expand/expand.hpp"
 
 #include <algorithm>
@@ -9,7 +10,8 @@ namespace meetc::lower {
 namespace {
 using lang::op;
 
-// A text of several lines as one, since it becomes a part of an emitted comment.
+} // namespace
+
 std::string on_one_line(const std::string &text) {
   std::string out;
   for (const char c : text)
@@ -19,7 +21,6 @@ std::string on_one_line(const std::string &text) {
       out += ' ';
   return out;
 }
-} // namespace
 
 std::string expander::said(const lang::expr &e, const environment &env) {
   // Replaces from the last part to the first, so that the positions of earlier parts stay valid.
@@ -64,6 +65,14 @@ value expander::call(const lang::expr &e, const environment &env) {
   };
   if (e.text == "sign")
     return described({sign_of(scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where))});
+  if (lang::called_analytic(model_.spec(), e)) {
+    if (!roots_ || e.text != "sqrt")
+      lang::refuse_analytic(e);
+    if (e.args.size() != 1)
+      lang::refuse_arguments(e, 1);
+    const poly::poly x = scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where);
+    return {multivector(0, x.is_zero() ? x : roots_->root(x, e.where))};
+  }
   if (e.text == "grade") {
     const int g = evaluate_multivector(*e.args[0], env).homogeneous_grade();
     if (g < 0)
