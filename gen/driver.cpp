@@ -1,5 +1,6 @@
 #include "gen/driver.hpp"
 #include "gen/lower/kernel/wildcard.hpp"
+#include "gen/lower/predicate/degrees.hpp"
 #include "gen/lower/predicate/settled.hpp"
 #include "gen/lower/separated.hpp"
 #include "gen/passes/passes.hpp"
@@ -30,9 +31,10 @@ bool asks_bounds(const lang::scene &s) {
 }
 
 target::unit unit_of(const compilation &c, std::vector<lower::kernel> kernels,
-                     std::vector<std::optional<bound::kernel_bounds>> bounds) {
-  target::unit u{*c.scene, std::move(kernels), std::move(bounds), {}, {}, {}, {}};
-  u.kinds = lower::kinds_of(*c.model, u.kernels);
+                     std::vector<std::optional<bound::kernel_bounds>> bounds,
+                     std::vector<lower::analytic_kernel> analytic = {}) {
+  target::unit u{*c.scene, std::move(kernels), std::move(bounds), {}, {}, {}, {}, std::move(analytic)};
+  u.kinds = lower::kinds_of(*c.model, u.kernels, u.analytic);
   for (lower::lowered_kind &k : u.kinds)
     passes::run(k.makers);
   u.balls = lower::find_ball_form(*c.model);
@@ -95,14 +97,27 @@ compiled_kernel compile(const compilation &c, const lower::request &r) {
     return out;
   out.bounds = bound::analyse(lower::subject_of(out.kernel.decision));
   if (!out.bounds)
-    throw spec_error(r.where, fmt::format("a sign of '{}' is not homogeneous in the stored numbers, which the exact "
-                                          "rung needs",
-                                          r.text));
+    lower::refuse_degrees(r, out.kernel.decision);
+  if (!out.bounds->groups.weights.empty())
+    lower::check_versors(*c.model, r, out.kernel.decision);
   if (!out.kernel.is_sign) {
     lower::find_settled(out.kernel.decision, *out.bounds);
     passes::run(*out.bounds);
   }
   return out;
+}
+
+lower::analytic_kernel compile_analytic(const compilation &c, const lang::expr &call) {
+  lower::analytic_kernel k = lower::compile_analytic(*c.model, call);
+  passes::run(k);
+  return k;
+}
+
+std::string shown(const compilation &c, const lower::analytic_kernel &k, const std::string &target) {
+  if (!target::find(target)->show_analytic)
+    throw spec_error(k.where,
+                     fmt::format("--emit={} shows polynomials and signs, and '{}' is neither", target, k.text));
+  return target::find(target)->show_analytic(unit_of(c, {}, {}, {k}), 0);
 }
 
 std::string shown(const compilation &c, const compiled_kernel &k, const std::string &target) {
@@ -152,6 +167,14 @@ void compile_all(compilation &c) {
       throw e.add_step("kernel " + request.text, r.where);
     }
   }
+  for (const lang::kernel_request &r : c.scene->analytic) {
+    lower::analytic_kernel k = compile_analytic(c, *r.what);
+    if (const auto [it, fresh] = texts.try_emplace(k.name, k.text); !fresh)
+      throw spec_error(r.where, it->second == k.text ? fmt::format("'{}' is asked for twice", k.text)
+                                                     : fmt::format("'{}' would have the name {} as '{}' has", k.text,
+                                                                   k.name, it->second));
+    c.analytic.push_back(std::move(k));
+  }
   tell_zero_kernels(c);
 }
 
@@ -163,7 +186,7 @@ std::string shown_all(compilation &c, const std::string &target) {
 }
 
 std::vector<target::file> emit_all(compilation &c) {
-  target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds));
+  target::unit u = unit_of(c, std::move(c.kernels), std::move(c.bounds), std::move(c.analytic));
   plan_tolerance(c, u);
   lower::enclose(*c.model, u.kinds);
   return target::files_of(u);

@@ -13,6 +13,7 @@ struct compilation {
   std::unique_ptr<lang::scene> scene;
   std::unique_ptr<lower::model> model;
   std::vector<lower::kernel> kernels;
+  std::vector<lower::analytic_kernel> analytic;
   std::vector<std::optional<bound::kernel_bounds>> bounds; // for kernels made of signs, if a rung needs them
 };
 
@@ -26,11 +27,13 @@ struct compiled_kernel {
 // `algebra_path`.
 compilation load(const std::string &scene_path, const std::vector<std::string> &algebra_path = {});
 compiled_kernel compile(const compilation &c, const lower::request &r);
+lower::analytic_kernel compile_analytic(const compilation &c, const lang::expr &call);
 void compile_all(compilation &c);                   // every kernel of the scene
 std::vector<target::file> emit_all(compilation &c); // moves the kernels out
 
 // A target's view of one kernel.
 std::string shown(const compilation &c, const compiled_kernel &k, const std::string &target);
+std::string shown(const compilation &c, const lower::analytic_kernel &k, const std::string &target);
 // And of all kernels of the scene, for a target that has one. Compiles them.
 std::string shown_all(compilation &c, const std::string &target);
 

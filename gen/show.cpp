@@ -1,6 +1,7 @@
 // The command that prints one kernel at a stage of the compiler, or what a scene has.
 #include "gen/driver.hpp"
 #include "gen/ir/print.hpp"
+#include "gen/lang/analytic.hpp"
 #include "gen/operands.hpp"
 #include "gen/passes/passes.hpp"
 #include "gen/support/output.hpp"
@@ -11,16 +12,16 @@
 namespace meetc {
 namespace {
 
-lower::request requested(const compilation &c, const show_options &o) {
+lang::expr_ptr requested(const show_options &o) {
   if (!o.expression.empty())
-    return lower::resolve(*c.model, lang::parse_expression(o.expression, "-e"), named_kinds(*c.model, o.with));
+    return lang::parse_expression(o.expression, "-e");
   if (o.words.empty())
     throw spec_error({}, "nothing to show: name a kernel of the scene, as in 'meet sphere line', or give -e "
                          "'expression' --with 'X: sphere'");
   std::string text = o.words[0];
   if (o.words.size() > 1)
     text += '(' + join({o.words.begin() + 1, o.words.end()}, ", ") + ')';
-  return lower::resolve(*c.model, lang::parse_expression(text, "the command line"));
+  return lang::parse_expression(text, "the command line");
 }
 
 std::string spec_text(const lower::model &m, const lower::request &r) {
@@ -56,6 +57,8 @@ std::string list_of_kernels(const compilation &c) {
       operands.push_back(fmt::format("{}: {}", r.names[i], r.kinds[i]->name));
     out += fmt::format("{:<48} {}\n", r.text, join(operands, ", "));
   }
+  for (const lang::kernel_request &k : c.scene->analytic)
+    out += fmt::format("{:<48} no polynomial\n", lang::print(*k.what));
   return out;
 }
 
@@ -86,8 +89,16 @@ int show(const show_options &o) {
     say(shown_all(c, o.emit));
     return 0;
   }
-  const lower::request r = requested(c, o);
+  const lang::expr_ptr what = requested(o);
   const std::string emit = o.emit.empty() ? target::backends().unless_said.front() : o.emit, after = "after:";
+  if (o.expression.empty() && lang::called_analytic(c.scene->in, *what)) {
+    if (!whole && !o.emit.empty())
+      throw spec_error(what->where, fmt::format("'{}' has no stage {}; --emit=cpp shows it", lang::print(*what), emit));
+    say(shown(c, compile_analytic(c, *what), emit));
+    return 0;
+  }
+  const lower::request r = o.expression.empty() ? lower::resolve(*c.model, what)
+                                                : lower::resolve(*c.model, what, named_kinds(*c.model, o.with));
   if (emit == "spec") {
     say(spec_text(*c.model, r));
   } else if (emit.starts_with(after)) {

@@ -33,9 +33,11 @@
 // two commute with rounding. So the theorem is one about leaves in [-1, 1], in a float format whose least exponent
 // covers every scale that is allowed.
 //
-// Limits: stages must be homogeneous with integer constants (growth.hpp), under round to nearest and gradual underflow.
+// Limits: stages must be homogeneous with integer constants (growth.hpp), in each group of numbers if there are several
+// (grading.hpp), under round to nearest and gradual underflow. With several groups there is no box form.
 // The emitted thresholds say where they hold; elsewhere a rung answers unsure.
 #pragma once
+#include "gen/bound/grading.hpp"
 #include "gen/ir/fold.hpp"
 
 #include <array>
@@ -103,8 +105,9 @@ struct stage_bounds {
   std::vector<leaf> leaves;
   ir::program magnitudes;                    // inputs: |leaf| by number; results: M, one for each sign
   std::vector<roundings> fp32, fp64, fp64x2; // by sign
-  std::vector<box_bound> box;                // by sign
-  int degree = 0, growth = 0;                // the maxima over all values (growth.hpp)
+  std::vector<box_bound> box;                // by sign; empty where numbers have groups
+  int degree = 0, growth = 0;                // the maxima over all values and inputs (growth.hpp)
+  std::vector<std::vector<int>> degrees;     // by sign, by group; empty where there is one group
   // Leaves below 2^floor count as 2^floor, so that products of them underflow by no more than a rounding.
   int floor_fp32 = 0, floor_fp64 = 0;
   int box_lowest = 0, box_highest = 0; // exponents of D
@@ -138,6 +141,7 @@ struct kernel_bounds {
   std::vector<std::uint32_t> settled_by;
   // For each input: its axis if it occurs only in differences with inputs of the same axis, else -1.
   std::vector<int> axes;
+  grading groups;
 };
 
 // Every pair of points that could have equal coordinates, of the same operand or not.
@@ -147,7 +151,7 @@ poly::poly with_equal_points(const poly::poly &f, const std::vector<coincidence>
 
 void find_coincidences(const subject &of, kernel_bounds &out); // coincidences, zero_if and axes
 
-// Returns nothing where a sign is not homogeneous in the stored numbers or has a constant that is not an integer.
+// Returns nothing where a sign is not homogeneous in any groups of the stored numbers or has a constant that is not an integer.
 std::optional<kernel_bounds> analyse(const subject &of);
 
 // The exact recurrence of the box form for one program, in an arithmetic of `precision` bits. The Gappa scripts prove

@@ -10,13 +10,14 @@ namespace {
 struct growing {
   using value = growth;
   bool differences;
+  const std::vector<int> &weights;
   bool homogeneous = true;
 
   value sum(const value &x, const value &y) {
     homogeneous = homogeneous && x.degree == y.degree;
     return {x.degree, std::max(x.bits_more, y.bits_more) + 1};
   }
-  value input(const ir::node_ref &, int) { return {1, 0}; }
+  value input(const ir::node_ref &, int i) { return {weights.empty() ? 1 : weights[static_cast<std::size_t>(i)], 0}; }
   value constant(const ir::node_ref &, const ir::rational &q) {
     homogeneous = homogeneous && q.get_den() == 1;
     // q| < 2^size. A power of two needs one bit more than its logarithm.
@@ -28,7 +29,7 @@ struct growing {
     const ir::node &n = at.operation();
     const auto is_input = [&](ir::node_id id) { return at.nodes.at(id).kind == ir::op::input; };
     const value out = sum(x, y);
-    return differences && is_input(n.a) && is_input(n.b) ? value{1, 0} : out;
+    return differences && is_input(n.a) && is_input(n.b) ? value{x.degree, 0} : out;
   }
   value multiply(const ir::node_ref &, const value &x, const value &y) {
     return {x.degree + y.degree, x.bits_more + y.bits_more};
@@ -40,8 +41,8 @@ struct growing {
 
 } // namespace
 
-std::vector<growth> growths(const ir::program &p, bool differences) {
-  growing d{differences};
+std::vector<growth> growths(const ir::program &p, bool differences, const std::vector<int> &weights) {
+  growing d{differences, weights};
   const auto values = ir::fold(p, d);
   if (!d.homogeneous)
     return {};

@@ -142,8 +142,8 @@ void make_magnitudes(const ir::program &p, stage_bounds &out) {
 
 // The widest differences, in bits on a common grid, for which values of degree 1 and 2 are exact in fp64 and the others
 // in double-double (there an integer below 2^100 has an error below 1/2 and is an integer, so it is exact).
-int exact_window(const ir::program &p, bool mixed) {
-  const std::vector<growth> all = growths(p, true);
+int exact_window(const ir::program &p, bool mixed, const std::vector<int> &weights) {
+  const std::vector<growth> all = growths(p, true, weights);
   int window = 53;
   for (const node_id id : ir::needed(p.nodes, p.results)) {
     const growth &g = all[static_cast<std::size_t>(id)];
@@ -165,12 +165,35 @@ bool can_be_mixed(const ir::program &p, const std::vector<growth> &all) {
   return wide;
 }
 
+// The degrees of the results in each group, or nothing where a value is not homogeneous in one.
+std::optional<std::vector<std::vector<int>>> degrees_of(const ir::program &p, const grading &groups) {
+  std::vector<std::vector<int>> out(p.results.size());
+  for (int j = 0; j < groups.groups(); ++j) {
+    const std::vector<growth> all = growths(p, false, groups.of_group(j));
+    if (all.empty())
+      return std::nullopt;
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i].push_back(all[static_cast<std::size_t>(p.results[i])].degree);
+  }
+  return out;
+}
+
 // Returns nothing where a value is not homogeneous.
-std::optional<stage_bounds> bounds_of(const ir::program &p) {
+std::optional<stage_bounds> bounds_of(const ir::program &p, const grading &groups) {
   stage_bounds out;
-  const std::vector<growth> all = growths(p);
+  const bool one_group = groups.weights.empty();
+  if (!one_group) {
+    auto degrees = degrees_of(p, groups);
+    if (!degrees)
+      return std::nullopt;
+    out.degrees = std::move(*degrees);
+  }
+  const std::vector<int> weights = groups.total();
+  const std::vector<growth> all = growths(p, false, weights);
   if (all.empty())
     return std::nullopt;
+  for (const int w : weights) // an input that no value reads is converted as well
+    out.degree = std::max(out.degree, w);
   for (const growth &g : all) {
     out.degree = std::max(out.degree, g.degree);
     out.growth = std::max(out.growth, g.bits_more);
@@ -179,24 +202,29 @@ std::optional<stage_bounds> bounds_of(const ir::program &p) {
   out.fp32 = of_results(p, fp32);
   out.fp64 = of_results(p, fp64);
   out.fp64x2 = of_results(p, fp64x2);
-  out.floor_fp32 = -(102 / out.degree);
+  int factors = 1; // the most leaves that are multiplied
+  for (const roundings &r : out.fp32)
+    factors = std::max(factors, r.degree);
+  out.floor_fp32 = -(102 / factors);
   // No float32 difference is below 2^-149. Above degree 6 the floor keeps products of doubles above the subnormals.
-  out.floor_fp64 = std::max(-200, -(900 / out.degree));
-  out.mixed = can_be_mixed(p, growths(p, true));
-  out.window = exact_window(p, out.mixed);
+  out.floor_fp64 = std::max(-200, -(900 / factors));
+  out.mixed = one_group && can_be_mixed(p, growths(p, true));
+  out.window = exact_window(p, out.mixed, weights);
+  if (!one_group)
+    return out;
   out.box_lowest = -(102 / out.degree);
   out.box_highest = (120 - out.growth) / out.degree;
   for (const box_node &n : box_nodes(p, 24, box_format_lowest).of(p.results))
     out.box.push_back({rounded_up(n.unrounded_error, 12), n.a, n.b, n.pair});
   return out;
 }
-std::optional<stage_bounds> bounds_of(const subject::stage &s) {
+std::optional<stage_bounds> bounds_of(const subject::stage &s, const grading &groups) {
   if (s.signs.empty())
     return stage_bounds();
-  auto out = bounds_of(*s.code);
+  auto out = bounds_of(*s.code, groups);
   if (out) {
     ir::program parted = ir::unfused(*s.code);
-    auto bounds = bounds_of(parted);
+    auto bounds = bounds_of(parted, groups);
     out->unfused = std::make_shared<const unfused_stage>(unfused_stage{std::move(parted), std::move(*bounds)});
   }
   return out;
@@ -253,9 +281,16 @@ rational factor(const arithmetic &a, const roundings &r) {
 
 std::optional<kernel_bounds> analyse(const subject &of) {
   kernel_bounds out;
+  std::vector<const poly::poly *> signs;
+  for (const subject::stage &s : of.stages)
+    signs.insert(signs.end(), s.signs.begin(), s.signs.end());
+  auto groups = find_grading(signs, of.local);
+  if (!groups)
+    return std::nullopt;
+  out.groups = std::move(*groups);
   const auto to = out.stages();
   for (std::size_t i = 0; i < to.size(); ++i) {
-    auto b = bounds_of(of.stages[i]);
+    auto b = bounds_of(of.stages[i], out.groups);
     if (!b)
       return std::nullopt;
     *to[i] = std::move(*b);

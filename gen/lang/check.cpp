@@ -1,4 +1,5 @@
 // Checks names: duplicates, unknown ones, kinds that contain themselves, functions that call themselves.
+#include "gen/lang/analytic.hpp"
 #include "gen/lang/operators.hpp"
 #include "gen/lang/spec.hpp"
 
@@ -48,7 +49,12 @@ public:
           throw spec_error(p.where, fmt::format("'{}' is stored already", p.name));
         expression(*p.body, names(k.store));
       }
-      for (const expr_ptr &e : {k.rule, k.hull, k.pad})
+      if (k.rule) {
+        scope known = names(k.store);
+        known.insert(k.name); // the kind itself: all its numbers
+        expression(*k.rule, known);
+      }
+      for (const expr_ptr &e : {k.hull, k.pad})
         if (e)
           expression(*e, names(k.store));
       for (const relation &r : k.relations)
@@ -106,10 +112,13 @@ public:
       expression(*p.hit, s);
       calls_itself(p.name, p.where);
     }
+    for (const reading &r : a_.readings)
+      reads(r);
   }
 
 private:
   const algebra &a_;
+  bool in_reading_ = false; // where sqrt is a function of numbers
   std::map<std::string, location> declared_;
   std::set<std::string> open_, done_;
   std::map<std::string, std::size_t> whole_kinds_; // known to end, with the number of values that each stores
@@ -127,6 +136,27 @@ private:
     for (const field &f : fields)
       s.insert(f.name);
     return s;
+  }
+  void reads(const reading &r) {
+    if (!a_.find_kind(r.kind))
+      throw spec_error(r.where, fmt::format("no kind '{}'; kinds: {}{}", r.kind, join(a_.kind_names(), ", "),
+                                            nearest(r.kind, a_.kind_names())));
+    for (const reading &other : a_.readings)
+      if (&other < &r && other.kind == r.kind)
+        throw spec_error(r.where, fmt::format("[gives.{}] is already declared at {}", r.kind, other.where.text()));
+    scope s{r.kind};
+    in_reading_ = true;
+    for (const named_expr &e : r.entries) {
+      if (e.name == "exists" || e.name == "is_real")
+        throw spec_error(e.where,
+                         fmt::format("'{}' is a member of everything that is read back; choose another name", e.name));
+      if (const auto at = declared_.find(e.name); at != declared_.end())
+        throw spec_error(e.where, fmt::format("'{}' would hide what is declared at {}; choose another name", e.name,
+                                              at->second.text()));
+      expression(*e.body, s);
+      s.insert(e.name);
+    }
+    in_reading_ = false;
   }
   // A stored number must not hide a vector of either basis: the blade would be made of numbers alone.
   void hide_nothing(const std::vector<field> &all) const {
@@ -284,8 +314,11 @@ private:
       want = asked->of.size();
     } else if (const kind *made = a_.find_kind(e.text)) {
       want = made->store.size();
-    } else {
-      std::vector<std::string> known{"sign"};
+    } else if (called_analytic(a_, e)) {
+      if (!in_reading_ || e.text != "sqrt")
+        refuse_analytic(e);
+    } else if (e.text != "zero") {
+      std::vector<std::string> known{"sign", "zero"};
       for (const builtin &b : builtins())
         known.push_back(b.name);
       for (const function &f : a_.functions)
@@ -313,6 +346,10 @@ const predicate *algebra::find_predicate(const std::string &n) const {
 }
 const named_expr *algebra::find_constant(const std::string &n) const {
   return find_named(constants, n);
+}
+const reading *algebra::find_reading(const std::string &kind) const {
+  const auto at = std::find_if(readings.begin(), readings.end(), [&](const reading &r) { return r.kind == kind; });
+  return at == readings.end() ? nullptr : &*at;
 }
 std::vector<std::string> algebra::kind_names() const {
   std::vector<std::string> out;

@@ -156,16 +156,16 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
 }
 
 // The files that were read, and those whose content is in `open` already.
-struct reading {
+struct reading_files {
   std::vector<std::shared_ptr<const source_file>> &files;
   const std::vector<std::string> &algebra_path;
   std::vector<std::string> open;
 };
 
-void load_into(const std::string &path, algebra &out, reading &all);
+void load_into(const std::string &path, algebra &out, reading_files &all);
 
 // The algebra that this one extends: its vectors and its metric are those of this one too.
-void extend(const toml_reader &in, const toml::table &t, algebra &out, reading &all) {
+void extend(const toml_reader &in, const toml::table &t, algebra &out, reading_files &all) {
   const toml::node &base = *t.get("extends");
   for (const char *key : {"vectors", "squares", "metric", "null"})
     if (const toml::node *own = t.get(key))
@@ -184,7 +184,7 @@ void extend(const toml_reader &in, const toml::table &t, algebra &out, reading &
                                        path, in.as_string(base, "algebra.extends")));
 }
 
-void load_into(const std::string &path, algebra &out, reading &all) {
+void load_into(const std::string &path, algebra &out, reading_files &all) {
   std::vector<std::string> &open = all.open;
   const std::string key = fs::weakly_canonical(path).string();
   if (std::find(open.begin(), open.end(), key) != open.end())
@@ -193,7 +193,7 @@ void load_into(const std::string &path, algebra &out, reading &all) {
   const toml_reader in(path);
   all.files.push_back(in.file());
   const toml::table &root = in.root();
-  in.allow(root, "an algebra", {"algebra", "constants", "kinds", "functions", "predicates", "import"});
+  in.allow(root, "an algebra", {"algebra", "constants", "kinds", "functions", "predicates", "gives", "import"});
   if (const toml::node *t = root.get("algebra")) {
     if (!out.vectors.empty())
       throw spec_error(in.place(*t), "an imported file cannot declare an algebra of its own");
@@ -239,6 +239,11 @@ void load_into(const std::string &path, algebra &out, reading &all) {
   if (const toml::node *predicates = root.get("predicates"))
     for (const auto &[name, body] : in.in_file_order(in.as_table(*predicates, "predicates")))
       out.predicates.push_back(read_predicate(in, *name, *body));
+  if (const toml::node *gives = root.get("gives"))
+    for (const auto &[name, body] : in.in_file_order(in.as_table(*gives, "gives"))) {
+      const std::string kind(name->str());
+      out.readings.push_back({kind, read_named(in, *body, "gives." + kind), in.place(*name)});
+    }
   const auto import_all = [&](const toml::node &imports) {
     for (const toml::node &item : in.as_array(imports, "import")) {
       const std::string name = in.as_string(item, "each item of import");
@@ -259,7 +264,7 @@ void load_into(const std::string &path, algebra &out, reading &all) {
 
 void load_algebra(const std::string &path, algebra &out, std::vector<std::shared_ptr<const source_file>> &files,
                   const std::vector<std::string> &algebra_path) {
-  reading all{files, algebra_path, {}};
+  reading_files all{files, algebra_path, {}};
   const std::size_t own = files.size(); // a scene that names this file stands before it
   load_into(path, out, all);
   if (out.vectors.empty())

@@ -1,4 +1,5 @@
 // Reads a scene from TOML, with the algebra that it names.
+#include "gen/lang/analytic.hpp"
 #include "gen/lang/places.hpp"
 #include "gen/lang/spec.hpp"
 #include "gen/lang/toml_reader.hpp"
@@ -46,6 +47,7 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
   load_algebra(find_algebra(in.place(*t.get("algebra")), algebra_path, search), s.in, s.files, search);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))
     s.kernels.push_back({in.as_expression(item, "each item of scene.kernels"), in.place(item)});
+  s.analytic = take_analytic(s.in, s.kernels);
   if (const toml::node *kinds = t.get("kinds"))
     for (const toml::node &item : in.as_array(*kinds, "scene.kinds")) {
       const std::string name = in.as_string(item, "each item of scene.kinds");

@@ -56,6 +56,14 @@ struct kind {
   std::vector<expr_ptr> samples;
 };
 
+// The geometry that is read back from the blade of a kind, for which the kind's name stands: [gives.circle]. Each entry sees
+// those before it.
+struct reading {
+  std::string kind;
+  std::vector<named_expr> entries;
+  location where;
+};
+
 struct function {
   std::string name;
   std::vector<std::string> params;
@@ -88,11 +96,13 @@ struct algebra {
   std::vector<kind> kinds;
   std::vector<function> functions;
   std::vector<predicate> predicates;
+  std::vector<reading> readings;
 
   const kind *find_kind(const std::string &name) const;
   const function *find_function(const std::string &name) const;
   const predicate *find_predicate(const std::string &name) const;
   const named_expr *find_constant(const std::string &name) const;
+  const reading *find_reading(const std::string &kind) const;
   std::vector<std::string> kind_names() const;
 };
 
@@ -105,8 +115,9 @@ struct scene {
   std::string name, space; // the file's stem; the C++ namespace
   algebra in;
   std::vector<kernel_request> kernels;
-  std::vector<kernel_request> zero; // kernels that the scene says to be zero for all operands
-  std::vector<field> kinds;         // that a wildcard stands for, by their types; empty: those of the algebra
+  std::vector<kernel_request> analytic; // those that are no polynomials: gives(circle), exp(bivector)
+  std::vector<kernel_request> zero;     // kernels that the scene says to be zero for all operands
+  std::vector<field> kinds;             // that a wildcard stands for, by their types; empty: those of the algebra
   std::vector<rung> rungs;
   std::vector<std::string> backends;
   bool asks(rung r) const { return std::find(rungs.begin(), rungs.end(), r) != rungs.end(); }

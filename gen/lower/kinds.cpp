@@ -1,7 +1,6 @@
 #include "gen/lower/kinds.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <functional>
 #include <set>
 
@@ -60,14 +59,30 @@ std::vector<const lang::kind *> parts_first(const lang::algebra &a, const kind_s
 
 } // namespace
 
-std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels) {
-  const kind_set with_blade = used_by(kernels, true);
+bool on_sets(const kernel &k) {
+  return k.is_predicate && !k.is_sign && std::all_of(k.asked.kinds.begin(), k.asked.kinds.end(), [](const auto *kind) {
+           return kind->hull || kind->position;
+         });
+}
+
+std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels,
+                                   const std::vector<analytic_kernel> &analytic) {
+  kind_set with_blade = used_by(kernels, true), used = used_by(kernels, false);
+  for (const analytic_kernel &k : analytic) {
+    with_blade.insert(k.kind);
+    if (k.result_kind)
+      with_blade.insert(k.result_kind);
+    for (const reading::entry &e : k.read ? k.read->entries : std::vector<reading::entry>{})
+      if (e.kind)
+        used.insert(e.kind);
+  }
+  used.insert(with_blade.begin(), with_blade.end());
   kind_set elements;
   for (const kernel &k : kernels)
-    if (k.is_predicate && !k.is_sign)
+    if (on_sets(k))
       elements.insert(k.asked.kinds.begin(), k.asked.kinds.end());
   std::vector<lowered_kind> out;
-  for (const lang::kind *k : parts_first(m.spec(), with_parts(m.spec(), used_by(kernels, false)))) {
+  for (const lang::kind *k : parts_first(m.spec(), with_parts(m.spec(), used))) {
     kind_layout layout = m.layout(*k);
     lowered_kind lowered;
     lowered.name = k->name;
@@ -91,8 +106,6 @@ void enclose(const model &m, std::vector<lowered_kind> &kinds) {
     if (!k.is_element && !spec.rule)
       continue;
     k.enclosed = enclosing(m, spec);
-    if (k.is_element && k.enclosed->hull.empty())
-      throw spec_error(spec.where, fmt::format("kind '{}' stands in a predicate and so needs a 'hull'", k.name));
   }
 }
 

@@ -1,7 +1,7 @@
 // The kinds that kernels need, with all that a target writes about them: names, memory order, hulls, and how to compute
 // their blades.
 #pragma once
-#include "gen/lower/kernel/kernel.hpp"
+#include "gen/lower/analytic/analytic.hpp"
 
 #include <optional>
 
@@ -10,7 +10,7 @@ namespace meetc::lower {
 struct lowered_kind {
   std::string name;
   int declared = 0;                // its index among the spec's kinds
-  bool is_element = false;         // a predicate takes it
+  bool is_element = false;         // a predicate on sets takes it
   std::vector<lang::field> fields; // the members of its struct, in memory order
   std::vector<stored_real> reals;  // its row
   int points = 0;                  // the number of positions among the groups of reals
@@ -24,9 +24,12 @@ struct lowered_kind {
 };
 
 // The kinds of operands, results and constructors, each after those that it contains.
-std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels);
+std::vector<lowered_kind> kinds_of(const model &m, const std::vector<kernel> &kernels,
+                                   const std::vector<analytic_kernel> &analytic = {});
 
-// Throws spec_error if a predicate takes a kind without a hull.
+// Whether there are sets of a predicate's operands: those of kinds without a hull cannot be searched.
+bool on_sets(const kernel &k);
+
 void enclose(const model &m, std::vector<lowered_kind> &kinds);
 
 } // namespace meetc::lower

@@ -63,6 +63,10 @@ tolerant_kernel offered(const model &m, const kernel &k, const bound::kernel_bou
                                                     "pad, so that rounding it may move anything",
                                                     k.asked.text, reals[r].path, kind.name));
   }
+  if (!bounds.groups.weights.empty())
+    throw spec_error(k.asked.where, fmt::format("'{}' keeps no tolerance: its signs are homogeneous only in groups of "
+                                                "numbers, each with a grid of its own; ask for the rung certified",
+                                                k.asked.text));
   if (k.asked.asked->mode == "surface" &&
       (out.operands[0].around.hull.size() > 1 || out.operands[1].around.hull.size() > 1))
     throw spec_error(k.asked.where,

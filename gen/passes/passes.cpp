@@ -52,6 +52,12 @@ void run(std::vector<lower::blade_maker> &makers) {
     m.code = run(m.code, *m.numbers);
 }
 
+void run(lower::analytic_kernel &k) {
+  if (k.read)
+    for (lower::reading::step &s : k.read->steps)
+      s.code = run(s.code, *k.read->numbers);
+}
+
 void run(bound::kernel_bounds &b) {
   for (bound::stage_bounds *s : {&b.reject, &b.common}) {
     ir::program stored = store(s->magnitudes);

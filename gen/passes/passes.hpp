@@ -4,7 +4,7 @@
 // and compares them; this happens nowhere else. A difference is a defect of the compiler and throws std::logic_error.
 // Error bounds are computed after the last pass, from the program that is emitted.
 #pragma once
-#include "gen/lower/kernel/kernel.hpp"
+#include "gen/lower/analytic/analytic.hpp"
 
 #include <functional>
 #include <optional>
@@ -31,6 +31,7 @@ ir::program run(const ir::program &p, const poly::ring &inputs, const std::strin
 // The same for every program of a kernel, including those that compute blades.
 void run(lower::kernel &k, const std::string &last = {});
 void run(std::vector<lower::blade_maker> &makers);
+void run(lower::analytic_kernel &k);
 
 // Runs after the bounds are computed: magnitudes are programs too, and those of one object are stored by the same rule
 // in the stages that run for most pairs.

@@ -4,6 +4,7 @@
 // show one kernel. A new target is a folder here and an entry there.
 #pragma once
 #include "gen/bound/bound.hpp"
+#include "gen/lower/analytic/analytic.hpp"
 #include "gen/lower/ball_form.hpp"
 #include "gen/lower/kinds.hpp"
 #include "gen/lower/separated.hpp"
@@ -39,6 +40,7 @@ struct unit {
   std::optional<lower::ball_form> balls;  // for filters by enclosing balls, if the algebra has it
   std::vector<forms> shown;               // by kernel; empty if no polynomial is shown
   lower::tolerance_plan tolerance;        // if the scene asks for the rung tolerant
+  std::vector<lower::analytic_kernel> analytic;
 
   // The kind with this name.
   const lower::lowered_kind &kind(const std::string &name) const;
@@ -48,7 +50,8 @@ struct unit {
 
 // Which requests of a scene a target can carry.
 struct carries {
-  bool formulas = false, signs = false, plain = false, certified = false, tolerant = false, launchers = false;
+  bool formulas = false, signs = false, plain = false, certified = false, tolerant = false, launchers = false,
+       analytic = false;
 };
 
 struct target {
@@ -65,6 +68,8 @@ struct target {
   const char *source = nullptr; // the ending of <space>/<space>..., which a build compiles once: "_runtime.cpp"
   // One kernel of the unit, to be read; null: it shows nothing. Throws spec_error if it cannot carry the kernel.
   std::string (*show)(const unit &, std::size_t kernel) = nullptr;
+  // One function of the unit that is no polynomial; null: it shows none.
+  std::string (*show_analytic)(const unit &, std::size_t kernel) = nullptr;
   // All kernels of the unit in one table, to be read; null: there is none.
   std::string (*show_all)(const unit &) = nullptr;
 };

@@ -90,16 +90,24 @@ rational dense_evaluator::coefficient(const multivector &m, const multivector &a
 
 dense_value dense_evaluator::operand(const lang::kind &k, const std::vector<rational> &numbers,
                                      std::size_t &next) const {
-  dense_value out;
+  std::map<std::string, dense_value> members;
   for (const lang::field &f : k.store)
-    out.members[f.name] = f.type == "real" ? dense_value{dense_.scalar(numbers.at(next++)), {}}
-                                           : operand(*spec_.find_kind(f.type), numbers, next);
-  out.blade = evaluate(*k.blade, out.members);
+    members[f.name] = f.type == "real" ? dense_value{dense_.scalar(numbers.at(next++)), {}}
+                                       : operand(*spec_.find_kind(f.type), numbers, next);
+  return made(k, std::move(members));
+}
+
+dense_value dense_evaluator::made(const lang::kind &k, std::map<std::string, dense_value> members) const {
+  dense_value out{evaluate(*k.blade, members), {}, &k};
+  out.members = std::move(members);
   return out;
 }
 
 multivector dense_evaluator::evaluate(const lang::expr &e, const dense_scope &scope) const {
-  return value(e, scope).blade;
+  dense_value v = value(e, scope);
+  if (!v.items.empty())
+    throw spec_error(e.where, "this has no value as a dense multivector");
+  return std::move(v.blade);
 }
 
 dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope) const {
@@ -140,18 +148,38 @@ dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope
     }
     if (e.text == "sign")
       return {dense_.scalar(sgn(oracle::scalar_part(arg(0)))), {}};
-    const lang::function *f = spec_.find_function(e.text);
-    if (!f)
-      break;
-    dense_scope inner;
-    for (std::size_t i = 0; i < f->params.size(); ++i)
-      inner[f->params[i]] = value(*e.args[i], scope);
-    return value(*f->body, inner);
+    std::vector<dense_value> arguments;
+    for (const lang::expr_ptr &a : e.args)
+      arguments.push_back(value(*a, scope));
+    if (const lang::function *f = spec_.find_function(e.text)) {
+      dense_scope inner;
+      for (std::size_t i = 0; i < f->params.size(); ++i)
+        inner[f->params[i]] = arguments[i];
+      return value(*f->body, inner);
+    }
+    if (const lang::predicate *p = spec_.find_predicate(e.text))
+      return {dense_.scalar(hit(*p, arguments) ? 1 : 0), {}};
+    if (const lang::kind *k = spec_.find_kind(e.text)) {
+      std::map<std::string, dense_value> members;
+      for (std::size_t i = 0; i < k->store.size(); ++i)
+        members[k->store[i].name] = arguments[i];
+      return made(*k, std::move(members));
+    }
+    if (e.text == "zero") {
+      const multivector &m = arguments.at(0).blade;
+      const bool all = std::all_of(m.begin(), m.end(), [](const rational &q) { return q == 0; });
+      return {dense_.scalar(all ? 1 : 0), {}};
+    }
+    break;
   }
   case op::member: {
     const dense_value base = value(*e.args[0], scope);
     if (const auto it = base.members.find(e.text); it != base.members.end())
       return it->second;
+    if (base.kind)
+      for (const lang::named_expr &part : base.kind->parts)
+        if (part.name == e.text)
+          return value(*part.body, base.members);
     break;
   }
   case op::index:
@@ -171,6 +199,8 @@ dense_value dense_evaluator::value(const lang::expr &e, const dense_scope &scope
   case op::inner:
     return {dense_.left_contraction(arg(0), arg(1)), {}};
   default:
+    if (auto v = truth_value(e, scope))
+      return std::move(*v);
     break;
   }
   throw spec_error(e.where, "this has no value as a dense multivector");

@@ -5,14 +5,18 @@
 #include "gen/oracle/dense.hpp"
 
 #include <array>
+#include <functional>
 #include <map>
+#include <optional>
 
 namespace meetc::verify {
 
-// A value with its named parts: the stored parts of an operand.
+// A value with its named parts: the stored parts of an operand, whose kind computes others. A list has items.
 struct dense_value {
   oracle::multivector blade;
   std::map<std::string, dense_value> members;
+  const lang::kind *kind = nullptr;
+  std::vector<dense_value> items = {};
 };
 using dense_scope = std::map<std::string, dense_value>;
 
@@ -23,8 +27,12 @@ public:
   dense_evaluator(const lang::algebra &a, const oracle::matrix &metric, const oracle::matrix &declared_vectors,
                   const oracle::matrix &working_vectors);
 
-  // A sign is the number -1, 0 or 1. Throws spec_error for truths and lists.
+  // A sign is the number -1, 0 or 1, and a truth 0 or 1. Throws spec_error for a list.
   oracle::multivector evaluate(const lang::expr &e, const dense_scope &scope) const;
+
+  bool truth(const lang::expr &e, const dense_scope &scope) const;
+  // The decision of a predicate, by its `hit` alone.
+  bool hit(const lang::predicate &p, const std::vector<dense_value> &operands) const;
 
   // An operand from its stored numbers, taken from `numbers` in memory order.
   dense_value operand(const lang::kind &k, const std::vector<oracle::rational> &numbers, std::size_t &next) const;
@@ -42,6 +50,9 @@ private:
   oracle::rational coefficient(const oracle::multivector &m, const oracle::multivector &along,
                                const lang::expr &index) const;
   dense_value value(const lang::expr &e, const dense_scope &scope) const;
+  dense_value made(const lang::kind &k, std::map<std::string, dense_value> members) const;
+  // A truth, or a list; nothing for other expressions.
+  std::optional<dense_value> truth_value(const lang::expr &e, const dense_scope &scope) const;
   oracle::multivector pseudoscalar() const;
   oracle::multivector complement(const oracle::multivector &m, bool right) const;
   oracle::multivector builtin(const lang::expr &e, const std::vector<oracle::multivector> &arguments) const;

@@ -1,6 +1,6 @@
 #include "gen/ir/evaluate.hpp"
 #include "gen/ir/residue.hpp"
-#include "gen/verify/dense_evaluator.hpp"
+#include "gen/verify/dense_model.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
@@ -9,23 +9,6 @@
 
 namespace meetc::verify {
 namespace {
-
-oracle::matrix working_metric(const lower::model &m) {
-  const auto n = static_cast<std::size_t>(m.working().vectors());
-  oracle::matrix out(n, std::vector<oracle::rational>(n));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      out[i][j] = m.working().product(static_cast<int>(i), static_cast<int>(j));
-  return out;
-}
-
-oracle::matrix identity(const lower::model &m) {
-  const auto n = static_cast<std::size_t>(m.working().vectors());
-  oracle::matrix out(n, std::vector<oracle::rational>(n));
-  for (std::size_t i = 0; i < n; ++i)
-    out[i][i] = 1;
-  return out;
-}
 
 std::string describe(const std::vector<oracle::rational> &numbers) {
   std::string out;
@@ -37,7 +20,7 @@ std::string describe(const std::vector<oracle::rational> &numbers) {
 class checker {
 public:
   checker(const lower::model &m, const lower::kernel &k, unsigned seed)
-      : m_(m), k_(k), dense_(m.spec(), working_metric(m), m.to_working(), identity(m)), random_(seed) {}
+      : m_(m), k_(k), dense_(dense_evaluator_of(m)), random_(seed) {}
 
   report run(long cases) {
     if (!whole())

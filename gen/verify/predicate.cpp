@@ -1,5 +1,6 @@
 #include "gen/ir/evaluate.hpp"
 #include "gen/oracle/convex.hpp"
+#include "gen/verify/dense_model.hpp"
 #include "gen/verify/verify.hpp"
 
 #include <algorithm>
@@ -41,7 +42,6 @@ struct operands {
   bool bounded() const { return !enclosures[0].hull.empty() && !enclosures[1].hull.empty(); }
   bool touch(const sample &a, const sample &b) const { return oracle::touches(a.hull, a.pad, b.hull, b.pad, mode); }
 };
-constexpr const char *no_hull = "not checked: an operand has no hull";
 
 // The hull and the pad that the stored numbers say.
 void place(sample &s, const lower::enclosure &e) {
@@ -121,6 +121,17 @@ std::pair<sample, sample> draw_case(lattice &random, const operands &of, long nu
   return draw_pair(random, of, size, flat_axis);
 }
 
+// Numbers of which many are zero, alike or opposite, without regard to their meaning.
+std::pair<sample, sample> draw_numbers(lattice &random, const operands &of, long number) {
+  const int size = number % 3 == 0 ? 1 : number % 3 == 1 ? 2 : 7;
+  sample a, b;
+  for (std::size_t i = 0; i < of.reals[0]; ++i)
+    a.row.emplace_back(random.number(-size, size));
+  for (std::size_t i = 0; i < of.reals[1]; ++i)
+    b.row.emplace_back(random.number(-size, size));
+  return {std::move(a), std::move(b)};
+}
+
 std::string text_of(const std::vector<oracle::rational> &row) {
   std::string numbers;
   for (const auto &q : row)
@@ -132,19 +143,36 @@ int sign_of(const oracle::rational &q) {
   return sgn(q);
 }
 
+// Without hulls nothing tells which operands touch, so the decision is compared with what the spec says of dense products.
+class truth {
+public:
+  truth(const lower::model &m, const lower::kernel &k, const operands &of)
+      : k_(k), of_(of), dense_(dense_evaluator_of(m)) {}
+
+  bool operator()(const sample &a, const sample &b) const {
+    if (of_.bounded())
+      return of_.touch(a, b);
+    std::size_t next_a = 0, next_b = 0;
+    return dense_.hit(*k_.asked.asked, {dense_.operand(*k_.asked.kinds[0], a.row, next_a),
+                                        dense_.operand(*k_.asked.kinds[1], b.row, next_b)});
+  }
+
+private:
+  const lower::kernel &k_;
+  const operands &of_;
+  dense_evaluator dense_;
+};
+
 } // namespace
 
 report verify_predicate(const lower::model &m, const lower::kernel &k, long cases, unsigned seed) {
   report out;
   const operands of(m, k);
-  if (!of.bounded()) {
-    out.note = no_hull;
-    return out;
-  }
   const lower::predicate &p = k.decision;
+  const truth is_hit(m, k, of);
   lattice random(seed);
   for (long i = 0; i < cases; ++i) {
-    const auto [a, b] = draw_case(random, of, i);
+    const auto [a, b] = of.bounded() ? draw_case(random, of, i) : draw_numbers(random, of, i);
     if (!lower::obeys(of.enclosures[0].rule, a.row) || !lower::obeys(of.enclosures[1].rule, b.row))
       continue;
     std::vector<oracle::rational> row = a.row;
@@ -160,7 +188,7 @@ report verify_predicate(const lower::model &m, const lower::kernel &k, long case
         zero = zero || (s != &p.rare && values[v] == 0);
       }
     }
-    const bool want = of.touch(a, b);
+    const bool want = is_hit(a, b);
     const bool hit = p.signs.evaluate(p.truths.hit, signs);
     const bool rejected =
         std::any_of(p.truths.reject.begin(), p.truths.reject.end(), [&](int t) { return p.signs.evaluate(t, signs); });
@@ -186,14 +214,11 @@ report verify_settled(const lower::model &m, const lower::kernel &k, const bound
                       unsigned seed) {
   report out;
   const operands of(m, k);
-  if (!of.bounded()) {
-    out.note = no_hull;
-    return out;
-  }
+  const truth is_hit(m, k, of);
   lattice random(seed);
   for (const std::uint32_t set : bounds.settled_by)
     for (long i = 0; i < cases; ++i) {
-      auto [a, b] = draw_case(random, of, i);
+      auto [a, b] = of.bounded() ? draw_case(random, of, i) : draw_numbers(random, of, i);
       const auto number = [&, &a = a, &b = b](int input) -> oracle::rational & {
         const auto at = static_cast<std::size_t>(input);
         return at < a.row.size() ? a.row[at] : b.row[at - a.row.size()];
@@ -208,7 +233,7 @@ report verify_settled(const lower::model &m, const lower::kernel &k, const bound
             }
       place(a, of.enclosures[0]), place(b, of.enclosures[1]);
       ++out.cases;
-      if (of.touch(a, b))
+      if (is_hit(a, b))
         continue;
       if (out.wrong++ == 0)
         out.first_wrong = fmt::format("{}({}, {}) is a miss, though equal points are said to settle it", k.asked.text,

@@ -47,6 +47,13 @@ struct too_long : spec_error {
 inline constexpr long most_steps = 2'000'000;      // far above any reasonable spec
 inline constexpr std::size_t most_terms = 200'000; // the same
 
+// Makes numbers that are no polynomials, as variables of the ring: 1/x, and the square root of x.
+struct number_maker {
+  virtual poly::poly reciprocal(const poly::poly &x, const location &where) = 0;
+  virtual poly::poly root(const poly::poly &x, const location &where) = 0;
+  virtual ~number_maker() = default;
+};
+
 class expander {
 public:
   // `numbers` is the ring of all polynomials.
@@ -63,6 +70,7 @@ public:
   value evaluate(const lang::expr &e, const environment &env);
   multivector evaluate_multivector(const lang::expr &e, const environment &env);
   multivector blade_of(const value &v, const location &where);
+  poly::poly scalar_of(const multivector &m, const location &where) const; // throws where it is no number
   // `taken` receives the signs that the hit takes, in order.
   staged evaluate_predicate(const lang::predicate &p, const std::vector<value> &args, std::vector<sign_value> *taken);
 
@@ -72,6 +80,8 @@ public:
   long steps() const { return steps_; }
   // Lets numbers have this many bits, for operands that are numbers themselves.
   void allow_bits(std::size_t most) { most_bits_ = most; }
+  // Lets expressions divide by numbers and call sqrt.
+  void allow(number_maker &roots) { roots_ = &roots; }
   // Throws where a call of `f` is not defined for these arguments.
   void check_domain(const lang::function &f, const std::vector<value> &args, const lang::expr &call);
   const std::vector<predicate_call> &calls() const { return calls_; }
@@ -87,6 +97,7 @@ private:
   std::vector<predicate_call> calls_;
   long steps_ = 0, limit_ = most_steps;
   int depth_ = 0;
+  number_maker *roots_ = nullptr;
   std::size_t most_bits_ = 4096; // of a constant, far above any reasonable spec
 
   struct level; // counts the depth of evaluation
@@ -120,10 +131,11 @@ private:
   // The expression with its names replaced by what they stand for: "side(t, s.p)" becomes "side(B, A.a)".
   std::string said(const lang::expr &e, const environment &env);
   sign_value sign_of(const poly::poly &p); // records it in taken_
-  poly::poly scalar_of(const multivector &m, const location &where) const;
   static std::string describe(const value &v);
 };
 
+// A text of several lines as one, since it becomes a part of an emitted comment.
+std::string on_one_line(const std::string &text);
 // The expression that an operator stands for, by the parity of its versor. `call` is what the author wrote.
 const lang::expr &body_of(const lang::builtin &of, algebra::parity versor, const lang::expr &call);
 std::size_t versor_argument(const lang::builtin &of); // its place, and 0 where there is no versor

@@ -102,6 +102,11 @@ value expander::arithmetic(const lang::expr &e, const environment &env) {
   default:
     break;
   }
+  if (roots_ && y.is_scalar() && !y.is_zero() && !y.terms().begin()->second.is_constant()) {
+    const multivector one_over(0, roots_->reciprocal(y.terms().begin()->second, e.args[1]->where));
+    charge_product(x, one_over, e.where);
+    return checked(algebra::geometric(*basis_, x, one_over), e.where);
+  }
   const multivector by = inverse(y, *e.args[1]);
   if (by.is_scalar())
     return checked(x.scaled(by.terms().begin()->second.constant()), e.where);

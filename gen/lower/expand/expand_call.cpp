@@ -1,4 +1,5 @@
 // Expansion of calls: functions, predicates, and kinds as constructors.
+#include "gen/lang/analytic.hpp"
 #include "gen/lower/expand/expand.hpp"
 
 #include <algorithm>
@@ -9,7 +10,8 @@ namespace meetc::lower {
 namespace {
 using lang::op;
 
-// A text of several lines as one, since it becomes a part of an emitted comment.
+} // namespace
+
 std::string on_one_line(const std::string &text) {
   std::string out;
   for (const char c : text)
@@ -19,7 +21,6 @@ std::string on_one_line(const std::string &text) {
       out += ' ';
   return out;
 }
-} // namespace
 
 std::string expander::said(const lang::expr &e, const environment &env) {
   // Replaces from the last part to the first, so that the positions of earlier parts stay valid.
@@ -54,7 +55,7 @@ value expander::call(const lang::expr &e, const environment &env) {
     return builtin(*of_language, e, env);
   if (of_language)
     lang::refuse_arguments(e, of_language->params.size());
-  if (e.args.size() != want && (defined || asked || made || e.text == "sign" || e.text == "grade"))
+  if (e.args.size() != want && (defined || asked || made || e.text == "sign" || e.text == "grade" || e.text == "zero"))
     lang::refuse_arguments(e, want);
   const long before = signs_.mark();
   const auto described = [&](value v) {
@@ -64,6 +65,14 @@ value expander::call(const lang::expr &e, const environment &env) {
   };
   if (e.text == "sign")
     return described({sign_of(scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where))});
+  if (lang::called_analytic(model_.spec(), e)) {
+    if (!roots_ || e.text != "sqrt")
+      lang::refuse_analytic(e);
+    if (e.args.size() != 1)
+      lang::refuse_arguments(e, 1);
+    const poly::poly x = scalar_of(evaluate_multivector(*e.args[0], env), e.args[0]->where);
+    return {multivector(0, x.is_zero() ? x : roots_->root(x, e.where))};
+  }
   if (e.text == "grade") {
     const int g = evaluate_multivector(*e.args[0], env).homogeneous_grade();
     if (g < 0)
@@ -104,6 +113,16 @@ value expander::call(const lang::expr &e, const environment &env) {
   } catch (spec_error &error) {
     error.add_step(lang::print(e), e.where);
     throw;
+  }
+  if (e.text == "zero") { // which no declaration hides here
+    std::vector<int> truths;
+    const multivector m = blade_of(args.front(), e.args[0]->where);
+    for (const auto &[at, coefficient] : m.terms()) {
+      const sign_value s = sign_of(coefficient);
+      signs_.describe(s, "a coefficient of " + said(*e.args[0], env), before);
+      truths.push_back(signs_.test(s, 2));
+    }
+    return {truth{signs_.both(truths)}};
   }
   throw spec_error(e.where, fmt::format("unknown function '{}'", e.text));
 }

@@ -20,6 +20,15 @@ std::vector<int> numbers_of(const value &v, const location &where) {
   return out;
 }
 
+// All stored numbers of an object.
+void collect(const value &v, const location &where, std::vector<int> &out) {
+  if (const auto *o = std::get_if<std::shared_ptr<const object>>(&v.is))
+    for (const value &f : (*o)->fields)
+      collect(f, where, out);
+  else
+    out.push_back(input_of(v, "a number", where));
+}
+
 bool contains(const std::vector<int> &sorted, int v) {
   return std::find(sorted.begin(), sorted.end(), v) != sorted.end();
 }
@@ -38,6 +47,7 @@ std::optional<element_rule> rule_of(const model &m, const lang::kind &k) {
   environment env;
   for (std::size_t i = 0; i < k.store.size(); ++i)
     env.emplace_back(k.store[i].name, fields[i]);
+  env.emplace_back(k.name, self);
   const auto with_zero = [&](lang::op kind) {
     return e.kind == kind && e.args[1]->kind == lang::op::number && e.args[1]->text == "0";
   };
@@ -48,6 +58,11 @@ std::optional<element_rule> rule_of(const model &m, const lang::kind &k) {
                           {input_of(expand.evaluate(*e.args[0], env), "what a rule compares", e.args[0]->where)},
                           {},
                           lang::print(e)};
+  if (with_zero(lang::op::not_equal)) {
+    element_rule out{element_rule::type::not_zero, {}, {}, lang::print(e)};
+    collect(expand.evaluate(*e.args[0], env), e.args[0]->where, out.x);
+    return out;
+  }
   for (const auto &[kind, type] : {std::pair(lang::op::not_equal, element_rule::type::differ),
                                    std::pair(lang::op::less_equal, element_rule::type::not_above)})
     if (e.kind == kind) {
@@ -56,8 +71,8 @@ std::optional<element_rule> rule_of(const model &m, const lang::kind &k) {
       if (!x.empty() && x.size() == y.size())
         return element_rule{type, x, y, lang::print(e)};
     }
-  throw spec_error(e.where, "a kind's 'where' compares a stored number with 0, as in 'r >= 0', or two points, as in "
-                            "'p != q' and 'low <= high'");
+  throw spec_error(e.where, "a kind's 'where' compares a stored number with 0, as in 'r >= 0', a stored part "
+                            "with 0, as in 'N != 0', or two points, as in 'p != q' and 'low <= high'");
 }
 
 bool obeys(const std::optional<element_rule> &rule, const std::vector<rational> &row) {
@@ -69,6 +84,8 @@ bool obeys(const std::optional<element_rule> &rule, const std::vector<rational> 
     return at(rule->x[0]) >= 0;
   case element_rule::type::positive:
     return at(rule->x[0]) > 0;
+  case element_rule::type::not_zero:
+    return std::any_of(rule->x.begin(), rule->x.end(), [&](int i) { return at(i) != 0; });
   case element_rule::type::not_above:
     return std::equal(rule->x.begin(), rule->x.end(), rule->y.begin(), [&](int a, int b) { return at(a) <= at(b); });
   case element_rule::type::differ:
@@ -80,6 +97,12 @@ bool obeys(const std::optional<element_rule> &rule, const std::vector<rational> 
 void known_signs::add(const element_rule &rule, int first) {
   if (rule.kind == element_rule::type::not_above)
     return;
+  if (rule.kind == element_rule::type::not_zero) {
+    not_zero.emplace_back();
+    for (const int i : rule.x) // a local variable that is a stored number has the same number as in the base ring
+      not_zero.back().push_back(first + i);
+    return;
+  }
   if (rule.kind != element_rule::type::differ) {
     not_negative.push_back(first + rule.x[0]);
     if (rule.kind == element_rule::type::positive)

@@ -1,4 +1,5 @@
 // Requests: the operands of a kernel and the names of its parts.
+#include "gen/lang/analytic.hpp"
 #include "gen/lower/kernel/kernel.hpp"
 
 #include <algorithm>
@@ -116,6 +117,8 @@ private:
   }
 
   [[noreturn]] void unknown(const lang::expr &e) const {
+    if (lang::called_analytic(spec_, e))
+      lang::refuse_analytic(e);
     std::vector<std::string> known;
     for (const lang::function &f : spec_.functions)
       known.push_back(f.name);

@@ -3,11 +3,10 @@
 #include "gen/lower/predicate/by_balls.hpp"
 #include "gen/lower/predicate/by_boxes.hpp"
 #include "gen/lower/predicate/calls.hpp"
+#include "gen/lower/predicate/degrees.hpp"
 #include "gen/lower/predicate/symmetric.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
-#include <map>
 #include <set>
 
 namespace meetc::lower {
@@ -43,36 +42,6 @@ predicate with_operands(const model &m, const request &r) {
       known.add(*rule, i == 0 ? 0 : out.inputs_a);
   out.signs.assume(std::move(known));
   return out;
-}
-
-// A versor that is unit only up to rounding has a sign of its own where the sign's polynomial is homogeneous in its numbers:
-// that of the versor divided by its length. Elsewhere the sign would be that of a scaled image. Throws spec_error.
-void check_degrees(const request &r, const predicate &p) {
-  int first = 0;
-  for (std::size_t i = 0; i < r.kinds.size(); ++i) {
-    const int end = first + (i == 0 ? p.inputs_a : p.inputs_b);
-    const auto nearly = std::find_if(r.kinds[i]->relations.begin(), r.kinds[i]->relations.end(),
-                                     [](const lang::relation &x) { return x.nearly; });
-    if (nearly != r.kinds[i]->relations.end())
-      for (const poly::poly &atom : p.signs.atoms()) {
-        std::map<int, std::vector<poly::term>> by_degree;
-        for (const poly::term &t : atom.terms()) {
-          int degree = 0;
-          for (const poly::power &f : t.factors)
-            degree += f.variable >= first && f.variable < end ? f.exponent : 0;
-          by_degree[degree].push_back(t);
-        }
-        if (by_degree.size() > 1)
-          throw spec_error(
-              r.where,
-              fmt::format("a sign of '{}' has terms of degree {} and of degree {} in the numbers of {}, a {} that "
-                          "is unit only up to rounding; multiply the terms {} by {}",
-                          r.text, by_degree.begin()->first, by_degree.rbegin()->first, r.names[i], r.kinds[i]->name,
-                          poly::poly::from_terms(atom.in(), by_degree.begin()->second).text(),
-                          lang::print(*nearly->left)));
-      }
-    first = end;
-  }
 }
 
 } // namespace

@@ -33,6 +33,25 @@ std::string lookup(const char *type, const char *name, const std::vector<std::st
                      list, line);
 }
 
+// A function of two numbers that looks up an entry of a table.
+std::string table_text(const char *comment, const char *name, const std::vector<std::vector<int>> &rows) {
+  std::string list, line = "       ";
+  for (const std::vector<int> &row : rows) {
+    std::string entry;
+    for (const int n : row)
+      entry += fmt::format("{}{}", entry.empty() ? "" : ", ", n);
+    if (line.size() + entry.size() > 106) {
+      list += line + '\n';
+      line = "       ";
+    }
+    line += fmt::format(" {{{}}},", entry);
+  }
+  line.pop_back();
+  return fmt::format("  // {}.\n  MEETC_HD static constexpr int {}(int i, int group) {{\n"
+                     "    constexpr signed char all[][{}] = {{\n{}{}}};\n    return all[i][group];\n  }}\n",
+                     comment, name, rows.front().size(), list, line);
+}
+
 std::string extent_text(const char *object, const std::vector<leaf> &leaves, const emitted_predicate &p) {
   std::string most = "0.0f", body;
   for (std::size_t i = 0; i < leaves.size(); ++i)
@@ -137,7 +156,8 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage 
   };
   for (std::size_t i = 0; i < s.atoms.size(); ++i) {
     factors.push_back(factor(b, i)), unfused_factors.push_back(factor(unfused, i));
-    boxes.push_back(box(b.box[i])), unfused_boxes.push_back(box(unfused.box[i]));
+    if (p.asks_box())
+      boxes.push_back(box(b.box[i])), unfused_boxes.push_back(box(unfused.box[i]));
     degrees.push_back(fmt::format("{}", b.fp32[i].degree));
     zeros.push_back(fmt::format("0x{:x}u", b.zero_if[i]));
   }
@@ -153,7 +173,8 @@ std::string stage_bounds_text(const bound::stage_bounds &b, const emitted_stage 
     out += lookup("meetc::box_factor", "box", boxes);
     out += lookup("meetc::box_factor", "box_unfused", unfused_boxes);
   }
-  out += lookup("int", "degree_of", degrees);
+  out += b.degrees.empty() ? lookup("int", "degree_of", degrees)
+                           : table_text("The degree of each sign in each group", "degree_in", b.degrees);
   out += "  // The coincidences of points that make the sign zero.\n";
   out += lookup("unsigned", "zero_if", zeros);
   if (p.asks_box()) {
@@ -202,10 +223,12 @@ std::string settled_lanes_text(std::uint32_t alone, const bound::kernel_bounds &
                           p.input(b.coincidences[i].y[axis]));
     any += fmt::format("{}({})", any.empty() ? "" : " |\n        ", both);
   }
-  return fmt::format("  // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.\n"
-                     "  template <class L> MEETC_INLINE static auto settled_lanes(const L *row_a, const L *row_b) {{\n"
-                     "{}    return {};\n  }}\n",
-                     p.operands_in(any, "    "), any);
+  const char *number = p.a == "L" || p.b == "L" ? "Lanes" : "L"; // which an operand must not hide
+  return fmt::format(
+      "  // The same for many pairs at a time (meetc/simd/lanes.hpp), as far as one bit alone says so.\n"
+      "  template <class {0}> MEETC_INLINE static auto settled_lanes(const {0} *row_a, const {0} *row_b) {{\n"
+      "{1}    return {2};\n  }}\n",
+      number, p.operands_in(any, "    "), any);
 }
 
 // Whether equal points settle the decision, as a function of rows.
@@ -269,10 +292,19 @@ std::string kernel_bounds_text(const bound::kernel_bounds &b, const emitted_pred
   std::string axes;
   for (const int axis : b.axes)
     axes += fmt::format("{}{}", axes.empty() ? "" : ", ", axis);
-  return out + fmt::format("  // The axis of each input, or -1 if it occurs outside a difference.\n"
-                           "  MEETC_HD static constexpr int axis(int i) {{\n    constexpr int all[] = {{{}}};\n    "
-                           "return all[i];\n  }}\n",
-                           axes);
+  out += fmt::format("  // The axis of each input, or -1 if it occurs outside a difference.\n"
+                     "  MEETC_HD static constexpr int axis(int i) {{\n    constexpr int all[] = {{{}}};\n    "
+                     "return all[i];\n  }}\n",
+                     axes);
+  if (b.groups.weights.empty())
+    return out;
+  return out +
+         fmt::format("  static constexpr int groups = {}; // of numbers, each with a grid of its own\n",
+                     b.groups.groups()) +
+         table_text(
+             "The weight of each input in each group: its grid is the product of the groups' steps, each to this "
+             "power",
+             "weight", b.groups.weights);
 }
 
 } // namespace meetc::target

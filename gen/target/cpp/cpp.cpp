@@ -39,6 +39,10 @@ std::vector<file> cpp_files(const unit &u) {
     if (u.kernels[i].is_predicate)
       add_parts(u, i, out);
   }
+  for (std::size_t i = 0; i < u.analytic.size(); ++i) {
+    headers.push_back(u.analytic[i].name + ".hpp");
+    out.push_back({space + '/' + headers.back(), analytic_text(u, i)});
+  }
   if (!formulas_on_columns(u).empty()) {
     out.push_back({space + "/detail/columns.hpp", columns_header(u)});
     out.push_back({space + "/src/formulas.cpp", formulas_source(u)});

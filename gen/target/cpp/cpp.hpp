@@ -15,11 +15,14 @@ std::string broken_lines(const std::string &text);
 std::string kinds_header(const unit &u);
 // The contents of a formula's namespace in its header.
 std::string formula_header(const unit &u, const lower::kernel &k);
+// The header of a function that is no polynomial.
+std::string analytic_text(const unit &u, std::size_t kernel);
 // The header of a kernel that consists of signs, after its banner.
 std::string kernel_header(const unit &u, std::size_t kernel);
 // The code of the generated library, for header-only users.
 std::string header_only(const unit &u);
 
+// The predicates of which a runtime can decide pairs of sets.
 std::vector<const lower::kernel *> predicates_of(const unit &u);
 // The sign by which a runtime orders the hits of this predicate; null: the scene does not ask for it, or not for certified
 // answers.

@@ -186,9 +186,11 @@ std::string rule_test(const lower::element_rule &r, const std::function<std::str
     return fmt::format("meetc::{}({})", r.kind == type::positive ? "is_positive" : "not_negative", number(r.x[0]));
   std::vector<std::string> axes;
   for (std::size_t i = 0; i < r.x.size(); ++i)
-    axes.push_back(fmt::format("meetc::{}({}, {})", r.kind == type::differ ? "differ" : "not_above", number(r.x[i]),
-                               number(r.y[i])));
-  return '(' + join(axes, r.kind == type::differ ? " || " : " && ") + ')';
+    axes.push_back(r.kind == type::not_zero
+                       ? fmt::format("meetc::is_not_zero({})", number(r.x[i]))
+                       : fmt::format("meetc::{}({}, {})", r.kind == type::differ ? "differ" : "not_above",
+                                     number(r.x[i]), number(r.y[i])));
+  return '(' + join(axes, r.kind == type::not_above ? " && " : " || ") + ')';
 }
 
 } // namespace meetc::target

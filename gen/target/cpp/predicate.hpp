@@ -31,7 +31,7 @@ struct emitted_predicate {
   bool has_rare() const { return stage(lower::stage_kind::rare) != nullptr; }
   // Whether some rung reads the bytecode, and whether one reads the bounds of a box.
   bool asks_bytecode() const { return of.asks(lang::rung::exact) || of.asks(lang::rung::certified); }
-  bool asks_box() const { return of.asks(lang::rung::certified); }
+  bool asks_box() const { return of.asks(lang::rung::certified) && bounds && bounds->groups.weights.empty(); }
   bool asks_plain() const { return of.asks_plain(); }
   bool of_scene(const lower::sub_decision &c) const;
   std::string input(int i) const; // "A.c.y"

@@ -14,7 +14,7 @@ namespace meetc::target {
 std::vector<const lower::kernel *> predicates_of(const unit &u) {
   std::vector<const lower::kernel *> out;
   for (const lower::kernel &k : u.kernels)
-    if (k.is_predicate && !k.is_sign)
+    if (lower::on_sets(k))
       out.push_back(&k);
   return out;
 }

@@ -23,7 +23,7 @@ std::string predicate_source(const emitted_predicate &p) {
   if (p.has_rare() && p.asks_plain())
     for (const char *type : {"float", "double", "meetc::double_double"})
       out += fmt::format("template bool {}::whole_plain<{}>(const float *, const float *);\n", p.name, type);
-  if (!p.kernel.is_sign) {
+  if (lower::on_sets(p.kernel)) {
     std::string rungs;
     for (const lang::rung_info &r : lang::rungs)
       if (p.of.asks(r.id) && (r.id != lang::rung::tolerant || p.tolerant))

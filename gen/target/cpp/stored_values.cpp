@@ -42,7 +42,7 @@ stored_numbers number_stored(const unit &u) {
   std::map<std::string, std::map<std::string, int>> known; // by kind
   for (std::size_t i = 0; i < u.kernels.size(); ++i) {
     const lower::kernel &k = u.kernels[i];
-    if (!k.is_predicate || k.is_sign)
+    if (!lower::on_sets(k))
       continue;
     const emitted_predicate p(u, i);
     for (int operand = 0; operand < 2; ++operand) {

@@ -17,12 +17,12 @@
 namespace meetc::target {
 namespace {
 
-constexpr carries everything{true, true, true, true, true, true};
-constexpr carries on_the_host{true, true, true, true, true, false};
-constexpr carries in_c{true, true, true, true, false, false};
-constexpr carries plain_ones{true, true, true, false, false, false};
-constexpr carries decided{false, true, true, true, true, false};
-constexpr carries to_read{true, true, false, false, false, false};
+constexpr carries everything{true, true, true, true, true, true, true};
+constexpr carries on_the_host{true, true, true, true, true, false, true};
+constexpr carries in_c{true, true, true, true, false, false, false};
+constexpr carries plain_ones{true, true, true, false, false, false, false};
+constexpr carries decided{false, true, true, true, true, false, false};
+constexpr carries to_read{true, true, false, false, false, false, false};
 
 // The code, and the proofs of the bounds that it assumes.
 std::vector<file> proved_cpp_files(const unit &u) {
@@ -61,7 +61,8 @@ constexpr target table[] = {
      .is_default = true,
      .files = proved_cpp_files,
      .source = "_runtime.cpp",
-     .show = cpp_text},
+     .show = cpp_text,
+     .show_analytic = analytic_text},
     {.name = "c",
      .what = "C99 formulas, signs and plain predicates, and certified ones with C linkage",
      .can = in_c,
@@ -135,6 +136,12 @@ void check_carried(const target &t, const unit &u) {
     throw spec_error(k.asked.where, fmt::format("the backend '{}' carries no {}, and the scene asks for '{}'", t.name,
                                                 what, k.asked.text));
   };
+  for (const lower::analytic_kernel &k : u.analytic)
+    if (!t.can.analytic)
+      throw spec_error(k.where,
+                       fmt::format("the backend '{}' carries no functions but polynomials, and the scene asks for "
+                                   "'{}'",
+                                   t.name, k.text));
   for (const lower::kernel &k : u.kernels) {
     if (!k.is_predicate && !t.can.formulas)
       refuse(k, "formulas");

@@ -21,16 +21,22 @@ std::string row(const bound::stage_bounds &b, std::size_t i) {
     return fmt::format("{:>5} {:>3} {:>9}", r.theta, r.phi,
                        in_units(bound::rounded_up(bound::factor(a, r), 12), a.precision));
   };
-  std::string out = fmt::format("{:>3}  {}  {}  {}  {}", b.fp32[i].degree, magnitude(bound::fp32, b.fp32[i]),
-                                magnitude(bound::fp64, b.fp64[i]), magnitude(bound::fp64x2, b.fp64x2[i]),
-                                in_units(b.box[i].value, bound::fp32.precision));
-  out += ' ' + powers_text(b.box[i]);
+  std::string out = fmt::format("{:>3}  {}  {}  {}  ", b.fp32[i].degree, magnitude(bound::fp32, b.fp32[i]),
+                                magnitude(bound::fp64, b.fp64[i]), magnitude(bound::fp64x2, b.fp64x2[i]));
+  out += b.box.empty() ? "none" : in_units(b.box[i].value, bound::fp32.precision) + ' ' + powers_text(b.box[i]);
   if (b.zero_if[i]) {
     out += "; zero if";
     for (unsigned c = 0; c < 32; ++c)
       if (b.zero_if[i] >> c & 1)
         out += fmt::format(" {}", c);
   }
+  return out;
+}
+
+std::string weights_text(const std::vector<int> &weights) {
+  std::string out;
+  for (const int w : weights)
+    out += fmt::format(" {}", w);
   return out;
 }
 
@@ -53,20 +59,25 @@ std::string bounds_table(const unit &u, std::size_t kernel) {
                     "where |v| > c alpha^i beta^j D^k\n";
   for (const bounded_stage &s : bounded_stages(u, kernel)) {
     const bound::stage_bounds &b = s.bounds;
-    out += fmt::format("\n{}: {} leaves; those below 2^{} (fp32), 2^{} (fp64) count as that; D from 2^{} to 2^{};\n"
+    out += fmt::format("\n{}: {} leaves; those below 2^{} (fp32), 2^{} (fp64) count as that;{}\n"
                        "  exact in fp64{} where differences have at most {} bits on a common grid\n",
-                       s.name, b.leaves.size(), b.floor_fp32, b.floor_fp64, b.box_lowest, b.box_highest,
+                       s.name, b.leaves.size(), b.floor_fp32, b.floor_fp64,
+                       b.box.empty() ? "" : fmt::format(" D from 2^{} to 2^{};", b.box_lowest, b.box_highest),
                        b.mixed ? ", in fp64x2 from degree 3," : "", b.window);
     const char *const each = "theta phi         K";
     out += fmt::format("{:>8}  deg  {:<19}{:<19}{:<19}box form\n{:>8}       {}  {}  {}  c\n", "signs", "fp32", "fp64",
                        "fp64x2", "", each, each, each);
-    for (std::size_t i = 0, next; i < b.box.size(); i = next) {
+    for (std::size_t i = 0, next; i < b.fp32.size(); i = next) {
       const std::string text = row(b, i);
-      for (next = i + 1; next < b.box.size() && row(b, next) == text; ++next)
+      for (next = i + 1; next < b.fp32.size() && row(b, next) == text; ++next)
         ;
       out += fmt::format("{:>8}  {}\n", next == i + 1 ? fmt::format("{}", i) : fmt::format("{}-{}", i, next - 1), text);
     }
   }
+  const bound::grading &groups = u.bounds[kernel]->groups;
+  for (std::size_t i = 0; i < groups.weights.size(); ++i)
+    out += fmt::format("{}  {}:{}\n", i ? "" : "\nweights in the groups of numbers, each with a grid of its own\n",
+                       p.stored_inputs[i], weights_text(groups.weights[i]));
   const auto point = [&](const std::vector<int> &inputs) {
     std::vector<std::string> names;
     for (const int i : inputs)

@@ -76,7 +76,7 @@ result find_touching(const prepared &a, const prepared &b, const predicate_info 
   require(options.box >= 0, "the scene's box is negative or not a number");
   by.enter_box(options.box, a.set(), b.set());
   operand of_a{a, nullptr}, of_b{b, nullptr};
-  if (never_wrong(precision)) // a plain rung answers for the numbers as they are, as on a device
+  if (never_wrong(precision) && predicate.scales) // a plain rung answers for the numbers as they are, as on a device
     normalise(of_a, of_b);
   if (of_a.normal)
     by.side = 0; // the box is in the caller's units

@@ -132,7 +132,6 @@ const broken metrics[] = {
 };
 
 const broken bounds[] = {
-    {"hull  = '[c]'\n", "", "a.toml:17:8", "kind 'sphere' stands in a predicate and so needs a 'hull'", "sphere", ""},
     {"hull  = '[c]'", "hull  = '[r]'", "a.toml:21:10", "a hull is a list of points, as in '[p, q]'", "[r]", ""},
     {"hull  = '[c]'", "hull  = 'c'", "a.toml:21:10", "a hull is a list of points", "c", ""},
     {"pad   = 'r'", "pad   = 'r*r'", "a.toml:22:10", "a pad must be a stored number", "r*r", ""},

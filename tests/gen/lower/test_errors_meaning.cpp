@@ -158,7 +158,9 @@ TEST_CASE("signs that are not homogeneous are refused where the exact rung needs
   const broken rows[] = {
       {hit, "'sign(S.r - 1) > 0'", "s.toml:4:13", "a sign of 'touch' is not homogeneous in the stored numbers", "touch",
        in_touch, touch},
-      {hit, "'S.r*S.r > S.c.x'", "s.toml:4:13", "not homogeneous", "touch", in_touch, touch},
+      {hit, "'sign(S.r - 1) > 0'", "s.toml:4:13", "multiply the terms -1 by a number of the kind's own", "touch",
+       in_touch, touch},
+      {hit, "'S.c.x*S.c.x*S.c.x > S.c.y'", "s.toml:4:13", "by 2 numbers of the kind's own", "touch", in_touch, touch},
   };
   check_broken(rows);
 }

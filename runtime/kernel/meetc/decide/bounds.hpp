@@ -2,8 +2,8 @@
 #ifndef MEETC_DECIDE_BOUNDS_HPP
 #define MEETC_DECIDE_BOUNDS_HPP
 
+#include <meetc/decide/pair_grid.hpp>
 #include <meetc/decide/stages.hpp>
-#include <meetc/number/grid.hpp>
 
 #include <cmath>
 
@@ -188,10 +188,10 @@ private:
   template <class Stage> MEETC_NOINLINE MEETC_HD bool look_at_grid(const V *v, const M *m, sign_set *s) const {
     if (!compiled_as_written())
       return false;
-    const int low = join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b)).low;
+    const pair_grid<P> common = grid_of_pair<P>(row_a, row_b);
     for (int i = 0; i < Stage::atoms; ++i)
       if (s[i].bits == 7 && R(magnitude_of(v[i])) + A::template factor<Stage>(i) * R(m[i]) <
-                                std::ldexp(R(0.5), low * Stage::degree_of(i)))
+                                std::ldexp(R(0.5), unit_of_sign<Stage>(common, i)))
         s[i] = sign_set::of(sign::zero);
     return all_known<Stage>(s);
   }

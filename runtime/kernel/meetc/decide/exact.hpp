@@ -31,17 +31,35 @@ template <class P> MEETC_HD inline int spread(const float *row_a, const float *r
   return widest == 0 ? -1000 : static_cast<int>(word >> 52 & 0x7ff) - 1022; // < 2^e, also when rounded up to a power
 }
 
+// An e with |d| < 2^(w e) units for every number and difference of numbers of weight w.
+template <class P>
+MEETC_HD inline int bits_of_differences(const pair_grid<P> &g, [[maybe_unused]] const float *row_a,
+                                        [[maybe_unused]] const float *row_b) {
+  if constexpr (grouped<P>)
+    return g.bits() + 1;
+  else
+    return spread<P>(row_a, row_b) - g.low;
+}
+
+// Whether nothing under- or overflows in doubles that hold the values of a stage. Up to degree 6 nothing does.
+template <class Stage, class Grid> MEETC_HD inline bool fits_doubles(const Grid &g, int bits) {
+  if constexpr (Stage::degree > 6) {
+    const exponent_range r = range_of(g, bits);
+    return r.low * Stage::degree >= -960 && r.high * Stage::degree + Stage::growth <= 960;
+  }
+  return true;
+}
+
 // Integers on the grid of the pair's own numbers, as wide as the stage needs. They depend neither on compiler flags nor
 // on the control word.
 template <class P> struct integer_signs {
   const float *a, *b;
-  grid common;
+  pair_grid<P> common;
   int bits; // of the differences, or of the numbers
   MEETC_HD integer_signs(const float *row_a, const float *row_b)
-      : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
-        bits(common.bits()) {}
+      : a(row_a), b(row_b), common(grid_of_pair<P>(row_a, row_b)), bits(common.bits()) {}
   // The same for a known grid on which the differences are integers below 2^of_differences.
-  MEETC_HD integer_signs(const float *row_a, const float *row_b, grid of_both, int of_differences)
+  MEETC_HD integer_signs(const float *row_a, const float *row_b, const pair_grid<P> &of_both, int of_differences)
       : a(row_a), b(row_b), common(of_both), bits(of_differences < of_both.bits() ? of_differences : of_both.bits()) {}
 
   // The bits that the stage's values need, without their sign.
@@ -75,7 +93,7 @@ template <class P> struct integer_signs {
 
 private:
   template <class Stage, class I, class W> MEETC_HD void run(sign *s) const {
-    integer_stage_signs<P, Stage, I, W>(a, b, common.low, s);
+    integer_stage_signs<P, Stage, I, W>(a, b, common, s);
   }
 
   template <class Stage> MEETC_NOINLINE MEETC_HD void run_limbs(int wanted, sign *s) const {
@@ -85,10 +103,10 @@ private:
     const int limbs = wanted / 64 + 1; // and one bit for the sign
     MEETC_ROLLED
     for (int i = 0; i < P::inputs_a; ++i)
-      to_limbs(a[i], common.low, limbs, registers[i]);
+      to_limbs(as_read<P>(a[i], i), unit_of(common, i), limbs, registers[i]);
     MEETC_ROLLED
     for (int i = 0; i < P::inputs_b; ++i)
-      to_limbs(b[i], common.low, limbs, registers[P::inputs_a + i]);
+      to_limbs(as_read<P>(b[i], P::inputs_a + i), unit_of(common, P::inputs_a + i), limbs, registers[P::inputs_a + i]);
     MEETC_ROLLED
     for (int i = 0; i < Stage::bytecode::instruction_count; ++i)
       execute<most>(Stage::bytecode::instruction_at(i), limbs, registers, s + Stage::first);
@@ -121,7 +139,7 @@ template <class P> struct fp64_signs {
   template <class Stage> MEETC_HD MEETC_INLINE bool by_bounds(sign_set *all) const {
     if (!computes_as_bounded())
       return nothing_known<Stage>(all);
-    if (bits != unmeasured && bits <= Stage::window)
+    if (bits != unmeasured && in_window<Stage>())
       return exactly<Stage>(all);
     in_fp64::value v[Stage::atoms], m[Stage::atoms];
     bounded.template compute<Stage>(v, m);
@@ -129,13 +147,19 @@ template <class P> struct fp64_signs {
       return true;
     if (bits == unmeasured)
       bits = measure(bounded.row_a, bounded.row_b);
-    return bits <= Stage::window ? exactly<Stage>(all) : bounded.template zero_by_grid<Stage>(v, m, all);
+    return in_window<Stage>() ? exactly<Stage>(all) : bounded.template zero_by_grid<Stage>(v, m, all);
   }
 
 private:
   static constexpr int unmeasured = -5000;
   MEETC_NOINLINE MEETC_HD static int measure(const float *a, const float *b) {
-    return spread<P>(a, b) - join(grid_of(a, P::inputs_a), grid_of(b, P::inputs_b)).low;
+    return bits_of_differences<P>(grid_of_pair<P>(a, b), a, b);
+  }
+  template <class Stage> MEETC_HD MEETC_INLINE bool in_window() const {
+    if constexpr (Stage::degree <= 6)
+      return bits <= Stage::window;
+    else
+      return bits <= Stage::window && fits_doubles<Stage>(grid_of_pair<P>(bounded.row_a, bounded.row_b), bits);
   }
   template <class Stage> MEETC_NOINLINE MEETC_HD bool exactly(sign_set *all) const {
     if (!computes_as_bounded())
@@ -165,24 +189,24 @@ private:
 // In an environment that is not the standard one, integers decide everything.
 template <class P> struct exact_signs {
   const float *a, *b;
-  grid common;
+  pair_grid<P> common;
   bool standard;
   bool bound_failed; // double-double with its bound has not decided the pair, and is not tried again
   int bits;          // of the differences on the grid if `standard`, else of the numbers
   MEETC_HD exact_signs(const float *row_a, const float *row_b, bool after_fp64x2 = false)
-      : a(row_a), b(row_b), common(join(grid_of(row_a, P::inputs_a), grid_of(row_b, P::inputs_b))),
-        standard(standard_environment()), bound_failed(after_fp64x2), bits(common.bits()) {
+      : a(row_a), b(row_b), common(grid_of_pair<P>(row_a, row_b)), standard(standard_environment()),
+        bound_failed(after_fp64x2), bits(common.bits()) {
     if (standard) {
       a = after_check(a), b = after_check(b);
       if (common.finite()) // no difference bounds the integers that the bits of infinity and NaN are read as
-        bits = spread<P>(a, b) - common.low;
+        bits = bits_of_differences<P>(common, a, b);
     }
   }
 
   template <class Stage> MEETC_HD void get(sign *s) const {
     const integer_signs<P> integers(a, b, common, bits);
     if (standard && computes_as_bounded()) {
-      if (bits <= Stage::window && !integers.template is_quick<Stage>())
+      if (bits <= Stage::window && fits_doubles<Stage>(common, bits) && !integers.template is_quick<Stage>())
         return signs_in_window<P, Stage>(a, b, s);
       sign_set sets[P::atoms];
       if (!bound_failed && !integers.template is_short<Stage>() &&

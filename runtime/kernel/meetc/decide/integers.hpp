@@ -2,8 +2,8 @@
 #ifndef MEETC_DECIDE_INTEGERS_HPP
 #define MEETC_DECIDE_INTEGERS_HPP
 
+#include <meetc/decide/pair_grid.hpp>
 #include <meetc/decide/stages.hpp>
-#include <meetc/number/grid.hpp>
 
 #include <utility>
 
@@ -22,16 +22,17 @@ template <class P, class F> MEETC_HD MEETC_INLINE void each_input(const float *r
   of_b(std::make_integer_sequence<int, P::inputs_b>());
 }
 
-// The signs of a stage for rows of multiples of 2^low: values up to degree 2 in I, the others in W. The caller's proof says
-// that they fit. Numbers that occur in differences alone are taken from the first one of their axis, so that they are as
-// short as the differences.
-template <class P, class Stage, class I, class W>
-MEETC_HD void integer_stage_signs(const float *row_a, const float *row_b, int low, sign *s) {
+// The signs of a stage for rows of multiples of 2^low, or of each number's unit: values up to degree 2 in I, the others in W.
+// The caller's proof says that they fit. Numbers that occur in differences alone are taken from the first one of their axis, so
+// that they are as short as the differences.
+template <class P, class Stage, class I, class W, class Units>
+MEETC_HD void integer_stage_signs(const float *row_a, const float *row_b, const Units &units, sign *s) {
   I numbers[P::inputs_a + P::inputs_b], origin[3] = {0, 0, 0}, *next = numbers;
   bool seen[3] = {false, false, false};
   each_input<P>(row_a, row_b, [&]<int Axis>(float v) {
+    const int i = static_cast<int>(next - numbers);
     I &out = *next++;
-    to_integer(v, low, out);
+    to_integer(as_read<P>(v, i), unit_of(units, i), out);
     if constexpr (Axis >= 0 && Axis <= 2) {
       if (!seen[Axis])
         origin[Axis] = out;

@@ -11,6 +11,7 @@
 #ifndef MEETC_DECIDE_UNIT_MAGNITUDES_HPP
 #define MEETC_DECIDE_UNIT_MAGNITUDES_HPP
 
+#include <meetc/decide/pair_grid.hpp>
 #include <meetc/decide/stages.hpp>
 
 #include <cstdint>
@@ -62,8 +63,8 @@ template <class P, class Stage> struct unit_magnitudes {
       most = most < of[i] ? of[i] : most;
     }
   }
-  // Whether they are known, and are numbers in float32.
-  constexpr bool usable() const { return most <= 0x1p24; }
+  // Whether they are known, and are numbers in float32. Values of numbers with groups have no one degree.
+  constexpr bool usable() const { return !grouped<P> && most <= 0x1p24; }
   // The largest k such that all are at most 2^limit for D = 2^k.
   constexpr int highest_power(int limit) const {
     int k = 0;
@@ -75,6 +76,8 @@ template <class P, class Stage> struct unit_magnitudes {
   }
   // The largest whole D for which all are below 2^limit, if one is.
   constexpr double highest(int limit) const {
+    if (grouped<P>)
+      return 0;
     const auto fits = [&](double d) {
       double size = most;
       for (int k = 0; k < Stage::degree; ++k)

@@ -36,6 +36,9 @@ template <class T> MEETC_HD inline bool not_negative(T x) {
 template <class T> MEETC_HD inline bool is_positive(T x) {
   return not_negative(x) && parts_of(x).magnitude != 0;
 }
+template <class T> MEETC_HD inline bool is_not_zero(T x) {
+  return parts_of(x).magnitude != 0;
+}
 // x != y; 0 and -0 do not differ.
 template <class T> MEETC_HD inline bool differ(T x, T y) {
   const number_parts a = parts_of(x), b = parts_of(y);

@@ -260,7 +260,7 @@ template <class P> constexpr float most_box() {
 template <class P> constexpr int longest_differences() {
   int least = 126;
   each_stage<P>([&least](auto stage) {
-    if constexpr (requires { decltype(stage)::growth; }) {
+    if constexpr (!grouped<P> && requires { decltype(stage)::growth; }) {
       const int bits = (126 - decltype(stage)::growth) / decltype(stage)::degree;
       least = bits < least ? bits : least;
     } else {
@@ -296,12 +296,15 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
     p.certify[1] = table_rung<certify_pairs<P, in_fp64>>;
     p.certify[2] = table_rung<certify_pairs<P, in_fp64x2>>;
     p.decide_last = table_rung<decide_last<P>>;
-    p.certify_in_box = guarded<certify_pairs_in_box<P>>;
-    p.box_least = least_box<P>();
-    p.box_most = most_box<P>();
+    if constexpr (!grouped<P>) { // otherwise there is no box form
+      p.certify_in_box = guarded<certify_pairs_in_box<P>>;
+      p.box_least = least_box<P>();
+      p.box_most = most_box<P>();
+    }
   }
   p.longest_differences = longest_differences<P>();
   p.symmetric = P::symmetric;
+  p.scales = !grouped<P>; // otherwise only when each group is multiplied by one of its own
   if constexpr (asks(rung::tolerant)) {
     decide(rung::tolerant) = table_rung<decide_tolerant<P>>;
     p.tolerance = {P::tolerance::moves, P::tolerance::step(), P::tolerance::rounds, P::tolerance::reach};

@@ -201,8 +201,9 @@ private:
       const proved_lanes p = proved(v[i], error[i], m[i]);
       s[i] = {p.negative & finite & sound, p.zero & sound, p.positive & finite & sound};
     }
-    if (!known(s, wanted))
-      by_residues(v, error, s);
+    if constexpr (!grouped<P>) // which lie on one grid
+      if (!known(s, wanted))
+        by_residues(v, error, s);
   }
   // The lanes in which every value is finite. Numbers are below 2^128.
   static MEETC_INLINE lane_mask finite_lanes(const wide_lanes *v) {
@@ -213,7 +214,8 @@ private:
       largest = larger(magnitude_of(v[i]), largest);
     return ~greater(largest, wide_lanes(largest_finite(0.0)));
   }
-  MEETC_NOINLINE void by_residues(const wide_lanes *v, const wide_lanes *error, proved_lanes *s) const {
+  MEETC_NOINLINE void by_residues(const wide_lanes *v, const wide_lanes *error, proved_lanes *s) const
+      requires(!grouped<P>) {
     whole_rows<P> r;
     r.template take<bounded_span<Stage, Width>()>(rows_);
     if (r.on_grid == 0) // not all integers have been computed
