@@ -46,6 +46,20 @@ TEST_CASE("verify fails where it cannot compare a predicate, unless that is allo
   CHECK_THAT(allowed.out, contains("not checked: above"));
 }
 
+TEST_CASE("verify names functions that are no polynomials, which it compares with nothing") {
+  const temporary_folder folder;
+  folder.write("a.toml",
+               "[algebra]\nvectors = ['e1', 'e2', 'e3']\nsquares = [1, 1, 1]\n[kinds.rotor]\ngrades = [0, 2]\n"
+               "[kinds.turn]\ngrades = [2]\n[functions]\n'gp(A, B)' = 'A * B'\n");
+  folder.write("s.toml", "[scene]\nalgebra = 'a.toml'\nnamespace = 'k'\nkernels = ['gp(rotor, rotor)', 'exp(turn)']\n");
+  const outcome refused = run_meetc("verify s.toml", folder.path());
+  INFO(refused.out << refused.err);
+  CHECK(refused.code == 1);
+  CHECK_THAT(refused.out,
+             contains("gp(rotor, rotor)                     0 wrong of") && contains("not checked: exp(turn)"));
+  CHECK(run_meetc("verify s.toml --allow-unchecked", folder.path()).code == 0);
+}
+
 TEST_CASE("a coefficient along a vector of either basis is one number in show and in verify") {
   const temporary_folder folder;
   const std::string algebra =

@@ -21,10 +21,10 @@ public:
   explicit source(unsigned seed) : random_(seed) {}
   double number() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
   rigid::point<double> point() { return {number(), number(), number()}; }
-  // A motor of any length: the exponential of a bivector, scaled.
-  rigid::motor_blade<double> motor() {
-    rigid::motor_blade<double> v =
-        exp(rigid::bivector<double>{number(), number(), number(), 2 * number(), 2 * number(), 2 * number()});
+  // A motor of any length, with a translation of about `reach`: the exponential of a bivector, scaled.
+  rigid::motor_blade<double> motor(double reach = 2) {
+    rigid::motor_blade<double> v = exp(
+        rigid::bivector<double>{number(), number(), number(), reach * number(), reach * number(), reach * number()});
     double *at = &v.scalar;
     for (std::size_t i = 0; i < sizeof v / sizeof *at; ++i)
       at[i] *= 3;
@@ -73,13 +73,13 @@ TEST_CASE("the matrix of a motor moves elements of every kind as the motor does"
     const rigid::direction<double> n{random.number(), random.number(), random.number()};
     const double r = random.number(), d = random.number();
     const rigid::direction<double> to = turned(m, n);
-    check_same(sandwich(v, blade(p)), blade(moved(m, p)));
-    check_same(sandwich(v, blade(rigid::sphere<double>{p, r})), blade(rigid::sphere<double>{moved(m, p), r}));
-    check_same(sandwich(v, blade(rigid::line<double>{p, q})), blade(rigid::line<double>{moved(m, p), moved(m, q)}));
-    check_same(sandwich(v, blade(rigid::point_pair<double>{p, q})),
+    check_same(carried(v, blade(p)), blade(moved(m, p)));
+    check_same(carried(v, blade(rigid::sphere<double>{p, r})), blade(rigid::sphere<double>{moved(m, p), r}));
+    check_same(carried(v, blade(rigid::line<double>{p, q})), blade(rigid::line<double>{moved(m, p), moved(m, q)}));
+    check_same(carried(v, blade(rigid::point_pair<double>{p, q})),
                blade(rigid::point_pair<double>{moved(m, p), moved(m, q)}));
-    check_same(sandwich(v, blade(rigid::circle<double>{p, n, r})), blade(rigid::circle<double>{moved(m, p), to, r}));
-    check_same(sandwich(v, blade(rigid::plane<double>{n, d})),
+    check_same(carried(v, blade(rigid::circle<double>{p, n, r})), blade(rigid::circle<double>{moved(m, p), to, r}));
+    check_same(carried(v, blade(rigid::plane<double>{n, d})),
                blade(rigid::plane<double>{to, d + to.x * m[3] + to.y * m[7] + to.z * m[11]}));
   }
 }
@@ -100,7 +100,7 @@ TEST_CASE("a set in the pose of a motor gives the answers of the moved elements"
   };
   std::size_t hits = 0;
   for (int turn = 0; turn < 20; ++turn) {
-    const rigid::motor_blade<double> v = random.motor();
+    const rigid::motor_blade<double> v = random.motor(0.02);
     meetc::pose at;
     pose(v, at.m);
     const meetc::prepared first = prepared(a, {}), second = prepared(b, at);
@@ -108,7 +108,7 @@ TEST_CASE("a set in the pose of a motor gives the answers of the moved elements"
     hits += found.size();
     for (int j = 0; j < count; ++j) {
       const float *s = &b[4 * static_cast<std::size_t>(j)];
-      const auto ball = gives(sandwich(v, blade(rigid::sphere<double>{{s[0], s[1], s[2]}, s[3]})));
+      const auto ball = gives(carried(v, blade(rigid::sphere<double>{{s[0], s[1], s[2]}, s[3]})));
       for (int i = 0; i < count; ++i) {
         const float *t = &a[4 * static_cast<std::size_t>(i)];
         const double gap = std::hypot(ball.centre.x - t[0], ball.centre.y - t[1], ball.centre.z - t[2]) - s[3] - t[3];
