@@ -121,7 +121,7 @@ const scene_row scenes[] = {
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbox = 1e-40\n", "s.toml:5:7",
      "scene.box must be at least 2^-126", "1e-40"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbackends = ['opencl']\n", "s.toml:5:13",
-     "no 'opencl' in backends; known: cpp, c, cuda, every_pair", "'opencl'"},
+     "no 'opencl' in backends; known: cpp, c, python, cuda, every_pair", "'opencl'"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'x'\nkernels = []\nbackends = ['cpp', 'cpp']\n", "s.toml:5:20",
      "'cpp' is given twice", "'cpp'"},
     {"[scene]\nalgebra = 'a.toml'\nnamespace = 'touch'\nkernels = ['touch']\n", "",

@@ -64,7 +64,7 @@ const broken names[] = {
     {blade, "'-I*(cc - axess*n)'", "a.toml:19:14", "unknown name 'cc'; did you mean 'c'?", "cc", ""},
     {blade, "'c*axess'", "a.toml:19:12", "unknown name 'axess'; did you mean 'axes'?", "axess", ""},
     {blade, "'f(c)'", "a.toml:19:10", "unknown function 'f'", "f(c)", ""},
-    {blade, "'norm(c)'", "a.toml:19:10", "unknown function 'norm'; did you mean 'norm2'?", "norm(c)", ""},
+    {blade, "'norm3(c)'", "a.toml:19:10", "unknown function 'norm3'; did you mean 'norm2'?", "norm3(c)", ""},
     {blade, "'c(r)'", "a.toml:19:10", "unknown function 'c'", "c(r)", ""},
     {blade, "'meet(c)'", "a.toml:19:10", "'meet' takes 2 arguments, not 1", "meet(c)", ""},
     {blade, "'norm2()'", "a.toml:19:10", "'norm2' takes 1 argument, not 0", "norm2()", ""},
