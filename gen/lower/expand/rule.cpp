@@ -47,7 +47,9 @@ std::optional<element_rule> rule_of(const model &m, const lang::kind &k) {
   environment env;
   for (std::size_t i = 0; i < k.store.size(); ++i)
     env.emplace_back(k.store[i].name, fields[i]);
-  env.emplace_back(k.name, self);
+  // A stored number with the name of its kind hides the kind.
+  if (std::none_of(k.store.begin(), k.store.end(), [&](const lang::field &f) { return f.name == k.name; }))
+    env.emplace_back(k.name, self);
   const auto with_zero = [&](lang::op kind) {
     return e.kind == kind && e.args[1]->kind == lang::op::number && e.args[1]->text == "0";
   };

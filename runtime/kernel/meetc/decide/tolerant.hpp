@@ -76,7 +76,8 @@ template <class P> struct grid_signs {
     static_assert(need <= 126, "the scene's grid is too fine for 128 bits");
     using wide = std::conditional_t<need <= 62, std::int64_t, int128>;
     using narrow = std::conditional_t<need <= 62 || quick, std::int64_t, int128>;
-    integer_stage_signs<P, Stage, narrow, wide>(a, b, presumed::low, s);
+    const int low = presumed::low; // a reference to the member itself would need it in the device's memory
+    integer_stage_signs<P, Stage, narrow, wide>(a, b, low, s);
   }
 };
 
