@@ -107,7 +107,7 @@ void check_backend(const std::string &path, const lang::scene &scene, const std:
   if (std::any_of(files.begin(), files.end(), [&](const target::file &f) { return f.path == source; }))
     return;
   const bool asked = std::find(scene.backends.begin(), scene.backends.end(), backend) != scene.backends.end();
-  throw spec_error({}, fmt::format("{}: the build compiles the backend {}, but {}", path, backend,
+  throw spec_error({}, fmt::format("{}: the build needs the backend {}, but {}", path, backend,
                                    asked ? "no kernel of the scene is a predicate, so there is nothing to launch"
                                          : "scene.backends does not list it"));
 }

@@ -1,7 +1,8 @@
 #include "gen/lang/grades.hpp"
 
-#include <bit>
+#include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 namespace meetc::lang {
 namespace {

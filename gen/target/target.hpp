@@ -64,8 +64,10 @@ struct target {
   // The files of a unit, in any order; null: `meetc generate` writes none. Throws spec_error if it cannot carry the
   // unit.
   std::vector<file> (*files)(const unit &) = nullptr;
-  const char *over = nullptr;   // the target whose files its files include; those are written too
-  const char *source = nullptr; // the ending of <space>/<space>..., which a build compiles once: "_runtime.cpp"
+  const char *over = nullptr; // the target whose files its files include; those are written too
+  // The ending of <space>/<space>..., the file by which a build knows the target's output: "_runtime.cpp", which it compiles
+  // once. Each target with files has one.
+  const char *source = nullptr;
   // One kernel of the unit, to be read; null: it shows nothing. Throws spec_error if it cannot carry the kernel.
   std::string (*show)(const unit &, std::size_t kernel) = nullptr;
   // One function of the unit that is no polynomial; null: it shows none.

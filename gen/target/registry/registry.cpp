@@ -74,6 +74,7 @@ constexpr target table[] = {
      .what = "formulas, signs and plain predicates of NumPy arrays",
      .can = plain_ones,
      .files = python_files,
+     .source = ".py",
      .show = python_text},
     {.name = "cuda",
      .what = "launchers on a CUDA device",

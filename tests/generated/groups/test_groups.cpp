@@ -159,6 +159,12 @@ template <class P> struct on_one_grid : P {
   static constexpr int weight(int, int) { return 1; }
 };
 
+void check_right(const tally &t) {
+  CHECK(t.wrong_integers == 0);
+  CHECK(t.wrong_exact == 0);
+  CHECK(t.wrong_sets == 0);
+}
+
 } // namespace
 
 TEST_CASE("groups: signs are those of rationals where operands touch, but for one step") {
@@ -166,9 +172,7 @@ TEST_CASE("groups: signs are those of rationals where operands touch, but for on
     using P = typename decltype(k)::type;
     INFO(k.name);
     const tally t = run<P>(nearly_zero<P>, effort(4000));
-    CHECK(t.wrong_integers == 0);
-    CHECK(t.wrong_exact == 0);
-    CHECK(t.wrong_sets == 0);
+    check_right(t);
     CHECK(t.zeros > t.cases / 100); // they occur
     CHECK(t.known > 0);
   });
@@ -178,10 +182,7 @@ TEST_CASE("groups: signs are those of rationals at the ends of float32") {
   each_kernel([](auto k) {
     using P = typename decltype(k)::type;
     INFO(k.name);
-    const tally t = run<P>(hostile<P>, effort(4000));
-    CHECK(t.wrong_integers == 0);
-    CHECK(t.wrong_exact == 0);
-    CHECK(t.wrong_sets == 0);
+    check_right(run<P>(hostile<P>, effort(4000)));
   });
 }
 

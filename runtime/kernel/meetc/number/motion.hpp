@@ -9,14 +9,13 @@
 //
 // Errors: u is the unit roundoff of T; the library's sin, cos and atan2 are taken to err by at most one unit in the last place.
 // Each function states a bound in the Euclidean length of the numbers' parts, against the exact value at the stored numbers,
-// barring under- and overflow. tests/generated/motions measures them against 200 bits.
+// barring under- and overflow. tests/generated/analytic measures them against 200 bits.
 #ifndef MEETC_NUMBER_MOTION_HPP
 #define MEETC_NUMBER_MOTION_HPP
 
 #include <meetc/environment/environment.hpp>
 
 #include <cmath>
-#include <limits>
 
 MEETC_NAMESPACE(meetc) {
 
@@ -55,7 +54,7 @@ template <class T> MEETC_HD inline int scale_to_one(motion<T> &v) {
   using std::ilogb, std::scalbn;
   const T most = largest(largest(T(0), &v.s, 1), v.u, 3);
   if (!(most > T(0))) {
-    v.s = v.p = T(std::numeric_limits<double>::quiet_NaN());
+    v.s = v.p = T(NAN); // of which a device has the macro, and no function
     for (int i = 0; i < 3; ++i)
       v.u[i] = v.w[i] = v.s;
     return 0;
