@@ -41,6 +41,7 @@ if does tests; then
     step $test "$build/tests/runtime/device/$test"
   done
   step test_cuda_tolerant "$build/tests/generated/tolerant/test_cuda_tolerant"
+  step test_cuda_groups "$build/tests/generated/groups/test_cuda_groups"
   [ -z "$data" ] || step test_cuda_data "$build/tests/runtime/device/test_cuda_pairs" --data "$data"
   step collide_ends "$(dirname "$0")/collide_ends.sh" "$meet"
 fi
