@@ -127,12 +127,17 @@ std::pair<int, int> degrees(const std::vector<poly> &of, const std::set<int> &va
 } // namespace
 
 std::optional<found_program> under_relations(ir::arena &nodes, const product_subject &of,
-                                             const std::vector<node_id> &leaves, int to_beat) {
+                                             const std::vector<node_id> &leaves, const written_programs &written,
+                                             int to_beat) {
   if (of.relations.empty())
     return std::nullopt;
   const fixed_subject fixed = with_fixed(of);
+  std::vector<found_program> all = searched_forms(nodes, fixed.of, leaves, meetc::poly::price::whole);
+  if (!fixed.differences.empty())
+    for (std::vector<node_id> &outputs : written(fixed.of.operands))
+      all.push_back({std::move(outputs), {}});
   std::optional<found_program> best;
-  for (found_program &f : searched_forms(nodes, fixed.of, leaves, meetc::poly::price::whole)) {
+  for (found_program &f : all) {
     f.differences = in_relations(fixed, f.differences);
     if (f.differences.empty())
       continue;

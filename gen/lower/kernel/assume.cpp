@@ -3,7 +3,6 @@
 #include "gen/ir/count.hpp"
 #include "gen/ir/evaluate.hpp"
 #include "gen/lower/kernel/relations.hpp"
-#include "gen/search/assumed.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -62,7 +61,8 @@ private:
 } // namespace
 
 void assume(const model &m, const request &r, const std::vector<std::vector<blade>> &supports,
-            search::product_subject subject, const std::vector<node_id> &leaves, builder &code, formula &out) {
+            search::product_subject subject, const std::vector<node_id> &leaves,
+            const search::written_programs &written, builder &code, formula &out) {
   std::vector<stated_relation> stated;
   std::size_t first = 0;
   for (std::size_t i = 0; i < r.kinds.size(); ++i) {
@@ -75,7 +75,7 @@ void assume(const model &m, const request &r, const std::vector<std::vector<blad
     subject.relations.push_back(s.zero);
   const taking take(r, subject, stated);
   const auto cost = [](const program &p) { return ir::count(p.nodes, p.results).total(); };
-  if (const auto found = search::under_relations(code.nodes(), subject, leaves, cost(out.from_blades))) {
+  if (const auto found = search::under_relations(code.nodes(), subject, leaves, written, cost(out.from_blades))) {
     program p = code.finish(found->outputs);
     assumptions assumed = take.by(p, found->differences);
     // A formula that becomes a constant asks how far the relation holds.

@@ -5,13 +5,15 @@
 // stored numbers elsewhere, and see no relation.
 #pragma once
 #include "gen/lower/kernel/kernel.hpp"
-#include "gen/search/searched_forms.hpp"
+#include "gen/search/assumed.hpp"
 
 namespace meetc::lower {
 
 // Fills in `assumed`, `prepared` and `prepared_assumed` of a formula that has its exact program, and replaces that program
-// where a cheaper one assumes something. supports: of the operands; `subject` has no relations yet.
+// where a cheaper one assumes something. supports: of the operands; `subject` has no relations yet; `written`: see
+// gen/search/assumed.hpp.
 void assume(const model &m, const request &r, const std::vector<std::vector<blade>> &supports,
-            search::product_subject subject, const std::vector<node_id> &leaves, builder &code, formula &out);
+            search::product_subject subject, const std::vector<node_id> &leaves,
+            const search::written_programs &written, builder &code, formula &out);
 
 } // namespace meetc::lower

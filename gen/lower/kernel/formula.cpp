@@ -95,7 +95,9 @@ public:
       throw std::logic_error("a formula's program has other values than its expression");
     out_.result_names = named(model_.working(), out_.result);
     if (whole_)
-      assume(model_, request_, supports_, subject(), inputs(code), code, out_);
+      assume(
+          model_, request_, supports_, subject(), inputs(code),
+          [&](const std::vector<multivector> &operands) { return written(code, operands); }, code, out_);
   }
 
 private:
@@ -149,6 +151,31 @@ private:
       names.emplace_back(request_.names[i], composer::inputs(code, supports_[i], first));
       first += static_cast<int>(supports_[i].size());
     }
+    return composed(code, which, names);
+  }
+
+  // The programs as they were written, for operands whose coefficients are inputs or numbers.
+  std::vector<std::vector<node_id>> written(builder &code, const std::vector<multivector> &operands) const {
+    composer::scope names;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      node_values v;
+      for (const auto &[at, c] : operands[i].terms())
+        v.emplace(at, code.build(c));
+      names.emplace_back(request_.names[i], std::move(v));
+    }
+    std::vector<std::vector<node_id>> out;
+    for (const parts which : {parts::arguments, parts::all})
+      if (const auto way = composed(code, which, names)) {
+        out.emplace_back();
+        for (const blade at : out_.result) {
+          const auto it = way->find(at);
+          out.back().push_back(it == way->end() ? code.nodes().constant(0) : it->second);
+        }
+      }
+    return out;
+  }
+
+  std::optional<node_values> composed(builder &code, parts which, const composer::scope &names) const {
     try {
       return composer(model_, code, which, out_.polynomials).compose(*request_.body, names);
     } catch (const spec_error &) { // where it expands, it is not this way's to refuse
