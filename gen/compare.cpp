@@ -1,5 +1,6 @@
 // The costs of scenes, beside each other: a scene's code and programs hold the requested kernels and nothing else.
-#include "gen/driver.hpp"
+#include "gen/columns.hpp"
+#include "gen/formula_costs.hpp"
 #include "gen/ir/count.hpp"
 #include "gen/support/output.hpp"
 #include "gen/support/process.hpp"
@@ -30,6 +31,7 @@ struct scene_figures {
   std::optional<double> compile_seconds;
   std::optional<int> registers;                            // the most of any device kernel
   std::vector<std::pair<std::string, double>> nanoseconds; // a pair, by predicate
+  std::string formulas;                                    // a table, if it is asked for
 };
 
 void count_kernel(const lower::kernel &k, scene_figures &to) {
@@ -93,10 +95,15 @@ int most_registers(const std::string &said) {
   return most;
 }
 
-// Links the objects with the program that times their predicates, and runs it.
-std::vector<std::pair<std::string, double>> time_predicates(const compare_options &o, const std::string &space,
-                                                            const fs::path &folder,
-                                                            const std::vector<std::string> &objects) {
+// Nanoseconds of a pair and of an evaluation, by predicate and by formula.
+struct times {
+  std::vector<std::pair<std::string, double>> predicates;
+  std::map<std::string, double> formulas;
+};
+
+// Links the objects with the program that times them, and runs it.
+times time_kernels(const compare_options &o, const std::string &space, const fs::path &folder,
+                   const std::vector<std::string> &objects) {
   const std::string source = (folder / "timing.cpp").string(), program = (folder / "timing").string();
   std::ofstream(source, std::ios::binary) << timing_program(space);
   std::vector<std::string> words{o.cxx, "-std=c++20", "-O2", "-ffp-contract=off", "-I" + folder.string(), source};
@@ -104,16 +111,20 @@ std::vector<std::pair<std::string, double>> time_predicates(const compare_option
   words.insert(words.end(), {"-o", program});
   compile_file(words);
   std::istringstream lines(compile_file({program}).said);
-  std::vector<std::pair<std::string, double>> out;
-  std::string name;
-  for (double nanoseconds = 0; lines >> name >> nanoseconds;)
-    out.emplace_back(name, nanoseconds);
+  times out;
+  std::string what, name;
+  for (double nanoseconds = 0; lines >> what >> nanoseconds && std::getline(lines >> std::ws, name);)
+    if (what == "formula")
+      out.formulas[name] = nanoseconds;
+    else
+      out.predicates.emplace_back(name, nanoseconds);
   return out;
 }
 
 // Compiles the sources as a build does: those of C++ by `cxx`, those of CUDA by `nvcc`, where these are given.
-void compile_files(const std::vector<target::file> &files, const std::string &space, const compare_options &o,
-                   scene_figures &to) {
+// Returns what the program that times them says.
+times compile_files(const std::vector<target::file> &files, const std::string &space, const compare_options &o,
+                    scene_figures &to) {
   const scratch_folder folder;
   for (const target::file &f : files) {
     fs::create_directories((folder.at() / f.path).parent_path());
@@ -125,6 +136,7 @@ void compile_files(const std::vector<target::file> &files, const std::string &sp
   double seconds = 0;
   int registers = 0;
   bool device = false;
+  times out;
   for (const target::file &f : files) {
     const std::string source = (folder.at() / f.path).string();
     if (!o.cxx.empty() && f.path.ends_with(".cpp")) {
@@ -143,13 +155,15 @@ void compile_files(const std::vector<target::file> &files, const std::string &sp
   if (!o.cxx.empty()) {
     to.object_bytes = bytes;
     to.compile_seconds = seconds;
-    to.nanoseconds = time_predicates(o, space, folder.at(), objects);
+    out = time_kernels(o, space, folder.at(), objects);
+    to.nanoseconds = out.predicates;
   }
   if (device)
     to.registers = registers;
+  return out;
 }
 
-scene_figures figures_of(const std::string &scene, const compare_options &o) {
+scene_figures figures_of(const std::string &scene, const compare_options &o, const published_counts &beside) {
   compilation c = load(scene, o.algebra_path);
   compile_all(c);
   scene_figures out;
@@ -159,6 +173,7 @@ scene_figures figures_of(const std::string &scene, const compare_options &o) {
     count_kernel(k, out);
   for (const lower::lowered_kind &k : lower::kinds_of(*c.model, c.kernels))
     out.kinds += (out.kinds.empty() ? "" : " ") + k.name;
+  const std::vector<formula_cost> costs = o.formulas ? formula_costs(c) : std::vector<formula_cost>();
   const std::vector<target::file> files = emit_all(c);
   for (const target::file &f : files) {
     if (f.path.starts_with("meetc/")) // the kernel headers are the same for every scene
@@ -168,30 +183,15 @@ scene_figures figures_of(const std::string &scene, const compare_options &o) {
     out.files += cpp || cuda;
     (cuda ? out.cuda_bytes : out.cpp_bytes) += cpp || cuda ? f.text.size() : 0;
   }
+  times took;
   if (!o.cxx.empty() || !o.nvcc.empty())
-    compile_files(files, target::identifier(c.scene->space), o, out);
+    took = compile_files(files, target::identifier(c.scene->space), o, out);
+  out.formulas = costs.empty() ? "" : formula_table(costs, took.formulas, beside);
   return out;
 }
 
 std::string kilobytes(std::size_t bytes) {
   return fmt::format("{:.1f}", static_cast<double>(bytes) / 1000);
-}
-
-// The first column is to the left, the others to the right, but for the last one if it is words.
-std::string in_columns(const std::vector<std::vector<std::string>> &rows, bool words_last) {
-  std::vector<std::size_t> widths(rows[0].size(), 0);
-  for (const auto &row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i)
-      widths[i] = std::max(widths[i], row[i].size());
-  std::string out;
-  for (const auto &row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      out += i == 0                              ? fmt::format("{:<{}}", row[i], widths[i])
-             : words_last && i + 1 == row.size() ? "  " + row[i]
-                                                 : fmt::format("  {:>{}}", row[i], widths[i]);
-    out += '\n';
-  }
-  return out;
 }
 
 // Nanoseconds of a pair, by predicate and scene.
@@ -248,10 +248,14 @@ std::string table_of(const std::vector<scene_figures> &all, const compare_option
 } // namespace
 
 int compare_scenes(const compare_options &o) {
+  const published_counts beside = o.beside.empty() ? published_counts{} : read_published(o.beside);
   std::vector<scene_figures> all;
   for (const std::string &scene : o.scenes)
-    all.push_back(figures_of(scene, o));
+    all.push_back(figures_of(scene, o, beside));
   say(table_of(all, o));
+  for (const scene_figures &f : all)
+    if (!f.formulas.empty())
+      say(fmt::format("\nformulas of {}\n{}", f.name, f.formulas));
   if (std::any_of(all.begin(), all.end(), [](const scene_figures &f) { return !f.nanoseconds.empty(); }))
     say('\n' + times_of(all));
   return 0;

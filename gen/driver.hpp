@@ -72,6 +72,8 @@ struct eval_options {
 struct compare_options {
   std::vector<std::string> scenes;
   std::string cxx, nvcc; // compilers for the emitted sources; empty: they are not compiled
+  bool formulas = false; // what each formula costs
+  std::string beside;    // a file of counts that other generators publish; empty: none
   folders algebra_path;
 };
 

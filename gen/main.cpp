@@ -116,6 +116,9 @@ int main(int argc, char **argv) {
   compare_command->add_option("scenes", m.scenes, "Scene files (.toml)")->required();
   compare_command->add_option("--compile", m.cxx,
                               "Also compile the C++ with this compiler, for objects, seconds and the time of a pair");
+  compare_command->add_flag("--formulas", m.formulas, "Also print what each formula costs");
+  compare_command->add_option("--beside", m.beside, "A file (.toml) of counts that other generators publish")
+      ->needs("--formulas");
   compare_command->add_option("--nvcc", m.nvcc, "Also compile the CUDA with this nvcc, for registers on sm_90");
 
   for (const auto &[command, path] :

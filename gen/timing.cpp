@@ -47,7 +47,29 @@ int main() {{
       decide(a.data(), b.data(), pairs.data(), n, out.data());
       least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }}
-    std::printf("%s %.4g\n", of.name, least * 1e9 / n);
+    std::printf("predicate %.4g %s\n", least * 1e9 / n, of.name);
+  }}
+  for (int f = 0; f < all.formula_count; ++f) {{
+    const meetc::formula_info &of = all.formulas[f];
+    std::vector<std::vector<float>> in(static_cast<std::size_t>(of.number_count), std::vector<float>(n)),
+        values(static_cast<std::size_t>(of.result_count), std::vector<float>(n));
+    std::vector<meetc::column> columns;
+    std::vector<float *> out;
+    std::uint64_t state = 3;
+    for (std::vector<float> &column : in) {{
+      for (float &x : column)
+        x = place(state);
+      columns.push_back({{column.data(), 1}});
+    }}
+    for (std::vector<float> &column : values)
+      out.push_back(column.data());
+    double least = 1;
+    for (int i = 0; i < 200; ++i) {{
+      const auto start = std::chrono::steady_clock::now();
+      of.float32(columns.data(), nullptr, n, out.data());
+      least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }}
+    std::printf("formula %.4g %s\n", least * 1e9 / n, of.name);
   }}
 }}
 )",

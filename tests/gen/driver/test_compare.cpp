@@ -3,6 +3,7 @@
 #include "tests/gen/error_fixture.hpp"
 
 #include <fmt/format.h>
+#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -81,6 +82,66 @@ TEST_CASE("compare: sources are compiled, and nothing is left of that") {
   CHECK(name == "ball_ball");
   CHECK(nanoseconds > 0);
   CHECK(left() == before);
+}
+
+TEST_CASE("compare: no formula needs more than other generators publish") {
+  const temporary_folder folder;
+  const fs::path peers = source_folder() / "docs" / "examples" / "peers";
+  const outcome o = run_meetc(fmt::format("compare '{}' --formulas --beside '{}'",
+                                          (peers / "peers_scene.toml").string(), (peers / "published.toml").string()),
+                              folder.path());
+  INFO(o.out << o.err);
+  REQUIRE(o.code == 0);
+  std::istringstream lines(o.out.substr(o.out.find("formulas of peers_scene")));
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  CHECK_THAT(line, contains("mul/add") && contains("GAmphetamine") && contains("kingdon"));
+  int compared = 0, dearer = 0; // where scalings count as multiplications
+  while (std::getline(lines, line)) {
+    INFO(line);
+    // The formula may hold blanks: the cells are read from the right.
+    std::istringstream words(line);
+    std::vector<std::string> cells;
+    for (std::string word; words >> word;)
+      cells.push_back(word);
+    REQUIRE(cells.size() >= 8);
+    const auto pair = [](const std::string &cell) {
+      const std::size_t slash = cell.find('/');
+      return std::pair(std::stoi(cell.substr(0, slash)), std::stoi(cell.substr(slash + 1)));
+    };
+    const std::size_t last = cells.size() - 1;
+    const auto [products, sums] = pair(cells[last - 6]);
+    const int scalings = std::stoi(cells[last - 5]);
+    for (std::size_t i = last - 2; i <= last; ++i)
+      if (cells[i] != "-") {
+        ++compared;
+        CHECK(products <= pair(cells[i]).first);
+        CHECK(products + sums <= pair(cells[i]).first + pair(cells[i]).second);
+        dearer += products + scalings + sums > pair(cells[i]).first + pair(cells[i]).second;
+      }
+  }
+  CHECK(compared == 23);
+  CHECK(dearer == 1); // sandwich(motor, e023)/2
+}
+
+TEST_CASE("compare: a file of counts has its place where it is wrong") {
+  const temporary_folder folder;
+  const std::string peers = (source_folder() / "docs" / "examples" / "peers" / "peers_scene.toml").string();
+  const auto fails = [&](const std::string &text, const std::string &with) {
+    std::ofstream(folder.path() / "counts.toml") << text;
+    const outcome o =
+        run_meetc(fmt::format("compare '{}' --formulas --beside '{}'", peers, (folder.path() / "counts.toml").string()),
+                  folder.path());
+    INFO(text << ": " << o.err);
+    CHECK(o.code == 2);
+    CHECK(o.out.empty());
+    CHECK_THAT(o.err, contains(with));
+  };
+  fails("", "names its 'generators'");
+  fails("generators = ['a']\nsums = 1\n", "counts.toml:2:1: error: a file of counts has no 'sums'");
+  fails("generators = ['a']\n[counts]\n'motor*motor' = ['1/2', '3/4']\n", "there are 1 generators and 2 counts");
+  fails("generators = ['a']\n[counts]\n'motor' = ['1/2']\n", "counts of 'motor', which the scene does not ask for");
 }
 
 TEST_CASE("compare: an error is one line") {
