@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 namespace cuda_test {
 namespace {
@@ -61,6 +62,64 @@ void of_formula(comparison &with, const formula_info &f, std::size_t n, int layo
           [&](const std::vector<Number *> &out) { evaluate(f, operands, rows, out); });
 }
 
+template <class Call> bool is_refused(Call call) {
+  try {
+    call();
+  } catch (const std::invalid_argument &) {
+    return true;
+  } catch (const std::out_of_range &) {
+    return true;
+  }
+  return false;
+}
+
+// The pairs that a query finds and leaves on the device, in sets that were prepared, made there or moved, and with themselves.
+template <class Number> void of_found_pairs(comparison &with, const catalogue &c, bool small, engine &random) {
+  const formula_info &f = formula_named(c, "norm2(meet(sphere, sphere))"),
+                     &value = formula_named(c, "meet(sphere, sphere)");
+  const predicate_info &touch = predicate_named("ball_ball");
+  const std::size_t n = small ? 300 : 30000;
+  const rows_of rows_a = random_rows(*touch.a, n, {1, 0.1, 1, 0}, random),
+                rows_b = random_rows(*touch.b, n / 2, {1, 0.1, 1, 0}, random);
+  pose at;
+  at.m[3] = 0.0625;
+  const prepared here_a = prepare(view_of(rows_a), *touch.a, at), here_b = prepare(view_of(rows_b), *touch.b);
+  device_set a(with.on(), view_of(rows_a), *touch.a), b(with.on(), here_b);
+  a.move(at);
+  for (const bool itself : {false, true}) {
+    device_set &other = itself ? a : b;
+    pairs_there found;
+    device_options asked;
+    asked.leave_there = &found;
+    collide(with.on(), a, other, touch, rung::certified, asked);
+    const std::vector<index_pair> pairs = collide(here_a, itself ? here_a : here_b, touch, rung::certified).pairs;
+    with.require("formulas", found.size() == pairs.size() && !pairs.empty(), "found pairs");
+    for (const formula_info *of : {&f, &value}) {
+      const values_there<Number> there = evaluate<Number>(with.on(), *of, a, other, found.data(), found.size());
+      const formula_values<Number> want = evaluate<Number>(*of, here_a, itself ? here_a : here_b, pairs);
+      const formula_values<Number> got = there.download();
+      with.require("formulas",
+                   got.numbers.size() == want.numbers.size() &&
+                       std::memcmp(got.numbers.data(), want.numbers.data(), want.numbers.size() * sizeof(Number)) == 0,
+                   std::string(of->name) + " of found pairs");
+    }
+    if (itself)
+      continue;
+    with.require("formulas", evaluate<Number>(with.on(), f, a, b, nullptr, 0).download().numbers.empty(), "no pairs");
+    const index_pair beyond{static_cast<std::uint32_t>(n), 0};
+    device_memory<index_pair> wrong;
+    check(cudaMemcpy(wrong.reserve(1, "a pair"), &beyond, sizeof beyond, cudaMemcpyHostToDevice), "a pair");
+    with.require("formulas", is_refused([&] { evaluate<Number>(with.on(), f, a, b, wrong.data(), 1); }),
+                 "an element that is not there");
+    device_set given = device_set::given(with.on(), view_of(rows_b), *touch.b);
+    with.require("formulas", is_refused([&] { evaluate<Number>(with.on(), f, a, given, found.data(), found.size()); }),
+                 "a given set");
+    const formula_info &line = formula_named(c, "norm2(meet(sphere, line))");
+    with.require("formulas", is_refused([&] { evaluate<Number>(with.on(), line, a, b, found.data(), found.size()); }),
+                 "another kind");
+  }
+}
+
 } // namespace
 
 void formula_scenes(comparison &with, const settings &s) {
@@ -77,6 +136,8 @@ void formula_scenes(comparison &with, const settings &s) {
         of_formula<double>(with, c->formulas[i], n, layout, random);
       }
   with.require("formulas", c->formula_count > 20, "hardly any");
+  of_found_pairs<float>(with, *c, s.small, random);
+  of_found_pairs<double>(with, *c, s.small, random);
 }
 
 } // namespace cuda_test
