@@ -1,4 +1,5 @@
-# Every command of docs/tutorial.md runs with the installed package, and prints what the page says.
+# Every command of docs/tutorial.md, and with CUDA those of docs/paper.md, runs with the installed package and prints what the
+# page says.
 include("${CMAKE_CURRENT_LIST_DIR}/steps.cmake")
 fresh_room()
 file(COPY "${SOURCE}/docs/examples" DESTINATION "${ROOM}")
@@ -14,3 +15,6 @@ if(NVCC)
 endif()
 run("${PYTHON}" -B "${SOURCE}/tests/docs/page.py" "${SOURCE}/docs/tutorial.md" "${ROOM}/examples/tutorial" ${device})
 expect("outputs compared")
+if(NVCC)
+  run("${PYTHON}" -B "${SOURCE}/tests/docs/page.py" "${SOURCE}/docs/paper.md" "${ROOM}/examples/paper" --cuda)
+endif()

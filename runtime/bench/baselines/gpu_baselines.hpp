@@ -45,6 +45,17 @@ cudaError_t count_pairs(baseline by, const float *a, std::size_t n, const float 
 // Reads n times 16 bytes once, and does no more with them than the compiler needs to be told. `unused` holds one number.
 cudaError_t read_all(const uint4 *from, std::size_t n, unsigned *unused, cudaStream_t stream);
 
+// Columns of objects, and columns of values. n values each take the objects rows[2 i] and rows[2 i + 1]: the first `of_first`
+// columns of the former, and the others of the latter. Their sum is each of the values.
+struct gathering {
+  static constexpr int most = 16;
+  const float *in[most];
+  int numbers, of_first;
+  float *out[most];
+  int values;
+};
+cudaError_t gather(const gathering &g, const unsigned *rows, std::size_t n, cudaStream_t stream);
+
 // Cycles of a multiprocessor, and nanoseconds, while one thread waits for about this many milliseconds.
 struct clock_reading {
   unsigned long long cycles, nanoseconds;

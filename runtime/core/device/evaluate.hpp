@@ -45,9 +45,9 @@ private:
 
 // The values for n pairs of elements of two sets in order on this device, as they are posed now: pairs[i].a is an element of a,
 // the formula's first operand. The pairs lie in device memory, as those of pairs_there do, and nothing but one number travels
-// to the host. What writes the pairs must have ended, and the values are there on return. Throws std::invalid_argument where a
-// set is given or on another device, and where the formula does not take these two kinds; std::out_of_range for an element that
-// a set does not hold; device_error.
+// to the host. The pairs must be written before the call, and the values are there on return. Throws std::invalid_argument
+// where a set is given or on another device, and where the formula does not take these two kinds; std::out_of_range for an
+// element that a set does not hold; device_error.
 template <class Number>
 values_there<Number> evaluate(const device &on, const formula_info &formula, const device_set &a, const device_set &b,
                               const index_pair *pairs, std::size_t n);

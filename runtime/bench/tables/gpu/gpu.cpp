@@ -82,7 +82,8 @@ std::vector<table> measure_all(gpu_bench &on, const scene_source &from, const re
   std::size_t steps = scenes.size() + 1;
   for (const wanted_table &t : wanted)
     steps += t.scenes.size();
-  if (steps == 1 && !poses)
+  const bool formulas = is_asked(q, "formulas", true);
+  if (steps == 1 && !poses && !formulas)
     throw app::failure(fmt::format("--only {}: no scene has this in its name", io::quote(*q.only)));
   app::progress_line progress("bench gpu");
   double done = 0;
@@ -98,6 +99,8 @@ std::vector<table> measure_all(gpu_bench &on, const scene_source &from, const re
     out.push_back(t.measure(on, t.scenes, step));
   if (poses)
     out.push_back(on.measure_poses(*poses));
+  if (formulas)
+    out.push_back(on.measure_formulas(q.quick ? 100'000 : 20'000'000));
   return out;
 }
 

@@ -41,6 +41,8 @@ public:
   table measure_group(const std::vector<scene> &scenes, const std::function<void()> &progress);
   // Queries on sets as they are given, beside the time that reading both sets once takes.
   table measure_memory(const std::vector<scene> &scenes, const std::function<void()> &progress);
+  // So many values of formulas, beside the least that moving their numbers takes.
+  table measure_formulas(std::size_t values);
   // One mesh against another in many poses, of three classes and mixed.
   table measure_poses(const posed_meshes &meshes);
 
