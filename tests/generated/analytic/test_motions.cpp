@@ -241,8 +241,8 @@ template <class Space, class T> void check_roots(const char *name) {
     REQUIRE(length(sum(again, exact, wide(-1)), true) < tiny * (wide(1) + far / size) / root[0]);
     REQUIRE(!(root[0] < wide(0)));
     const auto have_root = dense_of(numbers_of<T, all>(sqrt(v)), Space::of_versor);
-    sqrt_rotation.hold(length(sum(have_root, root, wide(-1)), false), wide(16) * u);
-    sqrt_dual.hold(length(sum(have_root, root, wide(-1)), true), wide(32) * u * far / (size * root[0]));
+    sqrt_rotation.hold(length(sum(have_root, root, wide(-1)), false), wide(8) * u);
+    sqrt_dual.hold(length(sum(have_root, root, wide(-1)), true), wide(12) * u * far / (size * root[0]));
 
     // The logarithm of 200 bits is proved by its exponential.
     const auto log_w = dense_of(numbers_of<wide, of_log>(log(w)), Space::of_bivector);
