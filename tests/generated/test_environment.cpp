@@ -4,6 +4,8 @@
 #include "tests/generated/judge/effort.hpp"
 #include "tests/generated/judge/operands.hpp"
 
+#include "meet/core/cascade/cascade.hpp"
+
 #include <cga/cga_runtime.hpp>
 #include <cstring>
 
@@ -64,10 +66,10 @@ TEST_CASE("environment: the runtime's table answers as the headers do") {
     std::vector<meetc::answer> first(pairs.size()), again(pairs.size());
     for (int r = 0; r < static_cast<int>(meetc::rung::tolerant); ++r) {
       const auto rung = static_cast<meetc::rung>(r);
-      const auto decide = info->decide[r];
-      REQUIRE(decide != nullptr);
-      decide(a.data(), b.data(), pairs.data(), pairs.size(), first.data());
-      decide(a.data(), b.data(), pairs.data(), pairs.size(), again.data());
+      const meetc::cascade by(*info, rung);
+      REQUIRE(by.count > 0);
+      by.decide(a.data(), b.data(), pairs.data(), pairs.size(), first.data());
+      by.decide(a.data(), b.data(), pairs.data(), pairs.size(), again.data());
       CHECK(first == again); // plain rungs, too, are deterministic
       bool same = true;
       for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -4,6 +4,8 @@
 #include "tests/generated/judge/effort.hpp"
 #include "tests/generated/judge/many_rows.hpp"
 
+#include "meet/core/cascade/cascade.hpp"
+
 #include <cga/cga.hpp>
 #include <cga/cga_runtime.hpp>
 #include <cga/header_only.hpp>
@@ -24,10 +26,11 @@ std::vector<const meetc::catalogue *> catalogues() {
   return out;
 }
 
-std::vector<answer> answers(const many_rows &r, meetc::decide_function f, const float *stored_a, const float *stored_b,
+template <class Decide>
+std::vector<answer> answers(const many_rows &r, const Decide &f, const float *stored_a, const float *stored_b,
                             std::size_t n) {
   std::vector<answer> out(n, answer::unsure);
-  f({r.a.data(), stored_a}, {r.b.data(), stored_b}, r.pairs.data(), n, out.data());
+  f(meetc::row_array{r.a.data(), stored_a}, meetc::row_array{r.b.data(), stored_b}, r.pairs.data(), n, out.data());
   return out;
 }
 
@@ -62,6 +65,7 @@ TEST_CASE("lanes: certified, exact and plain answers are the same on every instr
                                plain_of_b = stored(info.plain_stored_b, r.b, info.b->fields);
       const std::vector<answer> filtered = answers(r, info.certify[0], nullptr, nullptr, n),
                                 in_fp64 = answers(r, info.certify[1], nullptr, nullptr, n);
+      const meetc::cascade certified(info, rung::certified);
       bool proved = true;
       for (std::size_t i = 0; i < n; ++i)
         for (const answer x : {filtered[i], in_fp64[i]})
@@ -70,7 +74,8 @@ TEST_CASE("lanes: certified, exact and plain answers are the same on every instr
       for (const bool with_a : {false, true})
         for (const bool with_b : {false, true}) {
           const float *a = with_a ? or_null(of_a) : nullptr, *b = with_b ? or_null(of_b) : nullptr;
-          CHECK(answers(r, decide(info, rung::certified), a, b, n) == truth);
+          CHECK(answers(
+                    r, [&](auto... to) { certified.decide(to...); }, a, b, n) == truth);
           CHECK(answers(r, info.certify[0], a, b, n) == filtered);
           CHECK(answers(r, decide(info, rung::fp32), with_a ? or_null(plain_of_a) : nullptr,
                         with_b ? or_null(plain_of_b) : nullptr, n) == plain);

@@ -11,7 +11,7 @@
 
 #if MEETC_WITH_CUDA
 #include "cga/cga_cuda.hpp"
-#include "meet/core/device/group.hpp"
+#include "meet/core/device/collide.hpp"
 
 #include <chrono>
 #include <numeric>

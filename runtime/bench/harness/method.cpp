@@ -2,6 +2,7 @@
 
 #include "meet/app/input/failure.hpp"
 #include "meet/app/text/words.hpp"
+#include "meet/core/cascade/cascade.hpp"
 
 #include <fmt/format.h>
 
@@ -37,6 +38,15 @@ difference difference_of(std::span<const answer> given, std::span<const answer> 
 
 difference difference_of(std::uint64_t found, std::uint64_t truth) {
   return {found, found > truth ? found - truth : 0, truth > found ? truth - found : 0};
+}
+
+pair_decider decider_of(const predicate_info &p, rung precision) {
+  const cascade by(p, precision);
+  if (by.count == 0)
+    return {};
+  return [by](row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
+    by.decide(a, b, pairs, n, out);
+  };
 }
 
 void require_truth(const std::string &scene, const std::string &method, const difference &found) {

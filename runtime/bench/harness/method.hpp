@@ -9,6 +9,7 @@
 #include "meetc/table/table.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,11 @@ difference difference_of(std::vector<index_pair> found, const std::vector<index_
 difference difference_of(std::span<const answer> given, std::span<const answer> truth);
 // Where only numbers of hits are known.
 difference difference_of(std::uint64_t found, std::uint64_t truth);
+
+// Decides a list of pairs, as a decide_function does.
+using pair_decider = std::function<void(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out)>;
+// By the filter cascade of a rung; empty: the predicate was not generated for it.
+pair_decider decider_of(const predicate_info &p, rung precision);
 
 struct method {
   std::string name;

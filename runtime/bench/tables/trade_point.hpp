@@ -13,7 +13,7 @@ namespace meetc::bench {
 // A method of deciding: a rung, or the paper's own way (bench/baselines/paper_way.hpp).
 struct trade_method {
   std::string name;
-  decide_function decide = nullptr;
+  pair_decider decide;
   std::optional<rung> precision; // none: the paper's way, or a filter alone
   double grid = 0;               // the numbers are rounded to its multiples first (pose::grid); 0: they are as they are
 

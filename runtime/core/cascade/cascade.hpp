@@ -11,6 +11,9 @@
 
 #include "meetc/support.hpp"
 
+#include <functional>
+#include <span>
+
 namespace meetc {
 
 struct element_set;
@@ -34,14 +37,20 @@ struct cascade {
   // of `certified`, if there are any, decide sets that leave the box. Other rungs assume nothing.
   status check(const element_set &a, const element_set &b);
 
-  // Decides n pairs by rung `at`, 0 <= at < count. The rows are packed, as in the predicate's kinds.
-  void decide(int at, const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n,
-              answer *out) const {
+  // Decides n pairs by rung `at` alone, 0 <= at < count. The rows are packed, as in the predicate's kinds.
+  void ask(int at, const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out) const {
     if (at == 0 && side > 0)
       predicate->certify_in_box(side, a, b, pairs, n, out);
     else
       rungs[at](a, b, pairs, n, out);
   }
+
+  // Receives pairs that rung `at` has left unsure, before the next rung is asked.
+  using unsure_pairs = std::function<void(int at, std::span<const index_pair> pairs)>;
+  // Decides n pairs by one rung after the other, each for those that the one before left unsure. With `any`, no further rung
+  // is asked once a pair is a hit, and the others may stay unsure.
+  void decide(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t n, answer *out,
+              bool any = false, const unsure_pairs &handed_on = {}) const;
 };
 
 } // namespace meetc

@@ -1,4 +1,4 @@
-#include "meet/core/device/group.hpp"
+#include "meet/core/device/collide.hpp"
 
 #include "meet/core/answers/answers.hpp"
 #include "meet/core/answers/pair_list.hpp"

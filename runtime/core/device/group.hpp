@@ -1,4 +1,4 @@
-// core/device/group.hpp: one query, cut between several CUDA devices of one host. The answers are those of one device.
+// core/device/group.hpp: several CUDA devices of one host, and sets on them, for one query that is cut between them.
 //
 // The elements of one set are cut, in the caller's order, into as many slices as there are devices, and each device has all
 // of the other. Every pair of elements is thus looked at by one device: lists are joined, and counts add up. The larger set
@@ -12,7 +12,7 @@
 #ifndef MEETC_CORE_DEVICE_GROUP_HPP
 #define MEETC_CORE_DEVICE_GROUP_HPP
 
-#include "meet/core/device/collide.hpp"
+#include "meet/core/device/set/device_set.hpp"
 
 #include <functional>
 #include <memory>
@@ -86,13 +86,6 @@ private:
   std::size_t elements_;
   std::vector<std::optional<device_set>> parts_;
 };
-
-// One set is cut and the other whole; what is met first is asked of a set that is cut. Throws what collide() on one device
-// throws, and std::invalid_argument for options.leave_there. In the result, seconds are the host's wall clock,
-// device_seconds those of the device that took longest, candidates, parts and rungs are summed. options.progress tells of
-// the first device.
-device_result collide(const device_group &on, group_set &a, group_set &b, const predicate_info &predicate,
-                      rung precision, const device_options &options = {});
 
 } // namespace meetc
 

@@ -1,4 +1,11 @@
-#include "meet/core/device/poses.hpp"
+// One set against another in many poses.
+//
+// Problem: a query takes some 50 us even where nothing touches, and its kernels are too short to fill a device. Method: the
+// elements of B in many poses at once are one set, whose hierarchy's lowest boxes each hold neighbours in one pose or two, and
+// one query counts the pairs of each pose. A pose in which the box around B is proved apart from that around A is not looked
+// at. As many poses are taken at once as memory allows, and as will probably not overflow the lists. Where it is only asked
+// whether anything touches, a sixteenth of B's elements goes first, and all of them in the poses that are left.
+#include "meet/core/device/collide.hpp"
 
 #include "meet/core/device/answers/element_numbers.hpp"
 #include "meet/core/device/query/query.hpp"
@@ -178,16 +185,16 @@ poses_result count_configurations(const device &on, std::span<device_set *const>
 
 } // namespace
 
-poses_result collide_poses(const device &on, device_set &a, const device_set &b, std::span<const pose> poses,
-                           const predicate_info &predicate, rung precision, const device_options &options) {
+poses_result collide(const device &on, device_set &a, const device_set &b, std::span<const pose> poses,
+                     const predicate_info &predicate, rung precision, const device_options &options) {
   device_set *const bodies_a[] = {&a};
   const device_set *const bodies_b[] = {&b};
-  return collide_bodies(on, bodies_a, bodies_b, poses, predicate, precision, options);
+  return collide(on, bodies_a, bodies_b, poses, predicate, precision, options);
 }
 
-poses_result collide_bodies(const device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
-                            std::span<const pose> poses, const predicate_info &predicate, rung precision,
-                            const device_options &options) {
+poses_result collide(const device &on, std::span<device_set *const> a, std::span<const device_set *const> b,
+                     std::span<const pose> poses, const predicate_info &predicate, rung precision,
+                     const device_options &options) {
   return under_standard_word([&] {
     const auto lock = on.use();
     return count_configurations(on, a, b, poses, predicate, precision, options);

@@ -1,96 +1,78 @@
+// The tests of one instruction set. This is compiled once for each, with MEETC_INSTRUCTION_SET, and for the program's own
+// flags, and then holds the choice too. A unit for a set of its own must emit no inline function of another header: it uses
+// plain data of these alone.
 #include "meet/core/hierarchy/box_tests.hpp"
 
-#include <bit>
-
-#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+#if defined(__AVX2__)
 #include <immintrin.h>
-#define MEETC_TARGETS 1
-// For functions that are inlined into one of the same set.
-#define MEETC_PART_FOR(set) __attribute__((target(set), always_inline)) inline
-#else
-#define MEETC_TARGETS 0
 #endif
 
-namespace meetc {
+MEETC_NAMESPACE(meetc) {
+
 namespace {
 
-// The first element that a mask names, in a block with this number.
-std::uint32_t first_of(std::uint32_t mask, std::uint32_t block) {
-  return block * lanes + static_cast<std::uint32_t>(std::countr_zero(mask));
-}
-// The box around a block, from the blocks of the level above.
-box around(std::uint32_t number, const box_block *above) {
-  return above[number / lanes].get(number % lanes);
-}
+// Three steps of each test: mask_of() finds the lanes of a block that a box touches, put_lanes() writes the numbers
+// block * lanes + lane of those in a mask, and put_pairs() their pairs with an element. The latter two return the end.
+//
+#if defined(__AVX512F__)
 
-// The tests to come, element by element: the number of a block times lanes, plus the lane of an element that touches the
-// box around it. elements[i] are those of numbers[i]. There is room for most_meetings.
-std::size_t by_element(const std::uint32_t *numbers, const std::uint32_t *elements, std::size_t count,
-                       std::uint32_t *tests) {
-  std::size_t n = 0;
-  for (std::uint32_t lane = 0; lane < lanes; ++lane)
-    for (std::size_t i = 0; i < count; ++i) {
-      tests[n] = numbers[i] * lanes + lane;
-      n += elements[i] >> lane & 1;
-    }
-  return n;
+struct sides {
+  __m512 lo[3], hi[3];
+};
+sides sides_of(const box &q) {
+  sides s;
+  for (int k = 0; k < 3; ++k)
+    s.lo[k] = _mm512_set1_ps(q.lo[k]), s.hi[k] = _mm512_set1_ps(q.hi[k]);
+  return s;
 }
-
-std::size_t touched_baseline(const box_block *blocks, const std::uint32_t *numbers, std::size_t count, const box &q,
-                             std::uint32_t *out) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::uint32_t left = touching(blocks[numbers[i]], q); left != 0; left &= left - 1)
-      out[n++] = first_of(left, numbers[i]);
-  return n;
-}
-
-std::size_t meetings_baseline(const meeting_query &q, meeting *out) {
-  std::uint32_t numbers[lanes], elements[lanes]; // blocks, and the elements that touch the box around each
-  std::size_t blocks = 0;
-  for (std::size_t i = 0; i < q.count; ++i) {
-    const std::uint32_t number = numbers[blocks] = q.numbers[i];
-    const std::uint32_t touches = touching(q.others[number], q.around) != 0;
-    elements[blocks] = touching(*q.walker, around(number, q.around_others)) * touches;
-    blocks += elements[blocks] != 0;
+std::uint32_t mask_of(const box_block &block, const sides &q) {
+  // Two chains of comparisons, each of those lanes that the one before left. Not less: where one is NaN they touch.
+  __mmask16 below = 0xffff, above = 0xffff;
+  for (int k = 0; k < 3; ++k) {
+    below = _mm512_mask_cmp_ps_mask(below, q.hi[k], _mm512_load_ps(block.lo[k]), _CMP_NLT_UQ);
+    above = _mm512_mask_cmp_ps_mask(above, _mm512_load_ps(block.hi[k]), q.lo[k], _CMP_NLT_UQ);
   }
-  std::uint32_t tests[most_meetings];
-  const std::size_t count = by_element(numbers, elements, blocks, tests);
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t mask = touching(q.others[tests[i] / lanes], q.walker->get(tests[i] % lanes));
-    out[n] = {tests[i], mask};
-    n += mask != 0;
-  }
-  return n;
+  return below & above;
 }
 
-index_pair *pairs_of_baseline(const meeting *meetings, std::size_t n, std::uint32_t first, bool swapped,
-                              index_pair *out) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint32_t mine = first + meetings[i].lane();
-    for (std::uint32_t left = meetings[i].mask; left != 0; left &= left - 1) {
-      const std::uint32_t theirs = first_of(left, meetings[i].block());
-      *out++ = swapped ? index_pair{theirs, mine} : index_pair{mine, theirs};
-    }
+__m512i numbers_of(std::uint32_t mask, std::uint32_t block) {
+  const __m512i each = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  const __m512i first = _mm512_set1_epi32(static_cast<int>(block * lanes));
+  return _mm512_maskz_compress_epi32(static_cast<__mmask16>(mask), _mm512_add_epi32(each, first));
+}
+// All sixteen numbers are stored, and those behind the end are written over.
+std::uint32_t *put_lanes(std::uint32_t mask, std::uint32_t block, std::uint32_t *out) {
+  _mm512_storeu_si512(out, numbers_of(mask, block));
+  return out + __builtin_popcount(mask);
+}
+// A pair is a number of 64 bits, so sixteen of them are two registers. All are stored, and those behind the end are
+// written over.
+index_pair *put_pairs(std::uint32_t mask, std::uint32_t block, std::uint32_t slot, bool swapped, index_pair *out) {
+  static_assert(sizeof(index_pair) == 8 && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
+  const unsigned shift = swapped ? 32 : 0; // of the slot
+  const __m512i mine = _mm512_maskz_slli_epi64(0xff, _mm512_set1_epi64(slot), shift), theirs = numbers_of(mask, block);
+  for (int half = 0; half < 2; ++half) {
+    const __m256i eight =
+        half == 0 ? _mm512_maskz_extracti64x4_epi64(0xf, theirs, 0) : _mm512_maskz_extracti64x4_epi64(0xf, theirs, 1);
+    const __m512i wide = _mm512_maskz_slli_epi64(0xff, _mm512_maskz_cvtepu32_epi64(0xff, eight), 32 - shift);
+    _mm512_storeu_si512(half == 0 ? out : out + lanes / 2, _mm512_or_si512(wide, mine));
   }
-  return out;
+  return out + __builtin_popcount(mask);
 }
 
-#if MEETC_TARGETS
+#else
 
-// ---- AVX2 ----
-
-struct sides_8 {
+#if defined(__AVX2__)
+struct sides {
   __m256 lo[3], hi[3];
 };
-MEETC_PART_FOR("avx2") sides_8 sides_avx2(const box &q) {
-  sides_8 s;
+sides sides_of(const box &q) {
+  sides s;
   for (int k = 0; k < 3; ++k)
     s.lo[k] = _mm256_set1_ps(q.lo[k]), s.hi[k] = _mm256_set1_ps(q.hi[k]);
   return s;
 }
-MEETC_PART_FOR("avx2") std::uint32_t mask_avx2(const box_block &block, const sides_8 &q) {
+std::uint32_t mask_of(const box_block &block, const sides &q) {
   std::uint32_t apart = 0;
   for (int from = 0; from < lanes; from += 8) {
     __m256 any = _mm256_setzero_ps();
@@ -103,154 +85,136 @@ MEETC_PART_FOR("avx2") std::uint32_t mask_avx2(const box_block &block, const sid
   }
   return ~apart & 0xffff;
 }
-__attribute__((target("avx2"))) std::size_t touched_avx2(const box_block *blocks, const std::uint32_t *numbers,
-                                                         std::size_t count, const box &q, std::uint32_t *out) {
-  const sides_8 sides = sides_avx2(q);
-  std::size_t n = 0;
+#else
+const box &sides_of(const box &q) {
+  return q;
+}
+std::uint32_t mask_of(const box_block &block, const box &q) {
+  return touching(block, q);
+}
+#endif
+
+// The first number that a mask names.
+std::uint32_t first_of(std::uint32_t mask, std::uint32_t block) {
+  return block * lanes + static_cast<std::uint32_t>(__builtin_ctz(mask));
+}
+std::uint32_t *put_lanes(std::uint32_t mask, std::uint32_t block, std::uint32_t *out) {
+  for (; mask != 0; mask &= mask - 1)
+    *out++ = first_of(mask, block);
+  return out;
+}
+index_pair *put_pairs(std::uint32_t mask, std::uint32_t block, std::uint32_t slot, bool swapped, index_pair *out) {
+  for (; mask != 0; mask &= mask - 1) {
+    const std::uint32_t theirs = first_of(mask, block);
+    *out++ = swapped ? index_pair{theirs, slot} : index_pair{slot, theirs};
+  }
+  return out;
+}
+
+#endif
+
+box box_in(const box_block &of, std::uint32_t lane) {
+  return {{of.lo[0][lane], of.lo[1][lane], of.lo[2][lane]}, {of.hi[0][lane], of.hi[1][lane], of.hi[2][lane]}};
+}
+
+std::size_t touched(const box_block *blocks, const std::uint32_t *numbers, std::size_t count, const box &q,
+                    std::uint32_t *out) {
+  const auto &s = sides_of(q);
+  std::uint32_t *end = out;
   for (std::size_t i = 0; i < count; ++i)
-    for (std::uint32_t left = mask_avx2(blocks[numbers[i]], sides); left != 0; left &= left - 1)
-      out[n++] = first_of(left, numbers[i]);
+    end = put_lanes(mask_of(blocks[numbers[i]], s), numbers[i], end);
+  return static_cast<std::size_t>(end - out);
+}
+
+// The tests to come, element by element: the number of a block times lanes, plus the lane of an element that touches the
+// box around it. elements[i] are those of numbers[i], and 0 from `count` on. There is room for most_meetings.
+std::size_t by_element(const std::uint32_t *numbers, const std::uint32_t *elements, std::size_t count,
+                       std::uint32_t *tests) {
+  std::size_t n = 0;
+#if defined(__AVX512F__)
+  static_cast<void>(count);
+  const __m512i of_blocks = _mm512_load_si512(elements),
+                first = _mm512_maskz_slli_epi32(0xffff, _mm512_load_si512(numbers), 4);
+  for (int lane = 0; lane < lanes; ++lane) {
+    const __mmask16 blocks = _mm512_test_epi32_mask(of_blocks, _mm512_set1_epi32(1 << lane));
+    const __m512i all = _mm512_or_si512(first, _mm512_set1_epi32(lane));
+    _mm512_storeu_si512(tests + n, _mm512_maskz_compress_epi32(blocks, all));
+    n += static_cast<std::size_t>(__builtin_popcount(blocks));
+  }
+#else
+  for (std::uint32_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t i = 0; i < count; ++i) {
+      tests[n] = numbers[i] * lanes + lane;
+      n += elements[i] >> lane & 1;
+    }
+#endif
   return n;
 }
-__attribute__((target("avx2"))) std::size_t meetings_avx2(const meeting_query &q, meeting *out) {
-  const sides_8 sides = sides_avx2(q.around);
-  std::uint32_t numbers[lanes], elements[lanes]; // blocks, and the elements that touch the box around each
+
+std::size_t meetings(const meeting_query &q, meeting *out) {
+  const auto &s = sides_of(q.around);
+  alignas(64) std::uint32_t numbers[lanes] = {}, elements[lanes] = {}; // that touch the box around each block
   std::size_t blocks = 0;
   for (std::size_t i = 0; i < q.count; ++i) {
     const std::uint32_t number = numbers[blocks] = q.numbers[i];
-    const std::uint32_t touches = mask_avx2(q.others[number], sides) != 0;
-    elements[blocks] = mask_avx2(*q.walker, sides_avx2(around(number, q.around_others))) * touches;
+    const std::uint32_t touches = mask_of(q.others[number], s) != 0;
+    const box whole = box_in(q.around_others[number / lanes], number % lanes);
+    elements[blocks] = mask_of(*q.walker, sides_of(whole)) * touches;
     blocks += elements[blocks] != 0;
   }
   std::uint32_t tests[most_meetings];
   const std::size_t count = by_element(numbers, elements, blocks, tests);
   std::size_t n = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t mask = mask_avx2(q.others[tests[i] / lanes], sides_avx2(q.walker->get(tests[i] % lanes)));
-    out[n] = {tests[i], mask};
-    n += mask != 0;
-  }
-  return n;
-}
-
-// ---- AVX-512 ----
-
-struct sides_16 {
-  __m512 lo[3], hi[3];
-};
-MEETC_PART_FOR("avx512f") sides_16 sides_avx512(const box &q) {
-  sides_16 s;
-  for (int k = 0; k < 3; ++k)
-    s.lo[k] = _mm512_set1_ps(q.lo[k]), s.hi[k] = _mm512_set1_ps(q.hi[k]);
-  return s;
-}
-MEETC_PART_FOR("avx512f") __mmask16 mask_avx512(const box_block &block, const sides_16 &q) {
-  // Two chains of comparisons, each of those lanes that the one before left. Not less: where one is NaN they touch.
-  __mmask16 below = 0xffff, above = 0xffff;
-  for (int k = 0; k < 3; ++k) {
-    below = _mm512_mask_cmp_ps_mask(below, q.hi[k], _mm512_load_ps(block.lo[k]), _CMP_NLT_UQ);
-    above = _mm512_mask_cmp_ps_mask(above, _mm512_load_ps(block.hi[k]), q.lo[k], _CMP_NLT_UQ);
-  }
-  return below & above;
-}
-// The numbers block * lanes + lane of the lanes in a mask, at the front.
-MEETC_PART_FOR("avx512f") __m512i numbers_avx512(__mmask16 mask, std::uint32_t block) {
-  const __m512i each = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  const __m512i first = _mm512_set1_epi32(static_cast<int>(block * lanes));
-  return _mm512_maskz_compress_epi32(mask, _mm512_add_epi32(each, first));
-}
-// All sixteen numbers are stored, and those behind the end are written over.
-__attribute__((target("avx512f"))) std::size_t touched_avx512(const box_block *blocks, const std::uint32_t *numbers,
-                                                              std::size_t count, const box &q, std::uint32_t *out) {
-  const sides_16 sides = sides_avx512(q);
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const __mmask16 mask = mask_avx512(blocks[numbers[i]], sides);
-    _mm512_storeu_si512(out + n, numbers_avx512(mask, numbers[i]));
-    n += static_cast<std::size_t>(std::popcount(static_cast<unsigned>(mask)));
-  }
-  return n;
-}
-// A pair is a number of 64 bits, so sixteen of them are two registers. All are stored, and those behind the end are
-// written over.
-struct pairs_of_slot {
-  __m512i mine;
-  unsigned shift; // of the other element
-};
-MEETC_PART_FOR("avx512f") pairs_of_slot slot_avx512(std::uint32_t slot, bool swapped) {
-  static_assert(sizeof(index_pair) == 8 && std::endian::native == std::endian::little);
-  const unsigned my_shift = swapped ? 32 : 0;
-  return {_mm512_maskz_slli_epi64(0xff, _mm512_set1_epi64(slot), my_shift), 32 - my_shift};
-}
-MEETC_PART_FOR("avx512f")
-index_pair *store_avx512(__mmask16 mask, std::uint32_t block, const pairs_of_slot &of, index_pair *out) {
-  const __m512i theirs = numbers_avx512(mask, block);
-  for (int half = 0; half < 2; ++half) {
-    const __m256i eight =
-        half == 0 ? _mm512_maskz_extracti64x4_epi64(0xf, theirs, 0) : _mm512_maskz_extracti64x4_epi64(0xf, theirs, 1);
-    const __m512i wide = _mm512_maskz_slli_epi64(0xff, _mm512_maskz_cvtepu32_epi64(0xff, eight), of.shift);
-    _mm512_storeu_si512(half == 0 ? out : out + lanes / 2, _mm512_or_si512(wide, of.mine));
-  }
-  return out + std::popcount(static_cast<unsigned>(mask));
-}
-__attribute__((target("avx512f"))) std::size_t meetings_avx512(const meeting_query &q, meeting *out) {
-  const sides_16 sides = sides_avx512(q.around);
-  alignas(64) std::uint32_t elements[lanes] = {}; // that touch the box around each block
-  for (std::size_t i = 0; i < q.count; ++i) {
-    const std::uint32_t number = q.numbers[i];
-    const std::uint32_t touches = mask_avx512(q.others[number], sides) != 0;
-    elements[i] = mask_avx512(*q.walker, sides_avx512(around(number, q.around_others))) * touches;
-  }
-  // The tests to come, by element.
-  const __m512i of_blocks = _mm512_load_si512(elements);
-  const auto asked = static_cast<__mmask16>((std::uint32_t{1} << q.count) - 1);
-  const __m512i first = _mm512_maskz_slli_epi32(0xffff, _mm512_maskz_loadu_epi32(asked, q.numbers), 4);
-  std::uint32_t tests[most_meetings];
-  std::size_t count = 0;
-  for (int lane = 0; lane < lanes; ++lane) {
-    const __mmask16 blocks = _mm512_test_epi32_mask(of_blocks, _mm512_set1_epi32(1 << lane));
-    const __m512i all = _mm512_or_si512(first, _mm512_set1_epi32(lane));
-    _mm512_storeu_si512(tests + count, _mm512_maskz_compress_epi32(blocks, all));
-    count += static_cast<std::size_t>(std::popcount(static_cast<unsigned>(blocks)));
-  }
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t mask = mask_avx512(q.others[tests[i] / lanes], sides_avx512(q.walker->get(tests[i] % lanes)));
+    const box one = box_in(*q.walker, tests[i] % lanes);
+    const std::uint32_t mask = mask_of(q.others[tests[i] / lanes], sides_of(one));
     out[n].block_and_lane = tests[i];
     out[n].mask = mask;
     n += mask != 0;
   }
   return n;
 }
-__attribute__((target("avx512f"))) index_pair *pairs_of_avx512(const meeting *meetings, std::size_t n,
-                                                               std::uint32_t first, bool swapped, index_pair *out) {
+
+index_pair *pairs_of(const meeting *of, std::size_t n, std::uint32_t first, bool swapped, index_pair *out) {
   for (std::size_t i = 0; i < n; ++i)
-    out = store_avx512(static_cast<__mmask16>(meetings[i].mask), meetings[i].block(),
-                       slot_avx512(first + meetings[i].lane(), swapped), out);
+    out = put_pairs(of[i].mask, of[i].block_and_lane / lanes, first + of[i].block_and_lane % lanes, swapped, out);
   return out;
 }
 
-#endif
-
 } // namespace
 
+extern const box_tests compiled_box_tests;
+constexpr box_tests compiled_box_tests{MEETC_COMPILED_FOR, touched, meetings, pairs_of};
+
+} // MEETC_NAMESPACE(meetc)
+
+#if !defined(MEETC_INSTRUCTION_SET)
+namespace meetc {
+
+#if defined(MEETC_WITH_avx2)
+namespace avx2 {
+extern const box_tests compiled_box_tests;
+}
+#endif
+#if defined(MEETC_WITH_avx512)
+namespace avx512 {
+extern const box_tests compiled_box_tests;
+}
+#endif
+
 const box_tests *box_tests_for(instruction_set set) {
-  static constexpr box_tests baseline{instruction_set::baseline, touched_baseline, meetings_baseline,
-                                      pairs_of_baseline};
   if (!runs_here(set))
     return nullptr;
   switch (set) {
   case instruction_set::baseline:
-    return &baseline;
-#if MEETC_TARGETS
-  case instruction_set::avx2: {
-    static constexpr box_tests avx2{instruction_set::avx2, touched_avx2, meetings_avx2, pairs_of_baseline};
-    return &avx2;
-  }
-  case instruction_set::avx512: {
-    static constexpr box_tests avx512{instruction_set::avx512, touched_avx512, meetings_avx512, pairs_of_avx512};
-    return &avx512;
-  }
+    return &compiled_box_tests;
+#if defined(MEETC_WITH_avx2)
+  case instruction_set::avx2:
+    return &avx2::compiled_box_tests;
+#endif
+#if defined(MEETC_WITH_avx512)
+  case instruction_set::avx512:
+    return &avx512::compiled_box_tests;
 #endif
   default:
     return nullptr;
@@ -262,9 +226,10 @@ const box_tests &best_box_tests() {
     for (int i = instruction_set_count; i-- > 1;)
       if (const box_tests *const tests = box_tests_for(static_cast<instruction_set>(i)))
         return *tests;
-    return *box_tests_for(instruction_set::baseline);
+    return compiled_box_tests;
   }();
   return best;
 }
 
 } // namespace meetc
+#endif

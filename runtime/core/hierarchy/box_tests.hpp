@@ -1,8 +1,8 @@
 // core/hierarchy/box_tests.hpp: tests of one box against blocks of sixteen, for each instruction set.
 //
-// Problem: two thirds of a query's time go into these tests, and this library is compiled for the baseline. Method: the
-// functions have their instruction set as an attribute, and are chosen when the program runs. Nothing else is compiled for that
-// set, so no inline function of the library is. They only compare, as touching() in core/hierarchy/box.hpp does, so every set
+// Problem: two thirds of a query's time go into these tests, and this library is compiled for the baseline. Method: their
+// source is compiled once more for each instruction set, as the kernels are (meetc/environment/instruction_set.hpp), and the
+// choice falls when the program runs. They only compare, as touching() in core/hierarchy/box.hpp does, so every set
 // finds the same pairs in the same order. The tests of a walk's leaves store their results without a branch: whether two boxes
 // touch is as good as random there, and a branch that is predicted wrongly costs more than a test.
 #ifndef MEETC_CORE_HIERARCHY_BOX_TESTS_HPP
@@ -45,7 +45,7 @@ struct box_tests {
   index_pair *(*pairs_of)(const meeting *meetings, std::size_t n, std::uint32_t first, bool swapped, index_pair *out);
 };
 
-// Null where the processor does not run the set, or the compiler knows no such attribute.
+// Null where the processor does not run the set, or the library was not compiled for it.
 const box_tests *box_tests_for(instruction_set set);
 
 // Those of the best set.

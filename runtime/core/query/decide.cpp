@@ -39,9 +39,9 @@ public:
   batch &operator=(const batch &) = delete;
 
   bool flush() override {
-    candidates_ += meant(0, size_);
+    candidates_ += meant({pairs_, size_});
     const std::size_t n = decide();
-    hits_ += meant(0, n);
+    hits_ += meant({pairs_, n});
     size_ = 0;
     if (n > 0)
       give(n);
@@ -58,11 +58,11 @@ public:
 
 private:
   // How many pairs these candidates stand for.
-  std::size_t meant(std::size_t begin, std::size_t end) const {
+  std::size_t meant(std::span<const index_pair> pairs) const {
     if (!shared_.job.both_ways)
-      return end - begin;
-    return 2 * (end - begin) - static_cast<std::size_t>(std::count_if(pairs_ + begin, pairs_ + end,
-                                                                      [](index_pair p) { return p.a == p.b; }));
+      return pairs.size();
+    return 2 * pairs.size() -
+           static_cast<std::size_t>(std::ranges::count_if(pairs, [](index_pair p) { return p.a == p.b; }));
   }
   // Gives the first n pairs, which are hits, to the answers.
   void give(std::size_t n) {
@@ -94,40 +94,19 @@ private:
     return kept;
   }
 
-  // Moves the hits to the front of the batch and returns their number.
+  // Moves the hits to the front of the batch and returns their number. Whether a pair is one is as good as random, so pairs
+  // are moved without a branch.
   std::size_t decide() {
     const decision_job &job = shared_.job;
     const row_array a{job.a.rows, job.stored_a.after(size_, job.a)}, b{job.b.rows, job.stored_b.after(size_, job.b)};
-    std::size_t hits = 0, end = size_; // the pairs from hits to end are unsure
-    for (int at = 0; at < job.by.count && hits < end && (hits == 0 || !shared_.stops_early); ++at) {
-      if (at > 0)
-        unsure_[at - 1] += meant(hits, end);
-      job.by.decide(at, a, b, pairs_ + hits, end - hits, answers_);
-      end = sort_out(hits, end);
+    job.by.decide(a, b, pairs_, size_, answers_, shared_.stops_early,
+                  [this](int at, std::span<const index_pair> left) { unsure_[at] += meant(left); });
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      pairs_[hits] = pairs_[i];
+      hits += answers_[i] == answer::yes;
     }
     return hits;
-  }
-
-  // Sorts the pairs from `hits` on by their answers, hits before unsure ones, in place. Moves `hits` behind the hits and
-  // returns the end of the unsure ones. Whether a pair is kept is as good as random, so that is stored without a branch;
-  // few are unsure.
-  std::size_t sort_out(std::size_t &hits, std::size_t end) {
-    const std::size_t first = hits;
-    std::size_t kept = first;
-    bool any_unsure = false;
-    for (std::size_t i = first; i < end; ++i) {
-      const answer now = answers_[i - first];
-      pairs_[kept] = pairs_[i];
-      answers_[kept - first] = now;
-      kept += now != answer::no;
-      any_unsure |= now == answer::unsure;
-    }
-    if (!any_unsure)
-      return hits = kept;
-    for (std::size_t i = first; i < kept; ++i)
-      if (answers_[i - first] == answer::yes)
-        std::swap(pairs_[hits++], pairs_[i]);
-    return kept;
   }
 
   shared_state &shared_;

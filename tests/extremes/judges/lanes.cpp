@@ -1,5 +1,6 @@
 #include "tests/extremes/judges/lanes.hpp"
 
+#include "meet/core/cascade/cascade.hpp"
 #include "tests/downstream/flags/words.hpp"
 
 #include <cga/cga_runtime.hpp>
@@ -41,11 +42,11 @@ counts_by_set many_cases::run(std::uint64_t word, std::string &first_wrong) cons
       lane_counts &to = out[static_cast<std::size_t>(set)];
       to.cases += pairs_.size();
       std::vector<answer> found(pairs_.size());
-      const auto ask = [&](const char *rung, decide_function decide, std::uint64_t *unsure) {
+      const auto ask = [&](const char *rung, const auto &decide, std::uint64_t *unsure) {
         {
           const std::uint64_t which = word++ % (std::size(strange_words) + 1); // the last one: the standard word
           const other_word changed(which < std::size(strange_words) ? strange_words[which] : plain_word);
-          decide(a_.data(), b_.data(), pairs_.data(), pairs_.size(), found.data());
+          decide(row_array(a_.data()), row_array(b_.data()), pairs_.data(), pairs_.size(), found.data());
         }
         for (std::size_t k = 0; k < found.size(); ++k) {
           const bool open = unsure && found[k] == answer::unsure;
@@ -61,7 +62,8 @@ counts_by_set many_cases::run(std::uint64_t word, std::string &first_wrong) cons
       };
       ask("bounded in fp32", p.certify[0], &to.unsure[0]);
       ask("bounded in fp64", p.certify[1], &to.unsure[1]);
-      ask("certified", p.decide[static_cast<int>(meetc::rung::certified)], nullptr);
+      ask(
+          "certified", [by = cascade(p, meetc::rung::certified)](auto... to) { by.decide(to...); }, nullptr);
       ask("exact", p.decide[static_cast<int>(meetc::rung::exact)], nullptr);
     }
   }

@@ -1,6 +1,7 @@
 // The flat scene asks for the predicates of points, segments and triangles in another algebra, pga3. The polynomials
 // are the same in both algebras, so each rung answers every pair as that of the shipped scene does: plain rungs with
 // the same wrong answers, bounded ones with the same unsure ones.
+#include "meet/core/cascade/cascade.hpp"
 #include "tests/catch.hpp"
 #include "tests/extremes/families/families.hpp"
 #include "tests/generated/judge/effort.hpp"
@@ -34,9 +35,9 @@ struct rows {
 
 using answers = std::vector<answer>;
 
-answers all(meetc::decide_function decide, const rows &r) {
+template <class Decide> answers all(const Decide &decide, const rows &r) {
   answers out(r.pairs.size());
-  decide(r.a.data(), r.b.data(), r.pairs.data(), out.size(), out.data());
+  decide(meetc::row_array(r.a.data()), meetc::row_array(r.b.data()), r.pairs.data(), out.size(), out.data());
   return out;
 }
 
@@ -45,7 +46,7 @@ std::map<std::string, answers> all(const predicate_info &p, const rows &r) {
   static constexpr std::array names = {"fp32", "fp64", "fp64x2", "exact", "certified"};
   std::map<std::string, answers> out;
   for (std::size_t i = 0; i < names.size(); ++i)
-    out[names[i]] = all(p.decide[i], r);
+    out[names[i]] = all([by = meetc::cascade(p, static_cast<meetc::rung>(i))](auto... to) { by.decide(to...); }, r);
   for (std::size_t i = 0; i < meetc::bounded_rungs; ++i)
     out[std::string("bounded ") + names[i]] = all(p.certify[i], r);
   for (float side = 0x1p-20F; side <= 0x1p20F; side *= 0x1p8F) {

@@ -2,6 +2,7 @@
 // wrong, and whole sets through the runtime, which then has kinds without a third coordinate.
 #include "tests/catch.hpp"
 
+#include "meet/core/cascade/cascade.hpp"
 #include "meet/core/query/collide.hpp"
 #include "meet/core/query/find.hpp"
 
@@ -48,13 +49,13 @@ std::vector<float> in_space(const kind_info &kind, const std::vector<float> &row
   return out;
 }
 
-std::vector<answer> all(meetc::decide_function decide, const std::vector<float> &a, const std::vector<float> &b,
-                        std::size_t n) {
+std::vector<answer> all(const predicate_info &p, meetc::rung by, const std::vector<float> &a,
+                        const std::vector<float> &b, std::size_t n) {
   std::vector<meetc::index_pair> pairs;
   for (std::uint32_t i = 0; i < n; ++i)
     pairs.push_back({i, i});
   std::vector<answer> out(n);
-  decide(a.data(), b.data(), pairs.data(), n, out.data());
+  meetc::cascade(p, by).decide(a.data(), b.data(), pairs.data(), n, out.data());
   return out;
 }
 
@@ -87,12 +88,12 @@ TEST_CASE("pairs in the plane are answered as those in space with z = 0") {
       constexpr std::size_t n = 20'000;
       const std::vector<float> a = rows_of(*flat.a, n, 1, unit), b = rows_of(*flat.b, n, 2, unit);
       const std::vector<float> a_there = in_space(*flat.a, a), b_there = in_space(*flat.b, b);
-      const std::vector<answer> truth = all(space.decide[static_cast<int>(meetc::rung::exact)], a_there, b_there, n);
+      const std::vector<answer> truth = all(space, meetc::rung::exact, a_there, b_there, n);
       INFO(c.planar << ", unit " << unit);
       CHECK(std::count(truth.begin(), truth.end(), answer::yes) > 1000);
       CHECK(std::count(truth.begin(), truth.end(), answer::no) > 1000);
       for (const meetc::rung r : {meetc::rung::exact, meetc::rung::certified})
-        CHECK(all(flat.decide[static_cast<int>(r)], a, b, n) == truth);
+        CHECK(all(flat, r, a, b, n) == truth);
     }
   }
 }

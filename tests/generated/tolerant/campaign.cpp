@@ -3,6 +3,7 @@
 #include "meet/bench/truth/distance.hpp"
 #include "meet/bench/truth/near_pairs.hpp"
 #include "meet/bench/truth/numbers.hpp"
+#include "meet/core/cascade/cascade.hpp"
 #include "meet/core/query/find.hpp"
 #include "meet/core/views/pose.hpp"
 
@@ -136,12 +137,12 @@ rows make(const predicate_info &p, family f, std::size_t n, std::uint64_t seed, 
   return out;
 }
 
-static std::vector<answer> decide(decide_function by, const rows &r) {
+static std::vector<answer> decide(const predicate_info &p, rung by, const rows &r) {
   std::vector<index_pair> pairs(r.count);
   for (std::size_t i = 0; i < r.count; ++i)
     pairs[i] = {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)};
   std::vector<answer> out(r.count);
-  by(r.a.data(), r.b.data(), pairs.data(), r.count, out.data());
+  cascade(p, by).decide(r.a.data(), r.b.data(), pairs.data(), r.count, out.data());
   return out;
 }
 
@@ -152,14 +153,13 @@ std::vector<answer> tolerant_answers(const predicate_info &p, rows r) {
     move_rows(*p.a, at, r.a.data() + i * static_cast<std::size_t>(p.a->fields), 1);
     move_rows(*p.b, at, r.b.data() + i * static_cast<std::size_t>(p.b->fields), 1);
   }
-  return decide(p.decide[static_cast<int>(rung::tolerant)], r);
+  return decide(p, rung::tolerant, r);
 }
 
 tally compare(const predicate_info &p, const predicate_info &exact, const rows &r) {
   tally out;
   out.pairs = r.count;
-  const std::vector<answer> truth = decide(exact.decide[static_cast<int>(rung::certified)], r),
-                            found = tolerant_answers(p, r);
+  const std::vector<answer> truth = decide(exact, rung::certified, r), found = tolerant_answers(p, r);
   for (std::size_t i = 0; i < r.count; ++i) {
     out.hits += truth[i] == answer::yes;
     if (found[i] == truth[i])

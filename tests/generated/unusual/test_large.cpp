@@ -3,6 +3,8 @@
 #include "tests/generated/judge/effort.hpp"
 #include "tests/generated/judge/many_rows.hpp"
 
+#include "meet/core/cascade/cascade.hpp"
+
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -41,9 +43,9 @@ pairs_of_rows integers(int most, float scale) {
   return r;
 }
 
-std::vector<answer> answers(meetc::decide_function decide, const pairs_of_rows &r) {
+template <class Decide> std::vector<answer> answers(const Decide &decide, const pairs_of_rows &r) {
   std::vector<answer> out(r.pairs.size());
-  decide(r.a.data(), r.b.data(), r.pairs.data(), out.size(), out.data());
+  decide(meetc::row_array(r.a.data()), meetc::row_array(r.b.data()), r.pairs.data(), out.size(), out.data());
   return out;
 }
 
@@ -72,7 +74,8 @@ TEST_CASE("large constants and degrees: no bounded rung is wrong, at any scale")
         const meetc::predicate_info &p = all.predicates[i];
         INFO(p.name << ", integers up to " << most << " times " << scale);
         const std::vector<answer> truth = answers(p.decide[static_cast<int>(meetc::rung::exact)], r);
-        CHECK(answers(p.decide[static_cast<int>(meetc::rung::certified)], r) == truth);
+        const meetc::cascade certified(p, meetc::rung::certified);
+        CHECK(answers([&](auto... to) { certified.decide(to...); }, r) == truth);
         for (const meetc::decide_function certify : p.certify) {
           const std::vector<answer> found = answers(certify, r);
           int wrong = 0, unsure = 0;

@@ -177,9 +177,9 @@ TEST_CASE("a certified rung that is wrong ends the table of families") {
   std::vector<meetc::predicate_info> predicates(right.predicates, right.predicates + right.predicate_count);
   for (meetc::predicate_info &p : predicates)
     if (p.name == std::string_view("triangle_triangle"))
-      p.decide[static_cast<int>(meetc::rung::certified)] = [](meetc::row_array, meetc::row_array, const index_pair *,
-                                                              std::size_t n,
-                                                              answer *out) { std::fill_n(out, n, answer::no); };
+      p.certify[0] = [](meetc::row_array, meetc::row_array, const index_pair *, std::size_t n, answer *out) {
+        std::fill_n(out, n, answer::no);
+      };
   meetc::catalogue broken = right;
   broken.predicates = predicates.data();
   const cpu_sets sets({broken, {}, true});

@@ -24,14 +24,15 @@ TEST_CASE("brute force finds what the search finds, and its sample is a part of 
   const std::uint64_t pairs = collide_sets(a, b, h).pairs;
   REQUIRE(pairs > 0);
   const meetc::predicate_info &p = *by.predicate;
-  const meetc::decide_function certified = p.decide[static_cast<int>(meetc::rung::certified)],
-                               never = [](meetc::row_array, meetc::row_array, const meetc::index_pair *, std::size_t n,
-                                          meetc::answer *out) { std::fill_n(out, n, meetc::answer::no); };
+  const pair_test certified{decider_of(p, meetc::rung::certified)},
+      never{[](meetc::row_array, meetc::row_array, const meetc::index_pair *, std::size_t n, meetc::answer *out) {
+        std::fill_n(out, n, meetc::answer::no);
+      }};
   const brute_force whole(p, a, b, 5'000'000);
   CHECK_FALSE(whole.is_sample());
   CHECK(whole.pairs() == 5'000'000);
   for (const meetc::rung r : {meetc::rung::certified, meetc::rung::exact}) {
-    const difference d = whole.compared(p.decide[static_cast<int>(r)], certified);
+    const difference d = whole.compared({decider_of(p, r)}, certified);
     CHECK(d.found == pairs);
     CHECK(d.wrong() == 0);
   }
@@ -80,7 +81,7 @@ TEST_CASE("a device's row: milliseconds and a ratio, another count than the CPU'
   const paper_bodies bodies(all, {}, true);
   answers found;
   paper_context c{all, bodies, nullptr, true, 1, 3, 1000, [] {}};
-  const std::vector<meetc::decide_function> tests = conformal_and(c, balls, balls, {classic::balls});
+  const std::vector<pair_test> tests = conformal_and(c, balls, balls, {classic::balls});
   const paper_row without = measure_row(c, balls, balls, tests, found);
   CHECK(without.pairs >= 10);
   CHECK(without.pairs == found.list.size());

@@ -125,7 +125,7 @@ TEST_CASE("wrong answers are counted, and the farthest counts") {
   element_pairs pairs{&p, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {3, 0, 0, 1, 2.5F, 0, 0, 1, 1.5F, 0, 0, 1}, 3};
   const std::vector<answer> exact = decide_all(pairs, p.decide[static_cast<int>(rung::exact)]);
   REQUIRE(exact == std::vector<answer>{answer::no, answer::no, answer::yes});
-  const trade_method method{"mine", nullptr, rung::fp32};
+  const trade_method method{"mine", {}, rung::fp32};
   const wrongness all = wrongness_of(pairs, method, {answer::yes, answer::yes, answer::no}, exact);
   CHECK(all.differs.extra == 2);
   CHECK(all.differs.missed == 1);

@@ -149,7 +149,8 @@ TEST_CASE("a search for one pair goes no deeper than it must") {
   forget();
   const result r = collide(x, x, hard_boxes, rung::certified, any);
   CHECK(r.count == 1);
-  CHECK(asked[2] == asked[0]);
+  CHECK(asked[2] > 0);
+  CHECK(asked[2] == asked[1]);
   CHECK(asked[3] == 0);
   CHECK(r.rungs.unsure[1] == asked[2]);
   CHECK(r.rungs.unsure[2] == 0);

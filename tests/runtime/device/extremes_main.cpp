@@ -94,7 +94,8 @@ void run_pairs(cell &c, const batch &in, std::mutex &lock) {
     truth[i] = c.of->truth(&in.a[i * fa], &in.b[i * fb]) ? answer::yes : answer::no;
   for (int s = 0; s < steps; ++s) {
     want[s].resize(in.n);
-    const decide_function on_cpu = s < rungs ? c.predicate->decide[s] : c.predicate->certify[s - rungs];
+    const decide_function on_cpu =
+        s < rungs ? c.predicate->decide[std::min(s, static_cast<int>(rung::exact))] : c.predicate->certify[s - rungs];
     on_cpu(in.a.data(), in.b.data(), pairs.data(), in.n, want[s].data());
   }
   const std::scoped_lock guard(lock);

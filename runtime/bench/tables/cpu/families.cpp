@@ -35,11 +35,10 @@ row measure_family(const cpu_context &c, const catalogue &kernels, const pair_fa
   const predicate_info &p = find_predicate(kernels, "triangle_triangle");
   std::vector<answer> certified(n), exact(n), cgal(n);
   const auto by_rung = [&](rung precision, std::vector<answer> &to) -> method {
-    return {
-        app::name_of(precision),
-        precision == rung::certified, // exact is the truth
-        {[&, precision] { p.decide[static_cast<int>(precision)](f.a.data(), f.b.data(), pairs.data(), n, to.data()); }},
-        [&] { return difference_of(to, exact); }};
+    return {app::name_of(precision),
+            precision == rung::certified, // exact is the truth
+            {[&, decide = decider_of(p, precision)] { decide(f.a.data(), f.b.data(), pairs.data(), n, to.data()); }},
+            [&] { return difference_of(to, exact); }};
   };
   std::vector<method> methods{by_rung(rung::certified, certified), by_rung(rung::exact, exact)};
   const peers::exact_pairs *const peer = peers::cgal_pairs_for(kernels.compiled_for);

@@ -1,8 +1,8 @@
 // The gain of several devices of one host: one query cut between them, beside the same query on the first of them.
-#include "meet/core/device/group.hpp"
 #include "meet/app/input/failure.hpp"
 #include "meet/bench/tables/gpu/measure.hpp"
 #include "meet/bench/tables/gpu/sets.hpp"
+#include "meet/core/device/collide.hpp"
 
 #include <cga/cga_cuda.hpp>
 #include <fmt/format.h>

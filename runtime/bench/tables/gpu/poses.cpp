@@ -1,8 +1,8 @@
 // One mesh against another in many poses, in one call.
-#include "meet/core/device/poses.hpp"
 #include "meet/app/input/sets.hpp"
 #include "meet/app/text/words.hpp"
 #include "meet/bench/tables/gpu/measure.hpp"
+#include "meet/core/device/collide.hpp"
 #include "meet/core/query/find.hpp"
 #include "meet/core/sets/element_set.hpp"
 #include "meet/core/threads/threads.hpp"
@@ -88,7 +88,7 @@ table gpu_bench::measure_poses(const posed_meshes &meshes) {
   const auto ask = [&](answer_kind want, const std::vector<pose> &poses) {
     device_options o;
     o.want = want;
-    return collide_poses(on_, on_a, on_b, poses, p, rung::certified, o);
+    return meetc::collide(on_, on_a, on_b, poses, p, rung::certified, o);
   };
   const ball large = around(a), small = around(b);
   const std::size_t third = meshes.poses / 3;

@@ -72,8 +72,7 @@ row_array brute_force::side::from(std::size_t row, bool for_plain) const {
 
 brute_force::brute_force(const predicate_info &predicate, const io::element_set &a, const io::element_set &b,
                          std::uint64_t budget)
-    : plain_(predicate.decide[static_cast<int>(rung::fp32)]),
-      a_(a, stride_to(a.elements, std::max<std::uint64_t>(least_rows, budget / std::max<std::size_t>(1, b.elements))),
+    : a_(a, stride_to(a.elements, std::max<std::uint64_t>(least_rows, budget / std::max<std::size_t>(1, b.elements))),
          predicate.plain_stored_a, predicate.stored_a),
       b_(b, stride_to(b.elements, budget / std::max<std::size_t>(1, a_.count())), predicate.plain_stored_b,
          predicate.stored_b),
@@ -84,8 +83,8 @@ brute_force::brute_force(const predicate_info &predicate, const io::element_set 
     one_with_many_[j] = {0, static_cast<std::uint32_t>(j)};
 }
 
-void brute_force::decide(decide_function test, std::size_t i, std::size_t j, std::size_t n, answer *out) const {
-  test(a_.from(i, test == plain_), b_.from(j, test == plain_), one_with_many_.data(), n, out);
+void brute_force::decide(const pair_test &test, std::size_t i, std::size_t j, std::size_t n, answer *out) const {
+  test.decide(a_.from(i, test.plain), b_.from(j, test.plain), one_with_many_.data(), n, out);
 }
 
 template <class Take> void brute_force::each_block(const Take &take) const {
@@ -94,12 +93,12 @@ template <class Take> void brute_force::each_block(const Take &take) const {
       take(i, j, std::min(block, b_.count() - j));
 }
 
-void brute_force::run(decide_function test) const {
+void brute_force::run(const pair_test &test) const {
   std::vector<answer> out(block);
   each_block([&](std::size_t i, std::size_t j, std::size_t n) { decide(test, i, j, n, out.data()); });
 }
 
-difference brute_force::compared(decide_function test, decide_function truth) const {
+difference brute_force::compared(const pair_test &test, const pair_test &truth) const {
   std::vector<answer> given(block), right(block);
   difference all;
   each_block([&](std::size_t i, std::size_t j, std::size_t n) {

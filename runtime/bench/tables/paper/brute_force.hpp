@@ -14,6 +14,12 @@
 
 namespace meetc::bench {
 
+// A test of pairs. Those that read stored values read the ones of the plain rung, or of the bounded rungs.
+struct pair_test {
+  pair_decider decide;
+  bool plain = false;
+};
+
 class brute_force {
 public:
   // a and b are the predicate's first and second set; their stored values are computed here.
@@ -24,9 +30,9 @@ public:
   bool is_sample() const { return share_ < 1; }
   double share() const { return share_; } // of all pairs
 
-  void run(decide_function test) const; // on all pairs of the sample
+  void run(const pair_test &test) const; // on all pairs of the sample
   // How the answers of a test differ from those of another one.
-  difference compared(decide_function test, decide_function truth) const;
+  difference compared(const pair_test &test, const pair_test &truth) const;
 
 private:
   // Rows with what a predicate wants stored beside them: for its plain rung, and for the others.
@@ -39,10 +45,9 @@ private:
     std::size_t count() const { return rows.size() / fields; }
     row_array from(std::size_t row, bool for_plain) const;
   };
-  void decide(decide_function test, std::size_t i, std::size_t j, std::size_t n, answer *out) const;
+  void decide(const pair_test &test, std::size_t i, std::size_t j, std::size_t n, answer *out) const;
   template <class Take> void each_block(const Take &take) const;
 
-  decide_function plain_;
   side a_, b_;
   double share_;
   std::vector<index_pair> one_with_many_; // (0, j)

@@ -169,7 +169,7 @@ std::size_t mesh_rows(const paper_context &c) {
 
 void add_meshes(const paper_context &c, paper_result &to) {
   const io::element_set &bunny = c.bodies.bunny();
-  const std::vector<decide_function> tests =
+  const std::vector<pair_test> tests =
       conformal_and(c, bunny, bunny, {classic::moller_0, classic::moller, classic::guigue_devillers});
   std::vector<paper_row> rows;
   c.bodies.each_armadillo([&](const io::element_set &armadillo, const std::string &) {

@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,10 +78,10 @@ struct paper_row {
 // The first of the tests is certified, the second is fp32. `found` gets what was found. Throws app::failure with
 // app::check_failed where two of those that promise the truth differ.
 paper_row measure_row(const paper_context &c, const io::element_set &a, const io::element_set &b,
-                      const std::vector<decide_function> &tests, app::answers &found);
+                      const std::vector<pair_test> &tests, app::answers &found);
 // Certified, then fp32, then these.
-std::vector<decide_function> conformal_and(const paper_context &c, const io::element_set &a, const io::element_set &b,
-                                           std::vector<decide_function> classic);
+std::vector<pair_test> conformal_and(const paper_context &c, const io::element_set &a, const io::element_set &b,
+                                     std::initializer_list<decide_function> classic);
 app::answers search_pairs(const paper_context &c, const io::element_set &a, const io::element_set &b, bool keep);
 
 // Columns that several tables have; `first` is the first row.

@@ -14,11 +14,11 @@ namespace meetc::bench {
 
 namespace {
 
-decide_function decide_by(const predicate_info &p, rung precision) {
-  const decide_function f = p.decide[static_cast<int>(precision)];
-  if (!f)
+pair_test test_by(const predicate_info &p, rung precision) {
+  pair_decider by = decider_of(p, precision);
+  if (!by)
     throw app::failure(fmt::format("{} was not generated for {}", p.name, app::name_of(precision)));
-  return f;
+  return {std::move(by), precision == rung::fp32};
 }
 
 app::choice choice_for(const paper_context &c, const io::element_set &a, const io::element_set &b) {
@@ -27,11 +27,13 @@ app::choice choice_for(const paper_context &c, const io::element_set &a, const i
 
 } // namespace
 
-std::vector<decide_function> conformal_and(const paper_context &c, const io::element_set &a, const io::element_set &b,
-                                           std::vector<decide_function> classic) {
+std::vector<pair_test> conformal_and(const paper_context &c, const io::element_set &a, const io::element_set &b,
+                                     std::initializer_list<decide_function> classic) {
   const predicate_info &p = *choice_for(c, a, b).predicate;
-  classic.insert(classic.begin(), {decide_by(p, rung::certified), decide_by(p, rung::fp32)});
-  return classic;
+  std::vector<pair_test> all{test_by(p, rung::certified), test_by(p, rung::fp32)};
+  for (const decide_function one : classic)
+    all.push_back({one});
+  return all;
 }
 
 app::answers search_pairs(const paper_context &c, const io::element_set &a, const io::element_set &b, bool keep) {
@@ -44,7 +46,7 @@ app::answers search_pairs(const paper_context &c, const io::element_set &a, cons
 }
 
 paper_row measure_row(const paper_context &c, const io::element_set &a, const io::element_set &b,
-                      const std::vector<decide_function> &tests, app::answers &found) {
+                      const std::vector<pair_test> &tests, app::answers &found) {
   const app::choice by = choice_for(c, a, b);
   found = search_pairs(c, a, b, &a == &b);
   paper_row row;
@@ -71,8 +73,8 @@ paper_row measure_row(const paper_context &c, const io::element_set &a, const io
             },
             [&] { find(rung::fp32); }, [&] { find(rung::certified); }, [&] { find(rung::fp32); }};
   const std::size_t first_test = all.size();
-  for (const decide_function test : tests)
-    all.emplace_back([&every, test] { every.run(test); });
+  for (const pair_test &test : tests)
+    all.emplace_back([&every, &test] { every.run(test); });
   host_clock clock(1);
   const times timed = take_turns(clock, all, {c.runs, 3600});
   const double reference = timed.seconds[0];

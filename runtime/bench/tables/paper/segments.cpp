@@ -51,7 +51,7 @@ void add_segments(const paper_context &c, paper_result &to) {
   const io::element_set &whole = c.bodies.bunny();
   const io::element_set one = app::of_rows(c.all, "segment", placed(whole, {-1.1F, -1.2F, -0.9F, 1.1F, 1.2F, 0.9F}));
   const io::element_set cloud = app::of_rows(c.all, "segment", placed(whole, bodies::segment_cloud(many, 5, 0.5)));
-  const std::vector<decide_function> tests = conformal_and(c, one, whole, {classic::moller_trumbore});
+  const std::vector<pair_test> tests = conformal_and(c, one, whole, {classic::moller_trumbore});
   std::vector<paper_row> rows;
   for (std::size_t times = 0; times < segment_rows(c); ++times) {
     const io::element_set bunny = c.bodies.finer_bunny(static_cast<int>(times));

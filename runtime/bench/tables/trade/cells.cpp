@@ -42,12 +42,12 @@ std::vector<trade_method> methods_of(const predicate_info &p) {
   if (const decide_function paper = paper_way(p.name))
     out.push_back({"paper, fp32", paper, {}});
   for (int r = 0; r < rung_count; ++r)
-    if (p.decide[r])
-      out.push_back({app::name_of(static_cast<rung>(r)), p.decide[r], static_cast<rung>(r)});
+    if (pair_decider decide = decider_of(p, static_cast<rung>(r)))
+      out.push_back({app::name_of(static_cast<rung>(r)), std::move(decide), static_cast<rung>(r)});
   return out;
 }
 
-std::vector<answer> decide_all(const element_pairs &pairs, decide_function decide) {
+std::vector<answer> decide_all(const element_pairs &pairs, const pair_decider &decide) {
   std::vector<answer> out(pairs.count);
   const std::vector<index_pair> list = row_with_row(pairs.count);
   decide(pairs.a.data(), pairs.b.data(), list.data(), list.size(), out.data());
@@ -78,7 +78,7 @@ wrongness wrongness_of(const element_pairs &pairs, const trade_method &method, c
 trade_result measure_trade(const element_pairs &pairs, const turns &how, double tolerance) {
   const predicate_info &p = *pairs.by;
   std::vector<trade_method> all = methods_of(p);
-  const decide_function certified = p.decide[static_cast<int>(rung::certified)];
+  const pair_decider certified = decider_of(p, rung::certified);
   const double grid = certified ? grid_within(p, tolerance) : 0;
   element_pairs rounded;
   if (grid > 0) {

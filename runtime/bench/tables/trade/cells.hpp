@@ -30,7 +30,7 @@ struct trade_result {
 trade_result measure_trade(const element_pairs &pairs, const turns &how, double tolerance = 0);
 
 // The answers of one function for all pairs.
-std::vector<answer> decide_all(const element_pairs &pairs, decide_function decide);
+std::vector<answer> decide_all(const element_pairs &pairs, const pair_decider &decide);
 
 } // namespace meetc::bench
 

@@ -85,7 +85,7 @@ public:
         return out;
       const std::vector<answer> exact = decide_all(pairs, pairs.by->decide[static_cast<int>(rung::exact)]);
       for (const rung r : {rung::fp32, rung::certified})
-        if (pairs.by->decide[static_cast<int>(r)])
+        if (decider_of(*pairs.by, r))
           out.push_back(by_rung(pairs, exact, r, repetitions));
       if (std::string_view(pairs.by->name) == "ball_ball" && every_pair_.best_filter() != every_pair::filter::float32)
         out.push_back(by_filter(pairs, exact, repetitions));

@@ -132,7 +132,7 @@ void measure_scene(const catalogue &all, const sets_of_scene &s, const request &
   const result truth = collide(a, b, p, rung::exact, options);
   std::vector<rung> rungs;
   for (int r = 0; r < rung_count; ++r)
-    if (p.decide[r])
+    if (decider_of(p, static_cast<rung>(r)))
       rungs.push_back(static_cast<rung>(r));
   result found;
   std::vector<trade_query> queries;
@@ -154,7 +154,7 @@ void measure_scene(const catalogue &all, const sets_of_scene &s, const request &
   for (std::size_t i = 0; i < rungs.size(); ++i)
     queries[i].seconds = m.of[i].seconds[0];
   for (const rung r : {rung::fp32, rung::certified, rung::exact}) {
-    if (!device || !p.decide[static_cast<int>(r)])
+    if (!device || !decider_of(p, r))
       continue;
     found = device->query(a, b, p, r, std::min(q.repetitions, 9));
     const difference d = answer_of(r, true);

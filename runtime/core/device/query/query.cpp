@@ -1,5 +1,6 @@
 #include "meet/core/device/query/query.hpp"
 
+#include "meet/core/cascade/cascade.hpp"
 #include "meet/core/device/memory/buffers.hpp"
 #include "meet/core/device/query/parts.hpp"
 #include "meet/core/query/collide.hpp"
@@ -28,7 +29,7 @@ rung tolerant_or_certified(const device_rows &a, const device_rows &b, const pre
   report.left_box_a = leaves(a), report.left_box_b = leaves(b);
   if (!report.left_box_a && !report.left_box_b)
     return rung::tolerant;
-  require(p.decide[static_cast<int>(rung::certified)] != nullptr, text(status::left_box));
+  require(cascade(p, rung::certified).count > 0, text(status::left_box));
   return rung::certified;
 }
 
@@ -48,7 +49,7 @@ void require_query(const device &on, const device_set &a, const device_set &b, c
   };
   require(same(a.kind(), *predicate.a) && same(b.kind(), *predicate.b), "the predicate is for other kinds of element");
   require(a.on() == on && b.on() == on, "a set is on another device");
-  require(predicate.decide[static_cast<int>(precision)] != nullptr, text(status::no_such_rung));
+  require(cascade(predicate, precision).count > 0, text(status::no_such_rung));
   require_first_met(predicate, options.want, options.first_met, options.owner_a);
   require(!options.first_met || launchers_of(on.kernels(), predicate).pairs.first_met,
           "no CUDA kernel was generated for the order of hits");

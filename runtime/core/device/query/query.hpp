@@ -1,4 +1,4 @@
-// core/device/query/query.hpp: one query on rows that are in order, of which collide() and collide_poses() are made.
+// core/device/query/query.hpp: one query on rows that are in order, of which collide() is made.
 #ifndef MEETC_CORE_DEVICE_QUERY_QUERY_HPP
 #define MEETC_CORE_DEVICE_QUERY_QUERY_HPP
 

@@ -17,6 +17,7 @@
 
 #include <meetc/decide/first_stages.hpp>
 #include <meetc/decide/stored_values.hpp>
+#include <meetc/simd/back_off.hpp>
 #include <meetc/simd/power_bound.hpp>
 #include <meetc/table/table.hpp>
 
@@ -275,22 +276,16 @@ private:
       t.template compute_magnitudes<Stage>(a_, b_);
       lane_signs<P, Stage, How>(t, s);
     }
-    if (by_power_) {
-      by_power_ = false;
-      failures_ = failures_ < 15 ? 2 * failures_ + 1 : 15;
-      skips_ = failures_;
-    }
+    by_power_ = false;
   }
-  // Begins a tile. Neighbouring pairs are mostly alike, so after a failure the bound by a power is not tried for some
-  // tiles.
+  // Begins a tile.
   MEETC_INLINE lanes begin(const lane_tile<P> &t) {
     if constexpr (has_power) {
-      if (by_power_)
-        failures_ = 0;
-      by_power_ = skips_ == 0;
+      if (tried_)
+        power_.went(by_power_);
+      by_power_ = tried_ = power_.tries();
       if (by_power_)
         return extent_of<P>(t.row_a, t.row_b);
-      --skips_;
     }
     return lanes(0.0F);
   }
@@ -318,9 +313,10 @@ private:
   const index_pair *pairs_;
   answer *out_;
   const Open &open_;
-  bool points_first_ = false;    // most pairs share points, as far as the last tile tells
-  bool by_power_ = false;        // whether the bound by a power gives the signs of this tile
-  int skips_ = 0, failures_ = 0; // tiles for which the bound by a power is not tried; how often it has failed
+  bool points_first_ = false; // most pairs share points, as far as the last tile tells
+  bool by_power_ = false;     // whether the bound by a power gives the signs of this tile
+  bool tried_ = false;        // whether it was tried for this tile
+  back_off power_;            // when to try it
   int waiting_ = 0;
   std::size_t waiting_numbers_[lane_count];
   index_pair waiting_pairs_[lane_count];

@@ -123,46 +123,6 @@ void certify_pairs(row_array a, row_array b, const index_pair *pairs, std::size_
     decide_each<P>(a, b, pairs, n, out, [](const row_pair &p) { return certify_here<P, A>(p.row_a, p.row_b); });
   after_check(out); // keeps the computation before the return
 }
-// The answers of fp64, or of integers, for those of `count` pairs that are unsure. Returns how many there are.
-template <class P>
-std::size_t decide_unsure(const row_array &a, const row_array &b, const index_pair *pairs, std::size_t count,
-                          index_pair *unsure, answer *found, answer *out) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    if (out[i] == answer::unsure)
-      unsure[n++] = pairs[i];
-  certify_pairs<P, in_fp64>(a, b, unsure, n, found);
-  for (std::size_t i = 0, k = 0; k < n; ++i)
-    if (out[i] == answer::unsure) {
-      out[i] =
-          found[k] != answer::unsure
-              ? found[k]
-              : to_answer(before_return(decide<P>(exact_signs<P>(a.rows + std::size_t{unsure[k].a} * P::inputs_a,
-                                                                 b.rows + std::size_t{unsure[k].b} * P::inputs_b))));
-      ++k;
-    }
-  return n;
-}
-// All rungs of `certified`, block by block. After a block of which fp32 has decided little, it is asked for every eighth
-// one only.
-template <class P>
-void decide_certified(row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
-  constexpr std::size_t block = 512;
-  index_pair unsure[block];
-  answer found[block];
-  bool decides_little = false;
-  for (std::size_t at = 0, number = 0; at < n; at += block, ++number) {
-    const std::size_t here = n - at < block ? n - at : block;
-    const bool asks_fp32 = !decides_little || number % 8 == 0;
-    if (asks_fp32)
-      certify_pairs<P, in_fp32>(a, b, pairs + at, here, out + at);
-    else
-      unsure_each(here, out + at);
-    const std::size_t left = decide_unsure<P>(a, b, pairs + at, here, unsure, found, out + at);
-    if (asks_fp32)
-      decides_little = 4 * left > 3 * here;
-  }
-}
 template <class P>
 void certify_pairs_in_box(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out) {
   if (!standard_environment())
@@ -291,7 +251,6 @@ predicate_info info_of(const char *name, const char *mode, const kind_info *a, c
   if constexpr (asks(rung::exact) || certified)
     decide(rung::exact) = table_rung<decide_exact<P>>;
   if constexpr (certified) {
-    decide(rung::certified) = table_rung<decide_certified<P>>;
     p.certify[0] = table_rung<certify_pairs<P, in_fp32>>;
     p.certify[1] = table_rung<certify_pairs<P, in_fp64>>;
     p.certify[2] = table_rung<certify_pairs<P, in_fp64x2>>;

@@ -22,6 +22,7 @@
 #include <meetc/simd/lanes.hpp>
 
 #include <meetc/decide/counted_roundings.hpp>
+#include <meetc/simd/back_off.hpp>
 #include <meetc/simd/lane_decide.hpp>
 #include <meetc/simd/power_bound.hpp>
 #include <meetc/simd/tracked.hpp>
@@ -261,8 +262,7 @@ private:
 
   void load(const index_pair *pairs, int n) {
     settled_ = 0;
-    // Neighbouring pairs are mostly alike, so after a block without an exact pair the next ones are not tried.
-    const bool tries = exact_ != 0 || number_++ % 16 == 0;
+    const bool tries = doubles_.tries();
     exact_ = 0;
     const int filled = (n + 7) / 8 * 8; // the signs of eight pairs are found at a time
     for (int from = 0; from < filled; from += lane_count) {
@@ -286,6 +286,8 @@ private:
           exact_ |= (exact_lanes<P, Width::exact>(to) & all_bits >> (block - wide_count)) << (from + half);
       }
     }
+    if (tries)
+      doubles_.went(exact_ != 0);
   }
   template <int N> static MEETC_INLINE void take(const lanes *turned, int from, wide_lanes *to) {
     for (int i = 0; i < N; ++i) {
@@ -368,7 +370,7 @@ private:
   wide_rows<P> rows_[block / wide_count];
   lane_mask settled_ = 0; // pairs that equal points settle
   lane_mask exact_ = 0;   // pairs whose values are exact in doubles
-  unsigned number_ = 0;   // of blocks
+  back_off doubles_;      // when to look for such pairs
 };
 
 // Decides n pairs in lanes of doubles; open(i) decides pair i if these do not.

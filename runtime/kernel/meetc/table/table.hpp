@@ -96,8 +96,8 @@ struct predicate_info {
   const char *name;
   const char *mode; // "solid", "surface", or "" where the two do not differ
   const kind_info *a, *b;
-  // Indexed by rung; rows have a->fields and b->fields floats. Null where the scene does not ask for the rung. No entry
-  // answers unsure.
+  // Indexed by rung; rows have a->fields and b->fields floats. Null where the scene does not ask for the rung, and for
+  // certified, which is the functions of `certify` and the exact rung. No entry answers unsure.
   decide_function decide[rung_count];
   // The bounded rungs of `certified`, fp32 first, each for the pairs that the one before left unsure. Their no and yes
   // are proved. decide[exact] runs last, so a table made by hand must fill it as well: if any of the four is missing,
@@ -107,7 +107,7 @@ struct predicate_info {
   // coordinates, no coordinate and no length of the elements exceeds. Bounds use the extents of each object.
   void (*certify_in_box)(float side, row_array a, row_array b, const index_pair *pairs, std::size_t n, answer *out);
   float box_least, box_most;
-  // The stored values that decide[certified], certify[0] and certify_in_box read, and those that decide[fp32] reads.
+  // The stored values that certify[0] and certify_in_box read, and those that decide[fp32] reads.
   // They differ where only the latter are computed with the fused multiply-add.
   stored_values stored_a = {}, stored_b = {}, plain_stored_a = {}, plain_stored_b = {};
   // decide[exact] for pairs that all bounded rungs left unsure: it does not repeat what they have tried. Null:

@@ -68,8 +68,7 @@ private:
       for (std::uint32_t j = 0; j < y.size(); ++j)
         pairs.push_back({i, j});
     std::vector<answer> answers(pairs.size());
-    p.decide[static_cast<int>(rung::certified)](x.rows.data(), y.rows.data(), pairs.data(), pairs.size(),
-                                                answers.data());
+    p.decide[static_cast<int>(rung::exact)](x.rows.data(), y.rows.data(), pairs.data(), pairs.size(), answers.data());
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (answers[i] == answer::yes)
         hits.push_back(pairs[i]);

@@ -2,7 +2,7 @@
 // that stands in the group several times.
 #include "engine.hpp"
 
-#include "meet/core/device/group.hpp"
+#include "meet/core/device/collide.hpp"
 
 #include <algorithm>
 #include <cmath>

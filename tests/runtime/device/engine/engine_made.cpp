@@ -1,8 +1,8 @@
 // Sets that are made on the device, and one set in many poses.
 #include "engine.hpp"
 
+#include "meet/core/device/collide.hpp"
 #include "meet/core/device/memory/transfers.hpp"
-#include "meet/core/device/poses.hpp"
 #include "meet/core/sets/element_set.hpp"
 
 #include <algorithm>
@@ -185,10 +185,10 @@ void many_poses(comparison &with, const settings &s) {
     for (const std::size_t capacity : {std::size_t{1} << 18, std::size_t{1} << 25}) {
       device_options o = counted;
       o.list_capacity = capacity;
-      const poses_result have = collide_poses(with.on(), da, db, fit, p, rung::certified, o);
+      const poses_result have = collide(with.on(), da, db, fit, p, rung::certified, o);
       with.require(scene, have.counts == want, std::string(p.name) + ": other counts of pairs");
       o.want = answer_kind::any;
-      const poses_result any = collide_poses(with.on(), da, db, fit, p, rung::certified, o);
+      const poses_result any = collide(with.on(), da, db, fit, p, rung::certified, o);
       bool same = any.counts.size() == want.size();
       for (std::size_t i = 0; same && i < want.size(); ++i)
         same = any.counts[i] == (want[i] > 0);
@@ -201,9 +201,9 @@ void many_poses(comparison &with, const settings &s) {
     device_set other_a(with.on(), b.elements() > 0 && p.a == p.b ? b : a), other_b(with.on(), b);
     device_set *const bodies_a[] = {&da, &other_a};
     const device_set *const bodies_b[] = {&db, &other_b};
-    const poses_result bodies = collide_bodies(with.on(), bodies_a, bodies_b, turns, p, rung::certified, counted);
+    const poses_result bodies = collide(with.on(), bodies_a, bodies_b, turns, p, rung::certified, counted);
     bool right = bodies.counts.size() == 2 * turns.size();
-    const poses_result of_other = collide_poses(with.on(), other_a, db, fit, p, rung::certified, counted);
+    const poses_result of_other = collide(with.on(), other_a, db, fit, p, rung::certified, counted);
     for (std::size_t i = 0; right && i < fit.size(); ++i)
       for (std::size_t j = 0; j < 2; ++j) {
         const std::size_t at = (i + j) % fit.size();
@@ -211,14 +211,14 @@ void many_poses(comparison &with, const settings &s) {
                 bodies.counts[turns.size() + 2 * i + j] == of_other.counts[at];
       }
     with.require(scene, right, std::string(p.name) + ": other counts of bodies");
-    const poses_result none = collide_poses(with.on(), da, db, {}, p, rung::certified, counted);
+    const poses_result none = collide(with.on(), da, db, {}, p, rung::certified, counted);
     with.require(scene, none.counts.empty(), "no poses");
     std::vector<pose> far = fit;
     far[4] = pose_for(*p.b, placed(1e30, 0, 0, 0));
     far[4].m[3] = 1e300;
     std::string said;
     try {
-      collide_poses(with.on(), da, db, far, p, rung::certified, counted);
+      collide(with.on(), da, db, far, p, rung::certified, counted);
     } catch (const input_error &e) {
       said = e.what();
     }

@@ -2,7 +2,7 @@
 // standard word, nothing traps, and the word is as it was.
 #include "engine.hpp"
 
-#include "meet/core/device/poses.hpp"
+#include "meet/core/device/collide.hpp"
 #include "tests/downstream/flags/words.hpp"
 
 #include <cstring>
@@ -65,7 +65,7 @@ void of_predicate(comparison &with, const predicate_info &p, double scale, engin
     device_options count;
     count.want = answer_kind::count;
     const pose poses[] = {pose(), at};
-    const poses_result several = collide_poses(with.on(), x, y, poses, p, rung::certified, count);
+    const poses_result several = collide(with.on(), x, y, poses, p, rung::certified, count);
     y.move(at);
     const device_result posed = collide(with.on(), x, y, p, rung::certified);
     const bool same = same_list(as_it_is.pairs, want.pairs) && same_list(again.pairs, want.pairs) &&

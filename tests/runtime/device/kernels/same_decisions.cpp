@@ -2,6 +2,7 @@
 #include "cuda_test.hpp"
 #include "launchers.hpp"
 
+#include <algorithm>
 #include <cga/cga_runtime.hpp>
 #include <cmath>
 
@@ -62,7 +63,8 @@ long same_decisions() {
     static const char *const rungs[] = {"fp32", "fp64", "fp64x2", "exact", "certified"};
     static const char *const bounded[] = {"bounded fp32", "bounded fp64", "bounded fp64x2"};
     for (int r = 0; r < static_cast<int>(meetc::rung::tolerant); ++r) // the shipped scene does not ask for it
-      compare(rungs[r], predicate.decide[r], on_device.decide, static_cast<meetc::rung>(r), -1);
+      compare(rungs[r], predicate.decide[std::min(r, static_cast<int>(meetc::rung::exact))], on_device.decide,
+              static_cast<meetc::rung>(r), -1); // the truth of certified is exact
     for (int r = 0; r < meetc::bounded_rungs; ++r)
       compare(bounded[r], predicate.certify[r], on_device.certify, static_cast<meetc::rung>(r), r);
   }
