@@ -35,7 +35,7 @@ set(MEETC_ALGEBRA_DIR "${PROJECT_SOURCE_DIR}/algebra_spec" CACHE INTERNAL "Folde
 set(MEETC_CORE_HEADERS answers/answers.hpp query/collide.hpp query/evaluate.hpp query/find.hpp query/pairs.hpp sets/prepared.hpp views/check.hpp
   views/memory.hpp views/pose.hpp views/status.hpp views/view.hpp)
 set(MEETC_DEVICE_HEADERS answers/device_result.hpp collide.hpp evaluate.hpp every_pair/engine.hpp group.hpp memory/device.hpp
-  memory/memory.hpp poses.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp)
+  memory/memory.hpp set/device_set.hpp set/given.hpp set/rows.hpp set/tree.hpp)
 set(MEETC_IO_HEADERS elements/element_set.hpp elements/transform.hpp files/atomic_file.hpp files/error.hpp read.hpp
   text/rounded.hpp write.hpp)
 
