@@ -3,7 +3,7 @@
 // The model: the boxes of a level have its mean widths and lie anywhere in the box around both sets, with equal
 // probability. Two boxes then touch with the probability that the box of their summed widths has there, and a segment
 // and a box with that of their Minkowski sum. Each box that is touched costs one test of sixteen lanes,
-// and one by points costs two.
+// and one by points costs four.
 #ifndef MEETC_CORE_TRAVERSAL_WALK_COST_HPP
 #define MEETC_CORE_TRAVERSAL_WALK_COST_HPP
 

@@ -63,7 +63,7 @@ counts_by_set many_cases::run(std::uint64_t word, std::string &first_wrong) cons
       ask("bounded in fp32", p.certify[0], &to.unsure[0]);
       ask("bounded in fp64", p.certify[1], &to.unsure[1]);
       ask(
-          "certified", [by = cascade(p, meetc::rung::certified)](auto... to) { by.decide(to...); }, nullptr);
+          "certified", [by = cascade(p, meetc::rung::certified)](auto... args) { by.decide(args...); }, nullptr);
       ask("exact", p.decide[static_cast<int>(meetc::rung::exact)], nullptr);
     }
   }
