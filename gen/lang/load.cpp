@@ -140,7 +140,7 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
     throw spec_error(p.where, what + " needs 'of' and 'hit'");
   p.of = read_fields(in, *t.get("of"), what + ".of");
   if (p.of.size() != 2)
-    throw spec_error(in.place(*t.get("of")), what + ".of names two operands");
+    throw spec_error(in.place(*t.get("of")), what + ".of names two operands, as in ['A: sphere', 'B: line']");
   if (const toml::node *lets = t.get("let"))
     p.lets = read_named(in, *lets, what + ".let");
   if (const toml::node *reject = t.get("reject"))
