@@ -1,4 +1,5 @@
 // The costs of scenes, beside each other: a scene's code and programs hold the requested kernels and nothing else.
+#include "gen/compare_kernels.hpp"
 #include "gen/driver.hpp"
 #include "gen/ir/count.hpp"
 #include "gen/support/output.hpp"
@@ -30,6 +31,7 @@ struct scene_figures {
   std::optional<double> compile_seconds;
   std::optional<int> registers;                            // the most of any device kernel
   std::vector<std::pair<std::string, double>> nanoseconds; // a pair, by predicate
+  std::vector<kernel_figures> each;                        // where they are asked for
 };
 
 void count_kernel(const lower::kernel &k, scene_figures &to) {
@@ -159,6 +161,8 @@ scene_figures figures_of(const std::string &scene, const compare_options &o) {
     count_kernel(k, out);
   for (const lower::lowered_kind &k : lower::kinds_of(*c.model, c.kernels))
     out.kinds += (out.kinds.empty() ? "" : " ") + k.name;
+  if (o.kernels)
+    out.each = kernel_figures_of(c);
   const std::vector<target::file> files = emit_all(c);
   for (const target::file &f : files) {
     if (f.path.starts_with("meetc/")) // the kernel headers are the same for every scene
@@ -254,6 +258,13 @@ int compare_scenes(const compare_options &o) {
   say(table_of(all, o));
   if (std::any_of(all.begin(), all.end(), [](const scene_figures &f) { return !f.nanoseconds.empty(); }))
     say('\n' + times_of(all));
+  if (o.kernels) {
+    std::vector<std::string> names;
+    std::vector<std::vector<kernel_figures>> each;
+    for (scene_figures &f : all)
+      names.push_back(f.name), each.push_back(std::move(f.each));
+    say('\n' + in_columns(kernel_rows(names, each), false));
+  }
   return 0;
 }
 

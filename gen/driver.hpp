@@ -72,6 +72,7 @@ struct eval_options {
 struct compare_options {
   std::vector<std::string> scenes;
   std::string cxx, nvcc; // compilers for the emitted sources; empty: they are not compiled
+  bool kernels = false;  // also a table of the kernels, scene beside scene
   folders algebra_path;
 };
 

@@ -117,6 +117,10 @@ int main(int argc, char **argv) {
   compare_command->add_option("scenes", m.scenes, "Scene files (.toml)")->required();
   compare_command->add_option("--compile", m.cxx,
                               "Also compile the C++ with this compiler, for objects, seconds and the time of a pair");
+  compare_command->add_flag(
+      "--kernels", m.kernels,
+      "Also print the operations, sign atoms and bounds of each kernel, scene beside scene: the same\n"
+      "kernel in two algebras");
   compare_command->add_option("--nvcc", m.nvcc, "Also compile the CUDA with this nvcc, for registers on sm_90");
 
   for (const auto &[command, path] :
