@@ -1,5 +1,6 @@
 // The costs of scenes, beside each other: a scene's code and programs hold the requested kernels and nothing else.
 #include "gen/columns.hpp"
+#include "gen/compare_kernels.hpp"
 #include "gen/formula_costs.hpp"
 #include "gen/ir/count.hpp"
 #include "gen/support/output.hpp"
@@ -32,6 +33,7 @@ struct scene_figures {
   std::optional<int> registers;                            // the most of any device kernel
   std::vector<std::pair<std::string, double>> nanoseconds; // a pair, by predicate
   std::string formulas;                                    // a table, if it is asked for
+  std::vector<kernel_figures> each;                        // where they are asked for
 };
 
 void count_kernel(const lower::kernel &k, scene_figures &to) {
@@ -174,6 +176,8 @@ scene_figures figures_of(const std::string &scene, const compare_options &o, con
   for (const lower::lowered_kind &k : lower::kinds_of(*c.model, c.kernels))
     out.kinds += (out.kinds.empty() ? "" : " ") + k.name;
   const std::vector<formula_cost> costs = o.formulas ? formula_costs(c) : std::vector<formula_cost>();
+  if (o.kernels)
+    out.each = kernel_figures_of(c);
   const std::vector<target::file> files = emit_all(c);
   for (const target::file &f : files) {
     if (f.path.starts_with("meetc/")) // the kernel headers are the same for every scene
@@ -258,6 +262,13 @@ int compare_scenes(const compare_options &o) {
       say(fmt::format("\nformulas of {}\n{}", f.name, f.formulas));
   if (std::any_of(all.begin(), all.end(), [](const scene_figures &f) { return !f.nanoseconds.empty(); }))
     say('\n' + times_of(all));
+  if (o.kernels) {
+    std::vector<std::string> names;
+    std::vector<std::vector<kernel_figures>> each;
+    for (scene_figures &f : all)
+      names.push_back(f.name), each.push_back(std::move(f.each));
+    say('\n' + in_columns(kernel_rows(names, each), false));
+  }
   return 0;
 }
 

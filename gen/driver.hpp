@@ -74,6 +74,7 @@ struct compare_options {
   std::string cxx, nvcc; // compilers for the emitted sources; empty: they are not compiled
   bool formulas = false; // what each formula costs
   std::string beside;    // a file of counts that other generators publish; empty: none
+  bool kernels = false;  // also a table of the kernels, scene beside scene
   folders algebra_path;
 };
 

@@ -1,5 +1,6 @@
 // Writes files: only those that changed, each whole or not at all, and none if something is in the way.
 #include "gen/driver.hpp"
+#include "gen/support/limits.hpp"
 #include "gen/support/output.hpp"
 #include "gen/target/cpp/names.hpp"
 
@@ -169,6 +170,7 @@ int generate(const generate_options &o) {
     else if (const fs::path folder = (out / f.path).parent_path();
              fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
       throw spec_error({}, fmt::format("{}: is in the way of a folder", folder.generic_string()));
+  stop_watching_limits(); // nothing is written by halves
   std::size_t written = 0;
   for (const target::file &f : files)
     if (read(out / f.path) != f.text) {

@@ -1,5 +1,6 @@
 // meetc: compiles the meet. Exit codes: 0 done, 1 a check failed, 2 bad usage or input.
 #include "gen/driver.hpp"
+#include "gen/support/limits.hpp"
 #include "gen/support/output.hpp"
 #include "gen/support/source.hpp"
 
@@ -119,6 +120,10 @@ int main(int argc, char **argv) {
   compare_command->add_flag("--formulas", m.formulas, "Also print what each formula costs");
   compare_command->add_option("--beside", m.beside, "A file (.toml) of counts that other generators publish")
       ->needs("--formulas");
+  compare_command->add_flag(
+      "--kernels", m.kernels,
+      "Also print the operations, sign atoms and bounds of each kernel, scene beside scene: the same\n"
+      "kernel in two algebras");
   compare_command->add_option("--nvcc", m.nvcc, "Also compile the CUDA with this nvcc, for registers on sm_90");
 
   for (const auto &[command, path] :
@@ -128,6 +133,16 @@ int main(int argc, char **argv) {
     command
         ->add_option("--algebra-path", *path, "A folder in which algebras are looked for as well; may be given again")
         ->allow_extra_args(false);
+  limits most;
+  for (CLI::App *const command :
+       {generate_command, verify_command, plan_command, show_command, compare_command, eval_command}) {
+    command
+        ->add_option("--limit-seconds", most.seconds,
+                     "The most time that this may take, for a spec that is not trusted")
+        ->check(CLI::Range(0.001, 1e6));
+    command->add_option("--limit-megabytes", most.megabytes, "The most memory that this may take")
+        ->check(CLI::Range(1L, 100000000L));
+  }
 
   try {
     app.parse(argc, argv);
@@ -142,6 +157,7 @@ int main(int argc, char **argv) {
     fmt::print(stderr, "meetc: {} (see meetc --help)\n", usage_error(app, e));
     return 2;
   }
+  watch_limits(most);
   try {
     const int rc = generate_command->parsed()  ? generate(g)
                    : verify_command->parsed()  ? verify_scene(v)

@@ -1,5 +1,6 @@
 // Checks names: duplicates, unknown ones, kinds that contain themselves, functions that call themselves.
 #include "gen/lang/analytic.hpp"
+#include "gen/lang/hints.hpp"
 #include "gen/lang/operators.hpp"
 #include "gen/lang/spec.hpp"
 
@@ -80,7 +81,9 @@ public:
       constant(c, {});
     for (const named_expr &n : a_.null)
       if (!a_.find_constant(n.name))
-        throw spec_error(n.where, fmt::format("null vector '{}' is not a constant", n.name));
+        throw spec_error(
+            n.where,
+            fmt::format("null vector '{0}' is not a constant; declare it in [constants], as {0} = '…'", n.name));
     for (const function &f : a_.functions) {
       expression(*f.body, scope(f.params.begin(), f.params.end()));
       if (f.domain)
@@ -282,7 +285,14 @@ private:
       std::vector<std::string> known(s.begin(), s.end());
       for (const auto &[name, where] : declared_)
         known.push_back(name);
-      throw spec_error(e.where, fmt::format("unknown name '{}'{}", e.text, nearest(e.text, known)));
+      const std::string hint = hint_for_name(a_, e.text), near = nearest(e.text, known);
+      const std::string local = join({s.begin(), s.end()}, ", ");
+      throw spec_error(e.where, fmt::format("unknown name '{}'{}", e.text,
+                                            !hint.empty()   ? hint
+                                            : !near.empty() ? near
+                                            : !local.empty()
+                                                ? fmt::format("; beside what the algebra declares there is: {}", local)
+                                                : ""));
     }
     if (e.kind == op::call)
       call(e);
@@ -327,7 +337,9 @@ private:
         known.push_back(p.name);
       for (const kind &k : a_.kinds)
         known.push_back(k.name);
-      throw spec_error(e.where, fmt::format("unknown function '{}'{}", e.text, nearest(e.text, known)));
+      const std::string hint = hint_for_function(e.text);
+      throw spec_error(e.where,
+                       fmt::format("unknown function '{}'{}", e.text, hint.empty() ? nearest(e.text, known) : hint));
     }
     if (e.kind == op::call && e.args.size() != want)
       refuse_arguments(e, want);

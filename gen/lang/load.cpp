@@ -140,7 +140,7 @@ predicate read_predicate(const toml_reader &in, const toml::key &key, const toml
     throw spec_error(p.where, what + " needs 'of' and 'hit'");
   p.of = read_fields(in, *t.get("of"), what + ".of");
   if (p.of.size() != 2)
-    throw spec_error(in.place(*t.get("of")), what + ".of names two operands");
+    throw spec_error(in.place(*t.get("of")), what + ".of names two operands, as in ['A: sphere', 'B: line']");
   if (const toml::node *lets = t.get("let"))
     p.lets = read_named(in, *lets, what + ".let");
   if (const toml::node *reject = t.get("reject"))
@@ -248,7 +248,8 @@ void load_into(const std::string &path, algebra &out, reading_files &all) {
     for (const toml::node &item : in.as_array(imports, "import")) {
       const std::string name = in.as_string(item, "each item of import");
       const fs::path target = fs::path(path).parent_path() / name;
-      if (!fs::is_regular_file(target))
+      std::error_code unreadable; // as a name that is too long for a file
+      if (!fs::is_regular_file(target, unreadable))
         throw spec_error(in.place(item), fmt::format("cannot find '{}'", target.generic_string()));
       load_into(target.generic_string(), out, all);
     }

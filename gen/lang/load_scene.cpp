@@ -43,6 +43,13 @@ scene load_scene(const std::string &path, const backend_choice &backends, const 
   s.name = fs::path(path).stem().string();
   s.space = in.as_string(*t.get("namespace"), "scene.namespace");
   need_name(s.space, in.place(*t.get("namespace")), "a namespace");
+  for (const char *taken : {"meetc", "std", "cuda", "every_pair"})
+    if (s.space == taken)
+      throw spec_error(
+          in.place(*t.get("namespace")),
+          fmt::format("the namespace '{0}' is taken by the code that is included; write another one, as in "
+                      "namespace = 'my_{0}'",
+                      taken));
   const std::string algebra_path = in.as_string(*t.get("algebra"), "scene.algebra");
   load_algebra(find_algebra(in.place(*t.get("algebra")), algebra_path, search), s.in, s.files, search);
   for (const toml::node &item : in.as_array(*t.get("kernels"), "scene.kernels"))

@@ -1,4 +1,5 @@
 // A hand-written recursive descent parser for the grammar in syntax.hpp.
+#include "gen/lang/hints.hpp"
 #include "gen/lang/syntax.hpp"
 
 #include <algorithm>
@@ -28,7 +29,10 @@ public:
   expr_ptr whole() {
     expr_ptr e = expression();
     if (token_.kind != token::type::end)
-      fail(fmt::format("expected the end of the expression, found '{}'", token_.text));
+      fail(fmt::format("expected the end of the expression, found '{}'{}", token_.text,
+                       token_.kind == token::type::word || token_.kind == token::type::number
+                           ? "; write an operator between them, such as '*', or f(a, b) for a call"
+                           : ""));
     return e;
   }
 
@@ -71,7 +75,9 @@ private:
       if (at_ - start > max_digits)
         throw spec_error(here(start, at_ - start), fmt::format("this number has more than {} digits", max_digits));
       if (at_ < source_.end && letter(s[at_]))
-        throw spec_error(here(start, at_ - start + 1), "a number runs into a name; write '*' between them");
+        throw spec_error(
+            here(start, at_ - start + 1),
+            "a number runs into a name; write '*' between them, and a power of ten in full: 1000 or 1/1000");
     } else {
       const bool two =
           at_ + 1 < source_.end && s[at_ + 1] == '=' && std::string("<>=!").find(s[at_]) != std::string::npos;
@@ -82,8 +88,9 @@ private:
         // Keeps all bytes of a UTF-8 character together.
         while ((s[start] & 0xc0) == 0xc0 && at_ < source_.end && (s[at_] & 0xc0) == 0x80)
           ++at_;
+        const std::string symbol = s.substr(start, at_ - start);
         throw spec_error(here(start, at_ - start),
-                         fmt::format("'{}' does not belong in an expression", s.substr(start, at_ - start)));
+                         fmt::format("'{}' does not belong in an expression{}", symbol, hint_for_symbol(symbol)));
       }
     }
     token_ = {kind, s.substr(start, at_ - start), here(start, at_ - start)};
@@ -206,8 +213,9 @@ private:
     std::string used;
     while (is("^") || is("|") || is("&")) {
       if (!used.empty() && used != token_.text)
-        fail(fmt::format("'{}' and '{}' mixed without parentheses", std::min(used, token_.text),
-                         std::max(used, token_.text)));
+        fail(fmt::format("'{}' and '{}' mixed without parentheses: write (A {} B) {} C or A {} (B {} C)",
+                         std::min(used, token_.text), std::max(used, token_.text), used, token_.text, used,
+                         token_.text));
       used = token_.text;
       const op kind = is("^") ? op::outer : is("|") ? op::inner : op::builtin;
       next();
@@ -232,7 +240,8 @@ private:
       if (is(".")) {
         next();
         if (token_.kind != token::type::word)
-          fail(fmt::format("expected a member's name after '.', found '{}'", token_.text));
+          fail(fmt::format("expected a member's name after '.', found '{}'{}", token_.text,
+                           a->kind == op::number ? "; a number has digits on both sides of its point, as 5.0" : ""));
         location where = span(a->where, token_.where);
         a = make(op::member, std::move(where), {a}, token_.text);
         next();
@@ -267,6 +276,14 @@ private:
     next();
     return make(op::name, where, {}, "*");
   }
+  // A hint where the symbol before this one makes it an operator of other languages, as && or **, or a number, as .5.
+  std::string misread() const {
+    const std::string &s = source_.file->text;
+    const std::size_t at = token_.where.offset;
+    if (is(".") && at + 1 < source_.end && digit(s[at + 1]))
+      return "; a number has digits on both sides of its point, as 0.5";
+    return at > source_.begin ? hint_for_symbol(s.substr(at - 1, 2)) : "";
+  }
   expr_ptr primary() {
     const token start = token_;
     if (token_.kind == token::type::number) {
@@ -288,7 +305,7 @@ private:
       return make(op::list, std::move(where), std::move(args));
     }
     if (token_.kind != token::type::word)
-      fail(fmt::format("expected a value, found '{}'", token_.text));
+      fail(fmt::format("expected a value, found '{}'{}", token_.text, misread()));
     static const std::array<const char *, 7> reserved{"if", "then", "else", "and", "or", "not", "in"};
     for (const char *word : reserved)
       if (token_.text == word)

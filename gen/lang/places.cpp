@@ -10,6 +10,8 @@ namespace fs = std::filesystem;
 
 std::string find_algebra(const location &named_at, const std::string &name,
                          const std::vector<std::string> &algebra_path) {
+  if (name.empty())
+    throw spec_error(named_at, "an algebra is a file, as in 'cga3.toml'");
   std::vector<fs::path> places{fs::path(named_at.file->path).parent_path() / name};
   if (fs::path(name).is_relative()) {
     for (const std::string &folder : algebra_path)

@@ -7,6 +7,8 @@
 namespace meetc::lang {
 namespace {
 
+constexpr std::size_t most_digits = 300; // as in an expression
+
 // 'p/q' in lowest terms, so that equal entries have equal text. Numbers with too many digits stay as they are.
 std::string reduced(const std::string &s) {
   const auto slash = std::min(s.find('/'), s.size());
@@ -22,6 +24,8 @@ std::string rational_text(const toml_reader &in, const toml::node &node) {
     return std::to_string(node.as_integer()->get());
   if (node.is_string()) {
     const std::string s = node.as_string()->get();
+    if (s.size() > most_digits)
+      throw spec_error(in.place(node), fmt::format("this number has more than {} digits", most_digits));
     const auto slash = s.find('/');
     const auto digits = [](const std::string &d, bool sign) {
       const std::size_t from = sign && !d.empty() && d[0] == '-' ? 1 : 0;

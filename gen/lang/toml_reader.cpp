@@ -7,6 +7,8 @@
 
 namespace meetc::lang {
 namespace {
+constexpr std::size_t most_bytes = 4'000'000; // more than anyone writes, and read in a second
+
 // toml++ counts columns in code points and does not count a byte order mark.
 std::size_t offset_of(const std::string &text, const toml::source_position &at) {
   std::size_t offset = text.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
@@ -28,11 +30,42 @@ bool is_name(const std::string &s) {
 }
 } // namespace
 
+namespace {
+// The parser's own words, with what a spec most often means. It names a key that is given twice by other bytes, and points
+// behind it.
+spec_error not_toml(location at, std::string said) {
+  const std::string_view prefix = "Error while parsing ";
+  if (said.starts_with(prefix))
+    said = (said.substr(prefix.size(), 5) == "array" ? "in an " : "in a ") + said.substr(prefix.size());
+  const std::string &text = at.file->text;
+  const std::size_t start = at.offset - (at.column() - 1);
+  if (const auto cut = said.find("cannot redefine existing"); cut != std::string::npos) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const std::string line = text.substr(start, end - start);
+    const std::string key =
+        line.substr(0, line.find_last_not_of(" \t", std::max<std::size_t>(line.find('='), 1) - 1) + 1);
+    const bool header = line.starts_with('[');
+    return {location{at.file, start, header ? line.size() : key.size()},
+            fmt::format("{} is given twice", header ? line : key)};
+  }
+  if (said.find("boolean") != std::string::npos || said.find("floating-point") != std::string::npos ||
+      said.find("expected value") != std::string::npos)
+    said += "; an expression or a name stands in single quotes: '…'";
+  else if (said.find("literal string") != std::string::npos && said.find("control") != std::string::npos)
+    said = "this string has no closing quote in its line; three quotes, '\'\'…\'\'\', hold several lines";
+  else if (said.find("array: expected comma") != std::string::npos)
+    said += "; an array closes with ']', and commas stand between its items";
+  return {std::move(at), said};
+}
+} // namespace
+
 toml_reader::toml_reader(const std::string &path) : file_(read_source(path)) {
+  if (file_->text.size() > most_bytes)
+    throw spec_error({file_, 0, 1}, fmt::format("this file has more than {} bytes", most_bytes));
   try {
     root_ = toml::parse(file_->text, path);
   } catch (const toml::parse_error &e) {
-    throw spec_error(place(e.source()), std::string(e.description()));
+    throw not_toml(place(e.source()), std::string(e.description()));
   }
 }
 
@@ -58,13 +91,14 @@ const toml::table &toml_reader::as_table(const toml::node &node, const std::stri
 
 const toml::array &toml_reader::as_array(const toml::node &node, const std::string &what) const {
   if (!node.is_array())
-    throw spec_error(place(node), fmt::format("{} must be an array", what));
+    throw spec_error(place(node), fmt::format("{} must be an array, in brackets: […]", what));
   return *node.as_array();
 }
 
 std::string toml_reader::as_string(const toml::node &node, const std::string &what) const {
   if (!node.is_string())
-    throw spec_error(place(node), fmt::format("{} must be a string", what));
+    throw spec_error(place(node), fmt::format("{} must be a string{}", what,
+                                              node.is_array() ? ", and this is an array" : ", as in '…'"));
   return node.as_string()->get();
 }
 
@@ -124,7 +158,7 @@ toml_reader::in_file_order(const toml::table &table) const {
 
 void check_version(const toml_reader &in, const toml::table &table) {
   if (const toml::node *version = table.get("spec"); version && version->value<std::int64_t>() != 1)
-    throw spec_error(in.place(*version), "this program reads the language 'spec = 1'");
+    throw spec_error(in.place(*version), "this program reads the language 'spec = 1'; write that, or leave it out");
 }
 
 void need_name(const std::string &name, const location &at, const char *what) {

@@ -1,5 +1,6 @@
 // Requests: the operands of a kernel and the names of its parts.
 #include "gen/lang/analytic.hpp"
+#include "gen/lang/hints.hpp"
 #include "gen/lower/kernel/kernel.hpp"
 
 #include <algorithm>
@@ -112,8 +113,9 @@ private:
     }
     if (e->text == "*")
       throw spec_error(e->where, "'*' stands for all kinds in the kernels of a scene alone");
+    const std::string hint = lang::hint_for_name(spec_, e->text);
     throw spec_error(e->where, fmt::format("no kind '{}'; kinds: {}{}", e->text, join(spec_.kind_names(), ", "),
-                                           nearest(e->text, spec_.kind_names())));
+                                           hint.empty() ? nearest(e->text, spec_.kind_names()) : hint));
   }
 
   [[noreturn]] void unknown(const lang::expr &e) const {
@@ -127,8 +129,9 @@ private:
       known.push_back(f.name);
     if (spec_.find_predicate(e.text))
       throw spec_error(e.where, fmt::format("'{0}' is a predicate, whose kinds are its own; write '{0}'", e.text));
-    throw spec_error(e.where,
-                     fmt::format("no function '{}'; functions: {}{}", e.text, declared, nearest(e.text, known)));
+    const std::string hint = lang::hint_for_function(e.text);
+    throw spec_error(e.where, fmt::format("no function '{}'; functions: {}{}", e.text, declared,
+                                          hint.empty() ? nearest(e.text, known) : hint));
   }
 };
 

@@ -47,22 +47,64 @@ std::string latex_poly(const poly::poly &p, const std::vector<std::string> &name
   return out;
 }
 
+// The text of a spec, on one line.
+std::string latex_text(const std::string &text) {
+  std::string out;
+  for (const char c : text)
+    if (c == '\n')
+      out += ' ';
+    else if (c == '^' || c == '~')
+      out += fmt::format("\\{}{{}}", c);
+    else if (std::string("_&#%$").find(c) != std::string::npos)
+      out += std::string("\\") + c;
+    else
+      out += c;
+  return "\\texttt{" + out + '}';
+}
+
+// The definition as it was written, and the sign atoms that it comes to: short ones in the stored numbers, others by their
+// name in the spec and their number of terms.
+std::string latex_predicate(const lower::kernel &k) {
+  constexpr std::size_t most_terms = 12;
+  std::string out = "\\begin{align*}\n";
+  const auto line = [&](const std::string &what, const std::string &is) {
+    out += fmt::format("{} &{} \\\\\n", what, is);
+  };
+  if (const lang::predicate *p = k.asked.asked) {
+    for (const lang::named_expr &l : p->lets)
+      line(latex_text(l.name), "= " + latex_text(lang::print(*l.body)));
+    for (const lang::expr_ptr &r : p->reject)
+      line("\\text{no, if}", "\\ " + latex_text(lang::print(*r)));
+    line(latex_text(p->name), "= " + latex_text(lang::print(*p->hit)));
+  } else {
+    line(latex_text(k.asked.text), "= \\text{a sign}");
+  }
+  std::vector<std::string> names;
+  for (const std::string &n : k.decision.stored_inputs)
+    names.push_back(fmt::format("\\mathit{{{}}}", latex_name(n)));
+  int i = 0;
+  for (const lower::stage *s : lower::stages(k.decision))
+    for (const int a : s->atoms) {
+      const poly::poly &atom = k.decision.signs.atoms()[static_cast<std::size_t>(a)];
+      const std::string text = k.decision.signs.text(a);
+      const std::size_t terms = atom.terms().size();
+      std::string is = text.empty() ? "" : "= " + latex_text(text);
+      if (terms <= most_terms || text.empty())
+        is += (is.empty() ? "= " : " = ") + latex_poly(atom, names);
+      else
+        is += fmt::format("\\quad\\text{{({} terms)}}", terms);
+      line(fmt::format("s_{{{}}}", i++), is);
+    }
+  return out + "\\end{align*}\n";
+}
+
 } // namespace
 
 std::string latex(const unit &u, std::size_t kernel) {
   const lower::kernel &k = u.kernels[kernel];
+  if (k.is_predicate)
+    return latex_predicate(k);
   std::string out = "\\begin{align*}\n";
-  if (k.is_predicate) {
-    std::vector<std::string> names;
-    for (const std::string &n : k.decision.stored_inputs)
-      names.push_back(fmt::format("\\mathit{{{}}}", latex_name(n)));
-    int i = 0;
-    for (const lower::stage *s : lower::stages(k.decision))
-      for (const int a : s->atoms)
-        out += fmt::format("s_{{{}}} &= {} \\\\\n", i++,
-                           latex_poly(k.decision.signs.atoms()[static_cast<std::size_t>(a)], names));
-    return out + "\\end{align*}\n";
-  }
   const lower::declared_formula &f = *u.shown[kernel].declared;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < f.supports.size(); ++i)

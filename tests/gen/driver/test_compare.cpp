@@ -159,3 +159,42 @@ TEST_CASE("compare: an error is one line") {
   fails(fmt::format("'{}' --compile no-such-compiler", scene("spheres.toml")), "no-such-compiler: cannot be run");
   fails(fmt::format("'{}' --compile false", scene("spheres.toml")), "false: failed");
 }
+
+TEST_CASE("compare --kernels: the same kernel in two algebras, side by side") {
+  const temporary_folder folder;
+  folder.write("a.toml", small_algebra);
+  folder.write("b.toml", edited(small_algebra, "'(B*B)[1]'", "'2*(B*B)[1] + (B*B)[1]'"));
+  const std::string kernels = "'norm2(meet(sphere, sphere))', 'touch'";
+  folder.write("s.toml", small_scene(kernels));
+  folder.write("t.toml",
+               edited(edited(small_scene(kernels + ", 'meet(sphere, sphere)'"), "a.toml", "b.toml"), "'x'", "'y'"));
+  const outcome o = run_meetc("compare s.toml t.toml --kernels", folder.path());
+  INFO(o.out << o.err);
+  REQUIRE(o.code == 0);
+  std::istringstream lines(o.out.substr(o.out.find("\n\n") + 2));
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line.substr(0, 6) == "kernel");
+  CHECK_THAT(line, contains("s: mul/add  s: atoms  s: bound") && contains("t: mul/add  t: atoms  t: bound"));
+  std::map<std::string, std::vector<std::string>> cells;
+  while (std::getline(lines, line)) {
+    const std::size_t end = line.find("  ");
+    std::istringstream rest(line.substr(end));
+    for (std::string cell; rest >> cell;)
+      cells[line.substr(0, end)].push_back(cell);
+  }
+  REQUIRE(cells.size() == 3);
+  const auto &norm = cells["norm2(meet(sphere, sphere))"], &touch = cells["touch"],
+             &meet = cells["meet(sphere, sphere)"];
+  REQUIRE(norm.size() == 6);
+  REQUIRE(meet.size() == 6);
+  CHECK(norm[0] != norm[3]); // three times the value is one multiplication more
+  CHECK(norm[1] == "-");
+  CHECK(meet[0] == "-"); // s does not ask for it
+  CHECK(meet[3].find('/') != std::string::npos);
+  // A factor 3 is no part of a sign.
+  REQUIRE(touch.size() == 6);
+  CHECK(std::vector(touch.begin(), touch.begin() + 3) == std::vector(touch.begin() + 3, touch.end()));
+  CHECK(touch[1] == "2");
+  CHECK(std::stod(touch[2]) > 1);
+}

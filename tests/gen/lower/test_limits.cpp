@@ -80,6 +80,20 @@ TEST_CASE("expressions that are too deep or too long") {
       {"a long number", blade, "c - " + repeat("9", 5000) + "*r*r*n", "this number has more than 300 digits"},
       {"a long fraction", blade, "c - 0." + repeat("1", 5000) + "*r*r*n", "this number has more than 300 digits"},
       {"the longest sum that is read", blade, 'c' + repeat(" + c", 1990), "more than 400 levels"},
+      {"a hundred thousand parentheses", blade, repeat("(", 100000) + 'c' + repeat(")", 100000), deep},
+      {"a power of ten by a power", blade, "c - 10^1000000000*r*r*n", "'^' is the outer product"},
+      {"forty vectors", "'e1', 'e2', 'e3'",
+       [] {
+         std::string out = "'v0'";
+         for (int i = 1; i < 40; ++i)
+           out += fmt::format(", 'v{}'", i);
+         return out;
+       }(),
+       "an algebra has 1 to 8 basis vectors, not 42"},
+      {"a long square", "squares = [1,", "squares = ['" + repeat("9", 5000) + "',",
+       "this number has more than 300 digits"},
+      {"a file of megabytes", constants, repeat("# nothing\n", 500000) + constants,
+       "this file has more than 4000000 bytes"},
       {"TOML arrays", "null ", "import = " + repeat("[", 5000) + repeat("]", 5000) + "\nnull ",
        "maximum nested value depth"},
       {"TOML keys", "[constants]", '[' + repeat("a.", 5000) + "a]\nb = 1\n[constants]", "an algebra has no 'a'"},

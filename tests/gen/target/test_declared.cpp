@@ -221,6 +221,15 @@ TEST_CASE("the JSON of a predicate holds its atoms") {
   CHECK(j.at("atoms").at("rare").size() == 45);
 }
 
+TEST_CASE("the LaTeX of a predicate is what was written, with short signs alone in full") {
+  const std::string text = shown(default_scene(), default_kernel("segment_triangle"), "latex");
+  CHECK_THAT(text, contains("\\texttt{sp} &= \\texttt{side(t, s.p)} \\\\\n") &&
+                       contains("\\text{no, if} &\\ \\texttt{sp*sq > 0}") &&
+                       contains("s_{0} &= \\texttt{side(t, s.p)}\\quad\\text{(24 terms)}") &&
+                       contains("= \\texttt{s.p[e1] - t.a[e1]} =  \\mathit{s.p.x} -  \\mathit{t.a.x}"));
+  CHECK(text.find("\\mathit{s.p.x} \\mathit{t.a.y} \\mathit{t.b.z}") == std::string::npos); // of the first sign
+}
+
 TEST_CASE("each stage can be shown of every kernel") {
   for (const lower::kernel *k : default_kernels(want::made_of_signs)) {
     CHECK_FALSE(shown(default_scene(), *k, "poly").empty());
