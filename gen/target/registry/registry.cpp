@@ -7,6 +7,7 @@
 #include "gen/target/json/json.hpp"
 #include "gen/target/latex/latex.hpp"
 #include "gen/target/python/python.hpp"
+#include "gen/target/shader/shader.hpp"
 #include "gen/target/text/text.hpp"
 
 #include <algorithm>
@@ -76,6 +77,18 @@ constexpr target table[] = {
      .files = python_files,
      .source = ".py",
      .show = python_text},
+    {.name = "glsl",
+     .what = "formulas, signs and plain predicates for shaders of GLSL, in float32",
+     .can = plain_ones,
+     .files = glsl_files,
+     .source = ".glsl",
+     .show = glsl_text},
+    {.name = "wgsl",
+     .what = "the same for shaders of WGSL",
+     .can = plain_ones,
+     .files = wgsl_files,
+     .source = ".wgsl",
+     .show = wgsl_text},
     {.name = "cuda",
      .what = "launchers on a CUDA device",
      .can = everything,
